@@ -14,7 +14,10 @@ pub mod space;
 pub use camera::{
     Camera, ClipPoint, Projection, ProjectionError, Viewing, ViewingError, Viewport, ViewportError, Window,
 };
-pub use math::{Affine, Angle, Coordinate, NumberError, Point3, Scalar, Vector3};
+pub use math::{
+    Affine, Angle, AxisError, Coordinate, InverseError, NormalMap, NumberError, Point3, Quaternion,
+    QuaternionError, Scalar, Vector3,
+};
 pub use render::{Corner, Cull, Painter, Placed, RecordError, Statistics};
 pub use scene::{Mesh, MeshError};
 pub use shade::{Dim, Lambert, LightError};

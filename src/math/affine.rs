@@ -1,8 +1,9 @@
 //! Affine transforms between the spaces a scene is set up in.
 
-use super::num::{add, scale};
+use super::num::{add, excess, fraction, scale, sqrt};
 use super::row::{block, Row};
-use super::{Angle, Point3, Scalar, Vector3};
+use super::unit::normalise;
+use super::{Angle, Point3, Quaternion, Scalar, Vector3};
 use crate::space::SetUp;
 use core::marker::PhantomData;
 
@@ -94,6 +95,162 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 0, [0; 3])
     }
 
+    /// About the line through `through` along `axis` (any length), right-handed:
+    /// `R = c·I + (1 − c)·a·aᵀ + s·[a]×` and the translation `through − R·through`. Coefficients
+    /// within 2⁻²⁸. (Rodrigues 1840; Goldman, *Matrices and transformations*, Graphics Gems, 1990.)
+    ///
+    /// ```
+    /// use pinhole::{space::World, Affine, Angle, AxisError, Point3, Vector3};
+    /// let (through, axis) = (Point3::from_ints(1, 0, 0), Vector3::from_ints(0, 0, 7));
+    /// let half = Affine::<World, World>::rotation(through, axis, Angle::HALF_TURN)?;
+    /// assert_eq!(half.apply(Point3::from_ints(3, 4, 5)), Point3::from_ints(-1, -4, 5));
+    /// # Ok::<(), AxisError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`AxisError::ZeroAxis`].
+    pub fn rotation(through: Point3<B>, axis: Vector3<B>, angle: Angle) -> Result<Self, AxisError> {
+        let axis = normalise(axis.bits().map(i64::from)).ok_or(AxisError::ZeroAxis)?;
+        let (s, c) = angle.sin_cos();
+        let versine = i64::from(ONE) - i64::from(c); // 0 … 2³¹
+                                                     // Products in 2⁻⁶⁰, to 2⁻³⁰: at most 2⁶¹.
+        let outer = |a: i32, b: i32| scale(versine * scale(i64::from(a) * i64::from(b), -30), -30);
+        let turn = |a: i32| scale(i64::from(a) * i64::from(s), -30);
+        let [x, y, z] = axis;
+        let c = i64::from(c);
+        let linear = [
+            [c + outer(x, x), outer(x, y) - turn(z), outer(x, z) + turn(y)],
+            [outer(y, x) + turn(z), c + outer(y, y), outer(y, z) - turn(x)],
+            [outer(z, x) - turn(y), outer(z, y) + turn(x), c + outer(z, z)],
+        ];
+        Ok(Self::about(linear, through))
+    }
+
+    /// The rotation that a quaternion describes. Coefficients within 2⁻²⁸.
+    /// (Shoemake, *Animating rotation with quaternion curves*, 1985.)
+    pub fn from_quaternion(quaternion: Quaternion) -> Self {
+        let [w, x, y, z] = quaternion.parts().map(i64::from);
+        // Twice a product of 30-bit numbers, to 2⁻³⁰.
+        let twice = |sum: i64| scale(sum, -29);
+        let one = i64::from(ONE);
+        let linear = [
+            [one - twice(y * y + z * z), twice(x * y - w * z), twice(x * z + w * y)],
+            [twice(x * y + w * z), one - twice(x * x + z * z), twice(y * z - w * x)],
+            [twice(x * z - w * y), twice(y * z + w * x), one - twice(x * x + y * y)],
+        ];
+        Self::about(linear, Point3::from_ints(0, 0, 0))
+    }
+
+    /// A linear part in 2⁻³⁰, up to 31 bits, that leaves one point where it is.
+    fn about(linear: [[i64; 3]; 3], fixed: Point3<B>) -> Self {
+        let (linear, exponent) = block(linear, 0);
+        let turned = Self::from_parts(linear, exponent, [0; 3]);
+        let at = fixed.bits().map(|c| i64::from(c) << 16);
+        let offset = turned.rows().map(|row| -row.apply(at));
+        let away = |i: usize| add(at[i], offset[i]);
+        Self { offset: [away(0), away(1), away(2)], ..turned }
+    }
+
+    /// The frame with these axes and origin: columns a, b, c, o. It leads from the frame's own
+    /// coordinates to those in which it is given. Exact where the axes span no more than 30 bits.
+    pub fn from_frame(a: Vector3<B>, b: Vector3<B>, c: Vector3<B>, origin: Point3<B>) -> Self {
+        let (a, b, c) = (a.bits(), b.bits(), c.bits());
+        let row = |i: usize| [a[i], b[i], c[i]].map(i64::from);
+        let (linear, exponent) = block([row(0), row(1), row(2)], 14);
+        Self::from_parts(linear, exponent, origin.bits().map(|c| i64::from(c) << 16))
+    }
+
+    /// The way back: `p = M⁻¹·p′`, from the cofactors.
+    ///
+    /// The error relative to the inverse's largest coefficient is at most 2⁻²⁶ times the ratio
+    /// of the transform's largest stretch to its smallest.
+    ///
+    /// # Errors
+    ///
+    /// [`InverseError::Singular`] where the axes lie in a plane: the determinant, relative to the
+    /// product of the rows' lengths, is below 2⁻²⁴.
+    pub fn inverse(&self) -> Result<Affine<B, A>, InverseError> {
+        let (cofactors, c_exponent) = cofactors(&self.linear);
+        // det = first row · its cofactors, in 2^(c_exponent − 60) of the cubed block.
+        let determinant: i64 =
+            self.linear[0].iter().zip(cofactors[0]).map(|(&a, c)| i64::from(a) * i64::from(c)).sum();
+        if determinant == 0 || self.flatness(determinant, c_exponent) {
+            return Err(InverseError::Singular);
+        }
+        // inverse = cofactorsᵀ / det: 30 bits over 61 bits. Each quotient has 31 bits after its
+        // leading one; the block's exponent puts them together.
+        let up = -excess(determinant.unsigned_abs(), 62); // det < 2⁶²: never negative
+        let divisor = determinant.unsigned_abs() << up.clamp(0, 62);
+        let quotient = |c: i32| {
+            // c < 2³¹ as a fraction of 2⁶¹ ≥ divisor/2: at most 2.
+            let q = fraction(u64::from(c.unsigned_abs()) << 30, divisor, 32) as i64;
+            if (c < 0) == (determinant < 0) {
+                q
+            } else {
+                -q
+            }
+        };
+        let transposed = |i: usize| [cofactors[0][i], cofactors[1][i], cofactors[2][i]].map(quotient);
+        let linear = [transposed(0), transposed(1), transposed(2)];
+        // Values: c·2^(ce + 2e − 60) over det·2^(ce + 3e − 90), so c/det · 2^(30 − e), and the
+        // quotient is c·2³⁰/(det·2^up) · 2³².
+        let (linear, exponent) = block(linear, 30 - self.exponent - 30 - 32 + up + 30);
+        Ok(self.returning(linear, exponent))
+    }
+
+    /// Whether the determinant is too small beside the rows for an inverse.
+    fn flatness(&self, determinant: i64, c_exponent: i32) -> bool {
+        let length = |row: &[i32; 3]| {
+            let square: u64 = row.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
+            u64::from(sqrt(square)) // ≤ 2³⁰·⁸
+        };
+        let [a, b, c] = self.linear.each_ref().map(length);
+        // det·2^(c_exponent − 60) against a·b·c·2⁻⁹⁰·2⁻²⁴.
+        let ab = a * b; // ≤ 2⁶¹·⁶
+        let down = excess(ab, 31).max(0);
+        let volume = (ab >> down) * c; // ≤ 2⁶²
+        let shift = c_exponent + 54 - down;
+        let (det, volume) = (determinant.unsigned_abs(), volume);
+        // det · 2^shift < volume, without leaving 64 bits.
+        if shift >= 0 {
+            det < volume.checked_shr(shift as u32).unwrap_or(0)
+        } else {
+            det.checked_shr(shift.unsigned_abs()).unwrap_or(0) < volume
+        }
+    }
+
+    /// The inverse of a rigid transform, a rotation and a shift: `Rᵀ` and `−Rᵀ·o`, with no
+    /// division and no loss but the rounding of the translation.
+    ///
+    /// # Errors
+    ///
+    /// [`InverseError::NotRigid`] where rows are not of length 1 or not orthogonal, to 2⁻²⁰.
+    pub fn rigid_inverse(&self) -> Result<Affine<B, A>, InverseError> {
+        let m = &self.linear;
+        // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½.
+        let gram = |i: usize, j: usize| -> i64 {
+            (0..3).map(|k| i64::from(m[i][k]) * i64::from(m[j][k])).sum::<i64>()
+            // ≤ 3·2⁶⁰
+        };
+        let one = scale(1 << 60, -2 * self.exponent);
+        let near = |value: i64, wanted: i64| (value - wanted).abs() <= 1 << 40;
+        let pairs = [(0, 0, one), (1, 1, one), (2, 2, one), (0, 1, 0), (0, 2, 0), (1, 2, 0)];
+        if !(-1..=1).contains(&self.exponent) || !pairs.iter().all(|&(i, j, wanted)| near(gram(i, j), wanted))
+        {
+            return Err(InverseError::NotRigid);
+        }
+        let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
+        Ok(self.returning([column(0), column(1), column(2)], self.exponent))
+    }
+
+    /// The inverse with this linear part: `−L·o` brings this transform's origin back.
+    fn returning(&self, linear: [[i32; 3]; 3], exponent: i32) -> Affine<B, A> {
+        let back = Affine::<B, A>::from_parts(linear, exponent, [0; 3]);
+        let offset = back.rows().map(|row| -row.apply(self.offset));
+        Affine { offset, ..back }
+    }
+
     /// First this, then `next`: the matrix product `next · self`.
     pub fn then<C: SetUp>(&self, next: &Affine<B, C>) -> Affine<A, C> {
         let (linear, exponent) = product(&next.linear, next.exponent, &self.linear, self.exponent);
@@ -122,6 +279,54 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         let row = |i: usize| Row { linear: self.linear[i], exponent: self.exponent, offset: self.offset[i] };
         [row(0), row(1), row(2)]
     }
+}
+
+/// Why there is no rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum AxisError {
+    /// The axis has length zero: give a direction.
+    ZeroAxis,
+}
+
+impl core::fmt::Display for AxisError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("the axis of rotation has length zero")
+    }
+}
+
+impl core::error::Error for AxisError {}
+
+/// Why there is no way back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum InverseError {
+    /// The transform flattens space: no scale may be zero, no axis lie in the plane of the others.
+    Singular,
+    /// The transform scales or shears: take [`Affine::inverse`].
+    NotRigid,
+}
+
+impl core::fmt::Display for InverseError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Singular => "the transform flattens space and has no inverse",
+            Self::NotRigid => "the transform is not rigid: take the general inverse",
+        })
+    }
+}
+
+impl core::error::Error for InverseError {}
+
+/// det(A)·A⁻ᵀ, whose rows are the cross products of A's: 30 bits, and the exponent of the block
+/// relative to 2⁻³⁰ for products in 2⁻⁶⁰.
+pub(crate) fn cofactors([x, y, z]: &[[i32; 3]; 3]) -> ([[i32; 3]; 3], i32) {
+    let cross = |a: &[i32; 3], b: &[i32; 3]| {
+        // Products of at most 2⁶⁰.
+        let part = |i: usize, j: usize| i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]);
+        [part(1, 2), part(2, 0), part(0, 1)]
+    };
+    block([cross(y, z), cross(z, x), cross(x, y)], -30)
 }
 
 /// 2⁻³² to 2⁻¹⁶, rounded to nearest, saturated.

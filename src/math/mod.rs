@@ -4,18 +4,23 @@
 mod affine;
 mod angle;
 mod form;
+mod normal;
 pub(crate) mod num;
 mod point;
+mod quaternion;
 mod row;
 pub(crate) mod unit;
 
-pub use affine::Affine;
 pub(crate) use affine::{product, to_scalar};
+pub use affine::{Affine, AxisError, InverseError};
 pub use angle::Angle;
 pub use form::Coordinate;
 pub(crate) use form::{Form, Homogeneous};
+pub(crate) use normal::to_short;
+pub use normal::NormalMap;
 pub use point::{Point3, Vector3};
-pub(crate) use row::{block, Row};
+pub use quaternion::{Quaternion, QuaternionError};
+pub(crate) use row::Row;
 
 /// The crate's public scalar: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶.
 pub type Scalar = fixed::types::I16F16;

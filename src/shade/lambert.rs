@@ -1,8 +1,8 @@
 //! Ambient and Lambert light per face.
 
-use crate::math::num::{fraction, scale, sqrt};
+use crate::math::num::scale;
 use crate::math::unit::normalise;
-use crate::math::{block, Affine, Vector3};
+use crate::math::{to_short, Affine, NormalMap, Vector3};
 use crate::space::{Model, World};
 
 /// One directional light and an ambient part, made ready for one object.
@@ -26,8 +26,8 @@ pub struct Lambert {
     /// Towards the light, a unit vector in 2⁻¹⁵: of the model when the transform keeps angles, of
     /// the world otherwise.
     towards: [i16; 3],
-    /// The normal transform in 2⁻¹⁴ of its largest coefficient, where it bends angles.
-    bend: Option<[[i16; 3]; 3]>,
+    /// The way of normals to the world, where the transform bends angles.
+    bend: Option<NormalMap<Model, World>>,
     ambient: u16,
 }
 
@@ -60,18 +60,15 @@ impl Lambert {
         ambient: u16,
     ) -> Result<Self, LightError> {
         let light = normalise(towards_light.bits().map(i64::from)).ok_or(LightError::ZeroDirection)?;
-        let normals = cofactors(model.linear().0);
+        let normals = model.normals();
+        let rows = normals.rows();
         // n·(Cᵀ·l) = (C·n)·l. Columns of C times l: three products of at most 2⁶⁰.
-        let column = |j: usize| (0..3).map(|i| i64::from(normals[i][j]) * i64::from(light[i])).sum::<i64>();
+        let column = |j: usize| (0..3).map(|i| i64::from(rows[i][j]) * i64::from(light[i])).sum::<i64>();
         let in_model = normalise([column(0), column(1), column(2)]).unwrap_or([0; 3]);
-        let even = keeps_angles(&normals);
-        // 2⁻³⁰ to 2⁻¹⁵; +1 becomes 32767.
-        let short = |v: [i32; 3]| v.map(|c| ((c + (1 << 14)) >> 15).min(32_767) as i16);
-        // 30 bits to 14.
-        let bend = normals.map(|row| row.map(|c| ((c + (1 << 15)) >> 16) as i16));
+        let even = keeps_angles(rows);
         Ok(Self {
-            towards: short(if even { in_model } else { light }),
-            bend: (!even).then_some(bend),
+            towards: to_short(if even { in_model } else { light }),
+            bend: (!even).then_some(normals),
             ambient: ambient.min(256),
         })
     }
@@ -79,51 +76,18 @@ impl Lambert {
     /// The light on a face with this unit normal (model space, 2⁻¹⁵), 0 … 256: within 1 of
     /// `ambient + (256 − ambient) · max(0, cos)`.
     pub fn level(&self, normal: [i16; 3]) -> u16 {
-        let normal = normal.map(i32::from);
-        let cosine = match &self.bend {
-            // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
-            None => dot(normal, self.towards.map(i32::from)) >> 15,
-            Some(bend) => self.bent(normal, bend),
+        let normal = match &self.bend {
+            None => normal,
+            Some(bend) => bend.apply(normal),
         };
-        let cosine = cosine.clamp(0, 1 << 15) as u32;
+        // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
+        let dot = |[a, b, c]: [i16; 3], [x, y, z]: [i16; 3]| {
+            let product = |a: i16, b: i16| i32::from(a) * i32::from(b);
+            product(a, x).wrapping_add(product(b, y)).wrapping_add(product(c, z))
+        };
+        let cosine = (dot(normal, self.towards) >> 15).clamp(0, 1 << 15) as u32;
         let rest = u32::from(256 - self.ambient.min(256)); // ≤ 2⁸
         self.ambient + ((rest * cosine + (1 << 14)) >> 15) as u16
-    }
-
-    /// The cosine in 2⁻¹⁵ under a transform that bends angles.
-    fn bent(&self, normal: [i32; 3], bend: &[[i16; 3]; 3]) -> i32 {
-        // Coefficients ≤ 2¹⁴: sums below 3·2²⁹.
-        let n = bend.map(|row| i64::from(dot(row.map(i32::from), normal)));
-        let square = n.iter().map(|c| c.unsigned_abs().pow(2)).sum(); // < 3·2⁶¹·²
-        let length = u64::from(sqrt(square)).max(1);
-        let along: i64 = n.iter().zip(self.towards).map(|(&c, l)| c * i64::from(l)).sum(); // < 2⁴⁸
-        if along <= 0 {
-            return 0;
-        }
-        fraction(along.unsigned_abs(), length << 15, 15) as i32
-    }
-}
-
-fn dot([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> i32 {
-    a.wrapping_mul(x).wrapping_add(b.wrapping_mul(y)).wrapping_add(c.wrapping_mul(z))
-}
-
-/// det(A)·A⁻ᵀ, with the sign turned where A mirrors so that normals keep pointing outwards: 30
-/// bits, up to a positive factor.
-fn cofactors(a: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
-    let [x, y, z] = a;
-    let cross = |a: &[i32; 3], b: &[i32; 3]| {
-        // Products of at most 2⁶⁰.
-        let part = |i: usize, j: usize| i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]);
-        [part(1, 2), part(2, 0), part(0, 1)]
-    };
-    let rows = [cross(y, z), cross(z, x), cross(x, y)];
-    let (rows, _) = block(rows, 0);
-    let determinant: i64 = (0..3).map(|j| i64::from(rows[0][j]) * i64::from(x[j])).sum();
-    if determinant < 0 {
-        rows.map(|row| row.map(|c| -c))
-    } else {
-        rows
     }
 }
 

@@ -1,0 +1,74 @@
+//! Normals under an affine transform.
+
+use super::affine::cofactors;
+use super::unit::normalise;
+use super::Affine;
+use crate::space::SetUp;
+use core::marker::PhantomData;
+
+/// What a transform does to surface normals: the inverse transpose, up to a positive factor.
+///
+/// It is computed from the cofactors, so it exists even where the transform has no inverse; where
+/// the transform mirrors, normals keep pointing outwards. (Turkowski, *Transformations of surface
+/// normal vectors*, 1990.)
+///
+/// ```
+/// use pinhole::{space::{Model, World}, Affine, Scalar};
+/// let flatten = Affine::<Model, World>::scale_axes(Scalar::from_num(1), Scalar::from_num(1), Scalar::from_num(0.5));
+/// let slope = [23170, 0, 23170]; // 45° in x and z, in 2⁻¹⁵
+/// let [x, _, z] = flatten.normals().apply(slope);
+/// assert_eq!((x, z), (14654, 29309)); // z doubles against x, and the length is one again
+/// ```
+#[derive(Debug, PartialEq, Eq)]
+pub struct NormalMap<A, B> {
+    /// 30 bits, up to a positive factor.
+    rows: [[i32; 3]; 3],
+    ends: PhantomData<(A, B)>,
+}
+
+impl<A, B> Clone for NormalMap<A, B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<A, B> Copy for NormalMap<A, B> {}
+
+impl<A: SetUp, B: SetUp> Affine<A, B> {
+    /// The map for normals.
+    pub fn normals(&self) -> NormalMap<A, B> {
+        let (linear, _) = self.linear();
+        let (rows, _) = cofactors(linear);
+        // The determinant's sign; three products of at most 2⁶⁰.
+        let determinant: i64 = linear[0].iter().zip(rows[0]).map(|(&a, c)| i64::from(a) * i64::from(c)).sum();
+        let rows = if determinant < 0 { rows.map(|row| row.map(|c| -c)) } else { rows };
+        NormalMap { rows, ends: PhantomData }
+    }
+}
+
+impl<A, B> NormalMap<A, B> {
+    /// The image of a normal of any length in 2⁻¹⁵: a unit normal (32767 stands for 1), each
+    /// component within 2⁻¹⁵, or zero where the image has no direction.
+    pub fn apply(&self, normal: [i16; 3]) -> [i16; 3] {
+        let image = self.rows.map(|row| {
+            // Three products of at most 2⁴⁵.
+            row.iter().zip(normal).map(|(&m, n)| i64::from(m) * i64::from(n)).sum()
+        });
+        normalise(image).map_or([0; 3], to_short)
+    }
+
+    pub(crate) const fn rows(&self) -> &[[i32; 3]; 3] {
+        &self.rows
+    }
+}
+
+/// A unit vector from 2⁻³⁰ to 2⁻¹⁵, rounded to nearest; +1 becomes 32767.
+pub(crate) fn to_short(unit: [i32; 3]) -> [i16; 3] {
+    unit.map(|c| ((c + (1 << 14)) >> 15).min(32_767) as i16)
+}
+
+#[cfg(feature = "defmt")]
+impl<A, B> defmt::Format for NormalMap<A, B> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "normals {}", self.rows);
+    }
+}

@@ -1,0 +1,96 @@
+//! Unit quaternions, as orientation filters deliver them.
+
+use super::num::{excess, fraction, scale, sqrt};
+use super::{NumberError, Scalar};
+
+/// A rotation as a unit quaternion `w + x·i + y·j + z·k`; its parts are kept in 2⁻³⁰.
+///
+/// ```
+/// use pinhole::{space::{Model, World}, Affine, Angle, Quaternion, QuaternionError, Scalar};
+/// let one = Scalar::from_num(1);
+/// let quarter = Quaternion::new(one, Scalar::ZERO, Scalar::ZERO, one)?; // 90° about z, any length
+/// let turn = Affine::<Model, World>::from_quaternion(quarter);
+/// let p = pinhole::Point3::from_ints(1, 0, 0);
+/// assert_eq!(turn.apply(p), Affine::<Model, World>::rotation_z(Angle::QUARTER_TURN).apply(p));
+/// # Ok::<(), QuaternionError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Quaternion([i32; 4]);
+
+/// Why there is no rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum QuaternionError {
+    /// All four parts are zero: the identity is (1, 0, 0, 0).
+    Zero,
+    /// A part is no number, or beyond ±32768.
+    Number(NumberError),
+}
+
+impl core::fmt::Display for QuaternionError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Zero => f.write_str("a quaternion of length zero is no rotation"),
+            Self::Number(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for QuaternionError {}
+
+impl Quaternion {
+    /// From its parts, of any length but zero: they are normalised, each within 2⁻²⁹.
+    ///
+    /// # Errors
+    ///
+    /// [`QuaternionError::Zero`].
+    pub fn new(w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Result<Self, QuaternionError> {
+        Self::normalised([w, x, y, z].map(|c| i64::from(c.to_bits())))
+    }
+
+    fn normalised(parts: [i64; 4]) -> Result<Self, QuaternionError> {
+        let largest = parts.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
+        if largest == 0 {
+            return Err(QuaternionError::Zero);
+        }
+        // To 30 bits, so that four squares stay below 2⁶³.
+        let parts = parts.map(|c| scale(c, -excess(largest, 30)));
+        let square = parts.iter().map(|c| c.unsigned_abs().pow(2)).sum();
+        let length = u64::from(sqrt(square)); // 2²⁹ … 2³¹
+        Ok(Self(parts.map(|c| {
+            let q = (fraction(c.unsigned_abs(), length, 31) + 1) >> 1;
+            let q = q.min(1 << 30) as i32;
+            if c < 0 {
+                -q
+            } else {
+                q
+            }
+        })))
+    }
+
+    /// w, x, y, z in 2⁻³⁰.
+    pub(crate) const fn parts(self) -> [i32; 4] {
+        self.0
+    }
+}
+
+/// From micromath's, of any length from 2⁻⁸ to 2¹⁵; each part keeps its 24 bits down to 2⁻³².
+impl TryFrom<micromath::Quaternion> for Quaternion {
+    type Error = QuaternionError;
+
+    fn try_from(q: micromath::Quaternion) -> Result<Self, QuaternionError> {
+        let [w, x, y, z] = [q.w(), q.x(), q.y(), q.z()].map(|c| {
+            if !c.is_finite() {
+                Err(NumberError::NotFinite)
+            } else if !(-32_768.0..=32_768.0).contains(&c) {
+                Err(NumberError::OutOfRange)
+            } else {
+                // Exact: a float times a power of two; truncated below 2⁻³².
+                Ok((f64::from(c) * 4_294_967_296.0) as i64)
+            }
+        });
+        let number = |c: Result<i64, NumberError>| c.map_err(QuaternionError::Number);
+        Self::normalised([number(w)?, number(x)?, number(y)?, number(z)?])
+    }
+}
