@@ -2,7 +2,7 @@
 #![doc = include_str!("../README.md")]
 
 mod camera;
-mod clip;
+pub mod clip;
 mod math;
 mod output;
 pub mod raster;
@@ -12,12 +12,13 @@ mod shade;
 pub mod space;
 
 pub use camera::{
-    Camera, ClipPoint, Projection, ProjectionError, Viewing, ViewingError, Viewport, ViewportError, Window,
+    Camera, Hidden, PlanarProjection, Projection, ProjectionError, Ray, ReferenceVolume, Side,
+    VanishingPoint, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
 };
 pub use math::{
-    Affine, Angle, AxisError, Coordinate, InverseError, NormalMap, NumberError, Point3, Quaternion,
-    QuaternionError, Scalar, Vector3,
+    Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, NormalMap, NumberError, Outcode, Point3,
+    Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use render::{Corner, Cull, Painter, Placed, RecordError, Statistics};
-pub use scene::{Mesh, MeshError};
+pub use scene::{Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shade::{Dim, Lambert, LightError};

@@ -5,6 +5,7 @@
 //! | [`Model`] | world units | the mesh's own |
 //! | [`World`] | world units | right-handed, the scene's own |
 //! | [`View`] | world units | u right, v up, n towards the viewer: the camera looks along −n |
+//! | [`Canonical`] | – | −1 ≤ x, y ≤ 1 and −1 ≤ z ≤ 0, or x, y = ±z and −1 ≤ z < 0 |
 //! | [`Ndc`] | −1 … 1 | x right, y up, z from near (−1) to far (+1) |
 //!
 //! Clip and screen coordinates differ in their arithmetic too and are types of their own,
@@ -47,7 +48,7 @@
 //! let _ = Affine::<World, View>::identity();
 //! ```
 
-/// A space of the pipeline. Sealed: there are exactly the four.
+/// A space of the pipeline. Sealed: there are no others.
 pub trait Space: sealed::Sealed {}
 
 /// A space in which a scene is set up: [`Model`] or [`World`]. Transforms between these are free;
@@ -69,6 +70,12 @@ pub enum World {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum View {}
 
+/// A canonical view volume of the PRP-and-window viewing: see
+/// [`ReferenceVolume`](crate::ReferenceVolume).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Canonical {}
+
 /// Normalised device coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -77,6 +84,7 @@ pub enum Ndc {}
 impl Space for Model {}
 impl Space for World {}
 impl Space for View {}
+impl Space for Canonical {}
 impl Space for Ndc {}
 impl SetUp for Model {}
 impl SetUp for World {}
@@ -86,5 +94,6 @@ mod sealed {
     impl Sealed for super::Model {}
     impl Sealed for super::World {}
     impl Sealed for super::View {}
+    impl Sealed for super::Canonical {}
     impl Sealed for super::Ndc {}
 }

@@ -1,15 +1,19 @@
 //! The camera: where it stands ([`Viewing`]), what it sees ([`Projection`]) and where on the
 //! target that goes ([`Viewport`]).
 
+mod picking;
 mod placement;
 mod projection;
 mod viewing;
 mod viewport;
+mod visibility;
 
+pub use picking::{Hidden, Ray, VanishingPoint};
 pub(crate) use placement::{Image, Placement};
-pub use projection::{ClipPoint, Projection, ProjectionError, Window};
-pub use viewing::{Viewing, ViewingError};
+pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};
+pub use viewing::{Side, Viewing, ViewingError};
 pub use viewport::{Viewport, ViewportError};
+pub use visibility::Visibility;
 
 use crate::math::num::mul_translation;
 use crate::math::Row;

@@ -2,7 +2,7 @@
 
 use crate::math::num::add;
 use crate::math::unit::{cross, cross_units, normalise};
-use crate::math::{Point3, Row, Vector3};
+use crate::math::{Point3, Row, Scalar, Vector3};
 use crate::space::{View, World};
 
 /// The rigid transform from world to view, `V = R · T(−eye)`:
@@ -45,8 +45,32 @@ pub enum ViewingError {
     ZeroDirection,
     /// VUP has length zero: give any vector that is not along the gaze, such as (0, 1, 0).
     ZeroUp,
+    /// An axonometric view needs a VPN of three non-zero components, two equal ones for a dimetric
+    /// view and none equal for a trimetric one.
+    NotAxonometric,
+    /// A matrix that is no rotation and shift.
+    NotRigid,
     /// VUP lies within 2⁻¹² rad of the gaze's line, so up is undefined: give another VUP.
     ParallelUp,
+}
+
+/// The sides that multiview drawings show. Top is seen with −z upwards, bottom with +z upwards, all
+/// others with y upwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Side {
+    /// From +z.
+    Front,
+    /// From −z.
+    Back,
+    /// From +x.
+    Right,
+    /// From −x.
+    Left,
+    /// From +y.
+    Top,
+    /// From −y.
+    Bottom,
 }
 
 impl core::fmt::Display for ViewingError {
@@ -54,6 +78,8 @@ impl core::fmt::Display for ViewingError {
         f.write_str(match self {
             Self::ZeroDirection => "the viewing direction has length zero",
             Self::ZeroUp => "the up vector has length zero",
+            Self::NotAxonometric => "the view plane normal does not fit the axonometric view",
+            Self::NotRigid => "the viewing matrix is not rigid",
             Self::ParallelUp => "the up vector is parallel to the viewing direction: give another",
         })
     }
@@ -101,6 +127,105 @@ impl Viewing {
         vup: Vector3<World>,
     ) -> Result<Self, ViewingError> {
         Self::towards(vrp.bits(), vpn.bits().map(i64::from), vup)
+    }
+
+    /// One of the six multiview directions, from `vrp`: for an orthographic projection, faces
+    /// parallel to the view plane keep their exact size. Exact.
+    pub const fn multiview(vrp: Point3<World>, side: Side) -> Self {
+        const P: i32 = 1 << 30;
+        // u, v, n; n points from the object to the viewer.
+        let rows = match side {
+            Side::Front => [[P, 0, 0], [0, P, 0], [0, 0, P]],
+            Side::Back => [[-P, 0, 0], [0, P, 0], [0, 0, -P]],
+            Side::Right => [[0, 0, -P], [0, P, 0], [P, 0, 0]],
+            Side::Left => [[0, 0, P], [0, P, 0], [-P, 0, 0]],
+            Side::Top => [[P, 0, 0], [0, 0, -P], [0, P, 0]],
+            Side::Bottom => [[P, 0, 0], [0, 0, P], [0, -P, 0]],
+        };
+        Self { rows, eye: vrp.bits() }
+    }
+
+    /// The isometric view, VPN (1, 1, 1) and y up: with an orthographic projection all three axes
+    /// are foreshortened by √(2/3). Coefficients within 2⁻³⁰.
+    pub const fn isometric(vrp: Point3<World>) -> Self {
+        // 1/√2, 1/√6, 2/√6 and 1/√3 in 2⁻³⁰.
+        const H: i32 = 759_250_125;
+        const S: i32 = 438_353_264;
+        const T: i32 = 619_925_131;
+        Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: vrp.bits() }
+    }
+
+    /// A dimetric view, y up: VPN (`side`, `up`, `side`), so that x and z are foreshortened alike
+    /// under an orthographic projection, by √((side² + up²)/(2·side² + up²)), and y by
+    /// √(2·side²/(2·side² + up²)).
+    ///
+    /// # Errors
+    ///
+    /// [`ViewingError::NotAxonometric`] where a component is zero or both are equal, and
+    /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹² of `up`.
+    pub fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewingError> {
+        if side.to_bits() == 0 || up.to_bits() == 0 || side.unsigned_abs() == up.unsigned_abs() {
+            return Err(ViewingError::NotAxonometric);
+        }
+        Self::from_reference(vrp, Vector3::new(side, up, side), Vector3::from_ints(0, 1, 0))
+    }
+
+    /// A trimetric view, y up: a VPN of three different components, none of them zero, foreshortens
+    /// each axis differently under an orthographic projection, axis i by √(1 − (VPNᵢ/|VPN|)²).
+    ///
+    /// # Errors
+    ///
+    /// [`ViewingError::NotAxonometric`] where a component is zero or two are equal but for the
+    /// sign, and [`ViewingError::ParallelUp`] where the VPN is within 2⁻¹² rad of the y axis.
+    pub fn trimetric(vrp: Point3<World>, vpn: Vector3<World>) -> Result<Self, ViewingError> {
+        let [x, y, z] = vpn.bits().map(i32::unsigned_abs);
+        if x == 0 || y == 0 || z == 0 || x == y || y == z || z == x {
+            return Err(ViewingError::NotAxonometric);
+        }
+        Self::from_reference(vrp, vpn, Vector3::from_ints(0, 1, 0))
+    }
+
+    /// From a rigid matrix, row by row, for column vectors: the rows of its rotation are u, v, n.
+    /// They are taken as they are to 2⁻³¹; the eye `−Rᵀ·t` is rounded to 2⁻¹⁶.
+    ///
+    /// # Errors
+    ///
+    /// [`ViewingError::NotRigid`] where the last row is not (0, 0, 0, 1), a number is not finite,
+    /// or a row is not of length 1 or not orthogonal to the others, to 10⁻⁶, or the rows are
+    /// left-handed; also where the eye leaves the world.
+    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ViewingError> {
+        let [u, v, n, last] = matrix;
+        if *last != [0.0, 0.0, 0.0, 1.0] {
+            return Err(ViewingError::NotRigid);
+        }
+        let dot = |a: &[f64; 4], b: &[f64; 4]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        // Written so that NaN fails.
+        let near = |value: f64, wanted: f64| value - wanted > -1e-6 && value - wanted < 1e-6;
+        let rigid = near(dot(u, u), 1.0)
+            && near(dot(v, v), 1.0)
+            && near(dot(n, n), 1.0)
+            && near(dot(u, v), 0.0)
+            && near(dot(v, n), 0.0)
+            && near(dot(n, u), 0.0);
+        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0], 0.0];
+        if !rigid || dot(&cross, n) < 0.0 {
+            return Err(ViewingError::NotRigid);
+        }
+        let eye = |i: usize| {
+            let e = -(u[i] * u[3] + v[i] * v[3] + n[i] * n[3]) * 65_536.0;
+            let e = e + if e < 0.0 { -0.5 } else { 0.5 };
+            let inside = e > -2_147_483_649.0 && e < 2_147_483_648.0;
+            inside.then_some(e as i32).ok_or(ViewingError::NotRigid)
+        };
+        let eye = [eye(0)?, eye(1)?, eye(2)?];
+        let rows = [u, v, n].map(|row| {
+            [row[0], row[1], row[2]].map(|c| {
+                let c = c * 1_073_741_824.0;
+                // |c| ≤ 1 + 10⁻⁶: brought to 2³⁰ at most.
+                ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30)
+            })
+        });
+        Ok(Self { rows, eye })
     }
 
     /// `back` is the direction of n, of any length.

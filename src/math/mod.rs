@@ -3,17 +3,20 @@
 
 mod affine;
 mod angle;
+mod clip_point;
 mod form;
 mod normal;
 pub(crate) mod num;
 mod point;
 mod quaternion;
 mod row;
+mod sphere;
 pub(crate) mod unit;
 
 pub(crate) use affine::{product, to_scalar};
 pub use affine::{Affine, AxisError, InverseError};
 pub use angle::Angle;
+pub use clip_point::{ClipPoint, Outcode};
 pub use form::Coordinate;
 pub(crate) use form::{Form, Homogeneous};
 pub(crate) use normal::to_short;
@@ -21,6 +24,7 @@ pub use normal::NormalMap;
 pub use point::{Point3, Vector3};
 pub use quaternion::{Quaternion, QuaternionError};
 pub(crate) use row::Row;
+pub use sphere::Sphere;
 
 /// The crate's public scalar: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶.
 pub type Scalar = fixed::types::I16F16;

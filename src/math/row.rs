@@ -53,4 +53,23 @@ impl Row {
         let ([linear], exponent) = block([sums], self.exponent + exponent - 30);
         Self { linear, exponent, offset: self.apply(offset) }
     }
+
+    /// `self · a + other · b` for factors of 30 bits and an exponent each.
+    pub(crate) fn combined(&self, a: (i64, i32), other: &Self, b: (i64, i32)) -> Self {
+        // Products of at most 2⁶⁰; the one with the smaller exponent is brought to the other's.
+        let part =
+            |row: &Self, (m, e): (i64, i32)| (row.linear.map(|c| i64::from(c) * m), row.exponent - 30 + e);
+        let ((a_sums, a_exponent), (b_sums, b_exponent)) = (part(self, a), part(other, b));
+        let blank = |sums: &[i64; 3]| *sums == [0; 3];
+        let exponent = match (blank(&a_sums), blank(&b_sums)) {
+            (true, _) => b_exponent,
+            (_, true) => a_exponent,
+            _ => a_exponent.max(b_exponent),
+        };
+        let at = |sums: [i64; 3], own: i32| sums.map(|c| scale(c, own - exponent));
+        let (a_sums, b_sums) = (at(a_sums, a_exponent), at(b_sums, b_exponent));
+        let sum = |i: usize| a_sums[i] + b_sums[i];
+        let offset = |row: &Self, (m, e): (i64, i32)| mul_translation(m as i32, e, row.offset); // |m| ≤ 2³⁰
+        Self::new([sum(0), sum(1), sum(2)], exponent, add(offset(self, a), offset(other, b)))
+    }
 }

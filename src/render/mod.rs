@@ -11,6 +11,7 @@
 //!    near ([`Painter`]).
 
 mod painter;
+mod path;
 mod statistics;
 
 pub use painter::{Painter, RecordError};
@@ -236,7 +237,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     fn cut_edge(&self, a: u16, b: u16) -> Option<(ScreenPoint, ScreenPoint)> {
         let placement = &self.placement;
         let (a, b) = (self.clip_vertex(a)?, self.clip_vertex(b)?);
-        let (a, b) = clip::line(a, b, placement.planes(), |i, p| placement.distance(i, p))?;
+        let (a, b) = clip::line_at(a, b, placement.planes(), |i, p| placement.distance(i, p))?;
         Some((placement.image(&a).point, placement.image(&b).point))
     }
 
@@ -247,7 +248,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         else {
             return Outcome::Outside;
         };
-        let polygon = clip::triangle([a, b, c], placement.planes(), |i, p| placement.distance(i, p));
+        let polygon = clip::triangle_at([a, b, c], placement.planes(), |i, p| placement.distance(i, p));
         if polygon.len() < 3 {
             return Outcome::Outside;
         }

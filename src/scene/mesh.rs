@@ -1,6 +1,7 @@
 //! Borrowed triangle meshes.
 
-use crate::math::{Coordinate, Scalar};
+use crate::math::num::{scale, sqrt};
+use crate::math::{Coordinate, Point3, Scalar, Sphere};
 
 /// A triangle mesh over borrowed data, checked once; it can be built in a `const` and lives in
 /// flash then.
@@ -8,7 +9,7 @@ use crate::math::{Coordinate, Scalar};
 /// Vertices are `i16` with a power-of-two unit, model coordinate = vertex · 2^exponent: 6 bytes
 /// each, and 16-bit products on a Cortex-M0. Meshes that need more range take [`Scalar`] vertices
 /// ([`Mesh::from_fixed`]); everything else is the same. Faces run counter-clockwise as seen from
-/// outside. Edges are needed for wireframes, face normals for light.
+/// outside; a mesh without faces is a list of points, for plots and tool paths. Edges are needed for wireframes, face normals for light.
 ///
 /// ```
 /// use pinhole::{Mesh, MeshError};
@@ -245,6 +246,40 @@ impl<'a, V> Mesh<'a, V> {
 }
 
 impl<V: Coordinate> Mesh<'_, V> {
+    /// A sphere round all vertices, about the centre of their bounding box: its radius is at most
+    /// √3 times the smallest one's, rounded up. For [`Camera::visibility`](crate::Camera::visibility);
+    /// compute it once.
+    pub fn bounding_sphere(&self) -> Sphere {
+        let justify = self.justify();
+        // In 2^unit world units.
+        let unit = i32::from(self.exponent) - justify as i32;
+        let (mut low, mut high) = ([i64::MAX; 3], [i64::MIN; 3]);
+        for &vertex in self.vertices {
+            let v = vertex.map(|c| i64::from(c.justify(justify)));
+            for ((low, high), c) in low.iter_mut().zip(&mut high).zip(v) {
+                *low = c.min(*low);
+                *high = c.max(*high);
+            }
+        }
+        if self.vertices.is_empty() {
+            return Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::ZERO };
+        }
+        let middle = |i: usize| -> i64 { (low[i] + high[i]) >> 1 }; // 33 bits
+        let bits = |v: i64| scale(v, unit + 16).clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32;
+        let centre = [middle(0), middle(1), middle(2)];
+        let mut square = 0u64;
+        for &vertex in self.vertices {
+            let v = vertex.map(|c| i64::from(c.justify(justify)));
+            // Differences below 2³², halved: three squares below 2⁶².
+            let part = |i: usize| (v[i] - centre[i]).unsigned_abs().div_ceil(2).pow(2);
+            square = square.max(part(0) + part(1) + part(2));
+        }
+        let radius = 2 * (i64::from(sqrt(square)) + 1);
+        // Up by the rounding of the centre and of the radius itself.
+        let radius = bits(radius).saturating_add(3);
+        Sphere { centre: Point3::from_bits(centre.map(bits)), radius: Scalar::from_bits(radius) }
+    }
+
     pub(crate) const fn justify(&self) -> u32 {
         self.justify as u32
     }

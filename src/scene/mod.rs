@@ -1,5 +1,7 @@
 //! What is looked at.
 
+mod hierarchy;
 mod mesh;
 
+pub use hierarchy::{Hierarchy, HierarchyError, Node};
 pub use mesh::{Mesh, MeshError};

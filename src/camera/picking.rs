@@ -1,0 +1,225 @@
+//! Single points: to the screen for labels, and back for picking.
+
+use super::{Camera, Placement};
+use crate::math::num::{add, excess, scale};
+use crate::math::unit::normalise;
+use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
+use crate::raster::{ScreenPoint, GUARD_BAND};
+use crate::space::{Model, Ndc, World};
+
+/// Why a point has no place on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Hidden {
+    /// It lies between the near plane and the eye, or behind the eye.
+    BeforeNear,
+    /// It lies beyond the far plane, and the camera clips there.
+    BeyondFar,
+    /// It lies more than 8192 pixels from the target's origin.
+    OutsideGuardBand,
+}
+
+impl core::fmt::Display for Hidden {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::BeforeNear => "the point lies before the near plane",
+            Self::BeyondFar => "the point lies beyond the far plane",
+            Self::OutsideGuardBand => "the point lies outside the guard band",
+        })
+    }
+}
+
+impl core::error::Error for Hidden {}
+
+/// A half-line in the world: where a pixel looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ray {
+    /// On the near plane.
+    pub origin: Point3<World>,
+    /// Away from the viewer, of a length between 8192 and 32768.
+    pub direction: Vector3<World>,
+}
+
+/// Where the parallels to an axis of the world meet in the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct VanishingPoint {
+    /// x and y in NDC, saturated; z is 0.
+    pub ndc: Point3<Ndc>,
+    /// In 1/256 pixel, to the right; it may lie far off the screen. Saturated at ±2³⁰.
+    pub x: i32,
+    /// In 1/256 pixel, downwards. Saturated at ±2³⁰.
+    pub y: i32,
+}
+
+impl Camera {
+    /// Where a point of the world lies on the screen, within 1/256 px, and its depth, 0 near to
+    /// 65534 far; or why it lies nowhere. A point outside the viewport has a place too.
+    ///
+    /// # Errors
+    ///
+    /// [`Hidden`].
+    pub fn project(&self, p: Point3<World>) -> Result<(ScreenPoint, u16), Hidden> {
+        let [x, y, z] = [p.x(), p.y(), p.z()];
+        // An object that is this point: all of its space is flattened into it.
+        let model =
+            Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
+        let placement = Placement::new(self, &model, 0, 16);
+        let h = placement.clip([0i16; 3]);
+        let outside = |plane: usize| placement.distance(plane, &h) < 0;
+        if outside(0) || h.w <= 0 {
+            return Err(Hidden::BeforeNear);
+        }
+        if (1..5).any(outside) {
+            return Err(Hidden::OutsideGuardBand);
+        }
+        if self.far_clip && outside(5) {
+            return Err(Hidden::BeyondFar);
+        }
+        let image = placement.image(&h);
+        Ok((image.point, image.depth))
+    }
+
+    /// The point of the world that [`project`](Self::project)s to this place and depth. `None`
+    /// where it lies outside the world, or the view is too flat to tell (its determinant vanishes
+    /// in 45 bits).
+    ///
+    /// Its error is that of the screen point and the depth, carried back: half a sub-pixel and half
+    /// a step of depth, and 2⁻¹⁷.
+    pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
+        let [across, down] = self.planes_through(at);
+        let [_, _, d, w] = &self.rows;
+        // Depth is 2¹⁶·d/w.
+        let behind = d.combined((1 << 30, -30), w, (-i64::from(depth), -16));
+        self.world_point(meet([&across, &down, &behind])?)
+    }
+
+    /// The half-line whose points project to `at`: for picking. `None` where its start lies
+    /// outside the world or the view is too flat to tell.
+    pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
+        let [across, down] = self.planes_through(at);
+        let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
+        // Along both planes; the way on which d grows leads away from the viewer.
+        let along = normalise(cross(&across.linear, &down.linear).map(i64::from))?;
+        let growth: i64 =
+            self.rows[2].linear.iter().zip(along).map(|(&m, c)| i64::from(m) * i64::from(c)).sum();
+        let turn = if growth < 0 { -1 } else { 1 };
+        // Rᵀ·along: 3·2⁶⁰, to 2¹⁴ world units of 2⁻¹⁶.
+        let world = |j: usize| {
+            let sum: i64 = (0..3).map(|i| i64::from(self.axes[i][j]) * i64::from(along[i])).sum();
+            Scalar::from_bits(scale(turn * sum, -30) as i32)
+        };
+        Some(Ray { origin, direction: Vector3::new(world(0), world(1), world(2)) })
+    }
+
+    /// The finite vanishing points of the world's x, y and z axes: `None` for an axis whose
+    /// parallels stay parallel (its direction lies within 2⁻²⁶ of the view plane's), as all do
+    /// under a parallel projection.
+    pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
+        let point = |axis: usize| {
+            let direction = self.axes.map(|row| row[axis]);
+            // The forms without their constants: three products of at most 2⁶⁰.
+            let at = |row: &Row| -> (i64, i32) {
+                let sum = row.linear.iter().zip(direction).map(|(&m, c)| i64::from(m) * i64::from(c)).sum();
+                (sum, row.exponent)
+            };
+            let [x_row, y_row, _, w_row] = &self.rows;
+            let (w, w_exponent) = at(w_row);
+            // A row's largest coefficient has 30 bits, so w is about 2⁵⁹ · cos.
+            if w.unsigned_abs() < 1 << 34 {
+                return None;
+            }
+            let quotient = |row: &Row| -> i64 {
+                let (v, exponent) = at(row);
+                let (v, exponent) = if w < 0 { (-v, exponent) } else { (v, exponent) };
+                // v/w in sub-pixels: 61 bits over 61 bits, 2^unit of them.
+                let (m, e) = super::projection::quotient(v, w.unsigned_abs());
+                scale(m, e + exponent - w_exponent + self.screen.unit + 16)
+            };
+            // In 2⁻¹⁶ sub-pixels from the centre.
+            let (x, y) = (quotient(x_row), quotient(y_row));
+            let [cx, cy] = self.screen.centre;
+            let near =
+                |v: i64, centre: i32| add(scale(v, -16), centre.into()).clamp(-(1 << 30), 1 << 30) as i32;
+            let size = self.screen.area.size;
+            let normal = |v: i64, extent: u32| {
+                let (m, e) = super::projection::quotient(v, u64::from(extent) * 128);
+                to_scalar(scale(m, e + 16))
+            };
+            Some(VanishingPoint {
+                ndc: Point3::from_bits([normal(x, size.width), -normal(y, size.height), 0]),
+                x: near(x, cx),
+                y: near(y, cy),
+            })
+        };
+        [point(0), point(1), point(2)]
+    }
+
+    /// The two planes of view space that project onto the screen point's column and row.
+    fn planes_through(&self, at: ScreenPoint) -> [Row; 2] {
+        let [x, y, _, w] = &self.rows;
+        let [cx, cy] = self.screen.centre;
+        let plane = |row: &Row, place: i32, centre: i32| {
+            debug_assert!(place.abs() <= GUARD_BAND * 256);
+            // x/w = (place − centre)/2^unit: 23 bits.
+            row.combined((1 << 30, -30), w, (-i64::from(place - centre), -self.screen.unit))
+        };
+        [plane(x, at.x(), cx), plane(y, at.y(), cy)]
+    }
+
+    /// A view point in 2⁻²⁴ to the world, or `None` outside.
+    fn world_point(&self, p: [i64; 3]) -> Option<Point3<World>> {
+        let mut bits = [0; 3];
+        for (j, bit) in bits.iter_mut().enumerate() {
+            // |p| < 2⁴¹ times 2³⁰, three times: in i128, rounded from 2⁻⁵⁴ to 2⁻¹⁶.
+            let sum: i128 = (0..3).map(|i| i128::from(self.axes[i][j]) * i128::from(p[i])).sum();
+            let v = ((sum >> 37) + 1) >> 1;
+            *bit = i32::try_from(v + i128::from(self.eye[j])).ok()?;
+        }
+        Some(Point3::from_bits(bits))
+    }
+}
+
+fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
+    // Products of at most 2⁶⁰.
+    let part = |i: usize, j: usize| i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]);
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+/// The point where three planes meet, in 2⁻²⁴, by Cramer's rule; `None` where they do not, or
+/// farther than 2¹⁷ away.
+fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
+    let [a, b, c] = planes;
+    // Cross products brought to 45 bits by a common factor.
+    let normals = [cross(&b.linear, &c.linear), cross(&c.linear, &a.linear), cross(&a.linear, &b.linear)];
+    let largest = normals.iter().flatten().map(|v| v.unsigned_abs()).max()?;
+    let normals = normals.map(|n| n.map(|v| scale(v, -excess(largest, 45).max(0))));
+    let determinant: i128 =
+        a.linear.iter().zip(normals[0]).map(|(&m, n)| i128::from(m) * i128::from(n)).sum();
+    if determinant.unsigned_abs() < 1 << 30 {
+        return None;
+    }
+    // m·p·2^(e − 30) + offset·2⁻³² = 0, so m·p·2²⁴ = −offset · 2^(22 − e). Beyond 2⁷² the point is
+    // too far away.
+    let constant = |row: &Row| -> Option<i128> {
+        let (v, left) = (i128::from(row.offset), 22 - row.exponent);
+        if left <= 0 {
+            return Some(v >> (-left).min(127));
+        }
+        let bits = 128 - v.unsigned_abs().leading_zeros() as i32;
+        (v == 0 || bits + left <= 73).then(|| if v == 0 { 0 } else { v << left })
+    };
+    let constants = [constant(a)?, constant(b)?, constant(c)?];
+    let mut point = [0; 3];
+    for (j, coordinate) in point.iter_mut().enumerate() {
+        // Three products of 73 + 45 bits.
+        let sum: i128 = (0..3).map(|i| constants[i] * i128::from(normals[i][j])).sum();
+        let v = -sum.checked_div(determinant)?;
+        if v.unsigned_abs() > 1 << 41 {
+            return None;
+        }
+        *coordinate = v as i64;
+    }
+    Some(point)
+}

@@ -1,0 +1,226 @@
+//! Projection onto a plane: points and drawings, no depth.
+
+use super::parts::{extent, ratio, row, ONE};
+use super::{Projection, ProjectionError, Window};
+use crate::math::num::{scale, SATURATED};
+use crate::math::unit::normalise;
+use crate::math::{to_scalar, Point3, Row, Scalar, Vector3};
+use crate::space::View;
+
+/// Projects points of view space onto a plane z = const along rays from a centre or along a
+/// direction, as the textbook's 4 × 4 matrices do.
+///
+/// The image is a point of the plane, so z/w is constant or zero and carries no depth. For a
+/// picture, [`Projection::from_planar`] adds a window and a depth.
+///
+/// ```
+/// use pinhole::{PlanarProjection, Point3, ProjectionError, Scalar, space::View};
+/// let onto_5 = PlanarProjection::eye_at_origin(Scalar::from_num(5))?;
+/// assert_eq!(onto_5.apply(Point3::<View>::from_ints(2, 4, 10)), Some(Point3::from_ints(1, 2, 5)));
+/// # Ok::<(), ProjectionError>(())
+/// ```
+///
+/// (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978;
+/// Foley et al., *Computer Graphics*, 2nd ed., section 6.4.)
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlanarProjection {
+    /// x, y, z, w over view coordinates.
+    rows: [Row; 4],
+}
+
+const X: Row = axis(0);
+const Y: Row = axis(1);
+const Z: Row = axis(2);
+/// w = 1.
+const UNIT: Row = Row { offset: 1 << 32, ..Row::ZERO };
+
+const fn axis(i: usize) -> Row {
+    let mut linear = [0; 3];
+    linear[i] = 1 << 30;
+    Row { linear, exponent: 0, offset: 0 }
+}
+
+impl PlanarProjection {
+    /// The centre of projection at the origin, the plane at z = d:
+    ///
+    /// ```text
+    ///     | 1 0 0   0 |
+    ///     | 0 1 0   0 |
+    ///     | 0 0 1   0 |
+    ///     | 0 0 1/d 0 |
+    /// ```
+    ///
+    /// It looks along +z for d > 0; for a picture take d < 0.
+    ///
+    /// # Errors
+    ///
+    /// [`ProjectionError::NoViewPlane`] for d = 0.
+    pub fn eye_at_origin(d: Scalar) -> Result<Self, ProjectionError> {
+        Ok(Self { rows: [X, Y, Z, by(d, 0)?] })
+    }
+
+    /// The origin in the plane, the centre of projection at z = −d:
+    ///
+    /// ```text
+    ///     | 1 0 0   0 |
+    ///     | 0 1 0   0 |
+    ///     | 0 0 0   0 |
+    ///     | 0 0 1/d 1 |
+    /// ```
+    ///
+    /// It tends to [`parallel`](Self::parallel) as d grows.
+    ///
+    /// # Errors
+    ///
+    /// [`ProjectionError::NoViewPlane`] for d = 0.
+    pub fn origin_in_plane(d: Scalar) -> Result<Self, ProjectionError> {
+        Ok(Self { rows: [X, Y, Row::ZERO, by(d, 1 << 32)?] })
+    }
+
+    /// The centre of projection at infinity, the plane through the origin:
+    ///
+    /// ```text
+    ///     | 1 0 0 0 |
+    ///     | 0 1 0 0 |
+    ///     | 0 0 0 0 |
+    ///     | 0 0 0 1 |
+    /// ```
+    pub const fn parallel() -> Self {
+        Self { rows: [X, Y, Row::ZERO, UNIT] }
+    }
+
+    /// The plane z = z_p, and the centre of projection at `distance` from (0, 0, z_p) in
+    /// `direction` (any length; (dx, dy, dz) is its unit vector, Q the distance):
+    ///
+    /// ```text
+    ///     | 1  0  −dx/dz         z_p·dx/dz           |
+    ///     | 0  1  −dy/dz         z_p·dy/dz           |
+    ///     | 0  0  −z_p/(Q·dz)    z_p²/(Q·dz) + z_p   |
+    ///     | 0  0  −1/(Q·dz)      1 + z_p/(Q·dz)      |
+    /// ```
+    ///
+    /// All others are special cases. A `distance` of `None` is infinite: the parallel projections
+    /// along `direction`, the oblique ones among them. (Foley et al., section 6.4, equation 6.17.)
+    ///
+    /// # Errors
+    ///
+    /// [`ProjectionError::NoViewPlane`] where the direction runs along the plane or the distance
+    /// is zero.
+    pub fn general(
+        z_p: Scalar,
+        distance: Option<Scalar>,
+        direction: Vector3<View>,
+    ) -> Result<Self, ProjectionError> {
+        let [dx, dy, dz] = direction.bits().map(i64::from);
+        if dz == 0 || distance == Some(Scalar::ZERO) {
+            return Err(ProjectionError::NoViewPlane);
+        }
+        let z_p = i64::from(z_p.to_bits()) << 16; // in 2⁻³²
+                                                  // plus + slope·(z − z_p).
+        let slanted = |plus: Row, slope: (i64, i32)| plus.combined(ONE, &Row { offset: -z_p, ..Z }, slope);
+        let over_dz =
+            |n: i64| if dz < 0 { ratio(n, dz.unsigned_abs()) } else { ratio(-n, dz.unsigned_abs()) };
+        let x = slanted(X, over_dz(dx));
+        let y = slanted(Y, over_dz(dy));
+        let (z, w) = match distance {
+            None => (Row { offset: z_p, ..Row::ZERO }, UNIT),
+            Some(distance) => {
+                let unit = normalise([dx, dy, dz]).ok_or(ProjectionError::NoViewPlane)?;
+                // 1/(Q·dz): Q in 2⁻¹⁶, dz in 2⁻³⁰; 31 + 30 bits.
+                let product = i64::from(distance.to_bits()) * i64::from(unit[2]);
+                if product == 0 {
+                    return Err(ProjectionError::NoViewPlane);
+                }
+                let (m, e) = ratio(1 << 46, product.unsigned_abs());
+                let slope = (if product < 0 { m } else { -m }, e);
+                let w = slanted(UNIT, slope);
+                // The third row is z_p times the fourth.
+                (w.times(ratio(z_p >> 16, 1 << 16)), w)
+            }
+        };
+        Ok(Self { rows: [x, y, z, w] })
+    }
+
+    /// The image of a point, rounded to the nearest 2⁻¹⁶ and saturated; `None` where the ray runs
+    /// along the plane (w = 0). A point behind the centre has an image too, upside down: this is
+    /// the arithmetic of the matrix.
+    pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {
+        let p = p.bits().map(|c| i64::from(c) << 16);
+        let [x, y, z, w] = self.rows.map(|row| row.apply(p));
+        if w == 0 {
+            return None;
+        }
+        Some(Point3::from_bits([x, y, z].map(|c| {
+            let c = if w < 0 { -c } else { c };
+            let (m, e) = ratio(c, w.unsigned_abs());
+            to_scalar(scale(m, e + 32))
+        })))
+    }
+
+    /// The homogeneous image (x, y, z, w) before the division, each rounded and saturated.
+    pub fn homogeneous(&self, p: Point3<View>) -> [Scalar; 4] {
+        let p = p.bits().map(|c| i64::from(c) << 16);
+        self.rows.map(|row| Scalar::from_bits(to_scalar(row.apply(p))))
+    }
+}
+
+/// The row z/d + offset.
+fn by(d: Scalar, offset: i64) -> Result<Row, ProjectionError> {
+    let d = i64::from(d.to_bits());
+    if d == 0 {
+        return Err(ProjectionError::NoViewPlane);
+    }
+    Ok(row(2, ratio(d.signum() << 16, d.unsigned_abs()), offset))
+}
+
+impl Projection {
+    /// What a planar projection shows through a `window` of its plane, with depth between the
+    /// planes z = −near and z = −far (distances along −z, near < far).
+    ///
+    /// x and y are the planar image's, mapped from the window to −1 … 1; depth is linear on the
+    /// screen, `d = (w at far)/(far − near) · (−z − near)`.
+    ///
+    /// # Errors
+    ///
+    /// [`ProjectionError::EmptyWindow`], [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar),
+    /// [`NearNotPositive`](ProjectionError::NearNotPositive) where near or far lies behind the
+    /// centre of projection, and [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
+    pub fn from_planar(
+        planar: &PlanarProjection,
+        window: Window,
+        near: Scalar,
+        far: Scalar,
+    ) -> Result<Self, ProjectionError> {
+        let [x, y, _, w] = &planar.rows;
+        let form = |image: &Row, low: Scalar, high: Scalar| {
+            let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
+            let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
+            Ok(image.combined(ratio(2 << 16, extent), w, ratio(-sum, extent)))
+        };
+        let x = form(x, window.left, window.right)?;
+        let y = form(y, window.bottom, window.top)?;
+        let depth = extent(near, far).ok_or(ProjectionError::NearNotBeforeFar)?;
+        let w_at = |distance: Scalar| w.apply([0, 0, -(i64::from(distance.to_bits()) << 16)]);
+        if w_at(near) <= 0 || w_at(far) <= 0 {
+            return Err(ProjectionError::NearNotPositive);
+        }
+        // κ = w(far)/(far − near): 2⁻³² over 2⁻¹⁶.
+        let (m, e) = ratio(w_at(far), depth);
+        let near = Row { offset: -(i64::from(near.to_bits()) << 16), ..row(2, (-1, 0), 0) };
+        let d = near.times((m, e - 16));
+        if d.offset.abs() >= SATURATED {
+            return Err(ProjectionError::NearTooCloseToFar);
+        }
+        Ok(Self { rows: [x, y, d, *w] })
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for PlanarProjection {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        for row in &self.rows {
+            let (linear, exponent, offset) = (row.linear, row.exponent, row.offset);
+            defmt::write!(f, "[{} * 2^({=i32} - 30), {=i64}/2^32]", linear, exponent, offset);
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Viewing by projection reference point and window.
+
+use super::parts::{extent, ratio, row, ONE};
+use super::{Projection, ProjectionError, Window};
+use crate::math::{to_scalar, Point3, Row, Scalar};
+use crate::space::{Canonical, View};
+
+/// A view volume by projection reference point (PRP), window on the view plane, and front and back
+/// planes, all in view coordinates u, v, n; the view plane is n = 0, through the VRP.
+///
+/// It holds the normalising transform from view coordinates to the canonical volume:
+///
+/// ```text
+///     parallel     S · T · Sh          onto −1 ≤ x, y ≤ 1, −1 ≤ z ≤ 0
+///     perspective  S · Sh · T(−PRP)    onto x = ±z, y = ±z, z = −z_min, z = −1
+/// ```
+///
+/// where Sh shears the volume's centre line, from the PRP to the window's centre, onto the z axis.
+/// [`Projection::from_reference`] goes on to clip space. (Foley et al., *Computer Graphics*, 2nd
+/// ed., sections 6.2 and 6.5.)
+///
+/// ```
+/// use pinhole::{Point3, Projection, ProjectionError, ReferenceVolume, Scalar, Window};
+/// let number = |v: f32| Scalar::from_num(v);
+/// let window = Window { left: number(-1.0), right: number(3.0), bottom: number(-1.0), top: number(3.0) };
+/// let prp = Point3::from_f32(0.5, 0.5, 1.0).unwrap();
+/// let volume = ReferenceVolume::perspective(prp, window, number(0.5), number(-4.0))?;
+/// // A corner of the window lies on x = −z, y = z of the canonical volume.
+/// let corner = volume.normalise(Point3::from_ints(3, -1, 0));
+/// assert_eq!((corner.x(), corner.y()), (-corner.z(), corner.z()));
+/// let _ = Projection::from_reference(&volume);
+/// # Ok::<(), ProjectionError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ReferenceVolume {
+    /// Canonical x, y, z over view coordinates.
+    rows: [Row; 3],
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Parallel,
+    /// 1/(1 − z_min), and z_min/(1 − z_min) in 2⁻³².
+    Perspective {
+        stretch: (i64, i32),
+        near: i64,
+    },
+}
+
+impl ReferenceVolume {
+    /// The centre of projection is the PRP, which lies in front of the view plane (n > 0);
+    /// `front` and `back` are places on the n axis, back < front < PRP.
+    ///
+    /// # Errors
+    ///
+    /// [`ProjectionError::ReferenceBehindPlane`], [`EmptyWindow`](ProjectionError::EmptyWindow),
+    /// [`NearNotPositive`](ProjectionError::NearNotPositive) where front is not before the PRP,
+    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
+    /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
+    pub fn perspective(
+        prp: Point3<View>,
+        window: Window,
+        front: Scalar,
+        back: Scalar,
+    ) -> Result<Self, ProjectionError> {
+        let [px, py, pn] = prp.bits().map(i64::from);
+        if pn <= 0 {
+            return Err(ProjectionError::ReferenceBehindPlane);
+        }
+        let to_front = extent(front, prp.z()).ok_or(ProjectionError::NearNotPositive)?;
+        let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
+        let to_back = depth + to_front; // 34 bits
+        let shrink = ratio(1 << 16, to_back);
+        let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
+            let sheared = sheared(axis, p, pn, low, high)?;
+            // 2·pn/extent brings the window's border to 45°.
+            Ok(sheared.0.times(ratio(2 * pn, sheared.1)).times(shrink))
+        };
+        let x = form(0, px, window.left, window.right)?;
+        let y = form(1, py, window.bottom, window.top)?;
+        let z = row(2, (1, 0), -(pn << 16)).times(shrink);
+        // z_min = to_front/to_back.
+        let stretch = ratio(to_back as i64, depth);
+        let near = super::parts::offset(to_front as i64, depth).ok_or(ProjectionError::NearTooCloseToFar)?;
+        Ok(Self { rows: [x, y, z], kind: Kind::Perspective { stretch, near } })
+    }
+
+    /// Projectors along the direction from the PRP to the window's centre; orthographic where that
+    /// is the n axis, oblique otherwise. `front` and `back` are places on the n axis, back < front.
+    ///
+    /// # Errors
+    ///
+    /// As [`perspective`](Self::perspective), but that front may lie anywhere.
+    pub fn parallel(
+        prp: Point3<View>,
+        window: Window,
+        front: Scalar,
+        back: Scalar,
+    ) -> Result<Self, ProjectionError> {
+        let [px, py, pn] = prp.bits().map(i64::from);
+        if pn <= 0 {
+            return Err(ProjectionError::ReferenceBehindPlane);
+        }
+        let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
+        let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
+            let (sheared, extent) = sheared(axis, p, pn, low, high)?;
+            Ok(sheared.times(ratio(2 << 16, extent)))
+        };
+        let x = form(0, px, window.left, window.right)?;
+        let y = form(1, py, window.bottom, window.top)?;
+        let z = row(2, (1, 0), -(i64::from(front.to_bits()) << 16)).times(ratio(1 << 16, depth));
+        if super::parts::offset(i64::from(front.to_bits()), depth).is_none() {
+            return Err(ProjectionError::NearTooCloseToFar);
+        }
+        Ok(Self { rows: [x, y, z], kind: Kind::Parallel })
+    }
+
+    /// A view point in the canonical volume's coordinates, rounded to the nearest 2⁻¹⁶ and
+    /// saturated.
+    pub fn normalise(&self, p: Point3<View>) -> Point3<Canonical> {
+        let p = p.bits().map(|c| i64::from(c) << 16);
+        Point3::from_bits(self.rows.map(|row| to_scalar(row.apply(p))))
+    }
+
+    /// z_min of the perspective canonical volume, whose front plane is z = −z_min: rounded to the
+    /// nearest 2⁻¹⁶. Zero for a parallel one, whose front plane is z = 0.
+    pub fn z_min(&self) -> Scalar {
+        match self.kind {
+            Kind::Parallel => Scalar::ZERO,
+            Kind::Perspective { stretch: (m, e), near } => {
+                // (z_min/(1 − z_min)) / (1/(1 − z_min)).
+                let whole = crate::math::num::scale(m, e + 32).unsigned_abs();
+                let (m, e) = ratio(near, whole);
+                Scalar::from_bits(to_scalar(crate::math::num::scale(m, e + 32)))
+            }
+        }
+    }
+}
+
+/// `axis + n·(centre − p)/pn − centre`, which is 0 along the centre line and unchanged, but for
+/// the centre, in the view plane; and the window's extent.
+fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(Row, u64), ProjectionError> {
+    let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
+    let sum = i64::from(low.to_bits()) + i64::from(high.to_bits()); // twice the centre
+    let slope = ratio(sum - 2 * p, 2 * pn.unsigned_abs());
+    let straight = row(axis, (1, 0), -(sum << 15));
+    Ok((straight.combined(ONE, &row(2, slope, 0), ONE), extent))
+}
+
+impl Projection {
+    /// From a canonical volume to clip space: parallel `z = −2·z − 1, w = 1`; perspective
+    /// `z = (−(1 + z_min)·z − 2·z_min)/(1 − z_min), w = −z`.
+    pub fn from_reference(volume: &ReferenceVolume) -> Self {
+        let [x, y, z] = volume.rows;
+        let minus = (-ONE.0, ONE.1);
+        let (d, w) = match volume.kind {
+            Kind::Parallel => (z.times(minus), Row { offset: 1 << 32, ..Row::ZERO }),
+            Kind::Perspective { stretch: (m, e), near } => {
+                // d = (z + w)/2 = (−z − z_min)/(1 − z_min).
+                let d = z.times((-m, e));
+                (Row { offset: crate::math::num::add(d.offset, -near), ..d }, z.times(minus))
+            }
+        };
+        Self { rows: [x, y, d, w] }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for ReferenceVolume {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        for row in &self.rows {
+            let (linear, exponent, offset) = (row.linear, row.exponent, row.offset);
+            defmt::write!(f, "[{} * 2^({=i32} - 30), {=i64}/2^32]", linear, exponent, offset);
+        }
+    }
+}

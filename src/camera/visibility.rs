@@ -1,0 +1,76 @@
+//! Whole objects against the view volume.
+
+use super::Camera;
+use crate::math::num::{add, mul_translation, scale, sqrt};
+use crate::math::{product, Affine, Row, Sphere};
+use crate::space::{Model, World};
+
+/// How much of an object the view volume holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Visibility {
+    /// Nothing: there is no need to draw it.
+    Outside,
+    /// Perhaps some of it.
+    Partly,
+    /// All of it.
+    Inside,
+}
+
+impl Camera {
+    /// Where a sphere lies against the six planes of the view volume (the far one included). On
+    /// the safe side by less than 2⁻²⁰ of its size and distance: `Outside` and `Inside` are certain.
+    ///
+    /// A node that is `Outside` need not be placed; one that is `Inside` will not be clipped.
+    pub fn visibility(&self, sphere: &Sphere, model: &Affine<Model, World>) -> Visibility {
+        // The centre in view coordinates, and what the model transform makes of the radius: at most
+        // the root of the sum of its squared coefficients.
+        let centre = sphere.centre.bits().map(|c| i64::from(c) << 16);
+        let (m, exponent) = model.linear();
+        let away = model.offset_from(self.eye);
+        let (linear, view_exponent) = product(&self.axes, 0, m, exponent);
+        let place = |i: usize| {
+            let axis = Row { linear: self.axes[i], ..Row::ZERO };
+            Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(away) }.apply(centre)
+        };
+        let centre = [place(0), place(1), place(2)];
+        let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
+                                                                                                      // Half of the root of at most 9·2⁵⁸, in 2^(exponent − 28), rounded up.
+        let stretch = (sqrt(squares) >> 1) as i32 + 4;
+        let radius = i64::from(sphere.radius.to_bits().max(0)) << 16;
+        let radius = mul_translation(stretch, exponent - 28, radius);
+        // The planes: half·w ± x, half·w ± y, d, w − d.
+        let [x, y, d, w] = &self.rows;
+        let unit = self.screen.unit;
+        let size = self.screen.area.size;
+        let half = |extent: u32| (i64::from(extent) * 128, -unit); // 22 bits
+        let (plus, minus) = ((1 << 30, -30), (-(1 << 30), -30));
+        let (across, down) = (half(size.width), half(size.height));
+        let planes = [
+            w.combined(across, x, plus),
+            w.combined(across, x, minus),
+            w.combined(down, y, plus),
+            w.combined(down, y, minus),
+            *d,
+            // d is stored times 65535/65536.
+            w.combined((65_535, -16), d, minus),
+        ];
+        let mut visibility = Visibility::Inside;
+        for plane in &planes {
+            let distance = plane.apply(centre);
+            let squares: u64 = plane.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
+            let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
+            let reach = mul_translation((length >> 1) as i32 + 1, plane.exponent - 29, radius);
+            // What rounding may have cost.
+            let slack = scale(distance.abs(), -20) + scale(reach, -20) + 16;
+            let reach = add(reach, slack);
+            if distance < -reach {
+                return Visibility::Outside;
+            }
+            if distance < reach {
+                visibility = Visibility::Partly;
+            }
+        }
+        visibility
+    }
+}

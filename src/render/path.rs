@@ -1,0 +1,100 @@
+//! Points and poly-lines: plots, tool paths, labels' anchors.
+
+use super::{Corner, Placed, Statistics};
+use crate::math::Coordinate;
+use crate::output::{scissor, send};
+use crate::raster::{self, Pixel, Span};
+use embedded_graphics_core::draw_target::DrawTarget;
+
+impl<V: Coordinate> Placed<'_, V> {
+    /// Draws each vertex as the pixel that it lies in.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first pixel that it refuses.
+    pub fn points<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
+        let scissor = scissor(target, &self.area);
+        let mut statistics = Statistics::default();
+        for index in 0..self.mesh.vertices().len() {
+            match self.project(index) {
+                Some((point, _)) => {
+                    statistics.drawn += 1;
+                    let pixel = point.pixel();
+                    raster::line(pixel, pixel, &scissor, |span| send(target, span, colour))?;
+                }
+                None => statistics.outside += 1,
+            }
+        }
+        Ok(statistics)
+    }
+
+    /// Draws the vertices, in their order, as one poly-line; it is closed where the last vertex
+    /// repeats the first. A pixel where two of its lines join is drawn once: it belongs to the
+    /// first of them, or to the last line where that closes the figure. Lines are clipped as those of
+    /// [`wireframe`](Self::wireframe).
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn polyline<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
+        let scissor = scissor(target, &self.area);
+        let mut statistics = Statistics::default();
+        let vertices = self.mesh.vertices();
+        // u16 indices reach all of them: Mesh allows no more than 65536.
+        let corner = |index: usize| self.corner::<false>(&[], index as u16);
+        let count = vertices.len();
+        let mut from = corner(0);
+        let closed = count > 2 && corner(count - 1).pixel() == from.pixel();
+        // The pixel that the line before ended in, or will end in.
+        let mut joint = if closed { from.pixel() } else { None };
+        for index in 1..count {
+            let to = corner(index);
+            let ends = if from.whole && to.whole {
+                Some((from.point, to.point))
+            } else {
+                let ends = self.cut_edge((index - 1) as u16, index as u16);
+                statistics.clipped += u32::from(ends.is_some());
+                ends
+            };
+            match ends {
+                Some((a, b)) => {
+                    statistics.drawn += 1;
+                    raster::line(a.pixel(), b.pixel(), &scissor, |span| match without(span, joint) {
+                        Some(span) => send(target, span, colour),
+                        None => Ok(()),
+                    })?;
+                    joint = Some(b.pixel()).filter(|_| to.whole);
+                }
+                None => {
+                    statistics.outside += 1;
+                    joint = None;
+                }
+            }
+            from = to;
+        }
+        Ok(statistics)
+    }
+}
+
+impl Corner {
+    fn pixel(&self) -> Option<Pixel> {
+        self.whole.then(|| self.point.pixel())
+    }
+}
+
+/// The span less a pixel at one of its ends.
+fn without(span: Span, pixel: Option<Pixel>) -> Option<Span> {
+    let Some(pixel) = pixel else { return Some(span) };
+    let (x, y) = (i32::from(pixel.x), i32::from(pixel.y));
+    let Span { width, height, .. } = span;
+    let first = (x, y) == (span.x, span.y);
+    let last = (x, y) == (span.x + width - 1, span.y + height - 1);
+    let tall = height > 1;
+    let (dx, dy) = if tall { (0, 1) } else { (1, 0) };
+    match (first, last) {
+        (false, false) => Some(span),
+        (true, true) => None,
+        (true, false) => Some(Span { x: x + dx, y: y + dy, width: width - dx, height: height - dy }),
+        (false, true) => Some(Span { width: width - dx, height: height - dy, ..span }),
+    }
+}
