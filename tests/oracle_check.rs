@@ -15,10 +15,7 @@ fn coverage_by_edges_equals_coverage_by_scan_lines() {
             let mut p = || {
                 let (step, reach) = [(1, 700), (64, 10), (128, 6), (256, 3)][class];
                 let offset = if class == 3 { 128 } else { 0 };
-                (
-                    step * rng.int(0, reach) + offset,
-                    step * rng.int(0, reach) + offset,
-                )
+                (step * rng.int(0, reach) + offset, step * rng.int(0, reach) + offset)
             };
             let t = [p(), p(), p()];
             for (x, y) in Area::new(-1, -1, 5, 5).pixels() {
@@ -33,14 +30,8 @@ fn coverage_of_a_unit_square_by_hand() {
     // From centre to centre: four centres, each once; none on the right and bottom border (R2–R4).
     let (a, b, c, d) = ((128, 128), (640, 128), (640, 640), (128, 640));
     let area = Area::new(0, 0, 4, 4);
-    assert_eq!(
-        triangle([a, b, c], area).picture(),
-        "11..\n.1..\n....\n....\n"
-    );
-    assert_eq!(
-        triangle([a, c, d], area).picture(),
-        "....\n1...\n....\n....\n"
-    );
+    assert_eq!(triangle([a, b, c], area).picture(), "11..\n.1..\n....\n....\n");
+    assert_eq!(triangle([a, c, d], area).picture(), "....\n1...\n....\n....\n");
 }
 
 #[test]
@@ -88,21 +79,15 @@ fn sin_cos_is_exact_at_the_quarter_turns() {
 #[test]
 fn worked_example_a() {
     let one = 65536;
-    let v = View::from_reference(
-        [one, 2 * one, 3 * one],
-        [2 * one, -one, 2 * one],
-        [0, one, 0],
-    );
+    let v = View::from_reference([one, 2 * one, 3 * one], [2 * one, -one, 2 * one], [0, one, 0]);
     let (r2, close) = (2f64.sqrt(), |a: f64, b: f64| (a - b).abs() < 1e-15);
     let expected = [
         [1.0 / r2, 0.0, -1.0 / r2],
         [1.0 / (3.0 * r2), 4.0 / (3.0 * r2), 1.0 / (3.0 * r2)],
         [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0],
     ];
-    for i in 0..3 {
-        for j in 0..3 {
-            assert!(close(v.rows[i][j], expected[i][j]));
-        }
+    for (ours, exact) in v.rows.iter().flatten().zip(expected.iter().flatten()) {
+        assert!(close(*ours, *exact));
     }
     let origin = v.apply([0.0; 3]);
     for (a, b) in origin.iter().zip([r2, -2.0 * r2, -2.0]) {

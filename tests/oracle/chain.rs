@@ -30,11 +30,7 @@ pub(crate) fn dot(a: V3, b: V3) -> f64 {
 }
 
 pub(crate) fn cross(a: V3, b: V3) -> V3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 pub(crate) fn length(a: V3) -> f64 {
@@ -91,49 +87,32 @@ pub(crate) struct Affine {
     pub(crate) t: V3,
 }
 
-pub(crate) const IDENTITY: Affine = Affine {
-    m: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-    t: [0.0; 3],
-};
+pub(crate) const IDENTITY: Affine =
+    Affine { m: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], t: [0.0; 3] };
 
 impl Affine {
     pub(crate) fn translation(bits: [i32; 3]) -> Self {
-        Affine {
-            t: fx3(bits),
-            ..IDENTITY
-        }
+        Affine { t: fx3(bits), ..IDENTITY }
     }
 
     pub(crate) fn scale(bits: [i32; 3]) -> Self {
         let [x, y, z] = fx3(bits);
-        Affine {
-            m: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]],
-            t: [0.0; 3],
-        }
+        Affine { m: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]], t: [0.0; 3] }
     }
 
     pub(crate) fn rotation_x(angle: u32) -> Self {
         let (s, c) = sin_cos(angle);
-        Affine {
-            m: [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]],
-            t: [0.0; 3],
-        }
+        Affine { m: [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]], t: [0.0; 3] }
     }
 
     pub(crate) fn rotation_y(angle: u32) -> Self {
         let (s, c) = sin_cos(angle);
-        Affine {
-            m: [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]],
-            t: [0.0; 3],
-        }
+        Affine { m: [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]], t: [0.0; 3] }
     }
 
     pub(crate) fn rotation_z(angle: u32) -> Self {
         let (s, c) = sin_cos(angle);
-        Affine {
-            m: [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
-            t: [0.0; 3],
-        }
+        Affine { m: [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]], t: [0.0; 3] }
     }
 
     /// First self, then next.
@@ -181,26 +160,17 @@ impl View {
         let u = normalise(cross_exact(up, n));
         let n = normalise(n.map(|c| c as f64));
         let v = cross(n, u);
-        View {
-            rows: [u, v, n],
-            eye: fx3(eye),
-        }
+        View { rows: [u, v, n], eye: fx3(eye) }
     }
 
     /// The eye first, then the rotation.
     pub(crate) fn apply(&self, world: V3) -> V3 {
-        mul3(
-            &self.rows,
-            core::array::from_fn(|i| world[i] - self.eye[i]),
-        )
+        mul3(&self.rows, core::array::from_fn(|i| world[i] - self.eye[i]))
     }
 
     /// The same for a placed point: the translations meet before anything large is rotated.
     pub(crate) fn apply_placed(&self, model: &Affine, p: V3) -> V3 {
-        let relative = Affine {
-            m: model.m,
-            t: core::array::from_fn(|i| model.t[i] - self.eye[i]),
-        };
+        let relative = Affine { m: model.m, t: core::array::from_fn(|i| model.t[i] - self.eye[i]) };
         mul3(&self.rows, relative.apply(p))
     }
 }
@@ -236,12 +206,7 @@ pub(crate) fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> M4
 
 /// SPEC 4's squish, in signed z: the frustum to its box.
 pub(crate) fn squish(n: f64, f: f64) -> M4 {
-    [
-        [n, 0.0, 0.0, 0.0],
-        [0.0, n, 0.0, 0.0],
-        [0.0, 0.0, n + f, -n * f],
-        [0.0, 0.0, 1.0, 0.0],
-    ]
+    [[n, 0.0, 0.0, 0.0], [0.0, n, 0.0, 0.0], [0.0, 0.0, n + f, -n * f], [0.0, 0.0, 1.0, 0.0]]
 }
 
 /// SPEC 6.
@@ -255,19 +220,11 @@ pub(crate) struct Viewport {
 
 impl Viewport {
     pub(crate) fn new(x: i32, y: i32, width: u32, height: u32) -> Self {
-        Viewport {
-            x: f64::from(x),
-            y: f64::from(y),
-            width: f64::from(width),
-            height: f64::from(height),
-        }
+        Viewport { x: f64::from(x), y: f64::from(y), width: f64::from(width), height: f64::from(height) }
     }
 
     pub(crate) fn apply(&self, ndc: V3) -> (f64, f64) {
-        (
-            self.x + (ndc[0] + 1.0) * self.width / 2.0,
-            self.y + (1.0 - ndc[1]) * self.height / 2.0,
-        )
+        (self.x + (ndc[0] + 1.0) * self.width / 2.0, self.y + (1.0 - ndc[1]) * self.height / 2.0)
     }
 }
 
@@ -303,19 +260,14 @@ impl Camera {
 
     pub(crate) fn screen(&self, clip: V4) -> (f64, f64) {
         let w = clip[3];
-        self.viewport
-            .apply([clip[0] / w, clip[1] / w, clip[2] / w])
+        self.viewport.apply([clip[0] / w, clip[1] / w, clip[2] / w])
     }
 
     /// Homogeneous screen coordinates (x·w, y·w, w), in pixels.
     pub(crate) fn homogeneous_screen(&self, clip: V4) -> V3 {
         let [x, y, _, w] = clip;
         let v = &self.viewport;
-        [
-            v.x * w + (x + w) * v.width / 2.0,
-            v.y * w + (w - y) * v.height / 2.0,
-            w,
-        ]
+        [v.x * w + (x + w) * v.width / 2.0, v.y * w + (w - y) * v.height / 2.0, w]
     }
 }
 

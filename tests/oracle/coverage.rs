@@ -84,12 +84,7 @@ pub(crate) struct Area {
 
 impl Area {
     pub(crate) fn new(left: i64, top: i64, right: i64, bottom: i64) -> Self {
-        Area {
-            left,
-            top,
-            right,
-            bottom,
-        }
+        Area { left, top, right, bottom }
     }
 
     pub(crate) fn width(&self) -> usize {
@@ -127,18 +122,11 @@ pub(crate) struct Counts {
 
 impl Counts {
     pub(crate) fn new(area: Area) -> Self {
-        Counts {
-            area,
-            hits: vec![0; area.width() * area.height()],
-        }
+        Counts { area, hits: vec![0; area.width() * area.height()] }
     }
 
     pub(crate) fn hit(&mut self, x: i64, y: i64) {
-        assert!(
-            self.area.contains(x, y),
-            "({x}, {y}) is outside {:?}",
-            self.area
-        );
+        assert!(self.area.contains(x, y), "({x}, {y}) is outside {:?}", self.area);
         let at = (y - self.area.top) as usize * self.area.width() + (x - self.area.left) as usize;
         self.hits[at] += 1;
     }

@@ -13,10 +13,7 @@ pub(crate) struct Face {
 
 impl Face {
     pub(crate) fn new(camera: &Camera, corners: [V4; 3]) -> Self {
-        Face {
-            screen: corners.map(|c| camera.homogeneous_screen(c)),
-            z: corners.map(|c| c[2]),
-        }
+        Face { screen: corners.map(|c| camera.homogeneous_screen(c)), z: corners.map(|c| c[2]) }
     }
 
     /// Front: counter-clockwise seen with y up, hence negative in screen coordinates.
@@ -30,32 +27,15 @@ impl Face {
         let [a, b, c] = self.screen;
         let p = [x, y, 1.0];
         let det = dot(a, cross(b, c));
-        let weights = [
-            dot(p, cross(b, c)) / det,
-            dot(p, cross(c, a)) / det,
-            dot(p, cross(a, b)) / det,
-        ];
+        let weights = [dot(p, cross(b, c)) / det, dot(p, cross(c, a)) / det, dot(p, cross(a, b)) / det];
         // Σ weight·(x w, y w, w) = (x, y, 1): the scale is one, so Σ weight·z is z/w.
         (det != 0.0 && weights.iter().all(|&w| w >= 0.0)).then(|| dot(weights, self.z))
     }
 }
 
 /// All faces of a placed mesh.
-pub(crate) fn faces(
-    camera: &Camera,
-    model: &Affine,
-    vertices: &[V3],
-    faces: &[[u16; 3]],
-) -> Vec<Face> {
-    faces
-        .iter()
-        .map(|f| {
-            Face::new(
-                camera,
-                f.map(|i| camera.clip(model, vertices[usize::from(i)])),
-            )
-        })
-        .collect()
+pub(crate) fn faces(camera: &Camera, model: &Affine, vertices: &[V3], faces: &[[u16; 3]]) -> Vec<Face> {
+    faces.iter().map(|f| Face::new(camera, f.map(|i| camera.clip(model, vertices[usize::from(i)])))).collect()
 }
 
 /// The index of the nearest front face seen through (x, y). Near is always there, far on demand.
@@ -85,20 +65,8 @@ pub(crate) fn pixel(
     let (x, y) = (i as f64 + 0.5, j as f64 + 0.5);
     let here = seen(faces, x, y, far);
     let t = tolerance;
-    let around = [
-        (t, 0.0),
-        (-t, 0.0),
-        (0.0, t),
-        (0.0, -t),
-        (t, t),
-        (t, -t),
-        (-t, t),
-        (-t, -t),
-    ];
-    if around
-        .iter()
-        .all(|&(dx, dy)| seen(faces, x + dx, y + dy, far) == here)
-    {
+    let around = [(t, 0.0), (-t, 0.0), (0.0, t), (0.0, -t), (t, t), (t, -t), (-t, t), (-t, -t)];
+    if around.iter().all(|&(dx, dy)| seen(faces, x + dx, y + dy, far) == here) {
         Ok(here)
     } else {
         Err(())

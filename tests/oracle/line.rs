@@ -27,11 +27,7 @@ pub(crate) fn pixels(a: P, b: P) -> Vec<P> {
     (0..=major)
         .map(|k| {
             // round(k · minor / major), a half going down: floor((2·k·minor + major − 1) / (2·major))
-            let m = if major == 0 {
-                0
-            } else {
-                (2 * k * minor + major - 1).div_euclid(2 * major)
-            };
+            let m = if major == 0 { 0 } else { (2 * k * minor + major - 1).div_euclid(2 * major) };
             if is_steep(a, b) {
                 (a.0 + m * dx.signum(), a.1 + k * dy.signum())
             } else {
@@ -43,10 +39,7 @@ pub(crate) fn pixels(a: P, b: P) -> Vec<P> {
 
 /// L2: the pixels of the unclipped line that lie in the area.
 pub(crate) fn clipped(a: P, b: P, area: Area) -> Vec<P> {
-    pixels(a, b)
-        .into_iter()
-        .filter(|&(x, y)| area.contains(x, y))
-        .collect()
+    pixels(a, b).into_iter().filter(|&(x, y)| area.contains(x, y)).collect()
 }
 
 pub(crate) fn line(a: P, b: P, area: Area) -> Counts {

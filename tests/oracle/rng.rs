@@ -58,11 +58,7 @@ impl Rng {
     /// A direction, uniform on the sphere.
     pub(crate) fn direction(&mut self) -> [f64; 3] {
         loop {
-            let v = [
-                self.real(-1.0, 1.0),
-                self.real(-1.0, 1.0),
-                self.real(-1.0, 1.0),
-            ];
+            let v = [self.real(-1.0, 1.0), self.real(-1.0, 1.0), self.real(-1.0, 1.0)];
             let n = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
             if (0.05..=1.0).contains(&n) {
                 return v.map(|c| c / n);

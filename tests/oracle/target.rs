@@ -36,13 +36,7 @@ pub(crate) struct Refused(pub(crate) usize);
 
 impl<C: PixelColor> Recorder<C> {
     pub(crate) fn new(bounds: Rectangle) -> Self {
-        Recorder {
-            bounds,
-            pixels: BTreeMap::new(),
-            calls: Vec::new(),
-            outside: 0,
-            fails_at: None,
-        }
+        Recorder { bounds, pixels: BTreeMap::new(), calls: Vec::new(), outside: 0, fails_at: None }
     }
 
     pub(crate) fn sized(width: u32, height: u32) -> Self {
@@ -119,8 +113,7 @@ fn points(area: &Rectangle) -> impl Iterator<Item = Point> {
         u64::from(size.width) * u64::from(size.height) < 1 << 24,
         "a span of {size:?} is out of proportion"
     );
-    (0..size.height as i32)
-        .flat_map(move |y| (0..size.width as i32).map(move |x| from + Point::new(x, y)))
+    (0..size.height as i32).flat_map(move |y| (0..size.width as i32).map(move |x| from + Point::new(x, y)))
 }
 
 impl<C: PixelColor> DrawTarget for Recorder<C> {
