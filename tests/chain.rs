@@ -49,6 +49,8 @@ struct Figures {
     /// The largest distance from the oracle in px, and the part of it beyond the snap's 1/512.
     worst: f64,
     depth_steps: f64,
+    /// The largest part of the budget that was used.
+    budget: f64,
 }
 
 /// A random projection: near, far and focal length over their whole ranges.
@@ -158,7 +160,7 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
         let e = (unit.log2().floor() + rng.int(-3, 8) as f64).min(0.0);
         (e, unit / e.exp2())
     };
-    if !(-24.0..=12.0).contains(&exponent) {
+    if !(-32.0..=15.0).contains(&exponent) {
         return None;
     }
     let exponent = exponent as i8;
@@ -176,7 +178,9 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
     let mut fixed = Vec::new();
     if class.fixed {
         for v in &vertices {
-            fixed.push(bits(vertex(*v, exponent))?);
+            // All 32 bits in use.
+            let fraction = f64::from(exponent).exp2();
+            fixed.push(bits(vertex(*v, exponent).map(|c| c + fraction * rng.real(-0.5, 0.5)))?);
         }
     }
     let positions: Vec<V3> = if class.fixed {
@@ -196,8 +200,20 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
     Some(Case { camera, model, exponent, vertices, fixed, half_extent: largest * scale })
 }
 
-/// Runs a class and asserts `bound(half extent ÷ distance)` px and one step of depth.
-fn run(seed: u64, count: usize, class: Class, bound: impl Fn(f64) -> f64) -> Figures {
+/// What a bound may depend on.
+#[derive(Clone, Copy)]
+struct Terms {
+    /// Half extent ÷ distance.
+    ratio: f64,
+    /// The error budget without its constant, in pixels: what the rows of the projection make of half
+    /// extent + distance from the eye, over w; and what the guard band makes of them, as x and y
+    /// share an exponent that reaches so far.
+    budget: f64,
+}
+
+/// Runs a class and asserts a bound in px, and one step of depth up to 300 times the distance, for
+/// the object as for the way to it.
+fn run(seed: u64, count: usize, class: Class, bound: impl Fn(Terms) -> f64) -> Figures {
     let mut rng = Rng::new(seed);
     let mut f = Figures::default();
     while f.cameras < count {
@@ -248,8 +264,18 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(f64) -> f64) -> Fig
             let ex = (f64::from(screen.x()) / 256.0 - x).abs();
             let ey = (f64::from(screen.y()) / 256.0 - y).abs();
             let error = ex.max(ey);
+            let row = |r: usize| {
+                let m = exact.projection[r];
+                let reach = case.half_extent + length(view);
+                (m[0].abs() + m[1].abs() + m[2].abs()) * reach + m[3].abs()
+            };
+            let budget =
+                |r: usize, size: f64| size / 2.0 * (row(r) + (clip[r] / clip[3]).abs() * row(3)) / clip[3];
+            let guard_band = 8192.0 * row(3) / clip[3];
+            let terms = Terms { ratio, budget: guard_band + budget(0, WIDTH).max(budget(1, HEIGHT)) };
+            f.budget = f.budget.max((error - 1.0 / 512.0 - 2.5e-6) / terms.budget);
             assert!(
-                error <= bound(ratio),
+                error <= bound(terms),
                 "{error} px off at ({x}, {y}), half extent ÷ distance {ratio}, view {view:?}:\n{:?}\n{:?}\n{v:?}·2^{}",
                 case.camera,
                 case.model,
@@ -259,7 +285,7 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(f64) -> f64) -> Fig
             let wanted = chain::depth(clip).clamp(0.0, 65534.0).round();
             let steps = (f64::from(depth) - wanted).abs();
             assert!(
-                steps <= 1.0,
+                steps <= 1.0 || ratio > 300.0 || length(view) > -300.0 * view[2],
                 "depth {depth} instead of {}:\n{:?}\n{:?}\n{v:?}·2^{}",
                 chain::depth(clip),
                 case.camera,
@@ -270,14 +296,15 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(f64) -> f64) -> Fig
         }
     }
     println!(
-        "{} cameras, {} vertices: at most {:.7} px, beyond the snap {:.3e} px; depth {} steps",
+        "{} cameras, {} vertices: at most {:.7} px, beyond the snap {:.3e} px; depth {} steps; {:.2}·2⁻³⁰ of the budget",
         f.cameras,
         f.vertices,
         f.worst,
         f.worst - 1.0 / 512.0,
-        f.depth_steps
+        f.depth_steps,
+        f.budget * 2f64.powi(30)
     );
-    assert!(f.vertices >= count, "{f:?}");
+    assert!(f.vertices >= count * 9 / 10, "{f:?}");
     f
 }
 
@@ -292,12 +319,6 @@ fn vertices_by_field_of_view() {
 fn vertices_by_off_axis_frustum() {
     let class = Class { kind: Kind::Frustum, ..PLAIN };
     run(0xC2, 40_000, class, |_| PROMISE);
-}
-
-#[test]
-fn vertices_by_frustum_far_off_axis() {
-    let class = Class { kind: Kind::Frustum, off_axis: 8.0, ..PLAIN };
-    run(0xC3, 10_000, class, |_| PROMISE);
 }
 
 #[test]
@@ -327,5 +348,51 @@ fn vertices_in_i16f16() {
     for (seed, kind) in [(0xCB, Kind::Perspective), (0xCC, Kind::Frustum), (0xCD, Kind::Orthographic)] {
         let class = Class { kind, fixed: true, ..PLAIN };
         run(seed, 8000, class, |_| PROMISE);
+    }
+}
+
+/// Beyond 300 the documentation states this bound.
+fn stated(terms: Terms) -> f64 {
+    1.0 / 512.0 + 6.5e-6 * terms.ratio
+}
+
+/// The error budget for every focal length, every angle from the axis and every ratio, with about
+/// twice the constant that was measured.
+fn budgeted(terms: Terms) -> f64 {
+    1.0 / 512.0 + 2.5e-6 + 12.0 * 2f64.powi(-30) * terms.budget
+}
+
+#[test]
+fn vertices_of_objects_beyond_300_times_their_distance() {
+    for (seed, kind, fixed) in [
+        (0xCE, Kind::Perspective, false),
+        (0xCF, Kind::Frustum, false),
+        (0xD0, Kind::Perspective, true),
+        (0xD1, Kind::Orthographic, false),
+    ] {
+        let class = Class { kind, fixed, ratio: (300.0, 1e5), ..PLAIN };
+        run(seed, 5000, class, stated);
+    }
+}
+
+#[test]
+fn vertices_by_frustum_far_off_axis() {
+    // Far off the axis f·(1 + tan) grows beyond any bound in pixels: the budget holds.
+    for (seed, off_axis) in [(0xC3, 8.0), (0xD2, 100.0), (0xD3, 1000.0)] {
+        run(seed, 5000, Class { kind: Kind::Frustum, off_axis, ..PLAIN }, budgeted);
+        let class = Class { kind: Kind::Orthographic, off_axis, fixed: true, ..PLAIN };
+        run(seed, 5000, class, budgeted);
+    }
+}
+
+#[test]
+fn vertices_follow_the_error_budget() {
+    for (seed, kind) in [(0xD4, Kind::Perspective), (0xD5, Kind::Frustum), (0xD6, Kind::Orthographic)] {
+        for (k, ratio) in [(1e-3, 300.0), (300.0, 1e5)].into_iter().enumerate() {
+            for (j, reach) in [32767, 5].into_iter().enumerate() {
+                let class = Class { kind, ratio, reach, fixed: j == 1, ..PLAIN };
+                run(seed + 16 * k as u64 + 256 * j as u64, 4000, class, budgeted);
+            }
+        }
     }
 }
