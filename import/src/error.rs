@@ -40,11 +40,7 @@ pub enum Problem {
 impl Problem {
     /// The problem with the file it stands in.
     pub(crate) fn at(self, file: &Path, line: Option<usize>) -> ImportError {
-        ImportError {
-            file: file.to_owned(),
-            line,
-            problem: self,
-        }
+        ImportError { file: file.to_owned(), line, problem: self }
     }
 }
 

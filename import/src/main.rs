@@ -30,8 +30,7 @@ fn main() -> ExitCode {
 
 fn run(Arguments { model, output }: &Arguments) -> Result<String, String> {
     let mesh = pinhole_import::read(model).map_err(|e| e.to_string())?;
-    mesh.mesh()
-        .map_err(|e| format!("{}: {e:?}", model.display()))?;
+    mesh.mesh().map_err(|e| format!("{}: {e:?}", model.display()))?;
     let command = format!("pinhole-import {} -o {}", model.display(), output.display());
     std::fs::write(output, mesh.to_rust(&command))
         .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;

@@ -123,19 +123,13 @@ pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
         return Err(Problem::NotFinite);
     }
     // Adding 0.0 makes one of the two zeros.
-    let bits: Vec<_> = model
-        .positions
-        .iter()
-        .map(|p| p.map(|c| (c + 0.0).to_bits()))
-        .collect();
+    let bits: Vec<_> = model.positions.iter().map(|p| p.map(|c| (c + 0.0).to_bits())).collect();
     let exact = weld(&bits, &model.faces, |_| false);
     let positions: Vec<[f64; 3]> = exact.vertices.iter().map(|&v| model.positions[v]).collect();
 
     let grid = Grid::around(&positions)?;
     let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
-    let last = weld(&rounded, &exact.faces, |corners| {
-        cross(corners) == [0, 0, 0]
-    });
+    let last = weld(&rounded, &exact.faces, |corners| cross(corners) == [0, 0, 0]);
     if last.faces.is_empty() {
         return Err(Problem::NoFaces);
     }
@@ -143,20 +137,13 @@ pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
         return Err(Problem::TooManyVertices(last.vertices.len()));
     }
 
-    let error = positions
-        .iter()
-        .zip(&rounded)
-        .map(|(p, r)| grid.error(p, r))
-        .fold(0.0, f64::max);
+    let error = positions.iter().zip(&rounded).map(|(p, r)| grid.error(p, r)).fold(0.0, f64::max);
     let vertices: Vec<[i16; 3]> = last.vertices.iter().map(|&v| rounded[v]).collect();
     // In range: there are at most 65536 vertices.
     let faces: Vec<[u16; 3]> = last.faces.iter().map(|f| f.map(|i| i as u16)).collect();
     let mut edges: Vec<[u16; 2]> = edge_uses(&faces).into_keys().collect();
     edges.sort_unstable();
-    let normals = faces
-        .iter()
-        .map(|f| unit(cross(f.map(|i| vertices[usize::from(i)]))))
-        .collect();
+    let normals = faces.iter().map(|f| unit(cross(f.map(|i| vertices[usize::from(i)])))).collect();
     Ok(ImportedMesh {
         vertices,
         exponent: grid.exponent,
@@ -197,9 +184,7 @@ impl Grid {
                 high[axis] = high[axis].max(p[axis]);
             }
         }
-        let extent = (0..3)
-            .map(|axis| high[axis] - low[axis])
-            .fold(0.0, f64::max);
+        let extent = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
         if extent == 0.0 {
             return Err(Problem::NoFaces);
         }
@@ -207,19 +192,13 @@ impl Grid {
         if extent >= 1.0 / 64.0 && centre.iter().all(|c| c.abs() < 32767.0) {
             centre = centre.map(|c| (c * 65536.0).round() / 65536.0);
         }
-        let half = (0..3)
-            .map(|axis| (high[axis] - centre[axis]).max(centre[axis] - low[axis]))
-            .fold(0.0, f64::max);
+        let half =
+            (0..3).map(|axis| (high[axis] - centre[axis]).max(centre[axis] - low[axis])).fold(0.0, f64::max);
         let exponent = (i8::MIN..=i8::MAX)
             .find(|&e| (half / power_of_two(e)).round() <= 32767.0)
             .filter(|&e| e > i8::MIN)
             .ok_or(Problem::Extent(extent))?;
-        Ok(Grid {
-            extent,
-            centre,
-            exponent,
-            step: power_of_two(exponent),
-        })
+        Ok(Grid { extent, centre, exponent, step: power_of_two(exponent) })
     }
 
     /// The nearest grid point. Every difference fits ±32767 by the choice of the exponent.

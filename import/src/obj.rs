@@ -8,14 +8,9 @@ pub(crate) fn read(text: &[u8], file: &Path) -> Result<Triangles, ImportError> {
     let text = String::from_utf8_lossy(text);
     let text = text.trim_start_matches('\u{feff}');
     let kept = positions_and_faces(text);
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ..Default::default()
-    };
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let mut rest = kept.as_bytes();
-    let loaded = tobj::load_obj_buf(&mut rest, &options, |_| {
-        Err(tobj::LoadError::OpenFileFailed)
-    });
+    let loaded = tobj::load_obj_buf(&mut rest, &options, |_| Err(tobj::LoadError::OpenFileFailed));
     let models = match loaded {
         Ok((models, _)) => models,
         Err(error) => {
@@ -28,21 +23,17 @@ pub(crate) fn read(text: &[u8], file: &Path) -> Result<Triangles, ImportError> {
                 tobj::LoadError::ScalingByZeroError => {
                     (Problem::Syntax("the w of the vertex is zero"), Some(read))
                 }
-                tobj::LoadError::ColorParseError => (
-                    Problem::Syntax("a vertex is x y z, x y z w or x y z r g b"),
-                    Some(read),
-                ),
-                tobj::LoadError::FaceParseError => (
-                    Problem::Syntax("a face is a list of indices v, v/vt, v//vn or v/vt/vn"),
-                    Some(read),
-                ),
+                tobj::LoadError::ColorParseError => {
+                    (Problem::Syntax("a vertex is x y z, x y z w or x y z r g b"), Some(read))
+                }
+                tobj::LoadError::FaceParseError => {
+                    (Problem::Syntax("a face is a list of indices v, v/vt, v//vn or v/vt/vn"), Some(read))
+                }
                 tobj::LoadError::InvalidPolygon => (
                     Problem::Syntax("the face has no corners"),
                     line_of(text, |words, _| words.len() == 1 && words[0] == "f"),
                 ),
-                tobj::LoadError::FaceVertexOutOfBounds => {
-                    (Problem::NoSuchVertex, line_of_stray_index(text))
-                }
+                tobj::LoadError::FaceVertexOutOfBounds => (Problem::NoSuchVertex, line_of_stray_index(text)),
                 _ => (Problem::Syntax("is not an OBJ file"), None),
             };
             return Err(problem.at(file, line));
@@ -53,17 +44,12 @@ pub(crate) fn read(text: &[u8], file: &Path) -> Result<Triangles, ImportError> {
         let first = triangles.positions.len();
         let positions = model.mesh.positions.chunks_exact(3);
         let faces = model.mesh.indices.chunks_exact(3);
-        triangles
-            .positions
-            .extend(positions.map(|p| [p[0], p[1], p[2]]));
-        triangles
-            .faces
-            .extend(faces.map(|f| [f[0], f[1], f[2]].map(|i| first + i as usize)));
+        triangles.positions.extend(positions.map(|p| [p[0], p[1], p[2]]));
+        triangles.faces.extend(faces.map(|f| [f[0], f[1], f[2]].map(|i| first + i as usize)));
     }
     if triangles.positions.iter().flatten().any(|c| !c.is_finite()) {
-        let line = line_of(text, |words, _| {
-            words[0] == "v" && words[1..].iter().take(3).any(|w| !is_finite(w))
-        });
+        let line =
+            line_of(text, |words, _| words[0] == "v" && words[1..].iter().take(3).any(|w| !is_finite(w)));
         return Err(Problem::NotFinite.at(file, line));
     }
     Ok(triangles)
@@ -115,9 +101,7 @@ fn line_of_stray_index(text: &str) -> Option<usize> {
         words[0] == "f"
             && words[1..].iter().any(|word| {
                 let index = word.split('/').next().and_then(|v| v.parse::<i64>().ok());
-                !index.is_some_and(|v| {
-                    (1..=all as i64).contains(&v) || (-(before as i64)..0).contains(&v)
-                })
+                !index.is_some_and(|v| (1..=all as i64).contains(&v) || (-(before as i64)..0).contains(&v))
             })
     })
 }

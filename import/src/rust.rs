@@ -30,24 +30,9 @@ impl ImportedMesh {
             "/// The step of the vertices, as a power of two.\npub const EXPONENT: i8 = {};\n",
             self.exponent
         );
-        list(
-            &mut out,
-            "Faces, counter-clockwise seen from outside.",
-            "FACES: [[u16; 3]",
-            &self.faces,
-        );
-        list(
-            &mut out,
-            "Edges, each once.",
-            "EDGES: [[u16; 2]",
-            &self.edges,
-        );
-        list(
-            &mut out,
-            "The unit normal of each face, 32767 = 1.",
-            "NORMALS: [[i16; 3]",
-            &self.normals,
-        );
+        list(&mut out, "Faces, counter-clockwise seen from outside.", "FACES: [[u16; 3]", &self.faces);
+        list(&mut out, "Edges, each once.", "EDGES: [[u16; 2]", &self.edges);
+        list(&mut out, "The unit normal of each face, 32767 = 1.", "NORMALS: [[i16; 3]", &self.normals);
         let [x, y, z] = self.offset.map(|c| (c * 65536.0).round());
         if [x, y, z].iter().all(|c| c.abs() < 2_147_483_648.0) {
             let _ = writeln!(
@@ -56,11 +41,7 @@ impl ImportedMesh {
                  pub const OFFSET: [i32; 3] = [{x}, {y}, {z}];"
             );
         } else {
-            let _ = writeln!(
-                out,
-                "// No OFFSET: the centre, {:?}, is beyond I16F16.",
-                self.offset
-            );
+            let _ = writeln!(out, "// No OFFSET: the centre, {:?}, is beyond I16F16.", self.offset);
         }
         out
     }
@@ -68,11 +49,7 @@ impl ImportedMesh {
 
 /// Writes a constant that is an array of arrays, as many elements to a line as fit.
 fn list<T: Display, const N: usize>(out: &mut String, doc: &str, head: &str, rows: &[[T; N]]) {
-    let _ = write!(
-        out,
-        "/// {doc}\n#[rustfmt::skip]\npub const {head}; {}] = [",
-        rows.len()
-    );
+    let _ = write!(out, "/// {doc}\n#[rustfmt::skip]\npub const {head}; {}] = [", rows.len());
     let mut column = usize::MAX;
     for row in rows {
         let numbers: Vec<String> = row.iter().map(T::to_string).collect();

@@ -23,11 +23,8 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
     is_flat: impl Fn([K; 3]) -> bool,
 ) -> Welded {
     let mut first_with = HashMap::with_capacity(keys.len());
-    let representative: Vec<usize> = keys
-        .iter()
-        .enumerate()
-        .map(|(vertex, key)| *first_with.entry(*key).or_insert(vertex))
-        .collect();
+    let representative: Vec<usize> =
+        keys.iter().enumerate().map(|(vertex, key)| *first_with.entry(*key).or_insert(vertex)).collect();
 
     let mut new_index = HashMap::with_capacity(first_with.len());
     let mut seen = HashSet::with_capacity(faces.len());

@@ -5,10 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn import(arguments: &[&Path]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_pinhole-import"))
-        .args(arguments)
-        .output()
-        .unwrap()
+    Command::new(env!("CARGO_BIN_EXE_pinhole-import")).args(arguments).output().unwrap()
 }
 
 /// A path for a file of this test run.

@@ -72,8 +72,7 @@ fn a_cube_is_welded_and_its_edges_are_unique() {
 
 #[test]
 fn both_zeros_are_one_position() {
-    let mesh =
-        import("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0 -0.0 0\nv 0 0 1\nf 1 2 3\nf 4 5 2\n").unwrap();
+    let mesh = import("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0 -0.0 0\nv 0 0 1\nf 1 2 3\nf 4 5 2\n").unwrap();
     assert_eq!((mesh.vertices.len(), mesh.report.welded), (4, 1));
 }
 
@@ -83,10 +82,7 @@ fn positions_that_quantising_joins_are_one_vertex() {
     let text = "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nv 0.0003 0 0\nv 0 0 1000\nf 1 2 3\nf 4 5 2\n";
     let mesh = import(text).unwrap();
     assert_eq!((mesh.vertices.len(), mesh.edges.len()), (4, 5));
-    assert_eq!(
-        (mesh.report.welded, mesh.report.welded_by_quantising),
-        (0, 1)
-    );
+    assert_eq!((mesh.report.welded, mesh.report.welded_by_quantising), (0, 1));
 }
 
 #[test]
@@ -110,14 +106,7 @@ fn degenerate_and_duplicate_faces_go_and_are_counted() {
     assert_eq!(mesh.faces.len(), 3);
     // Vertex 5 is welded, 4 only in a face that is gone, 6 in none, so it is not even read.
     assert_eq!(mesh.vertices.len(), 4);
-    assert_eq!(
-        (
-            mesh.report.vertices_read,
-            mesh.report.welded,
-            mesh.report.unused
-        ),
-        (6, 1, 1)
-    );
+    assert_eq!((mesh.report.vertices_read, mesh.report.welded, mesh.report.unused), (6, 1, 1));
     assert_eq!(mesh.report.extent, 4.0);
 }
 
@@ -149,16 +138,9 @@ impl Random {
 fn measured_error(model: &Triangles, mesh: &ImportedMesh) -> f64 {
     let step = 2f64.powi(i32::from(mesh.exponent));
     let distance = |p: &[f64; 3], v: &[i16; 3]| {
-        (0..3)
-            .map(|i| (p[i] - (f64::from(v[i]) * step + mesh.offset[i])).abs())
-            .fold(0.0, f64::max)
+        (0..3).map(|i| (p[i] - (f64::from(v[i]) * step + mesh.offset[i])).abs()).fold(0.0, f64::max)
     };
-    let nearest = |p| {
-        mesh.vertices
-            .iter()
-            .map(|v| distance(p, v))
-            .fold(f64::INFINITY, f64::min)
-    };
+    let nearest = |p| mesh.vertices.iter().map(|v| distance(p, v)).fold(f64::INFINITY, f64::min);
     model.positions.iter().map(nearest).fold(0.0, f64::max)
 }
 
@@ -191,11 +173,7 @@ fn quantisation_is_within_a_65000th_of_the_largest_extent() {
         assert!(error <= 1.0 / 65000.0, "round {round}: 1/{}", 1.0 / error);
         let reported = mesh.report.error / mesh.report.extent;
         assert!((reported - error).abs() < 1e-9, "{reported} {error}");
-        assert!(mesh
-            .vertices
-            .iter()
-            .flatten()
-            .all(|c| c.unsigned_abs() <= 32767));
+        assert!(mesh.vertices.iter().flatten().all(|c| c.unsigned_abs() <= 32767));
         worst = worst.max(error);
     }
     // The bound is no idle one.
@@ -217,7 +195,8 @@ fn normals_are_of_unit_length_to_their_rounding() {
 
 #[test]
 fn what_a_mesh_does_not_use_cannot_be_wrong() {
-    let text = "\u{feff}mtllib nowhere.mtl\no first\nv 0 0 0 1 0 0\nv 2 0 0 2\nv 0 1 0\nvt nonsense\nvn 1\nusemtl\n\
+    let text =
+        "\u{feff}mtllib nowhere.mtl\no first\nv 0 0 0 1 0 0\nv 2 0 0 2\nv 0 1 0\nvt nonsense\nvn 1\nusemtl\n\
         f 1/7/9 2/-5 3//-8\ng second\nv 0 0 1\nl 1 77\np 99\ns off\nf 1 3 4\n";
     let mesh = import(text).unwrap();
     assert_eq!((mesh.vertices.len(), mesh.faces.len()), (4, 2));
@@ -242,67 +221,26 @@ fn a_broken_line_is_named() {
         syntax,
         "model.obj:3: a vertex needs three numbers",
     );
-    assert_error(
-        "v 0 0",
-        Some(1),
-        syntax,
-        "model.obj:1: a vertex needs three numbers",
-    );
-    assert_error(
-        "v 0 0 0 0\n",
-        Some(1),
-        syntax,
-        "model.obj:1: the w of the vertex is zero",
-    );
-    assert_error(
-        "v 0 0 0 1 1\n",
-        Some(1),
-        syntax,
-        "model.obj:1: a vertex is x y z, x y z w or x y z r g b",
-    );
+    assert_error("v 0 0", Some(1), syntax, "model.obj:1: a vertex needs three numbers");
+    assert_error("v 0 0 0 0\n", Some(1), syntax, "model.obj:1: the w of the vertex is zero");
+    assert_error("v 0 0 0 1 1\n", Some(1), syntax, "model.obj:1: a vertex is x y z, x y z w or x y z r g b");
     let face = "a face is a list of indices v, v/vt, v//vn or v/vt/vn";
-    assert_error(
-        "v 0 0 0\n\nf 1 1 b\n",
-        Some(3),
-        syntax,
-        &format!("model.obj:3: {face}"),
-    );
-    assert_error(
-        "v 0 0 0\nf\n",
-        Some(2),
-        syntax,
-        "model.obj:2: the face has no corners",
-    );
+    assert_error("v 0 0 0\n\nf 1 1 b\n", Some(3), syntax, &format!("model.obj:3: {face}"));
+    assert_error("v 0 0 0\nf\n", Some(2), syntax, "model.obj:2: the face has no corners");
     let no_such = |p: &Problem| matches!(p, NoSuchVertex);
     let stray = "the face names a vertex that does not exist";
     let three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    for corner in [
-        "4",
-        "0",
-        "-4",
-        "-9223372036854775808",
-        "9223372036854775807",
-    ] {
+    for corner in ["4", "0", "-4", "-9223372036854775808", "9223372036854775807"] {
         let text = format!("{three}f 1 2 3\nf 1 2 {corner}/1/1\n");
         assert_error(&text, Some(5), no_such, &format!("model.obj:5: {stray}"));
     }
     // A vertex may stand below its face, but a negative index counts upwards.
     assert!(import(&format!("f 1 2 3\n{three}")).is_ok());
-    assert_error(
-        &format!("f -1 -2 -3\n{three}"),
-        Some(1),
-        no_such,
-        &format!("model.obj:1: {stray}"),
-    );
+    assert_error(&format!("f -1 -2 -3\n{three}"), Some(1), no_such, &format!("model.obj:1: {stray}"));
     let not_finite = |p: &Problem| matches!(p, NotFinite);
     for number in ["NaN", "inf", "-infinity", "1e999"] {
         let text = format!("{three}v 0 {number} 0\nf 1 2 4\n");
-        assert_error(
-            &text,
-            Some(4),
-            not_finite,
-            "model.obj:4: a coordinate is not a finite number",
-        );
+        assert_error(&text, Some(4), not_finite, "model.obj:4: a coordinate is not a finite number");
     }
     assert_error(
         &format!("{three}v 1e300 0 0 1e-300\nf 1 2 4\n"),
@@ -330,23 +268,15 @@ fn a_model_without_faces_is_an_error() {
 fn a_mesh_has_at_most_65536_vertices() {
     // A strip of triangles with one vertex after the other.
     let strip = |count: usize| Triangles {
-        positions: (0..count)
-            .map(|i| [(i / 2 % 256) as f64, (i % 2) as f64, (i / 512) as f64])
-            .collect(),
+        positions: (0..count).map(|i| [(i / 2 % 256) as f64, (i % 2) as f64, (i / 512) as f64]).collect(),
         faces: (0..count - 2).map(|i| [i, i + 1, i + 2]).collect(),
     };
     let full = quantise(&strip(1 << 16)).unwrap();
     assert_eq!(full.vertices.len(), 1 << 16);
     assert!(full.mesh().is_ok());
     let problem = quantise(&strip((1 << 16) + 1)).unwrap_err();
-    assert!(
-        matches!(problem, Problem::TooManyVertices(65537)),
-        "{problem:?}"
-    );
-    assert_eq!(
-        problem.to_string(),
-        "has 65537 vertices, more than the 65536 of a mesh"
-    );
+    assert!(matches!(problem, Problem::TooManyVertices(65537)), "{problem:?}");
+    assert_eq!(problem.to_string(), "has 65537 vertices, more than the 65536 of a mesh");
 }
 
 #[test]
@@ -368,24 +298,15 @@ fn files_that_cannot_be_read_are_named() {
     let missing = read(Path::new("no/such/model.obj")).unwrap_err();
     assert!(matches!(missing.problem, Problem::Read(_)));
     let message = missing.to_string();
-    assert!(
-        message.starts_with("no/such/model.obj: cannot be read: "),
-        "{message}"
-    );
+    assert!(message.starts_with("no/such/model.obj: cannot be read: "), "{message}");
     assert_eq!(message.lines().count(), 1);
 
     let unknown = read(Path::new("model.blend")).unwrap_err();
-    assert_eq!(
-        unknown.to_string(),
-        "model.blend: is not a model this program reads (.obj)"
-    );
+    assert_eq!(unknown.to_string(), "model.blend: is not a model this program reads (.obj)");
 }
 
 #[test]
 fn indices_out_of_range_are_an_error_from_any_reader() {
-    let model = Triangles {
-        positions: vec![[0.0; 3]; 3],
-        faces: vec![[0, 1, 3]],
-    };
+    let model = Triangles { positions: vec![[0.0; 3]; 3], faces: vec![[0, 1, 3]] };
     assert!(matches!(quantise(&model), Err(Problem::NoSuchVertex)));
 }

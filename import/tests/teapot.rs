@@ -18,26 +18,13 @@ fn is_as_documented() {
     let report = teapot.report;
     assert_eq!((report.vertices_read, report.faces_read), (792, 992));
     assert_eq!((report.welded, report.welded_by_quantising), (263, 0));
-    assert_eq!(
-        (report.degenerate, report.duplicate, report.unused),
-        (0, 0, 0)
-    );
-    let counts = (
-        teapot.vertices.len(),
-        teapot.edges.len(),
-        teapot.faces.len(),
-    );
+    assert_eq!((report.degenerate, report.duplicate, report.unused), (0, 0, 0));
+    let counts = (teapot.vertices.len(), teapot.edges.len(), teapot.faces.len());
     assert_eq!(counts, (529, 1520, 992));
     // Six rims of the model itself: pot, lid, spout (both ends), handle (both ends). No seam is left.
-    let rims = Topology {
-        open: 64,
-        ..Topology::default()
-    };
+    let rims = Topology { open: 64, ..Topology::default() };
     assert_eq!(teapot.topology(), rims);
-    assert!(
-        (teapot.volume() - 3172.5).abs() < 0.5,
-        "counter-clockwise seen from outside"
-    );
+    assert!((teapot.volume() - 3172.5).abs() < 0.5, "counter-clockwise seen from outside");
     assert!(report.error <= report.extent / 65000.0);
 }
 
@@ -59,10 +46,7 @@ fn generated_source_holds_the_mesh() {
     assert_eq!(teapot.faces, generated::FACES);
     assert_eq!(teapot.edges, generated::EDGES);
     assert_eq!(teapot.normals, generated::NORMALS);
-    assert_eq!(
-        teapot.offset,
-        generated::OFFSET.map(|bits| f64::from(bits) / 65536.0)
-    );
+    assert_eq!(teapot.offset, generated::OFFSET.map(|bits| f64::from(bits) / 65536.0));
     const MESH: pinhole::Mesh<'_> =
         match pinhole::Mesh::new(&generated::VERTICES, generated::EXPONENT, &generated::FACES) {
             Ok(mesh) => mesh,
