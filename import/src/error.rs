@@ -1,0 +1,87 @@
+use std::error::Error;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Why a file could not be turned into a mesh: the file, the line where that is known, and what is wrong with it.
+///
+/// Its `Display` is one line, `file:line: problem`.
+#[derive(Debug)]
+pub struct ImportError {
+    /// The file, as the caller named it.
+    pub file: PathBuf,
+    /// The line of the file, counted from 1, if the problem lies in one line.
+    pub line: Option<usize>,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// What can be wrong with a model.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Problem {
+    /// The file cannot be opened or read.
+    Read(std::io::Error),
+    /// The file's extension is none that this crate reads.
+    UnknownFormat,
+    /// A line cannot be understood; the text says what was expected.
+    Syntax(&'static str),
+    /// A face names a vertex that the file does not have.
+    NoSuchVertex,
+    /// A coordinate is NaN or infinite, or becomes so when it is divided by its `w`.
+    NotFinite,
+    /// The model has no face with an area.
+    NoFaces,
+    /// More vertices than `u16` indices can name (65 536), after welding.
+    TooManyVertices(usize),
+    /// The largest extent (in model units) is beyond what an exponent of `i8` can scale.
+    Extent(f64),
+}
+
+impl Problem {
+    /// The problem with the file it stands in.
+    pub(crate) fn at(self, file: &Path, line: Option<usize>) -> ImportError {
+        ImportError { file: file.to_owned(), line, problem: self }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Problem::Read(error) => write!(f, "cannot be read: {error}"),
+            Problem::UnknownFormat => f.write_str("is not a model this program reads (.obj)"),
+            Problem::Syntax(what) => f.write_str(what),
+            Problem::NoSuchVertex => f.write_str("the face names a vertex that does not exist"),
+            Problem::NotFinite => f.write_str("a coordinate is not a finite number"),
+            Problem::NoFaces => f.write_str("has no faces"),
+            Problem::TooManyVertices(n) => {
+                write!(f, "has {n} vertices, more than the 65536 of a mesh")
+            }
+            Problem::Extent(extent) => write!(f, "has an extent of {extent:e}, out of range"),
+        }
+    }
+}
+
+impl fmt::Display for ImportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.file.display())?;
+        if let Some(line) = self.line {
+            write!(f, "{line}:")?;
+        }
+        write!(f, " {}", self.problem)
+    }
+}
+
+impl Error for Problem {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Problem::Read(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl Error for ImportError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        Some(&self.problem)
+    }
+}

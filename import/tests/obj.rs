@@ -1,0 +1,312 @@
+//! OBJ files as they come, sound and broken.
+
+use pinhole_import::{quantise, read, read_obj, ImportError, ImportedMesh, Problem, Triangles};
+use std::collections::HashSet;
+use std::path::Path;
+
+fn import(text: &str) -> Result<ImportedMesh, ImportError> {
+    read_obj(text.as_bytes(), Path::new("model.obj"))
+}
+
+/// A cube of side 2 of quads, counter-clockwise seen from outside, with eight vertices.
+const CUBE: &str = "
+v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
+f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8
+";
+
+/// The same cube, each quad with four vertices of its own.
+fn cube_of_loose_quads() -> String {
+    let vertices: Vec<&str> = CUBE.lines().filter(|l| l.starts_with('v')).collect();
+    let mut text = String::new();
+    for face in CUBE.lines().filter_map(|l| l.strip_prefix("f ")) {
+        for index in face.split(' ') {
+            text += vertices[index.parse::<usize>().unwrap() - 1];
+            text += "\n";
+        }
+        text += "f -4 -3 -2 -1\n";
+    }
+    text
+}
+
+fn assert_is_the_cube(cube: &ImportedMesh) {
+    let counts = (cube.vertices.len(), cube.edges.len(), cube.faces.len());
+    assert_eq!(counts, (8, 18, 12), "Euler: 8 - 18 + 12 = 2");
+    assert_eq!(cube.topology(), Default::default());
+    // A half extent of 1 is 2^14 steps of 2^-14, the most that fits.
+    assert_eq!(cube.exponent, -14);
+    assert!(cube.vertices.iter().flatten().all(|c| c.abs() == 16384));
+    assert_eq!(cube.volume(), 8.0);
+    assert_eq!(cube.offset, [0.0; 3]);
+    assert_eq!(cube.report.error, 0.0);
+    for axis in 0..3 {
+        for sign in [-1, 1] {
+            let mut normal = [0; 3];
+            normal[axis] = sign * 32767;
+            assert_eq!(cube.normals.iter().filter(|n| **n == normal).count(), 2);
+        }
+    }
+    for (face, normal) in cube.faces.iter().zip(&cube.normals) {
+        let axis = normal.iter().position(|&c| c != 0).unwrap();
+        for &corner in face {
+            let side = cube.vertices[usize::from(corner)][axis].signum();
+            assert_eq!(side, normal[axis].signum(), "normals point outwards");
+        }
+    }
+}
+
+#[test]
+fn a_cube_is_welded_and_its_edges_are_unique() {
+    let cube = import(CUBE).unwrap();
+    assert_is_the_cube(&cube);
+    assert_eq!(cube.report.welded, 0);
+    let loose = import(&cube_of_loose_quads()).unwrap();
+    assert_is_the_cube(&loose);
+    assert_eq!((loose.report.vertices_read, loose.report.welded), (24, 16));
+
+    assert!(cube.edges.iter().all(|[a, b]| a < b));
+    assert!(cube.edges.is_sorted());
+    assert_eq!(cube.edges.iter().collect::<HashSet<_>>().len(), 18);
+    let mesh = cube.mesh().unwrap();
+    assert_eq!(mesh.faces(), cube.faces);
+}
+
+#[test]
+fn both_zeros_are_one_position() {
+    let mesh = import("v 0 0 0\nv 1 0 0\nv 0 1 0\nv -0 -0.0 0\nv 0 0 1\nf 1 2 3\nf 4 5 2\n").unwrap();
+    assert_eq!((mesh.vertices.len(), mesh.report.welded), (4, 1));
+}
+
+#[test]
+fn positions_that_quantising_joins_are_one_vertex() {
+    // Two corners at a distance of a hundredth of a step.
+    let text = "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nv 0.0003 0 0\nv 0 0 1000\nf 1 2 3\nf 4 5 2\n";
+    let mesh = import(text).unwrap();
+    assert_eq!((mesh.vertices.len(), mesh.edges.len()), (4, 5));
+    assert_eq!((mesh.report.welded, mesh.report.welded_by_quantising), (0, 1));
+}
+
+#[test]
+fn degenerate_and_duplicate_faces_go_and_are_counted() {
+    let text = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 2 0 0\nv 0 0 0\nv 9 9 9\nv 4 4 0\n\
+        f 1 2 3\n\
+        f 2 3 1\n\
+        f 5 2 3\n\
+        f 1 3 2\n\
+        f 1 2 2\n\
+        f 1 5 3\n\
+        f 1 4 2\n\
+        f 1 2\n\
+        f 2 7 3\n";
+    let mesh = import(text).unwrap();
+    // The face with its corners turned (2 3 1), and with the second vertex at the origin (5 2 3), is a duplicate; seen from
+    // the other side (1 3 2) it is not.
+    assert_eq!(mesh.report.duplicate, 2);
+    // 1 2 2 repeats an index, 1 5 3 a position, 1 4 2 is a line, 1 2 has two corners.
+    assert_eq!(mesh.report.degenerate, 4);
+    assert_eq!(mesh.faces.len(), 3);
+    // Vertex 5 is welded, 4 only in a face that is gone, 6 in none, so it is not even read.
+    assert_eq!(mesh.vertices.len(), 4);
+    assert_eq!((mesh.report.vertices_read, mesh.report.welded, mesh.report.unused), (6, 1, 1));
+    assert_eq!(mesh.report.extent, 4.0);
+}
+
+#[test]
+fn open_crowded_and_twisted_edges_are_counted() {
+    let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\n";
+    let topology = |faces: &str| import(&format!("{vertices}{faces}")).unwrap().topology();
+    let sheet = topology("f 1 2 3\nf 2 1 4\n");
+    assert_eq!((sheet.open, sheet.crowded, sheet.twisted), (4, 0, 0));
+    let twisted = topology("f 1 2 3\nf 1 2 4\n");
+    assert_eq!((twisted.open, twisted.crowded, twisted.twisted), (4, 0, 1));
+    let fan = topology("f 1 2 3\nf 2 1 4\nf 1 2 5\n");
+    assert_eq!((fan.open, fan.crowded, fan.twisted), (6, 1, 0));
+}
+
+/// A small generator of even numbers in 0 … 1 (xorshift64*), so that the test needs no crate and repeats.
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// The largest distance along an axis from a position to its vertex, by search.
+fn measured_error(model: &Triangles, mesh: &ImportedMesh) -> f64 {
+    let step = 2f64.powi(i32::from(mesh.exponent));
+    let distance = |p: &[f64; 3], v: &[i16; 3]| {
+        (0..3).map(|i| (p[i] - (f64::from(v[i]) * step + mesh.offset[i])).abs()).fold(0.0, f64::max)
+    };
+    let nearest = |p| mesh.vertices.iter().map(|v| distance(p, v)).fold(f64::INFINITY, f64::min);
+    model.positions.iter().map(nearest).fold(0.0, f64::max)
+}
+
+#[test]
+fn quantisation_is_within_a_65000th_of_the_largest_extent() {
+    let mut random = Random(2);
+    let mut worst = 0.0_f64;
+    for round in 0..2000 {
+        // Extents around the places where the exponent changes (where the error is largest), and anywhere; centres near
+        // and far; tiny models, whose centre is not rounded.
+        let half = match round % 4 {
+            0 => 32767.5 * (1.0 - 1e-9),
+            1 => 32767.5 * (1.0 + 1e-9),
+            2 => 32767.5 * (1.0 + 1e-3 * (random.unit() - 0.5)),
+            _ => 16384.0 * (1.0 + random.unit()),
+        } * 2f64.powi((random.unit() * 40.0) as i32 - 35);
+        let centre = [0; 3].map(|_| (random.unit() - 0.5) * half * 8.0);
+        let mut model = Triangles::default();
+        for corner in 0..60 {
+            let mut p = [0; 3].map(|_| (random.unit() * 2.0 - 1.0) * half);
+            if corner < 2 {
+                p[round % 3] = if corner == 0 { half } else { -half };
+            }
+            model.positions.push([0, 1, 2].map(|i| centre[i] + p[i]));
+        }
+        model.faces = (0..58).map(|i| [i, i + 1, i + 2]).collect();
+        let mesh = quantise(&model).unwrap();
+        assert_eq!(mesh.report.welded, 0);
+        let error = measured_error(&model, &mesh) / mesh.report.extent;
+        assert!(error <= 1.0 / 65000.0, "round {round}: 1/{}", 1.0 / error);
+        let reported = mesh.report.error / mesh.report.extent;
+        assert!((reported - error).abs() < 1e-9, "{reported} {error}");
+        assert!(mesh.vertices.iter().flatten().all(|c| c.unsigned_abs() <= 32767));
+        worst = worst.max(error);
+    }
+    // The bound is no idle one.
+    assert!(worst > 1.0 / 66000.0, "1/{}", 1.0 / worst);
+}
+
+#[test]
+fn normals_are_of_unit_length_to_their_rounding() {
+    let mut random = Random(3);
+    let model = Triangles {
+        positions: (0..300).map(|_| [0; 3].map(|_| random.unit())).collect(),
+        faces: (0..298).map(|i| [i, i + 1, i + 2]).collect(),
+    };
+    for n in quantise(&model).unwrap().normals {
+        let length = n.map(f64::from).iter().map(|c| c * c).sum::<f64>().sqrt();
+        assert!((length - 32767.0).abs() <= 0.5 * 3f64.sqrt(), "{n:?}");
+    }
+}
+
+#[test]
+fn what_a_mesh_does_not_use_cannot_be_wrong() {
+    let text =
+        "\u{feff}mtllib nowhere.mtl\no first\nv 0 0 0 1 0 0\nv 2 0 0 2\nv 0 1 0\nvt nonsense\nvn 1\nusemtl\n\
+        f 1/7/9 2/-5 3//-8\ng second\nv 0 0 1\nl 1 77\np 99\ns off\nf 1 3 4\n";
+    let mesh = import(text).unwrap();
+    assert_eq!((mesh.vertices.len(), mesh.faces.len()), (4, 2));
+    assert_eq!(mesh.report.extent, 1.0, "2 / w = 1");
+}
+
+#[track_caller]
+fn assert_error(text: &str, line: Option<usize>, wanted: fn(&Problem) -> bool, message: &str) {
+    let error = import(text).unwrap_err();
+    assert!(wanted(&error.problem), "{error:?}");
+    assert_eq!(error.line, line, "{error}");
+    assert_eq!(error.to_string(), message);
+}
+
+#[test]
+fn a_broken_line_is_named() {
+    use Problem::{NoSuchVertex, NotFinite, Syntax};
+    let syntax = |p: &Problem| matches!(p, Syntax(_));
+    assert_error(
+        "v 0 0 0\n# fine\nv 1 zwei 3\n",
+        Some(3),
+        syntax,
+        "model.obj:3: a vertex needs three numbers",
+    );
+    assert_error("v 0 0", Some(1), syntax, "model.obj:1: a vertex needs three numbers");
+    assert_error("v 0 0 0 0\n", Some(1), syntax, "model.obj:1: the w of the vertex is zero");
+    assert_error("v 0 0 0 1 1\n", Some(1), syntax, "model.obj:1: a vertex is x y z, x y z w or x y z r g b");
+    let face = "a face is a list of indices v, v/vt, v//vn or v/vt/vn";
+    assert_error("v 0 0 0\n\nf 1 1 b\n", Some(3), syntax, &format!("model.obj:3: {face}"));
+    assert_error("v 0 0 0\nf\n", Some(2), syntax, "model.obj:2: the face has no corners");
+    let no_such = |p: &Problem| matches!(p, NoSuchVertex);
+    let stray = "the face names a vertex that does not exist";
+    let three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for corner in ["4", "0", "-4", "-9223372036854775808", "9223372036854775807"] {
+        let text = format!("{three}f 1 2 3\nf 1 2 {corner}/1/1\n");
+        assert_error(&text, Some(5), no_such, &format!("model.obj:5: {stray}"));
+    }
+    // A vertex may stand below its face, but a negative index counts upwards.
+    assert!(import(&format!("f 1 2 3\n{three}")).is_ok());
+    assert_error(&format!("f -1 -2 -3\n{three}"), Some(1), no_such, &format!("model.obj:1: {stray}"));
+    let not_finite = |p: &Problem| matches!(p, NotFinite);
+    for number in ["NaN", "inf", "-infinity", "1e999"] {
+        let text = format!("{three}v 0 {number} 0\nf 1 2 4\n");
+        assert_error(&text, Some(4), not_finite, "model.obj:4: a coordinate is not a finite number");
+    }
+    assert_error(
+        &format!("{three}v 1e300 0 0 1e-300\nf 1 2 4\n"),
+        None,
+        not_finite,
+        "model.obj: a coordinate is not a finite number",
+    );
+}
+
+#[test]
+fn a_model_without_faces_is_an_error() {
+    let none = |p: &Problem| matches!(p, Problem::NoFaces);
+    for text in [
+        "",
+        "\0\u{1}PNG\n",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
+        "v 1 1 1\nf 1 1 1\n",
+        "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",
+    ] {
+        assert_error(text, None, none, "model.obj: has no faces");
+    }
+}
+
+#[test]
+fn a_mesh_has_at_most_65536_vertices() {
+    // A strip of triangles with one vertex after the other.
+    let strip = |count: usize| Triangles {
+        positions: (0..count).map(|i| [(i / 2 % 256) as f64, (i % 2) as f64, (i / 512) as f64]).collect(),
+        faces: (0..count - 2).map(|i| [i, i + 1, i + 2]).collect(),
+    };
+    let full = quantise(&strip(1 << 16)).unwrap();
+    assert_eq!(full.vertices.len(), 1 << 16);
+    assert!(full.mesh().is_ok());
+    let problem = quantise(&strip((1 << 16) + 1)).unwrap_err();
+    assert!(matches!(problem, Problem::TooManyVertices(65537)), "{problem:?}");
+    assert_eq!(problem.to_string(), "has 65537 vertices, more than the 65536 of a mesh");
+}
+
+#[test]
+fn extents_beyond_an_exponent_are_an_error() {
+    let triangle = |size: f64| {
+        quantise(&Triangles {
+            positions: vec![[0.0; 3], [size, 0.0, 0.0], [0.0, -size, 0.0]],
+            faces: vec![[0, 1, 2]],
+        })
+    };
+    assert_eq!(triangle(1e-30).unwrap().vertices.len(), 3);
+    for size in [1e-40, 1e60, f64::MAX] {
+        assert!(matches!(triangle(size), Err(Problem::Extent(_))), "{size}");
+    }
+}
+
+#[test]
+fn files_that_cannot_be_read_are_named() {
+    let missing = read(Path::new("no/such/model.obj")).unwrap_err();
+    assert!(matches!(missing.problem, Problem::Read(_)));
+    let message = missing.to_string();
+    assert!(message.starts_with("no/such/model.obj: cannot be read: "), "{message}");
+    assert_eq!(message.lines().count(), 1);
+
+    let unknown = read(Path::new("model.blend")).unwrap_err();
+    assert_eq!(unknown.to_string(), "model.blend: is not a model this program reads (.obj)");
+}
+
+#[test]
+fn indices_out_of_range_are_an_error_from_any_reader() {
+    let model = Triangles { positions: vec![[0.0; 3]; 3], faces: vec![[0, 1, 3]] };
+    assert!(matches!(quantise(&model), Err(Problem::NoSuchVertex)));
+}

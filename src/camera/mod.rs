@@ -1,0 +1,113 @@
+//! The camera: where it stands ([`Viewing`]), what it sees ([`Projection`]) and where on the
+//! target that goes ([`Viewport`]).
+
+mod placement;
+mod projection;
+mod viewing;
+mod viewport;
+
+pub(crate) use placement::{Image, Placement};
+pub use projection::{ClipPoint, Projection, ProjectionError, Window};
+pub use viewing::{Viewing, ViewingError};
+pub use viewport::{Viewport, ViewportError};
+
+use crate::math::num::mul_translation;
+use crate::math::Row;
+use crate::raster::GUARD_BAND;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// Viewing, projection and viewport, folded into four linear forms over view coordinates.
+///
+/// x and y are measured from the viewport's centre in units of 2^`unit` sub-pixels times w, so
+/// that one reciprocal and one product a coordinate finish a vertex; depth is folded likewise.
+///
+/// ```
+/// use embedded_graphics::geometry::{Point, Size};
+/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+/// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
+/// let camera = Camera::new(
+///     &Viewing::look_at(Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+///     &Projection::perspective(Angle::degrees(50), viewport.size(), Scalar::from_num(1), Scalar::from_num(50))?,
+///     &viewport,
+/// );
+/// # let _ = camera;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Camera {
+    axes: [[i32; 3]; 3],
+    eye: [i32; 3],
+    /// x, y, d, w.
+    rows: [Row; 4],
+    screen: Screen,
+    far_clip: bool,
+}
+
+/// How normalised x and y become 24.8 screen coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Screen {
+    /// The viewport's centre in 24.8.
+    pub(crate) centre: [i32; 2],
+    /// x/w and y/w are in units of 2^unit sub-pixels: 7 … 21.
+    pub(crate) unit: i32,
+    /// |x/w| < 2^room lies inside the guard band wherever the centre is: 0 … 14.
+    pub(crate) room: i32,
+    pub(crate) area: Rectangle,
+}
+
+impl Camera {
+    /// From its three parts. The near plane always cuts; the far plane does on
+    /// [request](Self::with_far_clip).
+    pub fn new(viewing: &Viewing, projection: &Projection, viewport: &Viewport) -> Self {
+        let area = viewport.area();
+        let (x, y) = viewport.centre();
+        let guard = GUARD_BAND * 256; // 2²¹
+                                      // At least half a pixel: the viewport has pixels and lies inside the guard band.
+        let free = (guard - x.abs().max(y.abs())).max(128);
+        let half = area.size.width.max(area.size.height).max(1) * 128; // ≤ 2²¹ sub-pixels
+        let room = free.ilog2() as i32;
+        let unit = (half.next_power_of_two().ilog2() as i32).min(room);
+        let [x_row, y_row, d_row, w_row] = *projection.rows();
+        // Half the viewport in units of 2^unit sub-pixels; rows count downwards, so y turns.
+        let rows = [
+            stretched(x_row, area.size.width as i32 * 128, -unit),
+            stretched(y_row, -(area.size.height as i32 * 128), -unit),
+            stretched(d_row, 65_535, -16),
+            w_row,
+        ];
+        Self {
+            axes: viewing.rows(),
+            eye: viewing.eye(),
+            rows,
+            screen: Screen { centre: [x, y], unit, room: room - unit, area },
+            far_clip: false,
+        }
+    }
+
+    /// Whether the far plane cuts. Without it, what lies beyond is drawn and its depth is the
+    /// largest one.
+    #[must_use]
+    pub const fn with_far_clip(self, far_clip: bool) -> Self {
+        Self { far_clip, ..self }
+    }
+
+    pub(crate) const fn area(&self) -> Rectangle {
+        self.screen.area
+    }
+}
+
+/// `row · factor · 2^exponent` for a factor of at most 23 bits.
+fn stretched(row: Row, factor: i32, exponent: i32) -> Row {
+    // 30 × 23 bits.
+    let linear = row.linear.map(|m| i64::from(m) * i64::from(factor));
+    let offset = mul_translation(factor, exponent, row.offset);
+    Row::new(linear, row.exponent - 30 + exponent, offset)
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Camera {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let [x, y] = self.screen.centre;
+        defmt::write!(f, "axes {}/2^30, eye {}/2^16, centre ({=i32}, {=i32})/256", self.axes, self.eye, x, y);
+    }
+}

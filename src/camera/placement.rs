@@ -1,0 +1,195 @@
+//! The per-vertex chain: model coordinates to the screen, in integers.
+//!
+//! Once per object the whole chain up to clip space is folded into four linear forms, with the
+//! eye subtracted first. Once per vertex: three or four forms, one reciprocal, two or three
+//! products. Error budget: ARCHITECTURE.md, "Numbers".
+
+use super::{Camera, Screen};
+use crate::math::num::{mul_high, mul_wide, reciprocal, scale};
+use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
+use crate::raster::ScreenPoint;
+use crate::space::{Model, World};
+
+/// A camera's view of one object: its vertices to clip space and to the screen.
+///
+/// Values are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for
+/// w. Only differences of exponents are kept.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placement {
+    x: Form,
+    y: Form,
+    d: Form,
+    w: Form,
+    /// Left shift that justifies a vertex coordinate to 32 bits.
+    justify: u32,
+    /// e_xy − e_w: 0 … room.
+    xy_over_w: i32,
+    /// e_d − e_w: never negative.
+    d_over_w: i32,
+    /// Least w for which the fast path keeps all its bits.
+    least_w: i32,
+    screen: Screen,
+    far_clip: bool,
+}
+
+/// A vertex on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Image {
+    pub(crate) point: ScreenPoint,
+    /// 0 near … 65534 far.
+    pub(crate) depth: u16,
+}
+
+impl Placement {
+    /// `exponent`: of the mesh, coordinate = vertex · 2^exponent; `justify`: left shift that
+    /// brings its largest coordinate to the top of 32 bits.
+    pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, exponent: i32, justify: u32) -> Self {
+        // 1 Model to view, relative to the eye.
+        let (m, m_exponent) = model.linear();
+        let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
+        let away = model.offset_from(camera.eye);
+        let offset = camera.axes.map(|linear| Row { linear, ..Row::ZERO }.apply(away));
+        // 2 View to clip.
+        let [x, y, d, w] = camera.rows.map(|row| row.of(&linear, linear_exponent, offset));
+        // 3 Exponents from what the rows can reach over the object. A justified coordinate v
+        //   stands for v·2^unit.
+        let unit = exponent - justify as i32;
+        let (reach_x, reach_y) = (reach(&x, unit), reach(&y, unit));
+        let Screen { unit: screen_unit, room, .. } = camera.screen;
+        let e_xy = reach_x.max(reach_y);
+        // Finer x than w is of no use; much coarser x means an object far to the side.
+        let e_w = reach(&w, unit).max(e_xy - room);
+        let e_xy = e_xy.max(e_w);
+        let e_d = reach(&d, unit).max(e_w);
+        let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
+        // 4 The fast path shifts right by at least one: see `project`. Leading zeros of w at most:
+        let zeros = (29 - xy_over_w - screen_unit).min(13 - d_over_w);
+        Self {
+            x: form(&x, unit, e_xy),
+            y: form(&y, unit, e_xy),
+            d: form(&d, unit, e_d),
+            w: form(&w, unit, e_w),
+            justify,
+            xy_over_w,
+            d_over_w,
+            least_w: if zeros >= 1 { 1 << (31 - zeros) } else { i32::MAX },
+            screen: camera.screen,
+            far_clip: camera.far_clip,
+        }
+    }
+
+    /// The vertex in clip space.
+    pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
+        let v = vertex.map(|c| c.justify(self.justify));
+        let at = |form: &Form| form.at(v, V::NARROW);
+        Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
+    }
+
+    /// The vertex on the screen, or `None` when it must be clipped: in front of near, outside the
+    /// guard band (or close to its border), or so near to the eye that 32 bits do not carry it.
+    ///
+    /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
+    /// shift by `29 − e − unit − n ≥ 1`, rounded to nearest with ties up.
+    #[inline(always)]
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3]) -> Option<Image> {
+        let h = self.clip(vertex);
+        let inside = self.screen.room - self.xy_over_w; // 0 … 14
+                                                        // |v| >> inside < w implies |v| < w·2^inside. (v ^ v >> 31 is |v|, or |v| − 1: as good.)
+        let beyond = |v: i32| ((v ^ (v >> 31)) >> inside) >= h.w;
+        if h.d < 0 || h.w < self.least_w || beyond(h.x) || beyond(h.y) {
+            return None;
+        }
+        if self.far_clip && self.beyond_far(&h) < 0 {
+            return None;
+        }
+        let r = reciprocal(h.w);
+        let n = r.shift as i32;
+        let right = (29 - self.xy_over_w - self.screen.unit - n - 1).clamp(0, 31); // by least_w
+        let [cx, cy] = self.screen.centre;
+        let along = |v: i32, centre: i32| ((mul_high(v, r.mantissa) >> right) + (2 * centre + 1)) >> 1;
+        let depth = if DEPTH {
+            let right = (13 - self.d_over_w - n - 1).clamp(0, 31); // by least_w
+            (((mul_high(h.d, r.mantissa) >> right) + 1) >> 1).min(65_534) as u16
+        // d ≥ 0
+        } else {
+            0
+        };
+        Some(Image { point: ScreenPoint::inside(along(h.x, cx), along(h.y, cy)), depth })
+    }
+
+    /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
+    /// same bits where both work.
+    pub(crate) fn image(&self, h: &Homogeneous) -> Image {
+        let r = reciprocal(h.w);
+        let n = r.shift as i32;
+        let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
+        let along = |v: i32, centre: i32| {
+            let v = scale(mul_wide(v, r.mantissa), -right) + i64::from(centre);
+            v.clamp(-(1 << 21), 1 << 21) as i32
+        };
+        let [cx, cy] = self.screen.centre;
+        let depth = scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 45);
+        Image {
+            point: ScreenPoint::clamped(along(h.x, cx), along(h.y, cy)),
+            depth: depth.clamp(0, 65_534) as u16,
+        }
+    }
+
+    /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
+    /// view volume cut at the guard band; each scaled by a positive factor of its own, negative
+    /// outside. At most 2⁵⁴.
+    pub(crate) fn distance(&self, plane: usize, h: &Homogeneous) -> i64 {
+        let guard = i64::from(crate::raster::GUARD_BAND * 256);
+        let up = self.xy_over_w + self.screen.unit; // ≤ 21
+        let [cx, cy] = self.screen.centre.map(i64::from);
+        let (x, y, w) = (i64::from(h.x) << up, i64::from(h.y) << up, i64::from(h.w));
+        match plane {
+            0 => i64::from(h.d),
+            1 => (guard + cx) * w + x,
+            2 => (guard - cx) * w - x,
+            3 => (guard + cy) * w + y,
+            4 => (guard - cy) * w - y,
+            _ => self.beyond_far(h),
+        }
+    }
+
+    /// How many of the planes of [`distance`](Self::distance) cut.
+    pub(crate) fn planes(&self) -> usize {
+        5 + usize::from(self.far_clip)
+    }
+
+    /// `w − d` (d is stored times 65535/65536), negative beyond the far plane.
+    fn beyond_far(&self, h: &Homogeneous) -> i64 {
+        // Beyond a difference of 14 bits w gives way: 47 + 14 bits at most.
+        let up = self.d_over_w.min(14);
+        let down = (self.d_over_w - up).min(63);
+        ((i64::from(h.w) * 65_535) >> down) - (i64::from(h.d) << (16 + up))
+    }
+}
+
+/// The least exponent with which the form fits its integers over all justified coordinates.
+fn reach(row: &Row, unit: i32) -> i32 {
+    // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
+    let sum: i64 = row.linear.iter().map(|c| i64::from(c.abs())).sum();
+    let linear = scale(sum, row.exponent + unit + 33).unsigned_abs(); // ≤ 2⁶²
+    let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³
+                                                    // Head-room for the rounding of coefficients: 2⁻¹⁶ of it all.
+    let bound = bound.saturating_add((bound >> 16) + 16);
+    let result = 64 - bound.leading_zeros() as i32 - 63; // below 2³¹
+                                                         // Each coefficient below 2³⁰ − 2¹⁵, so that it splits into 15 + 16 signed bits.
+    let largest = row.linear.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
+    let coefficient = row.exponent + unit + 1 + i32::from(largest > (1 << 30) - (1 << 16));
+    if largest == 0 {
+        result
+    } else {
+        result.max(coefficient)
+    }
+}
+
+/// The row as integers over justified coordinates, in units of 2^exponent.
+fn form(row: &Row, unit: i32, exponent: i32) -> Form {
+    // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `reach`.
+    let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);
+    let offset = if exponent < 0 { row.offset << (-exponent).min(63) } else { scale(row.offset, -exponent) };
+    Form::new(linear, offset)
+}

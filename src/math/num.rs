@@ -1,0 +1,313 @@
+//! Integer building blocks. Every shift and width has its bound beside it.
+//!
+//! A Cortex-M0 multiplies 32 × 32 bits to the low 32 only, and the compiler's 64-bit product is a
+//! library call there. The products used per vertex and per edge are therefore also written from
+//! 16-bit pieces; both forms are exact, so all cores compute the same bits.
+
+/// `a · b`, exact.
+#[inline(always)]
+pub(crate) fn mul_wide(a: i32, b: i32) -> i64 {
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    return mul_wide_by_halves(a, b);
+    #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+    return i64::from(a) * i64::from(b);
+}
+
+/// `⌊a · b / 2³²⌋`.
+#[inline(always)]
+pub(crate) fn mul_high(a: i32, b: i32) -> i32 {
+    (mul_wide(a, b) >> 32) as i32 // |a·b| ≤ 2⁶²: the high word fits
+}
+
+/// [`mul_wide`] from four 16-bit products, for cores whose multiplier keeps 32 bits.
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline]
+fn mul_wide_by_halves(a: i32, b: i32) -> i64 {
+    let (ah, al) = (a >> 16, a & 0xffff);
+    let (bh, bl) = (b >> 16, b & 0xffff);
+    // al·bl < 2³²; the cross products lie in ±2³¹ and their high halves are added apart, so that
+    // no sum leaves 32 bits: |ah·bh| ≤ 2³⁰, the two carried halves and the carry are < 2¹⁷.
+    let low = (al as u32).wrapping_mul(bl as u32);
+    let cross1 = ah.wrapping_mul(bl);
+    let cross2 = al.wrapping_mul(bh);
+    let middle = (low >> 16) + (cross1 as u32 & 0xffff) + (cross2 as u32 & 0xffff);
+    let high = ah * bh + (cross1 >> 16) + (cross2 >> 16) + (middle >> 16) as i32;
+    (i64::from(high) << 32) | i64::from((middle << 16) | (low & 0xffff))
+}
+
+/// `1/m` for the 256 intervals of m ∈ [1, 2), in 2⁻⁹, less the leading 256: the largest
+/// `|1 − m·r|` over each interval is the smallest that nine bits allow, 2⁻⁸·⁴⁵ at worst.
+#[rustfmt::skip]
+const RECIPROCAL: [u8; 256] = [
+    255, 253, 251, 249, 247, 245, 243, 241, 240, 238, 236, 234, 232, 230, 229, 227,
+    225, 223, 221, 220, 218, 216, 215, 213, 211, 210, 208, 206, 205, 203, 201, 200,
+    198, 197, 195, 194, 192, 191, 189, 188, 186, 185, 183, 182, 180, 179, 177, 176,
+    174, 173, 172, 170, 169, 167, 166, 165, 163, 162, 161, 159, 158, 157, 156, 154,
+    153, 152, 150, 149, 148, 147, 145, 144, 143, 142, 141, 139, 138, 137, 136, 135,
+    134, 132, 131, 130, 129, 128, 127, 126, 124, 123, 122, 121, 120, 119, 118, 117,
+    116, 115, 114, 113, 112, 111, 110, 109, 108, 107, 106, 105, 104, 103, 102, 101,
+    100, 99, 98, 97, 96, 95, 94, 93, 92, 91, 90, 89, 88, 88, 87, 86,
+    85, 84, 83, 82, 81, 81, 80, 79, 78, 77, 76, 75, 75, 74, 73, 72,
+    71, 70, 70, 69, 68, 67, 66, 66, 65, 64, 63, 63, 62, 61, 60, 59,
+    59, 58, 57, 56, 56, 55, 54, 53, 53, 52, 51, 51, 50, 49, 48, 48,
+    47, 46, 46, 45, 44, 44, 43, 42, 42, 41, 40, 40, 39, 38, 38, 37,
+    36, 36, 35, 34, 34, 33, 32, 32, 31, 30, 30, 29, 29, 28, 27, 27,
+    26, 26, 25, 24, 24, 23, 23, 22, 21, 21, 20, 20, 19, 18, 18, 17,
+    17, 16, 16, 15, 15, 14, 13, 13, 12, 12, 11, 11, 10, 10, 9, 9,
+    8, 7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0,
+];
+
+/// A positive number's reciprocal: `1/v = mantissa · 2^(shift − 61)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Reciprocal {
+    /// 2³⁰ … 2³¹ − 1.
+    pub(crate) mantissa: i32,
+    /// The left shift that normalises `v` to 2³⁰ … 2³¹ − 1: 0 … 30.
+    pub(crate) shift: u32,
+}
+
+/// The reciprocal of `v`; the relative error is at most 2⁻²⁸ (asserted in this file's tests).
+/// `v < 1` counts as 1.
+///
+/// A table gives r with `e = 1 − m·r`, |e| < 2⁻⁸·⁴⁵, and `1/m = r·(1 + e + e² + e³ + …)`; the
+/// terms to e³ leave e⁴ < 2⁻³³. `e` itself comes exactly out of one 32-bit product because its
+/// leading bits cancel. (Series for the reciprocal: Muller et al., Handbook of Floating-Point
+/// Arithmetic, 2nd ed., section 4.7.)
+#[inline(always)]
+pub(crate) fn reciprocal(v: i32) -> Reciprocal {
+    let v = v.max(1);
+    let shift = v.leading_zeros() - 1; // v ≥ 1 has 1 … 31 leading zeros
+    let m = v << shift; // 2³⁰ … 2³¹ − 1, in 2⁻³⁰
+    let index = (m >> 22) as usize & 0xff;
+    // The mask keeps the index inside the table; `get` says so without a panic path.
+    let r = 256 + i32::from(RECIPROCAL.get(index).copied().unwrap_or(0)); // in 2⁻⁹
+    let e = m.wrapping_mul(r).wrapping_neg(); // 2³⁹·(1 − m·r): |e| < 2³⁰·⁶, and 2³⁹ ≡ 0 mod 2³²
+    let e1 = e >> 16; // in 2⁻²³, |e1| < 2¹⁵
+    let e2 = (e1 * e1) >> 7; // e², in 2⁻³⁹, < 2²³
+    let e3 = (e1 * (e2 >> 16)) >> 7; // e³, in 2⁻³⁹
+    let s = (e + e2 + e3) >> 9; // in 2⁻³⁰, |s| < 2²²
+    Reciprocal { mantissa: (r << 22) + ((s * r) >> 8), shift } // |s·r| < 2³¹
+}
+
+/// The integer square root, rounded to nearest.
+///
+/// Digit by digit: 32 steps, no division. (Warren, Hacker's Delight, 2nd ed., section 11–1.)
+pub(crate) fn sqrt(v: u64) -> u32 {
+    let (mut rest, mut root, mut bit) = (v, 0u64, 1u64 << 62);
+    while bit != 0 {
+        if rest >= root + bit {
+            rest -= root + bit;
+            root = (root >> 1) + bit;
+        } else {
+            root >>= 1;
+        }
+        bit >>= 2;
+    }
+    // rest = v − root²; root + ½ is passed when rest > root. The root of 2⁶⁴ − 1 would round to
+    // 2³², so the last step saturates.
+    let root = root as u32; // root < 2³²
+    root.saturating_add(u32::from(rest > u64::from(root)))
+}
+
+/// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Wants `n < 2·d`, `0 < d < 2⁶²`
+/// and `bits ≤ 62`; a zero divisor gives all ones.
+pub(crate) fn fraction(n: u64, d: u64, bits: u32) -> u64 {
+    let mut rest = n;
+    let mut quotient = 0;
+    for step in 0..=bits {
+        if step > 0 {
+            rest <<= 1; // rest < d < 2⁶²
+            quotient <<= 1;
+        }
+        if rest >= d {
+            rest = rest.wrapping_sub(d); // no wrap: rest ≥ d
+            quotient |= 1;
+        }
+    }
+    quotient
+}
+
+/// `⌊n / d⌋` and the remainder for `n < 2⁶³`, `0 < d < 2³¹`, by long division.
+pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
+    let (mut quotient, mut rest) = (0u64, 0u32);
+    for bit in (0..63).rev() {
+        rest = (rest << 1) | ((n >> bit) & 1) as u32; // rest < d < 2³¹
+        quotient <<= 1;
+        if rest >= d {
+            rest = rest.wrapping_sub(d); // no wrap: rest ≥ d
+            quotient |= 1;
+        }
+    }
+    (quotient, rest)
+}
+
+/// `v · 2^shift`, saturating to the left, rounded to nearest (ties up) to the right.
+pub(crate) fn scale(v: i64, shift: i32) -> i64 {
+    if shift >= 0 {
+        let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63
+        match v {
+            0 => 0,
+            _ if shift < room => v << shift,
+            _ => saturated(v),
+        }
+    } else if shift > -64 {
+        let floor = v >> (-shift - 1); // shifted by 0 … 62
+        (floor >> 1) + (floor & 1)
+    } else {
+        0
+    }
+}
+
+/// The bound at which translations saturate, with the sign of `v`.
+fn saturated(v: i64) -> i64 {
+    if v < 0 {
+        -SATURATED
+    } else {
+        SATURATED
+    }
+}
+
+/// Translations stay within ±2⁶² (2³⁰ world units in 2⁻³²), so that two of them can be added.
+pub(crate) const SATURATED: i64 = 1 << 62;
+
+/// `a + b` for translations, saturating at ±2⁶².
+pub(crate) fn add(a: i64, b: i64) -> i64 {
+    a.saturating_add(b).clamp(-SATURATED, SATURATED)
+}
+
+/// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶². Wants |m| ≤ 2³⁰ and |t| ≤ 2⁶².
+pub(crate) fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
+    let m = i64::from(m);
+    // t = high·2³² + low: m·high ≤ 2⁶⁰, m·low < 2⁶², so the 96-bit product is high_product·2³² + low word.
+    let low = m * (t & 0xffff_ffff);
+    let high = m * (t >> 32) + (low >> 32);
+    let low = low & 0xffff_ffff;
+    let right = -exponent;
+    if right >= 32 {
+        // The low word only matters to the rounding bit, and only when the shift is exactly 32.
+        if right == 32 {
+            add(high, low >> 31)
+        } else {
+            scale(high, 32 - right).clamp(-SATURATED, SATURATED)
+        }
+    } else {
+        let left = 32 - right; // ≥ 1
+        let high = scale(high, left).clamp(-SATURATED, SATURATED);
+        if high.abs() == SATURATED {
+            return high;
+        }
+        add(high, scale(low, -right))
+    }
+}
+
+/// How far to shift `v` right so that it keeps at most `bits` bits: negative to the left.
+pub(crate) fn excess(v: u64, bits: i32) -> i32 {
+    64 - v.leading_zeros() as i32 - bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn random(state: &mut u64) -> u64 {
+        *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    #[test]
+    fn the_product_from_halves_is_exact() {
+        let mut state = 1;
+        let edges = [0, 1, -1, 0xffff, 0x10000, -0x10000, i32::MAX, i32::MIN, 0x8000, -0x8000];
+        for a in edges {
+            for b in edges {
+                assert_eq!(mul_wide_by_halves(a, b), i64::from(a) * i64::from(b));
+            }
+        }
+        for _ in 0..100_000 {
+            let r = random(&mut state);
+            let (a, b) = ((r >> 32) as i32, r as i32);
+            assert_eq!(mul_wide_by_halves(a, b), i64::from(a) * i64::from(b));
+        }
+    }
+
+    /// The bound in the documentation of [`reciprocal`] is at most twice the largest error met.
+    #[test]
+    fn e8_reciprocal_is_within_2_to_the_minus_28() {
+        let mut worst = 0f64;
+        let mut check = |v: i32| {
+            let r = reciprocal(v);
+            assert!(r.mantissa >= 1 << 30, "{v}: {r:?}");
+            let got = f64::from(r.mantissa) * (f64::from(r.shift) - 61.0).exp2();
+            worst = worst.max((got * f64::from(v) - 1.0).abs());
+        };
+        for k in 0..31 {
+            for d in [-1, 0, 1] {
+                check((1i32 << k).wrapping_add(d).max(1));
+            }
+        }
+        check(i32::MAX);
+        for v in (1 << 30..i32::MAX - 1000).step_by(977) {
+            check(v);
+        }
+        let bound = (-28f64).exp2();
+        assert!(worst <= bound && bound <= 2.0 * worst, "2^{}", worst.log2());
+    }
+
+    #[test]
+    fn square_roots_round_to_nearest() {
+        let mut state = 2;
+        for k in 0..64 {
+            for _ in 0..1000 {
+                let v = random(&mut state) >> k;
+                let r = u128::from(sqrt(v));
+                let v4 = u128::from(v) * 4;
+                assert!(r == u128::from(u32::MAX) || v4 < (2 * r + 1).pow(2));
+                assert!(r == 0 || v4 >= (2 * r - 1).pow(2), "{v} {r}");
+            }
+        }
+        assert_eq!(sqrt(u64::MAX), u32::MAX);
+    }
+
+    #[test]
+    fn long_division_is_division() {
+        let mut state = 3;
+        for k in 0..63 {
+            for _ in 0..200 {
+                let n = random(&mut state) >> 1 >> k;
+                let d = (random(&mut state) >> 33 >> (k / 2)).max(1) as u32;
+                assert_eq!(divide(n, d), (n / u64::from(d), (n % u64::from(d)) as u32));
+                let d = (random(&mut state) >> 3).max(2);
+                let n = n % (2 * d);
+                assert_eq!(u128::from(fraction(n, d, 40)), (u128::from(n) << 40) / u128::from(d));
+            }
+        }
+    }
+
+    #[test]
+    fn translations_scale_rounded_and_saturated() {
+        let mut state = 4;
+        for _ in 0..200_000 {
+            let m = (random(&mut state) as i32) >> 1;
+            let t = (random(&mut state) as i64) >> (1 + random(&mut state) % 50);
+            let exponent = (random(&mut state) % 140) as i32 - 100;
+            let exact = i128::from(m) * i128::from(t);
+            let got = i128::from(mul_translation(m, exponent, t));
+            let limit = i128::from(SATURATED);
+            if exponent < 0 {
+                let half = 1i128 << (-exponent - 1);
+                let want = ((exact + half) >> -exponent).clamp(-limit, limit);
+                assert!((got - want).abs() <= 1, "{m} {exponent} {t}: {got} {want}");
+            } else {
+                let want = (exact << exponent.min(30)).clamp(-limit, limit);
+                if exponent < 30 {
+                    // Where the high word alone saturates, the low one no longer counts.
+                    let low = 1i128 << (33 + exponent);
+                    let slack = if want.abs() > limit - low { low } else { 0 };
+                    assert!((got - want).abs() <= slack, "{m} {exponent} {t}");
+                }
+            }
+        }
+    }
+}

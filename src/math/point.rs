@@ -1,0 +1,136 @@
+//! Points and vectors that know their space.
+
+use super::{NumberError, Scalar};
+use core::marker::PhantomData;
+
+/// A point of space `S`: three [`Scalar`]s, ±32768 world units in steps of 2⁻¹⁶.
+///
+/// ```
+/// use pinhole::{space::World, Point3, Scalar};
+/// let p = Point3::<World>::from_ints(1, -2, 3);
+/// assert_eq!(p, Point3::from_f32(1.0, -2.0, 3.0)?);
+/// assert_eq!(p.z(), Scalar::from_num(3));
+/// # Ok::<(), pinhole::NumberError>(())
+/// ```
+#[derive(Debug, PartialEq, Eq)]
+pub struct Point3<S> {
+    bits: [i32; 3],
+    space: PhantomData<S>,
+}
+
+/// A direction or difference in space `S`, of any length: three [`Scalar`]s.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Vector3<S> {
+    bits: [i32; 3],
+    space: PhantomData<S>,
+}
+
+/// Nearest [`Scalar`] bits of `v`, ties away from zero. Exact: a float's own step is a power of two.
+fn door(v: f32) -> Result<i32, NumberError> {
+    if !v.is_finite() {
+        return Err(NumberError::NotFinite);
+    }
+    let scaled = f64::from(v) * 65536.0;
+    let rounded = scaled + if scaled < 0.0 { -0.5 } else { 0.5 };
+    if !(-2_147_483_649.0 < rounded && rounded < 2_147_483_648.0) {
+        return Err(NumberError::OutOfRange);
+    }
+    Ok(rounded as i32) // truncates towards zero: in range by the test above
+}
+
+macro_rules! triple {
+    ($name:ident) => {
+        impl<S> $name<S> {
+            /// From three scalars.
+            pub const fn new(x: Scalar, y: Scalar, z: Scalar) -> Self {
+                Self::from_bits([x.to_bits(), y.to_bits(), z.to_bits()])
+            }
+
+            /// From whole world units.
+            pub const fn from_ints(x: i16, y: i16, z: i16) -> Self {
+                // An i16 times 2¹⁶ fits 32 bits.
+                Self::from_bits([(x as i32) << 16, (y as i32) << 16, (z as i32) << 16])
+            }
+
+            /// From floating-point numbers, each rounded to the nearest 2⁻¹⁶, ties away from zero.
+            ///
+            /// # Errors
+            ///
+            /// [`NumberError`] when a number is NaN, infinite or outside ±32768.
+            pub fn from_f32(x: f32, y: f32, z: f32) -> Result<Self, NumberError> {
+                Ok(Self::from_bits([door(x)?, door(y)?, door(z)?]))
+            }
+
+            pub(crate) const fn from_bits(bits: [i32; 3]) -> Self {
+                Self { bits, space: PhantomData }
+            }
+
+            /// In 2⁻¹⁶ world units.
+            pub(crate) const fn bits(self) -> [i32; 3] {
+                self.bits
+            }
+
+            /// The x coordinate.
+            pub const fn x(self) -> Scalar {
+                Scalar::from_bits(self.bits[0])
+            }
+
+            /// The y coordinate.
+            pub const fn y(self) -> Scalar {
+                Scalar::from_bits(self.bits[1])
+            }
+
+            /// The z coordinate.
+            pub const fn z(self) -> Scalar {
+                Scalar::from_bits(self.bits[2])
+            }
+        }
+
+        // Not derived: a tag need not be Copy for its point to be.
+        impl<S> Clone for $name<S> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+        impl<S> Copy for $name<S> {}
+
+        #[cfg(feature = "defmt")]
+        impl<S> defmt::Format for $name<S> {
+            fn format(&self, f: defmt::Formatter<'_>) {
+                let [x, y, z] = self.bits;
+                // The scalar of this `fixed` version has no Format of its own: 2⁻¹⁶ units.
+                defmt::write!(f, "({=i32}, {=i32}, {=i32})/65536", x, y, z);
+            }
+        }
+    };
+}
+
+triple!(Point3);
+triple!(Vector3);
+
+/// The f32 door for vectors as sensor filters deliver them.
+impl<S> TryFrom<micromath::vector::F32x3> for Vector3<S> {
+    type Error = NumberError;
+
+    fn try_from(v: micromath::vector::F32x3) -> Result<Self, NumberError> {
+        Self::from_f32(v.x, v.y, v.z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::World;
+
+    #[test]
+    fn the_float_door_rounds_and_refuses() {
+        let p = |v| Point3::<World>::from_f32(v, 0.0, 0.0).map(|p| p.bits()[0]);
+        assert_eq!(p(1.0 / 131_072.0), Ok(1)); // a tie, away from zero
+        assert_eq!(p(-1.0 / 131_072.0), Ok(-1));
+        assert_eq!(p(0.4 / 65536.0), Ok(0));
+        assert_eq!(p(-32768.0), Ok(i32::MIN));
+        assert_eq!(p(32768.0), Err(NumberError::OutOfRange));
+        assert_eq!(p(f32::NAN), Err(NumberError::NotFinite));
+        assert_eq!(p(f32::NEG_INFINITY), Err(NumberError::NotFinite));
+    }
+}

@@ -1,0 +1,140 @@
+//! The rasteriser: pure integers, no colour and no target. Usable by itself.
+//!
+//! # Rules
+//!
+//! Lines:
+//! - **L1** every pixel lies within ½ pixel of the true line along the minor axis;
+//! - **L2** a line clipped to a rectangle draws exactly those pixels of the unclipped line that lie
+//!   in the rectangle;
+//! - **L3** A→B and B→A draw the same pixels: ends are ordered by (x, y), and from there a tie
+//!   keeps the smaller minor step, in every octant.
+//!
+//! Triangles:
+//! - **R1** pixel (i, j) has its centre at (i + ½, j + ½);
+//! - **R2** it is covered when, for each edge, the centre lies strictly on its inner side, or on it
+//!   and the edge is a left or a top edge;
+//! - **R3** left edge: not horizontal, interior to its right;
+//! - **R4** top edge: horizontal, interior below;
+//! - **R5** a centre on a vertex is covered as its edges say;
+//! - **R6** a triangle of no area covers nothing;
+//! - **R7** order and winding of the vertices do not matter;
+//! - **R8** triangles on opposite sides of shared edges cover every centre in the interior of their
+//!   union exactly once, and on its border at most once;
+//! - **R9** all this without tolerance, for every triangle in the guard band.
+//!
+//! (Direct3D 11.3 functional specification, section 3.4.2: the top-left rule.)
+//!
+//! Screen points come from a transform or, for those who rasterise in 2D, through a door that
+//! refuses what is out of range:
+//!
+//! ```
+//! use pinhole::raster::ScreenPoint;
+//! assert!(ScreenPoint::from_subpixels(8192 * 256, 0).is_some());
+//! assert!(ScreenPoint::from_subpixels(8192 * 256 + 1, 0).is_none());
+//! ```
+//! ```compile_fail,E0451
+//! let forged = pinhole::raster::ScreenPoint { x: 1 << 30, y: 0 };
+//! ```
+
+mod line;
+mod triangle;
+
+pub use line::line;
+pub(crate) use triangle::fill;
+pub use triangle::{area, triangle};
+
+/// The guard band: 3D geometry is cut at this many pixels from the target's origin.
+pub const GUARD_BAND: i32 = 8192;
+
+/// A point on the screen in 24.8: sub-pixels of 1/256 pixel, x right, y down, pixel (i, j) covers
+/// [256·i, 256·i + 256) × [256·j, 256·j + 256). Inside the guard band, its border included.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ScreenPoint {
+    x: i32,
+    y: i32,
+}
+
+impl ScreenPoint {
+    /// The door for 2D work: `None` beyond ±8192 pixels.
+    pub const fn from_subpixels(x: i32, y: i32) -> Option<Self> {
+        const LIMIT: i32 = GUARD_BAND * 256;
+        if x < -LIMIT || x > LIMIT || y < -LIMIT || y > LIMIT {
+            return None;
+        }
+        Some(Self { x, y })
+    }
+
+    /// Saturates at the guard band.
+    pub(crate) fn clamped(x: i32, y: i32) -> Self {
+        const LIMIT: i32 = GUARD_BAND * 256;
+        Self { x: x.clamp(-LIMIT, LIMIT), y: y.clamp(-LIMIT, LIMIT) }
+    }
+
+    /// For callers that have shown the point to lie in the guard band: see `Placement::project`.
+    #[inline(always)]
+    pub(crate) fn inside(x: i32, y: i32) -> Self {
+        debug_assert!(Self::from_subpixels(x, y).is_some(), "({x}, {y})");
+        Self { x, y }
+    }
+
+    /// In 1/256 pixel, to the right.
+    pub const fn x(self) -> i32 {
+        self.x
+    }
+
+    /// In 1/256 pixel, downwards.
+    pub const fn y(self) -> i32 {
+        self.y
+    }
+
+    /// The pixel that the point lies in: (⌊x⌋, ⌊y⌋).
+    pub const fn pixel(self) -> Pixel {
+        // ±2²¹ / 256 fits 16 bits.
+        Pixel { x: (self.x >> 8) as i16, y: (self.y >> 8) as i16 }
+    }
+}
+
+/// A pixel, as the end of a line: ±32767 by its type.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Pixel {
+    /// The column.
+    pub x: i16,
+    /// The row.
+    pub y: i16,
+}
+
+/// The pixels that may be written: columns `left` to `right` and rows `top` to `bottom`, the last
+/// ones excluded. Empty where it ends before it begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Scissor {
+    left: i32,
+    top: i32,
+    right: i32,
+    bottom: i32,
+}
+
+impl Scissor {
+    /// Limits beyond ±32768 are brought there: nothing is drawn outside.
+    pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
+        let near = |v: i32| v.clamp(-32_768, 32_768);
+        Self { left: near(left), top: near(top), right: near(right), bottom: near(bottom) }
+    }
+}
+
+/// A run of pixels: `width` to the right of and including `x`, or `height` downwards from and
+/// including `y`. One of the two is 1, neither is less.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Span {
+    /// The leftmost column.
+    pub x: i32,
+    /// The topmost row.
+    pub y: i32,
+    /// Columns.
+    pub width: i32,
+    /// Rows.
+    pub height: i32,
+}

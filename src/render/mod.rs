@@ -1,0 +1,301 @@
+//! The pipeline on one page.
+//!
+//! 1. [`Camera::place`] folds model, viewing, projection and viewport into integer forms, once per
+//!    object.
+//! 2. Every vertex goes through them to the screen, once, into the caller's corners; those that
+//!    need clipping are marked.
+//! 3. Faces are sorted out: turned away, without area, outside, whole, or cut (and then clipped in
+//!    homogeneous coordinates and taken as a fan).
+//! 4. What is left is rasterised span by span into the DrawTarget: as edges
+//!    ([`Placed::wireframe`]), as faces in the mesh's order ([`Placed::solid`]), or from far to
+//!    near ([`Painter`]).
+
+mod painter;
+mod statistics;
+
+pub use painter::{Painter, RecordError};
+pub use statistics::Statistics;
+
+use crate::camera::{Camera, Image, Placement};
+use crate::clip;
+use crate::math::{Affine, Coordinate};
+use crate::output::{scissor, send};
+use crate::raster::{self, ScreenPoint};
+use crate::scene::Mesh;
+use crate::space::{Model, World};
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// A mesh placed before a camera, ready to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<'m, V = i16> {
+    mesh: Mesh<'m, V>,
+    placement: Placement,
+    area: Rectangle,
+    cull: Cull,
+}
+
+/// Which faces are left out for the way they turn on the screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Cull {
+    /// Those turned away: right for closed meshes.
+    #[default]
+    Back,
+    /// None: both sides show.
+    None,
+}
+
+/// A vertex's place on the screen: 12 bytes of scratch memory each, given by the caller.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Corner {
+    point: ScreenPoint,
+    depth: u16,
+    /// Whether the vertex has a place at all; the clipper takes over where not.
+    whole: bool,
+}
+
+impl From<Option<Image>> for Corner {
+    #[inline(always)]
+    fn from(image: Option<Image>) -> Self {
+        match image {
+            Some(Image { point, depth }) => Self { point, depth, whole: true },
+            None => Self::default(),
+        }
+    }
+}
+
+/// What becomes of a face.
+enum Outcome {
+    Culled,
+    Degenerate,
+    Outside,
+    /// All corners as they are; whether it faces the viewer.
+    Whole([Corner; 3], bool),
+    /// What the planes leave, as a fan.
+    Cut(heapless::Vec<Corner, { clip::CORNERS }>),
+}
+
+impl Camera {
+    /// The mesh before this camera. All that depends on the object but not on its vertices is
+    /// computed here, in integers.
+    pub fn place<'m, V: Coordinate>(
+        &self,
+        mesh: &Mesh<'m, V>,
+        model: &Affine<Model, World>,
+    ) -> Placed<'m, V> {
+        let placement = Placement::new(self, model, mesh.exponent().into(), mesh.justify());
+        Placed { mesh: *mesh, placement, area: self.area(), cull: Cull::Back }
+    }
+}
+
+impl<'m, V: Coordinate> Placed<'m, V> {
+    /// Draws other faces than the front ones.
+    #[must_use]
+    pub fn with_cull(self, cull: Cull) -> Self {
+        Self { cull, ..self }
+    }
+
+    /// The mesh that was placed.
+    pub const fn mesh(&self) -> &Mesh<'m, V> {
+        &self.mesh
+    }
+
+    /// Where vertex `index` lies on the screen, and its depth (0 near … 65534 far). `None` when
+    /// there is no such vertex, or it lies in front of the near plane or outside the guard band
+    /// (and beyond the far plane, where the camera clips there).
+    ///
+    /// Within 1/256 px of the exact image of the quantised input, the rounding to 1/256 px
+    /// included, for objects whose half extent is at most 300 times the vertex's distance;
+    /// beyond, within `1/512 + 6.5·10⁻⁶ · extent/distance` px, for 480 × 320 pixels and focal lengths up
+    /// to 700 px. Depth is within 1 of `65535·(z/w + 1)/2`.
+    pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
+        let vertex = *self.mesh.vertices().get(index)?;
+        let image = match self.placement.project::<V, true>(vertex) {
+            Some(image) => image,
+            None => {
+                let h = self.placement.clip(vertex);
+                if (0..self.placement.planes()).any(|i| self.placement.distance(i, &h) < 0) {
+                    return None;
+                }
+                self.placement.image(&h)
+            }
+        };
+        Some((image.point, image.depth))
+    }
+
+    /// Draws the mesh's edges, each as a Bresenham line of one colour. Pixels of a clipped edge are
+    /// those of the whole edge; the near plane's and the guard band's cuts are rounded to 1/256 px.
+    ///
+    /// `cache` holds transformed vertices; one as long as the vertex list computes each once, a
+    /// shorter one (even an empty one) computes the rest whenever an edge needs them. The picture
+    /// is the same.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn wireframe<D: DrawTarget>(
+        &self,
+        colour: D::Color,
+        cache: &mut [Corner],
+        target: &mut D,
+    ) -> Result<Statistics, D::Error> {
+        let scissor = scissor(target, &self.area);
+        let mut statistics = Statistics::default();
+        self.transform::<false>(cache);
+        for &[a, b] in self.mesh.edges() {
+            let (from, to) = (self.corner::<false>(cache, a), self.corner::<false>(cache, b));
+            let (from, to) = if from.whole && to.whole {
+                (from.point, to.point)
+            } else {
+                match self.cut_edge(a, b) {
+                    Some(ends) => {
+                        statistics.clipped += 1;
+                        ends
+                    }
+                    None => {
+                        statistics.outside += 1;
+                        continue;
+                    }
+                }
+            };
+            statistics.drawn += 1;
+            raster::line(from.pixel(), to.pixel(), &scissor, |span| send(target, span, colour))?;
+        }
+        Ok(statistics)
+    }
+
+    /// Draws the faces in the mesh's order, one colour each: right for convex meshes, where front
+    /// faces never hide each other; [`Painter`] draws the others. `shade` gives face `i` its
+    /// colour, and is asked once for each face drawn. `cache` is as in
+    /// [`wireframe`](Self::wireframe).
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn solid<D: DrawTarget>(
+        &self,
+        mut shade: impl FnMut(usize) -> D::Color,
+        cache: &mut [Corner],
+        target: &mut D,
+    ) -> Result<Statistics, D::Error> {
+        let scissor = scissor(target, &self.area);
+        let mut statistics = Statistics::default();
+        self.transform::<false>(cache);
+        for (index, &face) in self.mesh.faces().iter().enumerate() {
+            let outcome = self.sort_out::<false>(cache, face);
+            statistics.count(&outcome);
+            match outcome {
+                Outcome::Whole(corners, front) => {
+                    let colour = shade(index);
+                    raster::fill(corners.map(|c| c.point), front, &scissor, |span| {
+                        send(target, span, colour)
+                    })?;
+                }
+                Outcome::Cut(corners) => {
+                    let colour = shade(index);
+                    for [a, b, c] in pieces(&corners) {
+                        let points = [a.point, b.point, c.point];
+                        raster::fill(points, true, &scissor, |span| send(target, span, colour))?;
+                    }
+                }
+                Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
+            }
+        }
+        Ok(statistics)
+    }
+
+    /// Fills the cache from the start of the vertex list.
+    fn transform<const DEPTH: bool>(&self, cache: &mut [Corner]) {
+        for (corner, &vertex) in cache.iter_mut().zip(self.mesh.vertices()) {
+            *corner = self.placement.project::<V, DEPTH>(vertex).into();
+        }
+    }
+
+    #[inline(always)]
+    fn corner<const DEPTH: bool>(&self, cache: &[Corner], index: u16) -> Corner {
+        match cache.get(usize::from(index)) {
+            Some(corner) => *corner,
+            None => self.uncached::<DEPTH>(index),
+        }
+    }
+
+    #[cold]
+    fn uncached<const DEPTH: bool>(&self, index: u16) -> Corner {
+        let vertex = self.mesh.vertices().get(usize::from(index)); // checked by Mesh: always there
+        vertex.and_then(|&v| self.placement.project::<V, DEPTH>(v)).into()
+    }
+
+    /// The vertex in clip space; the indices were checked by [`Mesh`].
+    fn clip_vertex(&self, index: u16) -> Option<crate::math::Homogeneous> {
+        self.mesh.vertices().get(usize::from(index)).map(|&v| self.placement.clip(v))
+    }
+
+    #[cold]
+    fn cut_edge(&self, a: u16, b: u16) -> Option<(ScreenPoint, ScreenPoint)> {
+        let placement = &self.placement;
+        let (a, b) = (self.clip_vertex(a)?, self.clip_vertex(b)?);
+        let (a, b) = clip::line(a, b, placement.planes(), |i, p| placement.distance(i, p))?;
+        Some((placement.image(&a).point, placement.image(&b).point))
+    }
+
+    #[cold]
+    fn cut_face(&self, [a, b, c]: [u16; 3]) -> Outcome {
+        let placement = &self.placement;
+        let (Some(a), Some(b), Some(c)) = (self.clip_vertex(a), self.clip_vertex(b), self.clip_vertex(c))
+        else {
+            return Outcome::Outside;
+        };
+        let polygon = clip::triangle([a, b, c], placement.planes(), |i, p| placement.distance(i, p));
+        if polygon.len() < 3 {
+            return Outcome::Outside;
+        }
+        let mut corners: heapless::Vec<Corner, { clip::CORNERS }> =
+            polygon.iter().map(|p| Corner::from(Some(placement.image(p)))).collect();
+        let area: i64 = fan(&corners).map(|[a, b, c]| raster::area(&[a.point, b.point, c.point])).sum(); // < 7·2⁴⁵
+        if area == 0 {
+            return Outcome::Degenerate;
+        }
+        if area < 0 {
+            if self.cull == Cull::Back {
+                return Outcome::Culled;
+            }
+            corners.reverse(); // pieces are counter-clockwise from here on
+        }
+        Outcome::Cut(corners)
+    }
+
+    /// Step 3 of the pipeline, for one face.
+    #[inline(always)]
+    fn sort_out<const DEPTH: bool>(&self, cache: &[Corner], face: [u16; 3]) -> Outcome {
+        let corners = face.map(|i| self.corner::<DEPTH>(cache, i));
+        let [a, b, c] = corners;
+        if !(a.whole && b.whole && c.whole) {
+            return self.cut_face(face);
+        }
+        let area = raster::area(&[a.point, b.point, c.point]);
+        if area == 0 {
+            Outcome::Degenerate
+        } else if area < 0 && self.cull == Cull::Back {
+            Outcome::Culled
+        } else {
+            Outcome::Whole(corners, area > 0)
+        }
+    }
+}
+
+/// The triangles of a convex polygon about its first corner.
+fn fan(corners: &[Corner]) -> impl Iterator<Item = [Corner; 3]> + '_ {
+    let (first, rest) = corners.split_first().map_or((Corner::default(), &[][..]), |(&f, r)| (f, r));
+    rest.windows(2).filter_map(move |pair| match *pair {
+        [a, b] => Some([first, a, b]),
+        _ => None,
+    })
+}
+
+/// Those triangles of the fan that face as the polygon does: rounding of the corners may turn a
+/// sliver over, which would be drawn on top of its neighbour.
+fn pieces(corners: &[Corner]) -> impl Iterator<Item = [Corner; 3]> + '_ {
+    fan(corners).filter(|[a, b, c]| raster::area(&[a.point, b.point, c.point]) > 0)
+}

@@ -1,0 +1,292 @@
+//! Painter's order: from far to near, over everything recorded.
+
+use super::{pieces, Corner, Outcome, Placed, Statistics};
+use crate::math::Coordinate;
+use crate::output::{scissor, send};
+use crate::raster;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
+use heapless::Vec;
+
+/// Records faces of any number of placed meshes and draws them from far to near, without a depth
+/// buffer.
+///
+/// Faces are ordered by the mean depth of their corners, in 65536 steps that are linear on the
+/// screen; equal ones in the order recorded. Long faces beside short ones, and faces that pierce
+/// each other, can come out wrong: that is painter's order. (Newell, Newell and Sancha, *A
+/// solution to the hidden surface problem*, 1972, go further.)
+///
+/// Memory: 12 bytes a corner, and 10 and a colour a face. Meshes are transformed when recorded,
+/// each vertex once.
+///
+/// ```
+/// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
+/// use pinhole::{
+///     space::{Model, World}, Affine, Angle, Camera, Mesh, Painter, Point3, Projection, RecordError,
+///     Scalar, Vector3, Viewing, Viewport,
+/// };
+/// const VERTICES: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
+/// const FACES: [[u16; 3]; 1] = [[0, 1, 2]];
+/// let mesh = Mesh::new(&VERTICES, 0, &FACES)?;
+/// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+/// let camera = Camera::new(
+///     &Viewing::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+///     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+///     &viewport,
+/// );
+/// let mut painter = Painter::<Gray8, 6, 2>::new();
+/// for (z, luma) in [(0, 80), (-2, 40)] {
+///     let model = Affine::<Model, World>::translation(Vector3::from_ints(0, 0, z));
+///     painter.add(&camera.place(&mesh, &model), |_face| Gray8::new(luma))?;
+/// }
+/// assert!(matches!(
+///     painter.add(&camera.place(&mesh, &Affine::identity()), |_| Gray8::new(0)),
+///     Err(RecordError::Corners { needed: 9, capacity: 6 }),
+/// ));
+/// let mut display = MockDisplay::new();
+/// display.set_allow_overdraw(true);
+/// let statistics = painter.draw(&mut display)?;
+/// assert_eq!(statistics.drawn, 2);
+/// assert_eq!(display.get_pixel(Point::new(16, 16)), Some(Gray8::new(80))); // the nearer one
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Painter<C, const CORNERS: usize, const FACES: usize> {
+    corners: Vec<Corner, CORNERS>,
+    faces: Vec<Face<C>, FACES>,
+    statistics: Statistics,
+    /// The viewport drawn into.
+    area: Option<Rectangle>,
+}
+
+/// Why a mesh was not recorded: nothing of it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum RecordError {
+    /// Raise `CORNERS` (65536 at most): every vertex takes one, and every corner of a face that
+    /// was cut.
+    Corners {
+        /// What this mesh would fill.
+        needed: usize,
+        /// What there is.
+        capacity: usize,
+    },
+    /// Raise `FACES` (65535 at most): every face drawn takes one, and every piece of a face that
+    /// was cut.
+    Faces {
+        /// What this mesh would fill.
+        needed: usize,
+        /// What there is.
+        capacity: usize,
+    },
+    /// What is recorded already goes into another viewport: draw it first, or take two painters.
+    OtherViewport,
+}
+
+impl core::fmt::Display for RecordError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Corners { needed, capacity } => {
+                write!(f, "{needed} corners for {capacity} places: raise CORNERS")
+            }
+            Self::Faces { needed, capacity } => {
+                write!(f, "{needed} faces for {capacity} places: raise FACES")
+            }
+            Self::OtherViewport => f.write_str("one painter draws into one viewport at a time"),
+        }
+    }
+}
+
+impl core::error::Error for RecordError {}
+
+/// A triangle to draw.
+#[derive(Clone, Copy, Debug)]
+struct Face<C> {
+    corners: [u16; 3],
+    /// 0 far … 65535 near.
+    key: u16,
+    /// The face to draw after this one.
+    next: u16,
+    colour: C,
+}
+
+/// No face: the end of a list.
+const NONE: u16 = u16::MAX;
+
+impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS, FACES> {
+    /// An empty recorder.
+    pub const fn new() -> Self {
+        Self { corners: Vec::new(), faces: Vec::new(), statistics: Statistics::NONE, area: None }
+    }
+
+    /// Forgets what was recorded.
+    pub fn clear(&mut self) {
+        self.corners.clear();
+        self.faces.clear();
+        self.statistics = Statistics::default();
+        self.area = None;
+    }
+
+    /// Records the mesh's visible faces; `shade` gives face `i` its colour, and is asked once for
+    /// each face drawn.
+    ///
+    /// # Errors
+    ///
+    /// [`RecordError`] when there is no room, or the viewport is another than that of what is
+    /// recorded already. Nothing of this mesh is recorded then, and all else still is.
+    pub fn add<V: Coordinate>(
+        &mut self,
+        placed: &Placed<'_, V>,
+        mut shade: impl FnMut(usize) -> C,
+    ) -> Result<(), RecordError> {
+        if *self.area.get_or_insert(placed.area) != placed.area {
+            return Err(RecordError::OtherViewport);
+        }
+        let (old_corners, old_faces) = (self.corners.len(), self.faces.len());
+        let mut room = Room { corners: old_corners, faces: old_faces };
+        room.corners += placed.mesh.vertices().len();
+        for &vertex in placed.mesh.vertices() {
+            // Over capacity is reported at the end, with what all of it would need.
+            let _ = self.corners.push(placed.placement.project::<V, true>(vertex).into());
+        }
+        let mut statistics = Statistics::default();
+        for (index, &face) in placed.mesh.faces().iter().enumerate() {
+            // Corners without room are computed anew: the counting goes on.
+            let own = self.corners.get(old_corners..).unwrap_or_default();
+            let outcome = placed.sort_out::<true>(own, face);
+            statistics.count(&outcome);
+            match outcome {
+                Outcome::Whole(corners, _) => {
+                    let [a, b, c] = face.map(|i| old_corners.wrapping_add(usize::from(i)));
+                    self.record([a, b, c], &corners, &mut room, || shade(index));
+                }
+                Outcome::Cut(corners) => {
+                    let colour = shade(index);
+                    for piece in pieces(&corners) {
+                        let first = room.corners;
+                        room.corners += 3;
+                        for corner in piece {
+                            let _ = self.corners.push(corner);
+                        }
+                        self.record([first, first + 1, first + 2], &piece, &mut room, || colour);
+                    }
+                }
+                Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
+            }
+        }
+        let (most_corners, most_faces) = (CORNERS.min(65_536), FACES.min(usize::from(NONE)));
+        let error = if room.corners > most_corners {
+            RecordError::Corners { needed: room.corners, capacity: most_corners }
+        } else if room.faces > most_faces {
+            RecordError::Faces { needed: room.faces, capacity: most_faces }
+        } else {
+            self.statistics = self.statistics.and(statistics);
+            return Ok(());
+        };
+        self.corners.truncate(old_corners);
+        self.faces.truncate(old_faces);
+        if old_corners == 0 {
+            self.area = None;
+        }
+        Err(error)
+    }
+
+    /// Keeps a triangle if there is room, and counts it in any case.
+    #[inline(always)]
+    fn record(
+        &mut self,
+        indices: [usize; 3],
+        corners: &[Corner; 3],
+        room: &mut Room,
+        colour: impl FnOnce() -> C,
+    ) {
+        room.faces += 1;
+        let [a, b, c] = corners.map(|c| u32::from(c.depth));
+        // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
+        // of a third by so little that the order of sums is kept.
+        let mean = ((a + b + c) * 21_845) >> 16;
+        let _ = self.faces.push(Face {
+            // Beyond 65535 the mesh is refused at the end, and these never meet a picture.
+            corners: indices.map(|i| i as u16),
+            key: !(mean as u16),
+            next: NONE,
+            colour: colour(),
+        });
+    }
+
+    /// Draws all that was recorded, far to near, and forgets it: also when the target refuses.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn draw<D: DrawTarget<Color = C>>(&mut self, target: &mut D) -> Result<Statistics, D::Error> {
+        let statistics = self.statistics;
+        let result = match self.area {
+            Some(area) => self.send(&area, target),
+            None => Ok(()),
+        };
+        self.clear();
+        result.map(|()| statistics)
+    }
+
+    fn send<D: DrawTarget<Color = C>>(&mut self, area: &Rectangle, target: &mut D) -> Result<(), D::Error> {
+        let scissor = scissor(target, area);
+        let mut at = self.sort();
+        while let Some(face) = self.faces.get(usize::from(at)) {
+            let points =
+                face.corners.map(|i| self.corners.get(usize::from(i)).copied().unwrap_or_default().point);
+            raster::triangle(points, &scissor, |span| send(target, span, face.colour))?;
+            at = face.next;
+        }
+        Ok(())
+    }
+
+    /// Links the faces by rising key and gives the first: a radix sort of lists, four digits of
+    /// four bits, stable, in time proportional to the number of faces and with no memory beside
+    /// the links. (Knuth, *The Art of Computer Programming*, vol. 3, 2nd ed., section 5.2.5.)
+    fn sort(&mut self) -> u16 {
+        let count = self.faces.len();
+        for (i, face) in self.faces.iter_mut().enumerate() {
+            // Fewer than 65536 faces: see `add`.
+            face.next = if i + 1 < count { (i + 1) as u16 } else { NONE };
+        }
+        let mut first = if count == 0 { NONE } else { 0 };
+        for shift in [0, 4, 8, 12] {
+            // Each digit's list: its first face and its last.
+            let mut lists = [(NONE, NONE); 16];
+            let mut at = first;
+            while let Some(face) = self.faces.get_mut(usize::from(at)) {
+                let next = face.next;
+                face.next = NONE;
+                if let Some((head, tail)) = lists.get_mut(usize::from(face.key >> shift & 15)) {
+                    match self.faces.get_mut(usize::from(*tail)) {
+                        Some(before) => before.next = at,
+                        None => *head = at,
+                    }
+                    *tail = at;
+                }
+                at = next;
+            }
+            first = NONE;
+            let mut end = NONE;
+            for (head, tail) in lists {
+                if head == NONE {
+                    continue;
+                }
+                match self.faces.get_mut(usize::from(end)) {
+                    Some(before) => before.next = head,
+                    None => first = head,
+                }
+                end = tail;
+            }
+        }
+        first
+    }
+}
+
+/// What recording would fill, were there room for it all.
+struct Room {
+    corners: usize,
+    faces: usize,
+}

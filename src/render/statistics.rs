@@ -1,0 +1,56 @@
+//! What became of the primitives.
+
+use super::Outcome;
+
+/// Counts of what a draw did, in edges or in faces. Each one handed in is in exactly one of
+/// `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts those of the drawn that were
+/// cut first.
+///
+/// Drawn means handed to the rasteriser: a face between four pixel centres, or beside the target,
+/// is drawn and covers none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Statistics {
+    /// Rasterised.
+    pub drawn: u32,
+    /// Turned away from the viewer.
+    pub culled: u32,
+    /// Cut by the near plane, the far plane or the guard band, and drawn.
+    pub clipped: u32,
+    /// Wholly in front of the near plane, beyond the far plane or outside the guard band.
+    pub outside: u32,
+    /// Faces without area on the screen.
+    pub degenerate: u32,
+}
+
+impl Statistics {
+    pub(super) const NONE: Self = Self { drawn: 0, culled: 0, clipped: 0, outside: 0, degenerate: 0 };
+
+    /// Both together, saturating.
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        Self {
+            drawn: self.drawn.saturating_add(other.drawn),
+            culled: self.culled.saturating_add(other.culled),
+            clipped: self.clipped.saturating_add(other.clipped),
+            outside: self.outside.saturating_add(other.outside),
+            degenerate: self.degenerate.saturating_add(other.degenerate),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn count(&mut self, outcome: &Outcome) {
+        // At most 2³² faces would fit a slice of a 32-bit core: no sum wraps.
+        let field = match outcome {
+            Outcome::Culled => &mut self.culled,
+            Outcome::Degenerate => &mut self.degenerate,
+            Outcome::Outside => &mut self.outside,
+            Outcome::Whole(..) => &mut self.drawn,
+            Outcome::Cut(_) => {
+                self.clipped = self.clipped.wrapping_add(1);
+                &mut self.drawn
+            }
+        };
+        *field = field.wrapping_add(1);
+    }
+}

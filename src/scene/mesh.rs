@@ -1,0 +1,259 @@
+//! Borrowed triangle meshes.
+
+use crate::math::{Coordinate, Scalar};
+
+/// A triangle mesh over borrowed data, checked once; it can be built in a `const` and lives in
+/// flash then.
+///
+/// Vertices are `i16` with a power-of-two unit, model coordinate = vertex · 2^exponent: 6 bytes
+/// each, and 16-bit products on a Cortex-M0. Meshes that need more range take [`Scalar`] vertices
+/// ([`Mesh::from_fixed`]); everything else is the same. Faces run counter-clockwise as seen from
+/// outside. Edges are needed for wireframes, face normals for light.
+///
+/// ```
+/// use pinhole::{Mesh, MeshError};
+/// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
+/// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+/// const EDGES: [[u16; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+/// // Unit 2⁰: the legs have length 1.
+/// const CORNER: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
+///     Ok(mesh) => match mesh.with_edges(&EDGES) {
+///         Ok(mesh) => mesh,
+///         Err(_) => panic!("edges"), // at compile time
+///     },
+///     Err(_) => panic!("faces"),
+/// };
+/// assert_eq!(CORNER.edges().len(), 6);
+/// let wrong = Mesh::new(&VERTICES, 0, &[[0, 1, 4]]);
+/// assert_eq!(wrong, Err(MeshError::FaceIndex { face: 0, index: 4 }));
+/// ```
+#[derive(Debug, PartialEq, Eq)]
+pub struct Mesh<'a, V = i16> {
+    vertices: &'a [[V; 3]],
+    faces: &'a [[u16; 3]],
+    edges: &'a [[u16; 2]],
+    normals: &'a [[i16; 3]],
+    exponent: i8,
+    /// Left shift that brings the largest coordinate to the top of 32 bits.
+    justify: u8,
+}
+
+impl<V> Clone for Mesh<'_, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<V> Copy for Mesh<'_, V> {}
+
+/// Why the data are no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum MeshError {
+    /// More vertices than a `u16` can name: split the mesh.
+    TooManyVertices {
+        /// How many there are; 65536 may be.
+        vertices: usize,
+    },
+    /// A face names a vertex that is not there.
+    FaceIndex {
+        /// The face's place in the list.
+        face: usize,
+        /// The vertex it names.
+        index: u16,
+    },
+    /// An edge names a vertex that is not there.
+    EdgeIndex {
+        /// The edge's place in the list.
+        edge: usize,
+        /// The vertex it names.
+        index: u16,
+    },
+    /// Normals come one per face.
+    NormalCount {
+        /// How many faces there are.
+        faces: usize,
+        /// How many normals were given.
+        normals: usize,
+    },
+    /// The exponent leaves −32 … 15: choose another unit.
+    Exponent {
+        /// The one given.
+        exponent: i8,
+    },
+}
+
+impl core::fmt::Display for MeshError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::TooManyVertices { vertices } => {
+                write!(f, "{vertices} vertices, but u16 indices name 65536: split the mesh")
+            }
+            Self::FaceIndex { face, index } => {
+                write!(f, "face {face} names vertex {index}, which is not there")
+            }
+            Self::EdgeIndex { edge, index } => {
+                write!(f, "edge {edge} names vertex {index}, which is not there")
+            }
+            Self::NormalCount { faces, normals } => {
+                write!(f, "{normals} normals for {faces} faces: give one per face")
+            }
+            Self::Exponent { exponent } => {
+                write!(f, "exponent {exponent} leaves -32 ... 15: choose another unit")
+            }
+        }
+    }
+}
+
+impl core::error::Error for MeshError {}
+
+/// Checks counts and indices; a constant function cannot loop with iterators.
+const fn check(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
+    if vertices > 65_536 {
+        return Err(MeshError::TooManyVertices { vertices });
+    }
+    let mut face = 0;
+    while face < faces.len() {
+        let [a, b, c] = faces[face];
+        let largest = if a > b { a } else { b };
+        let index = if largest > c { largest } else { c };
+        if index as usize >= vertices {
+            return Err(MeshError::FaceIndex { face, index });
+        }
+        face += 1;
+    }
+    Ok(())
+}
+
+/// The left shift that brings numbers up to `magnitude` to the top of 32 signed bits.
+const fn justify(magnitude: u32) -> u8 {
+    // `reach` leaves the sign bit free: 1 … 32 zeros, and a shift of 0 … 31.
+    (magnitude.leading_zeros().saturating_sub(1)) as u8
+}
+
+impl<'a> Mesh<'a, i16> {
+    /// From vertices in units of 2^`exponent` and faces.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError`] when a face names a vertex that is not there, there are more than 65536
+    /// vertices, or the exponent leaves −32 … 15.
+    pub const fn new(
+        vertices: &'a [[i16; 3]],
+        exponent: i8,
+        faces: &'a [[u16; 3]],
+    ) -> Result<Self, MeshError> {
+        if exponent < -32 || exponent > 15 {
+            return Err(MeshError::Exponent { exponent });
+        }
+        if let Err(error) = check(vertices.len(), faces) {
+            return Err(error);
+        }
+        let (mut magnitude, mut i) = (0u32, 0);
+        while i < vertices.len() {
+            let [x, y, z] = vertices[i];
+            magnitude |= reach(x as i32) | reach(y as i32) | reach(z as i32);
+            i += 1;
+        }
+        let justify = justify(magnitude);
+        Ok(Self { vertices, faces, edges: &[], normals: &[], exponent, justify })
+    }
+}
+
+/// A number of as many bits as `v` needs beside its sign.
+const fn reach(v: i32) -> u32 {
+    (v ^ (v >> 31)) as u32
+}
+
+impl<'a> Mesh<'a, Scalar> {
+    /// From vertices in [`Scalar`]s, ±32768 in steps of 2⁻¹⁶, and faces: twice the memory, and
+    /// 64-bit products on a Cortex-M0.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError`] when a face names a vertex that is not there or there are more than 65536
+    /// vertices.
+    pub const fn from_fixed(vertices: &'a [[Scalar; 3]], faces: &'a [[u16; 3]]) -> Result<Self, MeshError> {
+        if let Err(error) = check(vertices.len(), faces) {
+            return Err(error);
+        }
+        let (mut magnitude, mut i) = (0u32, 0);
+        while i < vertices.len() {
+            let [x, y, z] = vertices[i];
+            magnitude |= reach(x.to_bits()) | reach(y.to_bits()) | reach(z.to_bits());
+            i += 1;
+        }
+        let justify = justify(magnitude);
+        Ok(Self { vertices, faces, edges: &[], normals: &[], exponent: -16, justify })
+    }
+}
+
+impl<'a, V> Mesh<'a, V> {
+    /// With the edges that a wireframe draws, each once.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::EdgeIndex`] when one names a vertex that is not there.
+    pub const fn with_edges(self, edges: &'a [[u16; 2]]) -> Result<Self, MeshError> {
+        let mut edge = 0;
+        while edge < edges.len() {
+            let [a, b] = edges[edge];
+            let index = if a > b { a } else { b };
+            if index as usize >= self.vertices.len() {
+                return Err(MeshError::EdgeIndex { edge, index });
+            }
+            edge += 1;
+        }
+        Ok(Self { edges, ..self })
+    }
+
+    /// With a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1).
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::NormalCount`] when there is not one per face.
+    pub const fn with_normals(self, normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
+        if normals.len() != self.faces.len() {
+            return Err(MeshError::NormalCount { faces: self.faces.len(), normals: normals.len() });
+        }
+        Ok(Self { normals, ..self })
+    }
+
+    /// The vertices, in units of 2^[`exponent`](Self::exponent).
+    pub const fn vertices(&self) -> &'a [[V; 3]] {
+        self.vertices
+    }
+
+    /// The faces, counter-clockwise from outside.
+    pub const fn faces(&self) -> &'a [[u16; 3]] {
+        self.faces
+    }
+
+    /// The edges, or none.
+    pub const fn edges(&self) -> &'a [[u16; 2]] {
+        self.edges
+    }
+
+    /// The face normals in 2⁻¹⁵, or none.
+    pub const fn normals(&self) -> &'a [[i16; 3]] {
+        self.normals
+    }
+
+    /// Model coordinate = vertex · 2^exponent (the vertices' bits, for fixed-point ones).
+    pub const fn exponent(&self) -> i8 {
+        self.exponent
+    }
+}
+
+impl<V: Coordinate> Mesh<'_, V> {
+    pub(crate) const fn justify(&self) -> u32 {
+        self.justify as u32
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<V> defmt::Format for Mesh<'_, V> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (v, t, e) = (self.vertices.len(), self.faces.len(), self.edges.len());
+        defmt::write!(f, "mesh of {=usize} vertices, {=usize} faces, {=usize} edges", v, t, e);
+    }
+}

@@ -1,0 +1,5 @@
+//! What is looked at.
+
+mod mesh;
+
+pub use mesh::{Mesh, MeshError};

@@ -1,0 +1,62 @@
+//! Colours at less than full light.
+
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565,
+    Rgb666, Rgb888, RgbColor,
+};
+
+/// A colour that can be darkened.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use pinhole::Dim;
+/// assert_eq!(Rgb565::WHITE.dim(256), Rgb565::WHITE);
+/// assert_eq!(Rgb565::WHITE.dim(128), Rgb565::new(16, 32, 16));
+/// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
+/// ```
+pub trait Dim: PixelColor {
+    /// This colour at `level`/256 of its light, each channel rounded to nearest; levels beyond 256
+    /// count as 256.
+    #[must_use]
+    fn dim(self, level: u16) -> Self;
+}
+
+/// `channel · level / 256`, rounded to nearest: at most the channel.
+fn part(channel: u8, level: u16) -> u8 {
+    // 255 · 256 + 128 fits 17 bits.
+    ((u32::from(channel) * u32::from(level.min(256)) + 128) >> 8) as u8
+}
+
+macro_rules! dim_rgb {
+    ($($colour:ty),*) => {$(
+        impl Dim for $colour {
+            fn dim(self, level: u16) -> Self {
+                Self::new(part(self.r(), level), part(self.g(), level), part(self.b(), level))
+            }
+        }
+    )*};
+}
+
+macro_rules! dim_gray {
+    ($($colour:ty),*) => {$(
+        impl Dim for $colour {
+            fn dim(self, level: u16) -> Self {
+                Self::new(part(self.luma(), level))
+            }
+        }
+    )*};
+}
+
+dim_rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
+dim_gray!(Gray2, Gray4, Gray8);
+
+/// One bit has no shades: on from half the light.
+impl Dim for BinaryColor {
+    fn dim(self, level: u16) -> Self {
+        if level >= 128 {
+            self
+        } else {
+            Self::Off
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The spaces a coordinate can be in, as tags: mixing two of them does not compile.
+//!
+//! | space | unit | axes |
+//! |---|---|---|
+//! | [`Model`] | world units | the mesh's own |
+//! | [`World`] | world units | right-handed, the scene's own |
+//! | [`View`] | world units | u right, v up, n towards the viewer: the camera looks along −n |
+//! | [`Ndc`] | −1 … 1 | x right, y up, z from near (−1) to far (+1) |
+//!
+//! Clip and screen coordinates differ in their arithmetic too and are types of their own,
+//! [`ClipPoint`](crate::ClipPoint) and [`ScreenPoint`](crate::raster::ScreenPoint).
+//!
+//! A point of the world is no place for a point of a model:
+//!
+//! ```
+//! use pinhole::{space::{Model, World}, Affine, Point3};
+//! let place = Affine::<Model, World>::identity();
+//! let _: Point3<World> = place.apply(Point3::<Model>::from_ints(1, 2, 3));
+//! ```
+//! ```compile_fail,E0308
+//! use pinhole::{space::{Model, World}, Affine, Point3};
+//! let place = Affine::<Model, World>::identity();
+//! let _: Point3<World> = place.apply(Point3::<World>::from_ints(1, 2, 3));
+//! ```
+//!
+//! Transforms join only where their spaces meet:
+//!
+//! ```
+//! use pinhole::{space::{Model, World}, Affine, Angle};
+//! let spin = Affine::<Model, Model>::rotation_y(Angle::degrees(30));
+//! let _ = spin.then(&Affine::<Model, World>::identity());
+//! ```
+//! ```compile_fail,E0308
+//! use pinhole::{space::{Model, World}, Affine, Angle};
+//! let spin = Affine::<Model, Model>::rotation_y(Angle::degrees(30));
+//! let _ = spin.then(&Affine::<World, World>::identity());
+//! ```
+//!
+//! Only a [`Viewing`](crate::Viewing) leads into view space:
+//!
+//! ```
+//! use pinhole::{space::{Model, World}, Affine};
+//! let _ = Affine::<Model, World>::identity();
+//! ```
+//! ```compile_fail,E0277
+//! use pinhole::{space::{View, World}, Affine};
+//! let _ = Affine::<World, View>::identity();
+//! ```
+
+/// A space of the pipeline. Sealed: there are exactly the four.
+pub trait Space: sealed::Sealed {}
+
+/// A space in which a scene is set up: [`Model`] or [`World`]. Transforms between these are free;
+/// all later arrows are single functions.
+pub trait SetUp: Space {}
+
+/// The mesh's own coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Model {}
+
+/// The scene's coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum World {}
+
+/// The viewing reference coordinates u, v, n of the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum View {}
+
+/// Normalised device coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Ndc {}
+
+impl Space for Model {}
+impl Space for World {}
+impl Space for View {}
+impl Space for Ndc {}
+impl SetUp for Model {}
+impl SetUp for World {}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Model {}
+    impl Sealed for super::World {}
+    impl Sealed for super::View {}
+    impl Sealed for super::Ndc {}
+}
