@@ -9,7 +9,7 @@
 mod bridge;
 mod oracle;
 
-use bridge::pair::{bits, random_view, CameraBits, ModelBits, ProjectionBits, Step, ONE};
+use bridge::pair::{bits, random_view, CameraBits, ModelBits, ProjectionBits, Step};
 use oracle::chain::{self, length, to_fx, vertex, V3};
 use oracle::rng::Rng;
 use pinhole::Mesh;
@@ -37,10 +37,21 @@ struct Class {
     fixed: bool,
     /// How far off axis the frustum's window goes, in its own widths.
     off_axis: f64,
+    /// The least near distance.
+    near: f64,
+    /// Vertices anywhere in the guard band, not in the viewport alone.
+    band: bool,
 }
 
-const PLAIN: Class =
-    Class { kind: Kind::Perspective, ratio: (1e-3, 300.0), reach: 32767, fixed: false, off_axis: 1.0 };
+const PLAIN: Class = Class {
+    kind: Kind::Perspective,
+    ratio: (1e-3, 300.0),
+    reach: 32767,
+    fixed: false,
+    off_axis: 1.0,
+    near: 0.25,
+    band: false,
+};
 
 #[derive(Default, Debug)]
 struct Figures {
@@ -55,7 +66,8 @@ struct Figures {
 
 /// A random projection: near, far and focal length over their whole ranges.
 fn random_projection(rng: &mut Rng, class: Class, distance: f64) -> Option<ProjectionBits> {
-    let near = to_fx(rng.log(0.25, 0.25 + distance.min(3000.0)))?.max(ONE / 4);
+    let near =
+        to_fx(rng.log(class.near, class.near + distance.min(3000.0)))?.max((class.near * 65536.0) as i32);
     let far = to_fx(rng.log(chain::fx(near) * 1.001 + 0.001, 32767.0))?;
     // The focal length in px, of both axes at most 700.
     let focal = rng.log(8.0, 700.0);
@@ -109,7 +121,7 @@ struct Case {
 fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
     let view = random_view(rng);
     let exact_view = view.exact();
-    let distance = rng.log(0.25, 40_000.0);
+    let distance = rng.log(class.near, 40_000.0);
     let projection = random_projection(rng, class, distance)?;
     let camera = CameraBits {
         view,
@@ -123,7 +135,8 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
     if depth < projection.near() {
         return None;
     }
-    let ndc = [rng.real(-1.0, 1.0), rng.real(-1.0, 1.0)];
+    let reach = if class.band { [8192.0 / WIDTH * 2.0, 8192.0 / HEIGHT * 2.0] } else { [1.0; 2] };
+    let ndc = reach.map(|r| rng.real(-r, r));
     // x_clip = m00·x + m02·z + m03 = ndc·w, with z = −depth.
     let w = -m[3][2] * depth + m[3][3];
     let at_view = [
@@ -246,12 +259,15 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(Terms) -> f64) -> F
                 continue;
             }
             let (x, y) = exact.screen(clip);
-            let viewport = exact.viewport;
-            if x < viewport.x
-                || x > viewport.x + viewport.width
-                || y < viewport.y
-                || y > viewport.y + viewport.height
-            {
+            let v = exact.viewport;
+            // Inside, the border left out: there a rounding decides.
+            let inside = if class.band {
+                x.abs().max(y.abs()) < 8191.99
+            } else {
+                x >= v.x && x <= v.x + v.width && y >= v.y && y <= v.y + v.height
+            };
+            if !inside {
+                assert!(result.is_none() || x.abs().max(y.abs()) < 8192.01, "({x}, {y}) is {result:?}");
                 continue;
             }
             let Some((screen, depth)) = result else {
@@ -266,7 +282,8 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(Terms) -> f64) -> F
             let error = ex.max(ey);
             let row = |r: usize| {
                 let m = exact.projection[r];
-                let reach = case.half_extent + length(view);
+                // Translations are in 2⁻³² world units: next to the eye that shows.
+                let reach = case.half_extent + length(view) + 0.02;
                 (m[0].abs() + m[1].abs() + m[2].abs()) * reach + m[3].abs()
             };
             let budget =
@@ -394,5 +411,22 @@ fn vertices_follow_the_error_budget() {
                 run(seed + 16 * k as u64 + 256 * j as u64, 4000, class, budgeted);
             }
         }
+    }
+}
+
+#[test]
+fn c6_vertices_anywhere_in_the_guard_band() {
+    for (seed, kind) in [(0xD7, Kind::Perspective), (0xD8, Kind::Frustum), (0xD9, Kind::Orthographic)] {
+        run(seed, 10_000, Class { kind, band: true, ..PLAIN }, budgeted);
+    }
+}
+
+#[test]
+fn c3_vertices_with_w_down_to_nothing() {
+    // Near is one unit of 2⁻¹⁶.
+    for (seed, kind) in [(0xDA, Kind::Perspective), (0xDB, Kind::Frustum)] {
+        let near = 1.0 / 65536.0;
+        run(seed, 10_000, Class { kind, near, ..PLAIN }, budgeted);
+        run(seed + 16, 10_000, Class { kind, near, ratio: (300.0, 1e6), ..PLAIN }, budgeted);
     }
 }
