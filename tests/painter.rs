@@ -202,3 +202,50 @@ fn memory_is_as_stated() {
     assert_eq!(size_of::<Painter<Ink, 100, 0>>() - empty, 1200);
     assert!(size_of::<Painter<Ink, 0, 100>>() - empty <= 1200);
 }
+
+#[test]
+fn as_many_as_an_index_can_name_and_no_more() {
+    // The storage is larger than indices reach: 65536 corners and 65535 faces are the end.
+    let big = || {
+        let camera = camera();
+        let model = ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library();
+        let mut vertices = vec![VERTICES[0]; 65_533];
+        vertices.extend(VERTICES);
+        let last = [65_533u16, 65_534, 65_535];
+        let faces = vec![last; 65_535];
+        let whole = Mesh::new(&vertices, 0, &faces).expect("a mesh");
+        let none = Mesh::new(&vertices[..1], 0, &[]).expect("a mesh");
+        let mut painter = Painter::<Ink, 65_600, 65_600>::new();
+        let mut shaded = 0u16;
+        painter
+            .add(&camera.place(&whole, &model), |_| {
+                shaded = shaded.wrapping_add(1);
+                Ink(shaded)
+            })
+            .expect("65536 corners and 65535 faces");
+        assert!(matches!(
+            painter.add(&camera.place(&none, &model), |_| Ink(0)),
+            Err(RecordError::Corners { needed: 65_537, .. })
+        ));
+        let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
+        assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
+        // All of equal depth: in the order recorded.
+        let wanted: Vec<_> = (1..=65_535).collect();
+        assert_eq!(order(&target.calls), wanted);
+        // The last face that fits, and one too many, with few corners: 6 · 10922 + 3 = 65535.
+        let many = Mesh::new(&VERTICES, 0, &FACES_10922).expect("a mesh");
+        let one = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
+        for mesh in [&many, &many, &many, &many, &many, &many, &one, &one, &one] {
+            painter.add(&camera.place(mesh, &model), |_| Ink(0)).expect("enough room");
+        }
+        assert!(matches!(
+            painter.add(&camera.place(&one, &model), |_| Ink(0)),
+            Err(RecordError::Faces { needed: 65_536, .. })
+        ));
+        let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
+        assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
+    };
+    std::thread::Builder::new().stack_size(64 << 20).spawn(big).expect("a thread").join().expect("no panic");
+}
+
+const FACES_10922: [[u16; 3]; 10_922] = [[0, 1, 2]; 10_922];
