@@ -53,8 +53,8 @@ impl Angle {
         Self::turns(degrees, 360)
     }
 
-    /// Degrees in floating point, rounded to 2⁻³² turn after an error of the product of at most
-    /// 2⁻²⁴ of the angle.
+    /// Degrees in floating point, rounded to the nearest 2⁻³² turn (ties away from zero, give or
+    /// take 2⁻¹⁰ of a step).
     ///
     /// # Errors
     ///
@@ -68,7 +68,7 @@ impl Angle {
             return Err(NumberError::OutOfRange);
         }
         // |degrees| ≤ 2²⁰ gives at most 2⁴³·⁶, inside i64; the cast keeps the angle modulo a turn.
-        let bits = degrees * (4_294_967_296.0 / 360.0);
+        let bits = f64::from(degrees) * (4_294_967_296.0 / 360.0);
         let half = if bits < 0.0 { -0.5 } else { 0.5 };
         Ok(Self((bits + half) as i64 as u32))
     }

@@ -1,6 +1,6 @@
 //! Ambient and Lambert light per face.
 
-use crate::math::num::scale;
+use crate::math::num::{row_times, scale};
 use crate::math::unit::normalise;
 use crate::math::{to_short, Affine, NormalMap, Vector3};
 use crate::space::{Model, World};
@@ -61,11 +61,9 @@ impl Lambert {
     ) -> Result<Self, LightError> {
         let light = normalise(towards_light.bits().map(i64::from)).ok_or(LightError::ZeroDirection)?;
         let normals = model.normals();
-        let rows = normals.rows();
-        // n·(Cᵀ·l) = (C·n)·l. Columns of C times l: three products of at most 2⁶⁰.
-        let column = |j: usize| (0..3).map(|i| i64::from(rows[i][j]) * i64::from(light[i])).sum::<i64>();
-        let in_model = normalise([column(0), column(1), column(2)]).unwrap_or([0; 3]);
-        let even = keeps_angles(rows);
+        // n·(Cᵀ·l) = (C·n)·l.
+        let in_model = normalise(row_times(light, normals.rows())).unwrap_or([0; 3]);
+        let even = keeps_angles(normals.rows());
         Ok(Self {
             towards: to_short(if even { in_model } else { light }),
             bend: (!even).then_some(normals),
@@ -94,15 +92,16 @@ impl Lambert {
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
 /// of light.
 fn keeps_angles(m: &[[i32; 3]; 3]) -> bool {
-    let gram = |i: usize, j: usize| -> i64 {
-        (0..3).map(|k| scale(i64::from(m[i][k]) * i64::from(m[j][k]), -2)).sum()
+    let gram = |a: &[i32; 3], b: &[i32; 3]| -> i64 {
+        a.iter().zip(b).map(|(&a, &b)| scale(i64::from(a) * i64::from(b), -2)).sum()
         // ≤ 3·2⁵⁸
     };
-    let length = gram(0, 0);
+    let [x, y, z] = m;
+    let length = gram(x, x);
     let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
-    near(gram(1, 1), length)
-        && near(gram(2, 2), length)
-        && near(gram(0, 1), 0)
-        && near(gram(0, 2), 0)
-        && near(gram(1, 2), 0)
+    near(gram(y, y), length)
+        && near(gram(z, z), length)
+        && near(gram(x, y), 0)
+        && near(gram(x, z), 0)
+        && near(gram(y, z), 0)
 }

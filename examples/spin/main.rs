@@ -1,0 +1,233 @@
+//! Turns a mesh once round, half of the turn solid and half of it as a wireframe, and writes an animated GIF and a
+//! contact sheet:
+//!
+//! ```text
+//! cargo run --release --example spin -- --help
+//! ```
+
+mod canvas;
+mod depth;
+mod film;
+mod scene;
+mod terminal;
+
+use canvas::Canvas;
+use clap::{value_parser, Arg, Command};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::prelude::*;
+use indicatif::{ProgressBar, ProgressStyle};
+use pinhole::{Corner, Dim, Lambert, Painter, Statistics, Vector3};
+use pinhole_import::ImportedMesh;
+use scene::Turntable;
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+const BACKGROUND: Rgb565 = Rgb565::new(1, 4, 5);
+const CLAY: Rgb565 = Rgb565::new(31, 44, 14);
+const WIRE: Rgb565 = Rgb565::new(14, 56, 31);
+/// The light that is everywhere, also inside; of 256.
+const AMBIENT: u16 = 48;
+
+/// What the user wants.
+struct Arguments {
+    mesh: PathBuf,
+    size: u32,
+    frames: u32,
+    out: PathBuf,
+}
+
+fn arguments() -> Result<Arguments, clap::Error> {
+    let option = |name: &'static str, value: &'static str, help: &'static str, default: &'static str| {
+        Arg::new(name).long(name).value_name(value).help(help).default_value(default)
+    };
+    let teapot = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/teapot.obj");
+    let mut given = Command::new("spin")
+        .about("Turns a mesh once round: an animated GIF and a contact sheet, drawn as on a microcontroller")
+        .arg(
+            option("mesh", "FILE.obj", "The mesh to turn [default: the teapot]", teapot)
+                .value_parser(value_parser!(PathBuf))
+                .hide_default_value(true),
+        )
+        .arg(
+            option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
+                .value_parser(value_parser!(u32).range(16..=2048)),
+        )
+        .arg(
+            option("frames", "N", "Frames of the full turn, 2 to 720", "48")
+                .value_parser(value_parser!(u32).range(2..=720)),
+        )
+        .arg(
+            option("out", "DIR", "The folder for the pictures", "target/spin")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .try_get_matches()?;
+    let path = |value: Option<PathBuf>| value.unwrap_or_default();
+    Ok(Arguments {
+        mesh: path(given.remove_one("mesh")),
+        size: given.remove_one("size").unwrap_or_default(),
+        frames: given.remove_one("frames").unwrap_or_default(),
+        out: path(given.remove_one("out")),
+    })
+}
+
+fn main() -> ExitCode {
+    let arguments = match arguments() {
+        Ok(arguments) => arguments,
+        Err(help) if help.exit_code() == 0 => help.exit(),
+        Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),
+    };
+    let mesh = match pinhole_import::read(&arguments.mesh) {
+        Ok(mesh) => mesh,
+        Err(error) => return refuse(&error.to_string()),
+    };
+    match film(&mesh, &arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => refuse(&error.to_string()),
+    }
+}
+
+/// One line that says what is wrong with what the user gave.
+fn refuse(problem: &str) -> ExitCode {
+    eprintln!("{problem}");
+    ExitCode::from(2)
+}
+
+fn film(mesh: &ImportedMesh, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
+    let inside = scene::inside(mesh);
+    let table = Turntable::new(mesh, &inside, size)?;
+
+    let out = &arguments.out;
+    std::fs::create_dir_all(out).map_err(|e| format!("{}: cannot be made: {e}", out.display()))?;
+    let (gif_file, sheet_file) = (out.join("spin.gif"), out.join("spin.png"));
+    let mut gif = film::Gif::create(&gif_file, size, &palette())?;
+
+    // All the memory that drawing needs; a firmware would put its own, smaller sizes here.
+    let mut painter = Box::new(Painter::<Rgb565, 65_536, 65_535>::new());
+    let mut numberer = Box::new(Painter::<Rgb888, 65_536, 65_535>::new());
+    let mut corners = vec![Corner::default(); mesh.vertices.len()];
+
+    let (mut solid, mut wireframe) = (Sum::default(), Sum::default());
+    let mut misordered = Misordered::default();
+    let mut sheet = Vec::new();
+    let bar = ProgressBar::new(frames.into())
+        .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left")?);
+    for frame in 0..frames {
+        let mut canvas = Canvas::new(size, BACKGROUND);
+        let model = Turntable::model(frame, frames);
+        let placed = table.place(&model);
+        let start = Instant::now();
+        if frame < frames.div_ceil(2) {
+            let light = Lambert::new(&model, Vector3::from_ints(-2, 3, 4), AMBIENT)?;
+            let shade = |face: usize| match mesh.normals.get(face) {
+                Some(&normal) => CLAY.dim(light.level(normal)),
+                None => CLAY.dim(AMBIENT), // the inside
+            };
+            let statistics = scene::paint(&mut painter, &placed, shade, &mut canvas)?;
+            solid.add(statistics, start.elapsed());
+
+            let mut numbers = Canvas::new(size, depth::NOTHING);
+            scene::paint(&mut numberer, &placed, depth::face_colour, &mut numbers)?;
+            misordered.add(&numbers, depth::nearest_faces(&placed, size));
+        } else {
+            let statistics = placed[0].wireframe(WIRE, &mut corners, &mut canvas)?;
+            wireframe.add(statistics, start.elapsed());
+        }
+        gif.add(canvas.pixels())?;
+        if frame == frames / 8 {
+            print!("{}", terminal::picture(canvas.pixels(), size, BACKGROUND));
+        }
+        // Twelve frames, or all if there are fewer, evenly spread.
+        if frame * 12 % frames < 12 {
+            sheet.push(canvas);
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    gif.finish()?;
+    film::write_sheet(&sheet_file, size, &sheet)?;
+
+    println!("{}\n{}", gif_file.display(), sheet_file.display());
+    let (vertices, edges) = (mesh.vertices.len(), mesh.edges.len());
+    println!(
+        "{vertices} vertices, {} faces, {edges} edges; {} x {} pixels",
+        mesh.faces.len(),
+        size.width,
+        size.height
+    );
+    if !inside.is_empty() {
+        println!("not a closed surface: the inside is drawn too");
+    }
+    println!("solid:     {solid}");
+    println!("wireframe: {wireframe}");
+    println!("painter's order: {misordered}");
+    Ok(())
+}
+
+/// Every colour that a frame can have.
+fn palette() -> Vec<Rgb565> {
+    let mut palette = vec![BACKGROUND, WIRE];
+    palette.extend((0..=256).map(|level| CLAY.dim(level)));
+    palette.sort_unstable_by_key(|c| c.into_storage());
+    palette.dedup();
+    palette
+}
+
+/// Statistics of several frames.
+#[derive(Default)]
+struct Sum {
+    frames: u32,
+    total: Statistics,
+    time: Duration,
+}
+
+impl Sum {
+    fn add(&mut self, frame: Statistics, time: Duration) {
+        self.frames += 1;
+        self.total = self.total.and(frame);
+        self.time += time;
+    }
+}
+
+impl std::fmt::Display for Sum {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Statistics { drawn, culled, clipped, outside, degenerate } = self.total;
+        write!(
+            f,
+            "{} frames, {drawn} drawn, {culled} culled, {clipped} clipped, {outside} outside, \
+             {degenerate} degenerate; {:.2} ms a frame here",
+            self.frames,
+            self.time.as_secs_f64() * 1e3 / f64::from(self.frames.max(1)),
+        )
+    }
+}
+
+/// Pixels in which painter's order shows another face than a depth buffer.
+#[derive(Default)]
+struct Misordered {
+    pixels: usize,
+    worst: usize,
+    of: usize,
+}
+
+impl Misordered {
+    fn add(&mut self, painted: &Canvas<Rgb888>, nearest: Option<Canvas<Rgb888>>) {
+        let Some(nearest) = nearest else { return };
+        let (differing, covered) = depth::compare(painted, &nearest);
+        self.pixels += differing;
+        self.of += covered;
+        self.worst = self.worst.max(differing);
+    }
+}
+
+impl std::fmt::Display for Misordered {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Misordered { pixels, worst, of } = self;
+        write!(
+            f,
+            "{pixels} of {of} pixels show another face than a depth buffer would; {worst} in the worst frame"
+        )
+    }
+}
