@@ -1,4 +1,4 @@
-//! A picture in memory as a DrawTarget of any size and colour.
+//! A picture in memory of any size: a DrawTarget.
 
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
@@ -11,7 +11,7 @@ pub(crate) struct Canvas<C> {
     pixels: Vec<C>,
 }
 
-impl<C: PixelColor> Canvas<C> {
+impl<C: Copy> Canvas<C> {
     /// A picture of one colour.
     pub(crate) fn new(size: Size, colour: C) -> Self {
         let pixels = vec![colour; size.width as usize * size.height as usize];
@@ -21,6 +21,12 @@ impl<C: PixelColor> Canvas<C> {
     /// The pixels, row by row.
     pub(crate) fn pixels(&self) -> &[C] {
         &self.pixels
+    }
+
+    /// A pixel that lies in the picture.
+    pub(crate) fn pixel(&mut self, p: Point) -> &mut C {
+        let index = self.index(p);
+        &mut self.pixels[index]
     }
 
     /// The place of a pixel that lies in the picture.
@@ -46,8 +52,7 @@ impl<C: PixelColor> DrawTarget for Canvas<C> {
         let area = self.bounding_box();
         for Pixel(point, colour) in pixels {
             if area.contains(point) {
-                let index = self.index(point);
-                self.pixels[index] = colour;
+                *self.pixel(point) = colour;
             }
         }
         Ok(())

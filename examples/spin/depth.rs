@@ -1,49 +1,56 @@
-//! The same picture with a depth buffer: what painter's order should look like.
+//! The same picture with a depth buffer: what painter's order should look like. Each face has a colour of its own, to
+//! see which one a pixel shows.
 
 use crate::canvas::Canvas;
 use embedded_graphics::pixelcolor::raw::RawU24;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
-use pinhole::raster::{area, triangle, Scissor, ScreenPoint, Span};
+use embedded_graphics::primitives::Rectangle;
+use pinhole::raster::{area, triangle, Scissor, ScreenPoint};
 use pinhole::Placed;
 use std::convert::Infallible;
 
-/// No face.
-pub(crate) const NOTHING: u32 = 0xFF_FFFF;
+/// The colour of no face.
+pub(crate) const NOTHING: Rgb888 = Rgb888::WHITE;
 
-/// The face that each pixel shows by depth, row by row.
+/// The colour of a face: its number.
+pub(crate) fn face_colour(face: usize) -> Rgb888 {
+    RawU24::new(face as u32).into()
+}
+
+/// The front face that each pixel shows by depth. The faces of the second mesh are numbered on from
+/// the first's.
 ///
-/// The exact plane through the three screen points with their depths, at the pixel's centre, in `f64`; of equal depths
-/// the first face stays. `None` if a vertex cannot be projected, since faces are not clipped here.
-pub(crate) fn nearest_faces(placed: &Placed<'_>, size: Size) -> Option<Vec<u32>> {
-    let mesh = placed.mesh();
-    let corners: Vec<(ScreenPoint, u16)> =
-        (0..mesh.vertices().len()).map(|vertex| placed.project(vertex)).collect::<Option<_>>()?;
-    let (width, height) = (size.width as i32, size.height as i32);
-    let scissor = Scissor::new(0, 0, width, height);
-    let mut nearest = vec![(f64::INFINITY, NOTHING); (width * height) as usize];
-    for (index, face) in mesh.faces().iter().enumerate() {
-        let [a, b, c] = face.map(|vertex| corners[usize::from(vertex)]);
-        let points = [a.0, b.0, c.0];
+/// Depth is the exact plane through the three screen points with their depths, at the pixel's
+/// centre, in `f64`; of equal depths the first face stays. `None` if a vertex cannot be projected,
+/// since faces are not clipped here.
+pub(crate) fn nearest_faces(placed: &[Placed<'_>; 2], size: Size) -> Option<Canvas<Rgb888>> {
+    let scissor = Scissor::new(0, 0, size.width as i32, size.height as i32);
+    let mut nearest = Canvas::new(size, f64::INFINITY);
+    let mut shown = Canvas::new(size, NOTHING);
+    let faces = placed.iter().flat_map(|p| p.mesh().faces().iter().map(move |face| (p, face)));
+    for (number, (placed, face)) in faces.enumerate() {
+        let [a, b, c] = face.map(|vertex| placed.project(vertex.into()));
+        let face = [a?, b?, c?];
+        let points = face.map(|(point, _)| point);
         if area(&points) <= 0 {
             continue;
         }
-        let depth = plane([a, b, c]);
-        let covered: Result<(), Infallible> = triangle(points, &scissor, |span: Span| {
-            for y in span.y..span.y + span.height {
-                for x in span.x..span.x + span.width {
-                    let here = depth(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                    let pixel = &mut nearest[(y * width + x) as usize];
-                    if here < pixel.0 {
-                        *pixel = (here, index as u32);
-                    }
+        let depth = plane(face);
+        let covered: Result<(), Infallible> = triangle(points, &scissor, |span| {
+            let size = Size::new(span.width as u32, span.height as u32);
+            for pixel in Rectangle::new(Point::new(span.x, span.y), size).points() {
+                let here = depth(f64::from(pixel.x) + 0.5, f64::from(pixel.y) + 0.5);
+                if here < *nearest.pixel(pixel) {
+                    *nearest.pixel(pixel) = here;
+                    *shown.pixel(pixel) = face_colour(number);
                 }
             }
             Ok(())
         });
         covered.unwrap_or_else(|never| match never {});
     }
-    Some(nearest.into_iter().map(|(_, face)| face).collect())
+    Some(shown)
 }
 
 /// Depth as a function of the place on the screen, in pixels.
@@ -58,18 +65,9 @@ fn plane(corners: [(ScreenPoint, u16); 3]) -> impl Fn(f64, f64) -> f64 {
     move |x, y| a[2] + (x - a[0]) * along_x + (y - a[1]) * along_y
 }
 
-/// A face's number as a colour, to see which face a pixel shows.
-pub(crate) fn face_colour(face: usize) -> Rgb888 {
-    Rgb888::from(RawU24::new(face as u32))
-}
-
-/// The number back.
-fn face_of(colour: Rgb888) -> u32 {
-    RawU24::from(colour).into_inner()
-}
-
-/// The pixels that show another face than the nearest.
-pub(crate) fn differing(painted: &Canvas<Rgb888>, nearest: &[u32]) -> usize {
-    let shown = painted.pixels().iter().map(|&colour| face_of(colour));
-    shown.zip(nearest).filter(|(shown, nearest)| shown != *nearest).count()
+/// How many pixels show different faces, and how many show one at all.
+pub(crate) fn compare(painted: &Canvas<Rgb888>, nearest: &Canvas<Rgb888>) -> (usize, usize) {
+    let pairs = || painted.pixels().iter().zip(nearest.pixels());
+    let differing = pairs().filter(|(shown, nearest)| shown != nearest).count();
+    (differing, pairs().filter(|(_, nearest)| **nearest != NOTHING).count())
 }

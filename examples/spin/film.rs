@@ -1,74 +1,81 @@
 //! Frames to files: an animated GIF and a contact sheet.
 
+use crate::canvas::Canvas;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
-use std::borrow::Cow;
+use embedded_graphics::primitives::Rectangle;
 use std::collections::HashMap;
 use std::error::Error;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-/// Writes the frames as an endless animation. All their colours must be in `palette`, of at most 256: nothing is
-/// approximated.
-pub(crate) fn write_gif(
-    file: &Path,
-    size: Size,
-    frames: &[Vec<Rgb565>],
-    palette: &[Rgb565],
-) -> Result<(), Box<dyn Error>> {
-    let (width, height) = (u16::try_from(size.width)?, u16::try_from(size.height)?);
-    let colours: Vec<u8> = palette.iter().flat_map(|&c| rgb(c)).collect();
-    let index: HashMap<u16, u8> = (0..=255).zip(palette).map(|(i, c)| (c.into_storage(), i)).collect();
-    let mut out = BufWriter::new(File::create(file)?);
-    {
-        let mut encoder = gif::Encoder::new(&mut out, width, height, &colours)?;
-        encoder.set_repeat(gif::Repeat::Infinite)?;
-        for pixels in frames {
-            let indexed = pixels
-                .iter()
-                .map(|c| index.get(&c.into_storage()).copied())
-                .collect::<Option<Vec<u8>>>()
-                .ok_or("a colour is missing in the palette")?;
-            encoder.write_frame(&gif::Frame {
-                width,
-                height,
-                buffer: Cow::Owned(indexed),
-                delay: 6, // in 1/100 s
-                ..gif::Frame::default()
-            })?;
-        }
-    }
-    Ok(out.flush()?)
+/// An endless animation, written frame by frame.
+pub(crate) struct Gif {
+    encoder: gif::Encoder<BufWriter<File>>,
+    size: (u16, u16),
+    index: HashMap<u16, u8>,
 }
 
-/// Writes frames side by side, `columns` in a row.
-pub(crate) fn write_contact_sheet(
+impl Gif {
+    /// Begins a file. All colours of all frames must be in `palette`, of at most 256: nothing is
+    /// approximated.
+    pub(crate) fn create(file: &Path, size: Size, palette: &[Rgb565]) -> Result<Self, Box<dyn Error>> {
+        let (width, height) = (u16::try_from(size.width)?, u16::try_from(size.height)?);
+        let colours: Vec<u8> = palette.iter().flat_map(|&c| rgb(c)).collect();
+        let index = (0..=255).zip(palette).map(|(i, c)| (c.into_storage(), i)).collect();
+        let mut encoder = gif::Encoder::new(create(file)?, width, height, &colours)?;
+        encoder.set_repeat(gif::Repeat::Infinite)?;
+        Ok(Gif { encoder, size: (width, height), index })
+    }
+
+    pub(crate) fn add(&mut self, pixels: &[Rgb565]) -> Result<(), Box<dyn Error>> {
+        let index = |c: &Rgb565| self.index.get(&c.into_storage()).copied();
+        let indexed: Option<Vec<u8>> = pixels.iter().map(index).collect();
+        let frame = gif::Frame {
+            width: self.size.0,
+            height: self.size.1,
+            buffer: indexed.ok_or("a colour is missing in the palette")?.into(),
+            delay: 6, // in 1/100 s
+            ..gif::Frame::default()
+        };
+        Ok(self.encoder.write_frame(&frame)?)
+    }
+
+    pub(crate) fn finish(self) -> Result<(), Box<dyn Error>> {
+        Ok(self.encoder.into_inner()?.flush()?)
+    }
+}
+
+/// Writes pictures side by side, four in a row.
+pub(crate) fn write_sheet(
     file: &Path,
     size: Size,
-    frames: &[&Vec<Rgb565>],
-    columns: usize,
+    pictures: &[Canvas<Rgb565>],
 ) -> Result<(), Box<dyn Error>> {
-    let (width, height) = (size.width as usize, size.height as usize);
-    let rows = frames.len().div_ceil(columns);
-    let mut sheet = vec![0; columns * width * rows * height * 3];
-    for (place, frame) in frames.iter().enumerate() {
-        for (y, row) in frame.chunks_exact(width).enumerate() {
-            let start = (((place / columns) * height + y) * columns + place % columns) * width * 3;
-            for (pixel, &c) in sheet[start..].chunks_exact_mut(3).zip(row) {
-                pixel.copy_from_slice(&rgb(c));
-            }
-        }
+    let columns = pictures.len().min(4) as u32;
+    let rows = (pictures.len() as u32).div_ceil(columns);
+    let mut sheet = Canvas::new(Size::new(columns * size.width, rows * size.height), Rgb565::BLACK);
+    for (place, picture) in (0..).zip(pictures) {
+        let corner = size.component_mul(Size::new(place % columns, place / columns));
+        let area = Rectangle::new(Point::zero() + corner, size);
+        sheet.fill_contiguous(&area, picture.pixels().iter().copied())?;
     }
-    let mut out = BufWriter::new(File::create(file)?);
-    let mut encoder =
-        png::Encoder::new(&mut out, u32::try_from(columns * width)?, u32::try_from(rows * height)?);
+    let Size { width, height } = sheet.size();
+    let bytes: Vec<u8> = sheet.pixels().iter().flat_map(|&c| rgb(c)).collect();
+    let mut out = create(file)?;
+    let mut encoder = png::Encoder::new(&mut out, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&sheet)?;
+    writer.write_image_data(&bytes)?;
     writer.finish()?;
     Ok(out.flush()?)
+}
+
+fn create(file: &Path) -> Result<BufWriter<File>, String> {
+    let created = File::create(file).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
+    Ok(BufWriter::new(created))
 }
 
 fn rgb(colour: Rgb565) -> [u8; 3] {

@@ -12,7 +12,7 @@ mod scene;
 mod terminal;
 
 use canvas::Canvas;
-use clap::Parser;
+use clap::{value_parser, Arg, Command};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -20,39 +20,65 @@ use pinhole::{Corner, Dim, Lambert, Painter, Statistics, Vector3};
 use pinhole_import::ImportedMesh;
 use scene::Turntable;
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 const BACKGROUND: Rgb565 = Rgb565::new(1, 4, 5);
 const CLAY: Rgb565 = Rgb565::new(31, 44, 14);
 const WIRE: Rgb565 = Rgb565::new(14, 56, 31);
+/// The light that is everywhere, also inside; of 256.
+const AMBIENT: u16 = 48;
 
-/// Turn a mesh once round: an animated GIF and a contact sheet, drawn as on a microcontroller
-#[derive(Parser)]
+/// What the user wants.
 struct Arguments {
-    /// The mesh to turn (default: the teapot)
-    #[arg(long, value_name = "FILE.obj")]
-    mesh: Option<PathBuf>,
-    /// Width and height of the picture in pixels, 16 to 2048
-    #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(16..=2048))]
+    mesh: PathBuf,
     size: u32,
-    /// Frames of the full turn, 2 to 720
-    #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u32).range(2..=720))]
     frames: u32,
-    /// Folder for the pictures
-    #[arg(long, value_name = "DIR", default_value = "target/spin")]
     out: PathBuf,
 }
 
+fn arguments() -> Result<Arguments, clap::Error> {
+    let option = |name: &'static str, value: &'static str, help: &'static str, default: &'static str| {
+        Arg::new(name).long(name).value_name(value).help(help).default_value(default)
+    };
+    let teapot = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/teapot.obj");
+    let mut given = Command::new("spin")
+        .about("Turns a mesh once round: an animated GIF and a contact sheet, drawn as on a microcontroller")
+        .arg(
+            option("mesh", "FILE.obj", "The mesh to turn [default: the teapot]", teapot)
+                .value_parser(value_parser!(PathBuf))
+                .hide_default_value(true),
+        )
+        .arg(
+            option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
+                .value_parser(value_parser!(u32).range(16..=2048)),
+        )
+        .arg(
+            option("frames", "N", "Frames of the full turn, 2 to 720", "48")
+                .value_parser(value_parser!(u32).range(2..=720)),
+        )
+        .arg(
+            option("out", "DIR", "The folder for the pictures", "target/spin")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .try_get_matches()?;
+    let path = |value: Option<PathBuf>| value.unwrap_or_default();
+    Ok(Arguments {
+        mesh: path(given.remove_one("mesh")),
+        size: given.remove_one("size").unwrap_or_default(),
+        frames: given.remove_one("frames").unwrap_or_default(),
+        out: path(given.remove_one("out")),
+    })
+}
+
 fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match arguments() {
         Ok(arguments) => arguments,
         Err(help) if help.exit_code() == 0 => help.exit(),
         Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),
     };
-    let teapot = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/teapot.obj");
-    let mesh = match pinhole_import::read(arguments.mesh.as_ref().unwrap_or(&teapot)) {
+    let mesh = match pinhole_import::read(&arguments.mesh) {
         Ok(mesh) => mesh,
         Err(error) => return refuse(&error.to_string()),
     };
@@ -70,20 +96,22 @@ fn refuse(problem: &str) -> ExitCode {
 
 fn film(mesh: &ImportedMesh, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
+    let inside = scene::inside(mesh);
+    let table = Turntable::new(mesh, &inside, size)?;
+
     let out = &arguments.out;
-    let unwritable = |e: std::io::Error| format!("{}: cannot be written: {e}", out.display());
-    std::fs::create_dir_all(out).map_err(unwritable)?;
-    let table = Turntable::new(mesh, size)?;
+    std::fs::create_dir_all(out).map_err(|e| format!("{}: cannot be made: {e}", out.display()))?;
+    let (gif_file, sheet_file) = (out.join("spin.gif"), out.join("spin.png"));
+    let mut gif = film::Gif::create(&gif_file, size, &palette())?;
 
     // All the memory that drawing needs; a firmware would put its own, smaller sizes here.
     let mut painter = Box::new(Painter::<Rgb565, 65_536, 65_535>::new());
     let mut numberer = Box::new(Painter::<Rgb888, 65_536, 65_535>::new());
     let mut corners = vec![Corner::default(); mesh.vertices.len()];
 
-    let mut solid = Sum::default();
-    let mut wireframe = Sum::default();
+    let (mut solid, mut wireframe) = (Sum::default(), Sum::default());
     let mut misordered = Misordered::default();
-    let mut pictures = Vec::new();
+    let mut sheet = Vec::new();
     let bar = ProgressBar::new(frames.into())
         .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left")?);
     for frame in 0..frames {
@@ -92,39 +120,46 @@ fn film(mesh: &ImportedMesh, arguments: &Arguments) -> Result<(), Box<dyn Error>
         let placed = table.place(&model);
         let start = Instant::now();
         if frame < frames.div_ceil(2) {
-            let light = Lambert::new(&model, Vector3::from_ints(-2, 3, 4), 48)?;
-            let shade = |face: usize| CLAY.dim(light.level(mesh.normals[face]));
-            painter.add(&placed, shade)?;
-            solid.add(painter.draw(&mut canvas)?, start.elapsed());
+            let light = Lambert::new(&model, Vector3::from_ints(-2, 3, 4), AMBIENT)?;
+            let shade = |face: usize| match mesh.normals.get(face) {
+                Some(&normal) => CLAY.dim(light.level(normal)),
+                None => CLAY.dim(AMBIENT), // the inside
+            };
+            let statistics = scene::paint(&mut painter, &placed, shade, &mut canvas)?;
+            solid.add(statistics, start.elapsed());
 
-            let mut numbers = Canvas::new(size, depth::face_colour(depth::NOTHING as usize));
-            numberer.add(&placed, depth::face_colour)?;
-            numberer.draw(&mut numbers)?;
+            let mut numbers = Canvas::new(size, depth::NOTHING);
+            scene::paint(&mut numberer, &placed, depth::face_colour, &mut numbers)?;
             misordered.add(&numbers, depth::nearest_faces(&placed, size));
         } else {
-            let statistics = placed.wireframe(WIRE, &mut corners, &mut canvas)?;
+            let statistics = placed[0].wireframe(WIRE, &mut corners, &mut canvas)?;
             wireframe.add(statistics, start.elapsed());
         }
-        pictures.push(canvas.pixels().to_vec());
+        gif.add(canvas.pixels())?;
+        if frame == frames / 8 {
+            print!("{}", terminal::picture(canvas.pixels(), size, BACKGROUND));
+        }
+        // Twelve frames, or all if there are fewer, evenly spread.
+        if frame * 12 % frames < 12 {
+            sheet.push(canvas);
+        }
         bar.inc(1);
     }
     bar.finish_and_clear();
+    gif.finish()?;
+    film::write_sheet(&sheet_file, size, &sheet)?;
 
-    let (gif, sheet) = (out.join("spin.gif"), out.join("contact-sheet.png"));
-    film::write_gif(&gif, size, &pictures, &palette())?;
-    let shown = pictures.len().min(12);
-    let sample: Vec<_> = (0..shown).map(|i| &pictures[i * pictures.len() / shown]).collect();
-    film::write_contact_sheet(&sheet, size, &sample, 4.min(shown))?;
-
-    print!("{}", terminal::picture(&pictures[pictures.len() / 8], size, 72));
-    println!("{}", gif.display());
-    println!("{}", sheet.display());
+    println!("{}\n{}", gif_file.display(), sheet_file.display());
+    let (vertices, edges) = (mesh.vertices.len(), mesh.edges.len());
     println!(
-        "{} vertices, {} faces, {} edges; {size} pixels",
-        mesh.vertices.len(),
+        "{vertices} vertices, {} faces, {edges} edges; {} x {} pixels",
         mesh.faces.len(),
-        mesh.edges.len(),
+        size.width,
+        size.height
     );
+    if !inside.is_empty() {
+        println!("not a closed surface: the inside is drawn too");
+    }
     println!("solid:     {solid}");
     println!("wireframe: {wireframe}");
     println!("painter's order: {misordered}");
@@ -178,21 +213,21 @@ struct Misordered {
 }
 
 impl Misordered {
-    fn add(&mut self, painted: &Canvas<Rgb888>, nearest: Option<Vec<u32>>) {
+    fn add(&mut self, painted: &Canvas<Rgb888>, nearest: Option<Canvas<Rgb888>>) {
         let Some(nearest) = nearest else { return };
-        let count = depth::differing(painted, &nearest);
-        self.pixels += count;
-        self.worst = self.worst.max(count);
-        self.of += nearest.iter().filter(|&&face| face != depth::NOTHING).count();
+        let (differing, covered) = depth::compare(painted, &nearest);
+        self.pixels += differing;
+        self.of += covered;
+        self.worst = self.worst.max(differing);
     }
 }
 
 impl std::fmt::Display for Misordered {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Misordered { pixels, worst, of } = self;
         write!(
             f,
-            "{} of {} pixels show another face than a depth buffer would; {} in the worst frame",
-            self.pixels, self.of, self.worst,
+            "{pixels} of {of} pixels show another face than a depth buffer would; {worst} in the worst frame"
         )
     }
 }

@@ -2,35 +2,50 @@
 
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, Camera, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
-use pinhole_import::ImportedMesh;
+use pinhole::{
+    Affine, Angle, Camera, Mesh, Painter, Placed, Point3, Projection, Scalar, Statistics, Vector3, Viewing,
+    Viewport,
+};
+use pinhole_import::{ImportedMesh, Topology};
 use std::error::Error;
 
-/// The exponent that every mesh is shown with: its half extent is 1 to 2 units, whatever units it was made in.
+/// The exponent that every mesh is shown with: its half extent is 1 to 2 units, whatever units it
+/// was made in.
 const EXPONENT: i8 = -14;
 
+/// The faces seen from inside, if one can look into the model. Without them the background would
+/// show through the gap about the teapot's lid.
+pub(crate) fn inside(model: &ImportedMesh) -> Vec<[u16; 3]> {
+    if model.topology() == Topology::default() {
+        return Vec::new();
+    }
+    model.faces.iter().map(|&[a, b, c]| [a, c, b]).collect()
+}
+
 pub(crate) struct Turntable<'m> {
-    mesh: Mesh<'m>,
+    outside: Mesh<'m>,
+    inside: Mesh<'m>,
     camera: Camera,
 }
 
 impl<'m> Turntable<'m> {
-    /// Sets up a camera that sees all of the mesh from every side.
-    pub(crate) fn new(model: &'m ImportedMesh, size: Size) -> Result<Self, Box<dyn Error>> {
-        let mesh = Mesh::new(&model.vertices, EXPONENT, &model.faces)?
-            .with_edges(&model.edges)?
-            .with_normals(&model.normals)?;
-
-        // The ball about the origin that holds the mesh, and the distance from which it fills the field of view.
+    /// Sets up a camera that sees all of the model from every side.
+    pub(crate) fn new(
+        model: &'m ImportedMesh,
+        inside: &'m [[u16; 3]],
+        size: Size,
+    ) -> Result<Self, Box<dyn Error>> {
+        // The ball about the origin that holds the model, and the distance from which it fills the
+        // field of view.
         let square = |v: &[i16; 3]| v.iter().map(|&c| i64::from(c) * i64::from(c)).sum::<i64>();
         let largest = model.vertices.iter().map(square).max().unwrap_or(0);
         let radius = (largest as f64).sqrt() * f64::from(EXPONENT).exp2();
         let distance = radius / 15f64.to_radians().sin();
         let elevation = 20f64.to_radians();
-        let eye = [0.0, distance * elevation.sin(), distance * elevation.cos()];
+        let eye = [0.0, distance * elevation.sin(), distance * elevation.cos()].map(|c| c as f32);
 
         let viewing = Viewing::look_at(
-            Point3::from_f32(eye[0] as f32, eye[1] as f32, eye[2] as f32)?,
+            Point3::from_f32(eye[0], eye[1], eye[2])?,
             Point3::from_ints(0, 0, 0),
             Vector3::from_ints(0, 1, 0),
         )?;
@@ -41,20 +56,38 @@ impl<'m> Turntable<'m> {
             Scalar::from_num((distance + radius) * 1.01),
         )?;
         let viewport = Viewport::new(Point::zero(), size)?;
-        Ok(Turntable { mesh, camera: Camera::new(&viewing, &projection, &viewport) })
+        Ok(Turntable {
+            outside: Mesh::new(&model.vertices, EXPONENT, &model.faces)?.with_edges(&model.edges)?,
+            inside: Mesh::new(&model.vertices, EXPONENT, inside)?,
+            camera: Camera::new(&viewing, &projection, &viewport),
+        })
     }
 
-    /// The model transform of a frame: the near side moves from right to left.
+    /// The model transform of a frame: what is near moves from right to left.
     pub(crate) fn model(frame: u32, frames: u32) -> Affine<Model, World> {
         Affine::rotation_y(-Angle::turns(frame as i32, frames))
     }
 
-    /// The mesh as the camera sees it.
-    pub(crate) fn place(&self, model: &Affine<Model, World>) -> Placed<'m> {
-        self.camera.place(&self.mesh, model)
+    /// The model as the camera sees it, its outside and its inside.
+    pub(crate) fn place(&self, model: &Affine<Model, World>) -> [Placed<'m>; 2] {
+        [&self.outside, &self.inside].map(|mesh| self.camera.place(mesh, model))
     }
+}
 
-    pub(crate) fn mesh(&self) -> Mesh<'m> {
-        self.mesh
-    }
+/// Draws the inside and then, over it, the outside, each in painter's order. `shade` is asked for
+/// the outside's faces by their numbers, and for the inside's by numbers from there on.
+pub(crate) fn paint<D: DrawTarget, const CORNERS: usize, const FACES: usize>(
+    painter: &mut Painter<D::Color, CORNERS, FACES>,
+    [outside, inside]: &[Placed<'_>; 2],
+    shade: impl Fn(usize) -> D::Color,
+    target: &mut D,
+) -> Result<Statistics, Box<dyn Error>>
+where
+    D::Error: Error + 'static,
+{
+    let first_inside = outside.mesh().faces().len();
+    painter.add(inside, |face| shade(first_inside + face))?;
+    let statistics = painter.draw(target)?;
+    painter.add(outside, shade)?;
+    Ok(painter.draw(target)?.and(statistics))
 }
