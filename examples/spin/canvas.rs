@@ -1,0 +1,64 @@
+//! A picture in memory as a DrawTarget of any size and colour.
+
+use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use std::convert::Infallible;
+
+/// Pixels, row by row.
+pub(crate) struct Canvas<C> {
+    size: Size,
+    pixels: Vec<C>,
+}
+
+impl<C: PixelColor> Canvas<C> {
+    /// A picture of one colour.
+    pub(crate) fn new(size: Size, colour: C) -> Self {
+        let pixels = vec![colour; size.width as usize * size.height as usize];
+        Canvas { size, pixels }
+    }
+
+    /// The pixels, row by row.
+    pub(crate) fn pixels(&self) -> &[C] {
+        &self.pixels
+    }
+
+    /// The place of a pixel that lies in the picture.
+    fn index(&self, p: Point) -> usize {
+        p.y as usize * self.size.width as usize + p.x as usize
+    }
+}
+
+impl<C> OriginDimensions for Canvas<C> {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Canvas<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Pixel<C>>,
+    {
+        let area = self.bounding_box();
+        for Pixel(point, colour) in pixels {
+            if area.contains(point) {
+                let index = self.index(point);
+                self.pixels[index] = colour;
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
+        let area = area.intersection(&self.bounding_box());
+        for y in area.rows() {
+            let start = self.index(Point::new(area.top_left.x, y));
+            self.pixels[start..start + area.size.width as usize].fill(colour);
+        }
+        Ok(())
+    }
+}
