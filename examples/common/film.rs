@@ -1,5 +1,6 @@
 //! Frames to files: an animated GIF and a contact sheet.
 
+use crate::still;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use std::borrow::Cow;
@@ -51,24 +52,17 @@ pub(crate) fn write_contact_sheet(
 ) -> Result<(), Box<dyn Error>> {
     let (width, height) = (size.width as usize, size.height as usize);
     let rows = frames.len().div_ceil(columns);
-    let mut sheet = vec![0; columns * width * rows * height * 3];
+    let mut sheet = vec![Rgb888::BLACK; columns * width * rows * height];
     for (place, frame) in frames.iter().enumerate() {
         for (y, row) in frame.chunks_exact(width).enumerate() {
-            let start = (((place / columns) * height + y) * columns + place % columns) * width * 3;
-            for (pixel, &c) in sheet[start..].chunks_exact_mut(3).zip(row) {
-                pixel.copy_from_slice(&rgb(c));
+            let start = (((place / columns) * height + y) * columns + place % columns) * width;
+            for (pixel, &c) in sheet[start..].iter_mut().zip(row) {
+                *pixel = c.into();
             }
         }
     }
-    let mut out = BufWriter::new(File::create(file)?);
-    let mut encoder =
-        png::Encoder::new(&mut out, u32::try_from(columns * width)?, u32::try_from(rows * height)?);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&sheet)?;
-    writer.finish()?;
-    Ok(out.flush()?)
+    let size = Size::new(u32::try_from(columns * width)?, u32::try_from(rows * height)?);
+    Ok(std::fs::write(file, still::png(size, &sheet)?)?)
 }
 
 fn rgb(colour: Rgb565) -> [u8; 3] {
