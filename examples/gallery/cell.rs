@@ -15,10 +15,10 @@ pub(crate) const INK: Rgb888 = Rgb888::new(38, 42, 52);
 /// x, y, z.
 pub(crate) const AXES: [Rgb888; 3] =
     [Rgb888::new(206, 50, 44), Rgb888::new(24, 138, 64), Rgb888::new(44, 84, 206)];
-pub(crate) const MARKED: Rgb888 = Rgb888::new(250, 204, 96);
-const WALL: Rgb888 = Rgb888::new(226, 220, 208);
-const ROOF: Rgb888 = Rgb888::new(214, 138, 112);
-const FLOOR: Rgb888 = Rgb888::new(168, 172, 178);
+pub(crate) const MARKED: Rgb888 = Rgb888::new(255, 210, 92);
+const WALL: Rgb888 = Rgb888::new(240, 234, 222);
+const ROOF: Rgb888 = Rgb888::new(226, 146, 118);
+const FLOOR: Rgb888 = Rgb888::new(190, 198, 208);
 
 /// Draws the house as this camera sees it.
 pub(crate) fn draw(
@@ -44,7 +44,7 @@ pub(crate) fn draw(
         }
     }
 
-    let light = Lambert::new(&model, Vector3::from_ints(3, 6, 4), 150)?;
+    let light = Lambert::new(&model, Vector3::from_ints(3, 5, 6), 176)?;
     let mut painter = Painter::<Rgb888, 64, 64>::new();
     painter.add(&house, |face| {
         let colour = match SIDES[face] {

@@ -117,13 +117,13 @@ fn legend(corner: Point, sheet: &mut Canvas<Rgb888>) -> Result<(), Box<dyn Error
     let words = Point::new(28, 0);
     write("pinhole: one house,", line(0), &FONT_6X10, cell::INK, sheet)?;
     write("every projection", line(1), &FONT_6X10, cell::INK, sheet)?;
-    let axes = ["x, from the origin", "y, from the origin", "z, from the origin"];
+    let axes = ["edge on the x axis", "edge on the y axis", "edge on the z axis"];
     for (row, (name, colour)) in (3..).zip(axes.into_iter().zip(cell::AXES)) {
         let (from, to) = middle(row);
         Line::new(from, to).into_styled(PrimitiveStyle::with_stroke(colour, 1)).draw(sheet)?;
         write(name, line(row) + words, &FONT_6X10, cell::INK, sheet)?;
     }
-    let rest = [("hidden edge", 2, 2), ("to where parallels meet", 1, 2)];
+    let rest = [("hidden edge", 2, 2), ("on to where they meet", 1, 2)];
     for (row, (name, on, off)) in (6..).zip(rest) {
         let (from, to) = middle(row);
         let mut dashed = cell::Dashed { target: sheet, on, off, at: 0 };

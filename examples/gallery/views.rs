@@ -99,8 +99,8 @@ fn oblique() -> Views {
     let viewing = Viewing::multiview(middle()?, Side::Front);
     let kinds = [
         ("cavalier", ["oblique, angle 45°, factor 1", "VPN (0,0,1)"], 45, 1.0),
-        ("cabinet", ["oblique, angle 45°, factor ½", "VPN (0,0,1)"], 45, 0.5),
-        ("oblique 60°", ["angle 60°, factor ¾", "VPN (0,0,1)"], 60, 0.75),
+        ("cabinet", ["oblique, angle 45°, factor 0.5", "VPN (0,0,1)"], 45, 0.5),
+        ("oblique 60°", ["angle 60°, factor 0.75", "VPN (0,0,1)"], 60, 0.75),
     ];
     let mut views = Vec::new();
     for (name, details, angle, factor) in kinds {
@@ -118,19 +118,19 @@ fn points(picture: Size) -> Views {
     Ok(vec![
         View {
             name: "one-point",
-            details: ["VPN (0,0,1), field of view 90°", "eye (1.25, 1, 1.5)"],
+            details: ["VPN (0,0,1), field of view 100°", "eye (1.5, 1, 1.5)"],
             viewing: Viewing::from_reference(
-                Point3::from_f32(1.25, 1.0, 1.5)?,
+                Point3::from_f32(1.5, 1.0, 1.5)?,
                 Vector3::from_ints(0, 0, 1),
                 up,
             )?,
-            projection: lens(90)?,
+            projection: lens(100)?,
         },
         View {
             name: "two-point",
-            details: ["VPN (4,0,5), field of view 105°", "eye (1.75, 0.65, 1)"],
+            details: ["VPN (4,0,5), field of view 105°", "eye (1.5, 0.65, 0.8)"],
             viewing: Viewing::from_reference(
-                Point3::from_f32(1.75, 0.65, 1.0)?,
+                Point3::from_f32(1.5, 0.65, 0.8)?,
                 Vector3::from_ints(4, 0, 5),
                 up,
             )?,
@@ -138,9 +138,9 @@ fn points(picture: Size) -> Views {
         },
         View {
             name: "three-point",
-            details: ["VPN (5,5,6), field of view 120°", "eye (1.5, 1.8, 0.8)"],
+            details: ["VPN (5,5,6), field of view 120°", "eye (1.3, 1.6, 0.5)"],
             viewing: Viewing::from_reference(
-                Point3::from_f32(1.5, 1.8, 0.8)?,
+                Point3::from_f32(1.3, 1.6, 0.5)?,
                 Vector3::from_ints(5, 5, 6),
                 up,
             )?,
@@ -153,13 +153,13 @@ fn points(picture: Size) -> Views {
 fn shifted() -> Views {
     Ok(vec![View {
         name: "off-axis frustum",
-        details: ["near 1: -0.8..0.8 x -1.3..0.3", "VPN (1,0,2), eye (1.9, 2, 2.2)"],
+        details: ["near 0.8: -0.9..0.9 x -1.4..0.4", "VPN (1,0,2), eye (1.6, 2, 1.5)"],
         viewing: Viewing::from_reference(
-            Point3::from_f32(1.9, 2.0, 2.2)?,
+            Point3::from_f32(1.6, 2.0, 1.5)?,
             Vector3::from_ints(1, 0, 2),
             Vector3::from_ints(0, 1, 0),
         )?,
-        projection: Projection::frustum(window(-0.8, 0.8, -1.3, 0.3), number(1.0), number(8.0))?,
+        projection: Projection::frustum(window(-0.9, 0.9, -1.4, 0.4), number(0.8), number(8.0))?,
     }])
 }
 
@@ -170,23 +170,27 @@ fn planar() -> Views {
         Some(number(3.0)),
         Vector3::<ViewSpace>::from_f32(1.0, 1.0, 2.0)?,
     )?;
-    // From above and to the side: the plan keeps its shape.
-    let far_eye =
-        PlanarProjection::general(Scalar::ZERO, None, Vector3::<ViewSpace>::from_f32(1.0, -1.0, 2.0)?)?;
-    let seen =
-        |planar: &PlanarProjection| Projection::from_planar(planar, square(HALF), number(-1.0), number(2.0));
+    // From above at 45°: the plan keeps its shape, and uprights their length.
+    let far_eye = PlanarProjection::general(Scalar::ZERO, None, Vector3::<ViewSpace>::from_ints(0, -1, 1))?;
+    let seen = |planar: &PlanarProjection, half: f32| {
+        Projection::from_planar(planar, square(half), number(-1.0), number(2.0))
+    };
     Ok(vec![
         View {
             name: "general planar",
             details: ["z_p 0, Q 3, direction (1,1,2)", "VPN (0,0,1)"],
             viewing: Viewing::multiview(middle()?, Side::Front),
-            projection: seen(&near_eye)?,
+            projection: seen(&near_eye, 1.5)?,
         },
         View {
             name: "general planar, parallel",
-            details: ["z_p 0, Q infinite, dir (1,-1,2)", "VPN (0,1,0): the plan is true"],
-            viewing: Viewing::multiview(middle()?, Side::Top),
-            projection: seen(&far_eye)?,
+            details: ["z_p 0, Q infinite, dir (0,-1,1)", "VPN (0,1,0): the plan is true"],
+            viewing: Viewing::from_reference(
+                middle()?,
+                Vector3::from_ints(0, 1, 0),
+                Vector3::from_ints(-1, 0, -2),
+            )?,
+            projection: seen(&far_eye, 1.5)?,
         },
     ])
 }
@@ -239,25 +243,25 @@ fn reference() -> Views {
     ])
 }
 
-/// One that no constructor makes: the projectors meet behind the house, so that what is farther is larger and four
+/// One that no constructor makes: the projectors meet behind the house, so that what is farther is larger and opposite
 /// walls show at once.
 fn matrix() -> Result<View, Box<dyn Error>> {
-    // w = 1 + z/3 over view z: 4/3 one unit before the middle of the house, 2/3 one unit behind it; z/w is −1 and +1 there.
-    let third = 1.0 / 3.0;
-    let scale = 0.7;
+    // w = 1 + z/2 over view z: 3/2 one unit before the middle of the house and 1/2 one unit behind it, where z/w
+    // is −1 and +1.
+    let scale = 0.75;
     Ok(View {
         name: "from_matrix: reverse",
-        details: ["w = 1 + z/3: far is large", "VPN (1,1,4)"],
+        details: ["w = 1 + z/2: far is large", "VPN (0,1,6)"],
         viewing: Viewing::from_reference(
             middle()?,
-            Vector3::from_ints(1, 1, 4),
+            Vector3::from_ints(0, 1, 6),
             Vector3::from_ints(0, 1, 0),
         )?,
         projection: Projection::from_matrix(&[
             [scale, 0.0, 0.0, 0.0],
             [0.0, scale, 0.0, 0.0],
-            [0.0, 0.0, -1.0, -third],
-            [0.0, 0.0, third, 1.0],
+            [0.0, 0.0, -1.0, -0.5],
+            [0.0, 0.0, 0.5, 1.0],
         ])?,
     })
 }
