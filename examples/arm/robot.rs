@@ -6,7 +6,7 @@
 //! ```
 
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, Hierarchy, HierarchyError, Node, Point3, Scalar, Vector3};
+use pinhole::{Affine, Angle, Hierarchy, Node, Point3, Scalar, Vector3};
 
 /// Places of the joints in the list; parents come first.
 const TURN: usize = 0;
@@ -15,8 +15,9 @@ const FORE: usize = 2;
 const HAND: usize = 3;
 const LEFT: usize = 4;
 const RIGHT: usize = 5;
+const JOINTS: usize = 6;
 /// Joints, then shapes.
-const NODES: usize = 6 + SHAPES.len();
+const NODES: usize = JOINTS + SHAPES.len();
 
 /// Which of the two meshes a shape shows.
 #[derive(Clone, Copy)]
@@ -91,7 +92,7 @@ fn swing(amplitude: i64, phase: Angle) -> Angle {
 }
 
 /// Where the joints sit in their parents at this part of the cycle. It depends on nothing else, so that nothing drifts.
-fn joints(phase: Angle) -> [Affine<Model, Model>; 6] {
+fn joints(phase: Angle) -> [Affine<Model, Model>; JOINTS] {
     let twice = phase + phase;
     // Down at both ends of the turn, up in between; the hand keeps upright.
     let dip = swing(16, twice - Angle::QUARTER_TURN);
@@ -112,28 +113,41 @@ fn joints(phase: Angle) -> [Affine<Model, Model>; 6] {
     ]
 }
 
-/// The robot at a part of its cycle: all shapes, and the point between the tips of the fingers.
-pub(crate) fn pose(phase: Angle) -> Result<(Vec<Part>, Point3<World>), HierarchyError> {
-    let [turn, upper, fore, hand, left, right] = joints(phase);
+/// All nodes, in the order that a hierarchy wants.
+pub(crate) fn nodes() -> [Node; NODES] {
+    let [turn, upper, fore, hand, left, right] = joints(Angle::ZERO);
     let mut nodes = [Node::root(turn); NODES];
     let links = [(TURN, upper), (UPPER, fore), (FORE, hand), (HAND, left), (HAND, right)];
     for (node, (parent, local)) in nodes[1..].iter_mut().zip(links) {
         *node = Node::child(parent as u16, local);
     }
-    let number = |v: f32| Scalar::from_num(v);
-    for (node, shape) in nodes[6..].iter_mut().zip(&SHAPES) {
-        let ([x, y, z], [across, up, deep]) = (shape.place, shape.half);
-        let sized = Affine::scale_axes(number(across), number(up), number(deep));
-        let turned = if shape.lying { Affine::rotation_x(Angle::QUARTER_TURN) } else { Affine::identity() };
+    for (node, shape) in nodes[JOINTS..].iter_mut().zip(&SHAPES) {
+        let [across, up, deep] = shape.half.map(|v: f32| Scalar::from_num(v));
+        let sized = Affine::<Model, Model>::scale_axes(across, up, deep);
+        let turned: Affine<Model, Model> =
+            if shape.lying { Affine::rotation_x(Angle::QUARTER_TURN) } else { Affine::identity() };
+        let [x, y, z] = shape.place;
         *node = Node::child(shape.joint as u16, sized.then(&turned).then(&shift(x, y, z)));
     }
-    let robot = Hierarchy::new(&mut nodes)?;
-    let parts = robot.nodes()[6..]
-        .iter()
-        .zip(&SHAPES)
-        .map(|(node, shape)| Part { form: shape.form, paint: shape.paint, place: *node.world() })
-        .collect();
-    let tip = Point3::new(Scalar::ZERO, number(HAND_LENGTH + FINGER), Scalar::ZERO);
-    let hand = robot.nodes()[HAND].world();
-    Ok((parts, hand.apply(tip)))
+    nodes
+}
+
+/// Brings the robot to a part of its cycle.
+pub(crate) fn pose(robot: &mut Hierarchy<'_>, phase: Angle) {
+    for (joint, local) in joints(phase).into_iter().enumerate() {
+        robot.set_local(joint, local);
+    }
+    robot.update();
+}
+
+/// All that is to be drawn.
+pub(crate) fn parts<'r>(robot: &'r Hierarchy<'_>) -> impl Iterator<Item = Part> + 'r {
+    let shapes = robot.nodes().iter().skip(JOINTS).zip(&SHAPES);
+    shapes.map(|(node, shape)| Part { form: shape.form, paint: shape.paint, place: *node.world() })
+}
+
+/// The point between the tips of the fingers.
+pub(crate) fn tip(robot: &Hierarchy<'_>) -> Point3<World> {
+    let tip = Point3::new(Scalar::ZERO, Scalar::from_num(HAND_LENGTH + FINGER), Scalar::ZERO);
+    robot.world(HAND).map_or(Point3::from_ints(0, 0, 0), |hand| hand.apply(tip))
 }
