@@ -117,12 +117,12 @@ fn film(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// In front of the robot, to its right and above.
 fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
     let viewing = Viewing::look_at(
-        Point3::from_f32(6.5, 4.2, 4.8)?,
-        Point3::from_f32(0.4, 1.15, 0.0)?,
+        Point3::from_f32(6.4, 4.2, 4.9)?,
+        Point3::from_f32(0.25, 1.2, 0.15)?,
         Vector3::from_ints(0, 1, 0),
     )?;
     let projection =
-        Projection::perspective(Angle::degrees(33), size, Scalar::from_num(2), Scalar::from_num(20))?;
+        Projection::perspective(Angle::degrees(34), size, Scalar::from_num(2), Scalar::from_num(20))?;
     Ok(Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?))
 }
 
@@ -161,6 +161,7 @@ fn draw(
     camera.place(&path, &Affine::identity()).polyline(PATH, canvas)?;
 
     let mut painter = Painter::<Rgb565, 512, 512>::new();
+    let mut statistics = Statistics::default();
     for part in robot::parts(robot) {
         let mesh = mesh(part.form);
         let light = Lambert::new(&part.place, towards_light, 72)?;
@@ -170,11 +171,14 @@ fn draw(
             Paint::Rubber => RUBBER,
         };
         // In steps of 8, so that a palette holds all colours.
-        painter.add(&camera.place(mesh, &part.place), |face| {
-            colour.dim(light.level(mesh.normals()[face]) & !7)
-        })?;
+        let shade = |face: usize| colour.dim(light.level(mesh.normals()[face]) & !7);
+        painter.add(&camera.place(mesh, &part.place), shade)?;
+        if part.carries {
+            // Its large faces would not sort well among the small ones above them.
+            statistics = statistics.and(painter.draw(canvas)?);
+        }
     }
-    Ok(painter.draw(canvas)?)
+    Ok(statistics.and(painter.draw(canvas)?))
 }
 
 /// Every colour of the frames.

@@ -64,11 +64,11 @@ const SHAPES: [Shape; 10] = [
     drum(TURN, Paint::Steel, 0.12, 0.75, 0.12, false),
     drum(TURN, Paint::Orange, 0.48, 0.42, 0.24, false),
     drum(UPPER, Paint::Steel, 0.0, 0.3, 0.34, true),
-    beam(UPPER, Paint::Orange, [0.0, 0.85, 0.0], [0.16, 0.58, 0.16]),
+    beam(UPPER, Paint::Orange, [0.0, 0.875, 0.0], [0.16, 0.62, 0.16]),
     drum(FORE, Paint::Steel, 0.0, 0.25, 0.28, true),
-    beam(FORE, Paint::Orange, [0.0, 0.72, 0.0], [0.12, 0.5, 0.12]),
+    beam(FORE, Paint::Orange, [0.0, 0.735, 0.0], [0.12, 0.515, 0.12]),
     drum(HAND, Paint::Steel, 0.0, 0.17, 0.2, true),
-    beam(HAND, Paint::Steel, [0.0, 0.32, 0.0], [0.14, 0.13, 0.4]),
+    beam(HAND, Paint::Steel, [0.0, 0.31, 0.0], [0.14, 0.145, 0.4]),
     beam(LEFT, Paint::Rubber, [0.0, 0.25, 0.0], [0.1, 0.25, 0.06]),
     beam(RIGHT, Paint::Rubber, [0.0, 0.25, 0.0], [0.1, 0.25, 0.06]),
 ];
@@ -78,6 +78,8 @@ pub(crate) struct Part {
     pub(crate) form: Form,
     pub(crate) paint: Paint,
     pub(crate) place: Affine<Model, World>,
+    /// It stands on the floor and carries the others: nothing is ever behind it.
+    pub(crate) carries: bool,
 }
 
 fn shift(x: f32, y: f32, z: f32) -> Affine<Model, Model> {
@@ -143,7 +145,12 @@ pub(crate) fn pose(robot: &mut Hierarchy<'_>, phase: Angle) {
 /// All that is to be drawn.
 pub(crate) fn parts<'r>(robot: &'r Hierarchy<'_>) -> impl Iterator<Item = Part> + 'r {
     let shapes = robot.nodes().iter().skip(JOINTS).zip(&SHAPES);
-    shapes.map(|(node, shape)| Part { form: shape.form, paint: shape.paint, place: *node.world() })
+    shapes.map(|(node, shape)| Part {
+        form: shape.form,
+        paint: shape.paint,
+        place: *node.world(),
+        carries: shape.joint == TURN,
+    })
 }
 
 /// The point between the tips of the fingers.
