@@ -1,7 +1,7 @@
 //! The README's first command: what its film shows, and what it says to bad input.
 
 #[allow(dead_code)]
-#[path = "../examples/spin/canvas.rs"]
+#[path = "../examples/common/canvas.rs"]
 mod canvas;
 #[path = "../examples/spin/depth.rs"]
 mod depth;

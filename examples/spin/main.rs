@@ -5,10 +5,14 @@
 //! cargo run --release --example spin -- --help
 //! ```
 
+#[path = "../common/canvas.rs"]
 mod canvas;
 mod depth;
+#[path = "../common/film.rs"]
 mod film;
 mod scene;
+#[path = "../common/still.rs"]
+mod still;
 mod terminal;
 
 use canvas::Canvas;

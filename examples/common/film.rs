@@ -1,6 +1,7 @@
 //! Frames to files: an animated GIF and a contact sheet.
 
 use crate::canvas::Canvas;
+use crate::still;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -61,15 +62,9 @@ pub(crate) fn write_sheet(
         let area = Rectangle::new(Point::zero() + corner, size);
         sheet.fill_contiguous(&area, picture.pixels().iter().copied())?;
     }
-    let Size { width, height } = sheet.size();
-    let bytes: Vec<u8> = sheet.pixels().iter().flat_map(|&c| rgb(c)).collect();
+    let pixels: Vec<Rgb888> = sheet.pixels().iter().map(|&c| c.into()).collect();
     let mut out = create(file)?;
-    let mut encoder = png::Encoder::new(&mut out, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&bytes)?;
-    writer.finish()?;
+    out.write_all(&still::png(sheet.size(), &pixels)?)?;
     Ok(out.flush()?)
 }
 

@@ -1,0 +1,195 @@
+//! A robot arm through one cycle: joints in joints, two meshes under ten nodes, its tool's path as a poly-line and its
+//! shadow as the same parts flattened; an animated GIF and a contact sheet:
+//!
+//! ```text
+//! cargo run --release --example arm -- --help
+//! ```
+
+#[path = "../common/canvas.rs"]
+mod canvas;
+#[path = "../common/film.rs"]
+mod film;
+mod meshes;
+mod robot;
+#[path = "../common/still.rs"]
+mod still;
+
+use canvas::Canvas;
+use clap::Parser;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::*;
+use pinhole::space::World;
+use pinhole::{
+    Affine, Angle, Camera, Cull, Dim, Hierarchy, Lambert, Mesh, Painter, Point3, Projection, Scalar,
+    Statistics, Vector3, Viewing, Viewport,
+};
+use robot::{Form, Paint};
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+const BACKGROUND: Rgb565 = Rgb565::new(3, 8, 6);
+const FLOOR: Rgb565 = Rgb565::new(7, 17, 10);
+const GRID: Rgb565 = Rgb565::new(10, 24, 14);
+const SHADOW: Rgb565 = Rgb565::new(4, 10, 6);
+const PATH: Rgb565 = Rgb565::new(10, 54, 31);
+const STEEL: Rgb565 = Rgb565::new(22, 46, 25);
+const ORANGE: Rgb565 = Rgb565::new(31, 36, 4);
+const RUBBER: Rgb565 = Rgb565::new(12, 26, 14);
+
+/// Move a robot arm through one cycle: an animated GIF and a contact sheet, drawn as on a microcontroller
+#[derive(Parser)]
+struct Arguments {
+    /// Width and height of the picture in pixels, 16 to 2048
+    #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(16..=2048))]
+    size: u32,
+    /// Frames of the full cycle, 2 to 720
+    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(2..=720))]
+    frames: u32,
+    /// Folder for the pictures
+    #[arg(long, value_name = "DIR", default_value = "target/arm")]
+    out: PathBuf,
+}
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(help) if help.exit_code() == 0 => help.exit(),
+        Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),
+    };
+    match film(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => refuse(&error.to_string()),
+    }
+}
+
+/// One line that says what is wrong with what the user gave.
+fn refuse(problem: &str) -> ExitCode {
+    eprintln!("{problem}");
+    ExitCode::from(2)
+}
+
+fn film(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
+    let out = &arguments.out;
+    let unwritable = |e: std::io::Error| format!("{}: cannot be written: {e}", out.display());
+    std::fs::create_dir_all(out).map_err(unwritable)?;
+
+    let camera = camera(size)?;
+    let mut nodes = robot::nodes();
+    let mut robot = Hierarchy::new(&mut nodes)?;
+    let phase = |frame: u32| Angle::turns(frame as i32, frames);
+    // The path is closed: its last point is its first.
+    let path: Vec<[Scalar; 3]> = (0..=frames)
+        .map(|frame| {
+            robot::pose(&mut robot, phase(frame));
+            let tip = robot::tip(&robot);
+            [tip.x(), tip.y(), tip.z()]
+        })
+        .collect();
+
+    let mut total = Statistics::default();
+    let mut pictures = Vec::new();
+    for frame in 0..frames {
+        let mut canvas = Canvas::new(size, BACKGROUND);
+        robot::pose(&mut robot, phase(frame));
+        total = total.and(draw(&robot, &path, &camera, &mut canvas)?);
+        pictures.push(canvas);
+    }
+
+    let (gif, sheet) = (out.join("arm.gif"), out.join("contact-sheet.png"));
+    let mut film = film::Gif::create(&gif, size, &palette(&pictures))?;
+    for picture in &pictures {
+        film.add(picture.pixels())?;
+    }
+    film.finish()?;
+    let count = pictures.len();
+    let shown = count.min(12);
+    // Evenly spread: as many of the multiples of `shown`, modulo `count`, lie below `shown`.
+    let sample = pictures.into_iter().enumerate().filter(|(i, _)| i * shown % count < shown);
+    film::write_sheet(&sheet, size, &sample.map(|(_, picture)| picture).collect::<Vec<_>>())?;
+    println!("{}", gif.display());
+    println!("{}", sheet.display());
+    let Statistics { drawn, culled, clipped, outside, degenerate } = total;
+    println!(
+        "{} nodes; {frames} frames: {drawn} faces drawn, {culled} culled, {clipped} clipped, {outside} outside, \
+         {degenerate} degenerate",
+        robot.nodes().len(),
+    );
+    Ok(())
+}
+
+/// In front of the robot, to its right and above.
+fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
+    let viewing = Viewing::look_at(
+        Point3::from_f32(6.4, 4.2, 4.9)?,
+        Point3::from_f32(0.25, 1.2, 0.15)?,
+        Vector3::from_ints(0, 1, 0),
+    )?;
+    let projection =
+        Projection::perspective(Angle::degrees(34), size, Scalar::from_num(2), Scalar::from_num(20))?;
+    Ok(Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?))
+}
+
+/// Floor, shadow, path, robot: in this order nothing hides what it should not, but for the path, which the robot
+/// always covers.
+fn draw(
+    robot: &Hierarchy<'_>,
+    path: &[[Scalar; 3]],
+    camera: &Camera,
+    canvas: &mut Canvas<Rgb565>,
+) -> Result<Statistics, Box<dyn Error>> {
+    let (drum, beam) = (meshes::drum()?, meshes::beam()?);
+    let mesh = |form: Form| match form {
+        Form::Drum => &drum,
+        Form::Beam => &beam,
+    };
+    let towards_light = Vector3::from_ints(1, 4, 3);
+
+    let floor = meshes::floor()?;
+    let floor = camera.place(&floor, &Affine::identity());
+    floor.solid(|_| FLOOR, &mut [], canvas)?;
+    // Along the light onto y = 0.
+    let flat = Affine::<World, World>::from_frame(
+        Vector3::from_ints(1, 0, 0),
+        Vector3::from_f32(-0.25, 0.0, -0.75)?,
+        Vector3::from_ints(0, 0, 1),
+        Point3::from_ints(0, 0, 0),
+    );
+    for part in robot::parts(robot) {
+        let shadow = camera.place(mesh(part.form), &part.place.then(&flat)).with_cull(Cull::None);
+        shadow.solid(|_| SHADOW, &mut [], canvas)?;
+    }
+    floor.wireframe(GRID, &mut [], canvas)?;
+
+    let path = Mesh::from_fixed(path, &[])?;
+    camera.place(&path, &Affine::identity()).polyline(PATH, canvas)?;
+
+    let mut painter = Painter::<Rgb565, 512, 512>::new();
+    let mut statistics = Statistics::default();
+    for part in robot::parts(robot) {
+        let mesh = mesh(part.form);
+        let light = Lambert::new(&part.place, towards_light, 72)?;
+        let colour = match part.paint {
+            Paint::Steel => STEEL,
+            Paint::Orange => ORANGE,
+            Paint::Rubber => RUBBER,
+        };
+        // In steps of 8, so that a palette holds all colours.
+        let shade = |face: usize| colour.dim(light.level(mesh.normals()[face]) & !7);
+        painter.add(&camera.place(mesh, &part.place), shade)?;
+        if part.carries {
+            // Its large faces would not sort well among the small ones above them.
+            statistics = statistics.and(painter.draw(canvas)?);
+        }
+    }
+    Ok(statistics.and(painter.draw(canvas)?))
+}
+
+/// Every colour of the frames.
+fn palette(pictures: &[Canvas<Rgb565>]) -> Vec<Rgb565> {
+    let colours: BTreeMap<_, _> =
+        pictures.iter().flat_map(Canvas::pixels).map(|&c| (c.into_storage(), c)).collect();
+    colours.into_values().collect()
+}

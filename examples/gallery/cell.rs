@@ -1,0 +1,163 @@
+//! One view drawn into one cell.
+
+use crate::canvas::Canvas;
+use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, NORMALS, SIDES, VERTICES};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
+use pinhole::raster::area;
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Camera, Corner, Dim, Lambert, Mesh, Painter, VanishingPoint, Vector3, Viewport};
+use std::error::Error;
+
+pub(crate) const PAPER: Rgb888 = Rgb888::new(255, 254, 250);
+pub(crate) const INK: Rgb888 = Rgb888::new(38, 42, 52);
+/// x, y, z.
+pub(crate) const AXES: [Rgb888; 3] =
+    [Rgb888::new(206, 50, 44), Rgb888::new(24, 138, 64), Rgb888::new(44, 84, 206)];
+pub(crate) const MARKED: Rgb888 = Rgb888::new(255, 210, 92);
+const WALL: Rgb888 = Rgb888::new(240, 234, 222);
+const ROOF: Rgb888 = Rgb888::new(226, 146, 118);
+const FLOOR: Rgb888 = Rgb888::new(190, 198, 208);
+
+/// Draws the house as this camera sees it.
+pub(crate) fn draw(
+    camera: &Camera,
+    viewport: &Viewport,
+    sheet: &mut Canvas<Rgb888>,
+) -> Result<(), Box<dyn Error>> {
+    let model = Affine::<Model, World>::identity();
+    let house = camera.place(&HOUSE, &model);
+    let points: Vec<_> = (0..VERTICES.len()).map(|i| house.project(i).map(|(point, _)| point)).collect();
+    let seen = |side: Side| {
+        FACES.iter().zip(SIDES).any(|(face, of)| {
+            let corners = face.map(|i| points[usize::from(i)]);
+            let whole = corners.iter().copied().collect::<Option<Vec<_>>>();
+            of == side && whole.is_some_and(|p| area(&[p[0], p[1], p[2]]) > 0)
+        })
+    };
+    let cell = Rectangle::new(viewport.top_left(), viewport.size());
+
+    for (axis, point) in camera.vanishing_points().into_iter().enumerate() {
+        if let Some(point) = point {
+            rays(axis, &point, &points, &mut sheet.clipped(&cell))?;
+        }
+    }
+
+    let light = Lambert::new(&model, Vector3::from_ints(3, 5, 6), 176)?;
+    let mut painter = Painter::<Rgb888, 64, 64>::new();
+    painter.add(&house, |face| {
+        let colour = match SIDES[face] {
+            Side::Front => MARKED,
+            Side::Floor => FLOOR,
+            Side::RoofLeft | Side::RoofRight => ROOF,
+            Side::Back | Side::Left | Side::Right => WALL,
+        };
+        colour.dim(light.level(NORMALS[face]))
+    })?;
+    painter.draw(sheet)?;
+
+    let mut edges = |list: &[[u16; 2]], colour: Rgb888, dashed: bool| -> Result<(), Box<dyn Error>> {
+        let mesh = Mesh::new(&VERTICES, EXPONENT, &[])?.with_edges(list)?;
+        let placed = camera.place(&mesh, &model);
+        let mut cache = [Corner::default(); VERTICES.len()];
+        if dashed {
+            placed.wireframe(colour, &mut cache, &mut Dashed { target: sheet, on: 2, off: 2, at: 0 })?;
+        } else {
+            placed.wireframe(colour, &mut cache, sheet)?;
+        }
+        Ok(())
+    };
+    // The edges that leave the origin have their axis's colour.
+    let colour = |edge: usize| AXES.get(edge).copied().unwrap_or(INK);
+    let visible = |[a, b]: [Side; 2]| seen(a) || seen(b);
+    for hidden in [true, false] {
+        for (i, &(ends, sides)) in EDGES.iter().enumerate().rev() {
+            if visible(sides) != hidden {
+                edges(&[ends], colour(i), hidden)?;
+            }
+        }
+    }
+    let drawn: Vec<_> = DRAWN.iter().filter(|&&(_, side)| seen(side)).map(|&(ends, _)| ends).collect();
+    edges(&drawn, INK, false)?;
+
+    for (axis, point) in camera.vanishing_points().into_iter().enumerate() {
+        if let Some(point) = point {
+            mark(place(&point), AXES[axis], &mut sheet.clipped(&cell))?;
+        }
+    }
+    Ok(())
+}
+
+fn place(point: &VanishingPoint) -> Point {
+    Point::new(point.x >> 8, point.y >> 8)
+}
+
+/// The vanishing point itself.
+pub(crate) fn mark<D: DrawTarget<Color = Rgb888>>(
+    at: Point,
+    colour: Rgb888,
+    target: &mut D,
+) -> Result<(), D::Error> {
+    Circle::with_center(at, 7).into_styled(PrimitiveStyle::with_stroke(colour, 1)).draw(target)?;
+    Pixel(at, colour).draw(target)
+}
+
+/// The way from each edge along an axis to the vanishing point.
+fn rays<D: DrawTarget<Color = Rgb888>>(
+    axis: usize,
+    vanishing: &VanishingPoint,
+    points: &[Option<pinhole::raster::ScreenPoint>],
+    target: &mut D,
+) -> Result<(), D::Error> {
+    // Farther away the rays of a cell would be as good as parallel.
+    const FARTHEST: i32 = 8192 * 256;
+    if vanishing.x.abs() > FARTHEST || vanishing.y.abs() > FARTHEST {
+        return Ok(());
+    }
+    let target = &mut Dashed { target, on: 1, off: 2, at: 0 };
+    for ([a, b], _) in EDGES {
+        let ends = [a, b].map(usize::from);
+        let along = ends.map(|i| VERTICES[i]);
+        let moved: Vec<_> = (0..3).filter(|&i| along[0][i] != along[1][i]).collect();
+        let [Some(from), Some(to)] = ends.map(|i| points[i]) else { continue };
+        if moved != [axis] {
+            continue;
+        }
+        let away = |p: pinhole::raster::ScreenPoint| {
+            i64::from(p.x() - vanishing.x).pow(2) + i64::from(p.y() - vanishing.y).pow(2)
+        };
+        let start = if away(from) < away(to) { from } else { to }.pixel();
+        Line::new(Point::new(start.x.into(), start.y.into()), place(vanishing))
+            .into_styled(PrimitiveStyle::with_stroke(AXES[axis], 1))
+            .draw(target)?;
+    }
+    Ok(())
+}
+
+/// A target that shows `on` pixels of a line and leaves `off` out, in turn.
+pub(crate) struct Dashed<'t, D> {
+    pub(crate) target: &'t mut D,
+    pub(crate) on: u32,
+    pub(crate) off: u32,
+    pub(crate) at: u32,
+}
+
+impl<D: DrawTarget> DrawTarget for Dashed<'_, D> {
+    type Color = D::Color;
+    type Error = D::Error;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<D::Color>>>(&mut self, pixels: I) -> Result<(), D::Error> {
+        let (on, off, at) = (self.on, self.off, &mut self.at);
+        self.target.draw_iter(pixels.into_iter().filter(|_| {
+            *at = (*at + 1) % (on + off);
+            *at < on
+        }))
+    }
+}
+
+impl<D: Dimensions> Dimensions for Dashed<'_, D> {
+    fn bounding_box(&self) -> Rectangle {
+        self.target.bounding_box()
+    }
+}

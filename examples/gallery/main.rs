@@ -1,0 +1,149 @@
+//! The same house under every projection that has a name, on one contact sheet with its vanishing points:
+//!
+//! ```text
+//! cargo run --release --example gallery -- --help
+//! ```
+
+#[path = "../common/canvas.rs"]
+mod canvas;
+mod cell;
+mod house;
+#[path = "../common/still.rs"]
+mod still;
+mod views;
+
+use canvas::Canvas;
+use clap::Parser;
+use embedded_graphics::mono_font::iso_8859_1::{FONT_5X8, FONT_6X10};
+use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
+use embedded_graphics::text::{Baseline, Text};
+use pinhole::{Camera, Viewport};
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+const BACKGROUND: Rgb888 = Rgb888::new(233, 230, 222);
+const FAINT: Rgb888 = Rgb888::new(110, 108, 104);
+
+/// Width and height of a picture, and the space between two.
+const PICTURE: u32 = 160;
+const GAP: u32 = 8;
+const CAPTION: u32 = 34;
+const COLUMNS: u32 = 6;
+
+/// Draw a house under every named projection: a contact sheet
+#[derive(Parser)]
+struct Arguments {
+    /// The picture
+    #[arg(long, value_name = "FILE", default_value = "docs/projections.png")]
+    out: PathBuf,
+    /// Write nothing; exit code 1 if the file is not what would be written
+    #[arg(long)]
+    check: bool,
+}
+
+fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(help) if help.exit_code() == 0 => help.exit(),
+        Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),
+    };
+    let picture = match sheet() {
+        Ok(picture) => picture,
+        Err(error) => return refuse(&error.to_string()),
+    };
+    let out = arguments.out.display();
+    if arguments.check {
+        return match std::fs::read(&arguments.out) {
+            Ok(file) if file == picture => ExitCode::SUCCESS,
+            Ok(_) => {
+                eprintln!("{out}: not current: run cargo run --release --example gallery -- --out {out}");
+                ExitCode::from(1)
+            }
+            Err(error) => refuse(&format!("{out}: cannot be read: {error}")),
+        };
+    }
+    match std::fs::write(&arguments.out, picture) {
+        Ok(()) => {
+            println!("{out}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => refuse(&format!("{out}: cannot be written: {error}")),
+    }
+}
+
+/// One line that says what is wrong with what the user gave.
+fn refuse(problem: &str) -> ExitCode {
+    eprintln!("{problem}");
+    ExitCode::from(2)
+}
+
+/// All the cells as a PNG file.
+fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
+    let picture = Size::new_equal(PICTURE);
+    let views = views::all(picture)?;
+    let cells = u32::try_from(views.len())? + 1; // the last one explains
+    let step = Size::new(PICTURE + GAP, PICTURE + CAPTION + GAP);
+    let rows = cells.div_ceil(COLUMNS);
+    let size = Size::new(COLUMNS * step.width + GAP, rows * step.height + GAP);
+    let mut sheet = Canvas::new(size, BACKGROUND);
+    let corner = |index: u32| {
+        let (column, row) = (index % COLUMNS, index / COLUMNS);
+        Point::new_equal(GAP as i32) + Point::new((column * step.width) as i32, (row * step.height) as i32)
+    };
+    for (index, view) in (0..).zip(&views) {
+        let corner = corner(index);
+        sheet.fill_solid(&Rectangle::new(corner, picture), cell::PAPER)?;
+        let viewport = Viewport::new(corner, picture)?;
+        let camera = Camera::new(&view.viewing, &view.projection, &viewport);
+        cell::draw(&camera, &viewport, &mut sheet)?;
+        let below = corner + Point::new(0, PICTURE as i32 + 3);
+        write(view.name, below, &FONT_6X10, cell::INK, &mut sheet)?;
+        for (line, details) in (0..).zip(view.details) {
+            write(details, below + Point::new(0, 12 + 9 * line), &FONT_5X8, FAINT, &mut sheet)?;
+        }
+    }
+    legend(corner(cells - 1), &mut sheet)?;
+    still::png(size, sheet.pixels())
+}
+
+/// What the lines mean.
+fn legend(corner: Point, sheet: &mut Canvas<Rgb888>) -> Result<(), Box<dyn Error>> {
+    let line = |row: i32| corner + Point::new(4, 8 + 14 * row);
+    let middle = |row: i32| (line(row) + Point::new(0, 5), line(row) + Point::new(20, 5));
+    let words = Point::new(28, 0);
+    write("pinhole: one house,", line(0), &FONT_6X10, cell::INK, sheet)?;
+    write("every projection", line(1), &FONT_6X10, cell::INK, sheet)?;
+    let axes = ["edge on the x axis", "edge on the y axis", "edge on the z axis"];
+    for (row, (name, colour)) in (3..).zip(axes.into_iter().zip(cell::AXES)) {
+        let (from, to) = middle(row);
+        Line::new(from, to).into_styled(PrimitiveStyle::with_stroke(colour, 1)).draw(sheet)?;
+        write(name, line(row) + words, &FONT_6X10, cell::INK, sheet)?;
+    }
+    let rest = [("hidden edge", 2, 2), ("on to where they meet", 1, 2)];
+    for (row, (name, on, off)) in (6..).zip(rest) {
+        let (from, to) = middle(row);
+        let mut dashed = cell::Dashed { target: sheet, on, off, at: 0 };
+        Line::new(from, to).into_styled(PrimitiveStyle::with_stroke(cell::INK, 1)).draw(&mut dashed)?;
+        write(name, line(row) + words, &FONT_6X10, cell::INK, sheet)?;
+    }
+    cell::mark(line(8) + Point::new(10, 5), cell::INK, sheet)?;
+    write("vanishing point", line(8) + words, &FONT_6X10, cell::INK, sheet)?;
+    sheet.fill_solid(&Rectangle::new(line(9) + Point::new(4, 0), Size::new(12, 10)), cell::MARKED)?;
+    write("the front, z = 0", line(9) + words, &FONT_6X10, cell::INK, sheet)?;
+    Ok(())
+}
+
+fn write(
+    text: &str,
+    at: Point,
+    font: &MonoFont<'_>,
+    colour: Rgb888,
+    sheet: &mut Canvas<Rgb888>,
+) -> Result<(), Box<dyn Error>> {
+    Text::with_baseline(text, at, MonoTextStyle::new(font, colour), Baseline::Top).draw(sheet)?;
+    Ok(())
+}
