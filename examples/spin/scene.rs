@@ -53,8 +53,4 @@ impl<'m> Turntable<'m> {
     pub(crate) fn place(&self, model: &Affine<Model, World>) -> Placed<'m> {
         self.camera.place(&self.mesh, model)
     }
-
-    pub(crate) fn mesh(&self) -> Mesh<'m> {
-        self.mesh
-    }
 }
