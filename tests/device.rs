@@ -9,6 +9,7 @@ mod show;
 use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// QEMU needs a second or two; more than this means that the firmware hangs.
@@ -62,7 +63,11 @@ fn host() -> Vec<String> {
 /// `hello`, built for one target.
 struct Firmware {
     target: &'static str,
+    /// One at a time, or a run would have to wait for another one's build and seem to hang.
+    _turn: MutexGuard<'static, ()>,
 }
+
+static TURN: Mutex<()> = Mutex::new(());
 
 impl Firmware {
     /// None if the tools for it are missing.
@@ -70,9 +75,10 @@ impl Firmware {
         let check = Command::new("bash").args(["tools/cross", "--check", target]).current_dir(ROOT).output();
         let lacking = match check {
             Ok(check) if check.status.success() => {
+                let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
                 let build = cargo("build", target).output().expect("bash ran a moment ago");
                 assert!(build.status.success(), "{}", String::from_utf8_lossy(&build.stderr));
-                return Some(Self { target });
+                return Some(Self { target, _turn: turn });
             }
             Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
             Err(error) => format!("bash: {error}\n"),

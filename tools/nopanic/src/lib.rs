@@ -3,13 +3,19 @@
 //!
 //! An entry is not fit to be called; it only has to be compiled. With panic = "unwind" (clippy and the like) the crate is
 //! an ordinary one, for there a panic handler of its own would need more than stable Rust has.
+//!
+//! With the feature `provoke` the only entry is one that can panic, by which `check` tests itself.
 #![cfg_attr(panic = "abort", no_std)]
 
 #[path = "../../../examples/show/canvas.rs"]
 #[allow(dead_code)] // entries are given their canvas
+#[cfg(not(feature = "provoke"))]
 mod canvas;
+#[cfg(not(feature = "provoke"))]
 mod draw;
+#[cfg(not(feature = "provoke"))]
 mod set_up;
+#[cfg(not(feature = "provoke"))]
 mod targets;
 
 #[cfg(panic = "abort")]
@@ -22,12 +28,12 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     unsafe { pinhole_panic_is_reachable() }
 }
 
+#[cfg(not(feature = "provoke"))]
 unsafe extern "Rust" {
     /// A number of which nothing is known. It exists nowhere either.
     safe fn any() -> i32;
 }
 
-/// The path to a panic by which `check` tests itself.
 #[cfg(feature = "provoke")]
 #[unsafe(no_mangle)]
 fn entry_provoke(list: &[u32], index: usize) -> u32 {
