@@ -147,7 +147,7 @@ struct Figures {
     vertices: usize,
     worst: f64,
     depth: f64,
-    /// The largest part of the budget that was used, in 2⁻³⁰.
+    /// The largest part of the budget that was used.
     budget: f64,
 }
 
@@ -205,6 +205,45 @@ fn case(rng: &mut Rng, kind: Kind, reach: Reach) -> Option<Case> {
     model.0.push(Step::Move(bits(core::array::from_fn(|i| world[i] - first[i]))?));
     let viewport = ([0, 0, -17, 100][rng.below(4)], [0, 0, 33, -200][rng.below(4)]);
     Some(Case { view, family, projection, picture, viewport, model, vertices, exponent })
+}
+
+/// The error budget without its constant, in px: what the projection's linear forms make of half
+/// extent + distance from the VRP, over w, and what the guard band makes of w's.
+fn budget(picture: &Picture, at: V3, extent: f64) -> f64 {
+    let reach = extent + length(at);
+    let w = picture.distance(at[2]);
+    let (w_row, centre) = match picture.projectors {
+        Projectors::From(c) => (reach + c[2].abs(), c),
+        Projectors::Along(_) => (1.0, [0.0; 3]),
+    };
+    // x·w and y·w are linear: their coefficients from their values at four points.
+    let form = |axis: usize, p: V3| picture.ndc(p)[axis] * picture.distance(p[2]);
+    let row = |axis: usize| {
+        // Any four points about a place that has an image.
+        let o = [centre[0], centre[1], centre[2] - 1.0];
+        let constant = form(axis, o);
+        let slopes: V3 = core::array::from_fn(|i| {
+            let mut p = o;
+            p[i] -= 1.0;
+            constant - form(axis, p)
+        });
+        let at_zero = constant - chain::dot(slopes, o);
+        slopes.iter().map(|m| m.abs()).sum::<f64>() * reach + at_zero.abs()
+    };
+    let ndc = picture.ndc(at);
+    let part = |axis: usize, size: f64| size / 2.0 * (row(axis) + ndc[axis].abs() * w_row) / w;
+    8192.0 * w_row / w + part(0, WIDTH).max(part(1, HEIGHT))
+}
+
+/// The same of depth, in steps.
+fn depth_budget(picture: &Picture, at: V3, extent: f64) -> f64 {
+    let thick = picture.front - picture.back;
+    let slope = picture.distance(picture.back) / thick;
+    65535.0 * slope * (extent + length(at) + picture.front.abs() + thick) / picture.distance(at[2])
+}
+
+fn near_degenerate(reach: Reach) -> bool {
+    reach.focal > 700.0 || reach.off_axis > 1.0 || reach.slant > 2.0 || reach.ratio > 300.0
 }
 
 fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -> f64) -> Figures {
@@ -266,11 +305,14 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
                 panic!("{door}: dropped at ({x}, {y}), view {at:?}: {:?} {:?}", c.view, c.family);
             };
             f.vertices += 1;
+            let budget = budget(&c.picture, at, extent);
             let error = (f64::from(gx) / 256.0 - x).abs().max((f64::from(gy) / 256.0 - y).abs());
             f.worst = f.worst.max(error);
+            f.budget = f.budget.max((error - 1.0 / 512.0 - 2.5e-6) / budget);
             assert!(
-                error <= bound(ratio),
-                "{door}: {error} px off at ({x}, {y}), view {at:?}, ratio {ratio}: {:?} {:?} {:?}",
+                error <= bound(budget),
+                "{door}: {error} px off at ({x}, {y}), view {at:?}, ratio {ratio}, budget {:.2}·2⁻³⁰: {:?} {:?} {:?}",
+                (error - 1.0 / 512.0 - 2.5e-6) / budget * 2f64.powi(30),
                 c.view,
                 c.family,
                 c.model
@@ -278,8 +320,13 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
             let exact_depth = c.picture.depth(at);
             let steps = (f64::from(depth) - exact_depth.clamp(0.0, 65534.0).round()).abs();
             f.depth = f.depth.max(steps);
+            let allowed = if near_degenerate(reach) {
+                1.0 + 8.0 * 2f64.powi(-30) * depth_budget(&c.picture, at, extent)
+            } else {
+                1.0
+            };
             assert!(
-                steps <= 1.0 || ratio > 300.0,
+                steps <= allowed,
                 "{door}: depth {depth} instead of {exact_depth}, ratio {ratio}, view {at:?}: {:?} {:?} {:?}",
                 c.view,
                 c.family,
@@ -300,14 +347,15 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
         }
     }
     println!(
-        "{kind:?}: {} set-ups, {} vertices: {:.7} px, beyond the snap {:.2e} px; depth {} steps",
+        "{kind:?}: {} set-ups, {} vertices: {:.7} px, beyond the snap {:.2e} px; depth {} steps; {:.2}·2⁻³⁰ of the budget",
         f.setups,
         f.vertices,
         f.worst,
         f.worst - 1.0 / 512.0,
-        f.depth
+        f.depth,
+        f.budget * 2f64.powi(30)
     );
-    assert!(f.vertices >= setups, "{f:?}");
+    assert!(f.vertices >= setups / 5, "{f:?}");
     f
 }
 
@@ -331,4 +379,37 @@ plain! {
     s4_planar_origin_in_plane OriginInPlane 0xF7
     s4_planar_general General 0xF8
     s4_planar_general_parallel GeneralParallel 0xF9
+}
+
+const KINDS: [Kind; 10] = [
+    Kind::FieldOfView,
+    Kind::Frustum,
+    Kind::Orthographic,
+    Kind::Oblique,
+    Kind::Reference,
+    Kind::ReferenceParallel,
+    Kind::EyeAtOrigin,
+    Kind::OriginInPlane,
+    Kind::General,
+    Kind::GeneralParallel,
+];
+
+/// Long focal lengths, windows far off the axis, slants near the view plane, large ratios.
+#[test]
+fn s4_near_degenerate_ones_follow_the_error_budget() {
+    for (k, reach) in [
+        Reach { focal: 100_000.0, ..PLAIN },
+        Reach { off_axis: 100.0, ..PLAIN },
+        Reach { slant: 100.0, ..PLAIN },
+        Reach { ratio: 1e5, ..PLAIN },
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        for (j, kind) in KINDS.into_iter().enumerate() {
+            print!("{k} ");
+            let bound = |budget| 1.0 / 512.0 + 2.5e-6 + 8.0 * 2f64.powi(-30) * budget;
+            run(0x100 + 16 * k as u64 + j as u64, 5000, kind, reach, bound);
+        }
+    }
 }
