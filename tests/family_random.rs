@@ -67,9 +67,8 @@ fn family(rng: &mut Rng, kind: Kind, reach: Reach, distance: f64) -> Option<Fami
         let b = a + distance * rng.log(0.01, 3.0) + 0.001;
         [a, b].map(to_fx)
     };
-    let parallel = |rng: &mut Rng, at| {
-        window(rng, reach, at, WIDTH * distance / fx_px, HEIGHT * distance / fy_px)
-    };
+    let parallel =
+        |rng: &mut Rng, at| window(rng, reach, at, WIDTH * distance / fx_px, HEIGHT * distance / fy_px);
     // The window on a plane that lies so far before the centre.
     let central = |rng: &mut Rng, at, d: f64| window(rng, reach, at, WIDTH * d / fx_px, HEIGHT * d / fy_px);
     Some(match kind {
@@ -182,9 +181,8 @@ fn case(rng: &mut Rng, kind: Kind, reach: Reach) -> Option<Case> {
     };
     let view = random_view(rng);
     let exact = view.exact();
-    let world: V3 = core::array::from_fn(|i| {
-        exact.eye[i] + (0..3).map(|k| exact.rows[k][i] * at[k]).sum::<f64>()
-    });
+    let world: V3 =
+        core::array::from_fn(|i| exact.eye[i] + (0..3).map(|k| exact.rows[k][i] * at[k]).sum::<f64>());
     if world.iter().any(|c| c.abs() > 32000.0) {
         return None;
     }

@@ -120,8 +120,7 @@ impl Family {
                 Projection::oblique(window(w), scalar(n), scalar(f), Angle::from_bits(angle), scalar(factor))
             }
             Self::Reference(p, w, front, back) => {
-                let volume =
-                    ReferenceVolume::perspective(point(p), window(w), scalar(front), scalar(back))?;
+                let volume = ReferenceVolume::perspective(point(p), window(w), scalar(front), scalar(back))?;
                 Ok(Projection::from_reference(&volume))
             }
             Self::ReferenceParallel(p, w, front, back) => {
@@ -161,9 +160,7 @@ impl Family {
                 let slant = Projectors::Along([fx(factor) * c, fx(factor) * s, 1.0]);
                 make(slant, 0.0, w, -fx(n), -fx(f))
             }
-            Self::Reference(p, w, front, back) => {
-                make(Projectors::From(fx3(p)), 0.0, w, fx(front), fx(back))
-            }
+            Self::Reference(p, w, front, back) => make(Projectors::From(fx3(p)), 0.0, w, fx(front), fx(back)),
             Self::ReferenceParallel(p, w, front, back) => {
                 let [x, y, n] = fx3(p);
                 let [l, r, b, t] = w.map(fx);
