@@ -185,7 +185,8 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::EmptyWindow`], [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar),
+    /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),
+    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar),
     /// [`NearNotPositive`](ProjectionError::NearNotPositive) where near or far lies behind the
     /// centre of projection, and [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
     pub fn from_planar(
@@ -198,7 +199,11 @@ impl Projection {
         let form = |image: &Row, low: Scalar, high: Scalar| {
             let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
-            Ok(image.combined(ratio(2 << 16, extent), w, ratio(-sum, extent)))
+            let row = image.combined(ratio(2 << 16, extent), w, ratio(-sum, extent));
+            if row.offset.abs() >= SATURATED {
+                return Err(ProjectionError::WindowTooSmall);
+            }
+            Ok(row)
         };
         let x = form(x, window.left, window.right)?;
         let y = form(y, window.bottom, window.top)?;

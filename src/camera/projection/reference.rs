@@ -2,7 +2,7 @@
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
-use crate::math::num::{mul_translation, scale};
+use crate::math::num::{mul_translation, scale, SATURATED};
 use crate::math::{to_scalar, Point3, Row, Scalar};
 use crate::space::{Canonical, View};
 
@@ -58,6 +58,7 @@ impl ReferenceVolume {
     /// # Errors
     ///
     /// [`ProjectionError::ReferenceBehindPlane`], [`EmptyWindow`](ProjectionError::EmptyWindow),
+    /// [`WindowTooSmall`](ProjectionError::WindowTooSmall),
     /// [`NearNotPositive`](ProjectionError::NearNotPositive) where front is not before the PRP,
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
     /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
@@ -77,7 +78,7 @@ impl ReferenceVolume {
         let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
             let sheared = sheared(axis, p, pn, low, high)?;
             // 2·pn/extent brings the window's border to 45°.
-            Ok(sheared.0.times(ratio(2 * pn, sheared.1)))
+            whole(sheared.0.times(ratio(2 * pn, sheared.1)))
         };
         let x = form(0, px, window.left, window.right)?;
         let y = form(1, py, window.bottom, window.top)?;
@@ -108,7 +109,7 @@ impl ReferenceVolume {
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
         let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
             let (sheared, extent) = sheared(axis, p, pn, low, high)?;
-            Ok(sheared.times(ratio(2 << 16, extent)))
+            whole(sheared.times(ratio(2 << 16, extent)))
         };
         let x = form(0, px, window.left, window.right)?;
         let y = form(1, py, window.bottom, window.top)?;
@@ -154,6 +155,14 @@ fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(R
     let slope = ratio(sum - 2 * p, 2 * pn.unsigned_abs());
     let straight = row(axis, (1, 0), -(sum << 15));
     Ok((straight.combined(ONE, &row(2, slope, 0), ONE), extent))
+}
+
+/// The row, unless its constant was saturated.
+fn whole(row: Row) -> Result<Row, ProjectionError> {
+    if row.offset.abs() >= SATURATED {
+        return Err(ProjectionError::WindowTooSmall);
+    }
+    Ok(row)
 }
 
 impl Projection {
