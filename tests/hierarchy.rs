@@ -180,6 +180,7 @@ fn s2_what_accumulated_matrices_cost() {
     let off = (p[1].atan2(p[0]) - wanted).to_degrees().rem_euclid(360.0);
     let off = if off > 180.0 { off - 360.0 } else { off };
     println!("accumulated: length {length:.9}, angle off by {off:.6}°");
-    assert_eq!(p, p);
-    assert!((length - 1.0).abs() > 1e-7 || off.abs() > 1e-6, "if it costs nothing the docs are wrong");
+    // The documented figures: stretched by 0.037 %, 0.057° behind.
+    assert!((length - 1.000_37).abs() < 1e-5, "{length}");
+    assert!((off + 0.057).abs() < 1e-3, "{off}");
 }
