@@ -127,7 +127,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Ok(Self::about(linear, through))
     }
 
-    /// The rotation that a quaternion describes. Coefficients within 2⁻²⁸.
+    /// The rotation that a quaternion describes. Coefficients within 2⁻²⁷.
     /// (Shoemake, *Animating rotation with quaternion curves*, 1985.)
     pub fn from_quaternion(quaternion: Quaternion) -> Self {
         let [w, x, y, z] = quaternion.parts().map(i64::from);
