@@ -66,8 +66,8 @@ fn s2_rotation_about_any_axis_is_align_rotate_undo() {
         let axis = random_axis(&mut rng);
         let through = [0; 3].map(|_| rng.int(-500 * i64::from(ONE), 500 * i64::from(ONE)) as i32);
         let angle = if rng.one_in(5) { (rng.bits() >> 30) << 30 } else { rng.bits() };
-        let direct =
-            Affine::<Model, World>::rotation(point(through), vector(axis), Angle::from_bits(angle)).expect("an axis");
+        let direct = Affine::<Model, World>::rotation(point(through), vector(axis), Angle::from_bits(angle))
+            .expect("an axis");
         // The formula, in f64.
         let exact = rodrigues(fx3(axis), angle);
         let away: V3 = core::array::from_fn(|i| fx(through[i]) - dot(exact[i], fx3(through)));
@@ -88,7 +88,11 @@ fn s2_rotation_about_any_axis_is_align_rotate_undo() {
         let composition = matmul3(&frame, &matmul3(&about_z, &undo));
         composed = composed.max(worst(&m, &composition));
     }
-    println!("rotation: within 2^{:.2} of the formula, 2^{:.2} of the composition", linear.log2(), composed.log2());
+    println!(
+        "rotation: within 2^{:.2} of the formula, 2^{:.2} of the composition",
+        linear.log2(),
+        composed.log2()
+    );
     // Reading off costs 2⁻³¹.
     assert!(linear <= 2f64.powi(-28) + 2f64.powi(-31), "2^{}", linear.log2());
     assert!(composed <= 2f64.powi(-28) + 2f64.powi(-31), "2^{}", composed.log2());
@@ -221,7 +225,8 @@ fn s2_general_inverse_is_f64s_and_the_way_back() {
             continue;
         }
         let again = reals(inverse.apply(there));
-        let room = 0.51 / 65536.0 * (1.0 + 3.0 * largest) + 400.0 * condition * largest * 2f64.powi(-26) * 2.0 * size.max(1.0);
+        let room = 0.51 / 65536.0 * (1.0 + 3.0 * largest)
+            + 400.0 * condition * largest * 2f64.powi(-26) * 2.0 * size.max(1.0);
         for i in 0..3 {
             assert!((again[i] - fx(p[i])).abs() <= room, "{again:?} {p:?} {room}");
         }
@@ -239,7 +244,9 @@ fn read_back(a: &Affine<World, Model>, reach: f64) -> (M3, V3) {
 fn s2_singular_frames_are_an_error_on_the_right_side_of_the_bound() {
     let x = vector::<World>([ONE, 0, 0]);
     let y = vector([0, ONE, 0]);
-    let frame = |c: [i32; 3]| Affine::<Model, World>::from_frame(x, y, vector(c), point([0; 3])).inverse().map(|_| ());
+    let frame = |c: [i32; 3]| {
+        Affine::<Model, World>::from_frame(x, y, vector(c), point([0; 3])).inverse().map(|_| ())
+    };
     // c in the plane of a and b.
     assert_eq!(frame([ONE, ONE, 0]), Err(InverseError::Singular));
     assert_eq!(frame([0; 3]), Err(InverseError::Singular));
@@ -249,7 +256,9 @@ fn s2_singular_frames_are_an_error_on_the_right_side_of_the_bound() {
         // Columns of those rows, times 2³⁰.
         const P: i32 = 1 << 30;
         let (a, b, c) = ([P, 0, 0], [0, P, P], [0, P, P + h]);
-        Affine::<Model, World>::from_frame(vector(a), vector(b), vector(c), point([0; 3])).inverse().map(|_| ())
+        Affine::<Model, World>::from_frame(vector(a), vector(b), vector(c), point([0; 3]))
+            .inverse()
+            .map(|_| ())
     };
     // h/2 over 2³⁰ against 2⁻²⁴: 128 is the bound.
     for (h, wanted) in [(0, false), (1, false), (120, false), (136, true), (1000, true), (1 << 20, true)] {
@@ -268,7 +277,9 @@ fn s2_rigid_inverse_is_the_transpose() {
     for _ in 0..5000 {
         let axis = random_axis(&mut rng);
         let through = [0; 3].map(|_| rng.int(-500 * i64::from(ONE), 500 * i64::from(ONE)) as i32);
-        let there = Affine::<Model, World>::rotation(point(through), vector(axis), Angle::from_bits(rng.bits())).expect("an axis");
+        let there =
+            Affine::<Model, World>::rotation(point(through), vector(axis), Angle::from_bits(rng.bits()))
+                .expect("an axis");
         let back = there.rigid_inverse().expect("rigid");
         let (m, _) = read(&there, 16_000.0);
         let (r, _) = read_back(&back, 16_000.0);
@@ -280,7 +291,10 @@ fn s2_rigid_inverse_is_the_transpose() {
         let again = reals(back.apply(there.apply(point(p))));
         for i in 0..3 {
             // Half a unit at both ends; R·Rᵀ is the identity to 2⁻²⁷.
-            assert!((again[i] - fx(p[i])).abs() <= 1.5 / 65536.0 + 3000.0 * 2f64.powi(-27), "{again:?} {p:?}");
+            assert!(
+                (again[i] - fx(p[i])).abs() <= 1.5 / 65536.0 + 3000.0 * 2f64.powi(-27),
+                "{again:?} {p:?}"
+            );
         }
     }
     for (scale, rigid) in [(ONE, true), (ONE + 1, false), (2 * ONE, false), (ONE / 2, false), (-ONE, true)] {
@@ -288,7 +302,12 @@ fn s2_rigid_inverse_is_the_transpose() {
         assert_eq!(a, if rigid { Ok(()) } else { Err(InverseError::NotRigid) }, "{scale}");
     }
     // Row lengths to 2⁻²⁰: 2⁻¹⁶ is above it.
-    let sheared = Affine::<Model, World>::from_frame(vector([ONE, 0, 0]), vector([1, ONE, 0]), vector([0, 0, ONE]), point([0; 3]));
+    let sheared = Affine::<Model, World>::from_frame(
+        vector([ONE, 0, 0]),
+        vector([1, ONE, 0]),
+        vector([0, 0, ONE]),
+        point([0; 3]),
+    );
     assert_eq!(sheared.rigid_inverse().map(|_| ()), Err(InverseError::NotRigid));
 }
 
@@ -306,7 +325,8 @@ fn s2_normals_go_by_the_inverse_transpose() {
             continue;
         }
         compared += 1;
-        let map = Affine::<Model, World>::from_frame(vector(a), vector(b), vector(c), point([0; 3])).normals();
+        let map =
+            Affine::<Model, World>::from_frame(vector(a), vector(b), vector(c), point([0; 3])).normals();
         let n = normalise(rng.direction()).map(|c| (c * 32767.0).round() as i16);
         let back = inverse(&exact);
         let want = normalise(core::array::from_fn(|i| (0..3).map(|k| back[k][i] * f64::from(n[k])).sum()));
@@ -332,10 +352,16 @@ fn s2_composition_is_associative_and_reads_left_to_right() {
     let mut rng = Rng::new(0x206);
     for _ in 0..5000 {
         let mut any = || {
-            let turn = Affine::<World, World>::rotation(point([0; 3]), vector(random_axis(&mut rng)), Angle::from_bits(rng.bits()));
+            let turn = Affine::<World, World>::rotation(
+                point([0; 3]),
+                vector(random_axis(&mut rng)),
+                Angle::from_bits(rng.bits()),
+            );
             let s = rng.int(i64::from(ONE / 2), i64::from(2 * ONE)) as i32;
             let t = [0; 3].map(|_| rng.int(-50 * i64::from(ONE), 50 * i64::from(ONE)) as i32);
-            turn.expect("an axis").then(&Affine::<World, World>::scale(scalar(s))).then(&Affine::<World, World>::translation(vector(t)))
+            turn.expect("an axis")
+                .then(&Affine::<World, World>::scale(scalar(s)))
+                .then(&Affine::<World, World>::translation(vector(t)))
         };
         let (a, b, c) = (any(), any(), any());
         let p = point([0; 3].map(|_| rng.int(-50 * i64::from(ONE), 50 * i64::from(ONE)) as i32));
@@ -343,7 +369,10 @@ fn s2_composition_is_associative_and_reads_left_to_right() {
         let right = reals(a.then(&b.then(&c)).apply(p));
         let steps = reals(c.apply(b.apply(a.apply(p))));
         for i in 0..3 {
-            assert!((left[i] - right[i]).abs() <= 1.0 / 65536.0 + 1e-5 * 2f64.powi(-10), "{left:?} {right:?}");
+            assert!(
+                (left[i] - right[i]).abs() <= 1.0 / 65536.0 + 1e-5 * 2f64.powi(-10),
+                "{left:?} {right:?}"
+            );
             // Each step rounds its point; later scales of at most 2 enlarge that.
             assert!((left[i] - steps[i]).abs() <= 8.0 / 65536.0, "{left:?} {steps:?}");
         }

@@ -26,13 +26,20 @@ fn flat() -> CameraBits {
     }
 }
 
-fn draw(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent: i8, points: bool) -> (Recorder<Ink>, Statistics) {
+fn draw(
+    camera: &CameraBits,
+    model: &ModelBits,
+    vertices: &[[i16; 3]],
+    exponent: i8,
+    points: bool,
+) -> (Recorder<Ink>, Statistics) {
     let mesh = Mesh::new(vertices, exponent, &[]).expect("a mesh");
     let mut target = Recorder::sized(SIZE, SIZE);
     let placed_model = model.library();
     let library = camera.library();
     let placed = library.place(&mesh, &placed_model);
-    let statistics = if points { placed.points(Ink(1), &mut target) } else { placed.polyline(Ink(1), &mut target) };
+    let statistics =
+        if points { placed.points(Ink(1), &mut target) } else { placed.polyline(Ink(1), &mut target) };
     assert_eq!(target.outside, 0);
     (target, statistics.expect("no error"))
 }
@@ -114,8 +121,9 @@ fn random_paths_are_the_union_of_their_lines() {
     let mut rng = Rng::new(0x71);
     for _ in 0..3000 {
         let reach = [8, 30, 200][rng.below(3)];
-        let mut path: Vec<(i64, i64)> =
-            (0..2 + rng.below(8)).map(|_| (32 + rng.int(-reach, reach), 32 + rng.int(-reach, reach))).collect();
+        let mut path: Vec<(i64, i64)> = (0..2 + rng.below(8))
+            .map(|_| (32 + rng.int(-reach, reach), 32 + rng.int(-reach, reach)))
+            .collect();
         if rng.one_in(3) {
             path.push(path[0]);
         }
@@ -198,7 +206,8 @@ fn paths_through_the_near_plane_are_cut_there() {
         let mut sure = true;
         let (mut drawn, mut clipped, mut outside) = (0, 0, 0);
         for pair in vertices.windows(2) {
-            let [mut a, mut b] = [pair[0], pair[1]].map(|v| exact.clip(&chain::IDENTITY, chain::vertex(v, -8)));
+            let [mut a, mut b] =
+                [pair[0], pair[1]].map(|v| exact.clip(&chain::IDENTITY, chain::vertex(v, -8)));
             let near = |p: [f64; 4]| p[2] + p[3];
             let (da, db) = (near(a), near(b));
             sure &= da.abs() > 1e-6 && db.abs() > 1e-6;
@@ -206,7 +215,8 @@ fn paths_through_the_near_plane_are_cut_there() {
                 outside += 1;
                 continue;
             }
-            let between = |p: [f64; 4], q: [f64; 4], t: f64| core::array::from_fn(|i| p[i] + (q[i] - p[i]) * t);
+            let between =
+                |p: [f64; 4], q: [f64; 4], t: f64| core::array::from_fn(|i| p[i] + (q[i] - p[i]) * t);
             if da < 0.0 {
                 a = between(b, a, db / (db - da));
             } else if db < 0.0 {
@@ -220,16 +230,24 @@ fn paths_through_the_near_plane_are_cut_there() {
                 sure &= (c - c.round()).abs() > 0.008 && c.abs() < 8000.0;
             }
             let pixel = |p: (f64, f64)| (p.0.floor() as i64, p.1.floor() as i64);
-            union.extend(line::clipped(pixel(ends[0]), pixel(ends[1]), Area::new(0, 0, SIZE.into(), SIZE.into())));
+            union.extend(line::clipped(
+                pixel(ends[0]),
+                pixel(ends[1]),
+                Area::new(0, 0, SIZE.into(), SIZE.into()),
+            ));
         }
         if !sure {
             continue;
         }
         compared += 1;
         cut += clipped;
-        let got: std::collections::BTreeSet<_> = target.pixels.keys().map(|&(x, y)| (i64::from(x), i64::from(y))).collect();
+        let got: std::collections::BTreeSet<_> =
+            target.pixels.keys().map(|&(x, y)| (i64::from(x), i64::from(y))).collect();
         assert_eq!(got, union, "{vertices:?}");
-        assert_eq!((statistics.drawn as usize, statistics.clipped as usize, statistics.outside as usize), (drawn, clipped, outside));
+        assert_eq!(
+            (statistics.drawn as usize, statistics.clipped as usize, statistics.outside as usize),
+            (drawn, clipped, outside)
+        );
     }
     println!("{compared} paths, {cut} cut lines");
     assert!(compared > 1500 && cut > 1500);
