@@ -175,7 +175,8 @@ fn side<const A: usize>(plane: usize, p: &Aligned<A>) -> i64 {
 }
 
 /// The part of a line inside the view volume −w ≤ x, y, z ≤ w, or `None`. Its new ends are within
-/// 2⁻²⁸ of the larger end's coordinates; the order of the ends changes neither.
+/// 2⁻²⁷ of the larger end's coordinates, or, where the line runs nearly along a plane, within eight
+/// times what moving its ends by 2⁻³⁰ does; the order of the ends changes neither.
 /// (Cohen–Sutherland in homogeneous coordinates: Foley et al., *Computer Graphics*, 2nd ed.,
 /// section 6.5.4.)
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
@@ -186,8 +187,8 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 }
 
 /// The part of a triangle inside the view volume −w ≤ x, y, z ≤ w: a convex polygon of up to nine
-/// corners in the triangle's order, empty where nothing is inside. New corners are within 2⁻²⁸ of
-/// the largest corner's coordinates, and neighbours that share an edge get the same ones.
+/// corners in the triangle's order, empty where nothing is inside. New corners are within 2⁻²⁷ of
+/// the largest corner's coordinates but where edges run nearly along planes, and neighbours that share an edge get the same ones.
 /// (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);

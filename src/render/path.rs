@@ -44,7 +44,10 @@ impl<V: Coordinate> Placed<'_, V> {
         let corner = |index: usize| self.corner::<false>(&[], index as u16);
         let count = vertices.len();
         let mut from = corner(0);
-        let closed = count > 2 && corner(count - 1).pixel() == from.pixel();
+        // Where all lies in one pixel, no later line comes back to it.
+        let closed = count > 2
+            && corner(count - 1).pixel() == from.pixel()
+            && (1..count).any(|index| corner(index).pixel() != from.pixel());
         // The pixel that the line before ended in, or will end in.
         let mut joint = if closed { from.pixel() } else { None };
         for index in 1..count {

@@ -33,25 +33,30 @@ impl Projection {
     /// A matrix from view to clip space, row by row, for column vectors: visible points must have
     /// w > 0 and −w ≤ x, y, z ≤ w, near at z = −w. It stands for itself times any positive factor.
     ///
-    /// Each row's coefficients are rounded to 30 bits of its largest and its constant to 2⁻³³ of
-    /// the matrix's largest, times 2⁻¹⁰.
+    /// Each row's coefficients are rounded to 30 bits of its largest, and its constant to 2⁻⁴³ of the
+    /// matrix's largest coefficient or 2⁻⁵⁹ of its largest constant, whichever is more.
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::Matrix`] for NaN and infinities, and where all is zero or a row's
-    /// coefficients lie more than 2³⁰ apart from the rest.
+    /// [`ProjectionError::Matrix`] for NaN and infinities, and where all is zero.
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ProjectionError> {
-        // The largest number's exponent: half the constants' 2³⁰ is left for points to move in.
-        let mut largest = None;
-        for &v in matrix.iter().flatten() {
+        // The exponents of the largest coefficient and of the largest constant.
+        let (mut linear, mut constant) = (None, None);
+        for (i, &v) in matrix.iter().flatten().enumerate() {
             let (m, e) = parts(v).ok_or(ProjectionError::Matrix)?;
             if m != 0 {
-                largest = largest.max(Some(e + 64 - m.unsigned_abs().leading_zeros() as i32));
+                let largest = if i % 4 == 3 { &mut constant } else { &mut linear };
+                *largest = (*largest).max(Some(e + 64 - m.unsigned_abs().leading_zeros() as i32));
             }
         }
-        let largest = largest.ok_or(ProjectionError::Matrix)?;
-        // Numbers between 2⁻¹⁰ and 2²⁰ stay as they are.
-        let shift = if largest > 20 { 20 - largest } else { (-10 - largest).max(0) };
+        // Coefficients up to 2¹⁰ take points up to 2¹⁷ away to 2²⁹, constants are below 2²⁶: their
+        // sums stay below 2³⁰, and as many bits as can be lie above the constants' 2⁻³³.
+        let shift = match (linear, constant) {
+            (None, None) => return Err(ProjectionError::Matrix),
+            (Some(m), None) => 10 - m,
+            (None, Some(c)) => 26 - c,
+            (Some(m), Some(c)) => (10 - m).min(26 - c),
+        };
         let [x, y, z, w] = matrix.each_ref().map(|r| row(r, shift));
         let all = (x, y, z, w);
         let (Some(x), Some(y), Some(z), Some(w)) = all else { return Err(ProjectionError::Matrix) };

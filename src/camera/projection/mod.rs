@@ -82,7 +82,7 @@ pub enum ProjectionError {
     NoViewPlane,
     /// The projection reference point must lie in front of the view plane, at n > 0.
     ReferenceBehindPlane,
-    /// A matrix with a number that is NaN, infinite, or of no use beside the largest one.
+    /// A matrix with a number that is NaN or infinite, or with zeros only.
     Matrix,
 }
 
@@ -98,7 +98,7 @@ impl core::fmt::Display for ProjectionError {
             Self::WindowTooSmall => "the window is too small for its distance from the axis",
             Self::NoViewPlane => "the projectors never meet the view plane",
             Self::ReferenceBehindPlane => "the reference point must lie in front of the view plane",
-            Self::Matrix => "the matrix has a number that is not finite or out of range",
+            Self::Matrix => "the matrix is zero or has a number that is not finite",
         })
     }
 }

@@ -2,8 +2,7 @@
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
-use crate::math::num::{scale, SATURATED};
-use crate::math::unit::normalise;
+use crate::math::num::{excess, scale, sqrt, SATURATED};
 use crate::math::{to_scalar, Point3, Row, Scalar, Vector3};
 use crate::space::View;
 
@@ -125,13 +124,17 @@ impl PlanarProjection {
         let (z, w) = match distance {
             None => (Row { offset: z_p, ..Row::ZERO }, UNIT),
             Some(distance) => {
-                let unit = normalise([dx, dy, dz]).ok_or(ProjectionError::NoViewPlane)?;
-                // 1/(Q·dz): Q in 2⁻¹⁶, dz in 2⁻³⁰; 31 + 30 bits.
-                let product = i64::from(distance.to_bits()) * i64::from(unit[2]);
+                // 1/(Q·dz) = |direction|/(Q·its z), which keeps its bits where the direction lies near
+                // the plane: all parts brought to 31 bits.
+                let largest = dx.unsigned_abs().max(dy.unsigned_abs()).max(dz.unsigned_abs());
+                let up = -excess(largest, 31);
+                let square = [dx, dy, dz].map(|c| scale(c, up).unsigned_abs().pow(2)).iter().sum(); // ≤ 3·2⁶²
+                let length = i64::from(sqrt(square)); // 2³⁰ … 2³¹·⁸
+                let product = i64::from(distance.to_bits()) * scale(dz, up); // 2³¹ · 2³¹
                 if product == 0 {
                     return Err(ProjectionError::NoViewPlane);
                 }
-                let (m, e) = ratio(1 << 46, product.unsigned_abs());
+                let (m, e) = ratio(length << 16, product.unsigned_abs());
                 let slope = (if product < 0 { m } else { -m }, e);
                 let w = slanted(UNIT, slope);
                 // The third row is z_p times the fourth.
@@ -182,7 +185,8 @@ impl Projection {
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::EmptyWindow`], [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar),
+    /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),
+    /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar),
     /// [`NearNotPositive`](ProjectionError::NearNotPositive) where near or far lies behind the
     /// centre of projection, and [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
     pub fn from_planar(
@@ -195,7 +199,11 @@ impl Projection {
         let form = |image: &Row, low: Scalar, high: Scalar| {
             let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
-            Ok(image.combined(ratio(2 << 16, extent), w, ratio(-sum, extent)))
+            let row = image.combined(ratio(2 << 16, extent), w, ratio(-sum, extent));
+            if row.offset.abs() >= SATURATED {
+                return Err(ProjectionError::WindowTooSmall);
+            }
+            Ok(row)
         };
         let x = form(x, window.left, window.right)?;
         let y = form(y, window.bottom, window.top)?;

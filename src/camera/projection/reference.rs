@@ -2,6 +2,7 @@
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
+use crate::math::num::{mul_translation, scale, SATURATED};
 use crate::math::{to_scalar, Point3, Row, Scalar};
 use crate::space::{Canonical, View};
 
@@ -33,7 +34,8 @@ use crate::space::{Canonical, View};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReferenceVolume {
-    /// Canonical x, y, z over view coordinates.
+    /// Canonical x, y, z over view coordinates; those of a perspective times its back plane's
+    /// distance, so that their constants keep their bits however far that is.
     rows: [Row; 3],
     kind: Kind,
 }
@@ -41,10 +43,11 @@ pub struct ReferenceVolume {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Parallel,
-    /// 1/(1 − z_min), and z_min/(1 − z_min) in 2⁻³².
+    /// The front plane on the n axis and its and the back plane's distances from the PRP, in 2⁻¹⁶.
     Perspective {
-        stretch: (i64, i32),
-        near: i64,
+        front: i32,
+        to_front: u64,
+        to_back: u64,
     },
 }
 
@@ -55,6 +58,7 @@ impl ReferenceVolume {
     /// # Errors
     ///
     /// [`ProjectionError::ReferenceBehindPlane`], [`EmptyWindow`](ProjectionError::EmptyWindow),
+    /// [`WindowTooSmall`](ProjectionError::WindowTooSmall),
     /// [`NearNotPositive`](ProjectionError::NearNotPositive) where front is not before the PRP,
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
     /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
@@ -71,19 +75,19 @@ impl ReferenceVolume {
         let to_front = extent(front, prp.z()).ok_or(ProjectionError::NearNotPositive)?;
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
         let to_back = depth + to_front; // 34 bits
-        let shrink = ratio(1 << 16, to_back);
         let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
             let sheared = sheared(axis, p, pn, low, high)?;
             // 2·pn/extent brings the window's border to 45°.
-            Ok(sheared.0.times(ratio(2 * pn, sheared.1)).times(shrink))
+            whole(sheared.0.times(ratio(2 * pn, sheared.1)))
         };
         let x = form(0, px, window.left, window.right)?;
         let y = form(1, py, window.bottom, window.top)?;
-        let z = row(2, (1, 0), -(pn << 16)).times(shrink);
-        // z_min = to_front/to_back.
-        let stretch = ratio(to_back as i64, depth);
-        let near = super::parts::offset(to_front as i64, depth).ok_or(ProjectionError::NearTooCloseToFar)?;
-        Ok(Self { rows: [x, y, z], kind: Kind::Perspective { stretch, near } })
+        let z = row(2, (1, 0), -(pn << 16));
+        if super::parts::offset(to_front as i64, depth).is_none() {
+            return Err(ProjectionError::NearTooCloseToFar);
+        }
+        let kind = Kind::Perspective { front: front.to_bits(), to_front, to_back };
+        Ok(Self { rows: [x, y, z], kind })
     }
 
     /// Projectors along the direction from the PRP to the window's centre; orthographic where that
@@ -105,7 +109,7 @@ impl ReferenceVolume {
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
         let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
             let (sheared, extent) = sheared(axis, p, pn, low, high)?;
-            Ok(sheared.times(ratio(2 << 16, extent)))
+            whole(sheared.times(ratio(2 << 16, extent)))
         };
         let x = form(0, px, window.left, window.right)?;
         let y = form(1, py, window.bottom, window.top)?;
@@ -120,7 +124,14 @@ impl ReferenceVolume {
     /// saturated.
     pub fn normalise(&self, p: Point3<View>) -> Point3<Canonical> {
         let p = p.bits().map(|c| i64::from(c) << 16);
-        Point3::from_bits(self.rows.map(|row| to_scalar(row.apply(p))))
+        let shrink = match self.kind {
+            Kind::Parallel => ONE,
+            Kind::Perspective { to_back, .. } => ratio(1 << 16, to_back),
+        };
+        Point3::from_bits(self.rows.map(|row| {
+            let v = row.apply(p);
+            to_scalar(mul_translation(shrink.0 as i32, shrink.1, v)) // |m| ≤ 2³⁰
+        }))
     }
 
     /// z_min of the perspective canonical volume, whose front plane is z = −z_min: rounded to the
@@ -128,11 +139,9 @@ impl ReferenceVolume {
     pub fn z_min(&self) -> Scalar {
         match self.kind {
             Kind::Parallel => Scalar::ZERO,
-            Kind::Perspective { stretch: (m, e), near } => {
-                // (z_min/(1 − z_min)) / (1/(1 − z_min)).
-                let whole = crate::math::num::scale(m, e + 32).unsigned_abs();
-                let (m, e) = ratio(near, whole);
-                Scalar::from_bits(to_scalar(crate::math::num::scale(m, e + 32)))
+            Kind::Perspective { to_front, to_back, .. } => {
+                let (m, e) = ratio(to_front as i64, to_back); // 34 bits
+                Scalar::from_bits(to_scalar(scale(m, e + 32)))
             }
         }
     }
@@ -148,6 +157,14 @@ fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(R
     Ok((straight.combined(ONE, &row(2, slope, 0), ONE), extent))
 }
 
+/// The row, unless its constant was saturated.
+fn whole(row: Row) -> Result<Row, ProjectionError> {
+    if row.offset.abs() >= SATURATED {
+        return Err(ProjectionError::WindowTooSmall);
+    }
+    Ok(row)
+}
+
 impl Projection {
     /// From a canonical volume to clip space: parallel `z = −2·z − 1, w = 1`; perspective
     /// `z = (−(1 + z_min)·z − 2·z_min)/(1 − z_min), w = −z`.
@@ -156,10 +173,11 @@ impl Projection {
         let minus = (-ONE.0, ONE.1);
         let (d, w) = match volume.kind {
             Kind::Parallel => (z.times(minus), Row { offset: 1 << 32, ..Row::ZERO }),
-            Kind::Perspective { stretch: (m, e), near } => {
-                // d = (z + w)/2 = (−z − z_min)/(1 − z_min).
-                let d = z.times((-m, e));
-                (Row { offset: crate::math::num::add(d.offset, -near), ..d }, z.times(minus))
+            Kind::Perspective { front, to_front, to_back } => {
+                // All four times the back plane's distance: d = (−z − z_min)/(1 − z_min).
+                let (m, e) = ratio(to_back as i64, to_back - to_front);
+                let d = row(2, (1, 0), -(i64::from(front) << 16)).times((-m, e));
+                (d, z.times(minus))
             }
         };
         Self { rows: [x, y, d, w] }
