@@ -72,15 +72,15 @@ fn s2_world_is_parents_world_times_local() {
             assert!(tree.set_local(moved, local(&locals[moved])));
             assert_eq!(tree.world(moved), Some(&before[moved]), "not before the update");
             tree.update();
-            for i in 0..count {
+            for (i, before) in before.iter().enumerate() {
                 let mut up = Some(i);
                 while let Some(k) = up.filter(|&k| k != moved) {
                     up = parents[k].map(usize::from);
                 }
                 if up.is_none() {
-                    assert_eq!(tree.world(i), Some(&before[i]), "{i} is not below {moved}");
+                    assert_eq!(tree.world(i), Some(before), "{i} is not below {moved}");
                 } else {
-                    assert_ne!(tree.world(i), Some(&before[i]), "{i} is below {moved}");
+                    assert_ne!(tree.world(i), Some(before), "{i} is below {moved}");
                 }
             }
         }

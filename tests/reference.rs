@@ -168,11 +168,10 @@ fn s4_canonical_to_clip() {
 #[test]
 fn s4_reference_errors_are_their_own() {
     let make = |prp: [i32; 3], w: [i32; 4], front: i32, back: i32| {
-        let both = (
+        (
             ReferenceVolume::perspective(point(prp), window(w), scalar(front), scalar(back)).map(|_| ()),
             ReferenceVolume::parallel(point(prp), window(w), scalar(front), scalar(back)).map(|_| ()),
-        );
-        both
+        )
     };
     let w = [-ONE, ONE, -ONE, ONE];
     assert_eq!(make([0, 0, ONE], w, ONE - 1, 0), (Ok(()), Ok(())));
