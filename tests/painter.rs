@@ -135,3 +135,117 @@ fn nothing_recorded_draws_nothing() {
     assert_eq!(painter.draw(&mut target).expect("no error").drawn, 0);
     assert!(target.calls.is_empty());
 }
+
+#[test]
+fn drawing_forgets_what_was_recorded_also_when_the_target_refuses() {
+    let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
+    let (camera, model) = (camera(), ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library());
+    let placed = camera.place(&mesh, &model);
+    let mut painter = Painter::<Ink, 3, 1>::new();
+    for fails in [None, Some(0), Some(3)] {
+        painter.add(&placed, |_| Ink(0)).expect("enough room");
+        let mut target = Recorder::sized(16, 16);
+        target.fails_at = fails;
+        assert_eq!(painter.draw(&mut target).is_err(), fails.is_some());
+        let mut target = Recorder::sized(16, 16);
+        let statistics = painter.draw(&mut target).expect("no error");
+        assert!(target.calls.is_empty());
+        assert_eq!(statistics, pinhole::Statistics::default());
+    }
+}
+
+#[test]
+fn faces_go_by_the_mean_depth_of_their_corners() {
+    // Slanted triangles at random; each face shows at least a pixel to be seen in the order.
+    let mut rng = Rng::new(0x9B);
+    let camera = camera();
+    let model = ModelBits::default().library();
+    let mut compared = 0;
+    for _ in 0..500 {
+        let vertices: Vec<[i16; 3]> = (0..60)
+            .map(|_| {
+                let z = rng.int(20, 2000);
+                let r = z * 5 / 4;
+                [rng.int(-r, r) as i16, rng.int(-r, r) as i16, -z as i16]
+            })
+            .collect();
+        let faces: Vec<[u16; 3]> = (0..20).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        let mesh = Mesh::new(&vertices, -4, &faces).expect("a mesh");
+        let placed = camera.place(&mesh, &model).with_cull(pinhole::Cull::None);
+        let mut painter = Painter::<Ink, 60, 20>::new();
+        painter.add(&placed, |face| Ink(face as u16)).expect("enough room");
+        let mut target = Recorder::sized(16, 16);
+        painter.draw(&mut target).expect("no error");
+        let sum = |face: u16| -> Option<u32> {
+            faces[usize::from(face)]
+                .iter()
+                .map(|&v| placed.project(usize::from(v)).map(|(_, depth)| u32::from(depth)))
+                .sum()
+        };
+        for pair in order(&target.calls).windows(2) {
+            let (Some(a), Some(b)) = (sum(pair[0]), sum(pair[1])) else { continue };
+            compared += 1;
+            // Mean depths of the same step may come in the order recorded.
+            assert!(a + 3 >= b, "face {} at {a}/3 before face {} at {b}/3", pair[0], pair[1]);
+            assert!(a != b || pair[0] < pair[1]);
+        }
+    }
+    assert!(compared > 3000, "{compared}");
+}
+
+#[test]
+fn memory_is_as_stated() {
+    use core::mem::size_of;
+    // 12 bytes a corner; 10 bytes and a colour a face.
+    assert_eq!(size_of::<pinhole::Corner>(), 12);
+    let empty = size_of::<Painter<Ink, 0, 0>>();
+    assert_eq!(size_of::<Painter<Ink, 100, 0>>() - empty, 1200);
+    assert!(size_of::<Painter<Ink, 0, 100>>() - empty <= 1200);
+}
+
+#[test]
+fn as_many_as_an_index_can_name_and_no_more() {
+    // The storage is larger than indices reach: 65536 corners and 65535 faces are the end.
+    let big = || {
+        let camera = camera();
+        let model = ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library();
+        let mut vertices = vec![VERTICES[0]; 65_533];
+        vertices.extend(VERTICES);
+        let last = [65_533u16, 65_534, 65_535];
+        let faces = vec![last; 65_535];
+        let whole = Mesh::new(&vertices, 0, &faces).expect("a mesh");
+        let none = Mesh::new(&vertices[..1], 0, &[]).expect("a mesh");
+        let mut painter = Painter::<Ink, 65_600, 65_600>::new();
+        let mut shaded = 0u16;
+        painter
+            .add(&camera.place(&whole, &model), |_| {
+                shaded = shaded.wrapping_add(1);
+                Ink(shaded)
+            })
+            .expect("65536 corners and 65535 faces");
+        assert!(matches!(
+            painter.add(&camera.place(&none, &model), |_| Ink(0)),
+            Err(RecordError::Corners { needed: 65_537, .. })
+        ));
+        let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
+        assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
+        // All of equal depth: in the order recorded.
+        let wanted: Vec<_> = (1..=65_535).collect();
+        assert_eq!(order(&target.calls), wanted);
+        // The last face that fits, and one too many, with few corners: 6 · 10922 + 3 = 65535.
+        let many = Mesh::new(&VERTICES, 0, &FACES_10922).expect("a mesh");
+        let one = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
+        for mesh in [&many, &many, &many, &many, &many, &many, &one, &one, &one] {
+            painter.add(&camera.place(mesh, &model), |_| Ink(0)).expect("enough room");
+        }
+        assert!(matches!(
+            painter.add(&camera.place(&one, &model), |_| Ink(0)),
+            Err(RecordError::Faces { needed: 65_536, .. })
+        ));
+        let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
+        assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
+    };
+    std::thread::Builder::new().stack_size(64 << 20).spawn(big).expect("a thread").join().expect("no panic");
+}
+
+static FACES_10922: [[u16; 3]; 10_922] = [[0, 1, 2]; 10_922];

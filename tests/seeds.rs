@@ -208,6 +208,20 @@ fn rotation_about_any_axis_is_align_rotate_undo() {
     }
 }
 
+#[test]
+fn e2_apply_saturates_and_never_wraps() {
+    let far = Affine::<Model, World>::translation(Vector3::from_ints(32767, -32768, 0));
+    let p = reals(far.apply(Point3::from_ints(32767, -32768, 32767)));
+    let top = 32768.0 - 1.0 / 65536.0;
+    assert_eq!(p, [top, -32768.0, 32767.0]);
+    let large = Affine::<Model, World>::scale(scalar(i32::MAX));
+    assert_eq!(reals(large.apply(Point3::from_ints(32767, -32768, 0))), [top, -32768.0, 0.0]);
+    let larger = large.then(&Affine::<World, World>::scale(scalar(i32::MIN)));
+    assert_eq!(reals(larger.apply(Point3::from_ints(1, -1, 0))), [-32768.0, top, 0.0]);
+    let view = Viewing::look_along(point([i32::MIN; 3]), vector(ints(0, 0, -1)), vector(ints(0, 1, 0)));
+    assert_eq!(reals(view.expect("a view").apply(point([i32::MAX; 3]))), [top; 3]);
+}
+
 // SPEC 3
 
 fn rows(v: &Viewing) -> [[f64; 3]; 3] {
@@ -298,6 +312,53 @@ fn view_points_are_the_oracle_s_even_far_from_the_origin() {
         let bound = HALF + 1.8 * reach * 2f64.powi(-28);
         close3(reals(ours.apply(point(p))), at, bound, &format!("{view:?}"));
     }
+}
+
+#[test]
+fn e4_directions_whose_components_differ_by_orders_of_magnitude() {
+    let mut rng = Rng::new(0xE4);
+    let mut worst = 0.0f64;
+    for _ in 0..30_000 {
+        let component = |rng: &mut Rng| {
+            let size = rng.log(0.5, 2_147_483_647.0) as i64;
+            [size, -size, size, 0][rng.below(4)] as i32
+        };
+        let mut vector = || [0; 3].map(|_| component(&mut rng));
+        let view = match vector() {
+            eye if eye[0] & 1 == 0 => ViewBits::Reference(eye, vector(), vector()),
+            // Eye and target as far apart as can be: differences of 33 bits.
+            eye => ViewBits::LookAt(eye, vector(), vector()),
+        };
+        let Ok(ours) = view.library() else { continue };
+        let exact = view.exact();
+        // sin of the angle between n and up, from the exact rows: up · v / |up|.
+        let up = match view {
+            ViewBits::Reference(_, _, up) | ViewBits::LookAt(_, _, up) | ViewBits::LookAlong(_, _, up) => up,
+        };
+        let up = chain::fx3(up);
+        let sine = chain::dot(up, exact.rows[1]) / chain::length(up);
+        for (ours, exact) in rows(&ours).iter().flatten().zip(exact.rows.iter().flatten()) {
+            worst = worst.max((ours - exact).abs() * sine);
+        }
+    }
+    println!("rows within 2^{:.2} / sine", worst.log2());
+    assert!(worst <= 2f64.powi(-28));
+}
+
+#[test]
+fn the_translation_column_is_within_its_stated_bound() {
+    let mut rng = Rng::new(0x7C);
+    let mut worst = 0.0f64;
+    for _ in 0..30_000 {
+        let view = random_view(&mut rng);
+        let (ours, exact) = (view.library().expect("a view"), view.exact());
+        let eye = exact.eye;
+        for (ours, row) in ours.translation().iter().zip(exact.rows) {
+            worst = worst.max((*ours as f64 / 4_294_967_296.0 + chain::dot(row, eye)).abs());
+        }
+    }
+    println!("translation within 2^{:.2}", worst.log2());
+    assert!(worst <= 2f64.powi(-13));
 }
 
 #[test]
@@ -525,4 +586,13 @@ fn viewport_is_its_formula() {
         assert!((f64::from(p.x()) - 256.0 * ex).abs() <= 0.5, "{at:?}");
         assert!((f64::from(p.y()) - 256.0 * ey).abs() <= 0.5, "{at:?}");
     }
+}
+
+#[test]
+fn viewport_saturates_at_the_guard_band() {
+    let v = Viewport::new(Point::new(8000, -8192), Size::new(192, 100)).expect("a viewport");
+    let p = v.apply(Point3::from_ints(32767, 32767, 0));
+    assert_eq!((p.x(), p.y()), (8192 * 256, -8192 * 256));
+    let p = v.apply(Point3::from_ints(-32768, -32768, 0));
+    assert_eq!((p.x(), p.y()), (-8192 * 256, 8192 * 256));
 }

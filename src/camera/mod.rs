@@ -65,8 +65,9 @@ impl Camera {
                                       // At least half a pixel: the viewport has pixels and lies inside the guard band.
         let free = (guard - x.abs().max(y.abs())).max(128);
         let half = area.size.width.max(area.size.height).max(1) * 128; // ≤ 2²¹ sub-pixels
-        let room = free.ilog2() as i32;
-        let unit = (half.next_power_of_two().ilog2() as i32).min(room);
+                                                                       // Binary logarithms, downwards and upwards, without ilog2's panic at 0.
+        let room = 31 - free.leading_zeros() as i32;
+        let unit = (32 - (half - 1).leading_zeros() as i32).min(room);
         let [x_row, y_row, d_row, w_row] = *projection.rows();
         // Half the viewport in units of 2^unit sub-pixels; rows count downwards, so y turns.
         let rows = [

@@ -1,6 +1,6 @@
 //! Affine transforms between the spaces a scene is set up in.
 
-use super::num::{add, scale};
+use super::num::{add, row_times, scale};
 use super::row::{block, Row};
 use super::{Angle, Point3, Scalar, Vector3};
 use crate::space::SetUp;
@@ -136,11 +136,7 @@ pub(crate) fn product(
     b: &[[i32; 3]; 3],
     b_exponent: i32,
 ) -> ([[i32; 3]; 3], i32) {
-    let sums = a.map(|row| {
-        // Three products of at most 2⁶⁰.
-        let entry = |j: usize| (0..3).map(|k| i64::from(row[k]) * i64::from(b[k][j])).sum::<i64>();
-        [entry(0), entry(1), entry(2)]
-    });
+    let sums = a.map(|row| row_times(row, b));
     // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp.
     let (linear, exponent) = block(sums, a_exponent + b_exponent - 30);
     (linear, exponent.clamp(-65_536, 65_536))

@@ -167,6 +167,13 @@ fn saturated(v: i64) -> i64 {
     }
 }
 
+/// Row `v` times matrix `m`, coefficients of at most 2³⁰: sums of three products, below 2⁶².
+pub(crate) fn row_times(v: [i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
+    // Indexed by constants only: not even without inlining is there a bounds check.
+    let ([a, b, c], [x, y, z]) = (v.map(i64::from), m.map(|row| row.map(i64::from)));
+    [a * x[0] + b * y[0] + c * z[0], a * x[1] + b * y[1] + c * z[1], a * x[2] + b * y[2] + c * z[2]]
+}
+
 /// Translations stay within ±2⁶² (2³⁰ world units in 2⁻³²), so that two of them can be added.
 pub(crate) const SATURATED: i64 = 1 << 62;
 

@@ -1,6 +1,6 @@
 //! A linear form over a space: the stuff of matrices.
 
-use super::num::{add, excess, mul_translation, scale};
+use super::num::{add, excess, mul_translation, row_times, scale};
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
 /// constant in 2⁻³² that keeps what a coefficient's rounding would lose far from the origin.
@@ -45,11 +45,7 @@ impl Row {
 
     /// This form over the coordinates that `rows` computes: their coefficients share an exponent.
     pub(crate) fn of(&self, linear: &[[i32; 3]; 3], exponent: i32, offset: [i64; 3]) -> Self {
-        let column = |j: usize| {
-            // Three products of at most 2⁶⁰.
-            (0..3).map(|i| i64::from(self.linear[i]) * i64::from(linear[i][j])).sum::<i64>()
-        };
-        let sums = [column(0), column(1), column(2)];
+        let sums = row_times(self.linear, linear);
         let ([linear], exponent) = block([sums], self.exponent + exponent - 30);
         Self { linear, exponent, offset: self.apply(offset) }
     }

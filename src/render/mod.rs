@@ -251,8 +251,10 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         if polygon.len() < 3 {
             return Outcome::Outside;
         }
-        let mut corners: heapless::Vec<Corner, { clip::CORNERS }> =
-            polygon.iter().map(|p| Corner::from(Some(placement.image(p)))).collect();
+        let mut corners = heapless::Vec::<Corner, { clip::CORNERS }>::new();
+        for point in &polygon {
+            let _ = corners.push(Some(placement.image(point)).into()); // as many as the polygon can have
+        }
         let area: i64 = fan(&corners).map(|[a, b, c]| raster::area(&[a.point, b.point, c.point])).sum(); // < 7·2⁴⁵
         if area == 0 {
             return Outcome::Degenerate;

@@ -1,6 +1,6 @@
 //! Ambient and Lambert light per face.
 
-use crate::math::num::{fraction, scale, sqrt};
+use crate::math::num::{fraction, row_times, scale, sqrt};
 use crate::math::unit::normalise;
 use crate::math::{block, Affine, Vector3};
 use crate::space::{Model, World};
@@ -61,9 +61,8 @@ impl Lambert {
     ) -> Result<Self, LightError> {
         let light = normalise(towards_light.bits().map(i64::from)).ok_or(LightError::ZeroDirection)?;
         let normals = cofactors(model.linear().0);
-        // n·(Cᵀ·l) = (C·n)·l. Columns of C times l: three products of at most 2⁶⁰.
-        let column = |j: usize| (0..3).map(|i| i64::from(normals[i][j]) * i64::from(light[i])).sum::<i64>();
-        let in_model = normalise([column(0), column(1), column(2)]).unwrap_or([0; 3]);
+        // n·(Cᵀ·l) = (C·n)·l.
+        let in_model = normalise(row_times(light, &normals)).unwrap_or([0; 3]);
         let even = keeps_angles(&normals);
         // 2⁻³⁰ to 2⁻¹⁵; +1 becomes 32767.
         let short = |v: [i32; 3]| v.map(|c| ((c + (1 << 14)) >> 15).min(32_767) as i16);
@@ -119,7 +118,7 @@ fn cofactors(a: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
     };
     let rows = [cross(y, z), cross(z, x), cross(x, y)];
     let (rows, _) = block(rows, 0);
-    let determinant: i64 = (0..3).map(|j| i64::from(rows[0][j]) * i64::from(x[j])).sum();
+    let determinant: i64 = rows[0].iter().zip(x).map(|(&a, &b)| i64::from(a) * i64::from(b)).sum();
     if determinant < 0 {
         rows.map(|row| row.map(|c| -c))
     } else {
@@ -130,15 +129,16 @@ fn cofactors(a: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
 /// of light.
 fn keeps_angles(m: &[[i32; 3]; 3]) -> bool {
-    let gram = |i: usize, j: usize| -> i64 {
-        (0..3).map(|k| scale(i64::from(m[i][k]) * i64::from(m[j][k]), -2)).sum()
+    let gram = |a: &[i32; 3], b: &[i32; 3]| -> i64 {
+        a.iter().zip(b).map(|(&a, &b)| scale(i64::from(a) * i64::from(b), -2)).sum()
         // ≤ 3·2⁵⁸
     };
-    let length = gram(0, 0);
+    let [x, y, z] = m;
+    let length = gram(x, x);
     let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
-    near(gram(1, 1), length)
-        && near(gram(2, 2), length)
-        && near(gram(0, 1), 0)
-        && near(gram(0, 2), 0)
-        && near(gram(1, 2), 0)
+    near(gram(y, y), length)
+        && near(gram(z, z), length)
+        && near(gram(x, y), 0)
+        && near(gram(x, z), 0)
+        && near(gram(y, z), 0)
 }

@@ -1,0 +1,95 @@
+//! A picture in memory, borrowed: the smallest fast `DrawTarget`.
+
+use core::convert::Infallible;
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{OriginDimensions, Point, Size},
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+    Pixel,
+};
+
+/// Pixels row by row from the top left. Rows beyond the end of the slice are not drawn.
+#[derive(Debug)]
+pub(crate) struct Canvas<'a, C> {
+    pixels: &'a mut [C],
+    size: Size,
+}
+
+impl<'a, C> Canvas<'a, C> {
+    /// A canvas of `size` over `size.width * size.height` pixels.
+    pub(crate) fn new(pixels: &'a mut [C], size: Size) -> Self {
+        Self { pixels, size }
+    }
+
+    /// Columns `left..right` of row `y`, as far as they lie in the picture.
+    fn row(&mut self, y: i32, left: i32, right: i32) -> Option<&mut [C]> {
+        let y = usize::try_from(y).ok().filter(|&y| y < self.size.height as usize)?;
+        let width = self.size.width as usize;
+        let left = usize::try_from(left.max(0)).ok()?;
+        let right = usize::try_from(right).ok()?.min(width);
+        let start = y.checked_mul(width)?;
+        self.pixels.get_mut(start.checked_add(left)?..start.checked_add(right)?)
+    }
+}
+
+impl<C> OriginDimensions for Canvas<'_, C> {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+/// The half-open columns and rows of a rectangle, whose far edges may lie beyond `i32`.
+fn edges(area: &Rectangle) -> (i32, i32, i32, i32) {
+    let Point { x, y } = area.top_left;
+    let (right, bottom) =
+        (x.saturating_add_unsigned(area.size.width), y.saturating_add_unsigned(area.size.height));
+    (x, y, right, bottom)
+}
+
+impl<C: PixelColor> DrawTarget for Canvas<'_, C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(Point { x, y }, colour) in pixels {
+            if let Some([pixel]) = self.row(y, x, x.saturating_add(1)) {
+                *pixel = colour;
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
+        let (left, top, right, bottom) = edges(area);
+        for y in top.max(0)..bottom.min(self.size.height as i32) {
+            if let Some(row) = self.row(y, left, right) {
+                row.fill(colour);
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colours: I,
+    ) -> Result<(), Infallible> {
+        let (left, top, right, bottom) = edges(area);
+        let mut colours = colours.into_iter();
+        let inside = left >= 0 && right <= self.size.width as i32;
+        for y in top..bottom {
+            match self.row(y, left, right) {
+                // The row first: zip must not take the next row's first colour when this row ends.
+                Some(row) if inside => {
+                    row.iter_mut().zip(&mut colours).for_each(|(pixel, colour)| *pixel = colour)
+                }
+                // Colours beside the picture are taken all the same, one by one.
+                _ => self.draw_iter(
+                    (left..right).zip(&mut colours).map(|(x, colour)| Pixel(Point::new(x, y), colour)),
+                )?,
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,118 @@
+//! What `hello` shows: the teapot in a few frames, drawn into memory. Firmware and host tests share this file, so
+//! that they can compare pictures by their checksums.
+
+#[allow(dead_code)] // not every user calls every method
+pub(crate) mod canvas;
+#[allow(unreachable_pub)] // generated, and `pub` for those who take it in elsewhere
+#[path = "../../assets/teapot.rs"]
+mod teapot;
+
+use canvas::Canvas;
+use core::fmt;
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Point, Size},
+    pixelcolor::{raw::ToBytes, Rgb565, RgbColor},
+};
+use pinhole::space::Model;
+use pinhole::{
+    Affine, Angle, Camera, Corner, Dim, Lambert, Mesh, Painter, Point3, Projection, Scalar, Statistics,
+    Vector3, Viewing, Viewport,
+};
+
+const SIZE: Size = Size::new(128, 64);
+const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
+
+/// How many frames there are: one half solid, one half wireframe.
+pub(crate) const FRAMES: u32 = 12;
+
+/// Checked by the compiler: a mesh that is not sound does not build.
+const TEAPOT: Mesh<'static> = {
+    let Ok(mesh) = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES) else { panic!() };
+    let Ok(mesh) = mesh.with_edges(&teapot::EDGES) else { panic!() };
+    let Ok(mesh) = mesh.with_normals(&teapot::NORMALS) else { panic!() };
+    mesh
+};
+
+/// Room for the vertices, and for the corners of faces that the near plane cuts.
+const CORNERS: usize = teapot::VERTICES.len() + 300;
+const FACES: usize = teapot::FACES.len();
+
+/// The memory the show needs; firmware keeps it in a `static`.
+pub(crate) struct Stage {
+    pixels: [Rgb565; PIXELS],
+    painter: Painter<Rgb565, CORNERS, FACES>,
+}
+
+/// One line about a frame.
+pub(crate) struct Report {
+    frame: u32,
+    checksum: u32,
+    statistics: Statistics,
+}
+
+impl Stage {
+    pub(crate) const fn new() -> Self {
+        Self { pixels: [Rgb565::BLACK; PIXELS], painter: Painter::new() }
+    }
+
+    /// Draws one frame. Each half turns the teapot once around and comes closer all the time, until the near plane and
+    /// the edges of the picture cut it.
+    pub(crate) fn draw(&mut self, frame: u32) -> Report {
+        let step = (frame % (FRAMES / 2)) as i16;
+        let turn = Angle::turns(step.into(), FRAMES / 2);
+        let [x, y, z] = teapot::OFFSET.map(Scalar::from_bits);
+        let model =
+            Affine::<Model, Model>::translation(Vector3::new(x, y, z)).then(&Affine::rotation_y(turn));
+        let placed = camera(40 - 6 * step).place(&TEAPOT, &model);
+
+        let mut canvas = Canvas::new(&mut self.pixels, SIZE);
+        let Ok(()) = canvas.clear(Rgb565::new(2, 6, 6));
+        let statistics = if frame < FRAMES / 2 {
+            let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("light");
+            let shade = |face: usize| match teapot::NORMALS.get(face) {
+                Some(&normal) => Rgb565::new(31, 52, 14).dim(light.level(normal)),
+                None => Rgb565::MAGENTA,
+            };
+            self.painter.add(&placed, shade).expect("room for the teapot");
+            let Ok(statistics) = self.painter.draw(&mut canvas);
+            statistics
+        } else {
+            let mut cache = [Corner::default(); teapot::VERTICES.len()];
+            let Ok(statistics) = placed.wireframe(Rgb565::CYAN, &mut cache, &mut canvas);
+            statistics
+        };
+        let checksum = crc32(self.pixels.iter().flat_map(|pixel| pixel.to_be_bytes()));
+        Report { frame, checksum, statistics }
+    }
+}
+
+fn camera(distance: i16) -> Camera {
+    let eye = Point3::from_ints(0, distance / 3, distance);
+    let viewing =
+        Viewing::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0)).expect("a direction");
+    let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(100));
+    let projection = Projection::perspective(Angle::degrees(30), SIZE, near, far).expect("a field of view");
+    let viewport = Viewport::new(Point::zero(), SIZE).expect("a picture");
+    Camera::new(&viewing, &projection, &viewport)
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { frame, checksum, statistics } = self;
+        let kind = if *frame < FRAMES / 2 { "solid" } else { "wireframe" };
+        let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
+        write!(
+            f,
+            "frame {frame:2} {kind:9} crc {checksum:08x}: \
+             {drawn} drawn, {culled} culled, {clipped} clipped, {outside} outside, {degenerate} degenerate"
+        )
+    }
+}
+
+/// CRC-32 as in zip and PNG. Bit by bit: a table would be larger than the code.
+fn crc32(bytes: impl Iterator<Item = u8>) -> u32 {
+    !bytes.fold(!0, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 & (crc & 1).wrapping_neg()))
+    })
+}

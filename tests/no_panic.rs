@@ -1,0 +1,161 @@
+//! No input panics: extremes in every place at once, drawn every way, in debug with its overflow
+//! checks. And whatever the scene, nothing is written outside viewport ∩ target.
+
+mod bridge;
+mod oracle;
+
+use bridge::draw::Ink;
+use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use embedded_graphics_core::geometry::{Point, Size};
+use oracle::rng::Rng;
+use oracle::target::Recorder;
+use pinhole::{Camera, Coordinate, Corner, Cull, Mesh, Painter, Placed, Viewport};
+
+fn wild(rng: &mut Rng) -> i32 {
+    match rng.below(7) {
+        0 => [0, 1, -1, i32::MAX, i32::MIN, ONE, -ONE][rng.below(7)],
+        1 | 2 => (rng.bits() as i32) >> rng.below(32),
+        3 => i32::MAX - rng.int(0, 3) as i32,
+        4 => i32::MIN + rng.int(0, 3) as i32,
+        5 => rng.int(-9, 9) as i32 * ONE,
+        _ => rng.bits() as i32,
+    }
+}
+
+fn wild16(rng: &mut Rng) -> i16 {
+    match rng.below(5) {
+        0 => [0, 1, -1, i16::MAX, i16::MIN][rng.below(5)],
+        1 => (rng.bits() as i16) >> rng.below(16),
+        _ => rng.bits() as i16,
+    }
+}
+
+fn wild3(rng: &mut Rng) -> [i32; 3] {
+    [0; 3].map(|_| wild(rng))
+}
+
+fn wild_camera(rng: &mut Rng) -> Option<(Camera, CameraBits)> {
+    let (a, b, c) = (wild3(rng), wild3(rng), wild3(rng));
+    let view = match rng.below(3) {
+        0 => ViewBits::LookAt(a, b, c),
+        1 => ViewBits::LookAlong(a, b, c),
+        _ => ViewBits::Reference(a, b, c),
+    };
+    let (n, f) = (wild(rng), wild(rng));
+    let w = [0; 4].map(|_| wild(rng));
+    let projection = match rng.below(3) {
+        0 => ProjectionBits::Perspective(
+            rng.bits() >> 1,
+            (rng.bits() >> rng.below(32), rng.bits() >> rng.below(32)),
+            n,
+            f,
+        ),
+        1 => ProjectionBits::Frustum(w, n, f),
+        _ => ProjectionBits::Orthographic(w, n, f),
+    };
+    let viewport = if rng.one_in(2) {
+        (rng.int(-30, 30) as i32, rng.int(-30, 30) as i32, rng.int(1, 60) as u32, rng.int(1, 60) as u32)
+    } else {
+        (
+            rng.int(-8192, 8192) as i32,
+            rng.int(-8192, 8192) as i32,
+            rng.int(1, 16384) as u32,
+            rng.int(1, 16384) as u32,
+        )
+    };
+    let (x, y, width, height) = viewport;
+    let ours = Viewport::new(Point::new(x, y), Size::new(width, height)).ok()?;
+    let camera = Camera::new(&view.library().ok()?, &projection.library().ok()?, &ours);
+    Some((camera.with_far_clip(rng.one_in(2)), CameraBits { view, projection, viewport }))
+}
+
+fn wild_model(rng: &mut Rng) -> ModelBits {
+    let mut steps = Vec::new();
+    for _ in 0..rng.below(5) {
+        steps.push(match rng.below(6) {
+            0 => Step::X(rng.bits()),
+            1 => Step::Y(rng.bits()),
+            2 => Step::Z(rng.bits()),
+            3 => Step::Scale([wild(rng); 3]),
+            4 => Step::Scale(wild3(rng)),
+            _ => Step::Move(wild3(rng)),
+        });
+    }
+    ModelBits(steps)
+}
+
+fn draw_every_way<V: Coordinate>(
+    rng: &mut Rng,
+    placed: Placed<'_, V>,
+    viewport: (i32, i32, u32, u32),
+) -> u32 {
+    let placed = placed.with_cull([Cull::Back, Cull::None][rng.below(2)]);
+    for v in 0..7 {
+        let _ = placed.project(v);
+    }
+    let mut target = Recorder::sized(20, 15);
+    let mut cache = [Corner::default(); 6];
+    let cache = &mut cache[..rng.below(7)];
+    placed.solid(|face| Ink(face as u16), cache, &mut target).expect("no error");
+    placed.wireframe(Ink(1), cache, &mut target).expect("no error");
+    let mut painter = Painter::<Ink, 30, 16>::new();
+    let _ = painter.add(&placed, |_| Ink(2));
+    let _ = painter.add(&placed, |_| Ink(3));
+    painter.draw(&mut target).expect("no error");
+    assert_eq!(target.outside, 0);
+    let (x, y, width, height) = viewport;
+    for &(px, py) in target.pixels.keys() {
+        let inside = px >= x && py >= y && px - x < width as i32 && py - y < height as i32;
+        assert!(inside, "({px}, {py}) is outside {viewport:?}");
+    }
+    u32::from(!target.pixels.is_empty())
+}
+
+#[test]
+fn wild_scenes() {
+    let mut rng = Rng::new(0x111);
+    let (mut scenes, mut visible) = (0, 0);
+    while scenes < 40_000 {
+        let Some((camera, bits)) = wild_camera(&mut rng) else {
+            continue;
+        };
+        scenes += 1;
+        let model = wild_model(&mut rng).library();
+        let faces = [(); 5].map(|()| [0; 3].map(|_| rng.below(6) as u16));
+        let edges = [(); 5].map(|()| [0; 2].map(|_| rng.below(6) as u16));
+        if rng.one_in(2) {
+            let vertices = [(); 6].map(|()| [0; 3].map(|_| wild16(&mut rng)));
+            let exponent = rng.int(-32, 15) as i8;
+            let mesh = Mesh::new(&vertices, exponent, &faces).and_then(|m| m.with_edges(&edges));
+            let mesh = mesh.expect("a mesh");
+            visible += draw_every_way(&mut rng, camera.place(&mesh, &model), bits.viewport);
+        } else {
+            let vertices = [(); 6].map(|()| wild3(&mut rng).map(bridge::scalar));
+            let mesh = Mesh::from_fixed(&vertices, &faces).and_then(|m| m.with_edges(&edges));
+            let mesh = mesh.expect("a mesh");
+            visible += draw_every_way(&mut rng, camera.place(&mesh, &model), bits.viewport);
+        }
+    }
+    println!("{visible} of {scenes} scenes show something");
+    assert!(visible > 1000, "{visible}");
+}
+
+#[test]
+fn wild_objects_before_a_tame_camera() {
+    let mut rng = Rng::new(0x112);
+    let bits = CameraBits {
+        view: ViewBits::LookAt([0, 0, 5 * ONE], [0; 3], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 30, (4, 3), ONE / 4, 100 * ONE),
+        viewport: (0, 0, 20, 15),
+    };
+    let camera = bits.library();
+    let mut visible = 0;
+    for _ in 0..20_000 {
+        let model = wild_model(&mut rng).library();
+        let faces = [(); 5].map(|()| [0; 3].map(|_| rng.below(6) as u16));
+        let vertices = [(); 6].map(|()| [0; 3].map(|_| wild16(&mut rng)));
+        let mesh = Mesh::new(&vertices, rng.int(-32, 15) as i8, &faces).expect("a mesh");
+        visible += draw_every_way(&mut rng, camera.place(&mesh, &model), bits.viewport);
+    }
+    assert!(visible > 1000, "{visible}");
+}

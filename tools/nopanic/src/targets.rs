@@ -1,0 +1,80 @@
+//! Three ways to be a `DrawTarget`, none with a panic of its own: memory (the examples' `Canvas`), a display behind a
+//! wire that may fail, and the least the trait allows.
+
+use core::hint::black_box;
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Dimensions, OriginDimensions, Point, Size},
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+    Pixel,
+};
+
+/// Sends areas and colours, and every word may fail.
+pub(crate) struct Wire<C>(pub(crate) C);
+
+/// The wire is broken.
+pub(crate) struct Broken;
+
+impl<C> Wire<C> {
+    fn send<T>(&mut self, word: T) -> Result<(), Broken> {
+        black_box(word);
+        if crate::any() == 0 {
+            Ok(())
+        } else {
+            Err(Broken)
+        }
+    }
+}
+
+impl<C> OriginDimensions for Wire<C> {
+    fn size(&self) -> Size {
+        Size::new(crate::any() as u32, crate::any() as u32)
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Wire<C> {
+    type Color = C;
+    type Error = Broken;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Broken> {
+        pixels.into_iter().try_for_each(|pixel| self.send(pixel))
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Broken> {
+        self.send((*area, colour))
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colours: I,
+    ) -> Result<(), Broken> {
+        self.send(*area)?;
+        colours.into_iter().try_for_each(|colour| self.send(colour))
+    }
+}
+
+/// Pixel by pixel, with a bounding box anywhere; all else is as the trait has it.
+pub(crate) struct Least<C>(pub(crate) C);
+
+impl<C> Dimensions for Least<C> {
+    fn bounding_box(&self) -> Rectangle {
+        Rectangle::new(
+            Point::new(crate::any(), crate::any()),
+            Size::new(crate::any() as u32, crate::any() as u32),
+        )
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Least<C> {
+    type Color = C;
+    type Error = core::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        pixels.into_iter().for_each(|pixel| {
+            black_box(pixel);
+        });
+        Ok(())
+    }
+}
