@@ -116,6 +116,7 @@ fn film(mesh: &ImportedMesh, arguments: &Arguments) -> Result<(), Box<dyn Error>
     let (mut solid, mut wireframe) = (Sum::default(), Sum::default());
     let mut misordered = Misordered::default();
     let mut sheet = Vec::new();
+    let mut preview = String::new();
     let bar = ProgressBar::new(frames.into())
         .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left")?);
     for frame in 0..frames {
@@ -141,7 +142,7 @@ fn film(mesh: &ImportedMesh, arguments: &Arguments) -> Result<(), Box<dyn Error>
         }
         gif.add(canvas.pixels())?;
         if frame == frames / 8 {
-            print!("{}", terminal::picture(canvas.pixels(), size, BACKGROUND));
+            preview = terminal::picture(canvas.pixels(), size, BACKGROUND);
         }
         // Twelve frames, or all if there are fewer, evenly spread.
         if frame * 12 % frames < 12 {
@@ -153,7 +154,7 @@ fn film(mesh: &ImportedMesh, arguments: &Arguments) -> Result<(), Box<dyn Error>
     gif.finish()?;
     film::write_sheet(&sheet_file, size, &sheet)?;
 
-    println!("{}\n{}", gif_file.display(), sheet_file.display());
+    println!("{preview}{}\n{}", gif_file.display(), sheet_file.display());
     let (vertices, edges) = (mesh.vertices.len(), mesh.edges.len());
     println!(
         "{vertices} vertices, {} faces, {edges} edges; {} x {} pixels",

@@ -1,22 +1,20 @@
 //! `pinhole-import MODEL.obj -o OUT.rs`: a model as Rust source.
 
-use clap::Parser;
-use std::path::PathBuf;
+use clap::{value_parser, Arg, Command};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Turn a model into Rust source for pinhole.
-#[derive(Parser)]
-#[command(version)]
-struct Arguments {
-    /// The model to read (.obj)
-    model: PathBuf,
-    /// The Rust file to write
-    #[arg(short, long, value_name = "OUT.rs")]
-    output: PathBuf,
-}
-
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
+    let path = |name: &'static str| Arg::new(name).required(true).value_parser(value_parser!(PathBuf));
+    let mut given = Command::new("pinhole-import")
+        .about("Turns a model into Rust source for pinhole")
+        .version(env!("CARGO_PKG_VERSION"))
+        .arg(path("MODEL").help("The model to read (.obj)"))
+        .arg(path("output").short('o').long("output").value_name("OUT.rs").help("The Rust file to write"))
+        .get_matches();
+    let [model, output] =
+        ["MODEL", "output"].map(|name| given.remove_one::<PathBuf>(name).unwrap_or_default());
+    match run(&model, &output) {
         Ok(report) => {
             println!("{report}");
             ExitCode::SUCCESS
@@ -28,9 +26,9 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(Arguments { model, output }: &Arguments) -> Result<String, String> {
+fn run(model: &Path, output: &Path) -> Result<String, String> {
     let mesh = pinhole_import::read(model).map_err(|e| e.to_string())?;
-    mesh.mesh().map_err(|e| format!("{}: {e:?}", model.display()))?;
+    mesh.mesh().map_err(|e| format!("{}: {e}", model.display()))?;
     let command = format!("pinhole-import {} -o {}", model.display(), output.display());
     std::fs::write(output, mesh.to_rust(&command))
         .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
