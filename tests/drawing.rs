@@ -78,7 +78,7 @@ fn total(s: Statistics) -> u32 {
 fn r9_faces_are_the_exact_coverage_of_their_corners() {
     let mut rng = Rng::new(0xD9);
     let (mut whole, mut drawn) = (0, 0);
-    for _ in 0..4000 {
+    for _ in 0..1500 {
         let scene = scene(&mut rng);
         let (camera, model) = (scene.camera.library(), scene.model.library());
         for cull in [Cull::Back, Cull::None] {
@@ -108,7 +108,7 @@ fn r9_faces_are_the_exact_coverage_of_their_corners() {
                 }
                 assert!(counts(&target) == wanted, "{:?} {:?} {t:?}", scene.camera, scene.model);
                 drawn += usize::from(!wanted.is_empty());
-                assert_eq!(s.clipped, 0);
+                assert!(s.clipped <= s.drawn);
                 let expected = match (area == 0, visible) {
                     (true, _) => (0, 0, 1),
                     (_, true) => (1, 0, 0),
@@ -122,14 +122,14 @@ fn r9_faces_are_the_exact_coverage_of_their_corners() {
             }
         }
     }
-    assert!(whole > 10_000 && drawn > 3000, "{whole} {drawn}");
+    assert!(whole > 5000 && drawn > 1000, "{whole} {drawn}");
 }
 
 #[test]
 fn l1_edges_are_the_exact_lines_between_their_ends() {
     let mut rng = Rng::new(0xDE);
     let mut drawn = 0;
-    for _ in 0..4000 {
+    for _ in 0..1500 {
         let scene = scene(&mut rng);
         let (camera, model) = (scene.camera.library(), scene.model.library());
         for edge in &scene.edges {
@@ -152,14 +152,14 @@ fn l1_edges_are_the_exact_lines_between_their_ends() {
             drawn += usize::from(!wanted.is_empty());
         }
     }
-    assert!(drawn > 5000, "{drawn}");
+    assert!(drawn > 2000, "{drawn}");
 }
 
 #[test]
 fn l3_an_edge_is_the_same_from_both_ends_wherever_it_is_cut() {
     let mut rng = Rng::new(0xD3);
     let mut cut = 0;
-    for _ in 0..4000 {
+    for _ in 0..1500 {
         let mut scene = scene(&mut rng);
         let (camera, model) = (scene.camera.library(), scene.model.library());
         let mut first = Recorder::sized(WIDTH as u32, HEIGHT as u32);
@@ -174,14 +174,14 @@ fn l3_an_edge_is_the_same_from_both_ends_wherever_it_is_cut() {
         assert_eq!(s, t);
         assert!(first.pixels == second.pixels, "{:?} {:?} {:?}", scene.camera, scene.model, scene.edges);
     }
-    assert!(cut > 1000);
+    assert!(cut > 500);
 }
 
 #[test]
 fn r7_a_face_is_the_same_from_every_corner_wherever_it_is_cut() {
     let mut rng = Rng::new(0xD7);
     let mut cut = 0;
-    for _ in 0..3000 {
+    for _ in 0..1000 {
         let scene = scene(&mut rng);
         let (camera, model) = (scene.camera.library(), scene.model.library());
         for &[a, b, c] in &scene.faces {
@@ -207,7 +207,7 @@ fn r7_a_face_is_the_same_from_every_corner_wherever_it_is_cut() {
             );
         }
     }
-    assert!(cut > 3000);
+    assert!(cut > 500);
 }
 
 #[test]
@@ -237,7 +237,7 @@ fn a_shorter_cache_draws_the_same_picture() {
 fn every_primitive_is_counted_exactly_once() {
     let mut rng = Rng::new(0x57);
     let mut all = [0u32; 5];
-    for _ in 0..4000 {
+    for _ in 0..1500 {
         let mut scene = scene(&mut rng);
         if rng.one_in(3) {
             scene.camera.view = random_view(&mut rng);
@@ -269,7 +269,33 @@ fn every_primitive_is_counted_exactly_once() {
             *sum += n;
         }
     }
-    assert!(all.iter().all(|&n| n > 300), "{all:?}");
+    assert!(all.iter().all(|&n| n > 100), "{all:?}");
+}
+
+#[test]
+fn clipped_counts_what_was_cut_and_nothing_else() {
+    // 90°, 15 px of focal length: a corner at x, z = −3 lies at 20 + 5·x px; the guard band ends at
+    // ±8192.
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 30, (4, 3), ONE, 100 * ONE),
+        viewport: (0, 0, 40, 30),
+    }
+    .library();
+    let model = ModelBits::default().library();
+    for (x, clipped) in [(1i16, 0), (300, 0), (810, 0), (1000, 0), (1600, 0), (1634, 0), (1635, 1), (9000, 1)]
+    {
+        let vertices = [[0, 0, -3], [x, -1, -3], [0, 2, -3]];
+        let mesh =
+            Mesh::new(&vertices, 0, &[[0, 1, 2]]).and_then(|m| m.with_edges(&[[0, 1]])).expect("a mesh");
+        let placed = camera.place(&mesh, &model);
+        assert_eq!(placed.project(1).is_none(), clipped == 1, "{x}");
+        let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
+        let faces = placed.solid(|_| Ink(0), &mut [], &mut target).expect("no error");
+        let edges = placed.wireframe(Ink(0), &mut [], &mut target).expect("no error");
+        assert_eq!((faces.drawn, faces.clipped), (1, clipped), "a face with a corner at {x}");
+        assert_eq!((edges.drawn, edges.clipped), (1, clipped), "an edge with an end at {x}");
+    }
 }
 
 #[test]

@@ -132,3 +132,30 @@ fn colours_dim_by_rounding_each_channel() {
     assert_eq!(BinaryColor::On.dim(0), BinaryColor::Off);
     assert_eq!(BinaryColor::Off.dim(256), BinaryColor::Off);
 }
+
+#[test]
+fn levels_under_scales_that_are_nearly_even() {
+    let mut rng = Rng::new(0x8E);
+    let mut worst = 0.0f64;
+    for _ in 0..20_000 {
+        let mut model = ModelBits::random_rotation(&mut rng);
+        let bend = rng.log(1e-4, 0.1);
+        model.0.push(Step::Scale([0; 3].map(|_| (f64::from(ONE) * (1.0 + rng.real(-bend, bend))) as i32)));
+        model.0.extend(ModelBits::random_rotation(&mut rng).0);
+        worst = worst.max(check(&mut rng, &model));
+    }
+    println!("within {worst:.3} levels");
+}
+
+#[test]
+fn levels_under_scales_up_to_100_to_1() {
+    let mut rng = Rng::new(0x8F);
+    let mut worst = 0.0f64;
+    for _ in 0..20_000 {
+        let mut model = ModelBits::random_rotation(&mut rng);
+        model.0.push(Step::Scale([0; 3].map(|_| (f64::from(ONE) * rng.log(0.1, 10.0)) as i32)));
+        model.0.extend(ModelBits::random_rotation(&mut rng).0);
+        worst = worst.max(check(&mut rng, &model));
+    }
+    println!("within {worst:.3} levels");
+}

@@ -248,4 +248,4 @@ fn as_many_as_an_index_can_name_and_no_more() {
     std::thread::Builder::new().stack_size(64 << 20).spawn(big).expect("a thread").join().expect("no panic");
 }
 
-const FACES_10922: [[u16; 3]; 10_922] = [[0, 1, 2]; 10_922];
+static FACES_10922: [[u16; 3]; 10_922] = [[0, 1, 2]; 10_922];

@@ -1,0 +1,177 @@
+//! The README's first command: what its film shows, and what it says to bad input.
+
+#[allow(dead_code)]
+#[path = "../examples/spin/canvas.rs"]
+mod canvas;
+#[path = "../examples/spin/depth.rs"]
+mod depth;
+#[path = "../examples/spin/scene.rs"]
+mod scene;
+
+use canvas::Canvas;
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use pinhole::Painter;
+use pinhole_import::ImportedMesh;
+use scene::Turntable;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const SIZE: Size = Size::new_equal(240);
+const FRAMES: u32 = 48;
+
+fn teapot() -> ImportedMesh {
+    pinhole_import::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/teapot.obj")).unwrap()
+}
+
+/// Which faces the solid frames of the film show: in painter's order, and by depth.
+fn solid_frames() -> impl Iterator<Item = (Canvas<Rgb888>, Canvas<Rgb888>)> {
+    let teapot = teapot();
+    let inside = scene::inside(&teapot);
+    let mut painter = Box::new(Painter::<Rgb888, 1024, 1024>::new());
+    (0..FRAMES / 2).map(move |frame| {
+        let placed = Turntable::new(&teapot, &inside, SIZE).unwrap().place(&Turntable::model(frame, FRAMES));
+        let mut painted = Canvas::new(SIZE, depth::NOTHING);
+        scene::paint(&mut painter, &placed, depth::face_colour, &mut painted).unwrap();
+        (painted, depth::nearest_faces(&placed, SIZE).unwrap())
+    })
+}
+
+#[test]
+fn painters_order_shows_the_nearest_face_but_in_one_pixel_of_a_hundred() {
+    let (mut pixels, mut of) = (0, 0);
+    for (painted, nearest) in solid_frames() {
+        let (differing, covered) = depth::compare(&painted, &nearest);
+        pixels += differing;
+        of += covered;
+        // Some face shows in the same pixels, whichever it is.
+        let shown =
+            |canvas: &Canvas<Rgb888>| canvas.pixels().iter().filter(|c| **c != depth::NOTHING).count();
+        assert_eq!(shown(&painted), shown(&nearest));
+    }
+    println!("{pixels} of {of} pixels show another face than a depth buffer would");
+    assert!(pixels * 100 < of, "{pixels} of {of}");
+}
+
+/// The sizes of the connected pieces of background.
+fn background(picture: &Canvas<Rgb888>) -> Vec<usize> {
+    let (width, height) = (SIZE.width as usize, SIZE.height as usize);
+    let mut empty: Vec<bool> = picture.pixels().iter().map(|c| *c == depth::NOTHING).collect();
+    let mut pieces = Vec::new();
+    for start in 0..empty.len() {
+        let (mut size, mut open) = (0, vec![start]);
+        while let Some(pixel) = open.pop() {
+            if !std::mem::take(&mut empty[pixel]) {
+                continue;
+            }
+            size += 1;
+            let (x, y) = (pixel % width, pixel / width);
+            open.extend((x > 0).then(|| pixel - 1));
+            open.extend((x + 1 < width).then_some(pixel + 1));
+            open.extend((y > 0).then(|| pixel - width));
+            open.extend((y + 1 < height).then_some(pixel + width));
+        }
+        if size > 0 {
+            pieces.push(size);
+        }
+    }
+    pieces
+}
+
+#[test]
+fn the_teapot_has_no_cracks() {
+    for (frame, (painted, _)) in solid_frames().enumerate() {
+        // One piece about the teapot, and one that the handle encloses unless it is behind the pot.
+        let handle = !(7..=17).contains(&frame);
+        let pieces = background(&painted);
+        assert_eq!(pieces.len(), 1 + usize::from(handle), "frame {frame}: {pieces:?}");
+    }
+}
+
+#[test]
+fn the_teapot_is_not_mirrored() {
+    let teapot = teapot();
+    let table = Turntable::new(&teapot, &[], SIZE).unwrap();
+    let end = |axis: usize| (0..teapot.vertices.len()).max_by_key(|&v| teapot.vertices[v][axis]).unwrap();
+    let (spout, knob) = (end(0), end(1));
+    let at = |frame, vertex| {
+        let [outside, _] = table.place(&Turntable::model(frame, FRAMES));
+        let (point, depth) = outside.project(vertex).unwrap();
+        (point.x() >> 8, point.y() >> 8, depth)
+    };
+    let (middle, middle_depth) = (120, at(0, knob).2);
+    // The spout starts on the right, comes near, goes to the left and away; the knob stays above.
+    assert!(at(0, spout).0 > 220);
+    assert!(at(FRAMES / 4, spout).2 < middle_depth && at(FRAMES / 4, spout).0.abs_diff(middle) < 3);
+    assert!(at(FRAMES / 2, spout).0 < 20);
+    assert!(at(FRAMES * 3 / 4, spout).2 > middle_depth);
+    for frame in 0..FRAMES {
+        assert!(at(frame, knob).1 < 90);
+    }
+}
+
+/// Runs the example, which `cargo test` has built beside the tests.
+fn spin(arguments: &[&str]) -> Output {
+    let tests = std::env::current_exe().unwrap();
+    let program = tests.with_file_name("../examples/spin").with_extension(std::env::consts::EXE_EXTENSION);
+    assert!(program.exists(), "cargo test builds it, cargo test --test does not");
+    Command::new(program).args(arguments).output().unwrap()
+}
+
+/// A path of this test's own.
+fn scratch(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn a_film_has_its_frames_and_its_sheet() {
+    let out = scratch("film");
+    let done = spin(&["--size", "32", "--frames", "6", "--out", out.to_str().unwrap()]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    let said = String::from_utf8(done.stdout).unwrap();
+    assert!(said.contains("3 frames, 2976 drawn, 2976 culled"), "{said}");
+    assert!(said.contains(out.join("spin.gif").to_str().unwrap()), "{said}");
+    assert!(!said.contains('\u{1b}'), "no colours in a pipe");
+
+    let mut gif =
+        gif::DecodeOptions::new().read_info(std::fs::File::open(out.join("spin.gif")).unwrap()).unwrap();
+    assert_eq!((gif.width(), gif.height()), (32, 32));
+    let mut frames = 0;
+    while gif.read_next_frame().unwrap().is_some() {
+        frames += 1;
+    }
+    assert_eq!(frames, 6);
+    let sheet = std::io::BufReader::new(std::fs::File::open(out.join("spin.png")).unwrap());
+    let sheet = png::Decoder::new(sheet).read_info().unwrap();
+    assert_eq!((sheet.info().width, sheet.info().height), (4 * 32, 2 * 32));
+}
+
+#[test]
+fn bad_input_is_one_line_exit_code_2_and_no_output() {
+    let (broken, missing, out) = (scratch("broken.obj"), scratch("missing.obj"), scratch("never"));
+    std::fs::write(&broken, "v 0 0 0\nv 1 0\n").unwrap();
+    let (broken, missing) = (broken.to_str().unwrap(), missing.to_str().unwrap());
+    let unwritable = scratch("broken.obj/below");
+    for (arguments, named) in [
+        (["--mesh", missing], missing),
+        (["--mesh", broken], broken),
+        (["--size", "0"], "--size"),
+        (["--size", "2049"], "--size"),
+        (["--size", "many"], "--size"),
+        (["--frames", "1"], "--frames"),
+        (["--film", "x"], "--film"),
+        (["--out", unwritable.to_str().unwrap()], "broken.obj/below"),
+    ] {
+        let mut arguments = arguments.to_vec();
+        if arguments[0] != "--out" {
+            arguments.extend(["--out", out.to_str().unwrap()]);
+        }
+        let done = spin(&arguments);
+        assert_eq!(done.status.code(), Some(2), "{arguments:?}");
+        assert!(done.stdout.is_empty());
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(said.lines().count(), 1, "{said}");
+        assert!(said.contains(named), "{said}");
+        assert!(!out.exists());
+    }
+}
