@@ -83,7 +83,9 @@ impl Firmware {
             Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
             Err(error) => format!("bash: {error}\n"),
         };
-        assert_ne!(std::env::var("CI").as_deref(), Ok("true"), "{target}: {lacking}");
+        if std::env::var("CI").as_deref() == Ok("true") {
+            panic!("{target}: {lacking}");
+        }
         // Not by eprintln, which the test harness shows only when a test fails.
         write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: firmware for {target}\n{lacking}").expect("stderr");
         None
