@@ -110,7 +110,9 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// Within 1/256 px of the exact image of the quantised input, the rounding to 1/256 px
     /// included, for objects whose half extent is at most 300 times the vertex's distance;
     /// beyond, within `1/512 + 6.5·10⁻⁶ · extent/distance` px, for 480 × 320 pixels and focal lengths up
-    /// to 700 px. Depth is within 1 of `65535·(z/w + 1)/2`.
+    /// to 700 px; ARCHITECTURE.md has the formula for all others. Depth is within 1 of
+    /// `65535·(z/w + 1)/2` there, unless far follows right after near: what rounding costs grows as
+    /// far/(far − near).
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
         let vertex = *self.mesh.vertices().get(index)?;
         let image = match self.placement.project::<V, true>(vertex) {

@@ -180,6 +180,9 @@ impl Projection {
     /// What a planar projection shows through a `window` of its plane, with depth between the
     /// planes z = −near and z = −far (distances along −z, near < far).
     ///
+    /// The camera looks along −z: where the centre of projection lies at smaller z (as with d > 0), it is
+    /// the far plane that is closer to it, and the picture is mirrored, as the matrix has it.
+    ///
     /// x and y are the planar image's, mapped from the window to −1 … 1; depth is linear on the
     /// screen, `d = (w at far)/(far − near) · (−z − near)`.
     ///
