@@ -198,8 +198,11 @@ pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A
         point: ClipPoint::from_units(p.xyzw, exponent),
         attributes: p.attributes,
     };
-    if polygon.len() < 3 {
-        return Vec::new();
+    let mut result = Vec::new();
+    if polygon.len() >= 3 {
+        for corner in &polygon {
+            let _ = result.push(back(corner)); // as many as the polygon can have
+        }
     }
-    polygon.iter().map(back).collect()
+    result
 }

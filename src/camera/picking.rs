@@ -1,7 +1,7 @@
 //! Single points: to the screen for labels, and back for picking.
 
 use super::{Camera, Placement};
-use crate::math::num::{add, excess, scale};
+use crate::math::num::{add, excess, row_times, scale};
 use crate::math::unit::normalise;
 use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
@@ -106,19 +106,16 @@ impl Camera {
             self.rows[2].linear.iter().zip(along).map(|(&m, c)| i64::from(m) * i64::from(c)).sum();
         let turn = if growth < 0 { -1 } else { 1 };
         // Rᵀ·along: 3·2⁶⁰, to 2¹⁴ world units of 2⁻¹⁶.
-        let world = |j: usize| {
-            let sum: i64 = (0..3).map(|i| i64::from(self.axes[i][j]) * i64::from(along[i])).sum();
-            Scalar::from_bits(scale(turn * sum, -30) as i32)
-        };
-        Some(Ray { origin, direction: Vector3::new(world(0), world(1), world(2)) })
+        let world = row_times(along, &self.axes).map(|sum| Scalar::from_bits(scale(turn * sum, -30) as i32));
+        let [x, y, z] = world;
+        Some(Ray { origin, direction: Vector3::new(x, y, z) })
     }
 
     /// The finite vanishing points of the world's x, y and z axes: `None` for an axis whose
     /// parallels stay parallel (its direction lies within 2⁻²⁶ of the view plane's), as all do
     /// under a parallel projection.
     pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
-        let point = |axis: usize| {
-            let direction = self.axes.map(|row| row[axis]);
+        let point = |direction: [i32; 3]| {
             // The forms without their constants: three products of at most 2⁶⁰.
             let at = |row: &Row| -> (i64, i32) {
                 let sum = row.linear.iter().zip(direction).map(|(&m, c)| i64::from(m) * i64::from(c)).sum();
@@ -153,7 +150,8 @@ impl Camera {
                 y: near(y, cy),
             })
         };
-        [point(0), point(1), point(2)]
+        let [u, v, n] = self.axes;
+        [point([u[0], v[0], n[0]]), point([u[1], v[1], n[1]]), point([u[2], v[2], n[2]])]
     }
 
     /// The two planes of view space that project onto the screen point's column and row.
@@ -170,12 +168,14 @@ impl Camera {
 
     /// A view point in 2⁻²⁴ to the world, or `None` outside.
     fn world_point(&self, p: [i64; 3]) -> Option<Point3<World>> {
+        let [u, v, n] = self.axes;
+        let columns = [[u[0], v[0], n[0]], [u[1], v[1], n[1]], [u[2], v[2], n[2]]];
         let mut bits = [0; 3];
-        for (j, bit) in bits.iter_mut().enumerate() {
+        for ((bit, column), eye) in bits.iter_mut().zip(columns).zip(self.eye) {
             // |p| < 2⁴¹ times 2³⁰, three times: in i128, rounded from 2⁻⁵⁴ to 2⁻¹⁶.
-            let sum: i128 = (0..3).map(|i| i128::from(self.axes[i][j]) * i128::from(p[i])).sum();
+            let sum: i128 = column.iter().zip(p).map(|(&m, c)| i128::from(m) * i128::from(c)).sum();
             let v = ((sum >> 37) + 1) >> 1;
-            *bit = i32::try_from(v + i128::from(self.eye[j])).ok()?;
+            *bit = i32::try_from(v + i128::from(eye)).ok()?;
         }
         Some(Point3::from_bits(bits))
     }
@@ -211,10 +211,12 @@ fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
         (v == 0 || bits + left <= 73).then(|| if v == 0 { 0 } else { v << left })
     };
     let constants = [constant(a)?, constant(b)?, constant(c)?];
+    let [l, m, n] = normals;
+    let columns = [[l[0], m[0], n[0]], [l[1], m[1], n[1]], [l[2], m[2], n[2]]];
     let mut point = [0; 3];
-    for (j, coordinate) in point.iter_mut().enumerate() {
+    for (coordinate, column) in point.iter_mut().zip(columns) {
         // Three products of 73 + 45 bits.
-        let sum: i128 = (0..3).map(|i| constants[i] * i128::from(normals[i][j])).sum();
+        let sum: i128 = constants.iter().zip(column).map(|(&c, n)| c * i128::from(n)).sum();
         let v = -sum.checked_div(determinant)?;
         if v.unsigned_abs() > 1 << 41 {
             return None;

@@ -228,21 +228,22 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     ///
     /// [`InverseError::NotRigid`] where rows are not of length 1 or not orthogonal, to 2⁻²⁰.
     pub fn rigid_inverse(&self) -> Result<Affine<B, A>, InverseError> {
-        let m = &self.linear;
+        let [x, y, z] = &self.linear;
         // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½.
-        let gram = |i: usize, j: usize| -> i64 {
-            (0..3).map(|k| i64::from(m[i][k]) * i64::from(m[j][k])).sum::<i64>()
-            // ≤ 3·2⁶⁰
+        let gram = |a: &[i32; 3], b: &[i32; 3]| -> i64 {
+            a.iter().zip(b).map(|(&a, &b)| i64::from(a) * i64::from(b)).sum() // ≤ 3·2⁶⁰
         };
         let one = scale(1 << 60, -2 * self.exponent);
         let near = |value: i64, wanted: i64| (value - wanted).abs() <= 1 << 40;
-        let pairs = [(0, 0, one), (1, 1, one), (2, 2, one), (0, 1, 0), (0, 2, 0), (1, 2, 0)];
-        if !(-1..=1).contains(&self.exponent) || !pairs.iter().all(|&(i, j, wanted)| near(gram(i, j), wanted))
-        {
+        let rigid = [x, y, z].iter().all(|row| near(gram(row, row), one))
+            && near(gram(x, y), 0)
+            && near(gram(y, z), 0)
+            && near(gram(z, x), 0);
+        if !(-1..=1).contains(&self.exponent) || !rigid {
             return Err(InverseError::NotRigid);
         }
-        let column = |j: usize| [m[0][j], m[1][j], m[2][j]];
-        Ok(self.returning([column(0), column(1), column(2)], self.exponent))
+        let transposed = [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]];
+        Ok(self.returning(transposed, self.exponent))
     }
 
     /// The inverse with this linear part: `−L·o` brings this transform's origin back.

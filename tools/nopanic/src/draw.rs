@@ -49,6 +49,8 @@ fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
     report(placed.wireframe(wire, corners, target));
     report(placed.solid(&mut shade, corners, target));
     report(painter.add(placed, &mut shade));
+    report(placed.points(wire, target));
+    report(placed.polyline(wire, target));
 }
 
 /// A result is looked at, or computing it might be left out.

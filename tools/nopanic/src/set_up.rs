@@ -3,10 +3,12 @@
 use crate::any;
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::raster::ScreenPoint;
-use pinhole::space::{Model, Ndc, View, World};
+use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    Affine, Angle, Camera, ClipPoint, Lambert, LightError, Mesh, MeshError, NumberError, Point3, Projection,
-    ProjectionError, Scalar, Statistics, Vector3, Viewing, ViewingError, Viewport, ViewportError, Window,
+    clip, Affine, Angle, AxisError, Camera, ClipPoint, Hidden, Hierarchy, HierarchyError, InverseError,
+    Lambert, LightError, Mesh, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, Projection,
+    ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, Scalar, Side, Sphere, Statistics,
+    VanishingPoint, Vector3, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -24,6 +26,10 @@ fn point() -> Point3<World> {
 
 fn vector() -> Vector3<World> {
     Vector3::new(scalar(), scalar(), scalar())
+}
+
+fn view_point() -> Point3<View> {
+    Point3::new(scalar(), scalar(), scalar())
 }
 
 fn size() -> Size {
@@ -78,4 +84,44 @@ entries! {
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
+
+    entry_rotation(angle: Angle) -> Result<Affine<Model, World>, AxisError> { Affine::rotation(point(), vector(), angle) }
+    entry_quaternion() -> Result<Quaternion, QuaternionError> { Quaternion::new(scalar(), scalar(), scalar(), scalar()) }
+    entry_micromath(q: micromath::Quaternion) -> Result<Quaternion, QuaternionError> { q.try_into() }
+    entry_from_quaternion(q: Quaternion) -> Affine<Model, World> { Affine::from_quaternion(q) }
+    entry_from_frame() -> Affine<Model, World> { Affine::from_frame(vector(), vector(), vector(), point()) }
+    entry_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, InverseError> { a.inverse() }
+    entry_rigid_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, InverseError> { a.rigid_inverse() }
+    entry_normal(a: &Affine<Model, World>, n: [i16; 3]) -> [i16; 3] { a.normals().apply(n) }
+
+    entry_multiview(side: Side) -> Viewing { Viewing::multiview(point(), side) }
+    entry_isometric() -> Viewing { Viewing::isometric(point()) }
+    entry_dimetric() -> Result<Viewing, ViewingError> { Viewing::dimetric(point(), scalar(), scalar()) }
+    entry_trimetric() -> Result<Viewing, ViewingError> { Viewing::trimetric(point(), vector()) }
+    entry_view_matrix(m: &[[f64; 4]; 4]) -> Result<Viewing, ViewingError> { Viewing::from_matrix(m) }
+    entry_oblique(angle: Angle) -> Result<Projection, ProjectionError> { Projection::oblique(window(), scalar(), scalar(), angle, scalar()) }
+    entry_eye_at_origin() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::eye_at_origin(scalar()) }
+    entry_origin_in_plane() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::origin_in_plane(scalar()) }
+    entry_general(q: Option<Scalar>, d: Vector3<View>) -> Result<PlanarProjection, ProjectionError> { PlanarProjection::general(scalar(), q, d) }
+    entry_planar(planar: &PlanarProjection) -> (Option<Point3<View>>, [Scalar; 4]) { (planar.apply(view_point()), planar.homogeneous(view_point())) }
+    entry_from_planar(planar: &PlanarProjection) -> Result<Projection, ProjectionError> { Projection::from_planar(planar, window(), scalar(), scalar()) }
+    entry_reference() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::perspective(view_point(), window(), scalar(), scalar()) }
+    entry_reference_parallel() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::parallel(view_point(), window(), scalar(), scalar()) }
+    entry_normalise(volume: &ReferenceVolume) -> (Point3<Canonical>, Scalar) { (volume.normalise(view_point()), volume.z_min()) }
+    entry_from_volume(volume: &ReferenceVolume) -> Projection { Projection::from_reference(volume) }
+    entry_matrix(m: &[[f64; 4]; 4]) -> Result<Projection, ProjectionError> { Projection::from_matrix(m) }
+
+    entry_project(camera: &Camera) -> Result<(ScreenPoint, u16), Hidden> { camera.project(point()) }
+    entry_unproject(camera: &Camera, at: ScreenPoint, depth: u16) -> Option<Point3<World>> { camera.unproject(at, depth) }
+    entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
+    entry_vanishing_points(camera: &Camera) -> [Option<VanishingPoint>; 3] { camera.vanishing_points() }
+    entry_visibility(camera: &Camera, s: &Sphere, a: &Affine<Model, World>) -> Visibility { camera.visibility(s, a) }
+    entry_bounding_sphere(mesh: &Mesh<'static>) -> Sphere { mesh.bounding_sphere() }
+    entry_wide_bounding_sphere(mesh: &Mesh<'static, Scalar>) -> Sphere { mesh.bounding_sphere() }
+    entry_outcode(p: &ClipPoint) -> Outcode { p.outcode() }
+    entry_clip_line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> { clip::line(a, b) }
+    entry_clip_triangle(corners: [clip::ClipVertex<3>; 3]) -> usize { core::hint::black_box(clip::triangle(corners)).len() }
+    entry_hierarchy(nodes: &'static mut [Node]) -> Result<Hierarchy<'static>, HierarchyError> { Hierarchy::new(nodes) }
+    entry_update(hierarchy: &mut Hierarchy<'static>) -> () { hierarchy.update() }
+    entry_set_local(hierarchy: &mut Hierarchy<'static>, local: Affine<Model, Model>) -> bool { hierarchy.set_local(any() as usize, local) }
 }
