@@ -1,6 +1,6 @@
-//! What a camera sees in a pixel, by one ray through it, in f64. There is no clipping in here: the
-//! ray meets the triangle's plane where the three barycentric weights are positive, and that point
-//! counts if it lies between near and far. Culling by the sign of the homogeneous determinant.
+//! What a camera sees in a pixel, by the ray through its centre, in f64. There is no clipping in here:
+//! the ray meets the triangle where the three barycentric weights are positive, and that point counts
+//! if it lies between near and far. Culling by the sign of the homogeneous determinant.
 
 use super::chain::{cross, dot, Affine, Camera, V3, V4};
 
@@ -22,15 +22,39 @@ impl Face {
         dot(a, cross(b, c)) < 0.0
     }
 
-    /// z/w of the point seen through (x, y), or none if the ray misses the triangle.
-    pub(crate) fn meet(&self, x: f64, y: f64) -> Option<f64> {
+    /// How the triangle lies to the ray through (x, y), or to any other within `tolerance` px of it.
+    fn meet(&self, x: f64, y: f64, far: bool, tolerance: f64) -> Meeting {
         let [a, b, c] = self.screen;
-        let p = [x, y, 1.0];
         let det = dot(a, cross(b, c));
-        let weights = [dot(p, cross(b, c)) / det, dot(p, cross(c, a)) / det, dot(p, cross(a, b)) / det];
-        // Σ weight·(x w, y w, w) = (x, y, 1): the scale is one, so Σ weight·z is z/w.
-        (det != 0.0 && weights.iter().all(|&w| w >= 0.0)).then(|| dot(weights, self.z))
+        if det == 0.0 {
+            return Meeting::Never;
+        }
+        // Σ weight·(x w, y w, w) = (x, y, 1): the weights are linear in x and y, and z/w is Σ weight·z.
+        let rows = [cross(b, c), cross(c, a), cross(a, b)].map(|r| r.map(|v| v / det));
+        let depth: V3 = core::array::from_fn(|k| (0..3).map(|i| rows[i][k] * self.z[i]).sum());
+        let at = |r: V3| (dot(r, [x, y, 1.0]), tolerance * (r[0].abs() + r[1].abs()));
+        let (z, z_slack) = at(depth);
+        // What must not be negative, and how much it may change nearby.
+        let mut limits = rows.map(at).to_vec();
+        limits.push((z + 1.0, z_slack));
+        if far {
+            limits.push((1.0 - z, z_slack));
+        }
+        if limits.iter().any(|(v, slack)| v + slack < 0.0) {
+            Meeting::Never
+        } else if limits.iter().all(|(v, slack)| v - slack > 0.0) {
+            Meeting::Surely(z, z_slack)
+        } else {
+            Meeting::Perhaps
+        }
     }
+}
+
+enum Meeting {
+    Never,
+    Perhaps,
+    /// With z/w, and how much it may differ nearby.
+    Surely(f64, f64),
 }
 
 /// All faces of a placed mesh.
@@ -38,24 +62,9 @@ pub(crate) fn faces(camera: &Camera, model: &Affine, vertices: &[V3], faces: &[[
     faces.iter().map(|f| Face::new(camera, f.map(|i| camera.clip(model, vertices[usize::from(i)])))).collect()
 }
 
-/// The index of the nearest front face seen through (x, y). Near is always there, far on demand.
-pub(crate) fn seen(faces: &[Face], x: f64, y: f64, far: bool) -> Option<usize> {
-    let mut nearest: Option<(usize, f64)> = None;
-    for (i, face) in faces.iter().enumerate() {
-        if !face.is_front() {
-            continue;
-        }
-        if let Some(z) = face.meet(x, y) {
-            if z >= -1.0 && (!far || z <= 1.0) && nearest.is_none_or(|(_, best)| z < best) {
-                nearest = Some((i, z));
-            }
-        }
-    }
-    nearest.map(|(i, _)| i)
-}
-
-/// What is seen at the centre of pixel (i, j): `Err` if it is not the same all around the centre
-/// within `tolerance` px, so that a snapped vertex may decide otherwise.
+/// The nearest front face seen at the centre of pixel (i, j): `Err` if that is not certain for every
+/// ray within `tolerance` px of it, so that a snapped vertex may decide otherwise. Near is always
+/// there, far on demand.
 pub(crate) fn pixel(
     faces: &[Face],
     (i, j): (i64, i64),
@@ -63,12 +72,19 @@ pub(crate) fn pixel(
     tolerance: f64,
 ) -> Result<Option<usize>, ()> {
     let (x, y) = (i as f64 + 0.5, j as f64 + 0.5);
-    let here = seen(faces, x, y, far);
-    let t = tolerance;
-    let around = [(t, 0.0), (-t, 0.0), (0.0, t), (0.0, -t), (t, t), (t, -t), (-t, t), (-t, -t)];
-    if around.iter().all(|&(dx, dy)| seen(faces, x + dx, y + dy, far) == here) {
-        Ok(here)
-    } else {
-        Err(())
+    let mut nearest: Option<(usize, f64, f64)> = None;
+    for (index, face) in faces.iter().enumerate() {
+        match face.meet(x, y, far, tolerance) {
+            Meeting::Never => {}
+            Meeting::Perhaps => return Err(()),
+            Meeting::Surely(..) if !face.is_front() => {}
+            Meeting::Surely(z, slack) => match nearest {
+                None => nearest = Some((index, z, slack)),
+                Some((_, best, best_slack)) if (z - best).abs() <= slack + best_slack => return Err(()),
+                Some((_, best, _)) if z < best => nearest = Some((index, z, slack)),
+                Some(_) => {}
+            },
+        }
     }
+    Ok(nearest.map(|(index, ..)| index))
 }
