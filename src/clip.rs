@@ -1,7 +1,7 @@
 //! Cutting lines and polygons at planes in homogeneous coordinates, before the divide.
 //!
 //! The pipeline cuts at the near plane, the guard band and, on request, the far plane, and leaves
-//! the sides to the rasteriser. For those who want the clipped geometry itself, [`line`] and
+//! the sides to the rasteriser. For those who want the clipped geometry itself, [`line()`] and
 //! [`triangle`] cut at all six planes of the view volume, attributes and all.
 //!
 //! ```

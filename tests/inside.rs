@@ -94,7 +94,7 @@ fn counts(camera: &CameraBits, model: &ModelBits, body: &Body) -> (Recorder<Ink>
 fn met(faces: &[Face], x: f64, y: f64) -> (u32, u32) {
     let mut n = (0, 0);
     for face in faces {
-        if face.meet(x, y).is_some_and(|z| z >= -1.0) {
+        if face.is_met(x, y) {
             if face.is_front() {
                 n.0 += 1;
             } else {

@@ -310,32 +310,30 @@ fn letter(face: usize) -> char {
     char::from(b"aAbB#C"[face / 2 % 6])
 }
 
-const SIZE: u32 = 40;
-
-fn solid(s: &SetUp) -> String {
+fn solid(s: &SetUp, size: u32) -> String {
     let mesh = Mesh::new(&CUBE, 0, &FACES).expect("a mesh");
-    let camera = s.camera(SIZE);
-    let mut target = Recorder::sized(SIZE, SIZE);
+    let camera = s.camera(size);
+    let mut target = Recorder::sized(size, size);
     let mut painter = Painter::<Ink, 8, 12>::new();
     let model = Affine::<Model, World>::identity();
     painter.add(&camera.place(&mesh, &model), |face| Ink(face as u16)).expect("room");
     painter.draw(&mut target).expect("no error");
-    target.picture(SIZE as i32, SIZE as i32, |Ink(face)| letter(usize::from(face)))
+    target.picture(size as i32, size as i32, |Ink(face)| letter(usize::from(face)))
 }
 
-fn wireframe(s: &SetUp) -> String {
+fn wireframe(s: &SetUp, size: u32) -> String {
     let mesh = Mesh::new(&CUBE, 0, &FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
-    let camera = s.camera(SIZE);
-    let mut target = Recorder::sized(SIZE, SIZE);
+    let camera = s.camera(size);
+    let mut target = Recorder::sized(size, size);
     let mut cache = [Corner::default(); 8];
     let model = Affine::<Model, World>::identity();
     camera.place(&mesh, &model).wireframe(Ink(0), &mut cache, &mut target).expect("no error");
-    target.picture(SIZE as i32, SIZE as i32, |_| '+')
+    target.picture(size as i32, size as i32, |_| '+')
 }
 
 /// The same by the definition: snapped corners, exact coverage of the faces that look at the viewer.
-fn oracle_solid(s: &SetUp) -> String {
-    let at: Vec<_> = s.exact(SIZE).into_iter().map(snap).collect();
+fn oracle_solid(s: &SetUp, size: u32) -> String {
+    let at: Vec<_> = s.exact(size).into_iter().map(snap).collect();
     let front: Vec<_> = FACES
         .iter()
         .map(|f| f.map(|i| at[usize::from(i)]))
@@ -343,8 +341,8 @@ fn oracle_solid(s: &SetUp) -> String {
         .filter(|(_, t)| edge(t[0], t[1], t[2]) < 0)
         .collect();
     let mut text = String::new();
-    for y in 0..i64::from(SIZE) {
-        for x in 0..i64::from(SIZE) {
+    for y in 0..i64::from(size) {
+        for x in 0..i64::from(size) {
             let mut here = front.iter().filter(|(_, t)| covers(*t, x, y));
             text.push(here.next().map_or('.', |(i, _)| letter(*i)));
             assert!(here.next().is_none());
@@ -354,16 +352,16 @@ fn oracle_solid(s: &SetUp) -> String {
     text
 }
 
-fn oracle_wireframe(s: &SetUp) -> String {
-    let at: Vec<_> = s.exact(SIZE).into_iter().map(snap).map(|(x, y)| (x >> 8, y >> 8)).collect();
-    let area = Area::new(0, 0, SIZE.into(), SIZE.into());
+fn oracle_wireframe(s: &SetUp, size: u32) -> String {
+    let at: Vec<_> = s.exact(size).into_iter().map(snap).map(|(x, y)| (x >> 8, y >> 8)).collect();
+    let area = Area::new(0, 0, size.into(), size.into());
     let mut pixels = std::collections::BTreeSet::new();
     for [a, b] in CUBE_EDGES {
         pixels.extend(oracle::line::clipped(at[usize::from(a)], at[usize::from(b)], area));
     }
     let mut text = String::new();
-    for y in 0..i64::from(SIZE) {
-        for x in 0..i64::from(SIZE) {
+    for y in 0..i64::from(size) {
+        for x in 0..i64::from(size) {
             text.push(if pixels.contains(&(x, y)) { '+' } else { '.' });
         }
         text.push('\n');
@@ -375,9 +373,9 @@ fn oracle_wireframe(s: &SetUp) -> String {
 fn s4_worked_set_ups_draw_their_golden_pictures() {
     let mut all = String::new();
     for s in &SET_UPS {
-        let (drawn, wanted) = (solid(s), oracle_solid(s));
+        let (drawn, wanted) = (solid(s, 40), oracle_solid(s, 40));
         assert!(drawn == wanted, "{}: drawn\n{drawn}\nexpected\n{wanted}", s.name);
-        let (lines, wanted) = (wireframe(s), oracle_wireframe(s));
+        let (lines, wanted) = (wireframe(s, 40), oracle_wireframe(s, 40));
         assert!(lines == wanted, "{}: drawn\n{lines}\nexpected\n{wanted}", s.name);
         all += &format!("{}\n", s.name);
         for (a, b) in drawn.lines().zip(lines.lines()) {
@@ -393,6 +391,60 @@ fn s4_worked_set_ups_draw_their_golden_pictures() {
 }
 
 /// The projectors of the worked set-ups are what SPEC 4 says: along DOP, or through the PRP.
+/// The shade of a letter in the golden pictures.
+fn shade(c: char) -> u8 {
+    match c {
+        '#' => 255, // the marked face
+        '+' => 255,
+        '.' => 0,
+        'a' => 60,
+        'A' => 100,
+        'b' => 140,
+        'B' => 170,
+        _ => 200,
+    }
+}
+
+/// Solid above, wireframe below. `GOLDEN=1` writes the file anew: look at it then.
+fn s4_golden_at_240(s: &SetUp, name: &str) {
+    let (drawn, wanted) = (solid(s, 240), oracle_solid(s, 240));
+    assert!(drawn == wanted, "{}: solid differs from its definition", s.name);
+    let (lines, wanted) = (wireframe(s, 240), oracle_wireframe(s, 240));
+    assert!(lines == wanted, "{}: wireframe differs from its definition", s.name);
+    let pixels: Vec<u8> = (drawn + &lines).chars().filter(|c| *c != '\n').map(shade).collect();
+    let path = format!("{}/tests/golden/{name}.png", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("GOLDEN").is_some() {
+        let mut encoder = png::Encoder::new(std::fs::File::create(&path).expect("created"), 240, 480);
+        encoder.set_color(png::ColorType::Grayscale);
+        encoder.write_header().and_then(|mut w| w.write_image_data(&pixels)).expect("written");
+    }
+    let file = std::io::BufReader::new(std::fs::File::open(&path).expect("a golden picture"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a PNG file");
+    let mut kept = vec![0; 240 * 480];
+    reader.next_frame(&mut kept).expect("its pixels");
+    assert!(pixels == kept, "{}: not its golden picture", s.name);
+}
+
+#[test]
+fn s4_one_point_golden_at_240() {
+    s4_golden_at_240(&SET_UPS[0], "one_point");
+}
+
+#[test]
+fn s4_two_point_golden_at_240() {
+    s4_golden_at_240(&SET_UPS[1], "two_point");
+}
+
+#[test]
+fn s4_two_point_closer_golden_at_240() {
+    s4_golden_at_240(&SET_UPS[2], "two_point_closer");
+}
+
+#[test]
+fn s4_parallel_golden_at_240() {
+    s4_golden_at_240(&SET_UPS[3], "parallel");
+}
+
 #[test]
 fn s4_parallel_dop_is_centre_of_window_less_prp() {
     let Projectors::Along(d) = SET_UPS[3].family().picture().projectors else { panic!("parallel") };

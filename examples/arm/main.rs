@@ -15,7 +15,7 @@ mod robot;
 mod still;
 
 use canvas::Canvas;
-use clap::Parser;
+use clap::{value_parser, Arg, Command};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use pinhole::space::World;
@@ -38,22 +38,40 @@ const STEEL: Rgb565 = Rgb565::new(22, 46, 25);
 const ORANGE: Rgb565 = Rgb565::new(31, 36, 4);
 const RUBBER: Rgb565 = Rgb565::new(12, 26, 14);
 
-/// Move a robot arm through one cycle: an animated GIF and a contact sheet, drawn as on a microcontroller
-#[derive(Parser)]
 struct Arguments {
-    /// Width and height of the picture in pixels, 16 to 2048
-    #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(16..=2048))]
     size: u32,
-    /// Frames of the full cycle, 2 to 720
-    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(2..=720))]
     frames: u32,
-    /// Folder for the pictures
-    #[arg(long, value_name = "DIR", default_value = "target/arm")]
     out: PathBuf,
 }
 
+fn arguments() -> Result<Arguments, clap::Error> {
+    let option = |name: &'static str, value: &'static str, help: &'static str, default: &'static str| {
+        Arg::new(name).long(name).value_name(value).help(help).default_value(default)
+    };
+    let mut given = Command::new("arm")
+        .about("Moves a robot arm through one cycle: an animated GIF and a contact sheet")
+        .arg(
+            option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
+                .value_parser(value_parser!(u32).range(16..=2048)),
+        )
+        .arg(
+            option("frames", "N", "Frames of the cycle, 2 to 720", "60")
+                .value_parser(value_parser!(u32).range(2..=720)),
+        )
+        .arg(
+            option("out", "DIR", "The folder for the pictures", "target/arm")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .try_get_matches()?;
+    Ok(Arguments {
+        size: given.remove_one("size").unwrap_or_default(),
+        frames: given.remove_one("frames").unwrap_or_default(),
+        out: given.remove_one("out").unwrap_or_default(),
+    })
+}
+
 fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match arguments() {
         Ok(arguments) => arguments,
         Err(help) if help.exit_code() == 0 => help.exit(),
         Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),

@@ -13,7 +13,7 @@ mod still;
 mod views;
 
 use canvas::Canvas;
-use clap::Parser;
+use clap::{value_parser, Arg, ArgAction, Command};
 use embedded_graphics::mono_font::iso_8859_1::{FONT_5X8, FONT_6X10};
 use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -34,19 +34,34 @@ const GAP: u32 = 8;
 const CAPTION: u32 = 34;
 const COLUMNS: u32 = 6;
 
-/// Draw a house under every named projection: a contact sheet
-#[derive(Parser)]
 struct Arguments {
-    /// The picture
-    #[arg(long, value_name = "FILE", default_value = "docs/projections.png")]
     out: PathBuf,
-    /// Write nothing; exit code 1 if the file is not what would be written
-    #[arg(long)]
     check: bool,
 }
 
+fn arguments() -> Result<Arguments, clap::Error> {
+    let mut given = Command::new("gallery")
+        .about("Draws a house under every named projection: a contact sheet")
+        .arg(
+            Arg::new("out")
+                .long("out")
+                .value_name("FILE")
+                .help("The picture")
+                .default_value("docs/projections.png")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .arg(
+            Arg::new("check")
+                .long("check")
+                .help("Write nothing; exit code 1 if the file is not what would be written")
+                .action(ArgAction::SetTrue),
+        )
+        .try_get_matches()?;
+    Ok(Arguments { out: given.remove_one("out").unwrap_or_default(), check: given.get_flag("check") })
+}
+
 fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match arguments() {
         Ok(arguments) => arguments,
         Err(help) if help.exit_code() == 0 => help.exit(),
         Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),

@@ -5,7 +5,7 @@ use super::Point3;
 use crate::space::Ndc;
 
 /// A point of clip space: homogeneous, stands for (x/w, y/w, z/w). 30-bit integers with one
-/// exponent: each value is `integer · 2^exponent`. Only a [`Projection`] makes one.
+/// exponent: each value is `integer · 2^exponent`. Only a [`Projection`](crate::Projection) makes one.
 ///
 /// ```
 /// use pinhole::{Projection, Window, Scalar, Point3, space::View};
