@@ -159,3 +159,64 @@ fn a_turned_room() {
         once(&camera, &model, &vertices, -11, &faces);
     }
 }
+
+#[test]
+fn a_floor_that_the_near_plane_cuts_in_the_picture() {
+    // The cut ends of shared edges lie on the screen: neighbours must cut them at the same point.
+    let mut rng = Rng::new(0xB7);
+    let (mut floor, mut background) = (0, 0);
+    for k in 0..400 {
+        let (vertices, faces) = room(&mut rng, [1, 2, 5, 9][k % 4], 32_000);
+        // The floor is 1 below the eye; near starts below the view's lower border at 1.7. Boxes of up to
+        // ±63: larger floors are folded by the snap at their horizon.
+        let exponent = rng.int(-12, -9) as i8;
+        let half = 32_000.0 * f64::from(exponent).exp2();
+        let eye =
+            bits([half * rng.real(-0.1, 0.1), 1.0 - half, half * rng.real(-0.1, 0.1)]).expect("in range");
+        let near = rng.log(2.0, 5.0);
+        let azimuth = rng.real(0.0, core::f64::consts::TAU);
+        let roll = rng.real(-0.5, 0.5);
+        let camera = CameraBits {
+            view: ViewBits::LookAlong(
+                eye,
+                bits([azimuth.cos(), 0.0, azimuth.sin()]).expect("in range"),
+                bits([-roll * azimuth.sin(), 1.0, roll * azimuth.cos()]).expect("in range"),
+            ),
+            projection: ProjectionBits::Perspective(
+                (1 << 31) / 3,
+                (4, 3),
+                (near * 65536.0) as i32,
+                32767 * ONE,
+            ),
+            viewport: (0, 0, 64, 48),
+        };
+        let mesh = Mesh::new(&vertices, exponent, &faces).expect("a mesh");
+        let model = ModelBits::default();
+        let library = camera.library();
+        let mut target = Recorder::sized(64, 48);
+        solid(&library.place(&mesh, &model.library()), &mut target).expect("no error");
+        // The view of the whole: the same box, one square a side.
+        let plain = room(&mut rng, 1, 32_000);
+        let positions: Vec<_> = plain.0.iter().map(|&v| oracle::chain::vertex(v, exponent)).collect();
+        let seen = oracle::eye::faces(&camera.exact(), &model.exact(), &positions, &plain.1);
+        for (x, y) in Area::new(0, 0, 64, 48).pixels() {
+            let count = target.count(x as i32, y as i32);
+            match oracle::eye::pixel(&seen, (x, y), false, 1.0 / 64.0) {
+                Ok(Some(_)) => {
+                    floor += 1;
+                    assert_eq!(count, 1, "({x}, {y}): {camera:?} {vertices:?}·2^{exponent} {faces:?}");
+                }
+                Ok(None) => {
+                    background += 1;
+                    assert_eq!(count, 0, "({x}, {y}): {camera:?} {vertices:?}·2^{exponent} {faces:?}");
+                }
+                Err(()) => assert!(
+                    count <= 1,
+                    "({x}, {y}) is drawn {count} times: {camera:?} {vertices:?}·2^{exponent} {faces:?}"
+                ),
+            }
+        }
+    }
+    println!("{floor} covered, {background} background");
+    assert!(floor > 100_000 && background > 50_000);
+}
