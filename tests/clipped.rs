@@ -220,3 +220,65 @@ fn a_floor_that_the_near_plane_cuts_in_the_picture() {
     println!("{floor} covered, {background} background");
     assert!(floor > 100_000 && background > 50_000);
 }
+
+#[test]
+fn the_cut_of_a_shared_edge_is_the_same_point_for_both() {
+    // Two huge triangles, 10⁴ times larger than their distance, share a diagonal through the picture
+    // that near cuts: were the cut a unit apart, centres on the diagonal would show it.
+    let mut rng = Rng::new(0xB8);
+    let mut once = 0;
+    for _ in 0..800 {
+        let near = rng.real(1.0, 2.0);
+        let camera = CameraBits {
+            view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+            projection: ProjectionBits::Perspective(
+                (1 << 31) / 3,
+                (4, 3),
+                (near * 65536.0) as i32,
+                32767 * ONE,
+            ),
+            viewport: (0, 0, 64, 48),
+        };
+        // A plane through the axis just behind near, tilted.
+        let tilt = rng.real(0.5, 1.2);
+        let (turn, spin) = (rng.real(0.0, core::f64::consts::TAU), rng.real(0.0, core::f64::consts::TAU));
+        let across = [turn.cos(), turn.sin(), 0.0];
+        let along = [-turn.sin() * tilt.cos(), turn.cos() * tilt.cos(), tilt.sin()];
+        let size = rng.log(3000.0, 20_000.0);
+        let centre = [0.0, 0.0, -near * rng.real(1.05, 1.3)];
+        let corners: Option<Vec<[i32; 3]>> = (0..4)
+            .map(|k| {
+                let a = spin + core::f64::consts::FRAC_PI_2 * f64::from(k);
+                let (u, v) = (size * a.cos(), size * a.sin());
+                bits(core::array::from_fn(|i| centre[i] + u * across[i] + v * along[i]))
+            })
+            .collect();
+        let corners = corners.expect("in range");
+        let fixed: Vec<_> = corners.iter().map(|c| c.map(bridge::scalar)).collect();
+        let positions: Vec<_> = corners.iter().map(|&c| oracle::chain::fx3(c)).collect();
+        let faces = [[0, 1, 2], [0, 2, 3]];
+        let mesh = Mesh::from_fixed(&fixed, &faces).expect("a mesh");
+        let (library, model) = (camera.library(), ModelBits::default());
+        let mut target = Recorder::sized(64, 48);
+        library
+            .place(&mesh, &model.library())
+            .with_cull(Cull::None)
+            .solid(|face| Ink(face as u16), &mut [], &mut target)
+            .expect("no error");
+        // The same quadrangle cut along the other diagonal, seen from either side.
+        let other = [[0, 1, 3], [1, 2, 3], [3, 1, 0], [3, 2, 1]];
+        let seen = oracle::eye::faces(&camera.exact(), &model.exact(), &positions, &other);
+        for (x, y) in Area::new(0, 0, 64, 48).pixels() {
+            let count = target.count(x as i32, y as i32);
+            match oracle::eye::pixel(&seen, (x, y), false, 0.75) {
+                Ok(Some(_)) => {
+                    once += 1;
+                    assert_eq!(count, 1, "({x}, {y}): {camera:?} {corners:?}");
+                }
+                Ok(None) => assert_eq!(count, 0, "({x}, {y}): {camera:?} {corners:?}"),
+                Err(()) => assert!(count <= 1, "({x}, {y}): {camera:?} {corners:?}"),
+            }
+        }
+    }
+    assert!(once > 500_000, "{once}");
+}
