@@ -62,7 +62,7 @@ fn cut<P: Cut>(inside: &P, outside: &P, d_in: i64, d_out: i64) -> P {
 
 /// The six-bit outcode: bit i is set outside plane i. (Cohen and Sutherland; Newman and Sproull,
 /// *Principles of Interactive Computer Graphics*, 2nd ed., section 5.1.)
-fn outcode<P>(p: &P, planes: usize, distance: impl Fn(usize, &P) -> i64) -> u32 {
+pub(crate) fn outcode<P>(p: &P, planes: usize, distance: impl Fn(usize, &P) -> i64) -> u32 {
     (0..planes).filter(|&i| distance(i, p) < 0).map(|i| 1 << i).sum()
 }
 

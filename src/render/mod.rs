@@ -74,8 +74,9 @@ enum Outcome {
     Outside,
     /// All corners as they are; whether it faces the viewer.
     Whole([Corner; 3], bool),
-    /// What the planes leave, as a fan.
-    Cut(heapless::Vec<Corner, { clip::CORNERS }>),
+    /// What the planes leave, as a fan, and whether they took anything: the vertex loop sends more
+    /// here than the planes cut.
+    Cut(heapless::Vec<Corner, { clip::CORNERS }>, bool),
 }
 
 impl Camera {
@@ -153,8 +154,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
                 (from.point, to.point)
             } else {
                 match self.cut_edge(a, b) {
-                    Some(ends) => {
-                        statistics.clipped += 1;
+                    Some((ends, cut)) => {
+                        statistics.clipped += u32::from(cut);
                         ends
                     }
                     None => {
@@ -196,7 +197,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
                         send(target, span, colour)
                     })?;
                 }
-                Outcome::Cut(corners) => {
+                Outcome::Cut(corners, _) => {
                     let colour = shade(index);
                     for [a, b, c] in pieces(&corners) {
                         let points = [a.point, b.point, c.point];
@@ -235,12 +236,13 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         self.mesh.vertices().get(usize::from(index)).map(|&v| self.placement.clip(v))
     }
 
+    /// The ends of what the planes leave of an edge, and whether they took anything.
     #[cold]
-    fn cut_edge(&self, a: u16, b: u16) -> Option<(ScreenPoint, ScreenPoint)> {
+    fn cut_edge(&self, a: u16, b: u16) -> Option<((ScreenPoint, ScreenPoint), bool)> {
         let placement = &self.placement;
-        let (a, b) = (self.clip_vertex(a)?, self.clip_vertex(b)?);
-        let (a, b) = clip::line_at(a, b, placement.planes(), |i, p| placement.distance(i, p))?;
-        Some((placement.image(&a).point, placement.image(&b).point))
+        let whole = (self.clip_vertex(a)?, self.clip_vertex(b)?);
+        let (a, b) = clip::line_at(whole.0, whole.1, placement.planes(), |i, p| placement.distance(i, p))?;
+        Some(((placement.image(&a).point, placement.image(&b).point), (a, b) != whole))
     }
 
     #[cold]
@@ -268,7 +270,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
             }
             corners.reverse(); // pieces are counter-clockwise from here on
         }
-        Outcome::Cut(corners)
+        let outside = |p| clip::outcode(p, placement.planes(), |i, p| placement.distance(i, p)) != 0;
+        Outcome::Cut(corners, [a, b, c].iter().any(outside))
     }
 
     /// Step 3 of the pipeline, for one face.

@@ -161,7 +161,7 @@ impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS
                     let [a, b, c] = face.map(|i| old_corners.wrapping_add(usize::from(i)));
                     self.record([a, b, c], &corners, &mut room, || shade(index));
                 }
-                Outcome::Cut(corners) => {
+                Outcome::Cut(corners, _) => {
                     let colour = shade(index);
                     for piece in pieces(&corners) {
                         let first = room.corners;

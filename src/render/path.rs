@@ -55,9 +55,10 @@ impl<V: Coordinate> Placed<'_, V> {
             let ends = if from.whole && to.whole {
                 Some((from.point, to.point))
             } else {
-                let ends = self.cut_edge((index - 1) as u16, index as u16);
-                statistics.clipped += u32::from(ends.is_some());
-                ends
+                self.cut_edge((index - 1) as u16, index as u16).map(|(ends, cut)| {
+                    statistics.clipped += u32::from(cut);
+                    ends
+                })
             };
             match ends {
                 Some((a, b)) => {

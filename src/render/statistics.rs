@@ -46,8 +46,8 @@ impl Statistics {
             Outcome::Degenerate => &mut self.degenerate,
             Outcome::Outside => &mut self.outside,
             Outcome::Whole(..) => &mut self.drawn,
-            Outcome::Cut(_) => {
-                self.clipped = self.clipped.wrapping_add(1);
+            Outcome::Cut(_, cut) => {
+                self.clipped = self.clipped.wrapping_add(u32::from(*cut));
                 &mut self.drawn
             }
         };
