@@ -65,11 +65,13 @@ impl Camera {
     pub fn new(viewing: &Viewing, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
         let (x, y) = viewport.centre();
-        let guard = GUARD_BAND * 256; // 2²¹
-                                      // At least half a pixel: the viewport has pixels and lies inside the guard band.
+        // 2²¹ sub-pixels.
+        let guard = GUARD_BAND * 256;
+        // At least half a pixel: the viewport has pixels and lies inside the guard band.
         let free = (guard - x.abs().max(y.abs())).max(128);
-        let half = area.size.width.max(area.size.height).max(1) * 128; // ≤ 2²¹ sub-pixels
-                                                                       // Binary logarithms, downwards and upwards, without ilog2's panic at 0.
+        // At most 2²¹ sub-pixels.
+        let half = area.size.width.max(area.size.height).max(1) * 128;
+        // Binary logarithms, downwards and upwards, without ilog2's panic at 0.
         let room = 31 - free.leading_zeros() as i32;
         let unit = (32 - (half - 1).leading_zeros() as i32).min(room);
         let [x_row, y_row, d_row, w_row] = *projection.rows();
