@@ -16,9 +16,10 @@ pub use camera::{
     VanishingPoint, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
 };
 pub use math::{
-    Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, NormalMap, NumberError, Outcode, Point3,
-    Quaternion, QuaternionError, Scalar, Sphere, Vector3,
+    Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMap, NumberError,
+    Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
+pub use output::{DepthBuffer, DepthBufferError};
 pub use render::{Corner, Cull, Painter, Placed, RecordError, Statistics};
 pub use scene::{Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shade::{Dim, Lambert, LightError};

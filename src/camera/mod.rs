@@ -40,7 +40,7 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
     axes: [[i32; 3]; 3],
-    eye: [i32; 3],
+    eye: [i64; 3],
     /// x, y, d, w.
     rows: [Row; 4],
     screen: Screen,
@@ -115,6 +115,6 @@ fn stretched(row: Row, factor: i32, exponent: i32) -> Row {
 impl defmt::Format for Camera {
     fn format(&self, f: defmt::Formatter<'_>) {
         let [x, y] = self.screen.centre;
-        defmt::write!(f, "axes {}/2^30, eye {}/2^16, centre ({=i32}, {=i32})/256", self.axes, self.eye, x, y);
+        defmt::write!(f, "axes {}/2^30, eye {}/2^32, centre ({=i32}, {=i32})/256", self.axes, self.eye, x, y);
     }
 }

@@ -78,7 +78,7 @@ impl Camera {
             return Err(Hidden::BeyondFar);
         }
         let image = placement.image(&h);
-        Ok((image.point, image.depth))
+        Ok((image.point, image.step()))
     }
 
     /// The point of the world that [`project`](Self::project)s to this place and depth. `None`
@@ -172,10 +172,10 @@ impl Camera {
         let columns = [[u[0], v[0], n[0]], [u[1], v[1], n[1]], [u[2], v[2], n[2]]];
         let mut bits = [0; 3];
         for ((bit, column), eye) in bits.iter_mut().zip(columns).zip(self.eye) {
-            // |p| < 2⁴¹ times 2³⁰, three times: in i128, rounded from 2⁻⁵⁴ to 2⁻¹⁶.
+            // |p| < 2⁴¹ times 2³⁰, three times, and the eye: in i128, rounded from 2⁻⁵⁴ to 2⁻¹⁶.
             let sum: i128 = column.iter().zip(p).map(|(&m, c)| i128::from(m) * i128::from(c)).sum();
-            let v = ((sum >> 37) + 1) >> 1;
-            *bit = i32::try_from(v + i128::from(eye)).ok()?;
+            let v = (((sum + (i128::from(eye) << 22)) >> 37) + 1) >> 1;
+            *bit = i32::try_from(v).ok()?;
         }
         Some(Point3::from_bits(bits))
     }

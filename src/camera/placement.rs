@@ -7,7 +7,7 @@
 use super::{Camera, Screen};
 use crate::math::num::{mul_high, mul_wide, reciprocal, scale};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
-use crate::raster::ScreenPoint;
+use crate::raster::{ScreenPoint, FARTHEST};
 use crate::space::{Model, World};
 
 /// A camera's view of one object: its vertices to clip space and to the screen.
@@ -36,8 +36,15 @@ pub(crate) struct Placement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Image {
     pub(crate) point: ScreenPoint,
-    /// 0 near … 65534 far.
-    pub(crate) depth: u16,
+    /// 0 near … [`FARTHEST`] far, in 16.8.
+    pub(crate) depth: i32,
+}
+
+impl Image {
+    /// 0 near … 65534 far, rounded to nearest.
+    pub(crate) fn step(&self) -> u16 {
+        ((self.depth + 128) >> 8) as u16 // FARTHEST rounds to 65534
+    }
 }
 
 impl Placement {
@@ -108,9 +115,14 @@ impl Placement {
         let [cx, cy] = self.screen.centre;
         let along = |v: i32, centre: i32| ((mul_high(v, r.mantissa) >> right) + (2 * centre + 1)) >> 1;
         let depth = if DEPTH {
-            let right = (13 - self.d_over_w - n - 1).clamp(0, 31); // by least_w
-            (((mul_high(h.d, r.mantissa) >> right) + 1) >> 1).min(65_534) as u16
-        // d ≥ 0
+            let fine = mul_high(h.d, r.mantissa); // 0 … 2³⁰
+            let right = 5 - self.d_over_w - n; // ≥ −7 by least_w
+            if right > 0 {
+                (((fine >> (right - 1)) + 1) >> 1).min(FARTHEST)
+            } else {
+                let left = (-right).min(7);
+                fine.min(FARTHEST >> left) << left
+            }
         } else {
             0
         };
@@ -128,10 +140,10 @@ impl Placement {
             v.clamp(-(1 << 21), 1 << 21) as i32
         };
         let [cx, cy] = self.screen.centre;
-        let depth = scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 45);
+        let depth = scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 37);
         Image {
             point: ScreenPoint::clamped(along(h.x, cx), along(h.y, cy)),
-            depth: depth.clamp(0, 65_534) as u16,
+            depth: depth.clamp(0, i64::from(FARTHEST)) as i32,
         }
     }
 
@@ -151,6 +163,11 @@ impl Placement {
             4 => (guard - cy) * w - y,
             _ => self.beyond_far(h),
         }
+    }
+
+    /// Cutting at the far plane, whatever the camera says.
+    pub(crate) fn with_far_clip(self) -> Self {
+        Self { far_clip: true, ..self }
     }
 
     /// How many of the planes of [`distance`](Self::distance) cut.

@@ -1,5 +1,6 @@
 //! World to view: where the camera stands and which way is up.
 
+use crate::math::float::{fixed, float};
 use crate::math::num::add;
 use crate::math::unit::{cross, cross_units, normalise};
 use crate::math::{Point3, Row, Scalar, Vector3};
@@ -33,8 +34,8 @@ use crate::space::{View, World};
 pub struct Viewing {
     /// u, v, n in 2⁻³⁰.
     rows: [[i32; 3]; 3],
-    /// In 2⁻¹⁶ world units.
-    eye: [i32; 3],
+    /// In 2⁻³² world units, within ±2¹⁶ of them.
+    eye: [i64; 3],
 }
 
 /// Why there is no view.
@@ -50,6 +51,8 @@ pub enum ViewingError {
     NotAxonometric,
     /// A matrix that is no rotation and shift.
     NotRigid,
+    /// The eye lies outside ±32768 world units: choose a larger unit.
+    EyeOutside,
     /// VUP lies within 2⁻¹² rad of the gaze's line, so up is undefined: give another VUP.
     ParallelUp,
 }
@@ -80,6 +83,7 @@ impl core::fmt::Display for ViewingError {
             Self::ZeroUp => "the up vector has length zero",
             Self::NotAxonometric => "the view plane normal does not fit the axonometric view",
             Self::NotRigid => "the viewing matrix is not rigid",
+            Self::EyeOutside => "the eye lies outside the world: choose a larger unit",
             Self::ParallelUp => "the up vector is parallel to the viewing direction: give another",
         })
     }
@@ -100,7 +104,7 @@ impl Viewing {
     ) -> Result<Self, ViewingError> {
         let (e, t) = (eye.bits(), target.bits());
         let back = |i: usize| i64::from(e[i]) - i64::from(t[i]); // 33 bits
-        Self::towards(e, [back(0), back(1), back(2)], up)
+        Self::towards(eye, [back(0), back(1), back(2)], up)
     }
 
     /// From `eye` along `gaze`, with `up` upwards in the picture.
@@ -113,7 +117,7 @@ impl Viewing {
         gaze: Vector3<World>,
         up: Vector3<World>,
     ) -> Result<Self, ViewingError> {
-        Self::towards(eye.bits(), gaze.bits().map(|c| -i64::from(c)), up)
+        Self::towards(eye, gaze.bits().map(|c| -i64::from(c)), up)
     }
 
     /// From a view reference point, a view plane normal (towards the viewer) and an up vector.
@@ -126,7 +130,7 @@ impl Viewing {
         vpn: Vector3<World>,
         vup: Vector3<World>,
     ) -> Result<Self, ViewingError> {
-        Self::towards(vrp.bits(), vpn.bits().map(i64::from), vup)
+        Self::towards(vrp, vpn.bits().map(i64::from), vup)
     }
 
     /// One of the six multiview directions, from `vrp`: for an orthographic projection, faces
@@ -142,7 +146,7 @@ impl Viewing {
             Side::Top => [[P, 0, 0], [0, 0, -P], [0, P, 0]],
             Side::Bottom => [[P, 0, 0], [0, 0, P], [0, -P, 0]],
         };
-        Self { rows, eye: vrp.bits() }
+        Self { rows, eye: wide(vrp) }
     }
 
     /// The isometric view, VPN (1, 1, 1) and y up: with an orthographic projection all three axes
@@ -152,7 +156,7 @@ impl Viewing {
         const H: i32 = 759_250_125;
         const S: i32 = 438_353_264;
         const T: i32 = 619_925_131;
-        Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: vrp.bits() }
+        Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: wide(vrp) }
     }
 
     /// A dimetric view, y up: VPN (`side`, `up`, `side`), so that x and z are foreshortened alike
@@ -185,20 +189,23 @@ impl Viewing {
         Self::from_reference(vrp, vpn, Vector3::from_ints(0, 1, 0))
     }
 
-    /// From a rigid matrix, row by row, for column vectors: the rows of its rotation are u, v, n.
-    /// They are taken as they are to 2⁻³¹; the eye `−Rᵀ·t` is rounded to 2⁻¹⁶.
+    /// From a rigid matrix, row by row, for column vectors: the rows of its rotation are u, v, n,
+    /// rounded to 2⁻³⁰. The eye is where the rounded rotation and the translation as given put it,
+    /// rounded to 2⁻³²: so the translation stays as given, too, to 2⁻³¹.
     ///
     /// # Errors
     ///
     /// [`ViewingError::NotRigid`] where the last row is not (0, 0, 0, 1), a number is not finite,
     /// or a row is not of length 1 or not orthogonal to the others, to 10⁻⁶, or the rows are
-    /// left-handed; also where the eye leaves the world.
+    /// left-handed; [`ViewingError::EyeOutside`] where the eye leaves the world.
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ViewingError> {
-        let [u, v, n, last] = matrix;
-        if *last != [0.0, 0.0, 0.0, 1.0] {
+        let [u, v, n, last] = *matrix;
+        if last != [0.0, 0.0, 0.0, 1.0] {
             return Err(ViewingError::NotRigid);
         }
-        let dot = |a: &[f64; 4], b: &[f64; 4]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let translation = [u[3], v[3], n[3]];
+        let axes = [u, v, n].map(|row| [row[0], row[1], row[2]]);
+        let [u, v, n] = axes;
         // Written so that NaN fails.
         let near = |value: f64, wanted: f64| value - wanted > -1e-6 && value - wanted < 1e-6;
         let rigid = near(dot(u, u), 1.0)
@@ -207,29 +214,41 @@ impl Viewing {
             && near(dot(u, v), 0.0)
             && near(dot(v, n), 0.0)
             && near(dot(n, u), 0.0);
-        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0], 0.0];
-        if !rigid || dot(&cross, n) < 0.0 {
+        if !rigid || dot(cross_f64(u, v), n) < 0.0 {
             return Err(ViewingError::NotRigid);
         }
+        // |c| ≤ 1 + 10⁻⁶: brought to 2³⁰ at most.
+        let nearest = |c: f64| ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30);
+        let rows = axes.map(|row| row.map(|c| nearest(c * 1_073_741_824.0)));
+        let [u, v, n] = rows.map(|row| row.map(|m| float(m.into(), -30)));
+        // −R⁻¹·t by the cofactors; the determinant is within 10⁻⁵ of 1.
+        let cofactors = [cross_f64(v, n), cross_f64(n, u), cross_f64(u, v)];
+        let determinant = dot(cofactors[0], u);
         let eye = |i: usize| {
-            let e = -(u[i] * u[3] + v[i] * v[3] + n[i] * n[3]) * 65_536.0;
-            let e = e + if e < 0.0 { -0.5 } else { 0.5 };
-            let inside = e > -2_147_483_649.0 && e < 2_147_483_648.0;
-            inside.then_some(e as i32).ok_or(ViewingError::NotRigid)
+            let column = [cofactors[0][i], cofactors[1][i], cofactors[2][i]];
+            -dot(column, translation) / determinant
         };
-        let eye = [eye(0)?, eye(1)?, eye(2)?];
-        let rows = [u, v, n].map(|row| {
-            [row[0], row[1], row[2]].map(|c| {
-                let c = c * 1_073_741_824.0;
-                // |c| ≤ 1 + 10⁻⁶: brought to 2³⁰ at most.
-                ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30)
-            })
+        let part = |e: f64| {
+            let inside = (-32_768.0..=32_768.0).contains(&e);
+            fixed(e, 32).filter(|_| inside).ok_or(ViewingError::EyeOutside)
+        };
+        Ok(Self { rows, eye: [part(eye(0))?, part(eye(1))?, part(eye(2))?] })
+    }
+
+    /// The matrix that it draws with: [`rows`](Self::rows) and the translation −R·eye, rounded to 53
+    /// bits. [`from_matrix`](Self::from_matrix) takes it back.
+    pub fn to_matrix(&self) -> [[f64; 4]; 4] {
+        let [u, v, n] = self.rows.map(|row| {
+            let [x, y, z] = row.map(|m| float(m.into(), -30));
+            // 31 × 48 bits, three of them: exact, then rounded.
+            let along: i128 = row.iter().zip(self.eye).map(|(&m, e)| i128::from(m) * i128::from(e)).sum();
+            [x, y, z, -(along as f64) * float(1, -62)]
         });
-        Ok(Self { rows, eye })
+        [u, v, n, [0.0, 0.0, 0.0, 1.0]]
     }
 
     /// `back` is the direction of n, of any length.
-    fn towards(eye: [i32; 3], back: [i64; 3], up: Vector3<World>) -> Result<Self, ViewingError> {
+    fn towards(eye: Point3<World>, back: [i64; 3], up: Vector3<World>) -> Result<Self, ViewingError> {
         let up = up.bits().map(i64::from);
         let n = normalise(back).ok_or(ViewingError::ZeroDirection)?;
         let up_unit = normalise(up).ok_or(ViewingError::ZeroUp)?;
@@ -242,7 +261,7 @@ impl Viewing {
         // u from the vectors as given, not from rounded unit vectors: near-parallel ones differ in
         // their low bits.
         let u = normalise(cross(up, back)).ok_or(ViewingError::ParallelUp)?;
-        Ok(Self { rows: [u, cross_units(n, u), n], eye })
+        Ok(Self { rows: [u, cross_units(n, u), n], eye: wide(eye) })
     }
 
     /// The axes u, v, n as rows, in 2⁻³⁰.
@@ -253,24 +272,38 @@ impl Viewing {
     /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units, each within 2⁻¹³:
     /// for reading. The pipeline subtracts the eye first and does not use it.
     pub fn translation(&self) -> [i64; 3] {
-        self.rows_over_world().map(|row| row.apply(self.eye.map(|c| -(i64::from(c) << 16))))
+        self.rows_over_world().map(|row| row.apply(self.eye.map(|c| -c)))
     }
 
     /// A world point in view coordinates, rounded to the nearest 2⁻¹⁶ and saturated.
     pub fn apply(&self, p: Point3<World>) -> Point3<View> {
         let p = p.bits();
-        let relative = |i: usize| add(i64::from(p[i]) << 16, -(i64::from(self.eye[i]) << 16));
+        let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);
         let relative = [relative(0), relative(1), relative(2)];
         let image = self.rows_over_world().map(|row| row.apply(relative));
         Point3::from_bits(image.map(crate::math::to_scalar))
     }
 
-    /// The eye in 2⁻¹⁶ world units.
-    pub(super) const fn eye(&self) -> [i32; 3] {
+    /// The eye in 2⁻³² world units.
+    pub const fn eye(&self) -> [i64; 3] {
         self.eye
     }
 
     pub(super) fn rows_over_world(&self) -> [Row; 3] {
         self.rows.map(|linear| Row { linear, exponent: 0, offset: 0 })
     }
+}
+
+/// A point's coordinates in 2⁻³².
+const fn wide(p: Point3<World>) -> [i64; 3] {
+    let [x, y, z] = p.bits();
+    [(x as i64) << 16, (y as i64) << 16, (z as i64) << 16]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross_f64(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -1,5 +1,6 @@
 //! Affine transforms between the spaces a scene is set up in.
 
+use super::float;
 use super::num::{add, excess, fraction, row_times, scale, sqrt};
 use super::row::{block, Row};
 use super::unit::normalise;
@@ -162,6 +163,46 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts(linear, exponent, origin.bits().map(|c| i64::from(c) << 16))
     }
 
+    /// From a matrix, row by row, for column vectors: coefficients are rounded to 2⁻³¹ of the largest
+    /// one (2⁻³⁰ just below a power of two), the translation to 2⁻³³.
+    ///
+    /// # Errors
+    ///
+    /// [`MatrixError`] for a last row other than (0, 0, 0, 1), NaN and infinities, and translations
+    /// beyond ±2³⁰ world units.
+    ///
+    /// ```
+    /// use pinhole::{space::{Model, World}, Affine, MatrixError, Point3};
+    /// let turn = [[0.0, -1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, -3.0], [0.0, 0.0, 0.0, 1.0]];
+    /// let place = Affine::<Model, World>::from_matrix(&turn)?;
+    /// assert_eq!(place.apply(Point3::from_ints(2, 0, 0)), Point3::from_ints(5, 2, -3));
+    /// assert_eq!(place.to_matrix(), turn);
+    /// # Ok::<(), MatrixError>(())
+    /// ```
+    pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, MatrixError> {
+        let [x, y, z, last] = *matrix;
+        if last != [0.0, 0.0, 0.0, 1.0] {
+            return Err(MatrixError::NotAffine);
+        }
+        let linear = [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]];
+        let (l, exponent) = float::aligned(linear).ok_or(MatrixError::NotFinite)?;
+        let linear = [[l[0], l[1], l[2]], [l[3], l[4], l[5]], [l[6], l[7], l[8]]];
+        let (linear, exponent) = block(linear, exponent + 30);
+        let translation = [x[3], y[3], z[3]];
+        if translation.iter().any(|t| *t >= 1_073_741_824.0 || *t <= -1_073_741_824.0) {
+            return Err(MatrixError::OutOfRange);
+        }
+        let part = |i: usize| float::fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
+        Ok(Self::from_parts(linear, exponent, [part(0)?, part(1)?, part(2)?]))
+    }
+
+    /// The matrix, row by row; the translation is rounded to 53 bits where it needs more, beyond 2²¹
+    /// world units. [`from_matrix`](Self::from_matrix) takes it back.
+    pub fn to_matrix(&self) -> [[f64; 4]; 4] {
+        let [x, y, z] = self.rows().map(|row| float::coefficients(&row, 0));
+        [x, y, z, [0.0, 0.0, 0.0, 1.0]]
+    }
+
     /// The way back: `p = M⁻¹·p′`, from the cofactors.
     ///
     /// The error relative to the inverse's largest coefficient is at most 2⁻²⁶ times the ratio
@@ -271,9 +312,9 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         (&self.linear, self.exponent)
     }
 
-    /// Where the origin goes, relative to `eye` (2⁻¹⁶ units), in 2⁻³².
-    pub(crate) fn offset_from(&self, eye: [i32; 3]) -> [i64; 3] {
-        let away = |i: usize| add(self.offset[i], -(i64::from(eye[i]) << 16));
+    /// Where the origin goes, relative to `eye`, both in 2⁻³².
+    pub(crate) fn offset_from(&self, eye: [i64; 3]) -> [i64; 3] {
+        let away = |i: usize| add(self.offset[i], -eye[i]);
         [away(0), away(1), away(2)]
     }
 
@@ -298,6 +339,30 @@ impl core::fmt::Display for AxisError {
 }
 
 impl core::error::Error for AxisError {}
+
+/// Why a matrix is no affine map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum MatrixError {
+    /// The last row must be (0, 0, 0, 1): a projection is no [`Affine`].
+    NotAffine,
+    /// A number is NaN or infinite: look where it was computed.
+    NotFinite,
+    /// The translation leaves ±2³⁰ world units: choose a larger unit.
+    OutOfRange,
+}
+
+impl core::fmt::Display for MatrixError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::NotAffine => "the last row of an affine matrix is 0 0 0 1",
+            Self::NotFinite => "the matrix has a number that is not finite",
+            Self::OutOfRange => "the translation is out of range: choose a larger unit",
+        })
+    }
+}
+
+impl core::error::Error for MatrixError {}
 
 /// Why there is no way back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@
 mod affine;
 mod angle;
 mod clip_point;
+pub(crate) mod float;
 mod form;
 mod normal;
 pub(crate) mod num;
@@ -14,7 +15,7 @@ mod sphere;
 pub(crate) mod unit;
 
 pub(crate) use affine::{product, to_scalar};
-pub use affine::{Affine, AxisError, InverseError};
+pub use affine::{Affine, AxisError, InverseError, MatrixError};
 pub use angle::Angle;
 pub use clip_point::{ClipPoint, Outcode};
 pub use form::Coordinate;

@@ -1,5 +1,9 @@
 //! From spans to an `embedded-graphics` DrawTarget.
 
+mod depth;
+
+pub use depth::{DepthBuffer, DepthBufferError};
+
 use crate::raster::{Scissor, Span};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -7,17 +11,17 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// The pixels that lie in the target and in `area`.
 pub(crate) fn scissor(target: &impl Dimensions, area: &Rectangle) -> Scissor {
-    let ends = |low: i32, extent: u32| (i64::from(low), i64::from(low) + i64::from(extent));
-    let overlap = |(low, high): (i64, i64), (a_low, a_high): (i64, i64)| {
-        // The area lies in the guard band, so what is left of it does.
-        (low.clamp(a_low, a_high) as i32, high.clamp(a_low, a_high) as i32)
+    inside(&target.bounding_box()).and(&inside(area))
+}
+
+/// The pixels of a rectangle.
+fn inside(area: &Rectangle) -> Scissor {
+    let end = |low: i32, extent: u32| {
+        let end = i64::from(low) + i64::from(extent); // 34 bits
+        end.min(i64::from(i32::MAX)) as i32 // Scissor brings all to ±32768
     };
-    let bounds = target.bounding_box();
-    let (left, right) =
-        overlap(ends(bounds.top_left.x, bounds.size.width), ends(area.top_left.x, area.size.width));
-    let (top, bottom) =
-        overlap(ends(bounds.top_left.y, bounds.size.height), ends(area.top_left.y, area.size.height));
-    Scissor::new(left, top, right, bottom)
+    let Rectangle { top_left, size } = *area;
+    Scissor::new(top_left.x, top_left.y, end(top_left.x, size.width), end(top_left.y, size.height))
 }
 
 /// Sends one run of pixels to the target.

@@ -36,9 +36,11 @@
 //! let forged = pinhole::raster::ScreenPoint { x: 1 << 30, y: 0 };
 //! ```
 
+mod depth;
 mod line;
 mod triangle;
 
+pub(crate) use depth::{DepthPlane, FARTHEST};
 pub use line::line;
 pub(crate) use triangle::fill;
 pub use triangle::{area, triangle};
@@ -56,6 +58,8 @@ pub struct ScreenPoint {
 }
 
 impl ScreenPoint {
+    pub(crate) const ORIGIN: Self = Self { x: 0, y: 0 };
+
     /// The door for 2D work: `None` beyond ±8192 pixels.
     pub const fn from_subpixels(x: i32, y: i32) -> Option<Self> {
         const LIMIT: i32 = GUARD_BAND * 256;
@@ -121,6 +125,16 @@ impl Scissor {
     pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         let near = |v: i32| v.clamp(-32_768, 32_768);
         Self { left: near(left), top: near(top), right: near(right), bottom: near(bottom) }
+    }
+
+    /// What lies in both.
+    pub(crate) fn and(&self, other: &Self) -> Self {
+        Self {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        }
     }
 }
 

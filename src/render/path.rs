@@ -52,7 +52,7 @@ impl<V: Coordinate> Placed<'_, V> {
         let mut joint = if closed { from.pixel() } else { None };
         for index in 1..count {
             let to = corner(index);
-            let ends = if from.whole && to.whole {
+            let ends = if from.whole() && to.whole() {
                 Some((from.point, to.point))
             } else {
                 self.cut_edge((index - 1) as u16, index as u16).map(|(ends, cut)| {
@@ -67,7 +67,7 @@ impl<V: Coordinate> Placed<'_, V> {
                         Some(span) => send(target, span, colour),
                         None => Ok(()),
                     })?;
-                    joint = Some(b.pixel()).filter(|_| to.whole);
+                    joint = Some(b.pixel()).filter(|_| to.whole());
                 }
                 None => {
                     statistics.outside += 1;
@@ -82,7 +82,7 @@ impl<V: Coordinate> Placed<'_, V> {
 
 impl Corner {
     fn pixel(&self) -> Option<Pixel> {
-        self.whole.then(|| self.point.pixel())
+        self.whole().then(|| self.point.pixel())
     }
 }
 

@@ -1,40 +1,15 @@
 //! Any projective matrix, as it is.
 
 use super::{Projection, ProjectionError};
-use crate::math::num::scale;
-use crate::math::Row;
-
-/// The parts of a finite float: `mantissa · 2^exponent`, exact, with at most 53 bits.
-fn parts(v: f64) -> Option<(i64, i32)> {
-    if !v.is_finite() {
-        return None;
-    }
-    let bits = v.to_bits();
-    let field = (bits >> 52 & 0x7ff) as i32;
-    let fraction = (bits & ((1 << 52) - 1)) as i64;
-    // Subnormal numbers lack the leading one and share the exponent of field 1.
-    let (mantissa, exponent) =
-        if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
-    Some((if v < 0.0 { -mantissa } else { mantissa }, exponent))
-}
-
-/// A row of the matrix over view coordinates, all of it times 2^`shift`.
-fn row(matrix_row: &[f64; 4], shift: i32) -> Option<Row> {
-    let [x, y, z, constant] = *matrix_row;
-    let linear = [parts(x)?, parts(y)?, parts(z)?];
-    let exponent = linear.iter().filter(|(m, _)| *m != 0).map(|&(_, e)| e).max().unwrap_or(0);
-    let (m, e) = parts(constant)?;
-    // 53 bits moved up by at most 8 keep 61.
-    let linear = linear.map(|(m, e)| scale(m, (e - exponent).max(-63)));
-    Some(Row::new(linear, exponent + shift, scale(m, (e + 32 + shift).clamp(-63, 63))))
-}
+use crate::math::float::{coefficients, parts, row};
 
 impl Projection {
     /// A matrix from view to clip space, row by row, for column vectors: visible points must have
     /// w > 0 and −w ≤ x, y, z ≤ w, near at z = −w. It stands for itself times any positive factor.
     ///
-    /// Each row's coefficients are rounded to 30 bits of its largest, and its constant to 2⁻⁴³ of the
-    /// matrix's largest coefficient or 2⁻⁵⁹ of its largest constant, whichever is more.
+    /// The rows x, y, w and (z + w)/2 are kept: each row's coefficients are rounded to 30 bits of its
+    /// largest, and its constant to 2⁻⁴³ of the matrix's largest coefficient or 2⁻⁵⁹ of its largest
+    /// constant, whichever is more.
     ///
     /// # Errors
     ///
@@ -57,12 +32,26 @@ impl Projection {
             (None, Some(c)) => 26 - c,
             (Some(m), Some(c)) => (10 - m).min(26 - c),
         };
-        let [x, y, z, w] = matrix.each_ref().map(|r| row(r, shift));
-        let all = (x, y, z, w);
-        let (Some(x), Some(y), Some(z), Some(w)) = all else { return Err(ProjectionError::Matrix) };
-        // d = (z + w)/2.
-        let half = (1 << 30, -31);
-        let d = z.combined(half, &w, half);
+        let [x, y, z, w] = matrix;
+        // d = (z + w)/2 where f64 is exact or nearly so: rounded to 30 bits only once.
+        let d = [0, 1, 2, 3].map(|i| z[i] / 2.0 + w[i] / 2.0);
+        let all = (row(x, shift), row(y, shift), row(&d, shift), row(w, shift));
+        let (Some(x), Some(y), Some(d), Some(w)) = all else { return Err(ProjectionError::Matrix) };
         Ok(Self { rows: [x, y, d, w] })
+    }
+
+    /// The matrix as it is drawn with, up to a power of two that brings the largest number of the
+    /// last row to between ½ and 1. Exact but for z, which is computed from (z + w)/2 and rounded to
+    /// 53 bits where it needs more; [`from_matrix`](Self::from_matrix) takes it back.
+    pub fn to_matrix(&self) -> [[f64; 4]; 4] {
+        let [x, y, d, w] = &self.rows;
+        let largest = coefficients(w, 0).into_iter().fold(0.0f64, |a, b| a.max(b.abs()));
+        let shift = match parts(largest) {
+            Some((m, e)) if m != 0 => -(e + 64 - m.leading_zeros() as i32),
+            _ => 0,
+        };
+        let [x, y, d, w] = [x, y, d, w].map(|row| coefficients(row, shift));
+        let z = [0, 1, 2, 3].map(|i| 2.0 * d[i] - w[i]);
+        [x, y, z, w]
     }
 }

@@ -1,0 +1,148 @@
+//! The depth buffer.
+
+use super::inside;
+use crate::raster::{DepthPlane, Scissor, Span};
+use embedded_graphics_core::geometry::Point;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// The depth of what is seen so far, for the pixels of a rectangle of the target: 2 bytes each, lent
+/// by the caller.
+///
+/// 0 is near, 65534 far, 65535 nothing; linear on the screen.
+///
+/// ```
+/// use embedded_graphics::geometry::{Point, Size};
+/// use embedded_graphics::primitives::Rectangle;
+/// use pinhole::{DepthBuffer, DepthBufferError};
+/// let mut storage = [0; 64 * 64];
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// let mut depth = DepthBuffer::new(area, &mut storage)?;
+/// assert_eq!(depth.at(Point::new(63, 0)), Some(DepthBuffer::NOTHING));
+/// assert_eq!(depth.at(Point::new(64, 0)), None);
+/// depth.clear(); // before every frame
+/// let short = DepthBuffer::new(area, &mut storage[..100]).map(|_| ());
+/// assert_eq!(short, Err(DepthBufferError { needed: 4096, given: 100 }));
+/// # Ok::<(), DepthBufferError>(())
+/// ```
+#[derive(Debug)]
+pub struct DepthBuffer<'a> {
+    area: Rectangle,
+    values: &'a mut [u16],
+}
+
+/// The storage of a depth buffer is too short.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DepthBufferError {
+    /// One number for each pixel of the area.
+    pub needed: u64,
+    /// What there is.
+    pub given: usize,
+}
+
+impl core::fmt::Display for DepthBufferError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "a depth buffer of {} pixels has storage for {}", self.needed, self.given)
+    }
+}
+
+impl core::error::Error for DepthBufferError {}
+
+impl<'a> DepthBuffer<'a> {
+    /// The depth where nothing is.
+    pub const NOTHING: u16 = u16::MAX;
+
+    /// For the pixels of `area`, row by row in the first numbers of `storage`; clears it.
+    ///
+    /// # Errors
+    ///
+    /// [`DepthBufferError`] when the storage has fewer numbers than the area has pixels.
+    pub fn new(area: Rectangle, storage: &'a mut [u16]) -> Result<Self, DepthBufferError> {
+        let needed = u64::from(area.size.width) * u64::from(area.size.height);
+        let given = storage.len();
+        let error = DepthBufferError { needed, given };
+        let values = usize::try_from(needed).ok().and_then(|n| storage.get_mut(..n)).ok_or(error)?;
+        let mut buffer = Self { area, values };
+        buffer.clear();
+        Ok(buffer)
+    }
+
+    /// Nothing is seen any more: for the next frame.
+    pub fn clear(&mut self) {
+        self.values.fill(Self::NOTHING);
+    }
+
+    /// The pixels that it holds.
+    pub const fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    /// The depths, row by row.
+    pub const fn values(&self) -> &[u16] {
+        self.values
+    }
+
+    /// The depth at a pixel of the target, or `None` outside the [`area`](Self::area).
+    pub fn at(&self, pixel: Point) -> Option<u16> {
+        let x = u32::try_from(i64::from(pixel.x) - i64::from(self.area.top_left.x)).ok()?;
+        if x >= self.area.size.width {
+            return None;
+        }
+        self.values.get(self.row(pixel.y)?).and_then(|row| row.get(x as usize)).copied()
+    }
+
+    pub(crate) fn scissor(&self) -> Scissor {
+        inside(&self.area)
+    }
+
+    /// Where a row of the target stands.
+    #[inline(always)]
+    fn row(&self, y: i32) -> Option<core::ops::Range<usize>> {
+        let row = y.wrapping_sub(self.area.top_left.y) as u32; // far too large above
+        if row >= self.area.size.height {
+            return None;
+        }
+        let width = self.area.size.width as usize;
+        let start = (row as usize).wrapping_mul(width); // a pixel inside has a place
+        Some(start..start.wrapping_add(width))
+    }
+
+    /// Keeps the span's depths where they are nearer than those held, and passes on the runs of such
+    /// pixels. The span is one row inside the buffer.
+    #[inline]
+    pub(crate) fn test<E>(
+        &mut self,
+        span: Span,
+        plane: &DepthPlane,
+        mut visible: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Some(row) = self.row(span.y) else { return Ok(()) };
+        let from = span.x.wrapping_sub(self.area.top_left.x) as usize;
+        let to = from.wrapping_add(span.width as usize);
+        let Some(row) = self.values.get_mut(row).and_then(|row| row.get_mut(from..to)) else {
+            return Ok(());
+        };
+        let mut z = plane.at(span.x, span.y);
+        // The first pixel of the run, and the one being tested.
+        let (mut first, mut x) = (span.x, span.x);
+        let mut run = |first: i32, end: i32| {
+            if first < end {
+                visible(Span { x: first, width: end - first, ..span })
+            } else {
+                Ok(())
+            }
+        };
+        for held in row {
+            let depth = (z >> 16) as u16;
+            if depth < *held {
+                *held = depth;
+            } else {
+                run(first, x)?;
+                first = x + 1;
+            }
+            z = z.wrapping_add(plane.step());
+            x += 1;
+        }
+        run(first, x)
+    }
+}
