@@ -63,7 +63,7 @@ impl DepthPlane {
         let at = ((za as u64) << 40)
             .wrapping_add((gradient.0 as u64).wrapping_mul(i64::from(x) as u64))
             .wrapping_add((gradient.1 as u64).wrapping_mul(i64::from(y) as u64))
-            .wrapping_add(1 << 63); // half a step
+            .wrapping_add(1 << 47); // half a step, in 2⁻⁴⁸
                                     // A pixel is 256 sub-pixels; from 16.48 to 16.16, to nearest.
         let step = |g: i64| (((g << 8).wrapping_add(1 << 31)) >> 32) as u32;
         let (right, down) = (step(gradient.0), step(gradient.1));
@@ -133,5 +133,109 @@ fn quotient(v: i64, area: u64) -> i64 {
         quotient.wrapping_neg().wrapping_sub(i64::from(rest > 0))
     } else {
         quotient
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::{area, triangle};
+
+    struct Random(u64);
+
+    impl Random {
+        fn below(&mut self, n: i64) -> i64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((self.0 >> 33) as i64) % n
+        }
+
+        fn within(&mut self, n: i64) -> i32 {
+            (self.below(2 * n + 1) - n) as i32
+        }
+    }
+
+    /// Largest distance of a covered pixel's stored depth from the exact plane, in steps; the plane
+    /// in rationals, over all covered pixels of a scissor.
+    fn worst(corners: [(i32, i32, i32); 3], scissor: &Scissor) -> f64 {
+        let points = corners.map(|(x, y, _)| ScreenPoint::from_subpixels(x, y).unwrap());
+        if area(&points) == 0 {
+            return 0.0;
+        }
+        let plane = DepthPlane::new(points, corners.map(|c| c.2), scissor);
+        // The determinant form of the plane, at p: three areas as weights.
+        let cross = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
+            (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)
+        };
+        let [a, b, c] = corners.map(|(x, y, _)| (i128::from(x), i128::from(y)));
+        let [za, zb, zc] = corners.map(|c| i128::from(c.2));
+        let whole = cross(a, b, c);
+        let mut worst = 0f64;
+        let Ok::<(), core::convert::Infallible>(()) = triangle(points, scissor, |span| {
+            // A span's ends and its middle: the error is linear in between but for rounding.
+            for x in [span.x, span.x + span.width / 2, span.x + span.width - 1] {
+                let p = (i128::from(x) * 256 + 128, i128::from(span.y) * 256 + 128);
+                let exact = za * cross(p, b, c) + zb * cross(a, p, c) + zc * cross(a, b, p);
+                let stored = i128::from(plane.at(x, span.y) >> 16);
+                assert!(stored <= 65_534, "{corners:?} ({x}, {}): {stored}", span.y);
+                let error = (stored * 256 * whole - exact) as f64 / (256 * whole) as f64;
+                worst = worst.max(error.abs());
+            }
+            Ok(())
+        });
+        worst
+    }
+
+    fn depth(random: &mut Random) -> i32 {
+        match random.below(6) {
+            0 => 0,
+            1 => FARTHEST,
+            2 => FARTHEST - random.below(1000) as i32,
+            3 => random.below(1000) as i32,
+            _ => random.below(i64::from(FARTHEST) + 1) as i32,
+        }
+    }
+
+    #[test]
+    fn d2_small_triangles_and_slivers_stay_within_the_bound() {
+        let (mut random, mut largest) = (Random(1), 0f64);
+        let scissor = Scissor::new(-600, -600, 600, 600);
+        for i in 0..100_000 {
+            let reach = [3, 40, 300, 2_000, 20_000, 130_000][i % 6];
+            let centre = (random.within(1000), random.within(1000));
+            let mut corner = || (centre.0 + random.within(reach), centre.1 + random.within(reach));
+            let (a, b, mut c) = (corner(), corner(), corner());
+            if i % 4 == 0 {
+                // On the line through a and b but for a unit: as thin as can be.
+                let t = random.below(257) as i32;
+                let along = |p: i32, q: i32| (i64::from(p) + (i64::from(q - p) * i64::from(t) >> 8)) as i32;
+                c = (along(a.0, b.0) + random.within(1), along(a.1, b.1) + random.within(1));
+            }
+            let mut with = |p: (i32, i32)| (p.0, p.1, depth(&mut random));
+            largest = largest.max(worst([with(a), with(b), with(c)], &scissor));
+        }
+        // 1/2, 1200 columns and rows of 2⁻¹⁷ each, and the reciprocal.
+        let bound = 0.5 + 2400.0 / 131_072.0 + 0.024;
+        assert!(largest <= bound && largest > 0.505, "{largest} of {bound}");
+    }
+
+    #[test]
+    fn d2_triangles_across_the_guard_band_stay_within_the_bound() {
+        let (mut random, mut largest) = (Random(2), 0f64);
+        for i in 0..1_000 {
+            let mut corner = || (random.within(1 << 21), random.within(1 << 21));
+            let (a, b, c) = (corner(), corner(), corner());
+            let mut with = |p: (i32, i32)| (p.0, p.1, depth(&mut random));
+            let corners = [with(a), with(b), with(c)];
+            let (x, y) = (random.within(8000), random.within(8000));
+            let scissor = match i % 2 {
+                0 => Scissor::new(x, y, x + 320, y + 240),
+                _ => Scissor::new(-8192, -8192, 8192, 8192),
+            };
+            let own = worst(corners, &scissor);
+            let pixels = if i % 2 == 0 { 560.0 } else { 32_768.0 };
+            assert!(own <= 0.5 + pixels / 131_072.0 + 0.0001, "{own}: {corners:?}");
+            largest = largest.max(own);
+        }
+        assert!(largest > 0.55, "{largest}"); // the whole band shows the rounding of the steps
     }
 }
