@@ -25,6 +25,15 @@ pub enum Problem {
     UnknownFormat,
     /// A line cannot be understood; the text says what was expected.
     Syntax(&'static str),
+    /// The file cannot be understood; the text is its parser's.
+    Format(String),
+    /// The file ends too soon.
+    Truncated {
+        /// How many bytes it says it has.
+        needed: u64,
+        /// How many there are: the first one missing has this number, counted from 0.
+        given: u64,
+    },
     /// A face names a vertex that the file does not have.
     NoSuchVertex,
     /// A coordinate is NaN or infinite, or becomes so when it is divided by its `w`.
@@ -48,8 +57,12 @@ impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Problem::Read(error) => write!(f, "cannot be read: {error}"),
-            Problem::UnknownFormat => f.write_str("is not a model this program reads (.obj)"),
+            Problem::UnknownFormat => f.write_str("is not a model this program reads (.obj, .stl)"),
             Problem::Syntax(what) => f.write_str(what),
+            Problem::Format(what) => f.write_str(what),
+            Problem::Truncated { needed, given } => {
+                write!(f, "ends before byte {given}: it should have {needed} bytes")
+            }
             Problem::NoSuchVertex => f.write_str("the face names a vertex that does not exist"),
             Problem::NotFinite => f.write_str("a coordinate is not a finite number"),
             Problem::NoFaces => f.write_str("has no faces"),

@@ -1,5 +1,5 @@
 //! Turns models into meshes for `pinhole`, on the host: from a program, from `build.rs`, or by the command
-//! `pinhole-import MODEL.obj -o OUT.rs`.
+//! `pinhole-import MODEL -o OUT.rs`.
 //!
 //! ```
 //! let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
@@ -23,6 +23,7 @@ mod error;
 mod mesh;
 mod obj;
 mod rust;
+mod stl;
 mod weld;
 
 pub use error::{ImportError, Problem};
@@ -40,14 +41,24 @@ pub struct Triangles {
     pub faces: Vec<[usize; 3]>,
 }
 
-/// Reads a model; the extension of the file says its format (`.obj`).
+/// Reads a model and makes a mesh of it; the extension of the file says its format (`.obj`, `.stl`).
 ///
 /// # Errors
 ///
 /// [`ImportError`] names the file, the line if there is one, and what is wrong.
 pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
+    quantise(&read_triangles(file)?).map_err(|problem| problem.at(file, None))
+}
+
+/// Reads a model as it is: all triangles in the file's order, nothing welded, dropped or rounded.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
     let reader = match file.extension().and_then(|e| e.to_str()) {
-        Some(e) if e.eq_ignore_ascii_case("obj") => read_obj,
+        Some(e) if e.eq_ignore_ascii_case("obj") => obj::read,
+        Some(e) if e.eq_ignore_ascii_case("stl") => stl::read,
         _ => return Err(Problem::UnknownFormat.at(file, None)),
     };
     let bytes = std::fs::read(file).map_err(|e| Problem::Read(e).at(file, None))?;

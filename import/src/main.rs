@@ -1,4 +1,4 @@
-//! `pinhole-import MODEL.obj -o OUT.rs`: a model as Rust source.
+//! `pinhole-import MODEL -o OUT.rs`: a model as Rust source.
 
 use clap::{value_parser, Arg, Command};
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ fn main() -> ExitCode {
     let mut given = Command::new("pinhole-import")
         .about("Turns a model into Rust source for pinhole")
         .version(env!("CARGO_PKG_VERSION"))
-        .arg(path("MODEL").help("The model to read (.obj)"))
+        .arg(path("MODEL").help("The model to read (.obj, .stl)"))
         .arg(path("output").short('o').long("output").value_name("OUT.rs").help("The Rust file to write"))
         .get_matches();
     let [model, output] =

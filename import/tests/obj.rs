@@ -302,7 +302,7 @@ fn files_that_cannot_be_read_are_named() {
     assert_eq!(message.lines().count(), 1);
 
     let unknown = read(Path::new("model.blend")).unwrap_err();
-    assert_eq!(unknown.to_string(), "model.blend: is not a model this program reads (.obj)");
+    assert_eq!(unknown.to_string(), "model.blend: is not a model this program reads (.obj, .stl)");
 }
 
 #[test]
