@@ -190,8 +190,8 @@ impl Viewing {
     }
 
     /// From a rigid matrix, row by row, for column vectors: the rows of its rotation are u, v, n,
-    /// rounded to 2⁻³⁰. The eye is where the rounded rotation and the translation as given put it,
-    /// rounded to 2⁻³²: so the translation stays as given, too, to 2⁻³¹.
+    /// rounded to 2⁻³⁰. The eye is the point that the matrix as given takes to the origin, rounded to
+    /// 2⁻³²: what is near it stays sharp, however far away both are.
     ///
     /// # Errors
     ///
@@ -220,7 +220,6 @@ impl Viewing {
         // |c| ≤ 1 + 10⁻⁶: brought to 2³⁰ at most.
         let nearest = |c: f64| ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30);
         let rows = axes.map(|row| row.map(|c| nearest(c * 1_073_741_824.0)));
-        let [u, v, n] = rows.map(|row| row.map(|m| float(m.into(), -30)));
         // −R⁻¹·t by the cofactors; the determinant is within 10⁻⁵ of 1.
         let cofactors = [cross_f64(v, n), cross_f64(n, u), cross_f64(u, v)];
         let determinant = dot(cofactors[0], u);
