@@ -5,7 +5,7 @@
 //! products. Error budget: ARCHITECTURE.md, "Numbers".
 
 use super::{Camera, Screen};
-use crate::math::num::{mul_high, mul_wide, reciprocal, scale};
+use crate::math::num::{add, mul_high, mul_wide, reciprocal, scale};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
 use crate::space::{Model, World};
@@ -145,6 +145,18 @@ impl Placement {
             point: ScreenPoint::clamped(along(h.x, cx), along(h.y, cy)),
             depth: depth.clamp(0, i64::from(FARTHEST)) as i32,
         }
+    }
+
+    /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they
+    /// lie. For measuring.
+    pub(crate) fn unsnapped(&self, h: &Homogeneous) -> [i64; 3] {
+        let r = reciprocal(h.w);
+        let n = r.shift as i32;
+        // From 2⁻⁶¹ of 2^unit sub-pixels, and of 2¹⁶ steps, to 2⁻³²: saturating.
+        let up = n + self.xy_over_w + self.screen.unit - 37;
+        let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
+        let [cx, cy] = self.screen.centre;
+        [along(h.x, cx), along(h.y, cy), scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 13)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the

@@ -143,6 +143,15 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         Some((image.point, image.step()))
     }
 
+    /// Where vertex `index` lies before its place is rounded to 1/256 px: x and y in 2⁻³² px, and depth
+    /// in 2⁻³² of its 65536 steps, not cut off at either end. For measuring. `None` when there is no
+    /// such vertex, or it lies in front of the near plane; what is beyond ±2³⁰ saturates.
+    pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
+        let vertex = *self.mesh.vertices().get(index)?;
+        let h = self.placement.clip(vertex);
+        (h.d >= 0 && h.w > 0).then(|| self.placement.unsnapped(&h))
+    }
+
     /// Draws the mesh's edges, each as a Bresenham line of one colour. Pixels of a clipped edge are
     /// those of the whole edge; the near plane's and the guard band's cuts are rounded to 1/256 px.
     ///
