@@ -5,6 +5,7 @@
 mod canvas;
 #[path = "../examples/spin/depth.rs"]
 mod depth;
+mod programs;
 #[path = "../examples/spin/scene.rs"]
 mod scene;
 
@@ -15,7 +16,7 @@ use pinhole::Painter;
 use pinhole_import::ImportedMesh;
 use scene::Turntable;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 const SIZE: Size = Size::new_equal(240);
 const FRAMES: u32 = 48;
@@ -110,12 +111,8 @@ fn the_teapot_is_not_mirrored() {
     }
 }
 
-/// Runs the example, which `cargo test` has built beside the tests.
 fn spin(arguments: &[&str]) -> Output {
-    let tests = std::env::current_exe().unwrap();
-    let program = tests.with_file_name("../examples/spin").with_extension(std::env::consts::EXE_EXTENSION);
-    assert!(program.exists(), "cargo test builds it, cargo test --test does not");
-    Command::new(program).args(arguments).output().unwrap()
+    programs::example("spin", arguments)
 }
 
 /// A path of this test's own.
@@ -166,11 +163,7 @@ fn bad_input_is_one_line_exit_code_2_and_no_output() {
         if arguments[0] != "--out" {
             arguments.extend(["--out", out.to_str().unwrap()]);
         }
-        let done = spin(&arguments);
-        assert_eq!(done.status.code(), Some(2), "{arguments:?}");
-        assert!(done.stdout.is_empty());
-        let said = String::from_utf8(done.stderr).unwrap();
-        assert_eq!(said.lines().count(), 1, "{said}");
+        let said = programs::refusal(&spin(&arguments));
         assert!(said.contains(named), "{said}");
         assert!(!out.exists());
     }

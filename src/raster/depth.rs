@@ -14,9 +14,11 @@
 use super::{Scissor, ScreenPoint};
 use crate::math::num::{mul_wide, reciprocal};
 
-/// The largest depth of a corner in 16.8. Less than 65534½, so that what rounding adds, which is
-/// less than ¼ step, never reaches 65535.
-pub(crate) const FARTHEST: i32 = 65_534 * 256 + 64;
+/// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 1/16 less, so
+/// that what stepping adds to it within 512 pixels does not reach 65535, which stands for nothing.
+pub(crate) const FARTHEST: i32 = 65_534 * 256 + 112;
+/// The same beyond 512 pixels, where stepping adds less than ¼.
+const FARTHEST_OF_LARGE: i32 = 65_534 * 256 + 64;
 
 /// A triangle's depth, for the centres of the pixels that it covers.
 #[derive(Clone, Copy, Debug)]
@@ -28,28 +30,32 @@ pub(crate) struct DepthPlane {
 }
 
 impl DepthPlane {
-    /// Through corners with depths in 16.8, 0 … [`FARTHEST`]. Their area is not zero; pixels
+    /// Through corners with depths in 16.8, 0 … [`FARTHEST`]; their area is not zero; pixels
     /// outside the scissor are not asked for.
     ///
     /// **Error.** A pixel w columns and h rows from the corner's pixel, and not more than they span
     /// from it, is off by less than `(w + h)·2⁻¹⁷` for the rounding of the steps, 2⁻¹⁶ for that of the
-    /// origin, and, by the quick way, 2⁻⁵·⁴ for the reciprocal: see [`quick`]. Scissors up to 8192
-    /// pixels wide and high leave it below ⅛, and below ¼ in any case.
+    /// origin, and, by the quick way, 2⁻⁵·⁴ for the reciprocal: see [`quick`]. Triangles within 512
+    /// pixels stay below 1/30, all others below ¼.
     #[inline]
     pub(crate) fn new(corners: [ScreenPoint; 3], depths: [i32; 3], scissor: &Scissor) -> Self {
-        let ([a, b, c], [za, zb, zc]) = (corners, depths);
+        let [a, b, c] = corners;
         let area = super::area(&corners);
         // |dx|, |dy| ≤ 2²², |dz| < 2²⁴.
-        let (dx1, dy1, dz1) = (b.x - a.x, b.y - a.y, zb - za);
-        let (dx2, dy2, dz2) = (c.x - a.x, c.y - a.y, zc - za);
+        let (dx1, dy1) = (b.x - a.x, b.y - a.y);
+        let (dx2, dy2) = (c.x - a.x, c.y - a.y);
+        let extent = (dx1.abs() | dx2.abs() | dy1.abs() | dy2.abs()).unsigned_abs();
+        let small = extent < 1 << 17;
+        let [za, zb, zc] = if small { depths } else { depths.map(|z| z.min(FARTHEST_OF_LARGE)) };
+        let (dz1, dz2) = (zb - za, zc - za);
         // Below 2⁴⁷ each; over `den = −area`.
         let across = mul_wide(dz2, dy1) - mul_wide(dz1, dy2);
         let along = mul_wide(dx2, dz1) - mul_wide(dx1, dz2);
         let (across, along) = if area < 0 { (-across, -along) } else { (across, along) };
         let area = area.unsigned_abs();
-        let extent = (dx1.abs() | dx2.abs() | dy1.abs() | dy2.abs()).unsigned_abs();
         // Steps per sub-pixel: 24 bits of the depth in 16.8, and 40 more.
-        let (column, row, gradient) = match quick(across, along, area, extent) {
+        let quick = if small { quick(across, along, area, extent) } else { None };
+        let (column, row, gradient) = match quick {
             Some(gradient) => (a.x >> 8, a.y >> 8, gradient),
             None => {
                 // From a pixel near those that are asked for: the error grows with the way.
@@ -88,7 +94,7 @@ impl DepthPlane {
     }
 }
 
-/// Both gradients by a reciprocal, in 2⁻⁴⁰, or `None` where they are too steep for it.
+/// Both gradients of a triangle within 512 pixels by a reciprocal, in 2⁻⁴⁰, or `None` where they are too steep for it.
 ///
 /// The reciprocal of the area is off by 2⁻²⁸ of itself, and the area and the numerator, cut to 31
 /// bits, by 2⁻³⁰ each: together less than 2⁻²⁷·⁴. Gradient times extent, below 2²¹ steps for x and
@@ -110,7 +116,7 @@ fn quick(across: i64, along: i64, area: u64, extent: u32) -> Option<(i64, i64)> 
     let steepest = x.unsigned_abs() | y.unsigned_abs();
     // In bits: 40 of the gradient's and 8 of the extent's are fractions, and 2²¹ may be reached.
     let bits = (64 - steepest.leading_zeros()) + (32 - extent.leading_zeros());
-    (bits <= 69 && extent < 1 << 17).then_some((x, y))
+    (bits <= 69).then_some((x, y))
 }
 
 /// `⌊v · 2⁴⁰ / area⌋` modulo 2⁶⁴ for |v| < 2⁴⁷ and 0 < area < 2⁴⁶, by long division: 87 steps, for
@@ -167,7 +173,13 @@ mod tests {
             (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)
         };
         let [a, b, c] = corners.map(|(x, y, _)| (i128::from(x), i128::from(y)));
-        let [za, zb, zc] = corners.map(|c| i128::from(c.2));
+        // From the first corner, as the code measures it.
+        let beyond = |c: &(i32, i32, i32)| {
+            let (dx, dy) = (c.0 - corners[0].0, c.1 - corners[0].1);
+            dx.abs().max(dy.abs()) >= 512 * 256
+        };
+        let farthest = if corners.iter().any(beyond) { FARTHEST_OF_LARGE } else { FARTHEST };
+        let [za, zb, zc] = corners.map(|c| i128::from(c.2.min(farthest)));
         let whole = cross(a, b, c);
         let mut worst = 0f64;
         let Ok::<(), core::convert::Infallible>(()) = triangle(points, scissor, |span| {

@@ -218,10 +218,12 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// for each face drawn. `cache` is as in [`wireframe`](Self::wireframe).
     ///
     /// A pixel's depth is that of the plane through the face's corners at the pixel's centre, in steps
-    /// of 65536 that are linear on the screen, 0 near to 65534 far: within 0.54 of a step plus
-    /// 2⁻¹⁷ for every column and row of the target, so two faces two steps apart are told apart. Of
-    /// equal depths the first drawn stays. Depth ends at the far plane: what lies beyond is cut off,
-    /// whether or not the camera asks for that. Nothing is drawn outside the depth buffer.
+    /// of 65536 that are linear on the screen, 0 near to 65534 far: within 0.54 of a step for faces
+    /// within 512 pixels, for larger ones within ½ and 2⁻¹⁷ for every column and row of the target. (A
+    /// face that reaches the far plane, whose 65535 stands for nothing, is drawn half a step nearer
+    /// there: within 1.1.) So faces two steps apart are told apart; of equal depths the first drawn
+    /// stays. Depth ends at the far plane: what lies beyond is cut off, whether or not the camera asks
+    /// for that. Nothing is drawn outside the depth buffer.
     ///
     /// # Errors
     ///

@@ -6,6 +6,7 @@
 //! * [`chain`] model → world → view → clip → screen in f64, from the quantised inputs
 //! * [`eye`] what a camera sees in each pixel, in f64, by one ray per pixel: no clipping in it
 //! * [`target`] draw targets that count, that fail and that make ASCII pictures
+//! * [`picture`] how far edges must move to explain a whole depth-tested picture, in f64
 //! * [`rng`] a seeded generator, so that every run draws the same cases
 #![allow(dead_code)] // every test file takes the oracles that it needs
 
@@ -13,5 +14,6 @@ pub(crate) mod chain;
 pub(crate) mod coverage;
 pub(crate) mod eye;
 pub(crate) mod line;
+pub(crate) mod picture;
 pub(crate) mod rng;
 pub(crate) mod target;
