@@ -115,14 +115,14 @@ impl Placement {
         let [cx, cy] = self.screen.centre;
         let along = |v: i32, centre: i32| ((mul_high(v, r.mantissa) >> right) + (2 * centre + 1)) >> 1;
         let depth = if DEPTH {
-            let fine = mul_high(h.d, r.mantissa); // 0 … 2³⁰
-            let right = 5 - self.d_over_w - n; // ≥ −7 by least_w
-            if right > 0 {
-                (((fine >> (right - 1)) + 1) >> 1).min(FARTHEST)
+            let right = 37 - self.d_over_w - n; // ≥ 25 by least_w
+            let depth = if right > 32 {
+                (mul_high(h.d, r.mantissa) >> (right - 33)) + 1
             } else {
-                let left = (-right).min(7);
-                fine.min(FARTHEST >> left) << left
-            }
+                // Near the eye the low word counts. Beyond far the quotient may leave 32 bits.
+                (mul_wide(h.d, r.mantissa) >> (right - 1)).min(1 << 30) as i32 + 1
+            };
+            (depth >> 1).min(FARTHEST)
         } else {
             0
         };
