@@ -6,9 +6,10 @@ mod oracle;
 
 use bridge::draw::{Ink, CUBE, CUBE_EDGES, CUBE_FACES};
 use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use embedded_graphics_core::geometry::Dimensions;
 use embedded_graphics_core::primitives::Rectangle;
 use oracle::target::{Call, Recorder, Refused};
-use pinhole::{Corner, Mesh, Painter, Statistics};
+use pinhole::{Corner, DepthBuffer, Mesh, Painter, Statistics};
 
 fn camera(viewport: (i32, i32, u32, u32)) -> CameraBits {
     CameraBits {
@@ -23,9 +24,10 @@ enum Way {
     Wireframe,
     Solid,
     Painter,
+    Depth,
 }
 
-const WAYS: [Way; 3] = [Way::Wireframe, Way::Solid, Way::Painter];
+const WAYS: [Way; 4] = [Way::Wireframe, Way::Solid, Way::Painter, Way::Depth];
 
 /// A turned cube, any way, onto a target.
 fn draw(way: Way, camera: &CameraBits, target: &mut Recorder<Ink>) -> Result<Statistics, Refused> {
@@ -41,6 +43,12 @@ fn draw(way: Way, camera: &CameraBits, target: &mut Recorder<Ink>) -> Result<Sta
             let mut painter = Painter::<Ink, 64, 64>::new();
             painter.add(&placed, |face| Ink(face as u16)).expect("enough room");
             painter.draw(target)
+        }
+        Way::Depth => {
+            let area = target.bounding_box();
+            let mut storage = vec![0; (area.size.width * area.size.height) as usize];
+            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
+            placed.depth_tested(|face| Ink(face as u16), &mut cache, &mut depth, target)
         }
     }
 }

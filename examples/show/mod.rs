@@ -13,18 +13,21 @@ use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Point, Size},
     pixelcolor::{raw::ToBytes, Rgb565, RgbColor},
+    primitives::Rectangle,
 };
 use pinhole::space::Model;
 use pinhole::{
-    Affine, Angle, Camera, Corner, Dim, Lambert, Mesh, Painter, Point3, Projection, Scalar, Statistics,
-    Vector3, Viewing, Viewport,
+    Affine, Angle, Camera, Corner, DepthBuffer, Dim, Lambert, Mesh, Painter, Point3, Projection, Scalar,
+    Statistics, Vector3, Viewing, Viewport,
 };
 
 const SIZE: Size = Size::new(128, 64);
 const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 
-/// How many frames there are: one half solid, one half wireframe.
-pub(crate) const FRAMES: u32 = 12;
+/// How many frames there are of each kind.
+const TURN: u32 = 6;
+const KINDS: [&str; 3] = ["solid", "wireframe", "depth"];
+pub(crate) const FRAMES: u32 = TURN * KINDS.len() as u32;
 
 /// Checked by the compiler: a mesh that is not sound does not build.
 const TEAPOT: Mesh<'static> = {
@@ -41,6 +44,7 @@ const FACES: usize = teapot::FACES.len();
 /// The memory the show needs; firmware keeps it in a `static`.
 pub(crate) struct Stage {
     pixels: [Rgb565; PIXELS],
+    depth: [u16; PIXELS],
     painter: Painter<Rgb565, CORNERS, FACES>,
 }
 
@@ -53,14 +57,14 @@ pub(crate) struct Report {
 
 impl Stage {
     pub(crate) const fn new() -> Self {
-        Self { pixels: [Rgb565::BLACK; PIXELS], painter: Painter::new() }
+        Self { pixels: [Rgb565::BLACK; PIXELS], depth: [0; PIXELS], painter: Painter::new() }
     }
 
-    /// Draws one frame. Each half turns the teapot once around and comes closer all the time, until the near plane and
+    /// Draws one frame. Each kind turns the teapot once around and comes closer all the time, until the near plane and
     /// the edges of the picture cut it.
     pub(crate) fn draw(&mut self, frame: u32) -> Report {
-        let step = (frame % (FRAMES / 2)) as i16;
-        let turn = Angle::turns(step.into(), FRAMES / 2);
+        let step = (frame % TURN) as i16;
+        let turn = Angle::turns(step.into(), TURN);
         let [x, y, z] = teapot::OFFSET.map(Scalar::from_bits);
         let model =
             Affine::<Model, Model>::translation(Vector3::new(x, y, z)).then(&Affine::rotation_y(turn));
@@ -68,21 +72,28 @@ impl Stage {
 
         let mut canvas = Canvas::new(&mut self.pixels, SIZE);
         let Ok(()) = canvas.clear(Rgb565::new(2, 6, 6));
-        let statistics = if frame < FRAMES / 2 {
-            let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("light");
-            let shade = |face: usize| match teapot::NORMALS.get(face) {
-                Some(&normal) => Rgb565::new(31, 52, 14).dim(light.level(normal)),
-                None => Rgb565::MAGENTA,
-            };
-            self.painter.add(&placed, shade).expect("room for the teapot");
-            let Ok(statistics) = self.painter.draw(&mut canvas);
-            statistics
-        } else {
-            let mut cache = [Corner::default(); teapot::VERTICES.len()];
-            let Ok(statistics) = placed.wireframe(Rgb565::CYAN, &mut cache, &mut canvas);
-            statistics
+        let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("light");
+        let shade = |face: usize| match teapot::NORMALS.get(face) {
+            Some(&normal) => Rgb565::new(31, 52, 14).dim(light.level(normal)),
+            None => Rgb565::MAGENTA,
         };
-        let checksum = crc32(self.pixels.iter().flat_map(|pixel| pixel.to_be_bytes()));
+        let mut cache = [Corner::EMPTY; teapot::VERTICES.len()];
+        let Ok(statistics) = match frame / TURN {
+            0 => {
+                self.painter.add(&placed, shade).expect("room for the teapot");
+                self.painter.draw(&mut canvas)
+            }
+            1 => placed.wireframe(Rgb565::CYAN, &mut cache, &mut canvas),
+            _ => {
+                let area = Rectangle::new(Point::zero(), SIZE);
+                let mut depth = DepthBuffer::new(area, &mut self.depth).expect("a depth for each pixel");
+                placed.depth_tested(shade, &mut cache, &mut depth, &mut canvas)
+            }
+        };
+        let mut checksum = crc32(self.pixels.iter().flat_map(|pixel| pixel.to_be_bytes()));
+        if frame / TURN == 2 {
+            checksum ^= crc32(self.depth.iter().flat_map(|depth| depth.to_be_bytes()));
+        }
         Report { frame, checksum, statistics }
     }
 }
@@ -100,7 +111,7 @@ fn camera(distance: i16) -> Camera {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { frame, checksum, statistics } = self;
-        let kind = if *frame < FRAMES / 2 { "solid" } else { "wireframe" };
+        let kind = KINDS.get((*frame / TURN) as usize).copied().unwrap_or_default();
         let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
         write!(
             f,

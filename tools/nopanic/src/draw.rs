@@ -5,10 +5,14 @@ use crate::canvas::Canvas;
 use crate::targets::{Least, Wire};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565};
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Coordinate, Corner, Cull, Dim, Lambert, Mesh, Painter, Placed, Scalar};
+use pinhole::{
+    Affine, Camera, Coordinate, Corner, Cull, DepthBuffer, Dim, Lambert, Mesh, Painter, Placed, Scalar,
+};
 
 /// Things set up elsewhere, so that nothing is known of them here.
 struct Scene<'a, C> {
@@ -19,6 +23,7 @@ struct Scene<'a, C> {
     wide_mesh: Mesh<'a, Scalar>,
     colours: &'a [(C, [i16; 3])],
     corners: &'a mut [Corner],
+    depth: &'a mut [u16],
     painter: Painter<C, 100, 100>,
 }
 
@@ -39,7 +44,7 @@ fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
     placed: &Placed<'_, V>,
     target: &mut D,
 ) {
-    let Scene { light, colours, corners, painter, .. } = scene;
+    let Scene { light, colours, corners, depth, painter, .. } = scene;
     let Some(&(wire, _)) = colours.first() else { return };
     let mut shade = |face: usize| {
         let (colour, normal) = colours.get(face).copied().unwrap_or((wire, [0; 3]));
@@ -49,6 +54,16 @@ fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
     report(placed.wireframe(wire, corners, target));
     report(placed.solid(&mut shade, corners, target));
     report(painter.add(placed, &mut shade));
+    let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    match DepthBuffer::new(area, depth) {
+        Ok(mut depth) => {
+            report(placed.depth_tested(&mut shade, corners, &mut depth, target));
+            report(depth.at(Point::new(any(), any())).ok_or(()));
+            depth.clear();
+        }
+        error => report(error.map(|_| ())),
+    }
+    report(placed.project_unsnapped(any() as usize).ok_or(()));
     report(placed.points(wire, target));
     report(placed.polyline(wire, target));
 }

@@ -6,9 +6,9 @@ use pinhole::raster::ScreenPoint;
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
     clip, Affine, Angle, AxisError, Camera, ClipPoint, Hidden, Hierarchy, HierarchyError, InverseError,
-    Lambert, LightError, Mesh, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, Projection,
-    ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, Scalar, Side, Sphere, Statistics,
-    VanishingPoint, Vector3, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
+    Lambert, LightError, MatrixError, Mesh, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3,
+    Projection, ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, Scalar, Side, Sphere,
+    Statistics, VanishingPoint, Vector3, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -109,6 +109,10 @@ entries! {
     entry_reference_parallel() -> Result<ReferenceVolume, ProjectionError> { ReferenceVolume::parallel(view_point(), window(), scalar(), scalar()) }
     entry_normalise(volume: &ReferenceVolume) -> (Point3<Canonical>, Scalar) { (volume.normalise(view_point()), volume.z_min()) }
     entry_from_volume(volume: &ReferenceVolume) -> Projection { Projection::from_reference(volume) }
+    entry_affine_matrix(m: &[[f64; 4]; 4]) -> Result<Affine<Model, World>, MatrixError> { Affine::from_matrix(m) }
+    entry_affine_to_matrix(a: &Affine<Model, World>) -> [[f64; 4]; 4] { a.to_matrix() }
+    entry_view_to_matrix(v: &Viewing) -> [[f64; 4]; 4] { v.to_matrix() }
+    entry_projection_to_matrix(p: &Projection) -> [[f64; 4]; 4] { p.to_matrix() }
     entry_matrix(m: &[[f64; 4]; 4]) -> Result<Projection, ProjectionError> { Projection::from_matrix(m) }
 
     entry_project(camera: &Camera) -> Result<(ScreenPoint, u16), Hidden> { camera.project(point()) }
