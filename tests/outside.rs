@@ -6,7 +6,6 @@ mod oracle;
 
 use bridge::draw::{Ink, CUBE, CUBE_EDGES, CUBE_FACES};
 use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use embedded_graphics_core::geometry::Dimensions;
 use embedded_graphics_core::primitives::Rectangle;
 use oracle::target::{Call, Recorder, Refused};
 use pinhole::{Corner, DepthBuffer, Mesh, Painter, Statistics};
@@ -33,6 +32,8 @@ const WAYS: [Way; 4] = [Way::Wireframe, Way::Solid, Way::Painter, Way::Depth];
 fn draw(way: Way, camera: &CameraBits, target: &mut Recorder<Ink>) -> Result<Statistics, Refused> {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
     let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]).library();
+    let (x, y, width, height) = camera.viewport;
+    let area = bridge::rectangle(x, y, width, height);
     let camera = camera.library();
     let placed = camera.place(&mesh, &model);
     let mut cache = [Corner::default(); 8];
@@ -45,7 +46,6 @@ fn draw(way: Way, camera: &CameraBits, target: &mut Recorder<Ink>) -> Result<Sta
             painter.draw(target)
         }
         Way::Depth => {
-            let area = target.bounding_box();
             let mut storage = vec![0; (area.size.width * area.size.height) as usize];
             let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
             placed.depth_tested(|face| Ink(face as u16), &mut cache, &mut depth, target)

@@ -163,8 +163,8 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts(linear, exponent, origin.bits().map(|c| i64::from(c) << 16))
     }
 
-    /// From a matrix, row by row, for column vectors: coefficients are rounded to 2⁻³¹ of the largest
-    /// one (2⁻³⁰ just below a power of two), the translation to 2⁻³³.
+    /// From a matrix, row by row, for column vectors: coefficients are within 2⁻³⁰ of the largest one,
+    /// the translation within 2⁻³³.
     ///
     /// # Errors
     ///
