@@ -198,20 +198,19 @@ fn euclid(a: i64, b: i64) -> (i64, i64, i64) {
     }
 }
 
-#[test]
-fn r9_edges_that_pass_a_centre_within_one_lattice_unit() {
-    // The hardest centres for anything that steps: the exact crossing is r/dy sub-pixels from the
-    // centre, r = −1, 0, 1 times the gcd, hundreds of rows below the edge's start.
-    let mut rng = Rng::new(0x95);
+/// The hardest centres for anything that steps: the exact crossing is r/dy sub-pixels from the
+/// centre, r = −1, 0, 1 times the gcd, as many rows below the edge's start as there are.
+fn near_misses(seed: u64, count: usize, limits: &[(i64, i64)], fars: &[i64]) {
+    let mut rng = Rng::new(seed);
     let mut near = 0;
-    while near < 12_000 {
-        let limit = [1 << 17, 1 << 17, 1 << 18, 1 << 21][rng.below(4)];
-        let side = |rng: &mut Rng| match rng.below(3) {
+    while near < count {
+        let (limit_x, limit_y) = limits[rng.below(limits.len())];
+        let side = |rng: &mut Rng, limit: i64| match rng.below(3) {
             0 => limit - rng.int(0, 3),
             1 => rng.int(limit / 2, limit),
             _ => rng.log(200.0, limit as f64) as i64,
         };
-        let (dx, dy) = (side(&mut rng) * [1, -1][rng.below(2)], side(&mut rng));
+        let (dx, dy) = (side(&mut rng, limit_x) * [1, -1][rng.below(2)], side(&mut rng, limit_y));
         let (g, s, t) = euclid(dx.abs(), dy);
         let r = g * rng.int(-1, 1);
         // dx·my − dy·mx = r
@@ -231,7 +230,7 @@ fn r9_edges_that_pass_a_centre_within_one_lattice_unit() {
             continue;
         }
         near += 1;
-        let far = [1i64 << 12, 1 << 17, 1 << 18][rng.below(3)];
+        let far = fars[rng.below(fars.len())];
         let c = (cx + [far, -far][rng.below(2)], [a.1, b.1, cy, rng.int(a.1, b.1)][rng.below(4)]);
         let (x, y) = (cx.div_euclid(256), cy.div_euclid(256));
         let area = Area::new(x - 1, y - 1, x + 2, y + 2);
@@ -239,6 +238,19 @@ fn r9_edges_that_pass_a_centre_within_one_lattice_unit() {
         same_from_above([a, b, c], area, above);
         same([a, b, c], area);
     }
+}
+
+#[test]
+fn r9_edges_that_pass_a_centre_within_one_lattice_unit() {
+    let limits = [1 << 17, 1 << 17, 1 << 18, 1 << 21].map(|limit| (limit, limit));
+    near_misses(0x95, 12_000, &limits, &[1 << 12, 1 << 17, 1 << 18]);
+}
+
+/// On both sides of the 64 pixels within which edges are stepped in 32 bits.
+#[test]
+fn r9_short_edges_that_pass_a_centre_within_one_lattice_unit() {
+    let limits = [(1 << 13, 1 << 14), (1 << 13, 1 << 14), (1 << 10, 1 << 14), (1 << 14, 1 << 15)];
+    near_misses(0x96, 40_000, &limits, &[300, 1 << 11, 1 << 12, 1 << 13]);
 }
 
 #[test]

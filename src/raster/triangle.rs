@@ -12,9 +12,10 @@
 //!
 //! where `p.x − 128 = 256·c + xr`, and yr in 0 … 255 leads from p to its first row of centres:
 //! numerators on the lattice 1/256 may be rounded up first, since `⌈a/(256·b)⌉ = ⌈⌈a/256⌉/b⌉`. So
-//! what is stepped, `T = (m + n·dx)/dy`, lies on the lattice of 1/dy. A step in 32.32 whose sum
+//! what is stepped, `T = (m + n·dx)/dy`, lies on the lattice of 1/dy. A fixed-point step whose sum
 //! strays less than half a lattice unit rounds up exactly when half a unit is held back: the
-//! proof stands at [`Edge::new`]. No division, no 64-bit product per row.
+//! proofs stand at [`Small`] (10.22, for triangles within 64 pixels) and [`Large`] (32.32). No
+//! division, no 64-bit product per row.
 
 use super::{Scissor, ScreenPoint, Span};
 use crate::math::num::{mul_wide, reciprocal};
@@ -57,9 +58,6 @@ pub fn triangle<E>(
     fill(vertices, area > 0, scissor, span)
 }
 
-/// Rows of one stretch: beyond, edges are set up anew, so that no step strays too far.
-const STRETCH: i32 = 512;
-
 /// [`triangle`] for callers that know the winding: `front` tells whether [`area`] is positive; it
 /// is not zero.
 #[inline]
@@ -67,7 +65,7 @@ pub(crate) fn fill<E>(
     [mut a, mut b, mut c]: [ScreenPoint; 3],
     front: bool,
     scissor: &Scissor,
-    mut span: impl FnMut(Span) -> Result<(), E>,
+    span: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
     // Down the screen; each exchange turns the winding over.
     let mut turned = !front;
@@ -82,18 +80,35 @@ pub(crate) fn fill<E>(
     }
     // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
     let b_left = !turned;
+    // Both others within half of it from a: then no edge is wider than all of it.
+    let wide = (b.x - a.x).abs().max((c.x - a.x).abs());
+    if c.y - a.y < Small::REACH && wide < Small::REACH / 2 {
+        walk::<Small, E>([a, b, c], b_left, scissor, span)
+    } else {
+        walk::<Large, E>([a, b, c], b_left, scissor, span)
+    }
+}
+
+/// Row by row from a, on top, to c.
+#[inline(always)]
+fn walk<S: Edge, E>(
+    [a, b, c]: [ScreenPoint; 3],
+    b_left: bool,
+    scissor: &Scissor,
+    mut span: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
     let middle = first_row(b);
     let end = first_row(c).min(scissor.bottom);
     let mut row = first_row(a).max(scissor.top);
     while row < end {
-        let stretch = end.min(row + STRETCH);
-        let long = Edge::new(a, c, row);
+        let stretch = end.min(row + S::ROWS);
+        let long = S::new(a, c, row);
         let (mut left, mut right) = (long, long);
         for (from, to, until) in [(a, b, middle.min(stretch)), (b, c, stretch)] {
             if row >= until {
                 continue;
             }
-            let short = Edge::new(from, to, row);
+            let short = S::new(from, to, row);
             if b_left {
                 left = short;
             } else {
@@ -105,8 +120,8 @@ pub(crate) fn fill<E>(
                 if width > 0 {
                     span(Span { x, y: row, width, height: 1 })?;
                 }
-                left.x = left.x.wrapping_add(left.step);
-                right.x = right.x.wrapping_add(right.step);
+                left.advance();
+                right.advance();
                 row += 1;
             }
         }
@@ -120,18 +135,91 @@ fn first_row(p: ScreenPoint) -> i32 {
 }
 
 /// An edge on its way down.
+trait Edge: Copy {
+    /// How many rows it may be stepped: beyond, it is set up anew.
+    const ROWS: i32;
+
+    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above
+    /// q's; so `q.y > p.y`.
+    fn new(p: ScreenPoint, q: ScreenPoint, row: i32) -> Self;
+
+    /// The end of the row's span.
+    fn pixel(&self) -> i32;
+
+    /// To the next row.
+    fn advance(&mut self);
+}
+
+/// c, m and the number of rows from p's first one: see the head of this file.
+#[inline(always)]
+fn lattice(p: ScreenPoint, (dx, dy): (i32, i32), row: i32) -> (i32, i32, i32) {
+    let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
+    let first = first_row(p);
+    let yr = first * 256 + 128 - p.y; // 0 … 255
+    let m = (xr * dy + yr * dx + 255) >> 8; // two products of at most 255·2²²: below 2³¹
+    (column, m, row - first) // 0 … 2¹⁴ rows
+}
+
+/// An edge of a triangle within 64 pixels, in 32 bits.
+///
+/// |dx|, dy < 2¹⁴, hence n ≤ 65, |m| < 2¹⁵ and |T| < 2⁷. With the reciprocal's relative error of
+/// 2⁻²⁸ and one rounding each, the start is off by less than `|m|/dy·2⁻²⁸ + 2⁻²²` and the step by
+/// less than `|dx|/dy·2⁻²⁸ + 2⁻²²`. After n rows the sum is off by less than
+/// `((|m| + n·|dx|)·2⁻²⁸ + (n + 1)·dy·2⁻²²) / dy < (2⁻⁷·⁸ + 0.26) / dy`, and half a lattice unit,
+/// `½ / dy`, is rounded by less than `2⁻²² + 2⁻²⁹/dy`, which is `2⁻⁷·⁹ / dy`. Where the step leaves
+/// 32 bits the edge ends in its first row, and it is not used.
 #[derive(Clone, Copy)]
-struct Edge {
+struct Small {
+    /// T and one whole, less half a lattice unit: 10.22.
+    x: i32,
+    step: i32,
+    column: i32,
+}
+
+impl Small {
+    /// In sub-pixels.
+    const REACH: i32 = 1 << 14;
+}
+
+impl Edge for Small {
+    const ROWS: i32 = i32::MAX >> 1; // all of them
+
+    #[inline(always)]
+    fn new(p: ScreenPoint, q: ScreenPoint, row: i32) -> Self {
+        let (dx, dy) = (q.x - p.x, q.y - p.y);
+        let (column, m, below) = lattice(p, (dx, dy), row);
+        let r = reciprocal(dy);
+        // 1/dy in 2⁻²² is mantissa · 2^(shift − 39), 17 ≤ shift ≤ 30.
+        let by_dy = |v: i32| (mul_wide(v, r.mantissa) >> (39 - r.shift.min(30))) as i32;
+        let half = r.mantissa >> (40 - r.shift.min(30)).min(31);
+        let step = by_dy(dx);
+        let start = by_dy(m).wrapping_add(step.wrapping_mul(below));
+        Self { x: start.wrapping_add((1 << 22) - half), step, column }
+    }
+
+    #[inline(always)]
+    fn pixel(&self) -> i32 {
+        self.column + (self.x >> 22)
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        self.x = self.x.wrapping_add(self.step);
+    }
+}
+
+/// Any edge inside the guard band, in 64 bits.
+#[derive(Clone, Copy)]
+struct Large {
     /// The end of the current row's span is the integer part: 32.32.
     x: i64,
     /// Per row.
     step: i64,
 }
 
-impl Edge {
-    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above
-    /// q's; so `q.y > p.y`.
-    ///
+impl Edge for Large {
+    const ROWS: i32 = 512;
+
     /// **Short edges** (|dx|, dy < 2¹⁷, that is 512 pixels, hence n ≤ 513). With the reciprocal's
     /// relative error of 2⁻²⁸ and one rounding each, the start is off by less than
     /// `|m|/dy · 2⁴ + 1` and the step by less than `|dx|/dy · 2⁴ + 1`, in 2⁻³². After n rows the
@@ -145,11 +233,7 @@ impl Edge {
     #[inline]
     fn new(p: ScreenPoint, q: ScreenPoint, row: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
-        let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
-        let first = first_row(p);
-        let yr = first * 256 + 128 - p.y; // 0 … 255
-        let m = (xr * dy + yr * dx + 255) >> 8; // two products of at most 255·2²²: below 2³¹
-        let below = row - first; // 0 … 2¹⁴
+        let (column, m, below) = lattice(p, (dx, dy), row);
         const SHORT: i32 = 1 << 17;
         let r = reciprocal(dy); // 1/dy = mantissa · 2^(shift − 61)
                                 // Half a lattice unit held back from one whole: ⌊T + 1 − 1/(2·dy)⌋ = ⌈T⌉.
@@ -172,6 +256,11 @@ impl Edge {
     #[inline(always)]
     fn pixel(&self) -> i32 {
         (self.x >> 32) as i32
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        self.x = self.x.wrapping_add(self.step);
     }
 }
 
