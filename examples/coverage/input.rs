@@ -83,13 +83,19 @@ impl<'de> Visitor<'de> for Whole<'_> {
             };
             place.set(Place::field(field));
             let twice = match field {
-                "width" => width.replace(map.next_value_seed(Number(1, LARGEST))?).is_some(),
-                "height" => height.replace(map.next_value_seed(Number(1, LARGEST))?).is_some(),
-                "triangles" => triangles.replace(map.next_value_seed(List(place, triangle))?).is_some(),
-                _ => lines.replace(map.next_value_seed(List(place, line))?).is_some(),
+                "width" => width.is_some(),
+                "height" => height.is_some(),
+                "triangles" => triangles.is_some(),
+                _ => lines.is_some(),
             };
             if twice {
                 return Err(Error::custom("is given twice"));
+            }
+            match field {
+                "width" => width = Some(map.next_value_seed(Number(1, LARGEST))?),
+                "height" => height = Some(map.next_value_seed(Number(1, LARGEST))?),
+                "triangles" => triangles = Some(map.next_value_seed(List(place, triangle))?),
+                _ => lines = Some(map.next_value_seed(List(place, line))?),
             }
             place.set(Place::default());
         }
