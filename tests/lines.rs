@@ -4,42 +4,9 @@
 mod bridge;
 mod oracle;
 
-use oracle::coverage::{Area, P};
-use oracle::line;
+use bridge::compare::{line as same, line_both_ways as both_ways};
+use oracle::coverage::Area;
 use oracle::rng::Rng;
-
-/// The library's pixels equal the oracle's, and leave in as few spans as there are runs.
-fn same(a: P, b: P, area: Area) {
-    let spans = bridge::line_spans(a, b, area);
-    let (ours, exact) = (bridge::counts(&spans, area), line::line(a, b, area));
-    assert!(ours == exact, "{a:?} {b:?}\nlibrary\n{ours:?}\nexact\n{exact:?}");
-    let pixels = line::clipped(a, b, area);
-    assert_eq!(spans.len(), line::runs(a, b, &pixels), "{a:?} {b:?} {area:?}: a span for each run");
-}
-
-fn both_ways(a: P, b: P, area: Area) {
-    same(a, b, area);
-    same(b, a, area);
-}
-
-#[test]
-fn l1_every_pixel_is_within_half_a_pixel() {
-    let mut rng = Rng::new(0x11);
-    let area = Area::new(-100, -100, 101, 101);
-    for _ in 0..2000 {
-        let mut p = || (rng.int(-100, 100), rng.int(-100, 100));
-        let (a, b) = (p(), p());
-        let counts = bridge::line(a, b, area);
-        let major = (b.0 - a.0).abs().max((b.1 - a.1).abs());
-        assert_eq!(counts.total(), major as u64 + 1);
-        assert_eq!((counts.at(a.0, a.1), counts.at(b.0, b.1)), (1, 1));
-        for (x, y) in area.pixels() {
-            if counts.at(x, y) > 0 {
-                assert!(line::within_half(a, b, (x, y)), "{a:?} {b:?} ({x}, {y})");
-            }
-        }
-    }
-}
 
 #[test]
 fn l1_every_line_in_every_octant() {
@@ -49,39 +16,6 @@ fn l1_every_line_in_every_octant() {
         for (x, y) in Area::new(-16, -16, 17, 17).pixels() {
             both_ways(a, (x, y), area);
         }
-    }
-}
-
-#[test]
-fn b2_ties() {
-    let area = Area::new(-70, -70, 71, 71);
-    for (x, y) in [(2, 1), (63, 31), (62, 31), (64, 1), (64, 31), (4, 2), (6, 3)] {
-        for (x, y) in [(x, y), (y, x)] {
-            for (x, y) in [(x, y), (-x, y), (x, -y), (-x, -y)] {
-                both_ways((0, 0), (x, y), area);
-            }
-        }
-    }
-}
-
-#[test]
-fn b2_the_tie_keeps_the_smaller_minor_step() {
-    // By hand. From the smaller end in (x, y): (0,0) → (2,1) passes (1, ½).
-    let area = Area::new(0, 0, 3, 3);
-    assert_eq!(bridge::line((0, 0), (2, 1), area).picture(), "11.\n..1\n...\n");
-    assert_eq!(bridge::line((2, 0), (0, 1), area).picture(), "..1\n11.\n...\n");
-    assert_eq!(bridge::line((0, 0), (1, 2), area).picture(), "1..\n1..\n.1.\n");
-    assert_eq!(bridge::line((1, 0), (0, 2), area).picture(), ".1.\n1..\n1..\n");
-}
-
-#[test]
-fn l3_reversal() {
-    let mut rng = Rng::new(0x13);
-    let area = Area::new(0, 0, 64, 64);
-    for _ in 0..5000 {
-        let mut p = || (rng.int(0, 63), rng.int(0, 63));
-        let (a, b) = (p(), p());
-        assert_eq!(bridge::line(a, b, area), bridge::line(b, a, area));
     }
 }
 
@@ -143,105 +77,6 @@ fn l2_nearly_horizontal_and_nearly_vertical() {
             both_ways(a, b, Area::new(x, y, x + rng.int(1, 20), y + rng.int(1, 20)));
         }
     }
-}
-
-#[test]
-fn b5_extremes() {
-    let mut rng = Rng::new(0xB5);
-    let far = 32767;
-    let ends = [-far, -far + 1, -1, 0, 1, far - 1, far];
-    for _ in 0..150 {
-        let mut c = || ends[rng.below(ends.len())];
-        let (a, b) = ((c(), c()), (c(), c()));
-        for s in [0, 1 << 19, rng.int(0, 1 << 20), 1 << 20] {
-            let x = a.0 + (((b.0 - a.0) * s) >> 20) - rng.int(0, 8);
-            let y = a.1 + (((b.1 - a.1) * s) >> 20) - rng.int(0, 8);
-            both_ways(a, b, Area::new(x, y, x + 9, y + 9));
-        }
-    }
-    for _ in 0..150 {
-        let mut c = || rng.int(-far, far);
-        let (a, b) = ((c(), c()), (c(), c()));
-        for s in [0, rng.int(0, 1 << 20)] {
-            let x = a.0 + (((b.0 - a.0) * s) >> 20) - rng.int(0, 8);
-            let y = a.1 + (((b.1 - a.1) * s) >> 20) - rng.int(0, 8);
-            both_ways(a, b, Area::new(x, y, x + 9, y + 9));
-        }
-    }
-}
-
-#[test]
-fn b5_the_longest_line_whole() {
-    let far = 32767;
-    let all = Area::new(i64::from(i32::MIN), i64::from(i32::MIN), i64::from(i32::MAX), i64::from(i32::MAX));
-    for (a, b) in [
-        ((-far, -far), (far, far - 1)),
-        ((-far, far), (far, -far)),
-        ((far, -far), (-far + 1, far)),
-        ((-far, 0), (far, 1)),
-        ((-far, 5), (far, 5)),
-        ((5, -far), (5, far)),
-    ] {
-        let mut pixels: Vec<P> = Vec::new();
-        for s in bridge::line_spans(a, b, all) {
-            for y in 0..i64::from(s.height) {
-                for x in 0..i64::from(s.width) {
-                    pixels.push((i64::from(s.x) + x, i64::from(s.y) + y));
-                }
-            }
-        }
-        let mut exact = line::pixels(a, b);
-        pixels.sort_unstable();
-        exact.sort_unstable();
-        assert!(pixels == exact, "{a:?} {b:?}");
-    }
-}
-
-#[test]
-fn b5_the_last_value_of_i16() {
-    // The documented range ends at −32767; the type holds one more. No panic, no wrapped line.
-    let low = -32768;
-    for (a, b) in [
-        ((low, low), (32767, 32767)),
-        ((low, 32767), (32767, low)),
-        ((low, 0), (32767, 1)),
-        ((0, low), (1, 32767)),
-        ((low, low), (low, low)),
-        ((low, 3), (low + 9, 5)),
-    ] {
-        for s in [0, 1 << 19, 1 << 20] {
-            let x = a.0 + (((b.0 - a.0) * s) >> 20);
-            let y = a.1 + (((b.1 - a.1) * s) >> 20);
-            both_ways(a, b, Area::new(x - 5, y - 5, x + 6, y + 6));
-        }
-    }
-}
-
-#[test]
-fn b6_horizontal_and_vertical_lines_are_one_span() {
-    let area = Area::new(-10, -10, 30, 30);
-    for (a, b, n) in [
-        ((0, 3), (20, 3), 1),
-        ((-50, 3), (50, 3), 1),
-        ((4, 0), (4, 29), 1),
-        ((4, 90), (4, -90), 1),
-        ((4, 4), (4, 4), 1),
-        ((0, 0), (9, 9), 10),
-        ((0, 40), (20, 40), 0),
-    ] {
-        assert_eq!(bridge::line_spans(a, b, area).len(), n);
-        both_ways(a, b, area);
-    }
-}
-
-#[test]
-fn b6_zero_length_is_one_pixel() {
-    let area = Area::new(-2, -2, 3, 3);
-    for (x, y) in area.pixels() {
-        let counts = bridge::line((x, y), (x, y), area);
-        assert_eq!((counts.total(), counts.at(x, y)), (1, 1));
-    }
-    assert_eq!(bridge::line((9, 9), (9, 9), area).total(), 0);
 }
 
 #[test]

@@ -2,8 +2,9 @@
 
 mod oracle;
 
+use oracle::cases::{self, Class, CLASSES};
 use oracle::chain::{self, fx, Affine, View};
-use oracle::coverage::{covers, covers_by_scanline, triangle, Area};
+use oracle::coverage::{covers, covers_by_scanline, rows, triangle, Area};
 use oracle::line;
 use oracle::rng::Rng;
 
@@ -26,6 +27,49 @@ fn coverage_by_edges_equals_coverage_by_scan_lines() {
 }
 
 #[test]
+fn coverage_by_steps_equals_coverage_by_edges() {
+    let mut rng = Rng::new(2);
+    for class in CLASSES {
+        for _ in 0..2000 {
+            let t = cases::triangle(&mut rng, class);
+            for area in [cases::window(&mut rng, &t, 9), cases::window(&mut rng, &t, 64)] {
+                let steps = rows(t, area);
+                for (x, y) in (Area { bottom: area.top + 9, ..area }).pixels() {
+                    let row = steps[(y - area.top) as usize];
+                    assert_eq!(
+                        row >> (x - area.left) & 1 == 1,
+                        covers(t, x, y),
+                        "{class:?} {t:?} ({x}, {y})"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_classes_are_what_their_names_say() {
+    let mut rng = Rng::new(3);
+    for class in CLASSES {
+        let mut largest = 0;
+        for _ in 0..2000 {
+            let t = cases::triangle(&mut rng, class);
+            let extent = |c: [i64; 3]| c.iter().max().unwrap() - c.iter().min().unwrap();
+            let (w, h) = (extent(t.map(|p| p.0)), extent(t.map(|p| p.1)));
+            largest = largest.max(w).max(h);
+            assert!(t.iter().all(|p| p.0.abs() <= cases::GUARD && p.1.abs() <= cases::GUARD));
+            match class {
+                Class::Tiny => assert!(w.max(h) <= 512),
+                Class::Centres => assert!(t.iter().all(|p| p.0 % 128 == 0 && p.1 % 128 == 0)),
+                Class::Axes => assert!(t[0].1 == t[1].1 || t[0].0 == t[1].0, "{t:?}"),
+                _ => {}
+            }
+        }
+        assert!(class == Class::Tiny || largest > 4000, "{class:?}");
+    }
+}
+
+#[test]
 fn coverage_of_a_unit_square_by_hand() {
     // From centre to centre: four centres, each once; none on the right and bottom border (R2–R4).
     let (a, b, c, d) = ((128, 128), (640, 128), (640, 640), (128, 640));
@@ -44,6 +88,19 @@ fn line_ties_by_hand() {
     assert_eq!(line::pixels((1, 0), (0, 2)), [(0, 2), (0, 1), (1, 0)]);
     assert_eq!(line::pixels((5, 5), (5, 5)), [(5, 5)]);
     assert_eq!(line::runs((0, 0), (2, 1), &line::pixels((0, 0), (2, 1))), 2);
+}
+
+#[test]
+fn a_clipped_line_is_the_line_cut() {
+    let mut rng = Rng::new(4);
+    for _ in 0..20_000 {
+        let mut p = || (rng.int(-30, 30), rng.int(-30, 30));
+        let (a, b) = (p(), p());
+        let (x, y) = p();
+        let area = Area::new(x, y, x + rng.int(0, 30), y + rng.int(0, 30));
+        let cut: Vec<_> = line::pixels(a, b).into_iter().filter(|&(x, y)| area.contains(x, y)).collect();
+        assert_eq!(line::clipped(a, b, area), cut, "{a:?} {b:?} {area:?}");
+    }
 }
 
 #[test]

@@ -169,8 +169,8 @@ fn random_scene(rng: &mut Rng, far_from_origin: bool) -> Value {
     let distance = size * [rng.real(1.5, 5.0), rng.real(0.0, 1.0), rng.real(0.7, 1.5)][rng.below(3)];
     let mut view = rotation(rng);
     let eye: V3 = core::array::from_fn(|i| at[i] + view[2][i] * distance + rng.real(-0.2, 0.2) * size);
-    for i in 0..3 {
-        view[i][3] = -(view[i][0] * eye[0] + view[i][1] * eye[1] + view[i][2] * eye[2]);
+    for row in view.iter_mut().take(3) {
+        row[3] = -(row[0] * eye[0] + row[1] * eye[1] + row[2] * eye[2]);
     }
     let (width, height) = (rng.int(40, 200), rng.int(40, 160));
     let near = size * rng.log(0.01, 0.5);

@@ -219,7 +219,7 @@ mod tests {
             if i % 4 == 0 {
                 // On the line through a and b but for a unit: as thin as can be.
                 let t = random.below(257) as i32;
-                let along = |p: i32, q: i32| (i64::from(p) + (i64::from(q - p) * i64::from(t) >> 8)) as i32;
+                let along = |p: i32, q: i32| (i64::from(p) + ((i64::from(q - p) * i64::from(t)) >> 8)) as i32;
                 c = (along(a.0, b.0) + random.within(1), along(a.1, b.1) + random.within(1));
             }
             let mut with = |p: (i32, i32)| (p.0, p.1, depth(&mut random));

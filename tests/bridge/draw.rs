@@ -1,9 +1,10 @@
 //! Scenes through the library onto recorders, with a colour type that no library knows.
 
+use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
-use pinhole::{Corner, Placed, Statistics};
+use pinhole::{Coordinate, Corner, DepthBuffer, Mesh, Painter, Placed, Statistics};
 
 /// A foreign colour: the index of the face (or whatever the test likes).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +43,10 @@ pub(crate) const CUBE_EDGES: [[u16; 2]; 12] =
     [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
 /// Front faces in mesh order; face k in Ink(k).
-pub(crate) fn solid(placed: &Placed<'_>, target: &mut Recorder<Ink>) -> Result<Statistics, Refused> {
+pub(crate) fn solid<V: Coordinate>(
+    placed: &Placed<'_, V>,
+    target: &mut Recorder<Ink>,
+) -> Result<Statistics, Refused> {
     let mut cache = [Corner::default(); 64];
     placed.solid(|face| Ink(face as u16), &mut cache, target)
 }
@@ -50,4 +54,53 @@ pub(crate) fn solid(placed: &Placed<'_>, target: &mut Recorder<Ink>) -> Result<S
 pub(crate) fn wireframe(placed: &Placed<'_>, target: &mut Recorder<Ink>) -> Result<Statistics, Refused> {
     let mut cache = [Corner::default(); 64];
     placed.wireframe(Ink(7), &mut cache, target)
+}
+
+/// At a turned cube, from above and before it.
+pub(crate) fn cube_camera(viewport: (i32, i32, u32, u32)) -> CameraBits {
+    CameraBits {
+        view: ViewBits::LookAt([0, ONE, 3 * ONE], [0; 3], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective((1 << 31) / 3, (viewport.2, viewport.3), ONE / 2, 50 * ONE),
+        viewport,
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Way {
+    Wireframe,
+    Solid,
+    Painter,
+    Depth,
+}
+
+/// The ways to draw a mesh.
+pub(crate) const WAYS: [Way; 4] = [Way::Wireframe, Way::Solid, Way::Painter, Way::Depth];
+
+/// A turned cube, any way, onto a target.
+pub(crate) fn turned_cube(
+    way: Way,
+    camera: &CameraBits,
+    target: &mut Recorder<Ink>,
+) -> Result<Statistics, Refused> {
+    let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
+    let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]).library();
+    let (x, y, width, height) = camera.viewport;
+    let camera = camera.library();
+    let placed = camera.place(&mesh, &model);
+    let mut cache = [Corner::default(); 8];
+    match way {
+        Way::Wireframe => placed.wireframe(Ink(7), &mut cache, target),
+        Way::Solid => placed.solid(|face| Ink(face as u16), &mut cache, target),
+        Way::Painter => {
+            let mut painter = Painter::<Ink, 64, 64>::new();
+            painter.add(&placed, |face| Ink(face as u16)).expect("enough room");
+            painter.draw(target)
+        }
+        Way::Depth => {
+            let mut storage = vec![0; (width * height) as usize];
+            let area = super::rectangle(x, y, width, height);
+            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
+            placed.depth_tested(|face| Ink(face as u16), &mut cache, &mut depth, target)
+        }
+    }
 }

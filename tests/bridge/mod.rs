@@ -1,6 +1,7 @@
-//! Carries the oracles' plain numbers to the library and its answers back: no arithmetic in here.
+//! Carries the oracles' plain numbers to the library and its answers back, and compares them: no arithmetic in here.
 #![allow(dead_code)] // every test file takes what it needs
 
+pub(crate) mod compare;
 pub(crate) mod draw;
 pub(crate) mod pair;
 

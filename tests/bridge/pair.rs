@@ -10,6 +10,16 @@ use pinhole::{Affine, Angle, Camera, Projection, ProjectionError, Viewing, Viewi
 /// One in I16F16.
 pub(crate) const ONE: i32 = 1 << 16;
 
+/// Whole numbers in I16F16.
+pub(crate) fn ints(x: i16, y: i16, z: i16) -> [i32; 3] {
+    [x, y, z].map(|c| i32::from(c) << 16)
+}
+
+/// The rows of a view, as reals.
+pub(crate) fn rows(v: &Viewing) -> [[f64; 3]; 3] {
+    v.rows().map(|r| r.map(|c| f64::from(c) / f64::from(1 << 30)))
+}
+
 /// A view, described by bits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ViewBits {

@@ -18,28 +18,39 @@ pub(crate) fn is_steep(a: P, b: P) -> bool {
     (b.1 - a.1).abs() > (b.0 - a.0).abs()
 }
 
-/// All pixels from the smaller end to the larger.
-pub(crate) fn pixels(a: P, b: P) -> Vec<P> {
-    let (a, b) = ordered(a, b);
+/// The pixel of major step k from the smaller end a towards b.
+fn pixel(a: P, b: P, k: i64) -> P {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let major = dx.abs().max(dy.abs());
     let minor = dx.abs().min(dy.abs());
-    (0..=major)
-        .map(|k| {
-            // round(k · minor / major), a half going down: floor((2·k·minor + major − 1) / (2·major))
-            let m = if major == 0 { 0 } else { (2 * k * minor + major - 1).div_euclid(2 * major) };
-            if is_steep(a, b) {
-                (a.0 + m * dx.signum(), a.1 + k * dy.signum())
-            } else {
-                (a.0 + k * dx.signum(), a.1 + m * dy.signum())
-            }
-        })
-        .collect()
+    // round(k · minor / major), a half going down: floor((2·k·minor + major − 1) / (2·major))
+    let m = if major == 0 { 0 } else { (2 * k * minor + major - 1).div_euclid(2 * major) };
+    if is_steep(a, b) {
+        (a.0 + m * dx.signum(), a.1 + k * dy.signum())
+    } else {
+        (a.0 + k * dx.signum(), a.1 + m * dy.signum())
+    }
 }
 
-/// L2: the pixels of the unclipped line that lie in the area.
+/// All pixels from the smaller end to the larger.
+pub(crate) fn pixels(a: P, b: P) -> Vec<P> {
+    let (a, b) = ordered(a, b);
+    let major = (b.0 - a.0).abs().max((b.1 - a.1).abs());
+    (0..=major).map(|k| pixel(a, b, k)).collect()
+}
+
+/// L2: the pixels of the unclipped line that lie in the area. Only the steps that reach its rows (or columns, along
+/// the major axis) are computed, each by itself, so that a long line in a small area costs little.
 pub(crate) fn clipped(a: P, b: P, area: Area) -> Vec<P> {
-    pixels(a, b).into_iter().filter(|&(x, y)| area.contains(x, y)).collect()
+    let (a, b) = ordered(a, b);
+    let (from, to, low, high) =
+        if is_steep(a, b) { (a.1, b.1, area.top, area.bottom) } else { (a.0, b.0, area.left, area.right) };
+    // Steps go from `from` to `to`; |position − from| = step.
+    let steps = if from <= to { (low - from, high - 1 - from) } else { (from - (high - 1), from - low) };
+    (steps.0.max(0)..=steps.1.min((to - from).abs()))
+        .map(|k| pixel(a, b, k))
+        .filter(|&(x, y)| area.contains(x, y))
+        .collect()
 }
 
 pub(crate) fn line(a: P, b: P, area: Area) -> Counts {

@@ -3,6 +3,7 @@
 //!
 //! * [`coverage`] which pixels a triangle covers (R1–R9), in exact integers
 //! * [`line`] which pixels a line draws (L1–L3), each by its own exact division
+//! * [`cases`] random triangles and lines, dense where rasterisers go wrong
 //! * [`chain`] model → world → view → clip → screen in f64, from the quantised inputs
 //! * [`eye`] what a camera sees in each pixel, in f64, by one ray per pixel: no clipping in it
 //! * [`target`] draw targets that count, that fail and that make ASCII pictures
@@ -10,6 +11,7 @@
 //! * [`rng`] a seeded generator, so that every run draws the same cases
 #![allow(dead_code)] // every test file takes the oracles that it needs
 
+pub(crate) mod cases;
 pub(crate) mod chain;
 pub(crate) mod coverage;
 pub(crate) mod eye;

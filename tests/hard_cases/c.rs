@@ -4,18 +4,16 @@
 //! A snapped vertex is up to 1/256 px off, so pixels whose answer is not certain for every ray within
 //! 1/64 px are left out; they are counted, and few.
 
-mod bridge;
-mod oracle;
-
-use bridge::draw::{room_faces, solid, wireframe, Ink, CUBE, CUBE_EDGES, CUBE_FACES};
-use bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use oracle::chain::{self, vertex, V3, V4};
-use oracle::coverage::{triangle, Area};
-use oracle::eye;
-use oracle::line;
-use oracle::rng::Rng;
-use oracle::target::Recorder;
-use pinhole::Mesh;
+use crate::bridge::draw::{room_faces, solid, wireframe, Ink, CUBE, CUBE_EDGES, CUBE_FACES};
+use crate::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use crate::bridge::scalar;
+use crate::oracle::chain::{self, vertex, V3, V4};
+use crate::oracle::coverage::{self, triangle, Area};
+use crate::oracle::eye;
+use crate::oracle::line;
+use crate::oracle::rng::Rng;
+use crate::oracle::target::Recorder;
+use pinhole::{Coordinate, Cull, Mesh};
 
 const TOLERANCE: f64 = 1.0 / 64.0;
 
@@ -34,45 +32,59 @@ fn camera(width: u32, height: u32, near: i32, far: i32) -> CameraBits {
 }
 
 #[derive(Default)]
-struct Tally {
-    covered: usize,
-    background: usize,
-    ambiguous: usize,
+pub(crate) struct Tally {
+    pub(crate) covered: usize,
+    pub(crate) background: usize,
+    pub(crate) ambiguous: usize,
 }
 
-/// Draws the front faces of a mesh and compares every pixel with the eye's.
-fn compare(
+/// Draws the front faces of a mesh and compares every pixel with the eye's, but for those that another ray within
+/// `tolerance` px may see otherwise.
+pub(crate) fn compare(
     c: &CameraBits,
     far: bool,
     model: &ModelBits,
     vertices: &[[i16; 3]],
     exponent: i8,
     faces: &[[u16; 3]],
+    tolerance: f64,
+) -> Tally {
+    let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
+    let positions: Vec<V3> = vertices.iter().map(|&v| vertex(v, exponent)).collect();
+    compare_mesh(c, far, model, &mesh, &positions, tolerance)
+}
+
+fn compare_mesh<V: Coordinate>(
+    c: &CameraBits,
+    far: bool,
+    model: &ModelBits,
+    mesh: &Mesh<'_, V>,
+    positions: &[V3],
+    tolerance: f64,
 ) -> Tally {
     let (_, _, width, height) = c.viewport;
-    let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
+    let faces = mesh.faces();
     let mut target = Recorder::sized(width, height);
     let library = c.library().with_far_clip(far);
-    let statistics = solid(&library.place(&mesh, &model.library()), &mut target).expect("no error");
-    let positions: Vec<V3> = vertices.iter().map(|&v| vertex(v, exponent)).collect();
-    let seen = eye::faces(&c.exact(), &model.exact(), &positions, faces);
+    let statistics = solid(&library.place(mesh, &model.library()), &mut target).expect("no error");
+    let seen = eye::faces(&c.exact(), &model.exact(), positions, faces);
     let mut tally = Tally::default();
     for (x, y) in Area::new(0, 0, width.into(), height.into()).pixels() {
         let (count, colour) = (target.count(x as i32, y as i32), target.colour(x as i32, y as i32));
-        match eye::pixel(&seen, (x, y), far, TOLERANCE) {
+        match eye::pixel(&seen, (x, y), far, tolerance) {
             Ok(Some(face)) => {
                 tally.covered += 1;
                 assert_eq!(
                     (count, colour),
                     (1, Some(Ink(face as u16))),
-                    "({x}, {y}) sees face {face}; {c:?} {model:?} {vertices:?}·2^{exponent} {faces:?} {statistics:?}"
+                    "({x}, {y}) sees face {face}; {c:?} {model:?} {positions:?} {faces:?} {statistics:?}"
                 );
             }
             Ok(None) => {
                 tally.background += 1;
                 assert_eq!(
                     count, 0,
-                    "({x}, {y}) sees nothing but {colour:?} is drawn; {c:?} {model:?} {vertices:?}·2^{exponent} {faces:?} {statistics:?}"
+                    "({x}, {y}) sees nothing but {colour:?} is drawn; {c:?} {model:?} {positions:?} {faces:?} {statistics:?}"
                 );
             }
             Err(()) => {
@@ -112,7 +124,7 @@ fn c5_inside_a_room_every_pixel_is_covered_exactly_once() {
         for (x, y) in Area::new(0, 0, 48, 32).pixels() {
             assert_eq!(target.count(x as i32, y as i32), 1, "({x}, {y}) {c:?}");
         }
-        let tally = compare(&c, false, &model, &mesh, 0, &faces);
+        let tally = compare(&c, false, &model, &mesh, 0, &faces, TOLERANCE);
         assert_eq!(tally.background, 0);
         assert!(tally.ambiguous * 10 < tally.covered);
     }
@@ -134,7 +146,7 @@ fn c5_near_a_wall_background_is_exactly_where_the_oracle_has_it() {
             ..camera(30, 24, rng.int(ONE as i64 / 4, 2 * ONE as i64) as i32, 50 * ONE)
         };
         let faces = if rng.one_in(3) { CUBE_FACES } else { room_faces() };
-        let t = compare(&c, false, &ModelBits::default(), &room(2), 0, &faces);
+        let t = compare(&c, false, &ModelBits::default(), &room(2), 0, &faces, TOLERANCE);
         mixed += usize::from(t.covered > 0 && t.background > 0);
         total.covered += t.covered;
         total.background += t.background;
@@ -172,7 +184,7 @@ fn c1_random_triangles_across_the_near_plane() {
             vertices.iter().filter(|&&v| placed.apply(vertex(v, exponent))[2] < -chain::fx(near)).count();
         crossing += usize::from(front == 1 || front == 2);
         let faces = [[0, 1, 2], [0, 2, 1]];
-        let t = compare(&c, false, &model, &vertices, exponent, &faces[k % 2..=k % 2]);
+        let t = compare(&c, false, &model, &vertices, exponent, &faces[k % 2..=k % 2], TOLERANCE);
         total.covered += t.covered;
         total.background += t.background;
         total.ambiguous += t.ambiguous;
@@ -194,7 +206,7 @@ fn c1_random_triangles_across_the_far_plane() {
         let c = camera(24, 18, ONE / 2, 20 * ONE);
         let model = ModelBits(vec![Step::Move([0, 0, -20 * ONE])]);
         let faces = [[0, 1, 2], [0, 2, 1]];
-        let t = compare(&c, k % 4 != 0, &model, &vertices, -11, &faces[k % 2..=k % 2]);
+        let t = compare(&c, k % 4 != 0, &model, &vertices, -11, &faces[k % 2..=k % 2], TOLERANCE);
         total.covered += t.covered;
         total.background += t.background;
         total.ambiguous += t.ambiguous;
@@ -234,7 +246,7 @@ fn c2_a_vertex_exactly_on_near_is_not_cut() {
             continue;
         }
         let t = [chain::snap(at[0]), chain::snap(at[1]), chain::snap(at[2])];
-        let front = oracle::coverage::edge(t[0], t[1], t[2]) < 0;
+        let front = coverage::edge(t[0], t[1], t[2]) < 0;
         let faces = [if front { [0, 1, 2] } else { [0, 2, 1] }];
         let mesh = Mesh::new(&vertices, -6, &faces).expect("a mesh");
         let mut target = Recorder::sized(40, 30);
@@ -291,8 +303,34 @@ fn c3_w_down_to_nothing() {
         });
         let faces = [[0, 1, 2], [0, 2, 1]];
         let model = ModelBits::default();
-        compare(&c, false, &model, &vertices, exponent, &faces[k % 2..=k % 2]);
+        compare(&c, false, &model, &vertices, exponent, &faces[k % 2..=k % 2], TOLERANCE);
     }
+}
+
+#[test]
+fn c3_w_of_a_billionth() {
+    // The model flattens z by 2¹⁴: one corner has w from 2⁻³⁰ on, of either sign or none, the others are far away.
+    let mut rng = Rng::new(0xC39);
+    let c = camera(24, 18, ONE / 4, 1000 * ONE);
+    let model = ModelBits(vec![Step::Scale([ONE, ONE, ONE >> 14])]);
+    let mut covered = 0;
+    for k in 0..3000 {
+        let corners = [0, 1, 2].map(|corner| {
+            let z = match corner {
+                // 10⁻⁹ and 10⁻⁶ are 1 and 1074 of 2⁻³⁰.
+                0 => [0, 1, -1, 2, 1074, -1074, 100_000][rng.below(7)],
+                _ => rng.int(8192 << 16, 32767 << 16) as i32,
+            };
+            let reach = if corner == 0 { rng.log(1.0, 65536.0) as i64 } else { 2 << 16 };
+            [rng.int(-reach, reach) as i32, rng.int(-reach, reach) as i32, -z]
+        });
+        let fixed = corners.map(|corner| corner.map(scalar));
+        let positions = corners.map(chain::fx3);
+        let face = [[[0, 1, 2]], [[0, 2, 1]]][k % 2];
+        let mesh = Mesh::from_fixed(&fixed, &face).expect("a mesh");
+        covered += compare_mesh(&c, false, &model, &mesh, &positions, TOLERANCE).covered;
+    }
+    assert!(covered > 10_000, "{covered}");
 }
 
 #[test]
@@ -322,12 +360,12 @@ fn c6_a_triangle_far_larger_than_the_screen_is_drawn() {
         for depth in [1, 2, 40, 700] {
             let vertices = [[-size, -size, 0], [size, -size, 0], [0, size, 0]];
             let model = ModelBits(vec![Step::Move([0, 0, -depth * ONE])]);
-            let tally = compare(&c, false, &model, &vertices, 0, &[[0, 1, 2]]);
+            let tally = compare(&c, false, &model, &vertices, 0, &[[0, 1, 2]], TOLERANCE);
             if i32::from(size) >= 3 * depth {
                 assert_eq!((tally.covered, tally.background), (40 * 30, 0), "{size} {depth}");
             }
             // Seen from behind: culled.
-            let tally = compare(&c, false, &model, &vertices, 0, &[[0, 2, 1]]);
+            let tally = compare(&c, false, &model, &vertices, 0, &[[0, 2, 1]], TOLERANCE);
             assert_eq!(tally.covered, 0);
         }
     }
@@ -348,13 +386,13 @@ fn c6_random_huge_triangles_about_the_screen() {
         let shift = bits([0.0, 0.0, -depth]).expect("in range");
         let faces = [[0, 1, 2], [0, 2, 1]];
         let model = ModelBits(vec![Step::Move(shift)]);
-        covered += compare(&c, false, &model, &vertices, 0, &faces[k % 2..=k % 2]).covered;
+        covered += compare(&c, false, &model, &vertices, 0, &faces[k % 2..=k % 2], TOLERANCE).covered;
     }
     assert!(covered > 50_000);
 }
 
 #[test]
-fn lines_are_cut_by_near() {
+fn c1_lines_are_cut_by_near() {
     let mut rng = Rng::new(0x11E);
     let (mut cut, mut drawn) = (0, 0);
     while drawn < 4000 {
@@ -420,7 +458,7 @@ fn lines_are_cut_by_near() {
 }
 
 #[test]
-fn lines_to_far_outside_the_guard_band_stay_on_course() {
+fn c6_lines_to_far_outside_the_guard_band_stay_on_course() {
     // An end is floored to a pixel: its centre is up to ½ px off in x and in y, so up to 1 px along the
     // minor axis, and Bresenham adds ½. The cut at the guard band must not add a pixel to that.
     let mut rng = Rng::new(0x6B);
@@ -466,7 +504,69 @@ fn c5_close_to_an_edge_of_a_cube() {
             viewport,
         };
         let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]);
-        let tally = compare(&c, false, &model, &CUBE, 0, &CUBE_FACES);
+        let tally = compare(&c, false, &model, &CUBE, 0, &CUBE_FACES, TOLERANCE);
         println!("{} {} {}", tally.covered, tally.background, tally.ambiguous);
     }
+}
+
+#[test]
+fn c6_the_cut_of_a_shared_edge_is_the_same_point_for_both() {
+    // Two huge triangles, 10⁴ times larger than their distance, share a diagonal through the picture
+    // that near cuts: were the cut a unit apart, centres on the diagonal would show it.
+    let mut rng = Rng::new(0xB8);
+    let mut once = 0;
+    for _ in 0..800 {
+        let near = rng.real(1.0, 2.0);
+        let camera = CameraBits {
+            view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+            projection: ProjectionBits::Perspective(
+                (1 << 31) / 3,
+                (4, 3),
+                (near * 65536.0) as i32,
+                32767 * ONE,
+            ),
+            viewport: (0, 0, 64, 48),
+        };
+        // A plane through the axis just behind near, tilted.
+        let tilt = rng.real(0.5, 1.2);
+        let (turn, spin) = (rng.real(0.0, core::f64::consts::TAU), rng.real(0.0, core::f64::consts::TAU));
+        let across = [turn.cos(), turn.sin(), 0.0];
+        let along = [-turn.sin() * tilt.cos(), turn.cos() * tilt.cos(), tilt.sin()];
+        let size = rng.log(3000.0, 20_000.0);
+        let centre = [0.0, 0.0, -near * rng.real(1.05, 1.3)];
+        let corners: Option<Vec<[i32; 3]>> = (0..4)
+            .map(|k| {
+                let a = spin + core::f64::consts::FRAC_PI_2 * f64::from(k);
+                let (u, v) = (size * a.cos(), size * a.sin());
+                bits(core::array::from_fn(|i| centre[i] + u * across[i] + v * along[i]))
+            })
+            .collect();
+        let corners = corners.expect("in range");
+        let fixed: Vec<_> = corners.iter().map(|c| c.map(scalar)).collect();
+        let positions: Vec<_> = corners.iter().map(|&c| chain::fx3(c)).collect();
+        let faces = [[0, 1, 2], [0, 2, 3]];
+        let mesh = Mesh::from_fixed(&fixed, &faces).expect("a mesh");
+        let (library, model) = (camera.library(), ModelBits::default());
+        let mut target = Recorder::sized(64, 48);
+        library
+            .place(&mesh, &model.library())
+            .with_cull(Cull::None)
+            .solid(|face| Ink(face as u16), &mut [], &mut target)
+            .expect("no error");
+        // The same quadrangle cut along the other diagonal, seen from either side.
+        let other = [[0, 1, 3], [1, 2, 3], [3, 1, 0], [3, 2, 1]];
+        let seen = eye::faces(&camera.exact(), &model.exact(), &positions, &other);
+        for (x, y) in Area::new(0, 0, 64, 48).pixels() {
+            let count = target.count(x as i32, y as i32);
+            match eye::pixel(&seen, (x, y), false, 0.75) {
+                Ok(Some(_)) => {
+                    once += 1;
+                    assert_eq!(count, 1, "({x}, {y}): {camera:?} {corners:?}");
+                }
+                Ok(None) => assert_eq!(count, 0, "({x}, {y}): {camera:?} {corners:?}"),
+                Err(()) => assert!(count <= 1, "({x}, {y}): {camera:?} {corners:?}"),
+            }
+        }
+    }
+    assert!(once > 500_000, "{once}");
 }

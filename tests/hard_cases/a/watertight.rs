@@ -1,11 +1,9 @@
-//! R8: triangles on opposite sides of shared edges cover every centre in the interior of their
+//! A1, R8: triangles on opposite sides of shared edges cover every centre in the interior of their
 //! union exactly once, and on its border at most once.
 
-mod bridge;
-mod oracle;
-
-use oracle::coverage::{centre, closed, edge, on_segment, Area, Counts, P};
-use oracle::rng::Rng;
+use crate::bridge;
+use crate::oracle::coverage::{centre, closed, edge, on_segment, Area, Counts, P};
+use crate::oracle::rng::Rng;
 use std::collections::BTreeMap;
 
 struct Partition {
@@ -267,23 +265,23 @@ fn partitions(seed: u64, count: usize, step: i64) -> (u64, u64) {
 }
 
 #[test]
-fn r8_random_partitions() {
+fn a1_r8_random_partitions() {
     assert!(partitions(0x81, 60, 1).0 > 10_000);
 }
 
 #[test]
-fn r8_random_partitions_on_centres_and_borders() {
+fn a1_r8_random_partitions_on_centres_and_borders() {
     let (inside, ties) = partitions(0x82, 60, 128);
     assert!(inside > 10_000 && ties > 500);
 }
 
 #[test]
-fn r8_random_partitions_on_whole_pixels() {
+fn a1_r8_random_partitions_on_whole_pixels() {
     partitions(0x83, 60, 256);
 }
 
 #[test]
-fn r8_random_partitions_of_a_huge_square() {
+fn a1_r8_random_partitions_of_a_huge_square() {
     let mut rng = Rng::new(0x84);
     let far = 8192 * 256;
     let outline = [(-far, -far), (far, -far), (far, far), (-far, far)];
@@ -298,4 +296,78 @@ fn r8_random_partitions_of_a_huge_square() {
             }
         }
     }
+}
+
+/// Does p lie strictly inside the circle through a, b, c (turning as `edge` is positive)? Exact.
+fn in_circle([a, b, c]: [P; 3], p: P) -> bool {
+    let row = |q: P| {
+        let (x, y) = (i128::from(q.0 - p.0), i128::from(q.1 - p.1)); // up to 2²³
+        [x, y, x * x + y * y]
+    };
+    let (a, b, c) = (row(a), row(b), row(c));
+    let minor = |p: [i128; 3], q: [i128; 3]| p[0] * q[1] - p[1] * q[0];
+    a[2] * minor(b, c) - b[2] * minor(a, c) + c[2] * minor(a, b) > 0 // below 2¹⁰⁰
+}
+
+/// Flips edges until no vertex lies in the circle of a neighbour across an edge: Lawson's way to the Delaunay
+/// partition, which ends, as each flip lowers a paraboloid.
+fn delaunay(mut partition: Partition) -> Partition {
+    for t in 0..partition.triangles.len() {
+        let [a, b, c] = partition.corners(t);
+        if edge(a, b, c) < 0 {
+            partition.triangles[t].swap(1, 2);
+        }
+    }
+    loop {
+        let mut flips = 0;
+        let n = partition.triangles.len();
+        for s in 0..n {
+            for t in 0..n {
+                let (one, two) = (partition.triangles[s], partition.triangles[t]);
+                // one has the edge i → j, and two has j → i.
+                let Some(turn) = (0..3).find(|&k| {
+                    s != t && (0..3).any(|l| (one[k], one[(k + 1) % 3]) == (two[(l + 1) % 3], two[l]))
+                }) else {
+                    continue;
+                };
+                let (i, j, k) = (one[turn], one[(turn + 1) % 3], one[(turn + 2) % 3]);
+                let Some(&l) = two.iter().find(|v| ![i, j].contains(v)) else { continue };
+                if in_circle(partition.corners(s), partition.points[l]) {
+                    partition.triangles[s] = [k, i, l];
+                    partition.triangles[t] = [l, j, k];
+                    flips += 1;
+                }
+            }
+        }
+        if flips == 0 {
+            return partition;
+        }
+    }
+}
+
+#[test]
+fn a1_delaunay_partitions() {
+    let mut rng = Rng::new(0xA16);
+    let far = 8192 * 256;
+    let (mut inside, mut ties) = (0, 0);
+    for k in 0..60 {
+        let (step, size) = [(1, 3000), (128, 3072), (256, 4096), (128, far)][k % 4];
+        let low = if size == far { -far } else { [0, 128][k % 2] };
+        let outline = [(low, low), (size, low), (size, size), (low, size)];
+        let partition = delaunay(random_partition(&mut rng, &outline, step, 25));
+        for t in 0..partition.triangles.len() {
+            // Empty circles, all of them.
+            assert!(!partition.points.iter().any(|&p| in_circle(partition.corners(t), p)));
+        }
+        let area = if size == far {
+            let p = partition.points[rng.below(partition.points.len())];
+            let (x, y) = (p.0.div_euclid(256), p.1.div_euclid(256));
+            Area::new(x - 8, y - 8, x + 9, y + 9)
+        } else {
+            around(&outline)
+        };
+        let seen = partition.check(area, &mut rng);
+        (inside, ties) = (inside + seen.0, ties + seen.1);
+    }
+    assert!(inside > 5000 && ties > 100, "{inside} {ties}");
 }

@@ -1,0 +1,89 @@
+//! The rasteriser alone: triangles and lines from a JSON file, and how often each pixel was drawn.
+//!
+//! ```text
+//! cargo run --release --example coverage -- IN.json OUT
+//! ```
+
+#[path = "../common/files.rs"]
+mod files;
+mod input;
+mod picture;
+
+use clap::{value_parser, Arg, Command};
+use input::Input;
+use picture::Picture;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+const FORMATS: &str = r#"IN.json, where "triangles" and "lines" may be missing:
+  {"width": W, "height": H,                          pixels, 1 to 4096
+   "triangles": [[x0, y0, x1, y1, x2, y2], ...],     in 1/256 pixel, from -2097152 to 2097152
+   "lines": [[x0, y0, x1, y1], ...]}                 in whole pixels, from -32767 to 32767
+Integers are written as integers: 1.0 and 1e2 are refused. x runs right, y down; pixel (i, j) has its centre
+at (256 i + 128, 256 j + 128).
+
+OUT: for each pixel, row by row from the top, a little-endian u32: how many of the triangles and lines drew it.
+
+Bad input: one line on stderr, exit code 2, and OUT as it was."#;
+
+fn main() -> ExitCode {
+    let mut given = match arguments() {
+        Ok(given) => given,
+        Err(help) if help.exit_code() == 0 => help.exit(),
+        // What is wrong, in the lines up to the first empty one; then come tips and usage.
+        Err(error) => {
+            let text = error.to_string();
+            let lines: Vec<_> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
+            return refuse(&lines.join(" "));
+        }
+    };
+    let mut path = |name| given.remove_one::<PathBuf>(name).unwrap_or_default();
+    match run(&path("IN.json"), &path("OUT")) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => refuse(&problem),
+    }
+}
+
+fn arguments() -> Result<clap::ArgMatches, clap::Error> {
+    let path = |name, help| Arg::new(name).required(true).help(help).value_parser(value_parser!(PathBuf));
+    Command::new("coverage")
+        .about("Rasterises triangles and lines, and counts how often each pixel is drawn")
+        .arg(path("IN.json", "What to draw"))
+        .arg(path("OUT", "The counts"))
+        .after_help(FORMATS)
+        .try_get_matches()
+}
+
+/// One line, whatever a file or its name has in it.
+fn refuse(problem: &str) -> ExitCode {
+    eprintln!("{}", problem.replace(char::is_control, " "));
+    ExitCode::from(2)
+}
+
+fn run(from: &Path, to: &Path) -> Result<(), String> {
+    let text = fs::read(from).map_err(|e| format!("{}: cannot be read: {e}", from.display()))?;
+    let input = Input::parse(&text).map_err(|e| format!("{}: {e}", from.display()))?;
+    drop(text);
+    let mut picture = Picture::new(input.width, input.height);
+    for &triangle in &input.triangles {
+        picture.triangle(triangle);
+    }
+    for &line in &input.lines {
+        picture.line(line);
+    }
+    let counts = picture.counts();
+    let bytes: Vec<u8> = counts.iter().flat_map(|count| count.to_le_bytes()).collect();
+    files::write(&[(to, bytes)])?;
+    println!(
+        "{}: {} x {} pixels, {} triangles, {} lines; {} pixels drawn, the most often {} times",
+        to.display(),
+        input.width,
+        input.height,
+        input.triangles.len(),
+        input.lines.len(),
+        counts.iter().filter(|&&count| count > 0).count(),
+        counts.iter().max().unwrap_or(&0),
+    );
+    Ok(())
+}
