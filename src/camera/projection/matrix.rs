@@ -3,6 +3,11 @@
 use super::{Projection, ProjectionError};
 use crate::math::float::{coefficients, parts, row};
 
+/// `a·s + b·t`. Indexed by constants only: not even without inlining is there a bounds check.
+fn sum(a: &[f64; 4], s: f64, b: &[f64; 4], t: f64) -> [f64; 4] {
+    [a[0] * s + b[0] * t, a[1] * s + b[1] * t, a[2] * s + b[2] * t, a[3] * s + b[3] * t]
+}
+
 impl Projection {
     /// A matrix from view to clip space, row by row, for column vectors: visible points must have
     /// w > 0 and −w ≤ x, y, z ≤ w, near at z = −w. It stands for itself times any positive factor.
@@ -34,7 +39,7 @@ impl Projection {
         };
         let [x, y, z, w] = matrix;
         // d = (z + w)/2 where f64 is exact or nearly so: rounded to 30 bits only once.
-        let d = [0, 1, 2, 3].map(|i| z[i] / 2.0 + w[i] / 2.0);
+        let d = sum(z, 0.5, w, 0.5);
         let all = (row(x, shift), row(y, shift), row(&d, shift), row(w, shift));
         let (Some(x), Some(y), Some(d), Some(w)) = all else { return Err(ProjectionError::Matrix) };
         Ok(Self { rows: [x, y, d, w] })
@@ -51,7 +56,6 @@ impl Projection {
             _ => 0,
         };
         let [x, y, d, w] = [x, y, d, w].map(|row| coefficients(row, shift));
-        let z = [0, 1, 2, 3].map(|i| 2.0 * d[i] - w[i]);
-        [x, y, z, w]
+        [x, y, sum(&d, 2.0, &w, -1.0), w]
     }
 }
