@@ -160,10 +160,14 @@ fn random_scene(rng: &mut Rng, far_from_origin: bool) -> Value {
         let stretch = [1.0, rng.real(0.5, 1.0)][rng.below(2)];
         row.iter_mut().for_each(|c| *c *= size * stretch);
     }
+    // A mesh may stand far from its own origin.
+    let own = [0.0, rng.log(10.0, 1e6)][rng.below(2)];
+    let own: V3 = [0; 3].map(|_| rng.real(-own, own));
+    let vertices: Vec<V3> = vertices.iter().map(|v| core::array::from_fn(|i| v[i] + own[i])).collect();
     let place = if far_from_origin { 20_000.0 } else { size };
     let at: V3 = [0; 3].map(|_| rng.real(-place, place));
     for (row, c) in model.iter_mut().zip(at) {
-        row[3] = c;
+        row[3] = c - (row[0] * own[0] + row[1] * own[1] + row[2] * own[2]);
     }
     // The camera looks at a point of the mesh's surroundings.
     let distance = size * [rng.real(1.5, 5.0), rng.real(0.0, 1.0), rng.real(0.7, 1.5)][rng.below(3)];

@@ -111,8 +111,12 @@ impl Units {
         // Where the mesh's bounding box and the eye are in the world.
         let mut reach = 0f64;
         for row in &scene.model[..3] {
-            let along = |i: usize| (row[i] * low[i]).abs().max((row[i] * high[i]).abs());
-            reach = reach.max(along(0) + along(1) + along(2) + row[3].abs());
+            let (mut middle, mut around) = (row[3], 0.0);
+            for i in 0..3 {
+                middle += row[i] * f64::midpoint(low[i], high[i]);
+                around += (row[i] * (high[i] - low[i]) / 2.0).abs();
+            }
+            reach = reach.max(middle.abs() + around);
         }
         let [u, v, n, _] = &scene.view;
         for ((x, y), z) in u.iter().zip(v).zip(n).take(3) {
