@@ -22,6 +22,10 @@ impl Errors {
         self.squares += other.squares;
     }
 
+    pub(crate) fn largest(&self) -> f64 {
+        self.all.iter().fold(0f32, |a, &b| a.max(b)).into()
+    }
+
     /// The largest, the one that one in a thousand exceeds, and the root of the mean square: three
     /// cells, of three digits each. There is an error.
     pub(crate) fn cells(&mut self) -> String {

@@ -47,7 +47,7 @@ pub(crate) const DESIGNS: [(Design, &str, (f64, f64)); 5] = [
 ];
 
 /// Vertices of an object.
-pub(crate) const VERTICES: usize = 8;
+pub(crate) const VERTICES: usize = 12;
 
 /// An object before a camera.
 pub(crate) struct Object {
@@ -74,10 +74,6 @@ fn log(rng: &mut Rng, (low, high): (f64, f64)) -> f64 {
 }
 
 impl Population {
-    pub(crate) fn near(&self) -> f64 {
-        1.0 / f64::from(self.nearest)
-    }
-
     /// A camera anywhere in the world, and the class of its far plane.
     pub(crate) fn camera(&self, rng: &mut Rng) -> (CameraBits, usize) {
         let limit = (i64::from(self.world) << 16) - 1;
@@ -108,10 +104,9 @@ impl Population {
     pub(crate) fn target(&self, rng: &mut Rng, camera: &CameraBits, exact: &chain::Camera) -> Option<V3> {
         let m = exact.projection;
         let (near, far) = (camera.projection.near(), camera.projection.far());
-        (0..20).find_map(|_| {
+        (0..8).find_map(|_| {
             let z = log(rng, (near * (1.0 + 2e-3), far * (1.0 - 2e-3)));
-            let at =
-                [rng.real(-1.0, 1.0) * z / m[0][0], rng.real(-1.0, 1.0) * z / m[1][1], -z];
+            let at = [rng.real(-1.0, 1.0) * z / m[0][0], rng.real(-1.0, 1.0) * z / m[1][1], -z];
             self.inside(world(&exact.view, at)).then_some(at)
         })
     }

@@ -39,6 +39,8 @@ pub(crate) struct Sweep {
     pub(crate) depths: [[Pair; 2]; RANGES.len()],
     /// The largest part of the error before the snap that a unit of r/z costs, for r/z ≥ 16, in px.
     pub(crate) per_ratio: f64,
+    /// The largest error of depth after rounding for which there is a bound.
+    pub(crate) deepest: f64,
     pub(crate) cameras: usize,
 }
 
@@ -48,7 +50,11 @@ struct Seen {
     after: V3,
 }
 
-fn seen<V: Coordinate>(camera: &Camera, mesh: &Mesh<'_, V>, model: &Affine<Model, World>) -> Vec<Option<Seen>> {
+fn seen<V: Coordinate>(
+    camera: &Camera,
+    mesh: &Mesh<'_, V>,
+    model: &Affine<Model, World>,
+) -> Vec<Option<Seen>> {
     let placed = camera.place(mesh, model);
     let vertex = |i| {
         let before = placed.project_unsnapped(i)?.map(|v| v as f64 / 4_294_967_296.0);
