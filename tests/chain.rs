@@ -64,6 +64,8 @@ struct Figures {
     /// The largest distance from the oracle in px, and the part of it beyond the snap's 1/512.
     worst: f64,
     depth_steps: f64,
+    /// In steps, unrounded, where far is at least twice near.
+    depth_error: f64,
     depth_budget: f64,
     /// The largest part of the budget that was used.
     budget: f64,
@@ -339,15 +341,22 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(Terms) -> f64) -> F
                 case.exponent
             );
             f.depth_steps = f.depth_steps.max(steps);
+            let apart = case.camera.projection.far() >= 2.0 * near;
+            if plain && apart {
+                let error = (f64::from(depth) - wanted).abs();
+                assert!(error <= 1.0, "depth {error} steps off {wanted}: {:?}", case.camera);
+                f.depth_error = f.depth_error.max(error);
+            }
         }
     }
     println!(
-        "{} cameras, {} vertices: at most {:.7} px, beyond the snap {:.3e} px; depth {} steps; {:.2} and {:.2}·2⁻³⁰ of the budgets",
+        "{} cameras, {} vertices: at most {:.7} px, beyond the snap {:.3e} px; depth {} steps, {:.3} unrounded; {:.2} and {:.2}·2⁻³⁰ of the budgets",
         f.cameras,
         f.vertices,
         f.worst,
         f.worst - 1.0 / 512.0,
         f.depth_steps,
+        f.depth_error,
         f.budget * 2f64.powi(30),
         f.depth_budget * 2f64.powi(30)
     );

@@ -1,7 +1,7 @@
 //! The numeric functions one by one: the largest error over seeded inputs, against f64 or exact integers, and
 //! the bound that their documentation states. `tests/bounds.rs` asserts each of them.
 
-use crate::bridge::pair::{random_view, ModelBits, ProjectionBits, Step, ViewBits};
+use crate::bridge::pair::{random_view, window, ModelBits, ProjectionBits, Step, ViewBits};
 use crate::bridge::{point, reals, scalar, vector};
 use crate::num;
 use crate::oracle::chain::{self, cross, dot, fx, fx3, length, normalise, M3, M4, V3};
@@ -433,10 +433,10 @@ fn matched(got: M4, exact: &M4) -> M4 {
     got.map(|row| row.map(|c| c * factor))
 }
 
-pub(crate) fn projections() -> [Measured; 6] {
+pub(crate) fn projections() -> [Measured; 9] {
     let mut rng = Rng::new(0x59);
     let (mut field, mut windows, mut depth, mut any_matrix) = (0f64, 0f64, 0f64, 0f64);
-    let (mut clip, mut ndc) = (0f64, 0f64);
+    let (mut clip, mut ndc, mut constants, mut any_constants, mut slanted) = (0f64, 0f64, 0f64, 0f64, 0f64);
     for _ in 0..100_000 {
         let near = rng.int(1 << 8, 1 << 22) as i32;
         let far = near.saturating_add(rng.int(1 << 10, 1 << 30) as i32);
@@ -461,6 +461,10 @@ pub(crate) fn projections() -> [Measured; 6] {
                 _ => windows = windows.max(error),
             }
             depth = depth.max(depth_error(&matrix, &exact));
+            for row in [0, 1] {
+                let (got, exact) = (matrix[row][3], exact[row][3]);
+                constants = constants.max((got - exact).abs() / (exact.abs() + 0.125));
+            }
             // A point of the projection as it is.
             let p = [0; 3].map(|_| rng.bits() as i32 >> rng.below(24));
             let wanted = chain::mul4(&matrix, [fx(p[0]), fx(p[1]), fx(p[2]), 1.0]);
@@ -480,17 +484,50 @@ pub(crate) fn projections() -> [Measured; 6] {
                 }
             }
         }
+        // A box whose depth recedes.
+        let (angle, factor) = (rng.bits(), rng.bits() as i32 >> (8 + rng.below(8)));
+        let box_bits = ProjectionBits::Orthographic([l, r, b, t], near, far);
+        let ours = Projection::oblique(
+            window([l, r, b, t]),
+            scalar(near),
+            scalar(far),
+            Angle::from_bits(angle),
+            scalar(factor),
+        );
+        let (s, c) = chain::sin_cos(angle);
+        let mut exact = box_bits.exact();
+        exact[0][2] = -fx(factor) * c * exact[0][0];
+        exact[1][2] = -fx(factor) * s * exact[1][1];
+        let ours = matched(ours.map(|p| p.to_matrix()).unwrap_or_default(), &exact);
+        slanted = slanted.max(projection_error(&ours, &exact));
         // Any matrix at all.
+        let far_off = two(rng.real(0.0, 30.0));
         let any: M4 = [[0.0; 4]; 4].map(|row| row.map(|_| rng.real(-1.0, 1.0)));
+        let any = any.map(|[x, y, z, w]| [x, y, z, w * far_off]);
         let ours = Projection::from_matrix(&any).map(|p| p.to_matrix()).unwrap_or_default();
-        any_matrix = any_matrix.max(projection_error(&matched(ours, &any), &any));
+        let ours = matched(ours, &any);
+        any_matrix = any_matrix.max(projection_error(&ours, &any));
+        let coefficient = any.iter().flat_map(|row| &row[..3]).fold(0f64, |a, c| a.max(c.abs()));
+        let constant = any.iter().fold(0f64, |a, row| a.max(row[3].abs()));
+        for row in [0, 1, 3] {
+            let error = (ours[row][3] - any[row][3]).abs();
+            any_constants = any_constants.max(error / coefficient.max(constant / 65_536.0));
+        }
     }
     let test = "s4_projections";
     let own = "row's largest coefficient";
     [
         Measured::new("`Projection::perspective`: cot(fov/2)", "itself ÷ sin(fov)", field, two(-27.0), test),
         Measured::new("`Projection::frustum`, `orthographic`", own, windows, two(-29.0), test),
-        Measured::new("– all three, (z + w)/2", "itself", depth, two(-30.0), test),
+        Measured::new("– their constants in x and y", "itself and ⅛", constants, two(-30.0), test),
+        Measured::new("`Projection::oblique`", own, slanted, two(-28.0), test),
+        Measured::new(
+            "`perspective`, `frustum`, `orthographic`: (z + w)/2",
+            "itself",
+            depth,
+            two(-30.0),
+            test,
+        ),
         Measured::new("`Projection::from_matrix`", own, any_matrix, two(-30.0), test),
         Measured::new(
             "`Projection::apply`, the matrix as it is",
@@ -520,6 +557,7 @@ pub(crate) fn viewports() -> [Measured; 1] {
 }
 
 /// All of them, in the page's order.
+#[allow(dead_code)] // the tests take them one by one
 pub(crate) fn all() -> Vec<Measured> {
     let mut all = Vec::new();
     all.extend(sines());

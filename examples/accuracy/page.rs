@@ -80,7 +80,7 @@ Bounds that other tests hold, with their own measurements:
 | `Placed::project`, r/z > 300, 480 × 320 px, focal lengths to 700 px | 1/512 + 6.5·10⁻⁶·r/z px | `vertices_of_objects_beyond_300_times_their_distance` |
 | `Camera::unproject`, `Camera::ray` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
 | `Placed::depth_tested`, between the corners | 0.54 step + 2⁻¹⁷ a column and a row | `d2_…` in `raster/depth.rs` |
-| `Viewing::isometric`, rows | 2⁻³⁰ | `s4_isometric_rows` |
+| `Viewing::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
 | `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_own_and_micromaths` |
 | `Lambert::level` | 1 of 256 | `tests/light.rs` |
 | `Dim::dim` | ½ step of a channel | `colours_dim_by_rounding_each_channel` |

@@ -55,7 +55,8 @@ pub struct VanishingPoint {
 
 impl Camera {
     /// Where a point of the world lies on the screen, within 1/256 px, and its depth, 0 near to
-    /// 65534 far; or why it lies nowhere. A point outside the viewport has a place too.
+    /// 65534 far, within 1 where far is at least twice near; or why it lies nowhere. A point outside
+    /// the viewport has a place too. (The bounds are those of [`Placed::project`](crate::Placed::project).)
     ///
     /// # Errors
     ///
