@@ -85,6 +85,16 @@ fn s4_projections() {
 }
 
 #[test]
+fn s4_planes_and_vanishing_points() {
+    hold("s4_planes_and_vanishing_points", functions::planes());
+}
+
+#[test]
+fn s4_reference_volumes() {
+    hold("s4_reference_volumes", functions::volumes());
+}
+
+#[test]
 fn s6_viewports() {
     hold("s6_viewports", functions::viewports());
 }

@@ -1,7 +1,7 @@
 //! The numeric functions one by one: the largest error over seeded inputs, against f64 or exact integers, and
 //! the bound that their documentation states. `tests/bounds.rs` asserts each of them.
 
-use crate::bridge::pair::{random_view, window, ModelBits, ProjectionBits, Step, ViewBits};
+use crate::bridge::pair::{random_view, window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits};
 use crate::bridge::{point, reals, scalar, vector};
 use crate::num;
 use crate::oracle::chain::{self, cross, dot, fx, fx3, length, normalise, M3, M4, V3};
@@ -9,7 +9,7 @@ use crate::oracle::rng::Rng;
 use crate::{quaternion, unit};
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, View, World};
-use pinhole::{Affine, Angle, Point3, Projection, Viewport};
+use pinhole::{Affine, Angle, PlanarProjection, Point3, Projection, ReferenceVolume, Viewport};
 
 /// What a bound is and what was found.
 pub(crate) struct Measured {
@@ -499,7 +499,7 @@ pub(crate) fn projections() -> [Measured; 9] {
         exact[0][2] = -fx(factor) * c * exact[0][0];
         exact[1][2] = -fx(factor) * s * exact[1][1];
         let ours = matched(ours.map(|p| p.to_matrix()).unwrap_or_default(), &exact);
-        slanted = slanted.max(projection_error(&ours, &exact));
+        slanted = slanted.max(projection_error(&ours, &exact) / (1.0 + fx(factor).abs()));
         // Any matrix at all.
         let far_off = two(rng.real(0.0, 30.0));
         let any: M4 = [[0.0; 4]; 4].map(|row| row.map(|_| rng.real(-1.0, 1.0)));
@@ -520,7 +520,7 @@ pub(crate) fn projections() -> [Measured; 9] {
         Measured::new("`Projection::perspective`: cot(fov/2)", "itself ÷ sin(fov)", field, two(-27.0), test),
         Measured::new("`Projection::frustum`, `orthographic`", own, windows, two(-29.0), test),
         Measured::new("– their constants in x and y", "itself and ⅛", constants, two(-30.0), test),
-        Measured::new("`Projection::oblique`", own, slanted, two(-28.0), test),
+        Measured::new("`Projection::oblique`", "the same × (1 + factor)", slanted, two(-29.0), test),
         Measured::new(
             "`perspective`, `frustum`, `orthographic`: (z + w)/2",
             "itself",
@@ -530,6 +530,13 @@ pub(crate) fn projections() -> [Measured; 9] {
         ),
         Measured::new("`Projection::from_matrix`", own, any_matrix, two(-30.0), test),
         Measured::new(
+            "– its constants",
+            "largest coefficient, or 2⁻¹⁶ of the largest constant",
+            any_constants,
+            two(-42.0),
+            test,
+        ),
+        Measured::new(
             "`Projection::apply`, the matrix as it is",
             "largest of x, y, z, w, and 2",
             clip,
@@ -537,6 +544,132 @@ pub(crate) fn projections() -> [Measured; 9] {
             test,
         ),
         Measured::new("`ClipPoint::ndc`, the point as it is", "2⁻¹⁶", ndc, 0.5, test),
+    ]
+}
+
+pub(crate) fn planes() -> [Measured; 2] {
+    let mut rng = Rng::new(0x5C);
+    let (mut image, mut turn) = (0f64, 0f64);
+    for _ in 0..200_000 {
+        // The line from the centre through the point, cut by the plane z = z_p.
+        let z_p = rng.int(-20 << 16, 20 << 16) as i32;
+        let q = rng.int(1 << 16, 200 << 16) as i32;
+        let d = random_axis(&mut rng);
+        let p = [0; 3].map(|_| rng.bits() as i32 >> (5 + rng.below(10)));
+        let unit = normalise(fx3(d));
+        if unit[2].abs() < 1e-3 {
+            continue;
+        }
+        let c = [fx(q) * unit[0], fx(q) * unit[1], fx(q) * unit[2] + fx(z_p)];
+        let at = fx3(p);
+        let w = (c[2] - at[2]) / (c[2] - fx(z_p));
+        let cut = |i: usize| c[i] + (at[i] - c[i]) / w;
+        let size =
+            [at[0], at[1], at[2], fx(z_p), cut(0), cut(1)].into_iter().fold(0f64, |a, b| a.max(b.abs()));
+        if size >= 32_767.0 {
+            continue;
+        }
+        let planar = PlanarProjection::general(scalar(z_p), Some(scalar(q)), vector(d));
+        let Some(got) = planar.ok().and_then(|planar| planar.apply(point(p))) else { continue };
+        for (got, wanted) in reals(got).iter().zip([cut(0), cut(1), fx(z_p)]) {
+            image = image.max(((got - wanted).abs() - two(-17.0)) / (size / (w * unit[2]).abs()));
+        }
+    }
+    for _ in 0..30_000 {
+        // Where an axis of the world vanishes, and what turning the axis does to that place.
+        let bits = CameraBits {
+            view: random_view(&mut rng),
+            projection: ProjectionBits::Perspective(
+                rng.int(310_189_739, 1_431_655_765) as u32,
+                (480, 320),
+                1 << 16,
+                1 << 20,
+            ),
+            viewport: (0, 0, 480, 320),
+        };
+        let exact = bits.exact();
+        let focal = exact.projection[1][1] * 160.0;
+        for (axis, found) in bits.library().vanishing_points().into_iter().enumerate() {
+            let [x, y, z] = exact.view.rows.map(|row| row[axis]);
+            let Some(found) = found else { continue };
+            let (wx, wy) = (240.0 - focal * x / z, 160.0 + focal * y / z);
+            if wx.abs().max(wy.abs()) < 4e6 {
+                let off =
+                    (f64::from(found.x) / 256.0 - wx).abs().max((f64::from(found.y) / 256.0 - wy).abs());
+                turn = turn.max((off - 1.0 / 512.0) * z * z / focal);
+            }
+        }
+    }
+    let test = "s4_planes_and_vanishing_points";
+    [
+        Measured::new(
+            "`PlanarProjection::apply`, beyond ½·2⁻¹⁶",
+            "largest of point, plane and image, ÷ (w · dz)",
+            image,
+            two(-28.0),
+            test,
+        ),
+        Measured::new(
+            "`Camera::vanishing_points`, beyond 1/512 px",
+            "what turning the axis by 1 rad moves it",
+            turn,
+            two(-28.0),
+            test,
+        ),
+    ]
+}
+
+/// View to canonical coordinates, by the geometry of the volume; beside them the size of what is added up.
+fn canonical(p: V3, prp: V3, window: [f64; 4], (front, back): (f64, f64), parallel: bool) -> [(f64, f64); 3] {
+    let depth = if parallel { front - back } else { prp[2] - back };
+    let side = |i: usize, low: f64, high: f64| {
+        // The centre line runs from the PRP through the window's centre at n = 0.
+        let centre = (low + high) / 2.0;
+        let slope = (prp[i] - centre) / prp[2];
+        let line = centre + slope * p[2];
+        let scale = if parallel { 2.0 / (high - low) } else { 2.0 * prp[2] / (high - low) / depth };
+        let reach = slope.abs().max(1.0) * p[2].abs().max(p[i].abs());
+        ((p[i] - line) * scale, reach.max(centre.abs()) * scale)
+    };
+    let from = if parallel { front } else { prp[2] };
+    let z = ((p[2] - from) / depth, p[2].abs().max(from.abs()) / depth);
+    [side(0, window[0], window[1]), side(1, window[2], window[3]), z]
+}
+
+pub(crate) fn volumes() -> [Measured; 2] {
+    let mut rng = Rng::new(0x5D);
+    let (mut places, mut z_min) = (0f64, 0f64);
+    for k in 0..200_000 {
+        let any = |rng: &mut Rng| rng.bits() as i32 >> (6 + rng.below(10));
+        let prp = [any(&mut rng), any(&mut rng), rng.int(1 << 8, 1 << 24) as i32];
+        let front = prp[2] - rng.int(1, 1 << 20) as i32;
+        let back = front - rng.int(1 << 8, 1 << 24) as i32;
+        let (l, b) = (any(&mut rng), any(&mut rng));
+        let w = [l, l + rng.int(1 << 8, 1 << 24) as i32, b, b + rng.int(1 << 8, 1 << 24) as i32];
+        let parallel = k % 2 == 0;
+        let (at, area, f, to) = (point(prp), window(w), scalar(front), scalar(back));
+        let ours = match parallel {
+            true => ReferenceVolume::parallel(at, area, f, to),
+            false => ReferenceVolume::perspective(at, area, f, to),
+        };
+        let Ok(ours) = ours else { continue };
+        let p = [any(&mut rng), any(&mut rng), any(&mut rng)];
+        let wanted = canonical(fx3(p), fx3(prp), w.map(fx), (fx(front), fx(back)), parallel);
+        for (got, (wanted, size)) in reals(ours.normalise(point(p))).iter().zip(wanted) {
+            if wanted.abs() < 32_767.0 {
+                places = places.max(((got - wanted).abs() - two(-17.0)) / (size + 0.125));
+            }
+        }
+        if !parallel {
+            let wanted = f64::from(prp[2] - front) / f64::from(prp[2] - back);
+            z_min = z_min.max((fx(ours.z_min().to_bits()) - wanted).abs() * 65_536.0);
+        }
+    }
+    let test = "s4_reference_volumes";
+    let sum = "largest coefficient × coordinate, or constant, and ⅛";
+    [
+        Measured::new("`ReferenceVolume::normalise`, beyond ½·2⁻¹⁶", sum, places, two(-28.0), test),
+        Measured::new("`ReferenceVolume::z_min`", "2⁻¹⁶", z_min, 0.5 + two(-14.0), test),
     ]
 }
 
@@ -570,6 +703,8 @@ pub(crate) fn all() -> Vec<Measured> {
     all.extend(normals());
     all.extend(views());
     all.extend(projections());
+    all.extend(planes());
+    all.extend(volumes());
     all.extend(viewports());
     all
 }
