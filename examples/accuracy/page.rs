@@ -78,7 +78,9 @@ Bounds that other tests hold, with their own measurements:
 |---|---|---|
 | `Placed::project`, any projection, viewport and focal length | the budget in ARCHITECTURE.md, \"Numbers\" | `tests/chain.rs`, `tests/family_random.rs` |
 | `Placed::project`, r/z > 300, 480 × 320 px, focal lengths to 700 px | 1/512 + 6.5·10⁻⁶·r/z px | `vertices_of_objects_beyond_300_times_their_distance` |
-| `Camera::unproject`, `Camera::ray` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
+| `Camera::unproject` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
+| `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
+| `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_whole_nodes_by_their_bounding_sphere` |
 | `Placed::depth_tested`, between the corners | 0.54 step + 2⁻¹⁷ a column and a row | `d2_…` in `raster/depth.rs` |
 | `Viewing::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
 | `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_own_and_micromaths` |
