@@ -24,7 +24,7 @@ cargo run --release --example accuracy
 and CI checks that it is current (`-- --check`). The reference is f64 from the same quantised inputs: the bits of
 angles, eyes, vertices and matrices, never the library's own intermediate results (`tests/oracle`). All inputs come from
 a seeded generator. Every bound on this page stands in the documentation of the function, is asserted by the test named
-beside it, and is at most twice the largest error found. A Cortex-M0, whose multiplier keeps 32 bits, computes the same
+beside it, and is at most twice the largest error that it finds. A Cortex-M0, whose multiplier keeps 32 bits, computes the same
 bits as all other cores (`both_forms_give_the_same_bits`, `tests/device.rs`), so this page holds for it too.
 ";
 
@@ -82,6 +82,9 @@ Bounds that other tests hold, with their own measurements:
 | `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
 | `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_whole_nodes_by_their_bounding_sphere` |
 | `Placed::depth_tested`, between the corners | 0.54 step + 2⁻¹⁷ a column and a row | `d2_…` in `raster/depth.rs` |
+| `Mesh::bounding_sphere`, radius | √3 times the least, 4·2⁻¹⁶ and 2⁻²⁸ of itself | `s5_bounding_spheres` |
+| `Viewing::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
+| `Affine::to_matrix`, `Projection::to_matrix` and back | exact | `s2_a_matrix_read_back_is_the_same_transform`, `s4_a_projection_from_its_matrix` |
 | `Viewing::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
 | `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_own_and_micromaths` |
 | `Lambert::level` | 1 of 256 | `tests/light.rs` |
