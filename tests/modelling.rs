@@ -94,8 +94,8 @@ fn s2_rotation_about_any_axis_is_align_rotate_undo() {
         composed.log2()
     );
     // Reading off costs 2⁻³¹.
-    assert!(linear <= 2f64.powi(-28) + 2f64.powi(-31), "2^{}", linear.log2());
-    assert!(composed <= 2f64.powi(-28) + 2f64.powi(-31), "2^{}", composed.log2());
+    assert!(linear <= 2f64.powi(-27) + 2f64.powi(-31), "2^{}", linear.log2());
+    assert!(composed <= 2f64.powi(-27) + 2f64.powi(-31), "2^{}", composed.log2());
     let zero = Affine::<Model, World>::rotation(point([0; 3]), vector([0; 3]), Angle::QUARTER_TURN);
     assert_eq!(zero, Err(AxisError::ZeroAxis));
 }

@@ -55,7 +55,8 @@ pub struct VanishingPoint {
 
 impl Camera {
     /// Where a point of the world lies on the screen, within 1/256 px, and its depth, 0 near to
-    /// 65534 far; or why it lies nowhere. A point outside the viewport has a place too.
+    /// 65534 far, within 1 where far is at least twice near; or why it lies nowhere. A point outside
+    /// the viewport has a place too. (The bounds are those of [`Placed::project`](crate::Placed::project).)
     ///
     /// # Errors
     ///
@@ -97,6 +98,8 @@ impl Camera {
 
     /// The half-line whose points project to `at`: for picking. `None` where its start lies
     /// outside the world or the view is too flat to tell.
+    ///
+    /// What is seen at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the line.
     pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
@@ -114,6 +117,9 @@ impl Camera {
     /// The finite vanishing points of the world's x, y and z axes: `None` for an axis whose
     /// parallels stay parallel (its direction lies within 2⁻²⁶ of the view plane's), as all do
     /// under a parallel projection.
+    ///
+    /// Each lies within 1/512 px and what turning its axis by 2⁻²⁸ rad moves it, for fields of view
+    /// from 26° to 120°.
     pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
         let point = |direction: [i32; 3]| {
             // The forms without their constants: three products of at most 2⁶⁰.

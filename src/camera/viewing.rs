@@ -16,8 +16,8 @@ use crate::space::{View, World};
 /// ```
 ///
 /// The eye is kept exactly and subtracted first, in integers: a scene far from the origin is as
-/// sharp as one near it. Rows are in 2⁻³⁰, each coefficient within 2⁻²⁹ for VUP well away from
-/// VPN; the roll error grows as 1/sin of their angle. (Foley, van Dam, Feiner, Hughes, *Computer
+/// sharp as one near it. Rows are in 2⁻³⁰, each coefficient within 2⁻²⁸ over the sine of the angle
+/// between VUP and VPN: near-parallel ones leave the roll uncertain. (Foley, van Dam, Feiner, Hughes, *Computer
 /// Graphics*, 2nd ed., section 6.5.)
 ///
 /// ```
@@ -150,7 +150,7 @@ impl Viewing {
     }
 
     /// The isometric view, VPN (1, 1, 1) and y up: with an orthographic projection all three axes
-    /// are foreshortened by √(2/3). Coefficients within 2⁻³⁰.
+    /// are foreshortened by √(2/3). Coefficients within 2⁻³².
     pub const fn isometric(vrp: Point3<World>) -> Self {
         // 1/√2, 1/√6, 2/√6 and 1/√3 in 2⁻³⁰.
         const H: i32 = 759_250_125;
@@ -274,7 +274,8 @@ impl Viewing {
         self.rows_over_world().map(|row| row.apply(self.eye.map(|c| -c)))
     }
 
-    /// A world point in view coordinates, rounded to the nearest 2⁻¹⁶ and saturated.
+    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step) and
+    /// saturated.
     pub fn apply(&self, p: Point3<World>) -> Point3<View> {
         let p = p.bits();
         let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);

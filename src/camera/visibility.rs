@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::math::num::{add, mul_translation, scale, sqrt};
-use crate::math::{product, Affine, Row, Sphere};
+use crate::math::{product, Affine, Row, Scalar, Sphere};
 use crate::space::{Model, World};
 
 /// How much of an object the view volume holds.
@@ -21,8 +21,12 @@ impl Camera {
     /// Where a sphere lies against the six planes of the view volume (the far one included). On
     /// the safe side by less than 2⁻²⁰ of its size and distance: `Outside` and `Inside` are certain.
     ///
-    /// A node that is `Outside` need not be placed; one that is `Inside` will not be clipped.
+    /// A node that is `Outside` need not be placed; one that is `Inside` will not be clipped. A radius
+    /// of `Scalar::MAX` stands for any: such a sphere is `Partly` visible.
     pub fn visibility(&self, sphere: &Sphere, model: &Affine<Model, World>) -> Visibility {
+        if sphere.radius == Scalar::MAX {
+            return Visibility::Partly;
+        }
         // The centre in view coordinates, and what the model transform makes of the radius: at most
         // the root of the sum of its squared coefficients.
         let centre = sphere.centre.bits().map(|c| i64::from(c) << 16);

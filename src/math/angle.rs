@@ -74,7 +74,7 @@ impl Angle {
     }
 
     /// Sine and cosine in 2⁻³⁰ (Q2.30): within 2⁻²⁹·⁵ of the exact values, and exact at the
-    /// quarter turns.
+    /// quarter turns; the sum of their squares is within 2⁻²⁸ of 1.
     ///
     /// The nearest of 64 table angles a per quarter turn and the remainder δ, |δ| ≤ π/256, go
     /// through the addition theorems with `sin δ = δ − δ³/6` and `cos δ = 1 − δ²/2 + δ⁴/24`; what

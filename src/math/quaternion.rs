@@ -40,7 +40,7 @@ impl core::fmt::Display for QuaternionError {
 impl core::error::Error for QuaternionError {}
 
 impl Quaternion {
-    /// From its parts, of any length but zero: they are normalised, each within 2⁻²⁹.
+    /// From its parts, of any length but zero: they are normalised, each within 2.5·2⁻³⁰.
     ///
     /// # Errors
     ///

@@ -15,7 +15,7 @@ pub(crate) struct Row {
 }
 
 /// Brings sums of products to 30 bits and one exponent: rounded to nearest, so each coefficient
-/// is within 2⁻³⁰ of the block's largest (just above a power of two; 2⁻³¹ just below).
+/// is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
 pub(crate) fn block<const N: usize>(sums: [[i64; 3]; N], exponent: i32) -> ([[i32; 3]; N], i32) {
     let largest = sums.iter().flatten().map(|c| c.unsigned_abs()).max().unwrap_or(0);
     if largest == 0 {

@@ -16,7 +16,7 @@ use crate::space::Model;
 pub struct Sphere {
     /// The centre.
     pub centre: Point3<Model>,
-    /// The radius; a negative one counts as zero.
+    /// The radius; a negative one counts as zero, and `Scalar::MAX` stands for any that is larger.
     pub radius: Scalar,
 }
 

@@ -13,7 +13,8 @@ fn block(v: [i64; 3]) -> Option<[i64; 3]> {
     Some(v.map(|c| scale(c, shift)))
 }
 
-/// `v / |v|` in 2⁻³⁰, each component within 2⁻³⁰; `None` for the zero vector.
+/// `v / |v|` in 2⁻³⁰, each component within 1.5·2⁻³⁰: ½ for each of its own block scaling, the
+/// rounding of the length, and that of the quotient. `None` for the zero vector.
 /// Wants |v| components below 2⁶².
 pub(crate) fn normalise(v: [i64; 3]) -> Option<[i32; 3]> {
     let v = block(v)?;

@@ -126,7 +126,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// included, for objects whose half extent is at most 300 times the vertex's distance;
     /// beyond, within `1/512 + 6.5·10⁻⁶ · extent/distance` px, for 480 × 320 pixels and focal lengths up
     /// to 700 px; ARCHITECTURE.md has the formula for all others. Depth is within 1 of
-    /// `65535·(z/w + 1)/2` there, unless far follows right after near: what rounding costs grows as
+    /// `65535·(z/w + 1)/2` there, where far is at least twice near: what rounding costs grows as
     /// far/(far − near).
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
         let vertex = *self.mesh.vertices().get(index)?;

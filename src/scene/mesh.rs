@@ -247,7 +247,8 @@ impl<'a, V> Mesh<'a, V> {
 
 impl<V: Coordinate> Mesh<'_, V> {
     /// A sphere round all vertices, about the centre of their bounding box: its radius is at most
-    /// √3 times the smallest one's, rounded up. For [`Camera::visibility`](crate::Camera::visibility);
+    /// √3 times the smallest one's, rounded up by at most 4·2⁻¹⁶ and 2⁻²⁸ of itself; `Scalar::MAX` where
+    /// the sphere's numbers leave [`Scalar`]. For [`Camera::visibility`](crate::Camera::visibility);
     /// compute it once.
     pub fn bounding_sphere(&self) -> Sphere {
         let justify = self.justify();
@@ -265,7 +266,8 @@ impl<V: Coordinate> Mesh<'_, V> {
             return Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::ZERO };
         }
         let middle = |i: usize| -> i64 { (low[i] + high[i]) >> 1 }; // 33 bits
-        let bits = |v: i64| scale(v, unit + 16).clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32;
+        let wide = |v: i64| scale(v, unit + 16);
+        let bits = |v: i64| wide(v).clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32;
         let centre = [middle(0), middle(1), middle(2)];
         let mut square = 0u64;
         for &vertex in self.vertices {
@@ -276,7 +278,8 @@ impl<V: Coordinate> Mesh<'_, V> {
         }
         let radius = 2 * (i64::from(sqrt(square)) + 1);
         // Up by the rounding of the centre and of the radius itself.
-        let radius = bits(radius).saturating_add(3);
+        let outside = centre.iter().any(|&c| i64::from(bits(c)) != wide(c));
+        let radius = if outside { i32::MAX } else { bits(radius).saturating_add(3) };
         Sphere { centre: Point3::from_bits(centre.map(bits)), radius: Scalar::from_bits(radius) }
     }
 

@@ -13,7 +13,7 @@ impl Projection {
     /// w > 0 and −w ≤ x, y, z ≤ w, near at z = −w. It stands for itself times any positive factor.
     ///
     /// The rows x, y, w and (z + w)/2 are kept: each row's coefficients are rounded to 30 bits of its
-    /// largest, and its constant to 2⁻⁴³ of the matrix's largest coefficient or 2⁻⁵⁹ of its largest
+    /// largest, and its constant to 2⁻⁴² of the matrix's largest coefficient or 2⁻⁵⁸ of its largest
     /// constant, whichever is more.
     ///
     /// # Errors

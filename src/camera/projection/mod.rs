@@ -53,7 +53,8 @@ impl defmt::Format for Window {
 ///
 /// Visible points have −w ≤ x, y, z ≤ w; the near plane is z = −w, the far plane z = +w. Instead
 /// of z the rows hold `d = (z + w)/2`, which is 0 on the near plane and w on the far one: the
-/// near test is a sign, and d/w is the depth. Coefficients have 30 bits.
+/// near test is a sign, and d/w is the depth. Coefficients have 30 bits; each constructor states
+/// their error, or keeps vertices within the budget of ARCHITECTURE.md, "Numbers".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Projection {
     /// x, y, d, w over view coordinates.
@@ -106,7 +107,8 @@ impl core::fmt::Display for ProjectionError {
 impl core::error::Error for ProjectionError {}
 
 impl Projection {
-    /// A view point in clip space.
+    /// A view point in clip space, each of x, y, z, w within 2⁻³⁰ of the largest of them, and 2⁻²⁹ (in
+    /// units of the matrix).
     pub fn apply(&self, p: Point3<View>) -> ClipPoint {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let [x, y, d, w] = self.rows.map(|row| row.apply(p));

@@ -3,8 +3,8 @@
 use crate::math::num::{excess, fraction, scale, SATURATED};
 use crate::math::{Row, Scalar};
 
-/// `n / d` as `mantissa · 2^exponent` with a mantissa of 30 bits (or 2³⁰ itself), rounded: within
-/// 2⁻²⁹ of itself. Wants `d > 0`.
+/// `n / d` as `mantissa · 2^exponent` with a mantissa of 30 bits (or 2³⁰ itself), rounded to nearest:
+/// within 2⁻³⁰ of itself. Wants `d > 0`.
 pub(in crate::camera) fn ratio(n: i64, d: u64) -> (i64, i32) {
     let magnitude = n.unsigned_abs();
     if magnitude == 0 {

@@ -144,7 +144,9 @@ impl PlanarProjection {
         Ok(Self { rows: [x, y, z, w] })
     }
 
-    /// The image of a point, rounded to the nearest 2⁻¹⁶ and saturated; `None` where the ray runs
+    /// The image of a point, rounded to 2⁻¹⁶ and saturated. The rounding of the coefficients adds up
+    /// to 2⁻²⁸/(w·dz) of the largest of point, plane and image (dz is 1 but in
+    /// [`general`](Self::general)). `None` where the ray runs
     /// along the plane (w = 0). A point behind the centre has an image too, upside down: this is
     /// the arithmetic of the matrix.
     pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {

@@ -120,8 +120,9 @@ impl ReferenceVolume {
         Ok(Self { rows: [x, y, z], kind: Kind::Parallel })
     }
 
-    /// A view point in the canonical volume's coordinates, rounded to the nearest 2⁻¹⁶ and
-    /// saturated.
+    /// A view point in the canonical volume's coordinates, rounded to 2⁻¹⁶ and saturated. The rounding
+    /// of the coefficients adds up to 2⁻²⁸ of the largest product of a coefficient and a coordinate, or
+    /// of the constant, and 2⁻³¹.
     pub fn normalise(&self, p: Point3<View>) -> Point3<Canonical> {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let shrink = match self.kind {
@@ -134,8 +135,8 @@ impl ReferenceVolume {
         }))
     }
 
-    /// z_min of the perspective canonical volume, whose front plane is z = −z_min: rounded to the
-    /// nearest 2⁻¹⁶. Zero for a parallel one, whose front plane is z = 0.
+    /// z_min of the perspective canonical volume, whose front plane is z = −z_min: rounded to
+    /// 2⁻¹⁶ (within ½ + 2⁻¹⁴ of such a step). Zero for a parallel one, whose front plane is z = 0.
     pub fn z_min(&self) -> Scalar {
         match self.kind {
             Kind::Parallel => Scalar::ZERO,

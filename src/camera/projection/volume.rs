@@ -17,6 +17,8 @@ impl Projection {
     ///     | 0               0           −1            0           |
     /// ```
     ///
+    /// cot(fov/2) is within 2⁻²⁷/sin(fov) of itself, (z + w)/2 within 2⁻³⁰ of itself.
+    ///
     /// (*OpenGL Programming Guide*, appendix on homogeneous coordinates; Marschner and Shirley,
     /// *Fundamentals of Computer Graphics*, section on perspective projection.)
     ///
@@ -66,6 +68,8 @@ impl Projection {
     ///     | 0         0         −(f+n)/(f−n)  −2fn/(f−n)  |
     ///     | 0         0         −1            0           |
     /// ```
+    ///
+    /// Coefficients of x and y are within 2⁻²⁹ of the row's largest, (z + w)/2 within 2⁻³⁰ of itself.
     ///
     /// (OpenGL 1.x, `glFrustum`; *OpenGL Programming Guide*, appendix on homogeneous coordinates.)
     ///
@@ -122,6 +126,8 @@ impl Projection {
     ///     | 0        0        −2/(f−n)  −(f+n)/(f−n) |
     ///     | 0        0        0         1            |
     /// ```
+    ///
+    /// Coefficients are within 2⁻³⁰ of themselves, constants within 2⁻³⁰ of themselves and 2⁻³³.
     ///
     /// (OpenGL 1.x, `glOrtho`.)
     ///

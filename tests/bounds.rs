@@ -1,0 +1,241 @@
+//! Rule 2 of the house: every stated bound of a numeric function holds, and is at most twice the largest error met.
+//! The measurements are those of docs/accuracy.md, made anew (`examples/accuracy/functions.rs`).
+//!
+//! `src/math/num.rs`, `unit.rs` and `quaternion.rs` are compiled in once more, as what is measured: their functions
+//! are private.
+
+mod bridge;
+mod oracle;
+
+#[path = "../examples/accuracy/functions.rs"]
+mod functions;
+#[allow(dead_code)]
+#[path = "../src/math/num.rs"]
+mod num;
+#[allow(dead_code, unreachable_pub)]
+#[path = "../src/math/quaternion.rs"]
+mod quaternion;
+#[allow(dead_code)]
+#[path = "../src/math/unit.rs"]
+mod unit;
+
+use functions::Measured;
+use oracle::chain;
+use oracle::rng::Rng;
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Camera, Mesh, Point3, Projection, Vector3, Viewing, Viewport, Visibility};
+use pinhole::{NumberError, Scalar}; // also for `quaternion`
+
+#[track_caller]
+fn hold<const N: usize>(test: &str, all: [Measured; N]) {
+    for m in all {
+        println!("{}: {:e} of {:e} ({})", m.what, m.error, m.bound, m.unit);
+        assert_eq!(m.test, test, "the page names another test");
+        assert!(m.error <= m.bound, "{}: {:e} beyond {:e}", m.what, m.error, m.bound);
+        assert!(m.bound <= 2.0 * m.error, "{}: {:e} is far below {:e}", m.what, m.error, m.bound);
+    }
+}
+
+#[test]
+fn e7_sine_and_cosine() {
+    hold("e7_sine_and_cosine", functions::sines());
+}
+
+#[test]
+fn e7_angles() {
+    hold("e7_angles", functions::angles());
+}
+
+#[test]
+fn e8_reciprocal() {
+    hold("e8_reciprocal", functions::reciprocals());
+}
+
+#[test]
+fn square_root() {
+    hold("square_root", functions::roots());
+}
+
+#[test]
+fn e4_unit_vectors() {
+    hold("e4_unit_vectors", functions::unit_vectors());
+}
+
+#[test]
+fn s2_rotations() {
+    hold("s2_rotations", functions::rotations());
+}
+
+#[test]
+fn s2_compositions_and_inverses() {
+    hold("s2_compositions_and_inverses", functions::compositions());
+}
+
+#[test]
+fn s2_normals() {
+    hold("s2_normals", functions::normals());
+}
+
+#[test]
+fn s3_views() {
+    hold("s3_views", functions::views());
+}
+
+#[test]
+fn s4_projections() {
+    hold("s4_projections", functions::projections());
+}
+
+#[test]
+fn s4_planes_and_vanishing_points() {
+    hold("s4_planes_and_vanishing_points", functions::planes());
+}
+
+#[test]
+fn s4_reference_volumes() {
+    hold("s4_reference_volumes", functions::volumes());
+}
+
+#[test]
+fn s6_viewports() {
+    hold("s6_viewports", functions::viewports());
+}
+
+/// 1/√2, 1/√3 and 1/√6, to 2⁻³².
+#[test]
+fn s4_isometric_rows() {
+    let (half, third, sixth) = (0.5f64.sqrt(), (1.0f64 / 3.0).sqrt(), (1.0f64 / 6.0).sqrt());
+    let exact = [[half, 0.0, -half], [-sixth, 2.0 * sixth, -sixth], [third, third, third]];
+    let rows = Viewing::isometric(Point3::from_ints(0, 0, 0)).rows();
+    let mut worst = 0f64;
+    for (row, exact) in rows.iter().zip(exact) {
+        for (got, exact) in row.iter().zip(exact) {
+            worst = worst.max((f64::from(*got) - exact * 1_073_741_824.0).abs());
+        }
+    }
+    assert!((0.125..=0.25).contains(&worst), "{worst}");
+}
+
+/// What a transform keeps comes out of the matrix door and goes in again without loss.
+#[test]
+fn s2_a_matrix_read_back_is_the_same_transform() {
+    let mut rng = Rng::new(0x5B);
+    for _ in 0..20_000 {
+        let size = rng.log(1e-6, 1e6);
+        let any = [[0.0; 4]; 4].map(|row| row.map(|_| size * rng.real(-1.0, 1.0)));
+        let matrix = [any[0], any[1], any[2], [0.0, 0.0, 0.0, 1.0]];
+        let kept = Affine::<Model, World>::from_matrix(&matrix).expect("an affine matrix");
+        let again = Affine::<Model, World>::from_matrix(&kept.to_matrix());
+        assert_eq!(again.map(|a| a.to_matrix()), Ok(kept.to_matrix()), "{matrix:?}");
+        // And what it keeps of the translation is its nearest 2⁻³².
+        for (kept, given) in kept.to_matrix().iter().zip(matrix) {
+            assert!((kept[3] - given[3]).abs() <= 2f64.powi(-33), "{matrix:?}");
+        }
+    }
+}
+
+/// The rows are the nearest 2⁻³⁰ and the eye is the nearest 2⁻³², but for what f64 lost in −R·eye.
+#[test]
+fn s3_a_view_from_its_matrix() {
+    let mut rng = Rng::new(0x5E);
+    let (mut rows, mut eyes) = (0f64, 0f64);
+    for _ in 0..50_000 {
+        let exact = bridge::pair::random_view(&mut rng).exact();
+        let row = |i: usize| {
+            let r = exact.rows[i];
+            [r[0], r[1], r[2], -chain::dot(r, exact.eye)]
+        };
+        let matrix = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
+        let ours = Viewing::from_matrix(&matrix).expect("a rigid matrix");
+        for (got, exact) in ours.rows().iter().flatten().zip(exact.rows.iter().flatten()) {
+            rows = rows.max((f64::from(*got) - exact * 1_073_741_824.0).abs());
+        }
+        for (got, exact) in ours.eye().iter().zip(exact.eye) {
+            eyes = eyes.max((*got as f64 - exact * 4_294_967_296.0).abs());
+        }
+        // What it draws with goes through the door once more: the rows are the same bits.
+        let again = Viewing::from_matrix(&ours.to_matrix()).expect("a rigid matrix");
+        assert_eq!(again.rows(), ours.rows());
+    }
+    println!("rows {rows}·2⁻³⁰, eye {eyes}·2⁻³²");
+    // 1.7·2¹⁵ with 53 bits, three products: 2⁻³⁵.
+    assert!((0.25..=0.5).contains(&rows) && eyes <= 0.5 + 0.125, "{rows} {eyes}");
+}
+
+/// A projection's matrix, taken back, is the same projection.
+#[test]
+fn s4_a_projection_from_its_matrix() {
+    let mut rng = Rng::new(0x5F);
+    for _ in 0..20_000 {
+        let any = [[0.0; 4]; 4].map(|row| row.map(|_| rng.real(-1.0, 1.0)));
+        let kept = Projection::from_matrix(&any).expect("a matrix").to_matrix();
+        let again = Projection::from_matrix(&kept).expect("a matrix").to_matrix();
+        assert_eq!(again, kept, "{any:?}");
+    }
+}
+
+/// All vertices lie inside, and the radius is at most √3 times half the longest side of their box, which no
+/// sphere round them falls short of; rounded up by at most 4·2⁻¹⁶ and 2⁻²⁸ of itself.
+#[test]
+fn s5_bounding_spheres() {
+    let mut rng = Rng::new(0x60);
+    let mut widest = 0f64;
+    for _ in 0..20_000 {
+        let exponent = rng.int(-15, 0) as i8;
+        let reach = rng.int(1, 32_767);
+        let mut any = || [0; 3].map(|_| rng.int(-reach, reach) as i16);
+        let vertices: [[i16; 3]; 6] = core::array::from_fn(|_| any());
+        let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
+        let sphere = mesh.bounding_sphere();
+        let (centre, radius) = (bridge::reals(sphere.centre), chain::fx(sphere.radius.to_bits()));
+        let places = vertices.map(|v| chain::vertex(v, exponent));
+        let mut longest = 0f64;
+        for i in 0..3 {
+            let side = places.iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p[i]), b.max(p[i])));
+            longest = longest.max((side.1 - side.0) / 2.0);
+        }
+        if sphere.radius == Scalar::MAX {
+            assert!(3f64.sqrt() * longest > 32_767.0, "{vertices:?}·2^{exponent}");
+            continue; // stands for any radius: see the next test
+        }
+        for p in places {
+            let away = chain::length(core::array::from_fn(|i| p[i] - centre[i]));
+            assert!(away <= radius, "{away} of {radius}: {vertices:?}·2^{exponent}");
+        }
+        let room = 3f64.sqrt() * longest + 4.0 / 65_536.0 + radius * 2f64.powi(-28);
+        assert!(radius <= room, "{radius} of {room}: {vertices:?}·2^{exponent}");
+        widest = widest.max(radius / room);
+    }
+    assert!(widest >= 0.5, "{widest}");
+}
+
+/// A mesh whose sphere no `Scalar` describes is never called outside, nor inside.
+#[test]
+fn s5_a_sphere_beyond_the_scalars_is_partly_visible() {
+    let reach = 30_000;
+    let far_off = [[reach; 3], [-reach; 3]];
+    let beside = [[reach; 3], [reach - 1; 3]];
+    // By its radius, and by its centre.
+    for (vertices, exponent, corner) in [(far_off, 0, 30_000i16), (beside, 1, 0)] {
+        let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
+        // Before the first vertex: a thin box along −z that holds it.
+        let model = if corner > 0 {
+            Affine::<Model, World>::identity()
+        } else {
+            Affine::scale(Scalar::from_num(0.25)) // 60 000 to 15 000
+        };
+        let at = if corner > 0 { corner } else { 15_000 };
+        let window = bridge::pair::window([-10 << 16, 10 << 16, -10 << 16, 10 << 16]);
+        let lens = Projection::orthographic(window, Scalar::from_num(1), Scalar::from_num(2000));
+        let view = Viewing::look_along(
+            Point3::from_ints(at, at, at + 1000),
+            Vector3::from_ints(0, 0, -1),
+            Vector3::from_ints(0, 1, 0),
+        );
+        let area = bridge::rectangle(0, 0, 100, 100);
+        let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+        let camera = Camera::new(&view.expect("a view"), &lens.expect("a box"), &viewport);
+        assert!(camera.place(&mesh, &model).project(0).is_some(), "the first vertex is seen");
+        assert_eq!(camera.visibility(&mesh.bounding_sphere(), &model), Visibility::Partly);
+    }
+}
