@@ -112,7 +112,8 @@ pub(crate) const EXPONENT: i8 = -13;
 pub(crate) const WIDTH: u32 = 32;
 pub(crate) const HEIGHT: u32 = 24;
 
-/// Eight faces and edges over up to ten vertices, before, around and behind the eye.
+/// Eight faces and edges over up to ten vertices; the eye is among them, or looks at them from so far away that all lie
+/// before it.
 pub(crate) fn scene() -> impl Strategy<Value = Scene> {
     let c = || {
         prop_oneof![
@@ -136,11 +137,12 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
     let vertices = prop::collection::vec([c(), c(), c()], 3..10);
     let indices = prop::collection::vec(any::<[prop::sample::Index; 3]>(), 8);
     let far = prop_oneof![Just([0; 3]), [shift(20_000), shift(20_000), shift(20_000)]];
-    (projection, eye, gaze, vertices, indices, turn(), far)
+    let away = prop_oneof![Just(0), 12i32..40];
+    (projection, eye, gaze, away, vertices, indices, turn(), far)
         .prop_filter("up is along the gaze", |(_, _, gaze, ..)| gaze[0].abs().max(gaze[2].abs()) > 1000)
-        .prop_map(|(projection, eye, gaze, vertices, indices, mut model, far)| {
+        .prop_map(|(projection, eye, gaze, away, vertices, indices, mut model, far)| {
             model.0.push(Step::Move(far));
-            let eye = core::array::from_fn(|i| eye[i] + far[i]);
+            let eye = core::array::from_fn(|i| eye[i] + far[i] - away * gaze[i]);
             let faces: Vec<_> = indices.iter().map(|f| f.map(|i| i.index(vertices.len()) as u16)).collect();
             let edges = faces.iter().map(|f| [f[0], f[1]]).collect();
             let camera = CameraBits {
