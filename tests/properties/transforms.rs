@@ -32,9 +32,9 @@ fn largest(p: [i32; 3]) -> f64 {
 
 const UNIT: f64 = 1.0 / 65536.0;
 
-/// Each composition rounds coefficients to 2⁻³¹ of the largest, and sines and cosines to 2⁻²⁹·⁵: below 2⁻²⁶ of what a
-/// dozen steps make of a vector.
-const CHAIN: f64 = 1.0 / (1 << 26) as f64;
+/// Of what the steps make of a vector: each composition rounds coefficients to 2⁻³¹ of the largest, and there are up to
+/// eight of them.
+const CHAIN: f64 = 1.0 / (1 << 28) as f64;
 
 /// Of a world that reaches ±32768, what does not saturate on the way.
 const ROOM: f64 = 30_000.0;
