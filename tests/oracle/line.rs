@@ -18,23 +18,25 @@ pub(crate) fn is_steep(a: P, b: P) -> bool {
     (b.1 - a.1).abs() > (b.0 - a.0).abs()
 }
 
-/// All pixels from the smaller end to the larger.
-pub(crate) fn pixels(a: P, b: P) -> Vec<P> {
+/// The pixel `k` major steps from the smaller end.
+pub(crate) fn pixel(a: P, b: P, k: i64) -> P {
     let (a, b) = ordered(a, b);
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let major = dx.abs().max(dy.abs());
     let minor = dx.abs().min(dy.abs());
-    (0..=major)
-        .map(|k| {
-            // round(k · minor / major), a half going down: floor((2·k·minor + major − 1) / (2·major))
-            let m = if major == 0 { 0 } else { (2 * k * minor + major - 1).div_euclid(2 * major) };
-            if is_steep(a, b) {
-                (a.0 + m * dx.signum(), a.1 + k * dy.signum())
-            } else {
-                (a.0 + k * dx.signum(), a.1 + m * dy.signum())
-            }
-        })
-        .collect()
+    // round(k · minor / major), a half going down: floor((2·k·minor + major − 1) / (2·major))
+    let m = if major == 0 { 0 } else { (2 * k * minor + major - 1).div_euclid(2 * major) };
+    if is_steep(a, b) {
+        (a.0 + m * dx.signum(), a.1 + k * dy.signum())
+    } else {
+        (a.0 + k * dx.signum(), a.1 + m * dy.signum())
+    }
+}
+
+/// All pixels from the smaller end to the larger.
+pub(crate) fn pixels(a: P, b: P) -> Vec<P> {
+    let major = (b.0 - a.0).abs().max((b.1 - a.1).abs());
+    (0..=major).map(|k| pixel(a, b, k)).collect()
 }
 
 /// L2: the pixels of the unclipped line that lie in the area.
