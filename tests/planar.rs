@@ -246,3 +246,16 @@ fn s4_planar_errors() {
     assert_eq!(make(far, 0, ONE), Err(ProjectionError::WindowTooSmall));
     assert_eq!(make(good, 30_000 * ONE, 30_000 * ONE + 1), Err(ProjectionError::NearTooCloseToFar));
 }
+
+/// x = x + 2³⁰·(z − 2⁻¹⁰) through a window 2⁻¹⁶ wide: its constant is −2³⁷, which the window's own +1 must not
+/// hide.
+#[test]
+fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
+    for dx in [1 << 30, -(1 << 30)] {
+        for (left, right) in [(-1, 0), (0, 1)] {
+            let window = [left, right, -ONE, ONE];
+            let general = Family::General(ONE >> 10, None, [dx, 0, -1], window, ONE, 2 * ONE);
+            assert_eq!(general.library().map(|_| ()), Err(ProjectionError::WindowTooSmall), "{general:?}");
+        }
+    }
+}

@@ -202,8 +202,10 @@ impl Projection {
         let form = |image: &Row, low: Scalar, high: Scalar| {
             let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
-            let row = image.combined(ratio(2 << 16, extent), w, ratio(-sum, extent));
-            if row.offset.abs() >= SATURATED {
+            let (a, b) = (ratio(2 << 16, extent), ratio(-sum, extent));
+            let row = image.combined(a, w, b);
+            // Each part by itself too: the other may bring a saturated one back into range.
+            if [row, image.times(a), w.times(b)].iter().any(|row| row.offset.abs() >= SATURATED) {
                 return Err(ProjectionError::WindowTooSmall);
             }
             Ok(row)
