@@ -125,7 +125,10 @@ fn check_line(ca: ClipPoint, cb: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
         let extent = b[along] - a[along];
         let t = if extent == 0.0 { 0.0 } else { (end[along] - a[along]) / extent };
         assert!(gap(end, mix(a, b, t)) <= 2.0 * documented, "off the line: {ca:?} {cb:?} {end:?}");
-        assert!(t * extent.abs() >= -MOVED && (t - 1.0) * extent.abs() <= MOVED, "beyond an end: {ca:?} {cb:?}");
+        assert!(
+            t * extent.abs() >= -MOVED && (t - 1.0) * extent.abs() <= MOVED,
+            "beyond an end: {ca:?} {cb:?}"
+        );
     }
     match inside(a, b, 0.0) {
         None => {
@@ -140,7 +143,9 @@ fn check_line(ca: ClipPoint, cb: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
             for (k, end) in ends.into_iter().enumerate() {
                 let want = mix(a, b, if k == 0 { s } else { t });
                 let moved = nudged
-                    .map(|n| n.map_or(f64::INFINITY, |(s, t)| gap(mix(a, b, if k == 0 { s } else { t }), want)))
+                    .map(|n| {
+                        n.map_or(f64::INFINITY, |(s, t)| gap(mix(a, b, if k == 0 { s } else { t }), want))
+                    })
                     .into_iter()
                     .fold(0.0, f64::max);
                 let error = gap(end, want);
@@ -216,7 +221,10 @@ fn check_triangle(points: [ClipPoint; 3], extra: [i32; 3], sample: [f64; 3]) -> 
     let nearest = sides.min_by(f64::total_cmp);
     let left_of = |slack: f64| nearest.map_or(false, |side| side >= slack);
     if least >= LOST + 6.0 {
-        assert!(left_of(-6.0) || got.len() >= 3 && nearest.is_none(), "a point inside is missing: {points:?} {sample:?} {got:?}");
+        assert!(
+            left_of(-6.0) || got.len() >= 3 && nearest.is_none(),
+            "a point inside is missing: {points:?} {sample:?} {got:?}"
+        );
     } else if least <= -LOST - 6.0 {
         assert!(!left_of(6.0), "a point outside is there: {points:?} {sample:?} {got:?}");
     }
