@@ -259,3 +259,17 @@ fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
         }
     }
 }
+
+/// The centre lies one unit beside the origin and almost in the plane, so that is where the origin's image is:
+/// also where a component is the least number of all, and the smallest ones must not lose their last bit.
+#[test]
+fn s4_directions_keep_their_last_bit_beside_the_least_number() {
+    for least in [i32::MIN, -i32::MAX] {
+        for dz in [1, -1, 3, -3] {
+            let direction = vector([0, least, dz]);
+            let general = PlanarProjection::general(scalar(ONE / 64), Some(scalar(ONE)), direction);
+            let image = general.expect("a plane").apply(Point3::from_ints(0, 0, 0)).expect("an image");
+            close(&reals(image), &[0.0, -1.0, 1.0 / 64.0], 2.0 * HALF, "beside the origin");
+        }
+    }
+}

@@ -125,9 +125,9 @@ impl PlanarProjection {
             None => (Row { offset: z_p, ..Row::ZERO }, UNIT),
             Some(distance) => {
                 // 1/(Q·dz) = |direction|/(Q·its z), which keeps its bits where the direction lies near
-                // the plane: all parts brought to 31 bits.
+                // the plane: all parts brought to 31 bits at least.
                 let largest = dx.unsigned_abs().max(dy.unsigned_abs()).max(dz.unsigned_abs());
-                let up = -excess(largest, 31);
+                let up = (-excess(largest, 31)).max(0); // 2³¹ itself stays, and with it the others' last bit
                 let square = [dx, dy, dz].map(|c| scale(c, up).unsigned_abs().pow(2)).iter().sum(); // ≤ 3·2⁶²
                 let length = i64::from(sqrt(square)); // 2³⁰ … 2³¹·⁸
                 let product = i64::from(distance.to_bits()) * scale(dz, up); // 2³¹ · 2³¹
