@@ -219,7 +219,7 @@ fn check_triangle(points: [ClipPoint; 3], extra: [i32; 3], sample: [f64; 3]) -> 
         (length > 0.0).then(|| (dx * (v - ay) - dy * (u - ax)) / length)
     });
     let nearest = sides.min_by(f64::total_cmp);
-    let left_of = |slack: f64| nearest.map_or(false, |side| side >= slack);
+    let left_of = |slack: f64| nearest.is_some_and(|side| side >= slack);
     if least >= LOST + 6.0 {
         assert!(
             left_of(-6.0) || got.len() >= 3 && nearest.is_none(),

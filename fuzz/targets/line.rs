@@ -54,7 +54,7 @@ fn scissor(b: &mut Bytes<'_>, from: P, to: P) -> Area {
     let at = match kind >> 3 & 3 {
         0 => from,
         1 => to,
-        _ => line::pixel(from, to, i64::from(b.u16()) * major >> 16),
+        _ => line::pixel(from, to, (i64::from(b.u16()) * major) >> 16),
     };
     let (left, top) = (at.0 + (b.i8() >> 2), at.1 + (b.i8() >> 2));
     // Inside out too.

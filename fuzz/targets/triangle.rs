@@ -53,7 +53,7 @@ fn point(b: &mut Bytes<'_>, from: P) -> P {
 
 /// A place `s`/2¹⁶ of the way.
 fn between(p: P, q: P, s: i64) -> P {
-    (p.0 + ((q.0 - p.0) * s >> 16), p.1 + ((q.1 - p.1) * s >> 16))
+    (p.0 + (((q.0 - p.0) * s) >> 16), p.1 + (((q.1 - p.1) * s) >> 16))
 }
 
 /// Anywhere on a line's way or one of its ends.
@@ -110,7 +110,7 @@ fuzz_target!(|data: &[u8]| {
     let window = Area::new(left, top, left + width, top + height);
     let above = match b.byte() {
         0..=127 => 0,
-        k => i64::from(k & 63) << (k >> 6 & 1) * 5, // up to 2016
+        k => i64::from(k & 63) << ((k >> 6 & 1) * 5), // up to 2016
     };
     let area = Area { top: top - above, ..window };
 

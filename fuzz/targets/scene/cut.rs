@@ -66,9 +66,14 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     let Some(drawing) = cut else { return };
     let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();
     let [a, b, c] = face;
+    let (exact, model) = (scene.camera.exact(), scene.model.exact());
+    // Exactly edge-on it has no pixels for the oracle, but cut corners are rounded.
+    let place = |i| exact.homogeneous_screen(exact.clip(&model, scene.model_point(i)));
+    if chain::dot(place(a), chain::cross(place(b), place(c))) == 0.0 {
+        return;
+    }
     // The oracle sees front faces; the other side is the front of the face turned over.
     let sides: &[[u16; 3]] = if scene.cull == Cull::None { &[face, [a, c, b]] } else { &[face] };
-    let (exact, model) = (scene.camera.exact(), scene.model.exact());
     // With near and far where they are, and a little off: that is z ± depth·w.
     let moved = [0.0, depth, -depth].map(|depth| {
         let mut camera = exact;

@@ -130,7 +130,7 @@ fn viewport(b: &mut Bytes<'_>) {
     let one = 1i128 << 16;
     let along = |low: i32, extent: u32, n: i128| {
         let v = i128::from(low) * 2 * one + n * i128::from(extent); // in 2⁻¹⁷
-        ((v >> 8) + 1 >> 1).clamp(-(1 << 21), 1 << 21)
+        (((v >> 8) + 1) >> 1).clamp(-(1 << 21), 1 << 21)
     };
     let wanted = (along(x, w, one + i128::from(p[0])), along(y, h, one - i128::from(p[1])));
     assert_eq!((i128::from(at.x()), i128::from(at.y())), wanted, "{area:?} {p:?}");

@@ -31,7 +31,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
     let ours = Mesh::new(&vertices, exponent, &faces);
     let fixed: Vec<[Scalar; 3]> = vertices
         .iter()
-        .map(|v| v.map(|c| scalar((i64::from(c) * i64::from(b.wild()) >> 15) as i32)))
+        .map(|v| v.map(|c| scalar(((i64::from(c) * i64::from(b.wild())) >> 15) as i32)))
         .collect();
     let named = |error: MeshError| match error {
         MeshError::FaceIndex { face, index } => Some((face, index)),
