@@ -228,13 +228,17 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
         set_up.check(at, extent, got, &(&model, v, exponent));
         // A node is surely outside or inside: to the rounding of the planes' coefficients.
         let [x, y, z, w] = mul4(&set_up.matrix, [at[0], at[1], at[2], 1.0]);
-        let room = set_up.rho(extent + length(at) + STEPS).iter().sum::<f64>() * 2f64.powi(-26);
+        let rho = set_up.rho(extent + length(at) + STEPS);
+        let room = rho.iter().sum::<f64>() * 2f64.powi(-26);
         let least = [w + x, w - x, w + y, w - y, w + z, w - z].into_iter().fold(f64::INFINITY, f64::min);
-        let whole = largest * f64::from(exponent).exp2() < meshes::SMALL;
+        // Rows saturate at 2³⁰, and a mesh's sphere at the ends of its numbers.
+        let whole =
+            largest * f64::from(exponent).exp2() < meshes::SMALL && rho.iter().all(|r| *r < 2f64.powi(29));
+        let text = format_args!("{:?} {:?} {model:?} {v:?}·2^{exponent}", set_up.bits, set_up.viewport);
         match found {
             _ if !whole => {}
-            Visibility::Outside => assert!(least <= room, "not outside: {at:?} {model:?} {v:?}·2^{exponent}"),
-            Visibility::Inside => assert!(least >= -room, "not inside: {at:?} {model:?} {v:?}·2^{exponent}"),
+            Visibility::Outside => assert!(least <= room, "not outside by {least} ({room}): {at:?} {text}"),
+            Visibility::Inside => assert!(least >= -room, "not inside by {least} ({room}): {at:?} {text}"),
             Visibility::Partly => {}
         }
     }

@@ -100,7 +100,7 @@ impl Reasons {
     }
 
     /// A box: its centre, and near, against its extents.
-    fn parallel(&mut self, [l, r, b, t]: [i32; 4], near: i32, far: i32) {
+    fn parallel(&mut self, [l, r, b, t]: [i32; 4], near: i64, far: i64) {
         self.window([l, r, b, t]);
         self.when(near >= far, E::NearNotBeforeFar);
         for (low, high) in [(l, r), (b, t)] {
@@ -110,7 +110,7 @@ impl Reasons {
             }
         }
         if near < far {
-            let (n, f) = (f64::from(near), f64::from(far));
+            let (n, f) = (near as f64, far as f64);
             self.below(n.abs() / (f - n), LIMIT, E::NearTooCloseToFar);
         }
     }
@@ -140,7 +140,7 @@ fn reasons(family: &Family) -> Reasons {
             all.window(w);
             all.central(n, f);
         }
-        Family::Orthographic(w, n, f) | Family::Oblique(w, n, f, ..) => all.parallel(w, n, f),
+        Family::Orthographic(w, n, f) | Family::Oblique(w, n, f, ..) => all.parallel(w, n.into(), f.into()),
         Family::Reference([_, _, pn], w, front, back) => {
             all.when(pn <= 0, E::ReferenceBehindPlane);
             all.when(front >= pn, E::NearNotPositive);
@@ -156,7 +156,7 @@ fn reasons(family: &Family) -> Reasons {
         Family::ReferenceParallel([_, _, pn], w, front, back) => {
             all.when(pn <= 0, E::ReferenceBehindPlane);
             // Places on the n axis, where near and far lie the other way round.
-            all.parallel(w, front.saturating_neg(), back.saturating_neg());
+            all.parallel(w, -i64::from(front), -i64::from(back));
         }
         Family::EyeAtOrigin(d, w, n, f) => {
             all.when(d == 0, E::NoViewPlane);
@@ -189,7 +189,7 @@ fn terms(family: &Family) -> Planar {
     match picture.projectors {
         Projectors::From(c) => {
             let reach = c[2] - picture.plane;
-            let image = [0, 1].map(|i| -c[i] * picture.plane / reach);
+            let image = [0, 1].map(|i| c[i] * picture.plane / reach);
             Planar { slope: -1.0 / reach, constant: c[2] / reach, image }
         }
         Projectors::Along(d) => {
