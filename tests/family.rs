@@ -10,7 +10,7 @@ use definition::Family;
 use oracle::chain::{self, fx, V3};
 use oracle::rng::Rng;
 use pinhole::space::World;
-use pinhole::{Angle, Camera, Point3, Projection, Side, Viewing, ViewingError, Viewport};
+use pinhole::{Angle, Camera, Point3, Projection, Scalar, Side, Viewing, ViewingError, Viewport};
 
 /// 100 px a unit about (2000, 2000), in a viewport of 4000 × 4000.
 fn drawing(view: &Viewing, projection: &Projection) -> Camera {
@@ -306,6 +306,21 @@ fn s4_worked_vanishing_points() {
     for (got, want) in [(place(x), (0, 160 * 256)), (place(z), (160 * 256, 160 * 256))] {
         let got = got.expect("finite");
         assert!((got.0 - want.0).abs() <= 1 && (got.1 - want.1).abs() <= 1, "{got:?} {want:?}");
+    }
+}
+
+/// Looking up or down by 1/5000 rad through the longest lens, verticals meet millions of pictures away: up
+/// there, or down there, at the ends of the numbers.
+#[test]
+fn s4_vanishing_points_beyond_all_numbers_keep_their_side() {
+    let family = Family::FieldOfView((1 << 20) + 1, (240, 240), ONE, 9 * ONE);
+    for up in [1, -1] {
+        let view = Viewing::look_along(point([0; 3]), vector([0, up, -5000]), vector([0, ONE, 0]));
+        let camera = drawing(&view.expect("a view"), &family.library().expect("a projection"));
+        let [_, y, _] = camera.vanishing_points();
+        let y = y.expect("finite");
+        let end = if up == 1 { Scalar::MAX } else { -Scalar::MAX };
+        assert_eq!((y.ndc.x(), y.ndc.y(), y.x, y.y), (scalar(0), end, 2000 * 256, -up << 30));
     }
 }
 

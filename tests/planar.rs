@@ -246,3 +246,30 @@ fn s4_planar_errors() {
     assert_eq!(make(far, 0, ONE), Err(ProjectionError::WindowTooSmall));
     assert_eq!(make(good, 30_000 * ONE, 30_000 * ONE + 1), Err(ProjectionError::NearTooCloseToFar));
 }
+
+/// x = x + 2³⁰·(z − 2⁻¹⁰) through a window 2⁻¹⁶ wide: its constant is −2³⁷, which the window's own +1 must not
+/// hide.
+#[test]
+fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
+    for dx in [1 << 30, -(1 << 30)] {
+        for (left, right) in [(-1, 0), (0, 1)] {
+            let window = [left, right, -ONE, ONE];
+            let general = Family::General(ONE >> 10, None, [dx, 0, -1], window, ONE, 2 * ONE);
+            assert_eq!(general.library().map(|_| ()), Err(ProjectionError::WindowTooSmall), "{general:?}");
+        }
+    }
+}
+
+/// The centre lies one unit beside the origin and almost in the plane, so that is where the origin's image is:
+/// also where a component is the least number of all, and the smallest ones must not lose their last bit.
+#[test]
+fn s4_directions_keep_their_last_bit_beside_the_least_number() {
+    for least in [i32::MIN, -i32::MAX] {
+        for dz in [1, -1, 3, -3] {
+            let direction = vector([0, least, dz]);
+            let general = PlanarProjection::general(scalar(ONE / 64), Some(scalar(ONE)), direction);
+            let image = general.expect("a plane").apply(Point3::from_ints(0, 0, 0)).expect("an image");
+            close(&reals(image), &[0.0, -1.0, 1.0 / 64.0], 2.0 * HALF, "beside the origin");
+        }
+    }
+}

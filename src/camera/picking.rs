@@ -151,7 +151,8 @@ impl Camera {
                 to_scalar(scale(m, e + 16))
             };
             Some(VanishingPoint {
-                ndc: Point3::from_bits([normal(x, size.width), -normal(y, size.height), 0]),
+                // Saturated, it may be the least number of all.
+                ndc: Point3::from_bits([normal(x, size.width), normal(y, size.height).saturating_neg(), 0]),
                 x: near(x, cx),
                 y: near(y, cy),
             })

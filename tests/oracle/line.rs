@@ -18,8 +18,9 @@ pub(crate) fn is_steep(a: P, b: P) -> bool {
     (b.1 - a.1).abs() > (b.0 - a.0).abs()
 }
 
-/// The pixel of major step k from the smaller end a towards b.
-fn pixel(a: P, b: P, k: i64) -> P {
+/// The pixel `k` major steps from the smaller end.
+pub(crate) fn pixel(a: P, b: P, k: i64) -> P {
+    let (a, b) = ordered(a, b);
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let major = dx.abs().max(dy.abs());
     let minor = dx.abs().min(dy.abs());

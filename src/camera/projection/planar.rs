@@ -125,9 +125,9 @@ impl PlanarProjection {
             None => (Row { offset: z_p, ..Row::ZERO }, UNIT),
             Some(distance) => {
                 // 1/(Q·dz) = |direction|/(Q·its z), which keeps its bits where the direction lies near
-                // the plane: all parts brought to 31 bits.
+                // the plane: all parts brought to 31 bits at least.
                 let largest = dx.unsigned_abs().max(dy.unsigned_abs()).max(dz.unsigned_abs());
-                let up = -excess(largest, 31);
+                let up = (-excess(largest, 31)).max(0); // 2³¹ itself stays, and with it the others' last bit
                 let square = [dx, dy, dz].map(|c| scale(c, up).unsigned_abs().pow(2)).iter().sum(); // ≤ 3·2⁶²
                 let length = i64::from(sqrt(square)); // 2³⁰ … 2³¹·⁸
                 let product = i64::from(distance.to_bits()) * scale(dz, up); // 2³¹ · 2³¹
@@ -204,8 +204,10 @@ impl Projection {
         let form = |image: &Row, low: Scalar, high: Scalar| {
             let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
-            let row = image.combined(ratio(2 << 16, extent), w, ratio(-sum, extent));
-            if row.offset.abs() >= SATURATED {
+            let (a, b) = (ratio(2 << 16, extent), ratio(-sum, extent));
+            let row = image.combined(a, w, b);
+            // Each part by itself too: the other may bring a saturated one back into range.
+            if [row, image.times(a), w.times(b)].iter().any(|row| row.offset.abs() >= SATURATED) {
                 return Err(ProjectionError::WindowTooSmall);
             }
             Ok(row)

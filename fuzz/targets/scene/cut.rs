@@ -1,0 +1,106 @@
+//! Faces that are cut, by one ray a pixel in f64: no clipping in there.
+
+use crate::bridge::draw::Ink;
+use crate::bridge::pair::ViewBits;
+use crate::draw;
+use crate::input::Scene;
+use crate::oracle::chain::{self, length, mul4, V3, V4};
+use crate::oracle::eye;
+use pinhole::Cull;
+
+/// How far off, in px, a pixel's answer may come from: the budget of a vertex (ARCHITECTURE.md, "Numbers") and a
+/// cut's own rounding to 1/256 px, at the corner where it is largest; and how far off, in z/w, near and far may
+/// cut. None where the numbers leave their range.
+fn tolerance(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64)> {
+    let (exact, model) = (scene.camera.exact(), scene.model.exact());
+    let largest = scene.vertices.iter().flatten().fold(1.0f64, |m, &c| m.max(f64::from(c).abs()));
+    let stretch = (0..3).map(|j| length(core::array::from_fn(|i| model.m[i][j]))).fold(0.0, f64::max);
+    let extent = largest * f64::from(scene.exponent).exp2() * stretch;
+    let at: [V3; 3] = face.map(|i| exact.view.apply_placed(&model, scene.model_point(i)));
+    let reach = extent + at.iter().map(|&p| length(p)).fold(0.0, f64::max) + 1.0 / 16.0;
+    let m = exact.projection;
+    let rho: V4 = m.map(|[a, b, c, d]| (a.abs() + b.abs() + c.abs()) * reach + d.abs() + 1.0 / 16.0);
+    let v = exact.viewport;
+    let free = 8192.0 - (v.x + v.width / 2.0).abs().max((v.y + v.height / 2.0).abs());
+    if extent > 32_767.0 || free < 64.0 || rho.iter().any(|r| *r > 2f64.powi(28)) {
+        return None;
+    }
+    // The nearest that anything of the face is seen: the least w beyond near.
+    let near = scene.camera.projection.near();
+    let clips = at.map(|p| mul4(&m, [p[0], p[1], p[2], 1.0]));
+    let least = clips.iter().map(|c| c[3]).fold(f64::INFINITY, f64::min);
+    let least = if m[3][3] == 1.0 { 1.0 } else { least.max(near) };
+    let share = |i: usize, size: f64| size / 2.0 * rho[i] / least;
+    let budget = share(0, v.width).max(share(1, v.height)) + 8192.0 * 8192.0 / free * rho[3] / least;
+    // The 12 is for VUP well off VPN: the roll's error grows as 1/sine.
+    let factor = 12.0 + (1.0 / sine(scene) - 4.0).max(0.0);
+    // What is cut moves along its edge by 2⁻³¹ of it too, and its plane by what d and w are rounded to: twice
+    // the budget, and another 1/256 px for the cut corners' own snap.
+    let px = 2.0 / 256.0 + 2.0 * factor * 2f64.powi(-30) * budget;
+    // d and w are rounded to a few 2⁻³⁰ of their own reach, or of x's and y's over what is free.
+    let depth = 2f64.powi(-26) * ((rho[2] + rho[3]) / least + 2.0 * budget / free);
+    Some((px, depth))
+}
+
+/// Of the angle between VUP and VPN.
+fn sine(scene: &Scene) -> f64 {
+    let (n, up) = match scene.camera.view {
+        ViewBits::LookAt(e, t, up) => (core::array::from_fn(|i| i64::from(e[i]) - i64::from(t[i])), up),
+        ViewBits::LookAlong(_, g, up) => (g.map(|c| -i64::from(c)), up),
+        ViewBits::Reference(_, n, up) => (n.map(i64::from), up),
+    };
+    let up = up.map(i64::from);
+    let long = |v: [i64; 3]| length(v.map(|c| c as f64));
+    length(chain::cross_exact(n, up)) / (long(n) * long(up))
+}
+
+pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
+    let Some((tolerance, depth)) = tolerance(scene, face) else { return };
+    if !(tolerance < 0.25 && depth < 0.01 && sine(scene) > 0.02) {
+        return;
+    }
+    let cut = scene.with_placed(&[face], &[], |placed| {
+        let whole = face.iter().all(|&i| placed.project(i.into()).is_some());
+        (!whole).then(|| draw(scene, |target| placed.solid(|_| Ink(1), &mut [], target)))
+    });
+    let Some(drawing) = cut else { return };
+    let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();
+    let [a, b, c] = face;
+    let (exact, model) = (scene.camera.exact(), scene.model.exact());
+    // Exactly edge-on it has no pixels for the oracle, but cut corners are rounded.
+    let place = |i| exact.homogeneous_screen(exact.clip(&model, scene.model_point(i)));
+    if chain::dot(place(a), chain::cross(place(b), place(c))) == 0.0 {
+        return;
+    }
+    // The oracle sees front faces; the other side is the front of the face turned over.
+    let sides: &[[u16; 3]] = if scene.cull == Cull::None { &[face, [a, c, b]] } else { &[face] };
+    // With near and far where they are, and a little off: that is z ± depth·w.
+    let moved = [0.0, depth, -depth].map(|depth| {
+        let mut camera = exact;
+        for k in 0..4 {
+            camera.projection[2][k] += depth * exact.projection[3][k];
+        }
+        camera
+    });
+    let seen = moved.map(|camera| {
+        sides.iter().map(|side| eye::faces(&camera, &model, &points, &[*side])).collect::<Vec<_>>()
+    });
+    for (x, y) in scene.area().pixels() {
+        let count = drawing.target.count(x as i32, y as i32);
+        assert!(count <= 1, "({x}, {y}) {count} times: {face:?} of {scene:?}");
+        let answers = seen.each_ref().map(|sides| {
+            let each = sides.iter().map(|faces| eye::pixel(faces, (x, y), scene.far_clip, tolerance));
+            each.collect::<Result<Vec<_>, ()>>().map(|found| found.iter().any(Option::is_some))
+        });
+        let Ok(wanted) = answers[0] else { continue };
+        if answers != [Ok(wanted); 3] {
+            continue;
+        }
+        assert_eq!(
+            count == 1,
+            wanted,
+            "({x}, {y}) within {tolerance} px: {face:?} of {scene:?} {:?}",
+            drawing.statistics
+        );
+    }
+}

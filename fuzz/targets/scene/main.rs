@@ -1,0 +1,116 @@
+//! Whole scenes: a few vertices, faces and edges before any camera, through every drawing entry, onto a
+//! small target that records.
+//!
+//! - Nothing is drawn outside viewport ∩ target, and nothing one pixel at a time.
+//! - Each primitive is counted once; the length of the cache changes nothing.
+//! - A whole face is the exact coverage of its projected corners, a whole edge the exact line.
+//! - What is cut is what one ray a pixel meets, where no ray nearby tells otherwise.
+#![no_main]
+
+#[path = "../../../tests/bridge/mod.rs"]
+mod bridge;
+#[path = "../bytes.rs"]
+mod bytes;
+#[path = "../../../tests/oracle/mod.rs"]
+mod oracle;
+
+mod cut;
+mod input;
+mod whole;
+
+use bridge::draw::Ink;
+use input::Scene;
+use libfuzzer_sys::fuzz_target;
+use oracle::target::{Call, Recorder, Refused};
+use pinhole::{Corner, Painter, Placed, Statistics};
+
+/// Everything recorded so far.
+struct Drawing {
+    target: Recorder<Ink>,
+    statistics: Statistics,
+}
+
+fn draw(scene: &Scene, with: impl FnOnce(&mut Recorder<Ink>) -> Result<Statistics, Refused>) -> Drawing {
+    let mut target = Recorder::new(scene.bounds);
+    let statistics = with(&mut target).expect("this target refuses nothing");
+    assert_eq!(target.outside, 0, "outside the target: {scene:?}");
+    let area = scene.area();
+    for &(x, y) in target.pixels.keys() {
+        assert!(area.contains(x.into(), y.into()), "({x}, {y}) outside the viewport: {scene:?}");
+    }
+    assert!(target.calls.iter().all(|c| matches!(c, Call::Solid(..))), "{scene:?}");
+    Drawing { target, statistics }
+}
+
+fn sums_up(s: Statistics, handed_in: usize) {
+    assert_eq!((s.drawn + s.culled + s.outside + s.degenerate) as usize, handed_in, "{s:?}");
+    assert!(s.clipped <= s.drawn, "{s:?}");
+}
+
+fn check(scene: &Scene, placed: &Placed<'_>) {
+    // Another scene's corners in the cache do no harm.
+    let stale = {
+        let mut corners = vec![Corner::default(); scene.vertices.len() + 1];
+        let _ = placed.solid(|_| Ink(0), &mut corners, &mut Recorder::sized(1, 1));
+        corners
+    };
+    let mut asked = 0;
+    let solid = |length: usize, asked: &mut u32| {
+        let mut cache = stale.clone();
+        cache.truncate(length);
+        draw(scene, |target| {
+            let shade = |face| {
+                *asked += 1;
+                Ink(face as u16)
+            };
+            placed.solid(shade, &mut cache, target)
+        })
+    };
+    let faces = solid(scene.cache, &mut asked);
+    sums_up(faces.statistics, scene.faces.len());
+    assert_eq!(asked, faces.statistics.drawn, "shade is asked once for each face drawn");
+    let uncached = solid(0, &mut 0);
+    assert_eq!(uncached.statistics, faces.statistics);
+    assert!(uncached.target.calls == faces.target.calls, "the cache's length shows: {scene:?}");
+
+    let wireframe = |length: usize| {
+        let mut cache = stale.clone();
+        cache.truncate(length);
+        draw(scene, |target| placed.wireframe(Ink(7), &mut cache, target))
+    };
+    let edges = wireframe(scene.cache);
+    sums_up(edges.statistics, scene.edges.len());
+    assert_eq!((edges.statistics.culled, edges.statistics.degenerate), (0, 0));
+    let uncached = wireframe(0);
+    assert_eq!(uncached.statistics, edges.statistics);
+    assert!(uncached.target.calls == edges.target.calls, "the cache's length shows: {scene:?}");
+
+    // The painter draws the same faces, in its own order: each pixel as often.
+    let painted = draw(scene, |target| {
+        let mut painter = Painter::<Ink, 100, 40>::new();
+        painter.add(placed, |face| Ink(face as u16)).expect("enough room");
+        painter.draw(target)
+    });
+    assert_eq!(painted.statistics, faces.statistics);
+    let count = |d: &Drawing| d.target.pixels.iter().map(|(&p, &(_, n))| (p, n)).collect::<Vec<_>>();
+    assert_eq!(count(&painted), count(&faces), "painter and mesh order cover differently: {scene:?}");
+
+    let points = draw(scene, |target| placed.points(Ink(3), target));
+    sums_up(points.statistics, scene.vertices.len());
+    let polyline = draw(scene, |target| placed.polyline(Ink(4), target));
+    sums_up(polyline.statistics, scene.vertices.len().saturating_sub(1));
+    whole::points(scene, placed, &points.target);
+    whole::polyline(scene, placed, &polyline);
+}
+
+fuzz_target!(|data: &[u8]| {
+    let Some(scene) = Scene::read(data) else { return };
+    scene.with_placed(&scene.faces, &scene.edges, |placed| check(&scene, placed));
+    for face in &scene.faces {
+        whole::face(&scene, *face);
+        cut::face(&scene, *face);
+    }
+    for edge in &scene.edges {
+        whole::edge(&scene, *edge);
+    }
+});

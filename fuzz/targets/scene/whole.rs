@@ -1,0 +1,108 @@
+//! What is not cut is exactly the coverage, or the line, of its projected corners.
+
+use crate::bridge::draw::Ink;
+use crate::input::Scene;
+use crate::oracle::coverage::{self, Area, P};
+use crate::oracle::line;
+use crate::oracle::target::Recorder;
+use crate::{draw, Drawing};
+use pinhole::raster::ScreenPoint;
+use pinhole::{Cull, Placed};
+use std::collections::BTreeMap;
+
+fn sub_pixels(p: ScreenPoint) -> P {
+    (p.x().into(), p.y().into())
+}
+
+fn pixel(p: ScreenPoint) -> P {
+    let (x, y) = sub_pixels(p);
+    (x.div_euclid(256), y.div_euclid(256))
+}
+
+fn drawn(target: &Recorder<Ink>) -> Vec<(P, u32)> {
+    target.pixels.iter().map(|(&(x, y), &(_, n))| ((i64::from(x), i64::from(y)), n)).collect()
+}
+
+/// Once each, in the recorder's order.
+fn once(mut pixels: Vec<P>) -> Vec<(P, u32)> {
+    pixels.sort_unstable();
+    pixels.into_iter().map(|p| (p, 1)).collect()
+}
+
+pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
+    scene.with_placed(&[face], &[], |placed| {
+        let [Some((a, _)), Some((b, _)), Some((c, _))] = face.map(|i| placed.project(i.into())) else {
+            return;
+        };
+        let t = [a, b, c].map(sub_pixels);
+        let drawing = draw(scene, |target| placed.solid(|_| Ink(1), &mut [], target));
+        let s = drawing.statistics;
+        // Front is counter-clockwise with y up: the edge function is negative with y down.
+        let area = coverage::edge(t[0], t[1], t[2]);
+        let visible = area < 0 || (area > 0 && scene.cull == Cull::None);
+        let wanted = match (area == 0, visible) {
+            (true, _) => (0, 0, 1),
+            (_, true) => (1, 0, 0),
+            _ => (0, 1, 0),
+        };
+        assert_eq!((s.drawn, s.culled, s.degenerate), wanted, "{t:?}: {scene:?}");
+        assert_eq!((s.clipped, s.outside), (0, 0), "{t:?}: {scene:?}");
+        let pixels = scene.area().pixels().filter(|&(x, y)| visible && coverage::covers(t, x, y)).collect();
+        assert_eq!(drawn(&drawing.target), once(pixels), "{t:?}: {scene:?}");
+    });
+}
+
+/// The pixels of the whole line that lie in the area: at most as many steps as the area is wide or high.
+fn line_in(a: P, b: P, area: Area) -> Vec<P> {
+    let (from, to) = if a <= b { (a, b) } else { (b, a) };
+    let steep = line::is_steep(from, to);
+    let (start, end) = if steep { (from.1, to.1) } else { (from.0, to.0) };
+    let (low, high) = if steep { (area.top, area.bottom - 1) } else { (area.left, area.right - 1) };
+    let (first, last) = if end < start { (start - high, start - low) } else { (low - start, high - start) };
+    let steps = first.max(0)..=last.min((end - start).abs());
+    steps.map(|k| line::pixel(a, b, k)).filter(|&(x, y)| area.contains(x, y)).collect()
+}
+
+pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
+    scene.with_placed(&[], &[edge], |placed| {
+        let drawing = draw(scene, |target| placed.wireframe(Ink(1), &mut [], target));
+        let turned = scene.with_placed(&[], &[[edge[1], edge[0]]], |placed| {
+            draw(scene, |target| placed.wireframe(Ink(1), &mut [], target))
+        });
+        // L3, cut or not.
+        assert_eq!(turned.statistics, drawing.statistics, "{edge:?}: {scene:?}");
+        assert_eq!(drawn(&turned.target), drawn(&drawing.target), "{edge:?}: {scene:?}");
+        let [Some((a, _)), Some((b, _))] = edge.map(|i| placed.project(i.into())) else { return };
+        assert_eq!((drawing.statistics.drawn, drawing.statistics.clipped), (1, 0), "{edge:?}: {scene:?}");
+        let wanted = once(line_in(pixel(a), pixel(b), scene.area()));
+        assert_eq!(drawn(&drawing.target), wanted, "{a:?} {b:?}: {scene:?}");
+    });
+}
+
+pub(crate) fn points(scene: &Scene, placed: &Placed<'_>, target: &Recorder<Ink>) {
+    let mut wanted = BTreeMap::new();
+    for i in 0..scene.vertices.len() {
+        if let Some((p, _)) = placed.project(i) {
+            let (x, y) = pixel(p);
+            if scene.area().contains(x, y) {
+                *wanted.entry((x, y)).or_insert(0) += 1;
+            }
+        }
+    }
+    assert_eq!(drawn(target), wanted.into_iter().collect::<Vec<_>>(), "{scene:?}");
+}
+
+/// Where all vertices have a place: the union of the exact lines.
+pub(crate) fn polyline(scene: &Scene, placed: &Placed<'_>, drawing: &Drawing) {
+    let images: Vec<P> =
+        (0..scene.vertices.len()).filter_map(|i| placed.project(i)).map(|(p, _)| pixel(p)).collect();
+    if images.len() < scene.vertices.len() {
+        return;
+    }
+    assert_eq!((drawing.statistics.outside, drawing.statistics.clipped), (0, 0), "{scene:?}");
+    let mut wanted: Vec<P> = images.windows(2).flat_map(|w| line_in(w[0], w[1], scene.area())).collect();
+    wanted.sort_unstable();
+    wanted.dedup();
+    let got: Vec<P> = drawn(&drawing.target).into_iter().map(|(p, _)| p).collect();
+    assert_eq!(got, wanted, "{scene:?}");
+}

@@ -1,0 +1,274 @@
+//! Whole set-ups: a vertex through view, projection and viewport within the documented budget, whatever
+//! the four are (ARCHITECTURE.md, "Numbers"); nodes' visibility; and single points both ways.
+
+use super::views::{self, triple};
+use super::{meshes, projections, transforms};
+use crate::bridge::pair::{bits, ModelBits, Step, ViewBits, ONE};
+use crate::bridge::{point, rectangle, screen_point};
+use crate::bytes::Bytes;
+use crate::definition::{Family, Projectors};
+use crate::oracle::chain::{self, fx, fx3, length, mul4, Viewport, M4, V3, V4};
+use pinhole::raster::ScreenPoint;
+use pinhole::{Camera, Hidden, Mesh, Visibility};
+
+/// The family's matrix, each of its linear forms from the definition.
+fn matrix(family: &Family) -> M4 {
+    let p = family.picture();
+    let [l, r, b, t] = p.window;
+    let thick = p.front - p.back;
+    match p.projectors {
+        // x = 2·(c₀·w + (p₀ − c₀)·(c₂ − plane)) − (l + r)·w over r − l, with w = c₂ − p₂.
+        Projectors::From(c) => {
+            let form = |axis: usize, low: f64, high: f64| {
+                let (reach, middle) = (c[2] - p.plane, 2.0 * c[axis] - low - high);
+                let mut row = [0.0, 0.0, -middle, middle * c[2] - 2.0 * c[axis] * reach];
+                row[axis] = 2.0 * reach;
+                row.map(|v| v / (high - low))
+            };
+            let (near, far) = (p.distance(p.front), p.distance(p.back));
+            // z = 2·far·(w − near)/(far − near) − w.
+            let k = 2.0 * far / thick;
+            let rows = [
+                form(0, l, r),
+                form(1, b, t),
+                [0.0, 0.0, 1.0 - k, k * (c[2] - near) - c[2]],
+                [0.0, 0.0, -1.0, c[2]],
+            ];
+            // The planar ones have w = 1 in their plane, also with the centre behind it.
+            let planar =
+                matches!(family, Family::EyeAtOrigin(..) | Family::OriginInPlane(..) | Family::General(..));
+            let scale = if planar { c[2] - p.plane } else { 1.0 };
+            rows.map(|row| row.map(|v| v / scale))
+        }
+        // x = 2·(p₀ + (plane − p₂)·d₀/d₂) − (l + r) over r − l.
+        Projectors::Along(d) => {
+            let form = |axis: usize, low: f64, high: f64| {
+                let slope = d[axis] / d[2];
+                let mut row = [0.0, 0.0, -2.0 * slope, 2.0 * slope * p.plane - low - high];
+                row[axis] = 2.0;
+                row.map(|v| v / (high - low))
+            };
+            let z = [0.0, 0.0, -2.0 / thick, (p.front + p.back) / thick];
+            [form(0, l, r), form(1, b, t), z, [0.0, 0.0, 0.0, 1.0]]
+        }
+    }
+}
+
+fn viewport(b: &mut Bytes<'_>) -> (i32, i32, u32, u32) {
+    match b.byte() {
+        0..=127 => (0, 0, 480, 320),
+        128..=159 => (-8192, -8192, 16_384, 16_384),
+        160..=191 => (b.i8() as i32 * 64, b.i8() as i32 * 64, 1, 1),
+        _ => {
+            let (x, y) = (i32::from(b.i16() >> 2), i32::from(b.i16() >> 2));
+            let extent = |low: i32, k: u16| 1 + u32::from(k) % (8192 - low).unsigned_abs();
+            (x, y, extent(x, b.u16()), extent(y, b.u16()))
+        }
+    }
+}
+
+struct SetUp {
+    camera: Camera,
+    view: chain::View,
+    matrix: M4,
+    viewport: Viewport,
+    bits: (ViewBits, Family),
+}
+
+/// And whether the budget holds: VUP 1/50 rad off VPN, and no number of the projection's own out of range.
+fn set_up(b: &mut Bytes<'_>) -> Option<(SetUp, bool)> {
+    let (view, family, (x, y, w, h)) = (views::any(b), projections::any(b), viewport(b));
+    let area = rectangle(x, y, w, h);
+    let place = pinhole::Viewport::new(area.top_left, area.size).ok()?;
+    let camera = Camera::new(&view.library().ok()?, &family.library().ok()?, &place);
+    let set_up = SetUp {
+        camera,
+        view: view.exact(),
+        matrix: matrix(&family),
+        viewport: Viewport::new(x, y, w, h),
+        bits: (view, family),
+    };
+    Some((set_up, views::sine(view) > 0.02 && !projections::saturates(&family)))
+}
+
+/// Three roundings to 2⁻³², as a translation or a constant takes them, in what 12·2⁻³⁰ is a part of.
+const STEPS: f64 = 1.0 / 16.0;
+
+impl SetUp {
+    /// |a| + |b| + |c| of each row times `reach`, and its constant, which is rounded to 2⁻³² like the
+    /// translation that `reach` allows for: that shows where w is small by the projection itself. And what
+    /// cancels in a row.
+    fn rho(&self, reach: f64) -> V4 {
+        let mut rho = self.matrix.map(|[a, b, c, d]| (a.abs() + b.abs() + c.abs()) * reach + d.abs() + STEPS);
+        for (rho, [linear, constant]) in rho.iter_mut().zip(projections::parts(&self.bits.1)) {
+            *rho += linear * reach + constant;
+        }
+        rho
+    }
+
+    /// A vertex with an image: within the budget for an object of this half extent.
+    fn check(&self, at: V3, extent: f64, got: Option<(ScreenPoint, u16)>, what: &dyn core::fmt::Debug) {
+        let what = (&self.bits, &self.viewport, what);
+        let clip = mul4(&self.matrix, [at[0], at[1], at[2], 1.0]);
+        let (w, rho) = (clip[3], self.rho(extent + length(at) + STEPS));
+        let v = &self.viewport;
+        let [x, y, z] = [0, 1, 2].map(|i| clip[i] / w);
+        let share =
+            |i: usize, size: f64, quotient: f64| size / 2.0 * (rho[i] + quotient.abs() * rho[3]) / w.abs();
+        let share = share(0, v.width, x).max(share(1, v.height, y));
+        // w and d are no finer than x and y over what is free between the viewport's centre and the guard
+        // band: inside the viewport that is part of the budget, elsewhere it comes on top.
+        let (cx, cy) = (v.x + v.width / 2.0, v.y + v.height / 2.0);
+        let free = (8192.0 - cx.abs().max(cy.abs())).max(0.5);
+        // Rows' constants saturate at 2³⁰, x's and y's over what is free: such objects lie that many volumes
+        // away.
+        let stretch = (v.width.max(v.height) / free).max(1.0);
+        if rho.iter().any(|reach| reach * stretch > 2f64.powi(29)) {
+            return;
+        }
+        let (ex, ey) = v.apply([x, y, z]);
+        let beside = (ex - cx).abs().max((ey - cy).abs()) / free;
+        let budget = share * beside.max(1.0) + 8192.0 * rho[3] / w.abs();
+        let coarse = (share + rho[3] / w.abs()) / free;
+        // Before near or not: the sum of two rows, each within a few 2⁻³⁰ of its own reach, or of what
+        // x and y reach, whose exponent they share when that is coarse.
+        let (near, unsure) = (clip[2] + w, (rho[2] + rho[3] + 2.0 * w.abs() * coarse) * 2f64.powi(-26));
+        if near < -unsure {
+            assert!(got.is_none(), "{:?} before near: {clip:?} {at:?} {what:?}", got);
+            return;
+        }
+        if near < unsure || w < rho[3] * 2f64.powi(-26) {
+            return;
+        }
+        // Sine and cosine are within 2⁻²⁹·⁵, and one of them is small for narrow angles and for wide ones:
+        // within the viewport that too is part of the budget.
+        let lens = match self.bits.1 {
+            Family::FieldOfView(..) => {
+                let cotangent = self.matrix[1][1];
+                cotangent.max(1.0 / cotangent) * 2f64.powi(-29) * beside * free
+            }
+            _ => 0.0,
+        };
+        // The budget's 12 is for VUP well off VPN: the roll's error grows as 1/sine.
+        let factor = 12.0 + (1.0 / views::sine(self.bits.0) - 4.0).max(0.0);
+        let bound = 1.0 / 512.0 + 2.5e-6 + factor * 2f64.powi(-30) * budget + lens;
+        let far = ex.abs().max(ey.abs());
+        let Some((p, depth)) = got else {
+            assert!(far > 8192.0 - bound, "dropped at ({ex}, {ey}): {clip:?} {at:?} {what:?}");
+            return;
+        };
+        assert!(far < 8192.0 + bound, "{p:?} for ({ex}, {ey}): {clip:?} {at:?} {what:?}");
+        let error = (f64::from(p.x()) / 256.0 - ex).abs().max((f64::from(p.y()) / 256.0 - ey).abs());
+        assert!(
+            error <= bound,
+            "{error} px off at ({ex}, {ey}), {:.2}·2⁻³⁰ of the budget {budget}: {clip:?} {at:?} {what:?}",
+            (error - 1.0 / 512.0) / budget * 2f64.powi(30)
+        );
+        let wanted = chain::depth(clip).clamp(0.0, 65_534.0);
+        let deep = 65_535.0 * ((rho[2] + z.abs() * rho[3]) / 2.0 / w + coarse);
+        let steps = (f64::from(depth) - wanted).abs();
+        assert!(
+            steps <= 0.501 + 20.0 * 2f64.powi(-30) * deep,
+            "depth {depth} for {wanted}, budget {deep}: {clip:?} {at:?} {what:?}"
+        );
+    }
+}
+
+pub(crate) fn check(b: &mut Bytes<'_>) {
+    let kind = b.byte();
+    let Some((set_up, apart)) = set_up(b) else { return };
+    // A place in the picture, or any, for the first vertex.
+    let at = if kind & 3 == 0 {
+        fx3(triple(b, [ONE; 3]))
+    } else {
+        let m = &set_up.matrix;
+        let depth = match b.byte() {
+            0..=127 => (f64::from(b.i8() as i8) / 8.0).exp2(),
+            _ => fx(b.wild()).abs(),
+        };
+        let w = -m[3][2] * depth + m[3][3];
+        let place = [b.i8(), b.i8()].map(|c| c as f64 / if kind & 4 == 0 { 127.0 } else { 4.0 });
+        let solve = |i: usize| (place[i] * w + m[i][2] * depth - m[i][3]) / m[i][i];
+        [solve(0), solve(1), -depth]
+    };
+    let view = &set_up.view;
+    let world: V3 =
+        core::array::from_fn(|i| view.eye[i] + (0..3).map(|k| view.rows[k][i] * at[k]).sum::<f64>());
+    let Some(world) = bits(world) else { return };
+    points(b, &set_up, world, apart);
+
+    let exponent = (b.i8() >> 2).clamp(-32, 15) as i8;
+    let vertices = [(); 2].map(|()| [b.i16(), b.i16(), b.i16()]);
+    let mut model = ModelBits((0..b.below(3)).map(|_| transforms::turn(b)).collect());
+    if b.byte() & 3 == 0 {
+        model.0.insert(0, Step::Scale(triple(b, [ONE; 3])));
+    }
+    let first = model.exact().apply(chain::vertex(vertices[0], exponent));
+    let Some(shift) = bits(core::array::from_fn(|i| fx(world[i]) - first[i])) else { return };
+    model.0.push(Step::Move(shift));
+    let exact = model.exact();
+    // A mesh of zeros alone counts as one of its units wide.
+    let largest = vertices.iter().flatten().fold(1.0f64, |m, &c| m.max(f64::from(c).abs()));
+    let stretch = (0..3).map(|j| length(core::array::from_fn(|i| exact.m[i][j]))).fold(0.0, f64::max);
+    let extent = largest * f64::from(exponent).exp2() * stretch;
+    let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
+    let model_ours = model.library();
+    let placed = set_up.camera.place(&mesh, &model_ours);
+    let found = set_up.camera.visibility(&mesh.bounding_sphere(), &model_ours);
+    for (i, &v) in vertices.iter().enumerate() {
+        let got = placed.project(i);
+        // The documented world.
+        if extent > 32_767.0
+            || !apart
+            || exact.apply(chain::vertex(v, exponent)).iter().any(|c| c.abs() > 32_767.0)
+        {
+            continue;
+        }
+        let at = view.apply_placed(&exact, chain::vertex(v, exponent));
+        set_up.check(at, extent, got, &(&model, v, exponent));
+        // A node is surely outside or inside: to the rounding of the planes' coefficients.
+        let [x, y, z, w] = mul4(&set_up.matrix, [at[0], at[1], at[2], 1.0]);
+        let rho = set_up.rho(extent + length(at) + STEPS);
+        let room = rho.iter().sum::<f64>() * 2f64.powi(-26);
+        let least = [w + x, w - x, w + y, w - y, w + z, w - z].into_iter().fold(f64::INFINITY, f64::min);
+        // Rows saturate at 2³⁰, and a mesh's sphere at the ends of its numbers.
+        let whole =
+            largest * f64::from(exponent).exp2() < meshes::SMALL && rho.iter().all(|r| *r < 2f64.powi(29));
+        let text = format_args!("{:?} {:?} {model:?} {v:?}·2^{exponent}", set_up.bits, set_up.viewport);
+        match found {
+            _ if !whole => {}
+            Visibility::Outside => assert!(least <= room, "not outside by {least} ({room}): {at:?} {text}"),
+            Visibility::Inside => assert!(least >= -room, "not inside by {least} ({room}): {at:?} {text}"),
+            Visibility::Partly => {}
+        }
+    }
+}
+
+/// A point of the world by itself, and back.
+fn points(b: &mut Bytes<'_>, set_up: &SetUp, world: [i32; 3], apart: bool) {
+    let got = set_up.camera.project(point(world));
+    if apart {
+        let image = match got {
+            // Beyond the guard band is named as such; far does not clip here.
+            Err(Hidden::BeyondFar) => panic!("beyond far: {world:?}"),
+            other => other.ok(),
+        };
+        set_up.check(set_up.view.apply(fx3(world)), 0.0, image, &world);
+    }
+    let limit = 8192 * 256;
+    let any = |b: &mut Bytes<'_>| i64::from(b.wild()).clamp(-limit, limit);
+    let (at, depth) = match got {
+        Ok((p, depth)) if b.byte() & 1 == 0 => (p, depth),
+        _ => (screen_point((any(b), any(b))), b.u16()),
+    };
+    let _ = set_up.camera.unproject(at, depth);
+    if let Some(ray) = set_up.camera.ray(at) {
+        let length = length(crate::bridge::reals(pinhole::Point3::<pinhole::space::World>::new(
+            ray.direction.x(),
+            ray.direction.y(),
+            ray.direction.z(),
+        )));
+        assert!((8191.0..=32_768.0).contains(&length), "{length}");
+    }
+    let _ = set_up.camera.vanishing_points();
+}

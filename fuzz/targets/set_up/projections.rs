@@ -1,0 +1,431 @@
+//! Projections: why one is refused, in exact integers where the limits are exact.
+
+use super::transforms::angle;
+use super::views::triple;
+use crate::bridge::pair::{window, ONE};
+use crate::bridge::{point, reals, scalar, vector};
+use crate::bytes::Bytes;
+use crate::definition::{Family, Projectors};
+use crate::oracle::chain::{self, fx, fx3, M4};
+use pinhole::space::View;
+use pinhole::{PlanarProjection, Projection, ProjectionError, ReferenceVolume};
+use ProjectionError as E;
+
+/// Limits that are computed with 30 bits are left out so near to them.
+const NEAR: f64 = 1e-6;
+const LIMIT: f64 = (1u32 << 30) as f64;
+
+fn pair(b: &mut Bytes<'_>) -> [i32; 2] {
+    match b.byte() {
+        0..=63 => [b.wild(), b.wild()],
+        64..=127 => {
+            // As far apart as is wanted, from one step on.
+            let low = b.wild();
+            [low, low.wrapping_add(1 << (b.byte() & 31)).wrapping_add(b.i8() as i32)]
+        }
+        128..=191 => {
+            let (middle, half) = (b.i8() as i32 * ONE / 16, (1 + i32::from(b.byte())) * ONE / 16);
+            [middle - half, middle + half]
+        }
+        _ => [ONE / 4, ONE * (1 + i32::from(b.byte()))],
+    }
+}
+
+pub(crate) fn any(b: &mut Bytes<'_>) -> Family {
+    let kind = b.byte();
+    let ([l, r], [bottom, t], [n, f]) = (pair(b), pair(b), pair(b));
+    let w = [l, r, bottom, t];
+    match kind % 10 {
+        0 => {
+            let fov = match b.byte() {
+                0..=127 => u32::from(b.u16()) << 15,
+                128..=159 => (1u32 << 20).wrapping_add(b.i8() as u32),
+                160..=191 => (1u32 << 31).wrapping_sub(1 << 20).wrapping_add(b.i8() as u32),
+                _ => b.u32(),
+            };
+            let side =
+                |b: &mut Bytes<'_>| if b.byte() & 1 == 0 { u32::from(b.byte()) } else { b.wild() as u32 };
+            Family::FieldOfView(fov, (side(b), side(b)), n, f)
+        }
+        1 => Family::Frustum(w, n, f),
+        2 => Family::Orthographic(w, n, f),
+        3 => Family::Oblique(w, n, f, angle(b), b.wild()),
+        4 => Family::Reference(triple(b, [ONE; 3]), w, f, n),
+        5 => Family::ReferenceParallel(triple(b, [ONE; 3]), w, f, n),
+        6 => Family::EyeAtOrigin(b.wild(), w, n, f),
+        7 => Family::OriginInPlane(b.wild(), w, n, f),
+        8 => Family::PlanarParallel(w, n, f),
+        _ => {
+            let distance = if b.byte() & 1 == 0 { None } else { Some(b.wild()) };
+            Family::General(b.wild(), distance, triple(b, [0, 0, ONE]), w, n, f)
+        }
+    }
+}
+
+/// What speaks against a set-up: surely, and perhaps where rounding decides.
+#[derive(Default)]
+struct Reasons {
+    surely: Vec<E>,
+    perhaps: Vec<E>,
+}
+
+impl Reasons {
+    fn when(&mut self, condition: bool, error: E) {
+        if condition {
+            self.surely.push(error);
+        }
+    }
+
+    /// `value` must stay below `limit`.
+    fn below(&mut self, value: f64, limit: f64, error: E) {
+        if value >= limit * (1.0 + NEAR) {
+            self.surely.push(error);
+        } else if value >= limit * (1.0 - NEAR) || value.is_nan() {
+            // NaN is a quotient by zero, which has its own reason.
+            self.perhaps.push(error);
+        }
+    }
+
+    fn window(&mut self, [l, r, b, t]: [i32; 4]) {
+        self.when(l >= r || b >= t, E::EmptyWindow);
+    }
+
+    fn central(&mut self, n: i32, f: i32) {
+        self.when(n <= 0, E::NearNotPositive);
+        self.when(n >= f, E::NearNotBeforeFar);
+        if n > 0 && n < f {
+            let size = fx(n) * fx(f) / (f64::from(f) - f64::from(n)) * 65_536.0;
+            self.below(size, LIMIT, E::NearTooCloseToFar);
+        }
+    }
+
+    /// A box: its centre, and near, against its extents.
+    fn parallel(&mut self, [l, r, b, t]: [i32; 4], near: i64, far: i64) {
+        self.window([l, r, b, t]);
+        self.when(near >= far, E::NearNotBeforeFar);
+        for (low, high) in [(l, r), (b, t)] {
+            if low < high {
+                let (low, high) = (f64::from(low), f64::from(high));
+                self.below((low + high).abs() / (high - low), LIMIT, E::WindowTooSmall);
+            }
+        }
+        if near < far {
+            let (n, f) = (near as f64, far as f64);
+            self.below(n.abs() / (f - n), LIMIT, E::NearTooCloseToFar);
+        }
+    }
+
+    fn check(&self, got: &Result<impl Sized, E>, what: &dyn core::fmt::Debug) {
+        match got {
+            Ok(_) => assert!(self.surely.is_empty(), "{:?}: {what:?}", self.surely),
+            Err(error) => assert!(
+                self.surely.contains(error) || self.perhaps.contains(error),
+                "{error:?} is not among {:?} and {:?}: {what:?}",
+                self.surely,
+                self.perhaps
+            ),
+        }
+    }
+}
+
+fn reasons(family: &Family) -> Reasons {
+    let mut all = Reasons::default();
+    match *family {
+        Family::FieldOfView(fov, (w, h), n, f) => {
+            all.when(!(1 << 20..=(1 << 31) - (1 << 20)).contains(&fov), E::FieldOfView);
+            all.when(w == 0 || h == 0, E::EmptyAspect);
+            all.central(n, f);
+        }
+        Family::Frustum(w, n, f) => {
+            all.window(w);
+            all.central(n, f);
+        }
+        Family::Orthographic(w, n, f) | Family::Oblique(w, n, f, ..) => all.parallel(w, n.into(), f.into()),
+        Family::Reference([_, _, pn], w, front, back) => {
+            all.when(pn <= 0, E::ReferenceBehindPlane);
+            all.when(front >= pn, E::NearNotPositive);
+            all.when(back >= front, E::NearNotBeforeFar);
+            all.window(w);
+            let depth = f64::from(front) - f64::from(back);
+            all.below((f64::from(pn) - f64::from(front)) / depth, LIMIT, E::NearTooCloseToFar);
+            for (low, high) in [(w[0], w[1]), (w[2], w[3])] {
+                let (low, high) = (f64::from(low), f64::from(high));
+                all.below((low + high).abs() / (high - low) * fx(pn), LIMIT, E::WindowTooSmall);
+            }
+        }
+        Family::ReferenceParallel([_, _, pn], w, front, back) => {
+            all.when(pn <= 0, E::ReferenceBehindPlane);
+            // Places on the n axis, where near and far lie the other way round.
+            all.parallel(w, -i64::from(front), -i64::from(back));
+        }
+        Family::EyeAtOrigin(d, w, n, f) => {
+            all.when(d == 0, E::NoViewPlane);
+            planar_reasons(&mut all, family, d != 0, w, n, f);
+        }
+        Family::OriginInPlane(d, w, n, f) => {
+            all.when(d == 0, E::NoViewPlane);
+            planar_reasons(&mut all, family, d != 0, w, n, f);
+        }
+        Family::PlanarParallel(w, n, f) => planar_reasons(&mut all, family, true, w, n, f),
+        Family::General(_, q, direction, w, n, f) => {
+            let none = direction[2] == 0 || q == Some(0);
+            all.when(none, E::NoViewPlane);
+            planar_reasons(&mut all, family, !none, w, n, f);
+        }
+    }
+    all
+}
+
+/// What a planar projection's rows are made of: w = `constant` + `slope`·z, 1 in the plane, and where the
+/// projectors' slant puts the origin's image, times w.
+struct Planar {
+    slope: f64,
+    constant: f64,
+    image: [f64; 2],
+}
+
+fn terms(family: &Family) -> Planar {
+    let picture = family.picture();
+    match picture.projectors {
+        Projectors::From(c) => {
+            let reach = c[2] - picture.plane;
+            let image = [0, 1].map(|i| c[i] * picture.plane / reach);
+            Planar { slope: -1.0 / reach, constant: c[2] / reach, image }
+        }
+        Projectors::Along(d) => {
+            let image = [0, 1].map(|i| d[i] / d[2] * picture.plane);
+            Planar { slope: 0.0, constant: 1.0, image }
+        }
+    }
+}
+
+/// Whether a planar projection's own numbers reach 2³⁰, where they saturate: what follows is not the
+/// definition's then.
+pub(crate) fn saturates(family: &Family) -> bool {
+    let (n, f) = match *family {
+        Family::EyeAtOrigin(_, _, n, f)
+        | Family::OriginInPlane(_, _, n, f)
+        | Family::General(_, _, _, _, n, f) => (n, f),
+        _ => return false,
+    };
+    let Planar { slope, constant, image } = terms(family);
+    let numbers =
+        [constant, constant * family.picture().plane, image[0], image[1], slope * fx(n), slope * fx(f)];
+    numbers.iter().any(|c| c.abs() >= LIMIT / 2.0)
+}
+
+/// What the rows x and y are made of, along z and without it, where that is more than what is left of it: of a
+/// planar projection's picture the image's part and the window's, which may cancel but for their rounding.
+pub(crate) fn parts(family: &Family) -> [[f64; 2]; 2] {
+    let w = match *family {
+        Family::EyeAtOrigin(_, w, ..) | Family::OriginInPlane(_, w, ..) | Family::General(_, _, _, w, ..) => {
+            w.map(fx)
+        }
+        // Sine and cosine are within 2⁻²⁹·⁵, whatever they are, times the factor.
+        Family::Oblique(w, _, _, _, factor) => {
+            let [l, r, b, t] = w.map(fx);
+            return [r - l, t - b].map(|extent| [2.0 * fx(factor).abs() / extent, 0.0]);
+        }
+        _ => return [[0.0; 2]; 2],
+    };
+    let (Planar { slope, constant, image }, picture) = (terms(family), family.picture());
+    let slant = |axis: usize| match picture.projectors {
+        Projectors::From(c) => c[axis] / (c[2] - picture.plane),
+        Projectors::Along(d) => d[axis] / d[2],
+    };
+    [0, 1].map(|axis| {
+        let (extent, sum) = (w[2 * axis + 1] - w[2 * axis], w[2 * axis + 1] + w[2 * axis]);
+        let both = |image: f64, w: f64| ((2.0 * image).abs() + (w * sum).abs()) / extent;
+        [both(slant(axis), slope), both(image[axis], constant)]
+    })
+}
+
+/// A planar projection's picture: near and far before the centre, and no constant beyond 2³⁰.
+fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], n: i32, f: i32) {
+    all.window(w);
+    all.when(n >= f, E::NearNotBeforeFar);
+    if !plane {
+        return;
+    }
+    let Planar { slope, constant, image } = terms(family);
+    if saturates(family) {
+        all.perhaps.extend([E::NearNotPositive, E::NearTooCloseToFar, E::WindowTooSmall]);
+        return;
+    }
+    let at = |distance: i32| constant - slope * fx(distance);
+    // In steps of 2⁻³² and of what w's own terms leave.
+    let step = 2f64.powi(-28) * (slope.abs() * (fx(n).abs() + fx(f).abs()) + constant.abs()) + 2f64.powi(-30);
+    for w in [at(n), at(f)] {
+        if w < -step {
+            all.surely.push(E::NearNotPositive);
+        } else if w < step {
+            all.perhaps.push(E::NearNotPositive);
+        }
+    }
+    // These two are limits of the numbers' range only: each constant's parts below 2³⁰ are fine, and a
+    // constant beyond it is not.
+    let limit = |all: &mut Reasons, parts: [f64; 2], error| {
+        if (parts[0] + parts[1]).abs() >= LIMIT * (1.0 + NEAR) {
+            all.surely.push(error);
+        } else if parts[0].abs() + parts[1].abs() >= LIMIT * (1.0 - NEAR) {
+            all.perhaps.push(error);
+        }
+    };
+    if n < f {
+        let slope = fx(n) / (fx(f) - fx(n));
+        limit(all, [at(f) * slope, step * slope], E::NearTooCloseToFar);
+    }
+    for (axis, low, high) in [(0, fx(w[0]), fx(w[1])), (1, fx(w[2]), fx(w[3]))] {
+        if low >= high {
+            continue;
+        }
+        limit(
+            all,
+            [2.0 * image[axis] / (high - low), -constant * (low + high) / (high - low)],
+            E::WindowTooSmall,
+        );
+    }
+}
+
+pub(crate) fn check(b: &mut Bytes<'_>) {
+    let family = any(b);
+    reasons(&family).check(&family.library(), &family);
+    if let Family::Reference(prp, w, front, back) = family {
+        let Ok(volume) = ReferenceVolume::perspective(point(prp), window(w), scalar(front), scalar(back))
+        else {
+            return;
+        };
+        let wanted = (fx(prp[2]) - fx(front)) / (fx(prp[2]) - fx(back));
+        // Rounded once to 2⁻¹⁶, from 30 bits.
+        assert!((fx(volume.z_min().to_bits()) - wanted).abs() <= 2f64.powi(-17) * 1.001, "{family:?}");
+        let _ = volume.normalise(point::<View>(triple(b, prp)));
+    }
+}
+
+/// The largest numbers of the rows, and any numbers there.
+pub(crate) fn matrix(b: &mut Bytes<'_>) {
+    let scale = match b.byte() {
+        0..=127 => 1.0,
+        _ => f64::from(b.i8() as i8).exp2(),
+    };
+    let mut m: M4 = [[0.0; 4]; 4];
+    for v in m.iter_mut().flatten() {
+        *v = match b.byte() {
+            0..=95 => 0.0,
+            k @ 96..=159 => f64::from(k) - 128.0,
+            160..=191 => f64::from(b.wild()) / 65_536.0,
+            192..=223 => f64::from(b.i16()) * f64::from(b.i8() as i8 >> 2).exp2(),
+            k => {
+                f64::from_bits(b.i32() as u64 | u64::from(b.u32()) << 32)
+                    * if k & 7 == 0 { 1.0 } else { 1e-300 }
+            }
+        } * scale;
+    }
+    let refused = m.iter().flatten().any(|v| !v.is_finite()) || m == [[0.0; 4]; 4];
+    let projection = match Projection::from_matrix(&m) {
+        Err(error) => return assert!(refused && error == E::Matrix, "{m:?}"),
+        Ok(projection) => projection,
+    };
+    assert!(!refused, "{m:?}");
+    let p = triple(b, [ONE; 3]);
+    let clip = projection.apply(point(p));
+    let [x, y, z] = fx3(p);
+    let wanted = chain::mul4(&m, [x, y, z, 1.0]);
+    let got = clip.xyzw().map(f64::from);
+    let norm = |v: [f64; 4]| v.iter().fold(0.0f64, |n, c| n.max(c.abs()));
+    // What the documentation leaves: 2⁻³⁰ of each row's coefficients, 2⁻⁴³ of the largest coefficient or
+    // 2⁻⁵⁹ of the largest constant; and 2⁻²⁹ of the result.
+    let linear = |r: &[f64; 4]| norm([r[0], r[1], r[2], 0.0]);
+    let most = m.iter().map(linear).fold(0.0, f64::max);
+    let constant = m.iter().map(|r| r[3].abs()).fold(0.0, f64::max);
+    let reach = norm([x, y, z, 0.0]);
+    let floor = 8.0 * (most * 2f64.powi(-43)).max(constant * 2f64.powi(-59));
+    let error = m.map(|r| 8.0 * linear(&r) * reach * 2f64.powi(-30) + floor);
+    // z is 2·d − w, both rounded; so it takes part in w's error.
+    let (size, worst) = (norm(wanted), norm(error));
+    if !(size.is_finite() && size > 1e-290 && worst < size * 1e-3) {
+        return;
+    }
+    // The common factor from the largest one.
+    let k = (0..4).fold(0, |k, i| if wanted[i].abs() > wanted[k].abs() { i } else { k });
+    let factor = got[k] / wanted[k];
+    assert!(factor > 0.0, "{m:?} {p:?}: {clip:?}");
+    for i in 0..4 {
+        let own = if i == 2 { 2.0 * (error[2] + error[3]) } else { error[i] };
+        let room = own + worst + size * 2f64.powi(-28);
+        assert!((got[i] / factor - wanted[i]).abs() <= room, "{i} of {clip:?} for {wanted:?}: {m:?} {p:?}");
+    }
+}
+
+/// Images on a plane.
+pub(crate) fn planar(b: &mut Bytes<'_>) {
+    let kind = b.byte();
+    let (z, d, direction) = (b.wild(), b.wild(), triple(b, [0, 0, ONE]));
+    let (got, centre, plane) = match kind % 4 {
+        0 => (PlanarProjection::eye_at_origin(scalar(d)), Projectors::From([0.0; 3]), fx(d)),
+        1 => (PlanarProjection::origin_in_plane(scalar(d)), Projectors::From([0.0, 0.0, -fx(d)]), 0.0),
+        2 => (
+            PlanarProjection::general(scalar(z), None, vector(direction)),
+            Projectors::Along(fx3(direction)),
+            fx(z),
+        ),
+        _ => {
+            let [x, y, n] = chain::normalise(direction.map(f64::from)).map(|c| c * fx(d));
+            let got = PlanarProjection::general(scalar(z), Some(scalar(d)), vector(direction));
+            (got, Projectors::From([x, y, n + fx(z)]), fx(z))
+        }
+    };
+    let none = match kind % 4 {
+        0 | 1 => d == 0,
+        2 => direction[2] == 0,
+        _ => direction[2] == 0 || d == 0,
+    };
+    let got = match got {
+        Err(error) => return assert!(error == E::NoViewPlane && none),
+        Ok(got) => got,
+    };
+    assert!(!none);
+    let p = triple(b, direction);
+    let [x, y, n] = fx3(p);
+    let _ = got.homogeneous(point(p));
+    let image = got.apply(point(p));
+    // Where the numbers are moderate and the ray not nearly along the plane: 30-bit coefficients.
+    let (wanted, steep) = match centre {
+        Projectors::From(c) => {
+            let t = (c[2] - plane) / (c[2] - n);
+            ([c[0] + (x - c[0]) * t, c[1] + (y - c[1]) * t, plane], t.abs())
+        }
+        Projectors::Along(v) => {
+            let t = (plane - n) / v[2];
+            ([x + v[0] * t, y + v[1] * t, plane], 1.0)
+        }
+    };
+    let c = match centre {
+        Projectors::From(c) => c,
+        Projectors::Along(v) => [v[0] / v[2], v[1] / v[2], 1.0],
+    };
+    let size = [x, y, n, plane, c[0], c[1], c[2]].iter().fold(1.0f64, |m, v| m.max(v.abs()));
+    let slant = 1.0
+        + (c[0].abs() + c[1].abs()) / (c[2] - if kind % 4 < 2 || kind % 4 == 3 { plane } else { 0.0 }).abs();
+    // Each row within 2⁻²⁹ of its terms, w's part times the image.
+    let w_terms = match centre {
+        Projectors::From(c) => (n.abs() + c[2].abs() + plane.abs()) / (c[2] - plane).abs(),
+        Projectors::Along(_) => 1.0,
+    };
+    let far = wanted.iter().fold(1.0f64, |m, v| m.max(v.abs()));
+    let error =
+        64.0 * 2f64.powi(-29) * steep * (slant * size + far * w_terms + size * w_terms) + 2f64.powi(-16);
+    // The row z is the plane's place times the row w, and saturates at 2³⁰ like all.
+    let whole = plane.abs() * w_terms < LIMIT / 2.0;
+    if far < 30_000.0 && error < 1.0 && slant * size < 1e8 && w_terms < 1e6 && whole {
+        let image = image
+            .map(reals)
+            .unwrap_or_else(|| panic!("no image {wanted:?}: {kind} {z} {d} {direction:?} {p:?}"));
+        for (got, wanted) in image.into_iter().zip(wanted) {
+            assert!(
+                (got - wanted).abs() <= error,
+                "{got} for {wanted}, {error}: {kind} {z} {d} {direction:?} {p:?}"
+            );
+        }
+    }
+}
