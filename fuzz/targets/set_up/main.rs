@@ -37,7 +37,8 @@ fuzz_target!(|data: &[u8]| {
         148..=155 => transforms::inverse(&mut b),
         156..=163 => transforms::rotation(&mut b),
         164..=171 => transforms::quaternion(&mut b),
-        172..=183 => lights::check(&mut b),
+        172..=175 => transforms::matrix(&mut b),
+        176..=183 => lights::check(&mut b),
         _ => camera::check(&mut b),
     }
 });

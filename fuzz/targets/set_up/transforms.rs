@@ -7,7 +7,7 @@ use crate::bridge::{point, reals, scalar, vector};
 use crate::bytes::Bytes;
 use crate::oracle::chain::{self, cross, dot, fx3, length, M3, V3};
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, AxisError, InverseError, Quaternion, QuaternionError};
+use pinhole::{Affine, Angle, AxisError, InverseError, MatrixError, Quaternion, QuaternionError};
 
 pub(crate) fn angle(b: &mut Bytes<'_>) -> u32 {
     match b.byte() {
@@ -227,6 +227,46 @@ fn rigid(frame: &Affine<Model, World>, m: [[i128; 3]; 3], at: V3, inverse: &M3, 
             let error = 3.0 * (2.0 * off + 2f64.powi(-28)) * (largest(at) + largest(o)) + 2f64.powi(-17);
             let bits = at.map(|c| (c * 65_536.0) as i32);
             close(reals(back.apply(point(bits))), wanted, error, &m);
+        }
+    }
+}
+
+/// Any numbers at all; what is accepted is kept to its rounding.
+pub(crate) fn matrix(b: &mut Bytes<'_>) {
+    let mut m = [[0.0; 4]; 4];
+    m[3][3] = 1.0;
+    let size = 2f64.powi(b.i8() as i32 / 4);
+    for c in m.iter_mut().take(3).flatten() {
+        *c = match b.byte() {
+            0..=127 => f64::from(b.i16()) * size,
+            128..=191 => f64::from(b.wild()) / 65_536.0,
+            192..=223 => 0.0,
+            _ => b.f64(),
+        };
+    }
+    if b.byte() == 255 {
+        m[3][b.below(4)] = b.f64();
+    }
+    let linear: Vec<f64> = m[..3].iter().flat_map(|row| &row[..3]).copied().collect();
+    let shift = [m[0][3], m[1][3], m[2][3]];
+    let finite = linear.iter().chain(&shift).all(|c| c.is_finite());
+    let far = shift.iter().any(|c| c.abs() >= 2f64.powi(30));
+    match Affine::<Model, World>::from_matrix(&m) {
+        Err(MatrixError::NotAffine) => assert!(m[3] != [0.0, 0.0, 0.0, 1.0], "{m:?}"),
+        Err(MatrixError::OutOfRange) => assert!(far, "{m:?}"),
+        Err(MatrixError::NotFinite) => assert!(!finite, "{m:?}"),
+        Ok(affine) => {
+            assert!(m[3] == [0.0, 0.0, 0.0, 1.0] && finite && !far, "{m:?}");
+            let back = affine.to_matrix();
+            let limit = linear.iter().fold(0f64, |a, c| a.max(c.abs())) * 2f64.powi(-30);
+            for (row, given) in back.iter().zip(&m).take(3) {
+                for (ours, wanted) in row.iter().zip(given).take(3) {
+                    assert!((ours - wanted).abs() <= limit * 1.000_001, "{m:?}");
+                }
+                // 2⁻³³, and f64's own step where that is larger.
+                let error = (row[3] - given[3]).abs();
+                assert!(error <= 2f64.powi(-33) + given[3].abs() * 2f64.powi(-52), "{m:?}");
+            }
         }
     }
 }

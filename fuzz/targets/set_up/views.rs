@@ -143,21 +143,31 @@ fn matrix(b: &mut Bytes<'_>) {
             off = if gap.is_nan() { f64::INFINITY } else { off.max(gap) };
         }
     }
-    let eye: [f64; 3] = core::array::from_fn(|i| -(0..3).map(|k| rows[k][i] * m[k][3]).sum::<f64>());
+    // −R⁻¹·t, by the cofactors.
+    let cofactors: M3 = core::array::from_fn(|k| chain::cross(rows[(k + 1) % 3], rows[(k + 2) % 3]));
+    let determinant = chain::dot(rows[0], cofactors[0]);
+    let eye: [f64; 3] =
+        core::array::from_fn(|i| -(0..3).map(|k| cofactors[k][i] * m[k][3]).sum::<f64>() / determinant);
     let away = eye.iter().fold(0.0, |far: f64, c| if c.is_nan() { f64::INFINITY } else { far.max(c.abs()) });
     let right_handed = chain::dot(chain::cross(rows[0], rows[1]), rows[2]) > 0.0;
     let last = m[3] == [0.0, 0.0, 0.0, 1.0];
     match got {
-        Err(error) => {
-            assert_eq!(error, ViewingError::NotRigid);
-            assert!(!last || !right_handed || off > 0.999e-6 || away >= 32_767.999, "{m:?}");
-        }
+        Err(ViewingError::NotRigid) => assert!(!last || !right_handed || off > 0.999e-6, "{m:?}"),
+        Err(ViewingError::EyeOutside) => assert!(away >= 32_767.999, "{m:?}"),
+        Err(error) => panic!("{error}: {m:?}"),
         Ok(view) => {
             assert!(last && right_handed && off < 1.001e-6 && away <= 32_768.001, "{m:?}");
             for (ours, wanted) in reals(&view).iter().flatten().zip(rows.iter().flatten()) {
                 // To 2⁻³¹, or brought to 1 from 10⁻⁶ beyond.
                 assert!((ours - wanted.clamp(-1.0, 1.0)).abs() <= 2f64.powi(-31) * 1.001, "{m:?}");
             }
+            for (ours, wanted) in view.eye().iter().zip(eye) {
+                // To 2⁻³³, and what f64 makes of numbers of the translation's size.
+                let error = (*ours as f64 / 2f64.powi(32) - wanted).abs();
+                assert!(error <= 2f64.powi(-33) * 1.001 + 1e-15 * away, "{m:?}");
+            }
+            // What was rounded once is taken back as it is.
+            assert_eq!(Viewing::from_matrix(&view.to_matrix()), Ok(view), "{m:?}");
         }
     }
 }
