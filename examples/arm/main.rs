@@ -7,6 +7,8 @@
 
 #[path = "../common/canvas.rs"]
 mod canvas;
+#[path = "../common/command.rs"]
+mod command;
 #[path = "../common/film.rs"]
 mod film;
 mod meshes;
@@ -15,7 +17,8 @@ mod robot;
 mod still;
 
 use canvas::Canvas;
-use clap::{value_parser, Arg, Command};
+use clap::Command;
+use command::Film;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use pinhole::space::World;
@@ -26,7 +29,6 @@ use pinhole::{
 use robot::{Form, Paint};
 use std::collections::BTreeMap;
 use std::error::Error;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 const BACKGROUND: Rgb565 = Rgb565::new(3, 8, 6);
@@ -38,57 +40,17 @@ const STEEL: Rgb565 = Rgb565::new(22, 46, 25);
 const ORANGE: Rgb565 = Rgb565::new(31, 36, 4);
 const RUBBER: Rgb565 = Rgb565::new(12, 26, 14);
 
-struct Arguments {
-    size: u32,
-    frames: u32,
-    out: PathBuf,
-}
-
-fn arguments() -> Result<Arguments, clap::Error> {
-    let option = |name: &'static str, value: &'static str, help: &'static str, default: &'static str| {
-        Arg::new(name).long(name).value_name(value).help(help).default_value(default)
-    };
-    let mut given = Command::new("arm")
-        .about("Moves a robot arm through one cycle: an animated GIF and a contact sheet")
-        .arg(
-            option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
-                .value_parser(value_parser!(u32).range(16..=2048)),
-        )
-        .arg(
-            option("frames", "N", "Frames of the cycle, 2 to 720", "60")
-                .value_parser(value_parser!(u32).range(2..=720)),
-        )
-        .arg(
-            option("out", "DIR", "The folder for the pictures", "target/arm")
-                .value_parser(value_parser!(PathBuf)),
-        )
-        .try_get_matches()?;
-    Ok(Arguments {
-        size: given.remove_one("size").unwrap_or_default(),
-        frames: given.remove_one("frames").unwrap_or_default(),
-        out: given.remove_one("out").unwrap_or_default(),
+fn main() -> ExitCode {
+    command::run(|| -> Result<ExitCode, Box<dyn Error>> {
+        let about = "Moves a robot arm through one cycle: an animated GIF and a contact sheet";
+        let command = Command::new("arm").about(about);
+        let command = Film::arguments(command, "Frames of the cycle, 2 to 720", "60", "target/arm");
+        film(&Film::from(&mut command::matches(command)?))?;
+        Ok(ExitCode::SUCCESS)
     })
 }
 
-fn main() -> ExitCode {
-    let arguments = match arguments() {
-        Ok(arguments) => arguments,
-        Err(help) if help.exit_code() == 0 => help.exit(),
-        Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),
-    };
-    match film(&arguments) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => refuse(&error.to_string()),
-    }
-}
-
-/// One line that says what is wrong with what the user gave.
-fn refuse(problem: &str) -> ExitCode {
-    eprintln!("{problem}");
-    ExitCode::from(2)
-}
-
-fn film(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
     let out = &arguments.out;
     let unwritable = |e: std::io::Error| format!("{}: cannot be written: {e}", out.display());

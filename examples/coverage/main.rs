@@ -4,6 +4,8 @@
 //! cargo run --release --example coverage -- IN.json OUT
 //! ```
 
+#[path = "../common/command.rs"]
+mod command;
 #[path = "../common/files.rs"]
 mod files;
 mod input;
@@ -28,37 +30,19 @@ OUT: for each pixel, row by row from the top, a little-endian u32: how many of t
 Bad input: one line on stderr, exit code 2, and OUT as it was."#;
 
 fn main() -> ExitCode {
-    let mut given = match arguments() {
-        Ok(given) => given,
-        Err(help) if help.exit_code() == 0 => help.exit(),
-        // What is wrong, in the lines up to the first empty one; then come tips and usage.
-        Err(error) => {
-            let text = error.to_string();
-            let lines: Vec<_> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
-            return refuse(&lines.join(" "));
-        }
-    };
-    let mut path = |name| given.remove_one::<PathBuf>(name).unwrap_or_default();
-    match run(&path("IN.json"), &path("OUT")) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(problem) => refuse(&problem),
-    }
-}
-
-fn arguments() -> Result<clap::ArgMatches, clap::Error> {
-    let path = |name, help| Arg::new(name).required(true).help(help).value_parser(value_parser!(PathBuf));
-    Command::new("coverage")
-        .about("Rasterises triangles and lines, and counts how often each pixel is drawn")
-        .arg(path("IN.json", "What to draw"))
-        .arg(path("OUT", "The counts"))
-        .after_help(FORMATS)
-        .try_get_matches()
-}
-
-/// One line, whatever a file or its name has in it.
-fn refuse(problem: &str) -> ExitCode {
-    eprintln!("{}", problem.replace(char::is_control, " "));
-    ExitCode::from(2)
+    command::run(|| -> Result<ExitCode, String> {
+        let path = |name, help| Arg::new(name).required(true).help(help).value_parser(value_parser!(PathBuf));
+        let mut given = command::matches(
+            Command::new("coverage")
+                .about("Rasterises triangles and lines, and counts how often each pixel is drawn")
+                .arg(path("IN.json", "What to draw"))
+                .arg(path("OUT", "The counts"))
+                .after_help(FORMATS),
+        )?;
+        let mut path = |name| given.remove_one::<PathBuf>(name).unwrap_or_default();
+        run(&path("IN.json"), &path("OUT"))?;
+        Ok(ExitCode::SUCCESS)
+    })
 }
 
 fn run(from: &Path, to: &Path) -> Result<(), String> {

@@ -7,13 +7,15 @@
 #[path = "../common/canvas.rs"]
 mod canvas;
 mod cell;
+#[path = "../common/command.rs"]
+mod command;
 mod house;
 #[path = "../common/still.rs"]
 mod still;
 mod views;
 
 use canvas::Canvas;
-use clap::{value_parser, Arg, ArgAction, Command};
+use command::Generated;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_5X8, FONT_6X10};
 use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -22,7 +24,6 @@ use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::{Baseline, Text};
 use pinhole::{Camera, Viewport};
 use std::error::Error;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 const BACKGROUND: Rgb888 = Rgb888::new(233, 230, 222);
@@ -34,66 +35,12 @@ const GAP: u32 = 8;
 const CAPTION: u32 = 34;
 const COLUMNS: u32 = 6;
 
-struct Arguments {
-    out: PathBuf,
-    check: bool,
-}
-
-fn arguments() -> Result<Arguments, clap::Error> {
-    let mut given = Command::new("gallery")
-        .about("Draws a house under every named projection: a contact sheet")
-        .arg(
-            Arg::new("out")
-                .long("out")
-                .value_name("FILE")
-                .help("The picture")
-                .default_value("docs/projections.png")
-                .value_parser(value_parser!(PathBuf)),
-        )
-        .arg(
-            Arg::new("check")
-                .long("check")
-                .help("Write nothing; exit code 1 if the file is not what would be written")
-                .action(ArgAction::SetTrue),
-        )
-        .try_get_matches()?;
-    Ok(Arguments { out: given.remove_one("out").unwrap_or_default(), check: given.get_flag("check") })
-}
-
 fn main() -> ExitCode {
-    let arguments = match arguments() {
-        Ok(arguments) => arguments,
-        Err(help) if help.exit_code() == 0 => help.exit(),
-        Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),
-    };
-    let picture = match sheet() {
-        Ok(picture) => picture,
-        Err(error) => return refuse(&error.to_string()),
-    };
-    let out = arguments.out.display();
-    if arguments.check {
-        return match std::fs::read(&arguments.out) {
-            Ok(file) if file == picture => ExitCode::SUCCESS,
-            Ok(_) => {
-                eprintln!("{out}: not current: run cargo run --release --example gallery -- --out {out}");
-                ExitCode::from(1)
-            }
-            Err(error) => refuse(&format!("{out}: cannot be read: {error}")),
-        };
-    }
-    match std::fs::write(&arguments.out, picture) {
-        Ok(()) => {
-            println!("{out}");
-            ExitCode::SUCCESS
-        }
-        Err(error) => refuse(&format!("{out}: cannot be written: {error}")),
-    }
-}
-
-/// One line that says what is wrong with what the user gave.
-fn refuse(problem: &str) -> ExitCode {
-    eprintln!("{problem}");
-    ExitCode::from(2)
+    command::run(|| {
+        let about = "Draws a house under every named projection: a contact sheet";
+        let file = Generated::arguments("gallery", about, "docs/projections.png")?;
+        file.finish(&sheet().map_err(|e| e.to_string())?, |_| {})
+    })
 }
 
 /// All the cells as a PNG file.

@@ -7,6 +7,8 @@
 
 #[path = "../common/canvas.rs"]
 mod canvas;
+#[path = "../common/command.rs"]
+mod command;
 mod draw;
 #[path = "../common/files.rs"]
 mod files;
@@ -22,7 +24,7 @@ mod used;
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
-use options::{Mode, Options, Problem};
+use options::{Mode, Options};
 use pinhole::Statistics;
 use quantised::Quantised;
 use scene::Scene;
@@ -30,19 +32,10 @@ use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let done = match options::read() {
-        Ok(options) => run(&options),
-        Err(Problem::Help(help)) => help.exit(),
-        Err(Problem::Line(line)) => Err(line),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(problem) => {
-            // One line, whatever a file or its name has in it.
-            eprintln!("{}", problem.replace(char::is_control, " "));
-            ExitCode::from(2)
-        }
-    }
+    command::run(|| -> Result<ExitCode, String> {
+        run(&options::read()?)?;
+        Ok(ExitCode::SUCCESS)
+    })
 }
 
 fn run(options: &Options) -> Result<(), String> {

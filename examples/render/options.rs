@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::command;
 use crate::model::{Look, Named};
 use crate::scene::LARGEST;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
@@ -35,34 +36,15 @@ Matrices are row-major, vectors columns. A .json mesh is {"vertices": ..., "tria
 
 Bad input: one line on stderr, exit code 2, and no file touched."#;
 
-/// What is asked for; the error is one line, or clap's help.
-pub(crate) enum Problem {
-    Line(String),
-    Help(clap::Error),
-}
-
-impl From<String> for Problem {
-    fn from(line: String) -> Self {
-        Self::Line(line)
-    }
-}
-
-pub(crate) fn read() -> Result<Options, Problem> {
-    let mut given = command().try_get_matches().map_err(|error| {
-        if error.exit_code() == 0 {
-            return Problem::Help(error);
-        }
-        // What is wrong, in the lines up to the first empty one; then come tips and usage.
-        let text = error.to_string();
-        let lines: Vec<_> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
-        Problem::Line(lines.join(" "))
-    })?;
+/// What is asked for; the error is one line.
+pub(crate) fn read() -> Result<Options, String> {
+    let mut given = command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
     let mode = match given.remove_one::<String>("mode").as_deref() {
         None | Some("solid") => Mode::Solid,
         Some("wireframe") => Mode::Wireframe,
-        Some("hidden-line") => return Err("--mode: hidden-line is not there yet".to_string().into()),
-        Some(other) => return Err(format!("--mode: {other} is not solid, wireframe or hidden-line").into()),
+        Some("hidden-line") => return Err("--mode: hidden-line is not there yet".into()),
+        Some(other) => return Err(format!("--mode: {other} is not solid, wireframe or hidden-line")),
     };
     let look = look(&mut given, &scene)?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
@@ -71,10 +53,10 @@ pub(crate) fn read() -> Result<Options, Problem> {
     for (place, (flag, file)) in files.iter().enumerate() {
         if let Some((other, _)) = files[..place].iter().find(|(_, earlier)| file.is_some() && earlier == file)
         {
-            return Err(format!("{flag}: names the same file as {other}").into());
+            return Err(format!("{flag}: names the same file as {other}"));
         }
         if mode == Mode::Wireframe && file.is_some() && matches!(*flag, "--ids" | "--depth") {
-            return Err(format!("{flag}: needs --mode solid").into());
+            return Err(format!("{flag}: needs --mode solid"));
         }
     }
     Ok(Options { scene, png, ids, depth, used, mode, stats: given.get_flag("stats"), look })

@@ -7,6 +7,8 @@
 
 #[path = "../common/canvas.rs"]
 mod canvas;
+#[path = "../common/command.rs"]
+mod command;
 mod depth;
 #[path = "../common/film.rs"]
 mod film;
@@ -16,7 +18,8 @@ mod still;
 mod terminal;
 
 use canvas::Canvas;
-use clap::{value_parser, Arg, Command};
+use clap::{value_parser, Command};
+use command::Film;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -34,71 +37,25 @@ const WIRE: Rgb565 = Rgb565::new(14, 56, 31);
 /// The light that is everywhere, also inside; of 256.
 const AMBIENT: u16 = 48;
 
-/// What the user wants.
-struct Arguments {
-    mesh: PathBuf,
-    size: u32,
-    frames: u32,
-    out: PathBuf,
-}
-
-fn arguments() -> Result<Arguments, clap::Error> {
-    let option = |name: &'static str, value: &'static str, help: &'static str, default: &'static str| {
-        Arg::new(name).long(name).value_name(value).help(help).default_value(default)
-    };
-    let teapot = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/teapot.obj");
-    let mut given = Command::new("spin")
-        .about("Turns a mesh once round: an animated GIF and a contact sheet, drawn as on a microcontroller")
-        .arg(
-            option("mesh", "FILE.obj", "The mesh to turn [default: the teapot]", teapot)
+fn main() -> ExitCode {
+    command::run(|| -> Result<ExitCode, Box<dyn Error>> {
+        let teapot = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/teapot.obj");
+        let about =
+            "Turns a mesh once round: an animated GIF and a contact sheet, drawn as on a microcontroller";
+        let command = Command::new("spin").about(about).arg(
+            command::option("mesh", "FILE", "The mesh to turn, .obj or .stl [default: the teapot]", teapot)
                 .value_parser(value_parser!(PathBuf))
                 .hide_default_value(true),
-        )
-        .arg(
-            option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
-                .value_parser(value_parser!(u32).range(16..=2048)),
-        )
-        .arg(
-            option("frames", "N", "Frames of the full turn, 2 to 720", "48")
-                .value_parser(value_parser!(u32).range(2..=720)),
-        )
-        .arg(
-            option("out", "DIR", "The folder for the pictures", "target/spin")
-                .value_parser(value_parser!(PathBuf)),
-        )
-        .try_get_matches()?;
-    let path = |value: Option<PathBuf>| value.unwrap_or_default();
-    Ok(Arguments {
-        mesh: path(given.remove_one("mesh")),
-        size: given.remove_one("size").unwrap_or_default(),
-        frames: given.remove_one("frames").unwrap_or_default(),
-        out: path(given.remove_one("out")),
+        );
+        let command = Film::arguments(command, "Frames of the full turn, 2 to 720", "48", "target/spin");
+        let mut given = command::matches(command)?;
+        let mesh = given.remove_one::<PathBuf>("mesh").unwrap_or_default();
+        film(&pinhole_import::read(&mesh)?, &Film::from(&mut given))?;
+        Ok(ExitCode::SUCCESS)
     })
 }
 
-fn main() -> ExitCode {
-    let arguments = match arguments() {
-        Ok(arguments) => arguments,
-        Err(help) if help.exit_code() == 0 => help.exit(),
-        Err(error) => return refuse(error.to_string().lines().next().unwrap_or_default()),
-    };
-    let mesh = match pinhole_import::read(&arguments.mesh) {
-        Ok(mesh) => mesh,
-        Err(error) => return refuse(&error.to_string()),
-    };
-    match film(&mesh, &arguments) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => refuse(&error.to_string()),
-    }
-}
-
-/// One line that says what is wrong with what the user gave.
-fn refuse(problem: &str) -> ExitCode {
-    eprintln!("{problem}");
-    ExitCode::from(2)
-}
-
-fn film(mesh: &ImportedMesh, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
     let inside = scene::inside(mesh);
     let table = Turntable::new(mesh, &inside, size)?;

@@ -1,0 +1,114 @@
+//! What the examples share of a command line: help, and one way to refuse.
+#![allow(dead_code)] // not every example has a film's options, or a file that is checked
+
+use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Runs an example: what is wrong with what the user gave is one line, whatever a file or its name has
+/// in it, and exit code 2.
+pub(crate) fn run<E: ToString>(example: impl FnOnce() -> Result<ExitCode, E>) -> ExitCode {
+    example().unwrap_or_else(|problem| {
+        eprintln!("{}", problem.to_string().replace(char::is_control, " "));
+        ExitCode::from(2)
+    })
+}
+
+/// The arguments; asked for help, it gives that and ends.
+pub(crate) fn matches(command: Command) -> Result<ArgMatches, String> {
+    command.try_get_matches().map_err(|error| {
+        if error.exit_code() == 0 {
+            error.exit();
+        }
+        // What is wrong, in the lines up to the first empty one; then come tips and usage.
+        let text = error.to_string();
+        let lines: Vec<_> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
+        lines.join(" ")
+    })
+}
+
+/// `--NAME VALUE` with a default.
+pub(crate) fn option(
+    name: &'static str,
+    value: &'static str,
+    help: &'static str,
+    default: &'static str,
+) -> Arg {
+    Arg::new(name).long(name).value_name(value).help(help).default_value(default)
+}
+
+/// What every film can be told.
+pub(crate) struct Film {
+    pub(crate) size: u32,
+    pub(crate) frames: u32,
+    pub(crate) out: PathBuf,
+}
+
+impl Film {
+    /// `frames` says what they are frames of.
+    pub(crate) fn arguments(
+        command: Command,
+        frames: &'static str,
+        count: &'static str,
+        out: &'static str,
+    ) -> Command {
+        command
+            .arg(
+                option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
+                    .value_parser(value_parser!(u32).range(16..=2048)),
+            )
+            .arg(option("frames", "N", frames, count).value_parser(value_parser!(u32).range(2..=720)))
+            .arg(
+                option("out", "DIR", "The folder for the pictures", out).value_parser(value_parser!(PathBuf)),
+            )
+    }
+
+    pub(crate) fn from(given: &mut ArgMatches) -> Self {
+        Self {
+            size: given.remove_one("size").unwrap_or_default(),
+            frames: given.remove_one("frames").unwrap_or_default(),
+            out: given.remove_one("out").unwrap_or_default(),
+        }
+    }
+}
+
+/// A file of the repository that an example makes.
+pub(crate) struct Generated {
+    example: &'static str,
+    out: PathBuf,
+    check: bool,
+}
+
+impl Generated {
+    pub(crate) fn arguments(
+        example: &'static str,
+        about: &'static str,
+        out: &'static str,
+    ) -> Result<Self, String> {
+        let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
+        let command = Command::new(example)
+            .about(about)
+            .arg(option("out", "FILE", "The file", out).value_parser(value_parser!(PathBuf)))
+            .arg(check.help("Write nothing; exit code 1 if the file is not what would be written"));
+        let mut given = matches(command)?;
+        let out = given.remove_one("out").unwrap_or_default();
+        Ok(Self { example, out, check: given.get_flag("check") })
+    }
+
+    /// Writes the file, or compares it; `difference` shows what changed.
+    pub(crate) fn finish(self, content: &[u8], difference: impl FnOnce(&[u8])) -> Result<ExitCode, String> {
+        let (example, out) = (self.example, self.out.display());
+        if !self.check {
+            std::fs::write(&self.out, content).map_err(|e| format!("{out}: cannot be written: {e}"))?;
+            println!("{out}");
+            return Ok(ExitCode::SUCCESS);
+        }
+        let file = std::fs::read(&self.out).map_err(|e| format!("{out}: cannot be read: {e}"))?;
+        if file == content {
+            return Ok(ExitCode::SUCCESS);
+        }
+        difference(&file);
+        eprintln!("{out}: not current: run cargo run --release --example {example} -- --out {out}");
+        Ok(ExitCode::from(1))
+    }
+}
