@@ -225,6 +225,38 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// stays. Depth ends at the far plane: what lies beyond is cut off, whether or not the camera asks
     /// for that. Nothing is drawn outside the depth buffer.
     ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use pinhole::{
+    ///     space::{Model, World}, Affine, Angle, Camera, Cull, DepthBuffer, Mesh, Point3, Projection,
+    ///     Scalar, Vector3, Viewing, Viewport,
+    /// };
+    /// // Two triangles through each other: one upright, one lying.
+    /// const VERTICES: [[i16; 3]; 6] = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [-9, 0, 9], [9, 0, 9], [0, 0, -9]];
+    /// let mesh = Mesh::new(&VERTICES, -3, &[[0, 1, 2], [3, 4, 5]])?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+    /// let camera = Camera::new(
+    ///     &Viewing::look_at(Point3::from_ints(0, 2, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+    ///     &viewport,
+    /// );
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// display.set_allow_overdraw(true);
+    /// let mut storage = [0; 32 * 32];
+    /// let area = Rectangle::new(Point::zero(), viewport.size());
+    /// let mut depth = DepthBuffer::new(area, &mut storage)?;
+    /// let model = Affine::<Model, World>::identity();
+    /// camera.place(&mesh, &model).with_cull(Cull::None).depth_tested(
+    ///     |face| Gray8::new(100 + face as u8),
+    ///     &mut [],
+    ///     &mut depth,
+    ///     &mut display,
+    /// )?;
+    /// let seen = |x, y| display.get_pixel(Point::new(x, y)).map(|c| c.luma());
+    /// assert_eq!((seen(16, 20), seen(16, 10)), (Some(101), Some(100))); // in front of it, and behind
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
