@@ -206,27 +206,28 @@ fn check_triangle(points: [ClipPoint; 3], extra: [i32; 3], sample: [f64; 3]) -> 
         let step = extra.iter().map(|e| f64::from(*e).abs()).fold(0.0, f64::max) * 2f64.powi(-31);
         assert!((f64::from(v.attributes[2]) - carried).abs() <= 3.5 + 12.0 * step, "{points:?} {v:?}");
     }
-    // A point of the triangle, by the plane and by the polygon. Weights' own rounding moves the polygon by
-    // up to three steps of 2⁻³² each, of up to half a unit: at most 2·3 more in a distance.
-    let least = distances(blend(sample)).into_iter().fold(f64::INFINITY, f64::min);
+    // A point of the triangle, by the planes and by the polygon. Its corners may be up to 3.5 steps of 2⁻³² off:
+    // how far left of each side the point is, and what that makes of it, more beyond a short side's ends.
+    const OFF: f64 = 3.5;
     let (u, v) = (sample[1] * SPAN, sample[2] * SPAN);
     let place = |c: &ClipVertex<3>| [0, 1].map(|i| f64::from(c.attributes[i]) + 2f64.powi(31));
     let sides = (0..got.len()).filter_map(|i| {
         let ([ax, ay], [bx, by]) = (place(&got[i]), place(&got[(i + 1) % got.len()]));
-        let (dx, dy) = (bx - ax, by - ay);
-        // How far left of the side, in steps: none where two corners coincide.
+        let (dx, dy, away) = (bx - ax, by - ay, (u - ax).abs() + (v - ay).abs());
         let length = dx.abs() + dy.abs();
-        (length > 0.0).then(|| (dx * (v - ay) - dy * (u - ax)) / length)
+        // None where two corners coincide.
+        (length > 0.0)
+            .then(|| ((dx * (v - ay) - dy * (u - ax)) / length, 2.0 * OFF * (1.0 + 2.0 * away / length)))
     });
-    let nearest = sides.min_by(f64::total_cmp);
-    let left_of = |slack: f64| nearest.is_some_and(|side| side >= slack);
-    if least >= LOST + 6.0 {
-        assert!(
-            left_of(-6.0) || got.len() >= 3 && nearest.is_none(),
-            "a point inside is missing: {points:?} {sample:?} {got:?}"
-        );
-    } else if least <= -LOST - 6.0 {
-        assert!(!left_of(6.0), "a point outside is there: {points:?} {sample:?} {got:?}");
+    let sides: Vec<(f64, f64)> = sides.collect();
+    // The polygon's own steps are up to half a unit each, and there are two weights: at most 2·OFF in a distance.
+    let least = distances(blend(sample)).into_iter().fold(f64::INFINITY, f64::min);
+    if least >= LOST + 2.0 * OFF {
+        let missing = got.is_empty() || sides.iter().any(|(side, slack)| *side < -slack);
+        assert!(!missing, "a point inside is missing: {points:?} {sample:?} {got:?}");
+    } else if least <= -LOST - 2.0 * OFF {
+        let there = !sides.is_empty() && sides.iter().all(|(side, slack)| side > slack);
+        assert!(!there, "a point outside is there: {points:?} {sample:?} {got:?}");
     }
     // Pieces that lie inside stay as they are.
     for pair in got.windows(2).skip(1) {
