@@ -56,11 +56,16 @@ impl Placement {
         let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
         let away = model.offset_from(camera.eye);
         let offset = camera.axes.map(|linear| Row { linear, ..Row::ZERO }.apply(away));
-        // 2 View to clip.
-        let [x, y, d, w] = camera.rows.map(|row| row.of(&linear, linear_exponent, offset));
+        // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
+        //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
+        //   object reaches three coefficients times 2^(exponent + 31 − justify), and lies at `offset`.
+        let unit = exponent - justify as i32;
+        let away = offset.iter().map(|c| 64 - c.unsigned_abs().leading_zeros() as i32).max().unwrap_or(0);
+        let bits = away.max(linear_exponent + unit + 31 + 2 + 32) + 1;
+        let shift = camera.rows.iter().map(|row| row.overflow(bits)).max().unwrap_or(0).max(0);
+        let [x, y, d, w] = camera.rows.map(|row| row.shifted(shift).of(&linear, linear_exponent, offset));
         // 3 Exponents from what the rows can reach over the object. A justified coordinate v
         //   stands for v·2^unit.
-        let unit = exponent - justify as i32;
         let (reach_x, reach_y) = (reach(&x, unit), reach(&y, unit));
         let Screen { unit: screen_unit, room, .. } = camera.screen;
         let e_xy = reach_x.max(reach_y);

@@ -60,7 +60,12 @@ impl Camera {
             w.combined((65_535, -16), d, minus),
         ];
         let mut visibility = Visibility::Inside;
+        let away = centre.iter().map(|c| 64 - c.unsigned_abs().leading_zeros() as i32).max().unwrap_or(0);
         for plane in &planes {
+            if plane.overflow(away) > 0 {
+                visibility = Visibility::Partly; // beyond what the numbers tell
+                continue;
+            }
             let distance = plane.apply(centre);
             let squares: u64 = plane.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
             let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)

@@ -216,10 +216,8 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// product of the rows' lengths, is below 2⁻²⁴.
     pub fn inverse(&self) -> Result<Affine<B, A>, InverseError> {
         let (cofactors, c_exponent) = cofactors(&self.linear);
-        // det = first row · its cofactors, in 2^(c_exponent − 60) of the cubed block.
-        let determinant: i64 =
-            self.linear[0].iter().zip(cofactors[0]).map(|(&a, c)| i64::from(a) * i64::from(c)).sum();
-        if determinant == 0 || self.flatness(determinant, c_exponent) {
+        let (determinant, d_exponent) = determinant(&self.linear);
+        if determinant == 0 || self.flatness(determinant, d_exponent) {
             return Err(InverseError::Singular);
         }
         // inverse = cofactorsᵀ / det: 30 bits over 61 bits. Each quotient has 31 bits after its
@@ -237,24 +235,25 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         };
         let transposed = |i: usize| [cofactors[0][i], cofactors[1][i], cofactors[2][i]].map(quotient);
         let linear = [transposed(0), transposed(1), transposed(2)];
-        // Values: c·2^(ce + 2e − 60) over det·2^(ce + 3e − 90), so c/det · 2^(30 − e), and the
+        // Values: c·2^(ce + 2e − 60) over det·2^(de + 3e − 90), so c/det · 2^(30 − e + ce − de), and the
         // quotient is c·2³⁰/(det·2^up) · 2³².
-        let (linear, exponent) = block(linear, 30 - self.exponent - 30 - 32 + up + 30);
+        let exponent = c_exponent - d_exponent - self.exponent;
+        let (linear, exponent) = block(linear, 30 + exponent - 30 - 32 + up + 30);
         Ok(self.returning(linear, exponent))
     }
 
     /// Whether the determinant is too small beside the rows for an inverse.
-    fn flatness(&self, determinant: i64, c_exponent: i32) -> bool {
+    fn flatness(&self, determinant: i64, d_exponent: i32) -> bool {
         let length = |row: &[i32; 3]| {
             let square: u64 = row.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
             u64::from(sqrt(square)) // ≤ 2³⁰·⁸
         };
         let [a, b, c] = self.linear.each_ref().map(length);
-        // det·2^(c_exponent − 60) against a·b·c·2⁻⁹⁰·2⁻²⁴.
+        // det·2^(d_exponent − 60) against a·b·c·2⁻⁹⁰·2⁻²⁴.
         let ab = a * b; // ≤ 2⁶¹·⁶
         let down = excess(ab, 31).max(0);
         let volume = (ab >> down) * c; // ≤ 2⁶²
-        let shift = c_exponent + 54 - down;
+        let shift = d_exponent + 54 - down;
         let (det, volume) = (determinant.unsigned_abs(), volume);
         // det · 2^shift < volume, without leaving 64 bits.
         if shift >= 0 {
@@ -389,14 +388,24 @@ impl core::fmt::Display for InverseError {
 
 impl core::error::Error for InverseError {}
 
+/// The determinant of 30-bit rows: exact, then rounded to 62 bits; of the cubed block it is
+/// `result · 2^(exponent − 60)`.
+fn determinant([x, y, z]: &[[i32; 3]; 3]) -> (i64, i32) {
+    // Three products of at most 2³⁰ · 2⁶¹, in 2⁻⁹⁰.
+    let exact: i128 = cross(y, z).iter().zip(x).map(|(&c, &m)| i128::from(c) * i128::from(m)).sum();
+    let shift = (128 - 62 - exact.unsigned_abs().leading_zeros() as i32).max(0);
+    ((exact >> shift) as i64, shift - 30)
+}
+
+/// `a × b`, products of at most 2⁶⁰.
+fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
+    let part = |i: usize, j: usize| i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]);
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
 /// det(A)·A⁻ᵀ, whose rows are the cross products of A's: 30 bits, and the exponent of the block
 /// relative to 2⁻³⁰ for products in 2⁻⁶⁰.
 pub(crate) fn cofactors([x, y, z]: &[[i32; 3]; 3]) -> ([[i32; 3]; 3], i32) {
-    let cross = |a: &[i32; 3], b: &[i32; 3]| {
-        // Products of at most 2⁶⁰.
-        let part = |i: usize, j: usize| i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]);
-        [part(1, 2), part(2, 0), part(0, 1)]
-    };
     block([cross(y, z), cross(z, x), cross(x, y)], -30)
 }
 

@@ -35,6 +35,21 @@ impl Row {
         Self { linear, exponent, offset }
     }
 
+    /// By how many bits the form, or a part of it, may pass 2⁶¹ (half of what saturates) over vectors
+    /// of up to `reach` bits.
+    pub(crate) fn overflow(&self, reach: i32) -> i32 {
+        let bits = |v: u64| 64 - v.leading_zeros() as i32;
+        let largest = self.linear.iter().map(|c| u64::from(c.unsigned_abs())).max().unwrap_or(0);
+        // Three products.
+        let linear = if largest == 0 { 0 } else { bits(largest) + self.exponent - 30 + reach + 2 };
+        linear.max(bits(self.offset.unsigned_abs())) + 1 - 61
+    }
+
+    /// All of it times 2^−`shift`.
+    pub(crate) fn shifted(&self, shift: i32) -> Self {
+        Self { linear: self.linear, exponent: self.exponent - shift, offset: scale(self.offset, -shift) }
+    }
+
     /// The form on a vector in 2⁻³²: in 2⁻³², saturating.
     pub(crate) fn apply(&self, p: [i64; 3]) -> i64 {
         self.linear

@@ -85,6 +85,8 @@ pub enum ProjectionError {
     ReferenceBehindPlane,
     /// A matrix with a number that is NaN or infinite, or with zeros only.
     Matrix,
+    /// A constant of the projection leaves ±2³⁰: choose a larger unit, or a plane nearer to the origin.
+    OutOfRange,
 }
 
 impl core::fmt::Display for ProjectionError {
@@ -100,6 +102,7 @@ impl core::fmt::Display for ProjectionError {
             Self::NoViewPlane => "the projectors never meet the view plane",
             Self::ReferenceBehindPlane => "the reference point must lie in front of the view plane",
             Self::Matrix => "the matrix is zero or has a number that is not finite",
+            Self::OutOfRange => "the projection's numbers are out of range: choose a larger unit",
         })
     }
 }

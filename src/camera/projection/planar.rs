@@ -104,7 +104,8 @@ impl PlanarProjection {
     /// # Errors
     ///
     /// [`ProjectionError::NoViewPlane`] where the direction runs along the plane or the distance
-    /// is zero.
+    /// is zero, and [`OutOfRange`](ProjectionError::OutOfRange) where a constant of the matrix leaves
+    /// ±2³⁰.
     pub fn general(
         z_p: Scalar,
         distance: Option<Scalar>,
@@ -141,7 +142,11 @@ impl PlanarProjection {
                 (w.times(ratio(z_p >> 16, 1 << 16)), w)
             }
         };
-        Ok(Self { rows: [x, y, z, w] })
+        let rows = [x, y, z, w];
+        if rows.iter().any(|row| row.offset.abs() >= SATURATED) {
+            return Err(ProjectionError::OutOfRange);
+        }
+        Ok(Self { rows })
     }
 
     /// The image of a point, rounded to 2⁻¹⁶ and saturated. The rounding of the coefficients adds up
@@ -193,7 +198,8 @@ impl Projection {
     /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar),
     /// [`NearNotPositive`](ProjectionError::NearNotPositive) where near or far lies behind the
-    /// centre of projection, and [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
+    /// centre of projection, [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar), and
+    /// [`OutOfRange`](ProjectionError::OutOfRange) where w at the far plane passes 2³⁰.
     pub fn from_planar(
         planar: &PlanarProjection,
         window: Window,
@@ -218,6 +224,9 @@ impl Projection {
         let w_at = |distance: Scalar| w.apply([0, 0, -(i64::from(distance.to_bits()) << 16)]);
         if w_at(near) <= 0 || w_at(far) <= 0 {
             return Err(ProjectionError::NearNotPositive);
+        }
+        if w_at(far) >= SATURATED {
+            return Err(ProjectionError::OutOfRange);
         }
         // κ = w(far)/(far − near): 2⁻³² over 2⁻¹⁶.
         let (m, e) = ratio(w_at(far), depth);
