@@ -58,10 +58,13 @@ impl Placement {
         let offset = camera.axes.map(|linear| Row { linear, ..Row::ZERO }.apply(away));
         // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
         //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
-        //   object reaches three coefficients times 2^(exponent + 31 − justify), and lies at `offset`.
+        //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
         let unit = exponent - justify as i32;
-        let away = offset.iter().map(|c| 64 - c.unsigned_abs().leading_zeros() as i32).max().unwrap_or(0);
-        let bits = away.max(linear_exponent + unit + 31 + 2 + 32) + 1;
+        let bits = |v: u64| 64 - v.leading_zeros() as i32;
+        let away = offset.iter().map(|c| bits(c.unsigned_abs())).max().unwrap_or(0);
+        let largest = linear.iter().flatten().map(|m| bits(m.unsigned_abs().into())).max().unwrap_or(0);
+        let around = if largest == 0 { 0 } else { largest - 30 + linear_exponent + unit + 31 + 2 + 32 };
+        let bits = away.max(around) + 1;
         let shift = camera.rows.iter().map(|row| row.overflow(bits)).max().unwrap_or(0).max(0);
         let [x, y, d, w] = camera.rows.map(|row| row.shifted(shift).of(&linear, linear_exponent, offset));
         // 3 Exponents from what the rows can reach over the object. A justified coordinate v

@@ -249,7 +249,7 @@ fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], 
     }
     let Planar { slope, constant, image } = terms(family);
     if saturates(family) {
-        all.perhaps.extend([E::NearNotPositive, E::NearTooCloseToFar, E::WindowTooSmall]);
+        all.perhaps.extend([E::NearNotPositive, E::NearTooCloseToFar, E::WindowTooSmall, E::OutOfRange]);
         return;
     }
     let at = |distance: i32| constant - slope * fx(distance);
@@ -381,6 +381,14 @@ pub(crate) fn planar(b: &mut Bytes<'_>) {
         _ => direction[2] == 0 || d == 0,
     };
     let got = match got {
+        Err(E::OutOfRange) => {
+            // The matrix's constants: z_p·d/dz for x and y, w's and z_p times that for z.
+            let [dx, dy, dz] = fx3(direction);
+            let w = fx(z) * chain::length(fx3(direction)) / (fx(d) * dz);
+            let constants = [fx(z) * dx / dz, fx(z) * dy / dz, w, fx(z) * (1.0 + w)];
+            let largest = constants.iter().fold(0f64, |a, c| a.max(c.abs()));
+            return assert!(kind % 4 > 1 && largest >= 0.999 * LIMIT, "{z} {d} {direction:?}");
+        }
         Err(error) => return assert!(error == E::NoViewPlane && none),
         Ok(got) => got,
     };
