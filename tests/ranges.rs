@@ -9,7 +9,8 @@ use bridge::{point, reals, rectangle, scalar, vector};
 use definition::Family;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Camera, InverseError, Mesh, PlanarProjection, ProjectionError, Viewing, Viewport, Visibility,
+    Affine, Camera, InverseError, Mesh, PlanarProjection, Projection, ProjectionError, Viewing, Viewport,
+    Visibility,
 };
 
 /// far/(far − near) is 8·10⁵, and times the object's 2000 units from the eye that passes 2³⁰, where a row's
@@ -75,4 +76,32 @@ fn two_equal_axes_have_no_inverse() {
     let (a, b) = ([-1_073_741_823, -16, -8], [-33_554_432, 1, -14]);
     let frame = Affine::<Model, World>::from_frame(vector(a), vector(b), vector(a), point([0; 3]));
     assert_eq!(frame.inverse().map(|_| ()), Err(InverseError::Singular));
+}
+
+/// A mesh far from its own origin, brought back by a translation of 2.4 million units, under a matrix that
+/// from_matrix scales up: a row's constant passes 2³⁰ and comes back.
+#[test]
+fn a_mesh_brought_back_from_afar_is_in_its_place() {
+    let (turned, straight) = ([0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0]);
+    let last = [0.0, 0.0, 0.0, 1.0];
+    let viewing = Viewing::from_matrix(&[[1.0, 0.0, 0.0, 0.0], turned, straight, last]).expect("a view");
+    for factor in [1.0, 8.0, 10.0, 0.1, 1.01, 500.0] {
+        let row = |axis: usize, c: f64| core::array::from_fn(|i| if i == axis { c } else { 0.0 });
+        let scale = 8.0 * factor;
+        let mut model = [row(0, scale), row(1, scale), row(2, scale), last];
+        model[2][3] = 240.0 * 1024.0 * factor;
+        let narrow = 1.0 / (1024.0 * factor);
+        let matrix = [row(0, narrow), row(1, narrow), row(2, -0.5 * narrow), last];
+        let projection = Projection::from_matrix(&matrix).expect("a projection");
+        let area = rectangle(0, 0, 16, 16);
+        let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+        let camera = Camera::new(&viewing, &projection, &viewport);
+        // (±1, ±1, −240 ± 1) · 128
+        let vertices = [[-1, -1, -241], [1, 1, -239], [0, 0, -240]];
+        let vertices = vertices.map(|v: [i32; 3]| v.map(|c| scalar(c * 128 * ONE)));
+        let mesh = Mesh::from_fixed(&vertices, &[]).expect("a mesh");
+        let placed = camera.place(&mesh, &Affine::from_matrix(&model).expect("a model"));
+        let found = [0, 1, 2].map(|i| placed.project(i).map(|(p, _)| (p.x(), p.y())));
+        assert_eq!(found, [Some((0, 0)), Some((4096, 4096)), Some((2048, 2048))], "{factor}");
+    }
 }

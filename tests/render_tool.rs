@@ -294,6 +294,7 @@ fn bad_command_lines_are_one_line() {
     let mesh = write(&to, "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let (scene, mesh) = (text(&file), text(&mesh));
     let same = text(&to.join("same")).to_string();
+    let dotted = text(&to.join("../flags/./same")).to_string();
     let below = text(&to.join("scene.json/below")).to_string();
     for (arguments, named) in [
         (&[][..], "SCENE"),
@@ -305,6 +306,7 @@ fn bad_command_lines_are_one_line() {
         (&[scene, "--pong"], "--pong"),
         (&[scene, "--ids"], "--ids"),
         (&[scene, "--ids", &same, "--depth", &same], "--depth: names the same file as --ids"),
+        (&[scene, "--ids", &same, "--png", &dotted], "--ids: names the same file as --png"),
         (&[scene, "--mode", "wireframe", "--ids", &same], "--ids: needs --mode solid"),
         (&[scene, "--png", &below], "scene.json/below: cannot be written"),
         // The first one could be written, the second not: neither is.

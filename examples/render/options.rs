@@ -51,8 +51,8 @@ pub(crate) fn read() -> Result<Options, String> {
     let [png, ids, depth, used] = ["png", "ids", "depth", "used"].map(&mut file);
     let files = [("--png", &png), ("--ids", &ids), ("--depth", &depth), ("--used", &used)];
     for (place, (flag, file)) in files.iter().enumerate() {
-        if let Some((other, _)) = files[..place].iter().find(|(_, earlier)| file.is_some() && earlier == file)
-        {
+        let same = |earlier: &Option<PathBuf>| file.is_some() && place_of(earlier) == place_of(file);
+        if let Some((other, _)) = files[..place].iter().find(|(_, earlier)| same(earlier)) {
             return Err(format!("{flag}: names the same file as {other}"));
         }
         if mode == Mode::Wireframe && file.is_some() && matches!(*flag, "--ids" | "--depth") {
@@ -60,6 +60,14 @@ pub(crate) fn read() -> Result<Options, String> {
         }
     }
     Ok(Options { scene, png, ids, depth, used, mode, stats: given.get_flag("stats"), look })
+}
+
+/// Where a file is or would be, whatever links and dots its name has.
+fn place_of(file: &Option<PathBuf>) -> Option<PathBuf> {
+    let file = file.as_ref()?;
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let beside = || Some(folder.canonicalize().ok()?.join(file.file_name()?));
+    file.canonicalize().ok().or_else(beside).or_else(|| Some(file.clone()))
 }
 
 fn command() -> Command {

@@ -62,6 +62,7 @@ pub(crate) fn read(text: &[u8], file: &Path) -> Result<Triangles, ImportError> {
 fn positions_and_faces(text: &str) -> String {
     let mut kept = String::with_capacity(text.len() + 1);
     for line in text.lines() {
+        let line = line.split('#').next().unwrap_or_default(); // without what is a comment
         let mut words = line.split_whitespace();
         match words.next() {
             Some("f") => kept.push_str(line),

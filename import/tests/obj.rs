@@ -197,7 +197,7 @@ fn normals_are_of_unit_length_to_their_rounding() {
 fn what_a_mesh_does_not_use_cannot_be_wrong() {
     let text =
         "\u{feff}mtllib nowhere.mtl\no first\nv 0 0 0 1 0 0\nv 2 0 0 2\nv 0 1 0\nvt nonsense\nvn 1\nusemtl\n\
-        f 1/7/9 2/-5 3//-8\ng second\nv 0 0 1\nl 1 77\np 99\ns off\nf 1 3 4\n";
+        f 1/7/9 2/-5 3//-8\ng second\nv 0 0 1\nl 1 77\np 99\ns off\nf 1 3 4 # a tail\n";
     let mesh = import(text).unwrap();
     assert_eq!((mesh.vertices.len(), mesh.faces.len()), (4, 2));
     assert_eq!(mesh.report.extent, 1.0, "2 / w = 1");

@@ -196,8 +196,8 @@ impl Viewing {
     /// # Errors
     ///
     /// [`ViewingError::NotRigid`] where the last row is not (0, 0, 0, 1), a number is not finite,
-    /// or a row is not of length 1 or not orthogonal to the others, to 10⁻⁶, or the rows are
-    /// left-handed; [`ViewingError::EyeOutside`] where the eye leaves the world.
+    /// or the rows are left-handed, or a row's square is not 1 or its product with another not 0, to
+    /// 4·10⁻⁶: numbers rounded to six decimals pass; [`ViewingError::EyeOutside`] where the eye leaves the world.
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ViewingError> {
         let [u, v, n, last] = *matrix;
         if last != [0.0, 0.0, 0.0, 1.0] {
@@ -207,7 +207,7 @@ impl Viewing {
         let axes = [u, v, n].map(|row| [row[0], row[1], row[2]]);
         let [u, v, n] = axes;
         // Written so that NaN fails.
-        let near = |value: f64, wanted: f64| value - wanted > -1e-6 && value - wanted < 1e-6;
+        let near = |value: f64, wanted: f64| value - wanted > -4e-6 && value - wanted < 4e-6;
         let rigid = near(dot(u, u), 1.0)
             && near(dot(v, v), 1.0)
             && near(dot(n, n), 1.0)
@@ -217,7 +217,7 @@ impl Viewing {
         if !rigid || dot(cross_f64(u, v), n) < 0.0 {
             return Err(ViewingError::NotRigid);
         }
-        // |c| ≤ 1 + 10⁻⁶: brought to 2³⁰ at most.
+        // |c| ≤ 1 + 2·10⁻⁶: brought to 2³⁰ at most.
         let nearest = |c: f64| ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30);
         let rows = axes.map(|row| row.map(|c| nearest(c * 1_073_741_824.0)));
         // −R⁻¹·t by the cofactors; the determinant is within 10⁻⁵ of 1.

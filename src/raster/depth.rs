@@ -14,11 +14,15 @@
 use super::{Scissor, ScreenPoint};
 use crate::math::num::{mul_wide, reciprocal};
 
-/// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 1/16 less, so
+/// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less, so
 /// that what stepping adds to it within 512 pixels does not reach 65535, which stands for nothing.
-pub(crate) const FARTHEST: i32 = 65_534 * 256 + 112;
-/// The same beyond 512 pixels, where stepping adds less than ¼.
-const FARTHEST_OF_LARGE: i32 = 65_534 * 256 + 64;
+pub(crate) const FARTHEST: i32 = 65_534 * 256 + 119;
+
+/// The same beyond 512 pixels, where stepping adds 2⁻¹⁷ for every column and row.
+fn farthest_of_large(scissor: &Scissor) -> i32 {
+    let pixels = (scissor.right - scissor.left).max(0) + (scissor.bottom - scissor.top).max(0); // ≤ 2¹⁷
+    FARTHEST.min(65_534 * 256 + 127 - (pixels >> 9))
+}
 
 /// A triangle's depth, for the centres of the pixels that it covers.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +50,7 @@ impl DepthPlane {
         let (dx2, dy2) = (c.x - a.x, c.y - a.y);
         let extent = (dx1.abs() | dx2.abs() | dy1.abs() | dy2.abs()).unsigned_abs();
         let small = extent < 1 << 17;
-        let [za, zb, zc] = if small { depths } else { depths.map(|z| z.min(FARTHEST_OF_LARGE)) };
+        let [za, zb, zc] = if small { depths } else { depths.map(|z| z.min(farthest_of_large(scissor))) };
         let (dz1, dz2) = (zb - za, zc - za);
         // Below 2⁴⁷ each; over `den = −area`.
         let across = mul_wide(dz2, dy1) - mul_wide(dz1, dy2);
@@ -178,7 +182,7 @@ mod tests {
             let (dx, dy) = (c.0 - corners[0].0, c.1 - corners[0].1);
             dx.abs().max(dy.abs()) >= 512 * 256
         };
-        let farthest = if corners.iter().any(beyond) { FARTHEST_OF_LARGE } else { FARTHEST };
+        let farthest = if corners.iter().any(beyond) { farthest_of_large(scissor) } else { FARTHEST };
         let [za, zb, zc] = corners.map(|c| i128::from(c.2.min(farthest)));
         let whole = cross(a, b, c);
         let mut worst = 0f64;
