@@ -203,8 +203,8 @@ impl<'de> DeserializeSeed<'de> for Number {
     fn deserialize<D: Deserializer<'de>>(self, json: D) -> Result<i64, D::Error> {
         let Self(low, high) = self;
         let text = <&RawValue as serde::Deserialize>::deserialize(json)?.get();
-        match text.parse() {
-            Ok(number) if (low..=high).contains(&number) => Ok(number),
+        match whole(text) {
+            Some(number) if (low..=high).contains(&number) => Ok(number),
             // Too long for 64 bits, or one that is not from low to high.
             _ if is_integer(text) => {
                 Err(Error::custom(format_args!("{} is not from {low} to {high}", Short(text))))
@@ -212,6 +212,12 @@ impl<'de> DeserializeSeed<'de> for Number {
             _ => Err(Error::custom(format_args!("{} is not an integer", Short(text)))),
         }
     }
+}
+
+/// Of JSON text: the whole number that it is, also where it is written as 8.0 or 8e2.
+fn whole(text: &str) -> Option<i64> {
+    let float = || text.parse::<f64>().ok().filter(|v| v.fract() == 0.0 && v.abs() < 1e15);
+    text.parse().ok().or_else(|| Some(float()? as i64)) // exact below 2⁵³
 }
 
 /// Of JSON text: whether it is a number with neither fraction nor exponent.

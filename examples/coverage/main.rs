@@ -22,7 +22,7 @@ const FORMATS: &str = r#"IN.json, where "triangles" and "lines" may be missing:
   {"width": W, "height": H,                          pixels, 1 to 4096
    "triangles": [[x0, y0, x1, y1, x2, y2], ...],     in 1/256 pixel, from -2097152 to 2097152
    "lines": [[x0, y0, x1, y1], ...]}                 in whole pixels, from -32767 to 32767
-Integers are written as integers: 1.0 and 1e2 are refused. x runs right, y down; pixel (i, j) has its centre
+Numbers are whole; 8.0 is 8. x runs right, y down; pixel (i, j) has its centre
 at (256 i + 128, 256 j + 128).
 
 OUT: for each pixel, row by row from the top, a little-endian u32: how many of the triangles and lines drew it.
