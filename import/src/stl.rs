@@ -25,8 +25,16 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Triangles, ImportError> 
             return Err(error(Problem::Truncated { needed, given: bytes.len() as u64 }));
         }
     }
+    // A text may hold several solids, of which stl_io reads the first.
+    let is_text = declared != Some(bytes.len() as u64);
+    let facets = is_text.then(|| bytes.windows(8).filter(|w| *w == b"endfacet").count());
     let mesh =
         stl_io::read_stl(&mut Cursor::new(bytes)).map_err(|e| error(Problem::Format(e.to_string())))?;
+    if let Some(facets) = facets.filter(|&facets| facets > mesh.faces.len()) {
+        let read = mesh.faces.len();
+        let problem = format!("has {facets} facets, of which {read} could be read: only one solid a file");
+        return Err(error(Problem::Format(problem)));
+    }
     let positions: Vec<_> = mesh.vertices.iter().map(|v| v.0.map(f64::from)).collect();
     if positions.iter().flatten().any(|c| !c.is_finite()) {
         return Err(error(Problem::NotFinite));

@@ -81,6 +81,8 @@ fn what_is_no_stl_is_refused() {
         assert!(matches!(error.problem, Problem::Format(_)), "{error}");
         assert_eq!(error.to_string().lines().count(), 1);
     }
+    let error = read(&file("two.stl", &[ascii(), ascii()].concat())).unwrap_err();
+    assert!(error.to_string().contains("has 8 facets, of which 4 could be read"), "{error}");
     let mut nan = binary(b"");
     nan[100..104].copy_from_slice(&f32::NAN.to_le_bytes());
     let error = read(&file("nan.stl", &nan)).unwrap_err();
