@@ -10,7 +10,7 @@ use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// QEMU needs a second or two; more than this means that the firmware hangs.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -96,23 +96,20 @@ impl Firmware {
         let mut child =
             cargo("run", self.target).stdin(Stdio::null()).stdout(Stdio::piped()).spawn().expect("bash");
         let mut stdout = child.stdout.take().expect("piped");
+        let (sender, printed) = std::sync::mpsc::channel();
         let reader = std::thread::spawn(move || {
             let mut text = String::new();
-            stdout.read_to_string(&mut text).map(|_| text)
+            // Its receiver is there as long as anyone wants the text.
+            let _ = sender.send(stdout.read_to_string(&mut text).map(|_| text));
         });
-        let start = Instant::now();
-        let status = loop {
-            match child.try_wait().expect("a child of ours") {
-                Some(status) => break status,
-                None if start.elapsed() > PATIENCE => {
-                    // The script and cargo have each replaced themselves, so this is QEMU.
-                    child.kill().expect("a child of ours");
-                    panic!("{}: no end after {PATIENCE:?}", self.target);
-                }
-                None => std::thread::sleep(Duration::from_millis(20)),
-            }
+        // All is printed when it ends. What hangs is ended here: the script and cargo have each replaced
+        // themselves, so the child is QEMU.
+        let Ok(text) = printed.recv_timeout(PATIENCE) else {
+            child.kill().expect("a child of ours");
+            panic!("{}: no end after {PATIENCE:?}", self.target);
         };
-        let text = reader.join().expect("reader").expect("text");
+        let (text, status) = (text.expect("text"), child.wait().expect("a child of ours"));
+        reader.join().expect("reader");
         assert!(status.success(), "{}: {status}\n{text}", self.target);
         text.lines().map(str::to_string).collect()
     }

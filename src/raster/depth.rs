@@ -151,6 +151,9 @@ mod tests {
     use super::*;
     use crate::raster::{area, triangle};
 
+    /// Half a step, in 2⁻²⁰; a pixel's 2⁻¹⁷ is 8 of these.
+    const HALF: i128 = 1 << 19;
+
     struct Random(u64);
 
     impl Random {
@@ -164,12 +167,12 @@ mod tests {
         }
     }
 
-    /// Largest distance of a covered pixel's stored depth from the exact plane, in steps; the plane
-    /// in rationals, over all covered pixels of a scissor.
-    fn worst(corners: [(i32, i32, i32); 3], scissor: &Scissor) -> f64 {
+    /// Largest distance of a covered pixel's stored depth from the exact plane, in 2⁻²⁰ steps, rounded
+    /// up; the plane in rationals, over all covered pixels of a scissor.
+    fn worst(corners: [(i32, i32, i32); 3], scissor: &Scissor) -> i128 {
         let points = corners.map(|(x, y, _)| ScreenPoint::from_subpixels(x, y).unwrap());
         if area(&points) == 0 {
-            return 0.0;
+            return 0;
         }
         let plane = DepthPlane::new(points, corners.map(|c| c.2), scissor);
         // The determinant form of the plane, at p: three areas as weights.
@@ -185,7 +188,7 @@ mod tests {
         let farthest = if corners.iter().any(beyond) { farthest_of_large(scissor) } else { FARTHEST };
         let [za, zb, zc] = corners.map(|c| i128::from(c.2.min(farthest)));
         let whole = cross(a, b, c);
-        let mut worst = 0f64;
+        let mut worst = 0;
         let Ok::<(), core::convert::Infallible>(()) = triangle(points, scissor, |span| {
             // A span's ends and its middle: the error is linear in between but for rounding.
             for x in [span.x, span.x + span.width / 2, span.x + span.width - 1] {
@@ -193,8 +196,9 @@ mod tests {
                 let exact = za * cross(p, b, c) + zb * cross(a, p, c) + zc * cross(a, b, p);
                 let stored = i128::from(plane.at(x, span.y) >> 16);
                 assert!(stored <= 65_534, "{corners:?} ({x}, {}): {stored}", span.y);
-                let error = (stored * 256 * whole - exact) as f64 / (256 * whole) as f64;
-                worst = worst.max(error.abs());
+                // 24 + 46 + 20 bits over 54.
+                let error = (stored * 256 * whole - exact).abs() << 20;
+                worst = worst.max(error / (256 * whole.abs()) + 1);
             }
             Ok(())
         });
@@ -213,7 +217,7 @@ mod tests {
 
     #[test]
     fn d2_small_triangles_and_slivers_stay_within_the_bound() {
-        let (mut random, mut largest) = (Random(1), 0f64);
+        let (mut random, mut largest) = (Random(1), 0);
         let scissor = Scissor::new(-600, -600, 600, 600);
         for i in 0..100_000 {
             let reach = [3, 40, 300, 2_000, 20_000, 130_000][i % 6];
@@ -230,13 +234,13 @@ mod tests {
             largest = largest.max(worst([with(a), with(b), with(c)], &scissor));
         }
         // 1/2, 1200 columns and rows of 2⁻¹⁷ each, and the reciprocal.
-        let bound = 0.5 + 2400.0 / 131_072.0 + 0.024;
-        assert!(largest <= bound && largest > 0.505, "{largest} of {bound}");
+        let bound = HALF + (2400 << 3) + 25_165; // 0.024
+        assert!(largest <= bound && largest > HALF + (HALF / 100), "{largest} of {bound}");
     }
 
     #[test]
     fn d2_triangles_across_the_guard_band_stay_within_the_bound() {
-        let (mut random, mut largest) = (Random(2), 0f64);
+        let (mut random, mut largest) = (Random(2), 0);
         for i in 0..1_000 {
             let mut corner = || (random.within(1 << 21), random.within(1 << 21));
             let (a, b, c) = (corner(), corner(), corner());
@@ -248,10 +252,10 @@ mod tests {
                 _ => Scissor::new(-8192, -8192, 8192, 8192),
             };
             let own = worst(corners, &scissor);
-            let pixels = if i % 2 == 0 { 560.0 } else { 32_768.0 };
-            assert!(own <= 0.5 + pixels / 131_072.0 + 0.0001, "{own}: {corners:?}");
+            let pixels = if i % 2 == 0 { 560 } else { 32_768 };
+            assert!(own <= HALF + (pixels << 3) + 104, "{own}: {corners:?}"); // and 0.0001
             largest = largest.max(own);
         }
-        assert!(largest > 0.55, "{largest}"); // the whole band shows the rounding of the steps
+        assert!(largest > HALF + HALF / 10, "{largest}"); // the whole band shows the rounding of the steps
     }
 }

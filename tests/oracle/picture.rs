@@ -26,6 +26,8 @@ struct Polygon {
     corners: Vec<[f64; 2]>,
     /// Of the triangle that it was cut from: depth = a·x + b·y + c, 0 … 65535.
     plane: V3,
+    /// The smallest w of a corner.
+    w: f64,
 }
 
 impl Scene {
@@ -73,11 +75,37 @@ impl Scene {
         let weights = [cross(h[1], h[2]), cross(h[2], h[0]), cross(h[0], h[1])];
         let z: V3 = core::array::from_fn(|k| (0..3).map(|i| weights[i][k] * clip[i][2]).sum::<f64>() / det);
         let plane = [z[0] * 32_767.5, z[1] * 32_767.5, (z[2] + 1.0) * 32_767.5];
+        let w = corners.iter().map(|c| c[3]).fold(f64::INFINITY, f64::min);
         let corners: Vec<_> = corners.into_iter().map(|c| self.screen(c)).collect();
         if self.cull && area(&corners) > 0.0 {
             return None; // clockwise with y up
         }
-        Some(Polygon { corners, plane })
+        Some(Polygon { corners, plane, w })
+    }
+
+    /// What ARCHITECTURE.md, "Numbers", allows the depth of a corner with w = 1, in steps: the budget
+    /// over the rows z and w, where |z/w| ≤ 1.
+    fn depth_budget(&self) -> f64 {
+        let norm = |v: &[f64]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+        // The object's half extent about the origin that it is measured from: its own, or, where that is
+        // more than 256 half extents away, one close to it.
+        let along =
+            |f: fn(f64, f64) -> f64, from: f64, i: usize| self.vertices.iter().map(|v| v[i]).fold(from, f);
+        let half: V3 = core::array::from_fn(|i| {
+            (along(f64::max, f64::NEG_INFINITY, i) - along(f64::min, f64::INFINITY, i)) / 2.0
+        });
+        let half = norm(&half);
+        let farthest = self.vertices.iter().map(|v| norm(v)).fold(0.0, f64::max);
+        let own = if farthest > 256.0 * half { 4.0 * half } else { farthest };
+        let stretch =
+            norm(&[norm(&self.model[0][..3]), norm(&self.model[1][..3]), norm(&self.model[2][..3])]);
+        let away = self.vertices.iter().map(|&v| {
+            let p = mul4(&self.view, mul4(&self.model, [v[0], v[1], v[2], 1.0]));
+            norm(&p[..3])
+        });
+        let reach = own * stretch + away.fold(0.0, f64::max);
+        let size = |row: &V4| (row[0].abs() + row[1].abs() + row[2].abs()) * reach + row[3].abs();
+        12.0 * (-30f64).exp2() * 65_535.0 / 2.0 * (size(&self.projection[2]) + size(&self.projection[3]))
     }
 }
 
@@ -137,7 +165,7 @@ pub(crate) struct Comparison {
     /// Of those, the ones where there is something instead of nothing or the other way round.
     pub(crate) background: usize,
     /// The largest distance of a stored depth from the exact one, in steps, beyond what a move of the
-    /// edges by [`SNAP`] changes.
+    /// edges by [`SNAP`] changes and what the chain may do to the corners' depths.
     pub(crate) depth: f64,
     /// The same for triangles that reach the far plane.
     pub(crate) depth_at_far: f64,
@@ -178,6 +206,7 @@ pub(crate) fn compare(scene: &Scene, ids: &[i32], depths: &[u16]) -> Comparison 
             Some((i, low, high))
         })
         .collect();
+    let budget = scene.depth_budget();
     let mut result = Comparison::default();
     let [left, top, width, height] = scene.viewport;
     for row in 0..scene.height {
@@ -204,6 +233,7 @@ pub(crate) fn compare(scene: &Scene, ids: &[i32], depths: &[u16]) -> Comparison 
                 let z = shown.z(x, y);
                 limit = z - TIE - shown.slack(SNAP);
                 let beyond = (f64::from(stored) - z.clamp(0.0, 65_534.0)).abs() - shown.slack(SNAP);
+                let beyond = beyond - budget / shown.w;
                 let largest = if shown.reaches_far() { &mut result.depth_at_far } else { &mut result.depth };
                 *largest = largest.max(beyond);
             }
