@@ -517,16 +517,7 @@ fn c6_the_cut_of_a_shared_edge_is_the_same_point_for_both() {
     let mut once = 0;
     for _ in 0..800 {
         let near = rng.real(1.0, 2.0);
-        let camera = CameraBits {
-            view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-            projection: ProjectionBits::Perspective(
-                (1 << 31) / 3,
-                (4, 3),
-                (near * 65536.0) as i32,
-                32767 * ONE,
-            ),
-            viewport: (0, 0, 64, 48),
-        };
+        let camera = camera(64, 48, (near * 65536.0) as i32, 32767 * ONE);
         // A plane through the axis just behind near, tilted.
         let tilt = rng.real(0.5, 1.2);
         let (turn, spin) = (rng.real(0.0, core::f64::consts::TAU), rng.real(0.0, core::f64::consts::TAU));

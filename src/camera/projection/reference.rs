@@ -68,20 +68,12 @@ impl ReferenceVolume {
         front: Scalar,
         back: Scalar,
     ) -> Result<Self, ProjectionError> {
-        let [px, py, pn] = prp.bits().map(i64::from);
-        if pn <= 0 {
-            return Err(ProjectionError::ReferenceBehindPlane);
-        }
+        let pn = before_plane(prp)?;
         let to_front = extent(front, prp.z()).ok_or(ProjectionError::NearNotPositive)?;
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
         let to_back = depth + to_front; // 34 bits
-        let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
-            let sheared = sheared(axis, p, pn, low, high)?;
-            // 2·pn/extent brings the window's border to 45°.
-            whole(sheared.0.times(ratio(2 * pn, sheared.1)))
-        };
-        let x = form(0, px, window.left, window.right)?;
-        let y = form(1, py, window.bottom, window.top)?;
+                                        // 2·pn/extent brings the window's border to 45°.
+        let [x, y] = sides(prp, window, |extent| ratio(2 * pn, extent))?;
         let z = row(2, (1, 0), -(pn << 16));
         if super::parts::offset(to_front as i64, depth).is_none() {
             return Err(ProjectionError::NearTooCloseToFar);
@@ -102,17 +94,9 @@ impl ReferenceVolume {
         front: Scalar,
         back: Scalar,
     ) -> Result<Self, ProjectionError> {
-        let [px, py, pn] = prp.bits().map(i64::from);
-        if pn <= 0 {
-            return Err(ProjectionError::ReferenceBehindPlane);
-        }
+        before_plane(prp)?;
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
-        let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
-            let (sheared, extent) = sheared(axis, p, pn, low, high)?;
-            whole(sheared.times(ratio(2 << 16, extent)))
-        };
-        let x = form(0, px, window.left, window.right)?;
-        let y = form(1, py, window.bottom, window.top)?;
+        let [x, y] = sides(prp, window, |extent| ratio(2 << 16, extent))?;
         let z = row(2, (1, 0), -(i64::from(front.to_bits()) << 16)).times(ratio(1 << 16, depth));
         if super::parts::offset(i64::from(front.to_bits()), depth).is_none() {
             return Err(ProjectionError::NearTooCloseToFar);
@@ -146,6 +130,30 @@ impl ReferenceVolume {
             }
         }
     }
+}
+
+/// The PRP's distance from the view plane, in 2⁻¹⁶.
+fn before_plane(prp: Point3<View>) -> Result<i64, ProjectionError> {
+    let pn = i64::from(prp.z().to_bits());
+    if pn <= 0 {
+        return Err(ProjectionError::ReferenceBehindPlane);
+    }
+    Ok(pn)
+}
+
+/// The rows x and y: sheared so that the volume's centre line runs along n, times what `factor` makes of the
+/// window's extent.
+fn sides(
+    prp: Point3<View>,
+    window: Window,
+    factor: impl Fn(u64) -> (i64, i32),
+) -> Result<[Row; 2], ProjectionError> {
+    let [px, py, pn] = prp.bits().map(i64::from);
+    let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
+        let (sheared, extent) = sheared(axis, p, pn, low, high)?;
+        whole(sheared.times(factor(extent)))
+    };
+    Ok([form(0, px, window.left, window.right)?, form(1, py, window.bottom, window.top)?])
 }
 
 /// `axis + n·(centre − p)/pn − centre`, which is 0 along the centre line and unchanged, but for
