@@ -9,6 +9,7 @@ use bridge::pair::{bits, random_view, window, CameraBits, ModelBits, ProjectionB
 use bridge::{point, scalar};
 use oracle::chain::{self, V4};
 use oracle::rng::Rng;
+use oracle::volume::{self, distances, gap, largest};
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
 use pinhole::{ClipPoint, Mesh, Outcode, Projection, Visibility};
@@ -32,11 +33,6 @@ fn projections() -> [Projection; 3] {
 fn real(p: &ClipPoint) -> V4 {
     let unit = f64::from(p.exponent()).exp2();
     p.xyzw().map(|c| f64::from(c) * unit)
-}
-
-fn distances(p: V4) -> [f64; 6] {
-    let [x, y, z, w] = p;
-    [w + x, w - x, w + y, w - y, w + z, w - z]
 }
 
 fn random_point(rng: &mut Rng, projection: &Projection) -> ClipPoint {
@@ -68,34 +64,15 @@ fn s5_outcodes_are_the_six_inequalities() {
     assert_eq!(Outcode::LEFT.and(Outcode::RIGHT), Outcode::INSIDE);
 }
 
-/// The parameters between which a + t·(b − a) lies inside, by all six planes at once.
+/// More than a point of the line, by the oracle.
 fn inside(a: V4, b: V4) -> Option<(f64, f64)> {
-    let (mut from, mut to) = (0f64, 1f64);
-    for (da, db) in distances(a).into_iter().zip(distances(b)) {
-        if da < 0.0 && db < 0.0 {
-            return None;
-        }
-        if da < 0.0 {
-            from = from.max(da / (da - db));
-        } else if db < 0.0 {
-            to = to.min(da / (da - db));
-        }
-    }
-    (from < to).then_some((from, to))
+    volume::inside(a, b, 0.0).filter(|(from, to)| from < to)
 }
 
 /// Each coordinate moved by 2⁻³⁰ of `size`, up or down by the bits of `k`.
 fn nudged(p: V4, size: f64, k: usize) -> V4 {
     let step = size * 2f64.powi(-30);
     core::array::from_fn(|i| if k >> i & 1 == 0 { p[i] + step } else { p[i] - step })
-}
-
-fn gap(a: V4, b: V4) -> f64 {
-    (0..4).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max)
-}
-
-fn largest(p: V4) -> f64 {
-    p.iter().fold(0.0, |m, c| c.abs().max(m))
 }
 
 #[test]

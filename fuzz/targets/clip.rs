@@ -17,6 +17,7 @@ use bridge::point;
 use bytes::Bytes;
 use libfuzzer_sys::fuzz_target;
 use oracle::chain::{outcode, V4};
+use oracle::volume::{distances, gap, inside, largest};
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
 use pinhole::{ClipPoint, Outcode, Projection};
@@ -72,37 +73,8 @@ fn real(p: &ClipPoint, exponent: i32) -> V4 {
     p.xyzw().map(|c| f64::from(c) * unit)
 }
 
-fn distances([x, y, z, w]: V4) -> [f64; 6] {
-    [w + x, w - x, w + y, w - y, w + z, w - z]
-}
-
-fn largest(p: V4) -> f64 {
-    p.iter().fold(0.0, |m, c| c.abs().max(m))
-}
-
-fn gap(a: V4, b: V4) -> f64 {
-    largest(core::array::from_fn(|i| a[i] - b[i]))
-}
-
 fn mix(a: V4, b: V4, t: f64) -> V4 {
     core::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
-}
-
-/// Between which parameters the line lies in the volume, grown by `more` on all sides.
-fn inside(a: V4, b: V4, more: f64) -> Option<(f64, f64)> {
-    let (mut from, mut to) = (0f64, 1f64);
-    for (da, db) in distances(a).into_iter().zip(distances(b)) {
-        let (da, db) = (da + more, db + more);
-        if da < 0.0 && db < 0.0 {
-            return None;
-        }
-        if da < 0.0 {
-            from = from.max(da / (da - db));
-        } else if db < 0.0 {
-            to = to.min(da / (da - db));
-        }
-    }
-    (from <= to).then_some((from, to))
 }
 
 fn check_line(ca: ClipPoint, cb: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {

@@ -8,6 +8,7 @@
 //! * [`eye`] what a camera sees in each pixel, in f64, by one ray per pixel: no clipping in it
 //! * [`target`] draw targets that count, that fail and that make ASCII pictures
 //! * [`picture`] how far edges must move to explain a whole depth-tested picture, in f64
+//! * [`volume`] the homogeneous view volume: distances, and what of a line is inside
 //! * [`rng`] a seeded generator, so that every run draws the same cases
 #![allow(dead_code)] // every test file takes the oracles that it needs
 
@@ -19,3 +20,4 @@ pub(crate) mod line;
 pub(crate) mod picture;
 pub(crate) mod rng;
 pub(crate) mod target;
+pub(crate) mod volume;
