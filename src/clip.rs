@@ -51,6 +51,43 @@ impl Cut for Homogeneous {
     }
 }
 
+/// What a corner of a face carries through the cut.
+pub trait Carried: Copy {
+    /// What corner 0, 1 or 2 of the whole face carries.
+    fn of(corner: usize) -> Self;
+
+    /// `t`·2⁻³¹ of the way to `other`.
+    #[must_use]
+    fn towards(&self, other: &Self, t: i64) -> Self;
+}
+
+impl Carried for () {
+    fn of(_: usize) {}
+
+    fn towards(&self, (): &(), _: i64) {}
+}
+
+/// How much of each of a face's corners a point of it is, in 2⁻³⁰.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Barycentric(pub(crate) [i32; 3]);
+
+impl Carried for Barycentric {
+    fn of(corner: usize) -> Self {
+        Self([0, 1, 2].map(|i| i32::from(i == corner) << 30))
+    }
+
+    fn towards(&self, other: &Self, t: i64) -> Self {
+        let ([a, b, c], [p, q, r]) = (self.0, other.0);
+        Self([between(a, p, t), between(b, q, t), between(c, r, t)])
+    }
+}
+
+impl<K: Carried> Cut for (Homogeneous, K) {
+    fn towards(&self, other: &Self, t: i64) -> Self {
+        (self.0.towards(&other.0, t), self.1.towards(&other.1, t))
+    }
+}
+
 /// Where the edge from `inside` to `outside` passes the plane. Always computed from the inner
 /// end, so that both neighbours of an edge get the same point. The parameter has 31 bits and each
 /// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.

@@ -12,14 +12,17 @@ mod shade;
 pub mod space;
 
 pub use camera::{
-    Camera, Hidden, PlanarProjection, Projection, ProjectionError, Ray, ReferenceVolume, Side,
+    Camera, Corner, Hidden, PlanarProjection, Projection, ProjectionError, Ray, ReferenceVolume, Side,
     VanishingPoint, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
 };
 pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMap, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
-pub use output::{DepthBuffer, DepthBufferError};
-pub use render::{Corner, Cull, Painter, Placed, RecordError, Statistics};
+pub use output::{Band, BandError, DepthBuffer, DepthBufferError, Frame, Wire};
+pub use render::{
+    BinsError, Cull, Edges, Faces, Ink, InkFor, Painter, PaintersOrder, Placed, RecordError, Statistics,
+    Transformed,
+};
 pub use scene::{Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shade::{Dim, Lambert, LightError};

@@ -1,6 +1,7 @@
 //! The camera: where it stands ([`Viewing`]), what it sees ([`Projection`]) and where on the
 //! target that goes ([`Viewport`]).
 
+mod corner;
 mod picking;
 mod placement;
 mod projection;
@@ -8,8 +9,10 @@ mod viewing;
 mod viewport;
 mod visibility;
 
+pub use corner::Corner;
+pub(crate) use corner::Image;
 pub use picking::{Hidden, Ray, VanishingPoint};
-pub(crate) use placement::{Image, Placement};
+pub(crate) use placement::Placement;
 pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};
 pub use viewing::{Side, Viewing, ViewingError};
 pub use viewport::{Viewport, ViewportError};

@@ -4,7 +4,7 @@
 //! eye subtracted first. Once per vertex: three or four forms, one reciprocal, two or three
 //! products. Error budget: ARCHITECTURE.md, "Numbers".
 
-use super::{Camera, Screen};
+use super::{Camera, Corner, Image, Screen};
 use crate::math::num::{add, mul_high, mul_wide, reciprocal, scale};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
@@ -28,23 +28,11 @@ pub(crate) struct Placement {
     d_over_w: i32,
     /// Least w for which the fast path keeps all its bits.
     least_w: i32,
+    /// |x|, |y| < w · 2^(wide − narrow) has a place in a [`Corner`]; one of the two is 0.
+    wide: u8,
+    narrow: u8,
     screen: Screen,
     far_clip: bool,
-}
-
-/// A vertex on the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Image {
-    pub(crate) point: ScreenPoint,
-    /// 0 near … [`FARTHEST`] far, in 16.8.
-    pub(crate) depth: i32,
-}
-
-impl Image {
-    /// 0 near … 65534 far, rounded to nearest.
-    pub(crate) fn step(&self) -> u16 {
-        ((self.depth + 128) >> 8) as u16 // FARTHEST rounds to 65534
-    }
 }
 
 impl Placement {
@@ -79,6 +67,8 @@ impl Placement {
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
         // 4 The fast path shifts right by at least one: see `project`. Leading zeros of w at most:
         let zeros = (29 - xy_over_w - screen_unit).min(13 - d_over_w);
+        // 5 Corners reach 2^18 sub-pixels, where the guard band does: −24 … 11.
+        let reach = (Corner::REACH - screen_unit).min(room) - xy_over_w;
         Self {
             x: form(&x, unit, e_xy),
             y: form(&y, unit, e_xy),
@@ -88,6 +78,8 @@ impl Placement {
             xy_over_w,
             d_over_w,
             least_w: if zeros >= 1 { 1 << (31 - zeros) } else { i32::MAX },
+            wide: reach.max(0) as u8,
+            narrow: (-reach).clamp(0, 31) as u8,
             screen: camera.screen,
             far_clip: camera.far_clip,
         }
@@ -100,28 +92,29 @@ impl Placement {
         Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
 
-    /// The vertex on the screen, or `None` when it must be clipped: in front of near, outside the
-    /// guard band (or close to its border), or so near to the eye that 32 bits do not carry it.
+    /// The vertex on the screen, or an empty corner when it must be clipped or lies farther out than
+    /// corners reach: in front of near, outside the guard band, or so near to the eye that 32 bits do
+    /// not carry it.
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `29 − e − unit − n ≥ 1`, rounded to nearest with ties up.
     #[inline(always)]
-    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3]) -> Option<Image> {
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3]) -> Corner {
         let h = self.clip(vertex);
-        let inside = self.screen.room - self.xy_over_w; // 0 … 14
-                                                        // |v| >> inside < w implies |v| < w·2^inside. (v ^ v >> 31 is |v|, or |v| − 1: as good.)
-        let beyond = |v: i32| ((v ^ (v >> 31)) >> inside) >= h.w;
+        // |v| >> wide < w >> narrow implies |v| < w·2^(wide − narrow). (v ^ v >> 31 is |v|, or |v| − 1:
+        // then it may be equal, and still has a place.)
+        let limit = h.w >> self.narrow;
+        let beyond = |v: i32| ((v ^ (v >> 31)) >> self.wide) >= limit;
         if h.d < 0 || h.w < self.least_w || beyond(h.x) || beyond(h.y) {
-            return None;
+            return Corner::EMPTY;
         }
         if self.far_clip && self.beyond_far(&h) < 0 {
-            return None;
+            return Corner::EMPTY;
         }
         let r = reciprocal(h.w);
         let n = r.shift as i32;
         let right = (29 - self.xy_over_w - self.screen.unit - n - 1).clamp(0, 31); // by least_w
-        let [cx, cy] = self.screen.centre;
-        let along = |v: i32, centre: i32| ((mul_high(v, r.mantissa) >> right) + (2 * centre + 1)) >> 1;
+        let along = |v: i32| ((mul_high(v, r.mantissa) >> right) + 1) >> 1;
         let depth = if DEPTH {
             let right = 37 - self.d_over_w - n; // ≥ 25 by least_w
             let depth = if right > 32 {
@@ -134,7 +127,14 @@ impl Placement {
         } else {
             0
         };
-        Some(Image { point: ScreenPoint::inside(along(h.x, cx), along(h.y, cy)), depth })
+        Corner::new(along(h.x), along(h.y), depth)
+    }
+
+    /// Where a corner that has a place lies on the screen.
+    #[inline(always)]
+    pub(crate) fn at(&self, corner: Corner) -> Image {
+        let ([x, y], offset) = (self.screen.centre, corner.offset());
+        Image { point: ScreenPoint::inside(x + offset.x(), y + offset.y()), depth: corner.depth() }
     }
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the

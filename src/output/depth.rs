@@ -1,7 +1,7 @@
 //! The depth buffer.
 
 use super::inside;
-use crate::raster::{DepthPlane, Scissor, Span};
+use crate::raster::{Plane, Scissor, Span};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -113,7 +113,7 @@ impl<'a> DepthBuffer<'a> {
     pub(crate) fn test<E>(
         &mut self,
         span: Span,
-        plane: &DepthPlane,
+        plane: &Plane,
         mut visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
         let Some(row) = self.row(span.y) else { return Ok(()) };

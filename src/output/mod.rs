@@ -1,8 +1,12 @@
 //! From spans to an `embedded-graphics` DrawTarget.
 
+mod band;
 mod depth;
+mod wire;
 
+pub use band::{Band, BandError, Frame};
 pub use depth::{DepthBuffer, DepthBufferError};
+pub use wire::Wire;
 
 use crate::raster::{Scissor, Span};
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -14,8 +18,16 @@ pub(crate) fn scissor(target: &impl Dimensions, area: &Rectangle) -> Scissor {
     inside(&target.bounding_box()).and(&inside(area))
 }
 
+/// As `embedded-graphics` has it.
+pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
+    let (columns, rows) = (area.columns(), area.rows());
+    // At most 2¹⁶ each way.
+    let size = Size::new(columns.len() as u32, rows.len() as u32);
+    Rectangle::new(Point::new(columns.start, rows.start), size)
+}
+
 /// The pixels of a rectangle.
-fn inside(area: &Rectangle) -> Scissor {
+pub(crate) fn inside(area: &Rectangle) -> Scissor {
     let end = |low: i32, extent: u32| {
         let end = i64::from(low) + i64::from(extent); // 34 bits
         end.min(i64::from(i32::MAX)) as i32 // Scissor brings all to ±32768

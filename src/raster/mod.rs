@@ -36,12 +36,13 @@
 //! let forged = pinhole::raster::ScreenPoint { x: 1 << 30, y: 0 };
 //! ```
 
-mod depth;
 mod line;
+mod plane;
 mod triangle;
 
-pub(crate) use depth::{DepthPlane, FARTHEST};
 pub use line::line;
+pub(crate) use plane::FARTHEST;
+pub use plane::{Plane, Triangle};
 pub(crate) use triangle::fill;
 pub use triangle::{area, triangle};
 
@@ -127,7 +128,56 @@ impl Scissor {
         Self { left: near(left), top: near(top), right: near(right), bottom: near(bottom) }
     }
 
+    pub(crate) const EMPTY: Self = Self { left: 0, top: 0, right: 0, bottom: 0 };
+
+    /// The pixels whose centres lie in the bounding box of a triangle: it covers no others.
+    #[inline(always)]
+    pub(crate) fn of([a, b, c]: &[ScreenPoint; 3]) -> Self {
+        let first = |p: i32| (p + 127) >> 8; // ⌈p − ½⌉
+        Self {
+            left: first(a.x.min(b.x).min(c.x)),
+            top: first(a.y.min(b.y).min(c.y)),
+            right: first(a.x.max(b.x).max(c.x)),
+            bottom: first(a.y.max(b.y).max(c.y)),
+        }
+    }
+
+    /// Whether there is no pixel inside.
+    #[inline(always)]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.left >= self.right || self.top >= self.bottom
+    }
+
+    /// From the first to the one after the last.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> core::ops::Range<i32> {
+        self.top..self.bottom
+    }
+
+    /// From the first to the one after the last.
+    pub(crate) fn columns(&self) -> core::ops::Range<i32> {
+        self.left..self.right
+    }
+
+    /// The bounding box of both.
+    #[inline(always)]
+    pub(crate) fn or(&self, other: &Self) -> Self {
+        if self.is_empty() {
+            *other
+        } else if other.is_empty() {
+            *self
+        } else {
+            Self {
+                left: self.left.min(other.left),
+                top: self.top.min(other.top),
+                right: self.right.max(other.right),
+                bottom: self.bottom.max(other.bottom),
+            }
+        }
+    }
+
     /// What lies in both.
+    #[inline(always)]
     pub(crate) fn and(&self, other: &Self) -> Self {
         Self {
             left: self.left.max(other.left),

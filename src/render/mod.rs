@@ -10,18 +10,26 @@
 //!    ([`Placed::wireframe`]), as faces in the mesh's order ([`Placed::solid`]), from far to near
 //!    ([`Painter`]), or where they are nearer than a depth buffer says ([`Placed::depth_tested`]).
 
+mod banded;
+mod bins;
+mod ink;
 mod painter;
 mod path;
 mod statistics;
+mod transformed;
 
-pub use painter::{Painter, RecordError};
+pub use banded::{Edges, Faces};
+pub use bins::BinsError;
+pub use ink::{Ink, InkFor};
+pub use painter::{Painter, PaintersOrder, RecordError};
 pub use statistics::Statistics;
+pub use transformed::Transformed;
+use transformed::{pieces, Outcome};
 
-use crate::camera::{Camera, Image, Placement};
-use crate::clip;
+use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
 use crate::output::{scissor, send, DepthBuffer};
-use crate::raster::{self, DepthPlane, ScreenPoint};
+use crate::raster::{self, Plane, Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -47,52 +55,6 @@ pub enum Cull {
     None,
 }
 
-/// A vertex's place on the screen: 12 bytes of scratch memory each, given by the caller.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Corner {
-    point: ScreenPoint,
-    /// 16.8, or negative where the vertex has no place at all and the clipper takes over.
-    depth: i32,
-}
-
-impl Corner {
-    /// No place yet: for arrays in statics.
-    pub const EMPTY: Self = Self { point: ScreenPoint::ORIGIN, depth: -1 };
-
-    fn whole(&self) -> bool {
-        self.depth >= 0
-    }
-}
-
-impl Default for Corner {
-    fn default() -> Self {
-        Self::EMPTY
-    }
-}
-
-impl From<Option<Image>> for Corner {
-    #[inline(always)]
-    fn from(image: Option<Image>) -> Self {
-        match image {
-            Some(Image { point, depth }) => Self { point, depth },
-            None => Self::EMPTY,
-        }
-    }
-}
-
-/// What becomes of a face.
-enum Outcome {
-    Culled,
-    Degenerate,
-    Outside,
-    /// All corners as they are; whether it faces the viewer.
-    Whole([Corner; 3], bool),
-    /// What the planes leave, as a fan, and whether they took anything: the vertex loop sends more
-    /// here than the planes cut.
-    Cut(heapless::Vec<Corner, { clip::CORNERS }>, bool),
-}
-
 impl Camera {
     /// The mesh before this camera. All that depends on the object but not on its vertices is
     /// computed here, in integers.
@@ -113,6 +75,55 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         Self { cull, ..self }
     }
 
+    /// Puts the vertices on the screen, each once, for drawing in bands: without depth.
+    ///
+    /// `corners` is best as long as the vertex list; what lies beyond its end is computed whenever it is
+    /// needed.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{
+    ///     space::{Model, World}, Affine, Angle, Camera, Corner, Frame, Mesh, Point3, Projection, Scalar,
+    ///     Vector3, Viewing, Viewport,
+    /// };
+    /// const VERTICES: [[i16; 3]; 3] = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]];
+    /// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// let camera = Camera::new(
+    ///     &Viewing::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+    ///     &viewport,
+    /// );
+    /// let model = Affine::<Model, World>::identity();
+    /// let (mut corners, mut records) = ([Corner::EMPTY; 3], [0; 2]); // a face, and one for every 16
+    /// let projected = camera.place(&mesh, &model).transform(&mut corners);
+    /// let mut faces = projected.faces(&mut records)?;
+    /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
+    /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// while let Some(mut band) = frame.next_band(&mut strip)? {
+    ///     faces.solid(|_face| Gray8::WHITE, &mut band)?;
+    ///     band.send(&mut display)?;
+    /// }
+    /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn transform<'a>(&self, corners: &'a mut [Corner]) -> Transformed<'a, V>
+    where
+        'm: 'a,
+    {
+        Transformed::new(*self, corners)
+    }
+
+    /// The same with depth, for drawing against depth strips. Depth ends at the far plane: what lies
+    /// beyond is cut off, whether or not the camera asks for that.
+    pub fn transform_depth<'a>(&self, corners: &'a mut [Corner]) -> Transformed<'a, V, true>
+    where
+        'm: 'a,
+    {
+        Transformed::new(self.cut_at_far(), corners)
+    }
+
     /// The mesh that was placed.
     pub const fn mesh(&self) -> &Mesh<'m, V> {
         &self.mesh
@@ -130,15 +141,15 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// far/(far − near).
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
         let vertex = *self.mesh.vertices().get(index)?;
-        let image = match self.placement.project::<V, true>(vertex) {
-            Some(image) => image,
-            None => {
-                let h = self.placement.clip(vertex);
-                if (0..self.placement.planes()).any(|i| self.placement.distance(i, &h) < 0) {
-                    return None;
-                }
-                self.placement.image(&h)
+        let corner = self.placement.project::<V, true>(vertex);
+        let image = if corner.whole() {
+            self.placement.at(corner)
+        } else {
+            let h = self.placement.clip(vertex);
+            if (0..self.placement.planes()).any(|i| self.placement.distance(i, &h) < 0) {
+                return None;
             }
+            self.placement.image(&h)
         };
         Some((image.point, image.step()))
     }
@@ -170,25 +181,17 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     ) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
         let mut statistics = Statistics::default();
-        self.transform::<false>(cache);
-        for &[a, b] in self.mesh.edges() {
-            let (from, to) = (self.corner::<false>(cache, a), self.corner::<false>(cache, b));
-            let (from, to) = if from.whole() && to.whole() {
-                (from.point, to.point)
-            } else {
-                match self.cut_edge(a, b) {
-                    Some((ends, cut)) => {
-                        statistics.clipped += u32::from(cut);
-                        ends
-                    }
-                    None => {
-                        statistics.outside += 1;
-                        continue;
-                    }
+        let transformed = self.transform(cache);
+        for &edge in self.mesh.edges() {
+            match transformed.edge(edge) {
+                Some(([from, to], cut)) => {
+                    statistics.clipped += u32::from(cut);
+                    statistics.drawn += 1;
+                    let (from, to) = (from.point.pixel(), to.point.pixel());
+                    raster::line(from, to, &scissor, |span| send(target, span, colour))?;
                 }
-            };
-            statistics.drawn += 1;
-            raster::line(from.pixel(), to.pixel(), &scissor, |span| send(target, span, colour))?;
+                None => statistics.outside += 1,
+            }
         }
         Ok(statistics)
     }
@@ -201,16 +204,16 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    pub fn solid<D: DrawTarget>(
+    pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
         &self,
-        shade: impl FnMut(usize) -> D::Color,
+        shade: impl FnMut(usize) -> I,
         cache: &mut [Corner],
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
-        self.faces::<false, _, _>(cache, shade, |corners, front, colour| {
-            raster::fill(corners.map(|c| c.point), front, &scissor, |span| send(target, span, colour))
-        })
+        let transformed = self.transform(cache);
+        transformed
+            .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &scissor, target))
     }
 
     /// Draws the faces, one colour each, where they are nearer than what `depth` holds: right for all
@@ -260,146 +263,89 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    pub fn depth_tested<D: DrawTarget>(
+    pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
         &self,
-        shade: impl FnMut(usize) -> D::Color,
+        shade: impl FnMut(usize) -> I,
         cache: &mut [Corner],
         depth: &mut DepthBuffer<'_>,
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let placed = Self { placement: self.placement.with_far_clip(), ..*self };
         let scissor = scissor(target, &self.area).and(&depth.scissor());
-        placed.faces::<true, _, _>(cache, shade, |corners, front, colour| {
-            let points = corners.map(|c| c.point);
-            let plane = DepthPlane::new(points, corners.map(|c| c.depth), &scissor);
-            raster::fill(points, front, &scissor, |span| {
-                depth.test(span, &plane, |visible| send(target, visible, colour))
-            })
-        })
+        let transformed = Transformed::<V, true>::new(self.cut_at_far(), cache);
+        transformed
+            .all(shade, |corners, area, ink| fill_nearer(&corners, area, &ink, &scissor, depth, target))
     }
 
-    /// Step 3 and 4 for all faces: `draw` gets triangles of non-zero area, whether they turn
-    /// counter-clockwise, and their face's colour.
+    /// Depth ends at the far plane, whatever the camera says.
+    fn cut_at_far(&self) -> Self {
+        Self { placement: self.placement.with_far_clip(), ..*self }
+    }
+}
+
+impl<V: Coordinate, const DEPTH: bool> Transformed<'_, V, DEPTH> {
+    /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles with their areas, none of
+    /// them zero, and what they are filled with.
     #[inline(always)]
-    fn faces<const DEPTH: bool, C: Copy, E>(
+    fn all<I: Ink, E>(
         &self,
-        cache: &mut [Corner],
-        mut shade: impl FnMut(usize) -> C,
-        mut draw: impl FnMut([Corner; 3], bool, C) -> Result<(), E>,
+        mut shade: impl FnMut(usize) -> I,
+        mut draw: impl FnMut([Image; 3], i64, I) -> Result<(), E>,
     ) -> Result<Statistics, E> {
         let mut statistics = Statistics::default();
-        self.transform::<DEPTH>(cache);
-        for (index, &face) in self.mesh.faces().iter().enumerate() {
-            let outcome = self.sort_out::<DEPTH>(cache, face);
+        for (index, &face) in self.placed.mesh.faces().iter().enumerate() {
+            let outcome = self.sort_out(face);
             statistics.count(&outcome);
-            match outcome {
-                Outcome::Whole(corners, front) => draw(corners, front, shade(index))?,
-                Outcome::Cut(corners, _) => {
-                    let colour = shade(index);
-                    for piece in pieces(&corners) {
-                        draw(piece, true, colour)?;
-                    }
-                }
-                Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
-            }
+            each(&outcome, || shade(index), &mut draw)?;
         }
         Ok(statistics)
     }
+}
 
-    /// Fills the cache from the start of the vertex list.
-    fn transform<const DEPTH: bool>(&self, cache: &mut [Corner]) {
-        for (corner, &vertex) in cache.iter_mut().zip(self.mesh.vertices()) {
-            *corner = self.placement.project::<V, DEPTH>(vertex).into();
-        }
-    }
-
-    #[inline(always)]
-    fn corner<const DEPTH: bool>(&self, cache: &[Corner], index: u16) -> Corner {
-        match cache.get(usize::from(index)) {
-            Some(corner) => *corner,
-            None => self.uncached::<DEPTH>(index),
-        }
-    }
-
-    #[cold]
-    fn uncached<const DEPTH: bool>(&self, index: u16) -> Corner {
-        let vertex = self.mesh.vertices().get(usize::from(index)); // checked by Mesh: always there
-        vertex.and_then(|&v| self.placement.project::<V, DEPTH>(v)).into()
-    }
-
-    /// The vertex in clip space; the indices were checked by [`Mesh`].
-    fn clip_vertex(&self, index: u16) -> Option<crate::math::Homogeneous> {
-        self.mesh.vertices().get(usize::from(index)).map(|&v| self.placement.clip(v))
-    }
-
-    /// The ends of what the planes leave of an edge, and whether they took anything.
-    #[cold]
-    fn cut_edge(&self, a: u16, b: u16) -> Option<((ScreenPoint, ScreenPoint), bool)> {
-        let placement = &self.placement;
-        let whole = (self.clip_vertex(a)?, self.clip_vertex(b)?);
-        let (a, b) = clip::line_at(whole.0, whole.1, placement.planes(), |i, p| placement.distance(i, p))?;
-        Some(((placement.image(&a).point, placement.image(&b).point), (a, b) != whole))
-    }
-
-    #[cold]
-    fn cut_face(&self, [a, b, c]: [u16; 3]) -> Outcome {
-        let placement = &self.placement;
-        let (Some(a), Some(b), Some(c)) = (self.clip_vertex(a), self.clip_vertex(b), self.clip_vertex(c))
-        else {
-            return Outcome::Outside;
-        };
-        let polygon = clip::triangle_at([a, b, c], placement.planes(), |i, p| placement.distance(i, p));
-        if polygon.len() < 3 {
-            return Outcome::Outside;
-        }
-        let mut corners = heapless::Vec::<Corner, { clip::CORNERS }>::new();
-        for point in &polygon {
-            let _ = corners.push(Some(placement.image(point)).into()); // as many as the polygon can have
-        }
-        let area: i64 = fan(&corners).map(|[a, b, c]| raster::area(&[a.point, b.point, c.point])).sum(); // < 7·2⁴⁵
-        if area == 0 {
-            return Outcome::Degenerate;
-        }
-        if area < 0 {
-            if self.cull == Cull::Back {
-                return Outcome::Culled;
+/// Hands what is left of a face to `draw`.
+#[inline(always)]
+fn each<I: Ink, E>(
+    outcome: &Outcome<I::Carried>,
+    shade: impl FnOnce() -> I,
+    mut draw: impl FnMut([Image; 3], i64, I) -> Result<(), E>,
+) -> Result<(), E> {
+    match outcome {
+        Outcome::Whole(corners, area) => draw(*corners, *area, shade()),
+        Outcome::Cut(corners) => {
+            let ink = shade();
+            for (piece, area) in pieces(corners) {
+                draw(piece.map(|c| c.image), area, ink.piece(piece.map(|c| c.carried)))?;
             }
-            corners.reverse(); // pieces are counter-clockwise from here on
+            Ok(())
         }
-        let outside = |p| clip::outcode(p, placement.planes(), |i, p| placement.distance(i, p)) != 0;
-        Outcome::Cut(corners, [a, b, c].iter().any(outside))
-    }
-
-    /// Step 3 of the pipeline, for one face.
-    #[inline(always)]
-    fn sort_out<const DEPTH: bool>(&self, cache: &[Corner], face: [u16; 3]) -> Outcome {
-        let corners = face.map(|i| self.corner::<DEPTH>(cache, i));
-        let [a, b, c] = corners;
-        if !(a.whole() && b.whole() && c.whole()) {
-            return self.cut_face(face);
-        }
-        let area = raster::area(&[a.point, b.point, c.point]);
-        if area == 0 {
-            Outcome::Degenerate
-        } else if area < 0 && self.cull == Cull::Back {
-            Outcome::Culled
-        } else {
-            Outcome::Whole(corners, area > 0)
-        }
+        Outcome::Culled | Outcome::Degenerate | Outcome::Outside => Ok(()),
     }
 }
 
-/// The triangles of a convex polygon about its first corner.
-fn fan(corners: &[Corner]) -> impl Iterator<Item = [Corner; 3]> + '_ {
-    let (first, rest) = corners.split_first().map_or((Corner::default(), &[][..]), |(&f, r)| (f, r));
-    rest.windows(2).filter_map(move |pair| match *pair {
-        [a, b] => Some([first, a, b]),
-        _ => None,
-    })
+/// Step 4: a triangle of this area, not zero, over all that is there.
+#[inline(always)]
+fn fill<D: DrawTarget, I: InkFor<D::Color>>(
+    corners: [ScreenPoint; 3],
+    area: i64,
+    ink: &I,
+    scissor: &Scissor,
+    target: &mut D,
+) -> Result<(), D::Error> {
+    let triangle = Triangle::new(corners, area, scissor);
+    let fill = ink.over(&triangle);
+    triangle.fill(|span| I::send(&fill, span, target))
 }
 
-/// Those triangles of the fan that face as the polygon does: rounding of the corners may turn a
-/// sliver over, which would be drawn on top of its neighbour.
-fn pieces(corners: &[Corner]) -> impl Iterator<Item = [Corner; 3]> + '_ {
-    fan(corners).filter(|[a, b, c]| raster::area(&[a.point, b.point, c.point]) > 0)
+/// Step 4: a triangle of this area, not zero, where it is nearer.
+#[inline(always)]
+fn fill_nearer<D: DrawTarget, I: InkFor<D::Color>>(
+    corners: &[Image; 3],
+    area: i64,
+    ink: &I,
+    scissor: &Scissor,
+    depth: &mut DepthBuffer<'_>,
+    target: &mut D,
+) -> Result<(), D::Error> {
+    let triangle = Triangle::new(corners.map(|c| c.point), area, scissor);
+    let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
+    triangle.fill(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
 }

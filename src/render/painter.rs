@@ -1,11 +1,11 @@
 //! Painter's order: from far to near, over everything recorded.
 
-use super::{pieces, Corner, Outcome, Placed, Statistics};
+use super::{fill, pieces, Ink, InkFor, Outcome, Placed, Statistics, Transformed};
+use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
-use crate::output::{scissor, send};
-use crate::raster;
+use crate::output::scissor;
+use crate::raster::{self, Scissor, ScreenPoint};
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
@@ -17,7 +17,7 @@ use heapless::Vec;
 /// each other, can come out wrong: that is painter's order. (Newell, Newell and Sancha, *A
 /// solution to the hidden surface problem*, 1972, go further.)
 ///
-/// Memory: 12 bytes a corner, and 10 and a colour a face. Meshes are transformed when recorded,
+/// Memory: 8 bytes a corner, and 10 and an ink, mostly a colour, a face. Meshes are transformed when recorded,
 /// each vertex once.
 ///
 /// ```
@@ -52,9 +52,9 @@ use heapless::Vec;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Painter<C, const CORNERS: usize, const FACES: usize> {
+pub struct Painter<I, const CORNERS: usize, const FACES: usize> {
     corners: Vec<Corner, CORNERS>,
-    faces: Vec<Face<C>, FACES>,
+    faces: Vec<Face<I>, FACES>,
     statistics: Statistics,
     /// The viewport drawn into.
     area: Option<Rectangle>,
@@ -102,19 +102,60 @@ impl core::error::Error for RecordError {}
 
 /// A triangle to draw.
 #[derive(Clone, Copy, Debug)]
-struct Face<C> {
+struct Face<I> {
     corners: [u16; 3],
     /// 0 far … 65535 near.
     key: u16,
     /// The face to draw after this one.
     next: u16,
-    colour: C,
+    ink: I,
+}
+
+/// All that a [`Painter`] recorded, from far to near.
+#[derive(Clone, Copy, Debug)]
+pub struct PaintersOrder<'a, I> {
+    corners: &'a [Corner],
+    faces: &'a [Face<I>],
+    first: u16,
+    area: Option<Rectangle>,
+    statistics: Statistics,
+}
+
+impl<I: Copy> PaintersOrder<'_, I> {
+    /// Draws what lies in the target, a band for instance.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn draw<D: DrawTarget>(&self, target: &mut D) -> Result<(), D::Error>
+    where
+        I: InkFor<D::Color>,
+    {
+        let Some(area) = &self.area else { return Ok(()) };
+        let scissor = scissor(target, area);
+        let mut at = self.first;
+        while let Some(face) = self.faces.get(usize::from(at)) {
+            let points = face
+                .corners
+                .map(|i| self.corners.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
+            if !Scissor::of(&points).and(&scissor).is_empty() {
+                fill(points, raster::area(&points), &face.ink, &scissor, target)?;
+            }
+            at = face.next;
+        }
+        Ok(())
+    }
+
+    /// What became of the faces.
+    pub const fn statistics(&self) -> Statistics {
+        self.statistics
+    }
 }
 
 /// No face: the end of a list.
 const NONE: u16 = u16::MAX;
 
-impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS, FACES> {
+impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACES> {
     /// An empty recorder.
     pub const fn new() -> Self {
         Self { corners: Vec::new(), faces: Vec::new(), statistics: Statistics::NONE, area: None }
@@ -138,8 +179,11 @@ impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS
     pub fn add<V: Coordinate>(
         &mut self,
         placed: &Placed<'_, V>,
-        mut shade: impl FnMut(usize) -> C,
-    ) -> Result<(), RecordError> {
+        mut shade: impl FnMut(usize) -> I,
+    ) -> Result<(), RecordError>
+    where
+        I: Ink,
+    {
         if *self.area.get_or_insert(placed.area) != placed.area {
             return Err(RecordError::OtherViewport);
         }
@@ -148,32 +192,49 @@ impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS
         room.corners += placed.mesh.vertices().len();
         for &vertex in placed.mesh.vertices() {
             // Over capacity is reported at the end, with what all of it would need.
-            let _ = self.corners.push(placed.placement.project::<V, true>(vertex).into());
+            let _ = self.corners.push(placed.placement.project::<V, true>(vertex));
         }
+        let own_corners = self.corners.len();
         let mut statistics = Statistics::default();
         for (index, &face) in placed.mesh.faces().iter().enumerate() {
             // Corners without room are computed anew: the counting goes on.
-            let own = self.corners.get(old_corners..).unwrap_or_default();
-            let outcome = placed.sort_out::<true>(own, face);
+            let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
+            let outcome = Transformed::<V, true>::with_corners(*placed, own).sort_out(face);
             statistics.count(&outcome);
             match outcome {
                 Outcome::Whole(corners, _) => {
                     let [a, b, c] = face.map(|i| old_corners.wrapping_add(usize::from(i)));
                     self.record([a, b, c], &corners, &mut room, || shade(index));
                 }
-                Outcome::Cut(corners, _) => {
-                    let colour = shade(index);
-                    for piece in pieces(&corners) {
+                Outcome::Cut(corners) => {
+                    let ink = shade(index);
+                    for (piece, _) in pieces(&corners) {
                         let first = room.corners;
                         room.corners += 3;
-                        for corner in piece {
-                            let _ = self.corners.push(corner);
+                        for corner in &piece {
+                            let _ = self.corners.push(Corner::bare(corner.image.point));
                         }
-                        self.record([first, first + 1, first + 2], &piece, &mut room, || colour);
+                        let own = ink.piece(piece.map(|c| c.carried));
+                        self.record(
+                            [first, first + 1, first + 2],
+                            &piece.map(|c| c.image),
+                            &mut room,
+                            || own,
+                        );
                     }
                 }
                 Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
             }
+        }
+        // From here on only the places count; where there is none, no face asks for it.
+        let own = self.corners.get_mut(old_corners..own_corners).unwrap_or_default();
+        for (index, corner) in own.iter_mut().enumerate() {
+            let place = if corner.whole() {
+                Some(placed.placement.at(*corner).point)
+            } else {
+                placed.project(index).map(|(point, _)| point)
+            };
+            *corner = Corner::bare(place.unwrap_or(ScreenPoint::ORIGIN));
         }
         let (most_corners, most_faces) = (CORNERS.min(65_536), FACES.min(usize::from(NONE)));
         let error = if room.corners > most_corners {
@@ -197,9 +258,9 @@ impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS
     fn record(
         &mut self,
         indices: [usize; 3],
-        corners: &[Corner; 3],
+        corners: &[Image; 3],
         room: &mut Room,
-        colour: impl FnOnce() -> C,
+        ink: impl FnOnce() -> I,
     ) {
         room.faces += 1;
         let [a, b, c] = corners.map(|c| (c.depth.unsigned_abs() + 128) >> 8); // to whole steps
@@ -211,7 +272,7 @@ impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS
             corners: indices.map(|i| i as u16),
             key: !(mean as u16),
             next: NONE,
-            colour: colour(),
+            ink: ink(),
         });
     }
 
@@ -220,26 +281,23 @@ impl<C: PixelColor, const CORNERS: usize, const FACES: usize> Painter<C, CORNERS
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    pub fn draw<D: DrawTarget<Color = C>>(&mut self, target: &mut D) -> Result<Statistics, D::Error> {
-        let statistics = self.statistics;
-        let result = match self.area {
-            Some(area) => self.send(&area, target),
-            None => Ok(()),
-        };
+    pub fn draw<D: DrawTarget>(&mut self, target: &mut D) -> Result<Statistics, D::Error>
+    where
+        I: InkFor<D::Color>,
+    {
+        let order = self.order();
+        let statistics = order.statistics();
+        let result = order.draw(target);
         self.clear();
         result.map(|()| statistics)
     }
 
-    fn send<D: DrawTarget<Color = C>>(&mut self, area: &Rectangle, target: &mut D) -> Result<(), D::Error> {
-        let scissor = scissor(target, area);
-        let mut at = self.sort();
-        while let Some(face) = self.faces.get(usize::from(at)) {
-            let points =
-                face.corners.map(|i| self.corners.get(usize::from(i)).copied().unwrap_or_default().point);
-            raster::triangle(points, &scissor, |span| send(target, span, face.colour))?;
-            at = face.next;
-        }
-        Ok(())
+    /// Puts all that was recorded in order, to be drawn more than once: band by band. What was
+    /// recorded stays until it is [cleared](Self::clear).
+    pub fn order(&mut self) -> PaintersOrder<'_, I> {
+        let first = self.sort();
+        let (corners, faces) = (self.corners.as_slice(), self.faces.as_slice());
+        PaintersOrder { corners, faces, first, area: self.area, statistics: self.statistics }
     }
 
     /// Links the faces by rising key and gives the first: a radix sort of lists, four digits of

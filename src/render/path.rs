@@ -1,6 +1,7 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
-use super::{Corner, Placed, Statistics};
+use super::{Placed, Statistics, Transformed};
+use crate::camera::Corner;
 use crate::math::Coordinate;
 use crate::output::{scissor, send};
 use crate::raster::{self, Pixel, Span};
@@ -41,48 +42,38 @@ impl<V: Coordinate> Placed<'_, V> {
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
-        let corner = |index: usize| self.corner::<false>(&[], index as u16);
+        let line = Transformed::<V, false>::with_corners(*self, &[]);
+        let pixel = |corner: Corner| corner.whole().then(|| self.placement.at(corner).point.pixel());
+        let corner = |index: usize| line.corner(index as u16);
         let count = vertices.len();
-        let mut from = corner(0);
+        let first = pixel(corner(0));
         // Where all lies in one pixel, no later line comes back to it.
         let closed = count > 2
-            && corner(count - 1).pixel() == from.pixel()
-            && (1..count).any(|index| corner(index).pixel() != from.pixel());
+            && pixel(corner(count - 1)) == first
+            && (1..count).any(|index| pixel(corner(index)) != first);
         // The pixel that the line before ended in, or will end in.
-        let mut joint = if closed { from.pixel() } else { None };
+        let mut joint = if closed { first } else { None };
         for index in 1..count {
             let to = corner(index);
-            let ends = if from.whole() && to.whole() {
-                Some((from.point, to.point))
-            } else {
-                self.cut_edge((index - 1) as u16, index as u16).map(|(ends, cut)| {
-                    statistics.clipped += u32::from(cut);
-                    ends
-                })
-            };
+            let ends = line.edge([(index - 1) as u16, index as u16]);
             match ends {
-                Some((a, b)) => {
+                Some(([a, b], cut)) => {
                     statistics.drawn += 1;
-                    raster::line(a.pixel(), b.pixel(), &scissor, |span| match without(span, joint) {
+                    statistics.clipped += u32::from(cut);
+                    let (a, b) = (a.point.pixel(), b.point.pixel());
+                    raster::line(a, b, &scissor, |span| match without(span, joint) {
                         Some(span) => send(target, span, colour),
                         None => Ok(()),
                     })?;
-                    joint = Some(b.pixel()).filter(|_| to.whole());
+                    joint = Some(b).filter(|_| to.whole());
                 }
                 None => {
                     statistics.outside += 1;
                     joint = None;
                 }
             }
-            from = to;
         }
         Ok(statistics)
-    }
-}
-
-impl Corner {
-    fn pixel(&self) -> Option<Pixel> {
-        self.whole().then(|| self.point.pixel())
     }
 }
 

@@ -1,6 +1,6 @@
 //! What became of the primitives.
 
-use super::Outcome;
+use super::transformed::Outcome;
 
 /// Counts of what a draw did, in edges or in faces. Each one handed in is in exactly one of
 /// `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts those of the drawn that were
@@ -39,15 +39,15 @@ impl Statistics {
     }
 
     #[inline(always)]
-    pub(super) fn count(&mut self, outcome: &Outcome) {
+    pub(super) fn count<K>(&mut self, outcome: &Outcome<K>) {
         // At most 2³² faces would fit a slice of a 32-bit core: no sum wraps.
         let field = match outcome {
             Outcome::Culled => &mut self.culled,
             Outcome::Degenerate => &mut self.degenerate,
             Outcome::Outside => &mut self.outside,
             Outcome::Whole(..) => &mut self.drawn,
-            Outcome::Cut(_, cut) => {
-                self.clipped = self.clipped.wrapping_add(u32::from(*cut));
+            Outcome::Cut(_) => {
+                self.clipped = self.clipped.wrapping_add(1);
                 &mut self.drawn
             }
         };

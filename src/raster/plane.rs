@@ -1,7 +1,8 @@
-//! Depth over a triangle: the plane through its corners, stepped in 16.16.
+//! Depth, or a channel of colour, over a triangle: the plane through its corners' values, stepped in
+//! 32 bits.
 //!
-//! At the centre of a covered pixel the plane lies between the depths of the corners, so only its
-//! value modulo 2¹⁶ steps has to be carried: all sums here wrap, and no gradient is too steep.
+//! At the centre of a covered pixel the plane lies between the values of the corners, so only its value
+//! modulo 2²⁴ units has to be carried: all sums here wrap, and no gradient is too steep.
 //!
 //! With corners a, b, c and differences from a, the plane climbs by
 //!
@@ -24,41 +25,72 @@ fn farthest_of_large(scissor: &Scissor) -> i32 {
     FARTHEST.min(65_534 * 256 + 127 - (pixels >> 9))
 }
 
-/// A triangle's depth, for the centres of the pixels that it covers.
+/// A triangle ready to be drawn.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DepthPlane {
-    /// At pixel (0, 0), and the half that rounds: 16.16, wrapping, as are the steps.
+pub struct Triangle {
+    corners: [ScreenPoint; 3],
+    /// [`area`](super::area); not zero.
+    area: i64,
+    scissor: Scissor,
+}
+
+impl Triangle {
+    /// `area` is that of the corners, and not zero; pixels outside the scissor will not be asked for.
+    #[inline(always)]
+    pub(crate) fn new(corners: [ScreenPoint; 3], area: i64, scissor: &Scissor) -> Self {
+        Self { corners, area, scissor: *scissor }
+    }
+
+    /// Its covered pixels, row by row.
+    #[inline]
+    pub(crate) fn fill<E>(&self, span: impl FnMut(super::Span) -> Result<(), E>) -> Result<(), E> {
+        super::fill(self.corners, self.area > 0, &self.scissor, span)
+    }
+
+    /// Whether all its edges are shorter than 512 pixels.
+    fn is_small(&self) -> bool {
+        self.extent() < 1 << 17
+    }
+
+    /// A number with as many bits as the largest difference from its first corner has, in sub-pixels.
+    fn extent(&self) -> u32 {
+        let [a, b, c] = self.corners;
+        let (dx1, dy1) = (b.x - a.x, b.y - a.y);
+        let (dx2, dy2) = (c.x - a.x, c.y - a.y);
+        (dx1.abs() | dx2.abs() | dy1.abs() | dy2.abs()).unsigned_abs()
+    }
+}
+
+/// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
+/// depth, or a channel of colour. Values are 24 bits at the corners, 32 bits at the pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Plane {
+    /// At pixel (0, 0), in 2⁻⁸ of the corners' unit, wrapping, as are the steps.
     origin: u32,
     right: u32,
     down: u32,
 }
 
-impl DepthPlane {
-    /// Through corners with depths in 16.8, 0 … [`FARTHEST`]; their area is not zero; pixels
-    /// outside the scissor are not asked for.
+impl Plane {
+    /// Through corners with values 0 … 2²⁴ − 1.
     ///
-    /// **Error.** A pixel w columns and h rows from the corner's pixel, and not more than they span
-    /// from it, is off by less than `(w + h)·2⁻¹⁷` for the rounding of the steps, 2⁻¹⁶ for that of the
-    /// origin, and, by the quick way, 2⁻⁵·⁴ for the reciprocal: see [`quick`]. Triangles within 512
-    /// pixels stay below 1/30, all others below ¼.
+    /// **Error.** In 2⁻⁸ of the corners' unit, a pixel w columns and h rows from the corner's pixel, and
+    /// not more than they span from it, is off by less than `(w + h)·½` for the rounding of the steps, 1
+    /// for that of the origin, and, by the quick way, 2¹⁰·⁶ for the reciprocal: see [`quick`].
     #[inline]
-    pub(crate) fn new(corners: [ScreenPoint; 3], depths: [i32; 3], scissor: &Scissor) -> Self {
-        let [a, b, c] = corners;
-        let area = super::area(&corners);
+    pub(crate) fn new(triangle: &Triangle, [za, zb, zc]: [i32; 3]) -> Self {
+        let Triangle { corners: [a, b, c], area, scissor } = triangle;
         // |dx|, |dy| ≤ 2²², |dz| < 2²⁴.
         let (dx1, dy1) = (b.x - a.x, b.y - a.y);
         let (dx2, dy2) = (c.x - a.x, c.y - a.y);
-        let extent = (dx1.abs() | dx2.abs() | dy1.abs() | dy2.abs()).unsigned_abs();
-        let small = extent < 1 << 17;
-        let [za, zb, zc] = if small { depths } else { depths.map(|z| z.min(farthest_of_large(scissor))) };
         let (dz1, dz2) = (zb - za, zc - za);
         // Below 2⁴⁷ each; over `den = −area`.
         let across = mul_wide(dz2, dy1) - mul_wide(dz1, dy2);
         let along = mul_wide(dx2, dz1) - mul_wide(dx1, dz2);
-        let (across, along) = if area < 0 { (-across, -along) } else { (across, along) };
+        let (across, along) = if *area < 0 { (-across, -along) } else { (across, along) };
         let area = area.unsigned_abs();
-        // Steps per sub-pixel: 24 bits of the depth in 16.8, and 40 more.
-        let quick = if small { quick(across, along, area, extent) } else { None };
+        // Steps per sub-pixel: 24 bits of the values, and 40 more.
+        let quick = if triangle.is_small() { quick(across, along, area, triangle.extent()) } else { None };
         let (column, row, gradient) = match quick {
             Some(gradient) => (a.x >> 8, a.y >> 8, gradient),
             None => {
@@ -72,9 +104,8 @@ impl DepthPlane {
         let (x, y) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
         let at = ((za as u64) << 40)
             .wrapping_add((gradient.0 as u64).wrapping_mul(i64::from(x) as u64))
-            .wrapping_add((gradient.1 as u64).wrapping_mul(i64::from(y) as u64))
-            .wrapping_add(1 << 47); // half a step, in 2⁻⁴⁸
-                                    // A pixel is 256 sub-pixels; from 16.48 to 16.16, to nearest.
+            .wrapping_add((gradient.1 as u64).wrapping_mul(i64::from(y) as u64));
+        // A pixel is 256 sub-pixels; from 24.40 to 24.8, to nearest.
         let step = |g: i64| (((g << 8).wrapping_add(1 << 31)) >> 32) as u32;
         let (right, down) = (step(gradient.0), step(gradient.1));
         let origin = ((at >> 32) as u32)
@@ -83,17 +114,31 @@ impl DepthPlane {
         Self { origin, right, down }
     }
 
-    /// At the centre of a covered pixel, 16.16: the integer part is the depth.
+    /// Depths in 16.8, 0 … [`FARTHEST`], with the half that rounds: the upper 16 bits at a pixel are its
+    /// depth. In steps of depth the error of [`new`](Self::new) is `(w + h)·2⁻¹⁷`, 2⁻¹⁶ and 2⁻⁵·⁴:
+    /// triangles within 512 pixels stay below 1/30, all others below ¼.
+    #[inline]
+    pub(crate) fn of_depth(triangle: &Triangle, depths: [i32; 3]) -> Self {
+        let depths = if triangle.is_small() {
+            depths
+        } else {
+            depths.map(|z| z.min(farthest_of_large(&triangle.scissor)))
+        };
+        let plane = Self::new(triangle, depths);
+        Self { origin: plane.origin.wrapping_add(1 << 15), ..plane }
+    }
+
+    /// At the centre of a covered pixel.
     #[inline(always)]
-    pub(crate) fn at(&self, x: i32, y: i32) -> u32 {
+    pub fn at(&self, x: i32, y: i32) -> u32 {
         self.origin
             .wrapping_add(self.right.wrapping_mul(x as u32))
             .wrapping_add(self.down.wrapping_mul(y as u32))
     }
 
-    /// From a pixel to its right neighbour.
+    /// From a pixel to its right neighbour, to be added wrapping.
     #[inline(always)]
-    pub(crate) fn step(&self) -> u32 {
+    pub fn step(&self) -> u32 {
         self.right
     }
 }
@@ -174,7 +219,7 @@ mod tests {
         if area(&points) == 0 {
             return 0;
         }
-        let plane = DepthPlane::new(points, corners.map(|c| c.2), scissor);
+        let plane = Plane::of_depth(&Triangle::new(points, area(&points), scissor), corners.map(|c| c.2));
         // The determinant form of the plane, at p: three areas as weights.
         let cross = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
             (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)

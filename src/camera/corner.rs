@@ -1,0 +1,102 @@
+//! A vertex on the screen, in eight bytes.
+
+use crate::raster::ScreenPoint;
+
+/// A vertex's place on the screen: 8 bytes of scratch memory each, given by the caller.
+///
+/// It holds places within 1024 pixels of the viewport's centre; a vertex farther out is marked, like
+/// one that must be clipped, and computed again where it is needed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Corner {
+    /// Sub-pixels to the right of the viewport's centre in the upper 20 bits; below them the upper
+    /// 12 of the depth's 24.
+    right: i32,
+    /// Sub-pixels below the viewport's centre, and the lower 12 bits of the depth.
+    down: i32,
+}
+
+/// A vertex on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Image {
+    pub(crate) point: ScreenPoint,
+    /// 0 near … [`FARTHEST`](crate::raster::FARTHEST) far, in 16.8.
+    pub(crate) depth: i32,
+}
+
+impl Image {
+    /// 0 near … 65534 far, rounded to nearest.
+    pub(crate) fn step(&self) -> u16 {
+        ((self.depth + 128) >> 8) as u16 // FARTHEST rounds to 65534
+    }
+}
+
+impl Corner {
+    /// Places have at most 2^18 sub-pixels: 20 bits with their sign.
+    pub(crate) const REACH: i32 = 18;
+
+    /// No place yet: for arrays in statics.
+    pub const EMPTY: Self = Self { right: i32::MIN, down: 0 };
+
+    /// |right|, |down| ≤ 2¹⁸ sub-pixels from the viewport's centre; depth in 16.8, 24 bits.
+    #[inline(always)]
+    pub(crate) fn new(right: i32, down: i32, depth: i32) -> Self {
+        debug_assert!(right.abs().max(down.abs()) <= 1 << Self::REACH && depth >> 24 == 0);
+        Self { right: right << 12 | depth >> 12, down: down << 12 | (depth & 0xfff) }
+    }
+
+    /// Whether there is a place: −2¹⁹ in the upper bits is none.
+    #[inline(always)]
+    pub(crate) fn whole(self) -> bool {
+        self.right != Self::EMPTY.right
+    }
+
+    /// Sub-pixels from the viewport's centre.
+    #[inline(always)]
+    pub(crate) fn offset(self) -> ScreenPoint {
+        ScreenPoint::inside(self.right >> 12, self.down >> 12)
+    }
+
+    /// In 16.8.
+    #[inline(always)]
+    pub(crate) fn depth(self) -> i32 {
+        (self.right & 0xfff) << 12 | (self.down & 0xfff)
+    }
+
+    /// A place anywhere in the guard band, without depth: for those who know that it is one.
+    pub(crate) fn bare(point: ScreenPoint) -> Self {
+        Self { right: point.x(), down: point.y() }
+    }
+
+    /// What [`bare`](Self::bare) holds.
+    pub(crate) fn point(self) -> ScreenPoint {
+        ScreenPoint::inside(self.right, self.down)
+    }
+}
+
+impl Default for Corner {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_goes_in_comes_out() {
+        for right in [-1 << 18, -1, 0, 1, 1 << 18] {
+            for down in [-1 << 18, -255, 0, 77, 1 << 18] {
+                for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
+                    let corner = Corner::new(right, down, depth);
+                    assert!(corner.whole());
+                    assert_eq!((corner.offset().x(), corner.offset().y()), (right, down));
+                    assert_eq!(corner.depth(), depth);
+                }
+            }
+        }
+        assert!(!Corner::EMPTY.whole());
+        assert_eq!(size_of::<Corner>(), 8);
+    }
+}

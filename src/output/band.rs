@@ -1,0 +1,266 @@
+//! A frame in bands: a strip of memory in place of a framebuffer.
+
+use super::inside;
+use super::wire::{self, Wire};
+use core::convert::Infallible;
+use core::marker::PhantomData;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Dimensions, Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
+
+/// A frame, or any rectangle of the display, that is drawn and sent band by band, from top to bottom,
+/// through one strip of memory, or two in turn.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use pinhole::Frame;
+/// let mut display = MockDisplay::<Rgb565>::new();
+/// let mut strip = [0; 64 * 10 * 2]; // ten rows of the 64, two bytes a pixel
+/// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLUE);
+/// let mut heights = Vec::new();
+/// while let Some(mut band) = frame.next_band(&mut strip)? {
+///     // Draw the scene, then what goes on top; a band clips like any target.
+///     Rectangle::new(Point::new(8, 8), Size::new(9, 40)).into_styled(
+///         embedded_graphics::primitives::PrimitiveStyle::with_fill(Rgb565::WHITE),
+///     ).draw(&mut band)?;
+///     heights.push(band.area().size.height);
+///     band.send(&mut display)?;
+/// }
+/// assert_eq!(heights, [10, 10, 10, 10, 10, 10, 4]);
+/// assert_eq!(display.get_pixel(Point::new(8, 47)), Some(Rgb565::WHITE));
+/// assert_eq!(display.get_pixel(Point::new(8, 48)), Some(Rgb565::BLUE));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frame<C> {
+    area: Rectangle,
+    background: C,
+    /// Rows given out so far.
+    done: u32,
+}
+
+/// A strip has room for less than a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BandError {
+    /// Bytes of a row: the least a strip needs.
+    pub needed: usize,
+    /// What there is.
+    pub given: usize,
+}
+
+impl core::fmt::Display for BandError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self { needed, given } = self;
+        write!(f, "a strip of {given} bytes has no room for a row: give it {needed}, or some times that")
+    }
+}
+
+impl core::error::Error for BandError {}
+
+impl<C: Wire> Frame<C> {
+    /// The pixels of `area`, in the coordinates of the display, before a background.
+    pub const fn new(area: Rectangle, background: C) -> Self {
+        Self { area, background, done: 0 }
+    }
+
+    /// All of it.
+    pub const fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    /// The bytes that a strip of `rows` rows takes.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565}, prelude::*};
+    /// use pinhole::Frame;
+    /// const STRIP: usize = Frame::<Rgb565>::strip_bytes(240, 8);
+    /// assert_eq!(STRIP, 3840);
+    /// assert_eq!(Frame::<BinaryColor>::strip_bytes(130, 8), 136);
+    /// ```
+    pub const fn strip_bytes(width: u32, rows: u32) -> usize {
+        wire::stride::<C>(width) * rows as usize
+    }
+
+    /// The next band, filled with the background: as many rows as the strip has room for and the frame
+    /// still has. `None` after the last one, and for a frame without pixels.
+    ///
+    /// Whatever becomes of a band, the next call goes on below it; a frame is begun anew with a new
+    /// `Frame`, or a clone.
+    ///
+    /// # Errors
+    ///
+    /// [`BandError`] when the strip has no room for a row.
+    pub fn next_band<'s>(&mut self, strip: &'s mut [u8]) -> Result<Option<Band<'s, C>>, BandError> {
+        let Size { width, height } = self.area.size;
+        let left = height.saturating_sub(self.done);
+        if left == 0 || width == 0 {
+            return Ok(None);
+        }
+        let (needed, given) = (wire::stride::<C>(width), strip.len());
+        let error = BandError { needed, given };
+        // A row has a byte at least.
+        let fits = given.checked_div(needed).unwrap_or(0).min(left as usize);
+        let bytes =
+            strip.get_mut(..fits.wrapping_mul(needed)).filter(|bytes| !bytes.is_empty()).ok_or(error)?;
+        let top = self.area.top_left.y.saturating_add_unsigned(self.done);
+        let rows = fits as u32; // ≤ left
+        self.done += rows;
+        let area = Rectangle::new(Point::new(self.area.top_left.x, top), Size::new(width, rows));
+        let mut band = Band { area, stride: needed, bytes, colour: PhantomData };
+        band.fill(self.background);
+        Ok(Some(band))
+    }
+}
+
+/// Some rows of a frame in memory: a DrawTarget in the frame's coordinates, so that all that draws on
+/// the display draws on it, 3D or not; what lies above or below is left out.
+///
+/// Pixels are held as the wire takes them: see [`Wire`].
+#[derive(Debug)]
+pub struct Band<'s, C> {
+    area: Rectangle,
+    stride: usize,
+    bytes: &'s mut [u8],
+    colour: PhantomData<C>,
+}
+
+impl<'s, C: Wire> Band<'s, C> {
+    /// Its pixels, in the coordinates of the frame.
+    pub const fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    /// Its pixels as the wire takes them, row by row: for DMA, after the display was told the
+    /// [`area`](Self::area).
+    pub const fn bytes(&self) -> &[u8] {
+        self.bytes
+    }
+
+    /// The same, no longer a band: for transfers that own their buffer.
+    pub fn into_bytes(self) -> &'s mut [u8] {
+        self.bytes
+    }
+
+    /// Its pixels, row by row.
+    pub fn colours(&self) -> impl Iterator<Item = C> + '_ {
+        let width = self.area.size.width as usize;
+        // Never empty: see `next_band`.
+        self.bytes
+            .chunks(self.stride.max(1))
+            .flat_map(move |row| (0..width).filter_map(|x| wire::get(row, x)))
+    }
+
+    /// Sends it to the display: one `fill_contiguous`.
+    ///
+    /// # Errors
+    ///
+    /// The display's own.
+    pub fn send<D: DrawTarget<Color = C>>(&self, display: &mut D) -> Result<(), D::Error> {
+        display.fill_contiguous(&self.area, self.colours())
+    }
+
+    fn fill(&mut self, colour: C) {
+        let width = self.area.size.width as usize;
+        if C::BITS <= 8 {
+            // Also the bits beyond the end of a row.
+            let pixels = (8 / C::BITS.max(1)) as usize;
+            return self.bytes.chunks_exact_mut(1).for_each(|byte| wire::fill(byte, 0, pixels, colour));
+        }
+        for row in self.bytes.chunks_exact_mut(self.stride.max(1)) {
+            wire::fill(row, 0, width, colour);
+        }
+    }
+
+    /// Row `y` of the frame.
+    #[inline(always)]
+    fn row(&mut self, y: i32) -> Option<&mut [u8]> {
+        let row = y.wrapping_sub(self.area.top_left.y) as u32; // far too large above
+        if row >= self.area.size.height {
+            return None;
+        }
+        let start = (row as usize).wrapping_mul(self.stride); // a row inside has a place
+        self.bytes.get_mut(start..start.wrapping_add(self.stride))
+    }
+
+    /// A column of the frame, counted from the band's left; at most its width.
+    #[inline(always)]
+    fn column(&self, x: i64) -> usize {
+        let column = x - i64::from(self.area.top_left.x);
+        column.clamp(0, i64::from(self.area.size.width)) as usize
+    }
+}
+
+impl<C: Wire> Dimensions for Band<'_, C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl<C: Wire> DrawTarget for Band<'_, C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        let (left, width) = (self.area.top_left.x, self.area.size.width);
+        for Pixel(Point { x, y }, colour) in pixels {
+            let column = x.wrapping_sub(left) as u32; // far too large to the left
+            if column < width {
+                if let Some(row) = self.row(y) {
+                    wire::set(row, column as usize, colour);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
+        let Rectangle { top_left: Point { x, y }, size } = *area;
+        let from = self.column(x.into());
+        let to = self.column(i64::from(x) + i64::from(size.width));
+        if size.height == 1 {
+            if let Some(row) = self.row(y) {
+                wire::fill(row, from, to, colour);
+            }
+            return Ok(());
+        }
+        let rows = inside(area).and(&inside(&self.area)).rows();
+        for y in rows {
+            if let Some(row) = self.row(y) {
+                wire::fill(row, from, to, colour);
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colours: I,
+    ) -> Result<(), Infallible> {
+        let Rectangle { top_left: Point { x, y }, size } = *area;
+        let (from, to) = (self.column(x.into()), self.column(i64::from(x) + i64::from(size.width)));
+        let mut colours = colours.into_iter();
+        if size.height == 1 && to - from == size.width as usize {
+            if let Some(row) = self.row(y) {
+                wire::copy(row, from, to, colours);
+            }
+            return Ok(());
+        }
+        for row in 0..size.height {
+            for column in 0..size.width {
+                let Some(colour) = colours.next() else { return Ok(()) };
+                let at = Point::new(x.wrapping_add_unsigned(column), y.wrapping_add_unsigned(row));
+                self.draw_iter([Pixel(at, colour)])?;
+            }
+        }
+        Ok(())
+    }
+
+    fn clear(&mut self, colour: C) -> Result<(), Infallible> {
+        self.fill(colour);
+        Ok(())
+    }
+}

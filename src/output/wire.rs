@@ -1,0 +1,222 @@
+//! Pixels in the order in which displays take them.
+
+use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
+    Rgb888, RgbColor,
+};
+
+/// A colour as it goes over the wire: the most significant bit first, several pixels to a byte where
+/// they fit, the leftmost in the upper bits, every row from a byte of its own.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb666, RgbColor};
+/// use pinhole::Wire;
+/// assert_eq!((Rgb565::BITS, Rgb565::RED.encode()), (16, 0xf800));
+/// assert_eq!((Rgb666::BITS, Rgb666::RED.encode()), (24, 0xfc_0000)); // six bits to a byte, on top
+/// assert_eq!((Gray4::BITS, Gray4::decode(9)), (4, Gray4::new(9)));
+/// ```
+pub trait Wire: PixelColor {
+    /// Bits a pixel: 1, 2, 4, 8, 16, 24 or 32.
+    const BITS: u32;
+
+    /// The bits, in the lowest [`BITS`](Self::BITS).
+    fn encode(self) -> u32;
+
+    /// The colour of such bits.
+    fn decode(bits: u32) -> Self;
+}
+
+macro_rules! wire_raw {
+    ($($colour:ty: $raw:ty, $bits:literal;)*) => {$(
+        impl Wire for $colour {
+            const BITS: u32 = $bits;
+
+            #[inline(always)]
+            fn encode(self) -> u32 {
+                <$raw>::from(self).into_inner().into()
+            }
+
+            #[inline(always)]
+            fn decode(bits: u32) -> Self {
+                <$raw>::from_u32(bits).into()
+            }
+        }
+    )*};
+}
+
+wire_raw! {
+    BinaryColor: RawU1, 1;
+    Gray2: RawU2, 2;
+    Gray4: RawU4, 4;
+    Gray8: RawU8, 8;
+    Rgb555: RawU16, 16;
+    Bgr555: RawU16, 16;
+    Rgb565: RawU16, 16;
+    Bgr565: RawU16, 16;
+    Rgb888: RawU24, 24;
+    Bgr888: RawU24, 24;
+}
+
+/// Controllers take 18-bit colours as three bytes, six bits on top of each, the first channel first.
+impl Wire for Rgb666 {
+    const BITS: u32 = 24;
+
+    #[inline(always)]
+    fn encode(self) -> u32 {
+        u32::from(self.r()) << 18 | u32::from(self.g()) << 10 | u32::from(self.b()) << 2
+    }
+
+    #[inline(always)]
+    fn decode(bits: u32) -> Self {
+        let [_, r, g, b] = bits.to_be_bytes();
+        Self::new(r >> 2, g >> 2, b >> 2)
+    }
+}
+
+impl Wire for Bgr666 {
+    const BITS: u32 = 24;
+
+    #[inline(always)]
+    fn encode(self) -> u32 {
+        u32::from(self.b()) << 18 | u32::from(self.g()) << 10 | u32::from(self.r()) << 2
+    }
+
+    #[inline(always)]
+    fn decode(bits: u32) -> Self {
+        let [_, b, g, r] = bits.to_be_bytes();
+        Self::new(r >> 2, g >> 2, b >> 2)
+    }
+}
+
+/// The bytes of a row of `width` pixels.
+pub(super) const fn stride<C: Wire>(width: u32) -> usize {
+    // A width of 32 bits times 32: 64-bit arithmetic; hosts only have rows beyond 2³² bytes.
+    (width as u64 * C::BITS as u64).div_ceil(8) as usize
+}
+
+/// Fills pixels `from..to` of a row; those beyond its end are left out.
+#[inline(always)]
+pub(super) fn fill<C: Wire>(row: &mut [u8], from: usize, to: usize, colour: C) {
+    let bits = colour.encode();
+    match C::BITS {
+        8 => fill_bytes(row, from, to, [bits as u8]),
+        16 => fill_bytes(row, from, to, (bits as u16).to_be_bytes()),
+        24 => {
+            let [_, a, b, c] = bits.to_be_bytes();
+            fill_bytes(row, from, to, [a, b, c]);
+        }
+        32 => fill_bytes(row, from, to, bits.to_be_bytes()),
+        _ => fill_packed::<C>(row, from, to, bits),
+    }
+}
+
+#[inline(always)]
+fn fill_bytes<const N: usize>(row: &mut [u8], from: usize, to: usize, bytes: [u8; N]) {
+    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N)); // inside a row that is in memory
+    if let Some(run) = row.get_mut(from..to) {
+        for pixel in run.chunks_exact_mut(N) {
+            if let Ok(pixel) = <&mut [u8; N]>::try_from(pixel) {
+                *pixel = bytes;
+            }
+        }
+    }
+}
+
+/// Pixels a byte, for those that share one.
+const fn shared<C: Wire>() -> u32 {
+    match C::BITS {
+        1 => 8,
+        2 => 4,
+        _ => 2,
+    }
+}
+
+fn fill_packed<C: Wire>(row: &mut [u8], from: usize, to: usize, bits: u32) {
+    let shared = shared::<C>() as usize;
+    // The same pixel all over a byte: bits · 0b…0001_0001.
+    let ones = match C::BITS {
+        1 => 0xff,
+        2 => 0x55,
+        _ => 0x11,
+    };
+    let pattern = (bits * ones) as u8;
+    let (first, last) = (from / shared, to / shared); // by a power of two
+                                                      // Bits from a pixel of a byte onwards.
+    let from_on = |x: usize| 0xff_u8.checked_shr((x % shared) as u32 * C::BITS).unwrap_or(0);
+    let mut put = |index: usize, mask: u8| {
+        if let Some(byte) = row.get_mut(index) {
+            *byte = (*byte & !mask) | (pattern & mask);
+        }
+    };
+    if first == last {
+        return put(first, from_on(from) & !from_on(to));
+    }
+    put(first, from_on(from));
+    put(last, !from_on(to));
+    if let Some(whole) = row.get_mut(first + 1..last) {
+        whole.fill(pattern);
+    }
+}
+
+/// Sets pixel `x` of a row, if it is there.
+#[inline(always)]
+pub(super) fn set<C: Wire>(row: &mut [u8], x: usize, colour: C) {
+    fill(row, x, x.wrapping_add(1), colour);
+}
+
+/// Writes the colours to pixels `from..to` of a row, as long as both last.
+#[inline(always)]
+pub(super) fn copy<C: Wire>(row: &mut [u8], from: usize, to: usize, colours: impl Iterator<Item = C>) {
+    match C::BITS {
+        8 => copy_bytes(row, from, to, colours.map(|c| [c.encode() as u8])),
+        16 => copy_bytes(row, from, to, colours.map(|c| (c.encode() as u16).to_be_bytes())),
+        24 => copy_bytes(
+            row,
+            from,
+            to,
+            colours.map(|c| {
+                let [_, x, y, z] = c.encode().to_be_bytes();
+                [x, y, z]
+            }),
+        ),
+        _ => (from..to).zip(colours).for_each(|(x, colour)| set(row, x, colour)),
+    }
+}
+
+#[inline(always)]
+fn copy_bytes<const N: usize>(
+    row: &mut [u8],
+    from: usize,
+    to: usize,
+    colours: impl Iterator<Item = [u8; N]>,
+) {
+    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N));
+    if let Some(run) = row.get_mut(from..to) {
+        for (pixel, bytes) in run.chunks_exact_mut(N).zip(colours) {
+            if let Ok(pixel) = <&mut [u8; N]>::try_from(pixel) {
+                *pixel = bytes;
+            }
+        }
+    }
+}
+
+/// Pixel `x` of a row.
+#[inline(always)]
+pub(super) fn get<C: Wire>(row: &[u8], x: usize) -> Option<C> {
+    let byte = |index: usize| row.get(index).copied().map(u32::from);
+    let bytes =
+        |n: usize| (0..n).try_fold(0, |bits, i| Some(bits << 8 | byte(x.wrapping_mul(n).wrapping_add(i))?));
+    let bits = match C::BITS {
+        8 => byte(x)?,
+        16 => bytes(2)?,
+        24 => bytes(3)?,
+        32 => bytes(4)?,
+        _ => {
+            let shared = shared::<C>() as usize;
+            let down = 8 - C::BITS - (x % shared) as u32 * C::BITS; // 0 … 7
+            byte(x / shared)? >> down & ((1 << C::BITS) - 1)
+        }
+    };
+    Some(C::decode(bits))
+}

@@ -1,0 +1,251 @@
+//! Faces and edges recorded once, and drawn band by band.
+
+use super::bins::{Bins, BinsError};
+use super::{fill, fill_nearer, pieces, InkFor, Outcome, Statistics, Transformed};
+use crate::camera::Image;
+use crate::clip::Carried;
+use crate::math::Coordinate;
+use crate::output::{inside, rectangle, scissor, send, DepthBuffer};
+use crate::raster::{self, Scissor, ScreenPoint};
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// The visible faces of a mesh, ready to be drawn band by band, or into any target whose pixels are part
+/// of the picture: see [`Transformed::faces`].
+#[derive(Debug)]
+pub struct Faces<'a, V = i16, const DEPTH: bool = false> {
+    transformed: Transformed<'a, V, DEPTH>,
+    bins: Bins<'a>,
+    statistics: Statistics,
+    bounds: Scissor,
+}
+
+/// The visible edges of a mesh, ready to be drawn band by band: see [`Transformed::edges`].
+#[derive(Debug)]
+pub struct Edges<'a, V = i16, const DEPTH: bool = false> {
+    transformed: Transformed<'a, V, DEPTH>,
+    bins: Bins<'a>,
+    statistics: Statistics,
+    bounds: Scissor,
+}
+
+impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
+    /// Sorts out the faces, and the visible ones by the rows where they begin. `records` are numbers
+    /// lent for the frame: one for each visible face, and one for every 16 faces of the mesh.
+    ///
+    /// # Errors
+    ///
+    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
+    /// then.
+    pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
+        let list = self.placed.mesh.faces();
+        let viewport = inside(&self.placed.area);
+        let (mut statistics, mut bounds) = (Statistics::default(), Scissor::EMPTY);
+        let face = |index: usize| list.get(index).copied().unwrap_or_default();
+        let bins = Bins::new(
+            records,
+            list.len(),
+            viewport.rows(),
+            |index| {
+                let outcome = self.sort_out::<()>(face(index));
+                statistics.count(&outcome);
+                let reach = reach(&outcome).and(&viewport);
+                if reach.is_empty() {
+                    return None;
+                }
+                bounds = bounds.or(&reach);
+                Some(reach.rows().start)
+            },
+            |index| match self.whole(face(index)) {
+                Some(points) => Scissor::of(&points).rows().start,
+                None => reach(&self.sort_out::<()>(face(index))).rows().start,
+            },
+        )?;
+        Ok(Faces { transformed: *self, bins, statistics, bounds })
+    }
+
+    /// Sorts out the edges, and the visible ones by the rows where they begin. `records` are numbers
+    /// lent for the frame: one for each visible edge, and one for every 16 edges of the mesh.
+    ///
+    /// # Errors
+    ///
+    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
+    /// then.
+    pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
+        let list = self.placed.mesh.edges();
+        let viewport = inside(&self.placed.area);
+        let (mut statistics, mut bounds) = (Statistics::default(), Scissor::EMPTY);
+        let ends = |index: usize| self.edge(list.get(index).copied().unwrap_or_default());
+        let bins = Bins::new(
+            records,
+            list.len(),
+            viewport.rows(),
+            |index| {
+                let Some((ends, cut)) = ends(index) else {
+                    statistics.outside += 1;
+                    return None;
+                };
+                statistics.drawn += 1;
+                statistics.clipped += u32::from(cut);
+                let reach = reach_of_line(&ends).and(&viewport);
+                if reach.is_empty() {
+                    return None;
+                }
+                bounds = bounds.or(&reach);
+                Some(reach.rows().start)
+            },
+            |index| ends(index).map_or(0, |(ends, _)| reach_of_line(&ends).rows().start),
+        )?;
+        Ok(Edges { transformed: *self, bins, statistics, bounds })
+    }
+
+    /// The corners of a face that needs no clipping.
+    #[inline(always)]
+    fn whole(&self, face: [u16; 3]) -> Option<[ScreenPoint; 3]> {
+        let corners = face.map(|i| self.corner(i));
+        corners.iter().all(|c| c.whole()).then(|| corners.map(|c| self.placed.placement.at(c).point))
+    }
+}
+
+/// The rows and columns in which a face may cover pixels.
+#[inline(always)]
+fn reach<K: Carried>(outcome: &Outcome<K>) -> Scissor {
+    match outcome {
+        Outcome::Whole(corners, _) => Scissor::of(&corners.map(|c| c.point)),
+        Outcome::Cut(corners) => pieces(corners)
+            .fold(Scissor::EMPTY, |all, (piece, _)| all.or(&Scissor::of(&piece.map(|c| c.image.point)))),
+        Outcome::Culled | Outcome::Degenerate | Outcome::Outside => Scissor::EMPTY,
+    }
+}
+
+fn reach_of_line([from, to]: &[Image; 2]) -> Scissor {
+    let (from, to) = (from.point.pixel(), to.point.pixel());
+    let (left, right) = (from.x.min(to.x), from.x.max(to.x));
+    let (top, bottom) = (from.y.min(to.y), from.y.max(to.y));
+    Scissor::new(left.into(), top.into(), i32::from(right) + 1, i32::from(bottom) + 1)
+}
+
+impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
+    /// Draws what lies in a band, in the mesh's order: see [`Placed::solid`](crate::Placed::solid). `shade`
+    /// is asked once for each face that a band meets.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
+        &mut self,
+        shade: impl FnMut(usize) -> I,
+        band: &mut D,
+    ) -> Result<(), D::Error> {
+        let scissor = scissor(band, &self.transformed.placed.area);
+        self.each(&scissor, shade, |corners, area, ink| {
+            fill(corners.map(|c| c.point), area, &ink, &scissor, band)
+        })
+    }
+
+    /// What became of the faces. A face is drawn though it may cover no pixel.
+    pub const fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    /// A rectangle around all pixels that are covered; without pixels where none is.
+    pub fn bounds(&self) -> Rectangle {
+        rectangle(&self.bounds)
+    }
+
+    #[inline(always)]
+    fn each<I: super::Ink, E>(
+        &mut self,
+        scissor: &Scissor,
+        mut shade: impl FnMut(usize) -> I,
+        mut draw: impl FnMut([Image; 3], i64, I) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Self { transformed, bins, .. } = self;
+        let list = transformed.placed.mesh.faces();
+        let rows = scissor.rows();
+        bins.band(rows.clone(), |index| {
+            let mut end = i32::MIN;
+            match transformed.sort_out::<I::Carried>(list.get(index).copied().unwrap_or_default()) {
+                Outcome::Whole(corners, area) => {
+                    let reach = Scissor::of(&corners.map(|c| c.point));
+                    end = reach.rows().end;
+                    if !reach.and(scissor).is_empty() {
+                        draw(corners, area, shade(index))?;
+                    }
+                }
+                Outcome::Cut(corners) => {
+                    let ink = shade(index);
+                    for (piece, area) in pieces(&corners) {
+                        end = end.max(Scissor::of(&piece.map(|c| c.image.point)).rows().end);
+                        draw(piece.map(|c| c.image), area, ink.piece(piece.map(|c| c.carried)))?;
+                    }
+                }
+                Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
+            }
+            Ok(end <= rows.end)
+        })
+    }
+}
+
+impl<V: Coordinate> Faces<'_, V, true> {
+    /// Draws what lies in a band where it is nearer than what `depth` holds, which is best made for the
+    /// [area](crate::Band::area) of the band: see [`Placed::depth_tested`](crate::Placed::depth_tested).
+    /// `shade` is asked once for each face that a band meets.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
+        &mut self,
+        shade: impl FnMut(usize) -> I,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut D,
+    ) -> Result<(), D::Error> {
+        let scissor = scissor(band, &self.transformed.placed.area).and(&depth.scissor());
+        self.each(&scissor, shade, |corners, area, ink| {
+            fill_nearer(&corners, area, &ink, &scissor, depth, band)
+        })
+    }
+}
+
+impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
+    /// Draws what lies in a band: see [`Placed::wireframe`](crate::Placed::wireframe).
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    pub fn draw<D: DrawTarget>(&mut self, colour: D::Color, band: &mut D) -> Result<(), D::Error> {
+        let scissor = scissor(band, &self.transformed.placed.area);
+        self.each(&scissor, |_, [from, to]| {
+            raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(band, span, colour))
+        })
+    }
+
+    /// What became of the edges.
+    pub const fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    /// A rectangle around all pixels that are drawn; without pixels where none is.
+    pub fn bounds(&self) -> Rectangle {
+        rectangle(&self.bounds)
+    }
+
+    #[inline(always)]
+    pub(super) fn each<E>(
+        &mut self,
+        scissor: &Scissor,
+        mut draw: impl FnMut(usize, [Image; 2]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Self { transformed, bins, .. } = self;
+        let list = transformed.placed.mesh.edges();
+        let rows = scissor.rows();
+        bins.band(rows.clone(), |index| {
+            let Some((ends, _)) = list.get(index).and_then(|&edge| transformed.edge(edge)) else {
+                return Ok(true);
+            };
+            draw(index, ends)?;
+            Ok(reach_of_line(&ends).rows().end <= rows.end)
+        })
+    }
+}
