@@ -26,7 +26,7 @@ pub(super) struct Bins<'s> {
     shift: u32,
     /// How many of `order` were taken in.
     taken: usize,
-    /// The first row of the last band.
+    /// Where the last band ended.
     row: i32,
 }
 
@@ -137,6 +137,9 @@ impl<'s> Bins<'s> {
         rows: Range<i32>,
         mut draw: impl FnMut(usize) -> Result<bool, E>,
     ) -> Result<(), E> {
+        if rows.is_empty() {
+            return Ok(());
+        }
         self.take_in(&rows);
         for (word, bits) in self.open.iter_mut().enumerate() {
             let mut left = *bits;
@@ -153,11 +156,11 @@ impl<'s> Bins<'s> {
 
     fn take_in(&mut self, rows: &Range<i32>) {
         if rows.start < self.row {
-            // Back to the top: another frame of the same picture, or another rectangle of it.
+            // From the top: the same band once more, another frame, or another rectangle of it.
             self.open.fill(0);
             self.taken = 0;
         }
-        self.row = rows.start;
+        self.row = rows.end;
         if rows.end <= self.top {
             return;
         }

@@ -10,6 +10,7 @@ mod bridge;
 #[path = "../oracle/mod.rs"]
 mod oracle;
 
+mod bands;
 mod clips;
 mod raster;
 mod scenes;

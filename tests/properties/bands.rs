@@ -1,0 +1,255 @@
+//! Whatever the bands, the picture is that of the immediate functions in one piece.
+
+use crate::bridge;
+use crate::cases;
+use crate::oracle::target::Recorder;
+use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
+use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
+use embedded_graphics_core::prelude::*;
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::{
+    Band, BinsError, Corner, Cull, DepthBuffer, Edges, Faces, Frame, Mesh, Painter, Statistics, Wire,
+};
+use proptest::prelude::*;
+
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    Solid(Cull),
+    Depth(Cull),
+    Wireframe,
+    Painter,
+}
+
+const WAYS: [Way; 6] = [
+    Way::Solid(Cull::Back),
+    Way::Solid(Cull::None),
+    Way::Depth(Cull::Back),
+    Way::Depth(Cull::None),
+    Way::Wireframe,
+    Way::Painter,
+];
+
+const BACKGROUND: Gray8 = Gray8::new(200);
+
+fn colour(face: usize) -> Gray8 {
+    Gray8::new(face as u8)
+}
+
+fn mesh(scene: &Scene) -> Mesh<'_> {
+    Mesh::new(&scene.vertices, EXPONENT, &scene.faces)
+        .and_then(|m| m.with_edges(&scene.edges))
+        .expect("a mesh")
+}
+
+/// In one piece onto a target that is not the library's; what is not drawn is background.
+fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) {
+    let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
+    let (placed, mut corners) = (camera.place(&mesh, &model), [Corner::EMPTY; 16]);
+    let mut target = Recorder::new(area);
+    let statistics = match way {
+        Way::Solid(cull) => placed.with_cull(cull).solid(colour, &mut corners, &mut target),
+        Way::Depth(cull) => {
+            let mut storage = vec![0; (area.size.width * area.size.height) as usize];
+            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
+            placed.with_cull(cull).depth_tested(colour, &mut corners, &mut depth, &mut target)
+        }
+        Way::Wireframe => placed.wireframe(Gray8::new(77), &mut corners, &mut target),
+        Way::Painter => {
+            let mut painter = Painter::<Gray8, 128, 64>::new();
+            painter.add(&placed, colour).expect("room");
+            painter.draw(&mut target)
+        }
+    };
+    let rows = area.top_left.y..area.top_left.y + area.size.height as i32;
+    let columns = area.top_left.x..area.top_left.x + area.size.width as i32;
+    let pixel = |(x, y)| target.colour(x, y).unwrap_or(BACKGROUND).luma();
+    (
+        rows.flat_map(|y| columns.clone().map(move |x| (x, y))).map(pixel).collect(),
+        statistics.expect("no error"),
+    )
+}
+
+/// What is recorded once for a frame.
+enum Recorded<'a> {
+    Solid(Faces<'a>),
+    Depth(Faces<'a, i16, true>),
+    Wireframe(Edges<'a>),
+    Painter(Box<Painter<Gray8, 128, 64>>),
+}
+
+impl Recorded<'_> {
+    fn draw(&mut self, band: &mut Band<'_, Gray8>) {
+        let Ok(()) = match self {
+            Self::Solid(faces) => faces.solid(colour, band),
+            Self::Depth(faces) => {
+                let mut storage = vec![0; (band.area().size.width * band.area().size.height) as usize];
+                let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
+                faces.depth_tested(colour, &mut depth, band)
+            }
+            Self::Wireframe(edges) => edges.draw(Gray8::new(77), band),
+            Self::Painter(painter) => painter.order().draw(band),
+        };
+    }
+
+    fn statistics(&mut self) -> Statistics {
+        match self {
+            Self::Solid(faces) => faces.statistics(),
+            Self::Depth(faces) => faces.statistics(),
+            Self::Wireframe(edges) => edges.statistics(),
+            Self::Painter(painter) => painter.order().statistics(),
+        }
+    }
+
+    fn bounds(&self) -> Option<Rectangle> {
+        match self {
+            Self::Solid(faces) => Some(faces.bounds()),
+            Self::Depth(faces) => Some(faces.bounds()),
+            Self::Wireframe(edges) => Some(edges.bounds()),
+            Self::Painter(_) => None,
+        }
+    }
+}
+
+fn record<R>(
+    scene: &Scene,
+    way: Way,
+    corners: &mut [Corner],
+    then: impl FnOnce(&mut Recorded<'_>) -> R,
+) -> R {
+    let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
+    let (placed, mut records) = (camera.place(&mesh, &model), [0; 9]);
+    let mut recorded = match way {
+        Way::Solid(cull) => {
+            Recorded::Solid(placed.with_cull(cull).transform(corners).faces(&mut records).expect("room"))
+        }
+        Way::Depth(cull) => Recorded::Depth(
+            placed.with_cull(cull).transform_depth(corners).faces(&mut records).expect("room"),
+        ),
+        Way::Wireframe => Recorded::Wireframe(placed.transform(corners).edges(&mut records).expect("room")),
+        Way::Painter => {
+            let mut painter = Box::new(Painter::new());
+            painter.add(&placed, colour).expect("room");
+            Recorded::Painter(painter)
+        }
+    };
+    then(&mut recorded)
+}
+
+fn banded(recorded: &mut Recorded<'_>, area: Rectangle, heights: &[u32]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut frame = Frame::new(area, BACKGROUND);
+    for &height in heights.iter().cycle() {
+        let mut strip = vec![0xaa; Frame::<Gray8>::strip_bytes(area.size.width, height)];
+        let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") else { break };
+        recorded.draw(&mut band);
+        bytes.extend(band.bytes());
+    }
+    bytes
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn bands_of_every_height_make_the_whole(scene in scene(), length in prop_oneof![Just(16usize), 0usize..9]) {
+        let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
+        for way in WAYS {
+            let (whole, statistics) = reference(&scene, way, area);
+            let mut corners = vec![Corner::EMPTY; length];
+            record(&scene, way, &mut corners, |recorded| -> Result<(), TestCaseError> {
+                prop_assert_eq!(recorded.statistics(), statistics);
+                for height in 1..=HEIGHT {
+                    prop_assert!(banded(recorded, area, &[height]) == whole, "{way:?}, {height} rows");
+                }
+                Ok(())
+            })?;
+        }
+    }
+
+    /// Heights that change within a frame, and frames of any part of the display: also beside the viewport.
+    #[test]
+    fn any_rectangle_in_any_bands_shows_a_crop(
+        scene in scene(),
+        heights in prop::collection::vec(1u32..9, 1..5),
+        areas in prop::collection::vec((-40i32..60, -40i32..60, 0u32..60, 0u32..60), 3),
+    ) {
+        for way in WAYS {
+            let mut corners = vec![Corner::EMPTY; 16];
+            record(&scene, way, &mut corners, |recorded| -> Result<(), TestCaseError> {
+                for &(x, y, width, height) in &areas {
+                    let area = bridge::rectangle(x, y, width, height);
+                    let whole = reference(&scene, way, area).0;
+                    prop_assert!(banded(recorded, area, &heights) == whole, "{way:?} {area:?}");
+                }
+                Ok(())
+            })?;
+        }
+    }
+
+    /// Nothing is drawn outside the bounds, and something in their first and last row and column, where faces are
+    /// more than slivers: the bounds are those of pixel centres in bounding boxes.
+    #[test]
+    fn bounds_hold_all_that_is_drawn(scene in scene()) {
+        let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
+        for way in WAYS {
+            let whole = reference(&scene, way, area).0;
+            let mut corners = vec![Corner::EMPTY; 16];
+            let bounds = record(&scene, way, &mut corners, |recorded| recorded.bounds());
+            let Some(bounds) = bounds else { continue };
+            prop_assert_eq!(bounds.intersection(&area), bounds);
+            for (at, _) in whole.iter().enumerate().filter(|(_, &pixel)| pixel != BACKGROUND.luma()) {
+                let pixel = Point::new((at % WIDTH as usize) as i32, (at / WIDTH as usize) as i32);
+                prop_assert!(bounds.contains(pixel), "{way:?} {pixel}");
+            }
+        }
+    }
+
+    /// Over capacity nothing is drawn, and the error names what is enough; one number less is not.
+    #[test]
+    fn records_say_what_they_need(scene in scene(), given in 0usize..10) {
+        let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(&scene));
+        let (placed, mut corners) = (camera.place(&mesh, &model), [Corner::EMPTY; 16]);
+        let transformed = placed.transform(&mut corners);
+        let mut records = vec![0; given];
+        let (faces, edges) = (transformed.faces(&mut records).map(|_| ()), transformed.edges(&mut vec![0; given]).map(|_| ()));
+        for error in [faces, edges].into_iter().filter_map(Result::err) {
+            let BinsError::Records { needed, given: said } = error else { panic!("{error}") };
+            prop_assert!(said == given && needed > given && needed <= 9, "{error}");
+        }
+        if let Err(BinsError::Records { needed, .. }) = faces {
+            prop_assert!(transformed.faces(&mut vec![0; needed]).is_ok());
+            prop_assert!(transformed.faces(&mut vec![0; needed - 1]).is_err());
+        }
+    }
+
+    /// Colours as the wire has them, sent on with one call a band.
+    #[test]
+    fn a_band_sends_what_it_holds(scene in scene(), height in 1u32..9) {
+        let area = bridge::rectangle(0, 0, WIDTH - 1, HEIGHT);
+        let gray = |face: usize| Gray4::new(face as u8 + 1);
+        let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(&scene));
+        let mut corners = [Corner::EMPTY; 16];
+        let mut whole = Recorder::new(area);
+        camera.place(&mesh, &model).solid(gray, &mut corners, &mut whole).expect("no error");
+        let (mut records, mut display) = ([0; 9], Recorder::new(area));
+        let projected = camera.place(&mesh, &model).transform(&mut corners);
+        let mut faces = projected.faces(&mut records).expect("room");
+        let mut frame = Frame::new(area, Gray4::BLACK);
+        let mut strip = vec![0; Frame::<Gray4>::strip_bytes(WIDTH - 1, height)];
+        while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
+            let Ok(()) = faces.solid(gray, &mut band);
+            let bytes: Vec<u8> = band.colours().collect::<Vec<_>>().chunks(WIDTH as usize - 1).flat_map(|row| {
+                row.chunks(2).map(|p| (p[0].luma() << 4) | p.get(1).map_or(0, |c| c.luma()))
+            }).collect();
+            prop_assert_eq!(band.bytes(), bytes);
+            band.send(&mut display).expect("no error");
+        }
+        prop_assert_eq!(display.calls.len() as u32, HEIGHT.div_ceil(height));
+        for pixel in area.points() {
+            let wanted = whole.colour(pixel.x, pixel.y).unwrap_or(Gray4::BLACK);
+            prop_assert_eq!(display.colour(pixel.x, pixel.y), Some(wanted));
+            prop_assert_eq!(display.count(pixel.x, pixel.y), 1);
+            prop_assert_eq!(Gray4::decode(wanted.encode()), wanted);
+        }
+    }
+}
