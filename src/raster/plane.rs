@@ -20,8 +20,8 @@ use crate::math::num::{mul_wide, reciprocal};
 pub(crate) const FARTHEST: i32 = 65_534 * 256 + 119;
 
 /// The same beyond 512 pixels, where stepping adds 2⁻¹⁷ for every column and row.
-fn farthest_of_large(scissor: &Scissor) -> i32 {
-    let pixels = (scissor.right - scissor.left).max(0) + (scissor.bottom - scissor.top).max(0); // ≤ 2¹⁷
+fn farthest_of_large(viewport: &Scissor) -> i32 {
+    let pixels = (viewport.right - viewport.left).max(0) + (viewport.bottom - viewport.top).max(0); // ≤ 2¹⁷
     FARTHEST.min(65_534 * 256 + 127 - (pixels >> 9))
 }
 
@@ -31,20 +31,24 @@ pub struct Triangle {
     corners: [ScreenPoint; 3],
     /// [`area`](super::area); not zero.
     area: i64,
-    scissor: Scissor,
+    viewport: Scissor,
 }
 
 impl Triangle {
-    /// `area` is that of the corners, and not zero; pixels outside the scissor will not be asked for.
+    /// `area` is that of the corners, and not zero; pixels outside the viewport will not be asked for.
     #[inline(always)]
-    pub(crate) fn new(corners: [ScreenPoint; 3], area: i64, scissor: &Scissor) -> Self {
-        Self { corners, area, scissor: *scissor }
+    pub(crate) fn new(corners: [ScreenPoint; 3], area: i64, viewport: &Scissor) -> Self {
+        Self { corners, area, viewport: *viewport }
     }
 
-    /// Its covered pixels, row by row.
+    /// Its covered pixels inside the scissor, row by row.
     #[inline]
-    pub(crate) fn fill<E>(&self, span: impl FnMut(super::Span) -> Result<(), E>) -> Result<(), E> {
-        super::fill(self.corners, self.area > 0, &self.scissor, span)
+    pub(crate) fn fill<E>(
+        &self,
+        scissor: &Scissor,
+        span: impl FnMut(super::Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        super::fill(self.corners, self.area > 0, scissor, span)
     }
 
     /// Whether all its edges are shorter than 512 pixels.
@@ -79,7 +83,7 @@ impl Plane {
     /// for that of the origin, and, by the quick way, 2¹⁰·⁶ for the reciprocal: see [`quick`].
     #[inline]
     pub(crate) fn new(triangle: &Triangle, [za, zb, zc]: [i32; 3]) -> Self {
-        let Triangle { corners: [a, b, c], area, scissor } = triangle;
+        let Triangle { corners: [a, b, c], area, viewport } = triangle;
         // |dx|, |dy| ≤ 2²², |dz| < 2²⁴.
         let (dx1, dy1) = (b.x - a.x, b.y - a.y);
         let (dx2, dy2) = (c.x - a.x, c.y - a.y);
@@ -94,9 +98,10 @@ impl Plane {
         let (column, row, gradient) = match quick {
             Some(gradient) => (a.x >> 8, a.y >> 8, gradient),
             None => {
-                // From a pixel near those that are asked for: the error grows with the way.
-                let column = (a.x >> 8).clamp(scissor.left, scissor.right.max(scissor.left));
-                let row = (a.y >> 8).clamp(scissor.top, scissor.bottom.max(scissor.top));
+                // From a pixel near those that are asked for: the error grows with the way. Not nearer
+                // than the viewport, so that every band computes the same.
+                let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
+                let row = (a.y >> 8).clamp(viewport.top, viewport.bottom.max(viewport.top));
                 (column, row, (quotient(across, area), quotient(along, area)))
             }
         };
@@ -122,7 +127,7 @@ impl Plane {
         let depths = if triangle.is_small() {
             depths
         } else {
-            depths.map(|z| z.min(farthest_of_large(&triangle.scissor)))
+            depths.map(|z| z.min(farthest_of_large(&triangle.viewport)))
         };
         let plane = Self::new(triangle, depths);
         Self { origin: plane.origin.wrapping_add(1 << 15), ..plane }

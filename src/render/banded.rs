@@ -1,7 +1,7 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, pieces, InkFor, Outcome, Statistics, Transformed};
+use super::{fill, fill_nearer, pieces, InkFor, Outcome, Statistics, Transformed, Window};
 use crate::camera::Image;
 use crate::clip::Carried;
 use crate::math::Coordinate;
@@ -137,9 +137,9 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         shade: impl FnMut(usize) -> I,
         band: &mut D,
     ) -> Result<(), D::Error> {
-        let scissor = scissor(band, &self.transformed.placed.area);
-        self.each(&scissor, shade, |corners, area, ink| {
-            fill(corners.map(|c| c.point), area, &ink, &scissor, band)
+        let window = Window::new(band, &self.transformed.placed.area);
+        self.each(&window.scissor, shade, |corners, area, ink| {
+            fill(corners.map(|c| c.point), area, &ink, &window, band)
         })
     }
 
@@ -201,9 +201,9 @@ impl<V: Coordinate> Faces<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut D,
     ) -> Result<(), D::Error> {
-        let scissor = scissor(band, &self.transformed.placed.area).and(&depth.scissor());
-        self.each(&scissor, shade, |corners, area, ink| {
-            fill_nearer(&corners, area, &ink, &scissor, depth, band)
+        let window = Window::new(band, &self.transformed.placed.area).with_depth(depth);
+        self.each(&window.scissor, shade, |corners, area, ink| {
+            fill_nearer(&corners, area, &ink, &window, depth, band)
         })
     }
 }

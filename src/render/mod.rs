@@ -28,11 +28,12 @@ use transformed::{pieces, Outcome};
 
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
-use crate::output::{scissor, send, DepthBuffer};
+use crate::output::{inside, scissor, send, DepthBuffer};
 use crate::raster::{self, Plane, Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
 use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::Dimensions;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// A mesh placed before a camera, ready to be drawn.
@@ -210,10 +211,10 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         cache: &mut [Corner],
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let scissor = scissor(target, &self.area);
+        let window = Window::new(target, &self.area);
         let transformed = self.transform(cache);
         transformed
-            .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &scissor, target))
+            .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &window, target))
     }
 
     /// Draws the faces, one colour each, where they are nearer than what `depth` holds: right for all
@@ -222,7 +223,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     ///
     /// A pixel's depth is that of the plane through the face's corners at the pixel's centre, in steps
     /// of 65536 that are linear on the screen, 0 near to 65534 far: within 0.54 of a step for faces
-    /// within 512 pixels, for larger ones within ½ and 2⁻¹⁷ for every column and row of the target. (A
+    /// within 512 pixels, for larger ones within ½ and 2⁻¹⁷ for every column and row of the viewport. (A
     /// face that reaches the far plane, whose 65535 stands for nothing, is drawn half a step nearer
     /// there: within 1.1.) So faces two steps apart are told apart; of equal depths the first drawn
     /// stays. Depth ends at the far plane: what lies beyond is cut off, whether or not the camera asks
@@ -270,10 +271,9 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let scissor = scissor(target, &self.area).and(&depth.scissor());
+        let window = Window::new(target, &self.area).with_depth(depth);
         let transformed = Transformed::<V, true>::new(self.cut_at_far(), cache);
-        transformed
-            .all(shade, |corners, area, ink| fill_nearer(&corners, area, &ink, &scissor, depth, target))
+        transformed.all(shade, |corners, area, ink| fill_nearer(&corners, area, &ink, &window, depth, target))
     }
 
     /// Depth ends at the far plane, whatever the camera says.
@@ -321,18 +321,35 @@ fn each<I: Ink, E>(
     }
 }
 
+/// Where it may be drawn, and the viewport, to which what varies over it is referred.
+struct Window {
+    scissor: Scissor,
+    viewport: Scissor,
+}
+
+impl Window {
+    fn new(target: &impl Dimensions, viewport: &Rectangle) -> Self {
+        Self { scissor: scissor(target, viewport), viewport: inside(viewport) }
+    }
+
+    /// Less what a depth buffer does not hold.
+    fn with_depth(self, depth: &DepthBuffer<'_>) -> Self {
+        Self { scissor: self.scissor.and(&depth.scissor()), ..self }
+    }
+}
+
 /// Step 4: a triangle of this area, not zero, over all that is there.
 #[inline(always)]
 fn fill<D: DrawTarget, I: InkFor<D::Color>>(
     corners: [ScreenPoint; 3],
     area: i64,
     ink: &I,
-    scissor: &Scissor,
+    window: &Window,
     target: &mut D,
 ) -> Result<(), D::Error> {
-    let triangle = Triangle::new(corners, area, scissor);
+    let triangle = Triangle::new(corners, area, &window.viewport);
     let fill = ink.over(&triangle);
-    triangle.fill(|span| I::send(&fill, span, target))
+    triangle.fill(&window.scissor, |span| I::send(&fill, span, target))
 }
 
 /// Step 4: a triangle of this area, not zero, where it is nearer.
@@ -341,11 +358,11 @@ fn fill_nearer<D: DrawTarget, I: InkFor<D::Color>>(
     corners: &[Image; 3],
     area: i64,
     ink: &I,
-    scissor: &Scissor,
+    window: &Window,
     depth: &mut DepthBuffer<'_>,
     target: &mut D,
 ) -> Result<(), D::Error> {
-    let triangle = Triangle::new(corners.map(|c| c.point), area, scissor);
+    let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
     let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
-    triangle.fill(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
+    triangle.fill(&window.scissor, |span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
 }

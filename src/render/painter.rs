@@ -1,9 +1,8 @@
 //! Painter's order: from far to near, over everything recorded.
 
-use super::{fill, pieces, Ink, InkFor, Outcome, Placed, Statistics, Transformed};
+use super::{fill, pieces, Ink, InkFor, Outcome, Placed, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
-use crate::output::scissor;
 use crate::raster::{self, Scissor, ScreenPoint};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::primitives::Rectangle;
@@ -132,14 +131,14 @@ impl<I: Copy> PaintersOrder<'_, I> {
         I: InkFor<D::Color>,
     {
         let Some(area) = &self.area else { return Ok(()) };
-        let scissor = scissor(target, area);
+        let window = Window::new(target, area);
         let mut at = self.first;
         while let Some(face) = self.faces.get(usize::from(at)) {
             let points = face
                 .corners
                 .map(|i| self.corners.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
-            if !Scissor::of(&points).and(&scissor).is_empty() {
-                fill(points, raster::area(&points), &face.ink, &scissor, target)?;
+            if !Scissor::of(&points).and(&window.scissor).is_empty() {
+                fill(points, raster::area(&points), &face.ink, &window, target)?;
             }
             at = face.next;
         }
