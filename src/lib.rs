@@ -24,5 +24,5 @@ pub use render::{
     BinsError, Cull, Edges, Faces, Ink, InkFor, Painter, PaintersOrder, Placed, RecordError, Statistics,
     Transformed,
 };
-pub use scene::{Hierarchy, HierarchyError, Mesh, MeshError, Node};
+pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shade::{Dim, Lambert, LightError};

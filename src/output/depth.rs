@@ -145,4 +145,37 @@ impl<'a> DepthBuffer<'a> {
         }
         run(first, x)
     }
+
+    /// Passes on the runs of those pixels of a line's span that `is_seen`, given their places and the
+    /// depths held there. The span lies inside the buffer.
+    pub(crate) fn along<E>(
+        &mut self,
+        span: Span,
+        mut is_seen: impl FnMut(i32, i32, &mut u16) -> bool,
+        mut visible: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let tall = span.height > 1;
+        let length = span.width.max(span.height); // the other is 1
+        let left = self.area.top_left.x;
+        let mut run = |first: i32, end: i32| {
+            let (by, length) = (first, end - first);
+            match (length > 0, tall) {
+                (false, _) => Ok(()),
+                (true, true) => visible(Span { y: span.y + by, height: length, ..span }),
+                (true, false) => visible(Span { x: span.x + by, width: length, ..span }),
+            }
+        };
+        let mut first = 0;
+        for i in 0..length {
+            let (x, y) = if tall { (span.x, span.y + i) } else { (span.x + i, span.y) };
+            let column = x.wrapping_sub(left) as usize;
+            let held =
+                self.row(y).and_then(|row| self.values.get_mut(row)).and_then(|row| row.get_mut(column));
+            if !held.is_some_and(|held| is_seen(x, y, held)) {
+                run(first, i)?;
+                first = i + 1;
+            }
+        }
+        run(first, length)
+    }
 }

@@ -36,10 +36,12 @@
 //! let forged = pinhole::raster::ScreenPoint { x: 1 << 30, y: 0 };
 //! ```
 
+mod along;
 mod line;
 mod plane;
 mod triangle;
 
+pub(crate) use along::Along;
 pub use line::line;
 pub(crate) use plane::FARTHEST;
 pub use plane::{Plane, Triangle};

@@ -1,7 +1,7 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, pieces, InkFor, Outcome, Statistics, Transformed, Window};
+use super::{fill, fill_nearer, pieces, Ink, InkFor, Outcome, Statistics, Transformed, Window};
 use crate::camera::Image;
 use crate::clip::Carried;
 use crate::math::Coordinate;
@@ -137,7 +137,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         shade: impl FnMut(usize) -> I,
         band: &mut D,
     ) -> Result<(), D::Error> {
-        let window = Window::new(band, &self.transformed.placed.area);
+        let window = Window::new(band, self.viewport());
         self.each(&window.scissor, shade, |corners, area, ink| {
             fill(corners.map(|c| c.point), area, &ink, &window, band)
         })
@@ -153,8 +153,12 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         rectangle(&self.bounds)
     }
 
+    pub(super) fn viewport(&self) -> &Rectangle {
+        &self.transformed.placed.area
+    }
+
     #[inline(always)]
-    fn each<I: super::Ink, E>(
+    pub(super) fn each<I: Ink, E>(
         &mut self,
         scissor: &Scissor,
         mut shade: impl FnMut(usize) -> I,
@@ -215,8 +219,8 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     ///
     /// The target's own, at the first span that it refuses.
     pub fn draw<D: DrawTarget>(&mut self, colour: D::Color, band: &mut D) -> Result<(), D::Error> {
-        let scissor = scissor(band, &self.transformed.placed.area);
-        self.each(&scissor, |_, [from, to]| {
+        let scissor = scissor(band, self.viewport());
+        self.each(&scissor, |_, _, [from, to]| {
             raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(band, span, colour))
         })
     }
@@ -231,11 +235,15 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         rectangle(&self.bounds)
     }
 
+    pub(super) fn viewport(&self) -> &Rectangle {
+        &self.transformed.placed.area
+    }
+
     #[inline(always)]
     pub(super) fn each<E>(
         &mut self,
         scissor: &Scissor,
-        mut draw: impl FnMut(usize, [Image; 2]) -> Result<(), E>,
+        mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { transformed, bins, .. } = self;
         let list = transformed.placed.mesh.edges();
@@ -244,7 +252,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
             let Some((ends, _)) = list.get(index).and_then(|&edge| transformed.edge(edge)) else {
                 return Ok(true);
             };
-            draw(index, ends)?;
+            draw(transformed, index, ends)?;
             Ok(reach_of_line(&ends).rows().end <= rows.end)
         })
     }

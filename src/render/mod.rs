@@ -13,6 +13,7 @@
 mod banded;
 mod bins;
 mod ink;
+mod lines;
 mod painter;
 mod path;
 mod statistics;
@@ -181,20 +182,9 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
-        let mut statistics = Statistics::default();
-        let transformed = self.transform(cache);
-        for &edge in self.mesh.edges() {
-            match transformed.edge(edge) {
-                Some(([from, to], cut)) => {
-                    statistics.clipped += u32::from(cut);
-                    statistics.drawn += 1;
-                    let (from, to) = (from.point.pixel(), to.point.pixel());
-                    raster::line(from, to, &scissor, |span| send(target, span, colour))?;
-                }
-                None => statistics.outside += 1,
-            }
-        }
-        Ok(statistics)
+        self.transform(cache).all_edges(|_, [from, to]| {
+            raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(target, span, colour))
+        })
     }
 
     /// Draws the faces in the mesh's order, one colour each: right for convex meshes, where front
@@ -299,6 +289,26 @@ impl<V: Coordinate, const DEPTH: bool> Transformed<'_, V, DEPTH> {
         }
         Ok(statistics)
     }
+
+    /// Step 3 and 4 for all edges in the mesh's order: `draw` gets their numbers and ends.
+    #[inline(always)]
+    fn all_edges<E>(
+        &self,
+        mut draw: impl FnMut(usize, [Image; 2]) -> Result<(), E>,
+    ) -> Result<Statistics, E> {
+        let mut statistics = Statistics::default();
+        for (index, &edge) in self.placed.mesh.edges().iter().enumerate() {
+            match self.edge(edge) {
+                Some((ends, cut)) => {
+                    statistics.clipped += u32::from(cut);
+                    statistics.drawn += 1;
+                    draw(index, ends)?;
+                }
+                None => statistics.outside += 1,
+            }
+        }
+        Ok(statistics)
+    }
 }
 
 /// Hands what is left of a face to `draw`.
@@ -330,6 +340,12 @@ struct Window {
 impl Window {
     fn new(target: &impl Dimensions, viewport: &Rectangle) -> Self {
         Self { scissor: scissor(target, viewport), viewport: inside(viewport) }
+    }
+
+    /// What a depth buffer holds of a viewport.
+    fn of_depth(depth: &DepthBuffer<'_>, viewport: &Rectangle) -> Self {
+        let viewport = inside(viewport);
+        Self { scissor: viewport.and(&depth.scissor()), viewport }
     }
 
     /// Less what a depth buffer does not hold.

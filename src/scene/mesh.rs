@@ -33,6 +33,7 @@ pub struct Mesh<'a, V = i16> {
     vertices: &'a [[V; 3]],
     faces: &'a [[u16; 3]],
     edges: &'a [[u16; 2]],
+    edge_faces: &'a [[u16; 2]],
     normals: &'a [[i16; 3]],
     exponent: i8,
     /// Left shift that brings the largest coordinate to the top of 32 bits.
@@ -69,6 +70,12 @@ pub enum MeshError {
         /// The vertex it names.
         index: u16,
     },
+    /// The faces beside edges come two to an edge, by their places in the list; or
+    /// [`Mesh::NO_FACE`](Mesh::NO_FACE).
+    EdgeFaces {
+        /// The edge's place in the list, or how many there are, where pairs are missing.
+        edge: usize,
+    },
     /// Normals come one per face.
     NormalCount {
         /// How many faces there are.
@@ -95,6 +102,9 @@ impl core::fmt::Display for MeshError {
             Self::EdgeIndex { edge, index } => {
                 write!(f, "edge {edge} names vertex {index}, which is not there")
             }
+            Self::EdgeFaces { edge } => {
+                write!(f, "edge {edge} has no pair of faces, or one that is not there")
+            }
             Self::NormalCount { faces, normals } => {
                 write!(f, "{normals} normals for {faces} faces: give one per face")
             }
@@ -106,6 +116,41 @@ impl core::fmt::Display for MeshError {
 }
 
 impl core::error::Error for MeshError {}
+
+/// The first two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const`
+/// where the mesh is small, by the importer where it is large. It looks at every face for every edge.
+///
+/// ```
+/// use pinhole::{edge_faces, Mesh};
+/// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [2, 1, 3]];
+/// const EDGES: [[u16; 2]; 2] = [[1, 2], [0, 2]];
+/// const BESIDE: [[u16; 2]; 2] = edge_faces(&EDGES, &FACES);
+/// assert_eq!(BESIDE, [[0, 1], [0, Mesh::<i16>::NO_FACE]]);
+/// ```
+pub const fn edge_faces<const E: usize>(edges: &[[u16; 2]; E], faces: &[[u16; 3]]) -> [[u16; 2]; E] {
+    let mut beside = [[u16::MAX; 2]; E];
+    let mut edge = 0;
+    while edge < E {
+        beside[edge] = faces_beside(edges[edge], faces);
+        edge += 1;
+    }
+    beside
+}
+
+/// The first two faces beside an edge.
+const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]]) -> [u16; 2] {
+    let mut beside = [u16::MAX; 2];
+    let (mut face, mut found) = (0, 0);
+    while face < faces.len() && face < u16::MAX as usize && found < 2 {
+        let [a, b, c] = faces[face];
+        if (p == a || p == b || p == c) && (q == a || q == b || q == c) {
+            beside[found] = face as u16;
+            found += 1;
+        }
+        face += 1;
+    }
+    beside
+}
 
 /// Checks counts and indices; a constant function cannot loop with iterators.
 const fn check(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
@@ -156,7 +201,7 @@ impl<'a> Mesh<'a, i16> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self { vertices, faces, edges: &[], normals: &[], exponent, justify })
+        Ok(Self { vertices, faces, edges: &[], edge_faces: &[], normals: &[], exponent, justify })
     }
 }
 
@@ -184,7 +229,7 @@ impl<'a> Mesh<'a, Scalar> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self { vertices, faces, edges: &[], normals: &[], exponent: -16, justify })
+        Ok(Self { vertices, faces, edges: &[], edge_faces: &[], normals: &[], exponent: -16, justify })
     }
 }
 
@@ -205,6 +250,31 @@ impl<'a, V> Mesh<'a, V> {
             edge += 1;
         }
         Ok(Self { edges, ..self })
+    }
+
+    /// Stands for no face beside an edge.
+    pub const NO_FACE: u16 = u16::MAX;
+
+    /// With the two faces beside each edge, for hidden-line drawing: [`edge_faces`] finds them.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::EdgeFaces`] when there is not one pair per edge, or one names a face that is not
+    /// there.
+    pub const fn with_edge_faces(self, edge_faces: &'a [[u16; 2]]) -> Result<Self, MeshError> {
+        if edge_faces.len() != self.edges.len() {
+            return Err(MeshError::EdgeFaces { edge: edge_faces.len() });
+        }
+        let mut edge = 0;
+        while edge < edge_faces.len() {
+            let [a, b] = edge_faces[edge];
+            let (a_there, b_there) = ((a as usize) < self.faces.len(), (b as usize) < self.faces.len());
+            if !(a_there || a == Self::NO_FACE) || !(b_there || b == Self::NO_FACE) {
+                return Err(MeshError::EdgeFaces { edge });
+            }
+            edge += 1;
+        }
+        Ok(Self { edge_faces, ..self })
     }
 
     /// With a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1).
@@ -232,6 +302,11 @@ impl<'a, V> Mesh<'a, V> {
     /// The edges, or none.
     pub const fn edges(&self) -> &'a [[u16; 2]] {
         self.edges
+    }
+
+    /// The faces beside each edge, or none.
+    pub const fn edge_faces(&self) -> &'a [[u16; 2]] {
+        self.edge_faces
     }
 
     /// The face normals in 2⁻¹⁵, or none.

@@ -4,4 +4,4 @@ mod hierarchy;
 mod mesh;
 
 pub use hierarchy::{Hierarchy, HierarchyError, Node};
-pub use mesh::{Mesh, MeshError};
+pub use mesh::{edge_faces, Mesh, MeshError};

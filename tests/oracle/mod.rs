@@ -16,6 +16,7 @@ pub(crate) mod cases;
 pub(crate) mod chain;
 pub(crate) mod coverage;
 pub(crate) mod eye;
+pub(crate) mod hidden;
 pub(crate) mod line;
 pub(crate) mod picture;
 pub(crate) mod rng;

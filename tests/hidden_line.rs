@@ -1,0 +1,189 @@
+//! Hidden lines, on one bit a pixel, against an oracle that knows every face.
+
+#[allow(dead_code)]
+mod bridge;
+#[allow(dead_code)]
+mod oracle;
+#[allow(dead_code, unreachable_pub)]
+#[path = "../assets/teapot.rs"]
+mod teapot;
+
+use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use embedded_graphics_core::pixelcolor::BinaryColor;
+use embedded_graphics_core::prelude::*;
+use oracle::hidden::{self, Vertex};
+use oracle::rng::Rng;
+use pinhole::{Corner, Cull, DepthBuffer, Frame, Mesh};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A solid whose edges are drawn.
+struct Solid {
+    vertices: Vec<[i16; 3]>,
+    exponent: i8,
+    faces: Vec<[u16; 3]>,
+    edges: Vec<[u16; 2]>,
+}
+
+impl Solid {
+    fn new(vertices: Vec<[i16; 3]>, exponent: i8, faces: Vec<[u16; 3]>) -> Self {
+        let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let edges: BTreeSet<[u16; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        Self { vertices, exponent, faces, edges: edges.into_iter().collect() }
+    }
+
+    /// The faces beside each edge, by a map in place of the library's search.
+    fn edge_faces(&self) -> Vec<[u16; 2]> {
+        let mut beside = BTreeMap::<[u16; 2], Vec<u16>>::new();
+        for (number, &[a, b, c]) in self.faces.iter().enumerate() {
+            for [a, b] in [[a, b], [b, c], [c, a]] {
+                beside.entry([a.min(b), a.max(b)]).or_default().push(number as u16);
+            }
+        }
+        let pair = |edge| {
+            let faces: &Vec<u16> = &beside[edge];
+            [0, 1].map(|i| faces.get(i).copied().unwrap_or(Mesh::<i16>::NO_FACE))
+        };
+        self.edges.iter().map(pair).collect()
+    }
+}
+
+fn torus(around: u16, across: u16) -> Solid {
+    let turn = |i: u16, n: u16| (f64::from(i) / f64::from(n) * core::f64::consts::TAU).sin_cos();
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for i in 0..around {
+        let (s, c) = turn(i, around);
+        for j in 0..across {
+            let (t, d) = turn(j, across);
+            let r = 16_000.0 + 7_000.0 * d;
+            vertices.push([r * c, 7_000.0 * t, -r * s].map(|v| v as i16));
+            let at = |i: u16, j: u16| (i % around) * across + j % across;
+            faces.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+            faces.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+        }
+    }
+    Solid::new(vertices, -13, faces)
+}
+
+fn cube() -> Solid {
+    let vertices = bridge::draw::CUBE.map(|v| v.map(|c| c * 16_384)).to_vec();
+    let mut solid = Solid::new(vertices, -13, bridge::draw::CUBE_FACES.to_vec());
+    solid.edges = bridge::draw::CUBE_EDGES.to_vec(); // no diagonals
+    solid
+}
+
+fn pot() -> Solid {
+    Solid::new(teapot::VERTICES.to_vec(), teapot::EXPONENT - 2, teapot::FACES.to_vec())
+}
+
+/// Slender tetrahedra through each other.
+fn splinters(rng: &mut Rng) -> Solid {
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for _ in 0..25 {
+        let first = vertices.len() as u16;
+        let at = [0; 3].map(|_| rng.real(-12_000.0, 12_000.0));
+        let mut corners = [0; 4].map(|_| [0, 1, 2].map(|i| (at[i] + rng.real(-9_000.0, 9_000.0)) as i16));
+        let way = |i: usize, k: usize| f64::from(corners[i][k]) - f64::from(corners[0][k]);
+        let [p, q, r] = [1, 2, 3].map(|i| [0, 1, 2].map(|k| way(i, k)));
+        if oracle::chain::dot(oracle::chain::cross(p, q), r) < 0.0 {
+            corners.swap(1, 2);
+        }
+        vertices.extend(corners);
+        // Outwards where the fourth lies on the positive side of the first three.
+        faces.extend([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|f| f.map(|i| first + i)));
+    }
+    Solid::new(vertices, -13, faces)
+}
+
+#[derive(Debug, Default)]
+struct Score {
+    seen: u32,
+    missed: u32,
+    drawn: u32,
+    wrong: u32,
+}
+
+const WIDTH: u32 = 240;
+const HEIGHT: u32 = 240;
+
+fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
+    let beside = solid.edge_faces();
+    let mesh = Mesh::new(&solid.vertices, solid.exponent, &solid.faces)
+        .and_then(|m| m.with_edges(&solid.edges))
+        .and_then(|m| m.with_edge_faces(&beside))
+        .expect("a mesh");
+    let (library, model) = (camera.library(), model.library());
+    let placed = library.place(&mesh, &model);
+    // Drawn: one bit a pixel, 16 rows at a time.
+    let mut corners = vec![Corner::EMPTY; solid.vertices.len()];
+    let projected = placed.transform_depth(&mut corners);
+    let (mut records, mut more) = (vec![0; 2 * solid.faces.len()], vec![0; 2 * solid.edges.len()]);
+    let mut faces = projected.faces(&mut records).expect("room");
+    let mut edges = projected.edges(&mut more).expect("room");
+    let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
+    let mut frame = Frame::new(area, BinaryColor::Off);
+    let mut strip = vec![0; Frame::<BinaryColor>::strip_bytes(WIDTH, 16)];
+    let mut storage = vec![0; WIDTH as usize * 16];
+    let mut picture = Vec::new();
+    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
+        let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
+        faces.depth_only(&mut depth);
+        let Ok(()) = edges.hidden_line(BinaryColor::On, &mut depth, &mut band);
+        picture.extend(band.colours());
+    }
+    assert_eq!(faces.statistics().clipped + faces.statistics().outside, 0);
+    // Seen: from the snapped vertices, depth as the chain has it before rounding.
+    let vertices: Vec<Vertex> = (0..solid.vertices.len())
+        .map(|i| {
+            let ((point, _), exact) =
+                (placed.project(i).expect("in view"), placed.project_unsnapped(i).expect("in view"));
+            [f64::from(point.x()) / 256.0, f64::from(point.y()) / 256.0, exact[2] as f64 / 4_294_967_296.0]
+        })
+        .collect();
+    let turned = |face: &[u16; 3]| {
+        let [a, b, c] = face.map(|i| vertices[usize::from(i)]);
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0.0 // y down
+    };
+    let front: Vec<[u16; 3]> = solid.faces.iter().copied().filter(turned).collect();
+    let (mut seen, mut hidden) = (BTreeSet::new(), BTreeMap::new());
+    for &edge in &solid.edges {
+        for sample in hidden::samples(edge, &vertices, &front, WIDTH.into(), HEIGHT.into()) {
+            if sample.behind <= 0.0 {
+                seen.insert(sample.pixel);
+            }
+            let least = hidden.entry(sample.pixel).or_insert(f64::INFINITY);
+            *least = sample.behind.min(*least);
+        }
+    }
+    let is_drawn = |&(x, y): &(i64, i64)| picture[y as usize * WIDTH as usize + x as usize].is_on();
+    Score {
+        seen: seen.len() as u32,
+        missed: seen.iter().filter(|p| !is_drawn(p)).count() as u32,
+        drawn: hidden.keys().filter(|p| is_drawn(p)).count() as u32,
+        wrong: hidden.iter().filter(|(p, &behind)| is_drawn(p) && behind > 2.0).count() as u32,
+    }
+}
+
+#[test]
+fn what_an_oracle_sees_is_drawn_and_nothing_behind_a_face() {
+    let mut rng = Rng::new(5);
+    let mut all = Score::default();
+    let solids = [cube(), torus(25, 20), torus(9, 5), pot(), splinters(&mut rng), splinters(&mut rng)];
+    for turn in 0..6 {
+        for (number, solid) in solids.iter().enumerate() {
+            let camera = CameraBits {
+                view: ViewBits::LookAt([0, 0, 11 * ONE], [0; 3], [0, ONE, 0]),
+                projection: ProjectionBits::Perspective(1 << 29, (WIDTH, HEIGHT), ONE, 30 * ONE),
+                viewport: (0, 0, WIDTH, HEIGHT),
+            };
+            let model = ModelBits(vec![Step::Y(rng.next() as u32), Step::X(rng.next() as u32)]);
+            let score = score(solid, &camera, &model);
+            println!("{number} {turn}: {score:?}");
+            all.seen += score.seen;
+            all.missed += score.missed;
+            all.drawn += score.drawn;
+            all.wrong += score.wrong;
+        }
+    }
+    println!("{all:?}");
+    assert!(all.missed * 100 <= all.seen && all.wrong == 0, "{all:?}");
+}
