@@ -300,7 +300,7 @@ fn bad_command_lines_are_one_line() {
         (&[][..], "SCENE"),
         (&["absent.json"], "absent.json: cannot be read"),
         (&[scene, scene], "unexpected argument"),
-        (&[scene, "--mode", "hidden-line"], "--mode: hidden-line is not there yet"),
+        (&[scene, "--mode", "hidden-line", "--depth", &same], "--depth: needs --mode solid"),
         (&[scene, "--mode", "points"], "--mode: points is not"),
         (&[scene, "--yaw", "3"], "--yaw: "),
         (&[scene, "--pong"], "--pong"),

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Corner, Cull, DepthBuffer, Dim, Lambert, Mesh, Scalar, Statistics, Vector3};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, HashMap};
 
 const BACKGROUND: Rgb888 = Rgb888::new(12, 18, 26);
 const CLAY: Rgb888 = Rgb888::new(248, 178, 112);
@@ -35,7 +35,7 @@ impl Seen {
     }
 }
 
-/// A part of the mesh that 16-bit indices can name.
+/// A part of the mesh whose vertices and faces 16-bit numbers can name.
 struct Part {
     vertices: Vec<[Scalar; 3]>,
     faces: Vec<[u16; 3]>,
@@ -43,7 +43,24 @@ struct Part {
     first: usize,
 }
 
+impl Part {
+    /// The sides of the faces, each once, and the faces beside each: two of them, where there are more.
+    fn edges(&self) -> BTreeMap<[u16; 2], [u16; 2]> {
+        let mut edges = BTreeMap::new();
+        for (number, &[a, b, c]) in self.faces.iter().enumerate() {
+            for [a, b] in [[a, b], [b, c], [c, a]] {
+                let beside = edges.entry([a.min(b), a.max(b)]).or_insert([Mesh::<Scalar>::NO_FACE; 2]);
+                if let Some(free) = beside.iter_mut().find(|face| **face == Mesh::<Scalar>::NO_FACE) {
+                    *free = number as u16; // see MOST_FACES
+                }
+            }
+        }
+        edges
+    }
+}
+
 const MOST: usize = 65_536;
+const MOST_FACES: usize = 65_535;
 
 /// The mesh in parts. A format is chosen for each mesh by its largest coordinate: all parts get the
 /// vertex that has it, so that what they share lands on the same place.
@@ -54,7 +71,7 @@ fn parts(vertices: &[[Scalar; 3]], triangles: &[[usize; 3]]) -> Vec<Part> {
     let mut parts = Vec::new();
     let (mut part, mut places) = (empty(0), HashMap::new());
     for (number, triangle) in triangles.iter().enumerate() {
-        if part.vertices.len() + 3 > MOST {
+        if part.vertices.len() + 3 > MOST || part.faces.len() == MOST_FACES {
             parts.push(std::mem::replace(&mut part, empty(number)));
             places.clear();
         }
@@ -96,19 +113,41 @@ pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, Strin
     Ok(Solid { ids, depth: storage, statistics })
 }
 
-/// The edges, each once.
-pub(crate) fn wireframe(scene: &Scene, quantised: &Quantised) -> Result<(Vec<Rgb888>, Statistics), String> {
-    let mut picture = Canvas::new(Size::new(scene.width, scene.height), BACKGROUND);
+/// The edges, each once; those that triangles hide only where asked.
+pub(crate) fn edges(
+    scene: &Scene,
+    quantised: &Quantised,
+    less_hidden: bool,
+) -> Result<(Vec<Rgb888>, Statistics), String> {
+    let size = Size::new(scene.width, scene.height);
+    let mut picture = Canvas::new(size, BACKGROUND);
+    let mut storage = vec![0; if less_hidden { picture.pixels().len() } else { 0 }];
+    let area = Rectangle::new(Point::zero(), if less_hidden { size } else { Size::zero() });
+    let mut depth = DepthBuffer::new(area, &mut storage).map_err(|e| e.to_string())?;
+    let cull = if scene.cull { Cull::Back } else { Cull::None };
     let camera = quantised.camera();
+    let parts = parts(&quantised.vertices, &scene.triangles);
+    let mut corners = vec![Corner::EMPTY; parts.iter().map(|p| p.vertices.len()).max().unwrap_or(0)];
+    if less_hidden {
+        // Every part may hide any other.
+        for part in &parts {
+            let mesh = Mesh::from_fixed(&part.vertices, &part.faces).map_err(|e| e.to_string())?;
+            camera.place(&mesh, &quantised.model).with_cull(cull).depth_only(&mut corners, &mut depth);
+        }
+    }
     let mut statistics = Statistics::default();
-    for part in parts(&quantised.vertices, &scene.triangles) {
-        let sides = part.faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let edges: BTreeSet<[u16; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-        let edges: Vec<_> = edges.into_iter().collect();
-        let mesh = Mesh::from_fixed(&part.vertices, &part.faces).and_then(|mesh| mesh.with_edges(&edges));
-        let mesh = mesh.map_err(|e| e.to_string())?;
-        let mut corners = vec![Corner::EMPTY; part.vertices.len()];
-        let Ok(drawn) = camera.place(&mesh, &quantised.model).wireframe(WIRE, &mut corners, &mut picture);
+    for part in &parts {
+        let (edges, beside): (Vec<_>, Vec<_>) = part.edges().into_iter().unzip();
+        let mesh = Mesh::from_fixed(&part.vertices, &part.faces)
+            .and_then(|mesh| mesh.with_edges(&edges))
+            .and_then(|mesh| mesh.with_edge_faces(&beside))
+            .map_err(|e| e.to_string())?;
+        let placed = camera.place(&mesh, &quantised.model).with_cull(cull);
+        let Ok(drawn) = if less_hidden {
+            placed.hidden_line(WIRE, &mut corners, &mut depth, &mut picture)
+        } else {
+            placed.wireframe(WIRE, &mut corners, &mut picture)
+        };
         statistics = statistics.and(drawn);
     }
     Ok((picture.pixels().to_vec(), statistics))

@@ -61,8 +61,9 @@ fn run(options: &Options) -> Result<(), String> {
             }
             solid.statistics
         }
-        Mode::Wireframe => {
-            let (picture, statistics) = draw::wireframe(&used, &quantised).map_err(named)?;
+        Mode::Wireframe | Mode::HiddenLine => {
+            let hidden = options.mode == Mode::HiddenLine;
+            let (picture, statistics) = draw::edges(&used, &quantised, hidden).map_err(named)?;
             if let Some(path) = &options.png {
                 outputs.push((path, png(&used, &picture)?));
             }
@@ -92,7 +93,7 @@ fn tell(
         let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
         let (what, count) = match options.mode {
             Mode::Solid => ("triangles", scene.triangles.len()),
-            Mode::Wireframe => ("edges", (drawn + outside) as usize),
+            Mode::Wireframe | Mode::HiddenLine => ("edges", (drawn + outside) as usize),
         };
         println!(
             "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them cut), \

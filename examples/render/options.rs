@@ -22,6 +22,7 @@ pub(crate) struct Options {
 pub(crate) enum Mode {
     Solid,
     Wireframe,
+    HiddenLine,
 }
 
 const FORMATS: &str = r#"SCENE.json:
@@ -43,7 +44,7 @@ pub(crate) fn read() -> Result<Options, String> {
     let mode = match given.remove_one::<String>("mode").as_deref() {
         None | Some("solid") => Mode::Solid,
         Some("wireframe") => Mode::Wireframe,
-        Some("hidden-line") => return Err("--mode: hidden-line is not there yet".into()),
+        Some("hidden-line") => Mode::HiddenLine,
         Some(other) => return Err(format!("--mode: {other} is not solid, wireframe or hidden-line")),
     };
     let look = look(&mut given, &scene)?;
@@ -55,7 +56,7 @@ pub(crate) fn read() -> Result<Options, String> {
         if let Some((other, _)) = files[..place].iter().find(|(_, earlier)| same(earlier)) {
             return Err(format!("{flag}: names the same file as {other}"));
         }
-        if mode == Mode::Wireframe && file.is_some() && matches!(*flag, "--ids" | "--depth") {
+        if mode != Mode::Solid && file.is_some() && matches!(*flag, "--ids" | "--depth") {
             return Err(format!("{flag}: needs --mode solid"));
         }
     }

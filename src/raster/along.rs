@@ -31,8 +31,7 @@ impl Along {
         let (a, b) = if tall { (a.y, b.y) } else { (a.x, b.x) };
         let ((a, za), (b, zb)) = if a <= b { ((a, za), (b, zb)) } else { ((b, zb), (a, za)) };
         let (from, to) = (a >> 8, b >> 8);
-        // With the half that rounds; za, zb < 2²⁴.
-        let steps = |z: i32| ((z as u32) << 8).wrapping_add(1 << 15);
+        let steps = |z: i32| (z as u32) << 8; // za, zb < 2²⁴
         if from == to {
             let nearer = steps(za.min(zb));
             return Self { tall, from, to, first: nearer, second: nearer, last: nearer, step: 0 };
@@ -55,18 +54,22 @@ impl Along {
         }
     }
 
-    /// At a pixel of the line: 0 near … 65534 far.
-    pub(crate) fn at(&self, x: i32, y: i32) -> u16 {
+    /// The value at a pixel of the line, in 2⁻⁸ of the ends' unit.
+    pub(crate) fn at(&self, x: i32, y: i32) -> u32 {
         let along = if self.tall { y } else { x };
-        let depth = if along <= self.from {
+        if along <= self.from {
             self.first
         } else if along >= self.to {
             self.last
         } else {
             // Between the ends, so what wraps on the way does no harm.
             self.second.wrapping_add(self.step.wrapping_mul((along - self.from - 1) as u32))
-        };
-        ((depth >> 16) as u16).min(u16::MAX - 1)
+        }
+    }
+
+    /// Of depths: 0 near … 65534 far.
+    pub(crate) fn depth(&self, x: i32, y: i32) -> u16 {
+        (((self.at(x, y) + (1 << 15)) >> 16) as u16).min(u16::MAX - 1)
     }
 }
 
@@ -94,14 +97,14 @@ mod tests {
             let of = |p: ScreenPoint| i128::from(if tall { p.y() } else { p.x() });
             let (from, to) = (of(a), of(b));
             if from >> 8 == to >> 8 {
-                assert_eq!(along.at(p.x.into(), p.y.into()), ((za.min(zb) + 128) >> 8) as u16);
+                assert_eq!(along.depth(p.x.into(), p.y.into()), ((za.min(zb) + 128) >> 8) as u16);
                 continue;
             }
             for pixel in [from >> 8, (from >> 8) + (to - from).signum(), (from + to) >> 9, to >> 8] {
                 // In rationals over to − from, centres beyond the ends brought there.
                 let centre = (256 * pixel + 128).clamp(from.min(to), from.max(to));
                 let exact = i128::from(za) * (to - centre) + i128::from(zb) * (centre - from);
-                let stored = i128::from(along.at(pixel as i32, pixel as i32)) * 256 * (to - from);
+                let stored = i128::from(along.depth(pixel as i32, pixel as i32)) * 256 * (to - from);
                 // In 1/1000 steps.
                 let error = (stored - exact).abs() * 1000 / (256 * (to - from).abs());
                 largest = largest.max(error);

@@ -9,8 +9,11 @@ pub(crate) type Vertex = [f64; 3];
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
     pub(crate) pixel: (i64, i64),
-    /// How far the edge lies behind the nearest face that is not beside it, in steps; negative in front.
+    /// How far the edge lies, at its point there, behind the nearest face that is not beside it, in
+    /// steps; negative in front.
     pub(crate) behind: f64,
+    /// How far it lies behind what is nearest at the pixel's centre; 0 where that is a face beside it.
+    pub(crate) behind_centre: f64,
 }
 
 fn cross(a: Vertex, b: Vertex, p: (f64, f64)) -> f64 {
@@ -37,11 +40,13 @@ pub(crate) fn samples(
     let pixel = |p: Vertex| (p[0].floor() as i64, p[1].floor() as i64);
     let (p, q) = (pixel(a), pixel(b));
     let major = usize::from(line::is_steep(p, q));
-    let others: Vec<[Vertex; 3]> = faces
-        .iter()
-        .filter(|face| !(face.contains(&u) && face.contains(&v)))
-        .map(|face| face.map(|i| vertices[usize::from(i)]))
-        .collect();
+    let beside = |face: &[u16; 3]| face.contains(&u) && face.contains(&v);
+    let corners = |face: &[u16; 3]| face.map(|i| vertices[usize::from(i)]);
+    // The nearest of the faces that are beside the edge, and of the others.
+    let nearest = |p: (f64, f64), of: bool| {
+        let there = faces.iter().filter(|&face| beside(face) == of);
+        there.filter_map(|face| depth(corners(face), p)).fold(f64::INFINITY, f64::min)
+    };
     let inside = |&(x, y): &(i64, i64)| x >= 0 && y >= 0 && x < width && y < height;
     line::pixels(p, q)
         .into_iter()
@@ -51,8 +56,11 @@ pub(crate) fn samples(
             let extent = b[major] - a[major];
             let t = if extent == 0.0 { 0.5 } else { ((centre - a[major]) / extent).clamp(0.0, 1.0) };
             let [x, y, z] = [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * t);
-            let nearest = others.iter().filter_map(|&face| depth(face, (x, y))).fold(f64::INFINITY, f64::min);
-            Sample { pixel, behind: z - nearest }
+            let centre = (pixel.0 as f64 + 0.5, pixel.1 as f64 + 0.5);
+            let other = nearest(centre, false);
+            // Nearer than a step apart, either may be the one that is seen.
+            let behind_centre = if nearest(centre, true) < other + 1.0 { 0.0 } else { z - other };
+            Sample { pixel, behind: z - nearest((x, y), false), behind_centre }
         })
         .collect()
 }
