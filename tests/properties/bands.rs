@@ -17,27 +17,37 @@ enum Way {
     Solid(Cull),
     Depth(Cull),
     Wireframe,
+    /// Lines against the depth of the faces.
+    DepthLines,
+    HiddenLines,
     Painter,
 }
 
-const WAYS: [Way; 6] = [
+const WAYS: [Way; 8] = [
     Way::Solid(Cull::Back),
     Way::Solid(Cull::None),
     Way::Depth(Cull::Back),
     Way::Depth(Cull::None),
     Way::Wireframe,
+    Way::DepthLines,
+    Way::HiddenLines,
     Way::Painter,
 ];
 
 const BACKGROUND: Gray8 = Gray8::new(200);
+const LINE: Gray8 = Gray8::new(77);
 
 fn colour(face: usize) -> Gray8 {
     Gray8::new(face as u8)
 }
 
+/// Edge k is a side of face k, as the strategy makes them.
+const BESIDE: [[u16; 2]; 8] = [[0, 1], [1, 1], [2, 0], [3, 3], [4, 65_535], [5, 5], [6, 7], [7, 6]];
+
 fn mesh(scene: &Scene) -> Mesh<'_> {
     Mesh::new(&scene.vertices, EXPONENT, &scene.faces)
         .and_then(|m| m.with_edges(&scene.edges))
+        .and_then(|m| m.with_edge_faces(&BESIDE))
         .expect("a mesh")
 }
 
@@ -53,7 +63,17 @@ fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) 
             let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
             placed.with_cull(cull).depth_tested(colour, &mut corners, &mut depth, &mut target)
         }
-        Way::Wireframe => placed.wireframe(Gray8::new(77), &mut corners, &mut target),
+        Way::Wireframe => placed.wireframe(LINE, &mut corners, &mut target),
+        Way::DepthLines | Way::HiddenLines => {
+            let mut storage = vec![0; (area.size.width * area.size.height) as usize];
+            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
+            placed.depth_only(&mut corners, &mut depth);
+            if matches!(way, Way::HiddenLines) {
+                placed.hidden_line(LINE, &mut corners, &mut depth, &mut target)
+            } else {
+                placed.wireframe_depth_tested(LINE, &mut corners, &mut depth, &mut target)
+            }
+        }
         Way::Painter => {
             let mut painter = Painter::<Gray8, 128, 64>::new();
             painter.add(&placed, colour).expect("room");
@@ -74,6 +94,8 @@ enum Recorded<'a> {
     Solid(Faces<'a>),
     Depth(Faces<'a, i16, true>),
     Wireframe(Edges<'a>),
+    /// Whether they are those that faces do not hide.
+    Lines(Faces<'a, i16, true>, Edges<'a, i16, true>, bool),
     Painter(Box<Painter<Gray8, 128, 64>>),
 }
 
@@ -86,7 +108,17 @@ impl Recorded<'_> {
                 let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
                 faces.depth_tested(colour, &mut depth, band)
             }
-            Self::Wireframe(edges) => edges.draw(Gray8::new(77), band),
+            Self::Wireframe(edges) => edges.draw(LINE, band),
+            Self::Lines(faces, edges, hidden) => {
+                let mut storage = vec![0; (band.area().size.width * band.area().size.height) as usize];
+                let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
+                faces.depth_only(&mut depth);
+                if *hidden {
+                    edges.hidden_line(LINE, &mut depth, band)
+                } else {
+                    edges.depth_tested(LINE, &mut depth, band)
+                }
+            }
             Self::Painter(painter) => painter.order().draw(band),
         };
     }
@@ -96,6 +128,7 @@ impl Recorded<'_> {
             Self::Solid(faces) => faces.statistics(),
             Self::Depth(faces) => faces.statistics(),
             Self::Wireframe(edges) => edges.statistics(),
+            Self::Lines(_, edges, _) => edges.statistics(),
             Self::Painter(painter) => painter.order().statistics(),
         }
     }
@@ -105,6 +138,7 @@ impl Recorded<'_> {
             Self::Solid(faces) => Some(faces.bounds()),
             Self::Depth(faces) => Some(faces.bounds()),
             Self::Wireframe(edges) => Some(edges.bounds()),
+            Self::Lines(_, edges, _) => Some(edges.bounds()),
             Self::Painter(_) => None,
         }
     }
@@ -117,7 +151,7 @@ fn record<R>(
     then: impl FnOnce(&mut Recorded<'_>) -> R,
 ) -> R {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
-    let (placed, mut records) = (camera.place(&mesh, &model), [0; 9]);
+    let (placed, mut records, mut more) = (camera.place(&mesh, &model), [0; 9], [0; 9]);
     let mut recorded = match way {
         Way::Solid(cull) => {
             Recorded::Solid(placed.with_cull(cull).transform(corners).faces(&mut records).expect("room"))
@@ -126,6 +160,12 @@ fn record<R>(
             placed.with_cull(cull).transform_depth(corners).faces(&mut records).expect("room"),
         ),
         Way::Wireframe => Recorded::Wireframe(placed.transform(corners).edges(&mut records).expect("room")),
+        Way::DepthLines | Way::HiddenLines => {
+            let projected = placed.transform_depth(corners);
+            let faces = projected.faces(&mut records).expect("room");
+            let edges = projected.edges(&mut more).expect("room");
+            Recorded::Lines(faces, edges, matches!(way, Way::HiddenLines))
+        }
         Way::Painter => {
             let mut painter = Box::new(Painter::new());
             painter.add(&placed, colour).expect("room");
