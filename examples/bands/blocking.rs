@@ -1,0 +1,15 @@
+//! The simplest way: draw a band, send it, draw the next one into the same strip.
+
+use crate::display::Display;
+use crate::scene::{Scene, STRIP};
+use std::error::Error;
+
+pub(crate) fn show(scene: &mut Scene, display: &mut Display) -> Result<(), Box<dyn Error>> {
+    let mut strip = [0; STRIP];
+    let (mut frame, mut recorded) = scene.record()?;
+    while let Some(mut band) = frame.next_band(&mut strip)? {
+        recorded.draw(&mut band)?;
+        band.send(display)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,60 @@
+//! A frame without a framebuffer, three ways: a blocking loop, two strips in turn with DMA, an async task. All of them
+//! pull bands from the same [`Frame`](pinhole::Frame).
+//!
+//! ```text
+//! cargo run --release --example bands
+//! ```
+//!
+//! The display stands at the other end of a transfer that takes time, as SPI does; all three pictures are the same, and
+//! one is written to `target/bands/bands.png`.
+
+mod blocking;
+#[path = "../common/command.rs"]
+mod command;
+mod display;
+mod ping_pong;
+mod scene;
+#[path = "../common/still.rs"]
+mod still;
+mod task;
+
+use clap::{value_parser, Command};
+use display::Display;
+use embedded_graphics::pixelcolor::Rgb888;
+use scene::{Scene, SIZE};
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    command::run(|| -> Result<ExitCode, Box<dyn Error>> {
+        let out = command::option("out", "DIR", "The folder for the picture", "target/bands");
+        let about =
+            "Draws a frame in bands: in a blocking loop, by DMA with two strips, and in an async task";
+        let command = Command::new("bands").about(about).arg(out.value_parser(value_parser!(PathBuf)));
+        let out: PathBuf = command::matches(command)?.remove_one("out").unwrap_or_default();
+        let mut scene = Scene::new()?;
+
+        let mut pictures: Vec<(&str, Vec<Rgb888>)> = Vec::new();
+        let mut display = Display::new(SIZE);
+        blocking::show(&mut scene, &mut display)?;
+        pictures.push(("blocking", display.pixels()));
+        let display = ping_pong::show(&mut scene, Display::new(SIZE))?;
+        pictures.push(("two strips and DMA", display.pixels()));
+        let (display, others) = task::show(&mut scene, Display::new(SIZE))?;
+        pictures.push(("async task", display.pixels()));
+        println!("another task ran {others} times while the bands of the async one were on their way");
+
+        for (name, picture) in &pictures {
+            if *picture != pictures[0].1 {
+                return Err(format!("{name}: not the picture of the blocking loop").into());
+            }
+        }
+        std::fs::create_dir_all(&out).map_err(|e| format!("{}: cannot be made: {e}", out.display()))?;
+        let file = out.join("bands.png");
+        let png = still::png(SIZE, &pictures[0].1)?;
+        std::fs::write(&file, png).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
+        println!("{}: the same picture three times", file.display());
+        Ok(ExitCode::SUCCESS)
+    })
+}

@@ -1,0 +1,92 @@
+//! The teapot with a caption, and all the memory that drawing it takes.
+
+use embedded_graphics::mono_font::{ascii::FONT_9X15_BOLD, MonoTextStyle};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::text::Text;
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Band, BinsError, Camera, Corner, DepthBuffer, DepthBufferError, Dim, Faces, Frame,
+    Lambert, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+};
+use std::error::Error;
+
+#[allow(dead_code, unreachable_pub)]
+#[path = "../../assets/teapot.rs"]
+mod teapot;
+
+pub(crate) const SIZE: Size = Size::new(240, 240);
+/// Rows of a band: a divisor of the height, so that DMA always sends whole strips.
+const ROWS: u32 = 8;
+pub(crate) const STRIP: usize = Frame::<Rgb565>::strip_bytes(SIZE.width, ROWS);
+
+const TEAPOT: Mesh<'static> = {
+    let Ok(mesh) = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES) else { panic!() };
+    let Ok(mesh) = mesh.with_normals(&teapot::NORMALS) else { panic!() };
+    mesh
+};
+const VERTICES: usize = teapot::VERTICES.len();
+/// At most so many are visible at once; and one number for every 16 of all.
+const RECORDS: usize = 600 + teapot::FACES.len().div_ceil(16);
+
+pub(crate) struct Scene {
+    camera: Camera,
+    model: Affine<Model, World>,
+    light: Lambert,
+    corners: [Corner; VERTICES],
+    records: [u16; RECORDS],
+    depth: [u16; (SIZE.width * ROWS) as usize],
+}
+
+/// What is drawn into every band of a frame.
+pub(crate) struct Recorded<'a> {
+    faces: Faces<'a, i16, true>,
+    light: &'a Lambert,
+    depth: &'a mut [u16],
+}
+
+impl Scene {
+    pub(crate) fn new() -> Result<Self, Box<dyn Error>> {
+        let viewport = Viewport::new(Point::zero(), SIZE)?;
+        let viewing = Viewing::look_at(
+            Point3::from_ints(0, 16, 32),
+            Point3::from_ints(0, 0, 0),
+            Vector3::from_ints(0, 1, 0),
+        )?;
+        let projection =
+            Projection::perspective(Angle::degrees(45), SIZE, Scalar::from_num(10), Scalar::from_num(60))?;
+        let model = Affine::rotation_y(Angle::degrees(-25));
+        Ok(Self {
+            camera: Camera::new(&viewing, &projection, &viewport),
+            model,
+            light: Lambert::new(&model, Vector3::from_ints(-4, 6, 5), 60)?,
+            corners: [Corner::EMPTY; VERTICES],
+            records: [0; RECORDS],
+            depth: [0; (SIZE.width * ROWS) as usize],
+        })
+    }
+
+    /// A frame: every vertex is transformed, every face sorted out, once.
+    pub(crate) fn record(&mut self) -> Result<(Frame<Rgb565>, Recorded<'_>), BinsError> {
+        let faces = self
+            .camera
+            .place(&TEAPOT, &self.model)
+            .transform_depth(&mut self.corners)
+            .faces(&mut self.records)?;
+        let frame = Frame::new(Rectangle::new(Point::zero(), SIZE), Rgb565::new(2, 6, 5));
+        Ok((frame, Recorded { faces, light: &self.light, depth: &mut self.depth }))
+    }
+}
+
+impl Recorded<'_> {
+    /// What lies in a band: the teapot against the band's own depth, and a caption on top.
+    pub(crate) fn draw(&mut self, band: &mut Band<'_, Rgb565>) -> Result<(), DepthBufferError> {
+        let mut depth = DepthBuffer::new(band.area(), self.depth)?;
+        let colour = |face: usize| Rgb565::new(31, 44, 14).dim(self.light.level(teapot::NORMALS[face]));
+        let Ok(()) = self.faces.depth_tested(colour, &mut depth, band);
+        let style = MonoTextStyle::new(&FONT_9X15_BOLD, Rgb565::WHITE);
+        let Ok(_) = Text::new("7.5 KB of strips", Point::new(48, 224), style).draw(band);
+        Ok(())
+    }
+}
