@@ -1,8 +1,6 @@
 //! Hidden lines, on one bit a pixel, against an oracle that knows every face.
 
-#[allow(dead_code)]
 mod bridge;
-#[allow(dead_code)]
 mod oracle;
 #[allow(dead_code, unreachable_pub)]
 #[path = "../assets/teapot.rs"]

@@ -95,7 +95,7 @@ enum Recorded<'a> {
     Depth(Faces<'a, i16, true>),
     Wireframe(Edges<'a>),
     /// Whether they are those that faces do not hide.
-    Lines(Faces<'a, i16, true>, Edges<'a, i16, true>, bool),
+    Lines(Box<(Faces<'a, i16, true>, Edges<'a, i16, true>, bool)>),
     Painter(Box<Painter<Gray8, 128, 64>>),
 }
 
@@ -109,7 +109,8 @@ impl Recorded<'_> {
                 faces.depth_tested(colour, &mut depth, band)
             }
             Self::Wireframe(edges) => edges.draw(LINE, band),
-            Self::Lines(faces, edges, hidden) => {
+            Self::Lines(lines) => {
+                let (faces, edges, hidden) = &mut **lines;
                 let mut storage = vec![0; (band.area().size.width * band.area().size.height) as usize];
                 let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
                 faces.depth_only(&mut depth);
@@ -128,7 +129,7 @@ impl Recorded<'_> {
             Self::Solid(faces) => faces.statistics(),
             Self::Depth(faces) => faces.statistics(),
             Self::Wireframe(edges) => edges.statistics(),
-            Self::Lines(_, edges, _) => edges.statistics(),
+            Self::Lines(lines) => lines.1.statistics(),
             Self::Painter(painter) => painter.order().statistics(),
         }
     }
@@ -138,7 +139,7 @@ impl Recorded<'_> {
             Self::Solid(faces) => Some(faces.bounds()),
             Self::Depth(faces) => Some(faces.bounds()),
             Self::Wireframe(edges) => Some(edges.bounds()),
-            Self::Lines(_, edges, _) => Some(edges.bounds()),
+            Self::Lines(lines) => Some(lines.1.bounds()),
             Self::Painter(_) => None,
         }
     }
@@ -164,7 +165,7 @@ fn record<R>(
             let projected = placed.transform_depth(corners);
             let faces = projected.faces(&mut records).expect("room");
             let edges = projected.edges(&mut more).expect("room");
-            Recorded::Lines(faces, edges, matches!(way, Way::HiddenLines))
+            Recorded::Lines(Box::new((faces, edges, matches!(way, Way::HiddenLines))))
         }
         Way::Painter => {
             let mut painter = Box::new(Painter::new());
