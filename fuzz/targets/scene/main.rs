@@ -3,6 +3,7 @@
 //!
 //! - Nothing is drawn outside viewport ∩ target, and nothing one pixel at a time.
 //! - Each primitive is counted once; the length of the cache changes nothing.
+//! - Bands of any height show the same as one piece.
 //! - With a depth buffer, each pixel shows the nearest face, at the depth of its plane.
 //! - A whole face is the exact coverage of its projected corners, a whole edge the exact line.
 //! - What is cut is what one ray a pixel meets, where no ray nearby tells otherwise.
@@ -15,6 +16,7 @@ mod bytes;
 #[path = "../../../tests/oracle/mod.rs"]
 mod oracle;
 
+mod bands;
 mod cut;
 mod depth;
 mod input;
@@ -109,6 +111,7 @@ fuzz_target!(|data: &[u8]| {
     let Some(scene) = Scene::read(data) else { return };
     scene.with_placed(&scene.faces, &scene.edges, |placed| check(&scene, placed));
     depth::check(&scene);
+    bands::check(&scene);
     for face in &scene.faces {
         whole::face(&scene, *face);
         cut::face(&scene, *face);
