@@ -6,6 +6,7 @@
 mod canvas;
 mod panel;
 
+use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::spi::SpiDevice;
@@ -21,6 +22,14 @@ use pinhole::{Frame, Wire};
 
 /// One film of each sort, that shows every way of drawing.
 const CUBE: Film = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
+
+/// The scene S2 covers 17964 pixels, as was measured elsewhere.
+#[test]
+fn the_cube_is_that_of_the_benchmarks() {
+    let picture = reference::<Rgb565>(&CUBE.frame(ST7789::SIZE, 0), ST7789::SIZE);
+    let covered = picture.pixels().iter().filter(|colour| **colour != Rgb565::from(BACKGROUND)).count();
+    assert_eq!(covered, 17964);
+}
 
 /// Runs a test for every panel.
 macro_rules! for_every_panel {

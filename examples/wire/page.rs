@@ -44,9 +44,8 @@ const FILMS: &str = "\
 
 Means over a film, the first frame (all of the screen) left out; in brackets the largest frame. Bands and dirty
 rectangles go through a strip of ROWS rows of the screen. *Spans* is what drawing straight onto the display costs: cleared, then
-each run of equal pixels a `fill_solid`. *Pixels* is a renderer that gives its display one pixel at a time; more at
-once, mipidsi's `batch` would gather. Both flicker, as the display shows the cleared screen first, and neither leaves the last
-frame standing where nothing changed.
+each run of equal pixels a `fill_solid`. *Pixels* is a renderer that gives its display one pixel at a time (several at
+a time, mipidsi's feature `batch` would gather). Both flicker, as the display shows the cleared screen first.
 ";
 
 const CHANGED: &str = "\
@@ -54,8 +53,9 @@ const CHANGED: &str = "\
 
 Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
 of a cube spun about an axis of the world, ST7789. The rectangles are known from the vertices before anything is
-drawn. So a pixel that is drawn in its old colour is sent too: when the cube turns by less than a degree, in some frames a
-whole edge stays within its pixels and the faces' colours in their steps. Rgb565, bands of ROWS rows of the screen.
+drawn. So a pixel that is drawn in its old colour is sent too: when the cube turns by a degree or less, in some frames a
+whole edge stays within its pixels, and the faces' colours within their steps. Sent in bands of ROWS rows of the screen, whose
+windows are counted.
 
 | a frame turns by | axis | share over the film | the worst frame | frames above 1.05 |
 |---|---|---|---|---|
@@ -136,10 +136,10 @@ fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &
         let bytes = mean(|cost| cost.bytes);
         let _ = writeln!(
             page,
-            "| {name} | {} ({}) | {:.0} ({}) | {} |",
+            "| {name} | {} ({}) | {} ({}) | {} |",
             grouped(bytes.round() as usize),
             most(|cost| cost.bytes),
-            mean(|cost| cost.windows),
+            grouped(mean(|cost| cost.windows).round() as usize),
             most(|cost| cost.windows),
             rates(bytes)
         );

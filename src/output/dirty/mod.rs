@@ -62,6 +62,32 @@ impl WindowCost {
 /// dirty.invalidate(); // after an error of the target, say
 /// assert_eq!(dirty.take(), [screen]);
 /// ```
+///
+/// A frame, drawn in bands of its dirty rectangles:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// use embedded_graphics::primitives::{Circle, PrimitiveStyle};
+/// use pinhole::{Dirty, Frame, WindowCost, Wire};
+/// let mut display = MockDisplay::<Gray8>::new();
+/// display.set_allow_overdraw(true);
+/// let mut dirty = Dirty::<4>::new(display.bounding_box(), WindowCost::new(Gray8::BITS, 11));
+/// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+/// for x in [5, 9, 30] {
+///     let ball = Circle::new(Point::new(x, 20), 12).into_styled(PrimitiveStyle::with_fill(Gray8::WHITE));
+///     dirty.mark(ball.bounding_box()); // of a mesh: `Faces::bounds`
+///     for area in dirty.take() {
+///         let mut frame = Frame::new(area, Gray8::BLACK);
+///         while let Some(mut band) = frame.next_band(&mut strip)? {
+///             ball.draw(&mut band)?; // and all else that lies there
+///             band.send(&mut display)?;
+///         }
+///     }
+/// }
+/// let seen = |x| display.get_pixel(Point::new(x, 26));
+/// assert_eq!((seen(11), seen(15), seen(36)), (Some(Gray8::BLACK), Some(Gray8::BLACK), Some(Gray8::WHITE)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Dirty<const N: usize> {
     area: Rectangle,
