@@ -147,7 +147,8 @@ fn so_does_one_that_spins_slowly() {
     }
 }
 
-/// It costs less than the one rectangle about what changed, and in no frame more than a 25th of a frame.
+/// Over the film it costs less than the one rectangle about what changed, in every frame at most 1.05 of it, and a 25th
+/// of all pixels.
 #[test]
 fn a_small_thing_before_what_stands_still_costs_little() {
     fn test<M: Kind<ColorFormat: Colour>>() {
@@ -155,7 +156,13 @@ fn a_small_thing_before_what_stands_still_costs_little() {
         let all = sum(&costs);
         assert!(all.bytes < all.changed, "{all:?}");
         let frame = pixel_bytes::<M::ColorFormat>(M::SIZE);
-        assert!(costs.iter().all(|cost| cost.bytes * 25 <= frame), "{costs:?}");
+        for cost in costs {
+            assert!(
+                cost.bytes * 100 <= cost.changed * 105 && cost.bytes * 25 <= frame,
+                "{}: {cost:?}",
+                M::NAME
+            );
+        }
     }
     for_every_panel!(test);
 }

@@ -262,6 +262,15 @@ mod tests {
         assert_eq!(pixels, 2 * 1600 - 400);
     }
 
+    /// A square moved by d pixels both ways: one rectangle about both has 2·d² pixels, of 2 bytes, that
+    /// neither has, and saves two windows of 11 bytes.
+    #[test]
+    fn corners_that_neither_has_are_left_out() {
+        let moved = |d: i32| taken::<8>(16, &[at(10, 10, 40, 40), at(10 + d, 10 + d, 40, 40)]);
+        assert_eq!(moved(2), [at(10, 10, 42, 42)]);
+        assert_eq!(moved(3), [at(10, 10, 40, 40), at(50, 13, 3, 37), at(13, 50, 40, 3)]);
+    }
+
     #[test]
     fn without_room_the_two_that_cost_least_are_merged() {
         let far = [at(0, 0, 20, 20), at(200, 200, 20, 20), at(200, 0, 20, 20)];
