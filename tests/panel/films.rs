@@ -126,9 +126,12 @@ impl Thing {
     }
 }
 
-/// Memory for the vertices and faces of things.
+/// Memory for the vertices and faces of a thing: a number for each face, and one for every 16.
+type Store = ([Corner; VERTICES.len()], [u16; FACES.len() + 1]);
+
+/// Memory for things.
 #[derive(Default)]
-pub(crate) struct Memory(Vec<([Corner; VERTICES.len()], [u16; FACES.len() + 1])>);
+pub(crate) struct Memory(Vec<Store>);
 
 /// A thing that is ready for bands.
 pub(crate) struct Recorded<'a> {
@@ -139,7 +142,7 @@ pub(crate) struct Recorded<'a> {
 impl Memory {
     pub(crate) fn record<'a>(&'a mut self, things: &'a [Thing]) -> Vec<Recorded<'a>> {
         self.0.resize(things.len(), ([Corner::EMPTY; VERTICES.len()], [0; FACES.len() + 1]));
-        let record = |(thing, (corners, records)): (&'a Thing, &'a mut ([Corner; _], [u16; _]))| {
+        let record = |(thing, (corners, records)): (&'a Thing, &'a mut Store)| {
             let faces = thing.placed.transform(corners).faces(records).expect("room for all faces");
             Recorded { thing, faces }
         };
