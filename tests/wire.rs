@@ -20,7 +20,7 @@ use panel::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
 use panel::{Controller, Held};
 use pinhole::{Frame, Wire};
 
-/// One film of each sort, that shows every way of drawing.
+/// The spinning cube, for what any film would show.
 const CUBE: Film = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
 
 /// The scene S2 covers 17964 pixels, as was measured elsewhere.

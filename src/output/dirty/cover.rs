@@ -6,7 +6,7 @@ use heapless::Vec;
 /// What it costs to send cells, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Price {
-    /// Below 2⁴⁰: 2⁸ bits a pixel and 2³² pixels a cell.
+    /// At most 2⁴⁰: 2⁸ bits a pixel and 2³² pixels a cell.
     pub(super) cell_bits: i64,
     pub(super) window: i64,
 }
@@ -14,8 +14,8 @@ pub(super) struct Price {
 impl Price {
     /// One window. A row of cells ends with a whole byte.
     pub(super) fn of(&self, cells: &Cells) -> i64 {
-        // A row is below 2⁵⁶ bits. As columns of cells are at most 2¹⁷ pixels, and rows are too, the
-        // product is below 2³⁹.
+        // A row is below 2⁵⁶ bits. As all cells are less than 2¹⁷ pixels wide and high, the product is
+        // below 2³⁹ bytes.
         let row = (i64::from(cells.width()).saturating_mul(self.cell_bits).saturating_add(7)) >> 3;
         row.saturating_mul(i64::from(cells.height())).saturating_add(self.window)
     }
@@ -33,6 +33,7 @@ impl Price {
     }
 }
 
+/// The rectangles. Cuts may leave two that are equal; they go as one.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Cover<const N: usize>(Vec<Cells, N>);
 
@@ -62,12 +63,11 @@ impl<const N: usize> Cover<N> {
             }
             // None only without any capacity: no `Dirty` has that.
             let Some((mut partner, loss)) = best else { return };
-            if let Some((a, b, less)) = self.pair(price).filter(|_| !gains) {
-                if less < loss {
-                    self.remove(a);
-                    let _ = self.0.push(open); // in the place of a
-                    (open, partner) = (a, b);
-                }
+            let others = if gains { None } else { self.pair(price) };
+            if let Some((a, b, _)) = others.filter(|(_, _, less)| *less < loss) {
+                self.remove(a);
+                let _ = self.0.push(open); // in the place of a
+                (open, partner) = (a, b);
             }
             self.remove(partner);
             open = open.enclosing(partner);
@@ -88,7 +88,7 @@ impl<const N: usize> Cover<N> {
         pairs.min_by_key(|(_, _, loss)| *loss)
     }
 
-    /// Equal ones hold the same cells: it is no loss that all of them go.
+    /// And what is equal to it: that holds the same cells.
     fn remove(&mut self, cells: Cells) {
         self.0.retain(|other| *other != cells);
     }

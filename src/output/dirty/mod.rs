@@ -20,8 +20,7 @@ pub struct WindowCost {
 impl WindowCost {
     /// The bytes of one window for controllers with the MIPI Display Command Set (ST7789, ILI9341,
     /// GC9A01 and kin) on a bus of 8 bits: `set_column_address` and `set_page_address` with four bytes
-    /// each, and `write_memory_start` (MIPI Alliance, *Specification for Display Command Set*,
-    /// section 6).
+    /// each, and `write_memory_start` (MIPI Alliance, *Specification for Display Command Set*).
     pub const MIPI_DCS: u16 = 11;
 
     /// A pixel of `pixel_bits`, [`Wire::BITS`](crate::Wire::BITS) (beyond 256 they count as 256), and
@@ -40,9 +39,9 @@ impl WindowCost {
 /// the rectangle about both costs no more bytes than both apart. What has no marks costs nothing, so
 /// things that stand still are marked only when they change.
 ///
-/// `N` is how many rectangles are marked in a frame, and how many are taken, at most: two for each thing
-/// that moves are enough to send where it was and where it is. With more marks nothing is lost: the two
-/// that cost least are merged.
+/// `N` is how many rectangles are marked in a frame, and how many are taken, at most. Two for each thing
+/// that moves are room for where it was and where it is; a third one for leaving out the corners that
+/// neither has. With more marks nothing is lost: the two that cost least are merged.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
