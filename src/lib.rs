@@ -19,7 +19,7 @@ pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMap, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
-pub use output::{Band, BandError, DepthBuffer, DepthBufferError, Frame, Wire};
+pub use output::{Band, BandError, DepthBuffer, DepthBufferError, Dirty, Frame, WindowCost, Wire};
 pub use render::{
     BinsError, Cull, Edges, Faces, Ink, InkFor, Painter, PaintersOrder, Placed, RecordError, Statistics,
     Transformed,

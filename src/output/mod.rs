@@ -2,10 +2,12 @@
 
 mod band;
 mod depth;
+mod dirty;
 mod wire;
 
 pub use band::{Band, BandError, Frame};
 pub use depth::{DepthBuffer, DepthBufferError};
+pub use dirty::{Dirty, WindowCost};
 pub use wire::Wire;
 
 use crate::raster::{Scissor, Span};

@@ -174,3 +174,31 @@ impl<'s> Bins<'s> {
         self.taken = self.taken.max(until);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Bins;
+    use core::convert::Infallible;
+
+    /// Three items, in rows 0 … 9, 5 … 14 and 20 … 29.
+    const ITEMS: [(i32, i32); 3] = [(0, 10), (5, 15), (20, 30)];
+
+    /// Bands in any order, as those of several rectangles: each meets what lies in it.
+    #[test]
+    fn a_band_that_is_not_below_the_last_begins_anew() {
+        let mut records = [0; 4];
+        let first = |item: usize| ITEMS[item].0;
+        let bins = Bins::new(&mut records, 3, 0..40, |item| Some(first(item)), first);
+        let Ok(mut bins) = bins else { panic!() };
+        for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
+            let mut met = [false; 3];
+            let Ok(()) = bins.band(from..to, |item| {
+                met[item] = true;
+                Ok::<_, Infallible>(ITEMS[item].1 <= to)
+            });
+            for (met, (first, end)) in met.into_iter().zip(ITEMS) {
+                assert!(met || first >= to || end <= from, "{first}..{end} in {from}..{to}");
+            }
+        }
+    }
+}

@@ -12,6 +12,7 @@ mod oracle;
 
 mod bands;
 mod clips;
+mod dirty;
 mod raster;
 mod scenes;
 mod strategies;

@@ -11,7 +11,8 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Camera, Coordinate, Corner, Cull, DepthBuffer, Dim, Lambert, Mesh, Painter, Placed, Scalar,
+    Affine, Camera, Coordinate, Corner, Cull, DepthBuffer, Dim, Dirty, Lambert, Mesh, Painter, Placed,
+    Scalar, WindowCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -128,4 +129,18 @@ fn entry_raster_pixel(point: ScreenPoint) -> Pixel {
 #[unsafe(no_mangle)]
 fn entry_raster_screen_point() -> Option<ScreenPoint> {
     ScreenPoint::from_subpixels(any(), any())
+}
+
+#[unsafe(no_mangle)]
+fn entry_dirty_new(area: Rectangle) -> Dirty<7> {
+    Dirty::new(area, WindowCost::new(any() as u32, any() as u16)).with_steps(any() as u16, any() as u16)
+}
+
+#[unsafe(no_mangle)]
+fn entry_dirty(dirty: &mut Dirty<7>, rectangle: Rectangle) {
+    match any() {
+        0 => dirty.invalidate(),
+        1 => drop(black_box(dirty.take())),
+        _ => dirty.mark(rectangle),
+    }
 }

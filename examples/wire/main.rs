@@ -1,0 +1,34 @@
+//! Counts what goes over the wire to a display and writes docs/wire.md:
+//!
+//! ```text
+//! cargo run --release --example wire -- --help
+//! ```
+
+#[allow(dead_code)]
+#[path = "../common/canvas.rs"]
+mod canvas;
+#[path = "../common/command.rs"]
+mod command;
+#[allow(dead_code)]
+#[path = "../accuracy/figures.rs"]
+mod figures;
+mod page;
+#[path = "../../tests/panel/mod.rs"]
+mod panel;
+
+use command::Generated;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    command::run(|| {
+        let about = "Counts the bytes that a display driver sends, way by way: a page of tables";
+        let file = Generated::arguments("wire", about, "docs/wire.md")?;
+        let page = page::page();
+        file.finish(page.as_bytes(), |old| {
+            let old = String::from_utf8_lossy(old);
+            if let Some((old, new)) = old.lines().zip(page.lines()).find(|(old, new)| old != new) {
+                eprintln!("- {old}\n+ {new}");
+            }
+        })
+    })
+}

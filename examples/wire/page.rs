@@ -1,0 +1,165 @@
+//! docs/wire.md.
+
+use crate::figures::grouped;
+use crate::panel::films::{Film, Memory, FRAMES};
+use crate::panel::measure::{film, pixel_bytes, reference, sum, Cost, Way, ROWS};
+use crate::panel::screen::{Kind, Screen};
+use crate::panel::ways::{in_bands, strip, Colour};
+use embedded_graphics::prelude::*;
+use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
+use std::fmt::Write as _;
+
+const HEAD: &str = "\
+# On the wire
+
+What a frame costs between the microcontroller and its display, in bytes on an 8-bit SPI bus: pixels and commands. This page
+is written by
+
+```sh
+cargo run --release --example wire
+```
+
+and CI checks that it is current (`-- --check`). The bytes are those of the driver
+[mipidsi](https://docs.rs/mipidsi) 0.10, counted where a controller in memory (`tests/panel`) receives them through the
+traits of embedded-hal. It decodes them, and every frame on this page was compared with one drawn whole in memory: they
+are equal, pixel by pixel. `tests/wire.rs` asserts what is promised.
+
+A **window** is one rectangle: 11 bytes of commands (column range, row range, memory write), then its pixels.
+**Frames a second** are SPI clock ÷ (8 × bytes): the bus alone. A real one has gaps between bytes and transfers, and the
+frame is drawn first, or by DMA at the same time; so this is what the bus allows, never more.
+";
+
+const FULL: &str = "\
+## Full frames
+
+All pixels, whatever they show. A band's strip is the only memory for pixels; the full frame takes a framebuffer. The
+share is in bytes of the pixels.
+
+| panel | sent in | strip, bytes | bytes a frame | windows | share | at 20 MHz | at 40 MHz |
+|---|---|---|---|---|---|---|---|
+";
+
+const FILMS: &str = "\
+## Films
+
+Means over a film, the first frame (all of the screen) left out; in brackets the largest frame. Bands and dirty
+rectangles go through a strip of ROWS rows of the screen. *Spans* is what drawing straight onto the display costs: cleared, then
+each run of equal pixels a `fill_solid`. *Pixels* is a renderer that gives its display one pixel at a time (several at
+a time, mipidsi's feature `batch` would gather). Both flicker, as the display shows the cleared screen first.
+";
+
+const CHANGED: &str = "\
+## Dirty rectangles, and what changed
+
+Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
+of a cube spun about an axis of the world, ST7789. The rectangles are known from the vertices before anything is
+drawn. So a pixel that is drawn in its old colour is sent too: when the cube turns by a degree or less, in some frames a
+whole edge stays within its pixels, and the faces' colours within their steps. Sent in bands of ROWS rows of the screen, whose
+windows are counted.
+
+| a frame turns by | axis | share over the film | the worst frame | frames above 1.05 |
+|---|---|---|---|---|
+";
+
+pub(crate) fn page() -> String {
+    let mut page = format!("{HEAD}\n{FULL}");
+    full::<ST7789>(&mut page);
+    full::<ILI9341Rgb565>(&mut page);
+    full::<ILI9341Rgb666>(&mut page);
+    let _ = write!(page, "\n{}", FILMS.replace("ROWS", &ROWS.to_string()));
+    let spin = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
+    let films = [
+        (spin, "the spinning cube (S2), 5° a frame"),
+        (Film::Small, "a small cube flies before one that stands still"),
+    ];
+    for (what, name) in films {
+        films_of::<ST7789>(&mut page, what, name);
+        films_of::<ILI9341Rgb565>(&mut page, what, name);
+        films_of::<ILI9341Rgb666>(&mut page, what, name);
+    }
+    let _ = write!(page, "\n{}", CHANGED.replace("ROWS", &ROWS.to_string()));
+    changed(&mut page);
+    page
+}
+
+/// Frames a second that a bus allows, at 20 and at 40 MHz.
+fn rates(bytes: f64) -> String {
+    let rate = |megahertz: f64| megahertz * 1e6 / (8.0 * bytes);
+    format!("{:.1} | {:.1}", rate(20.0), rate(40.0))
+}
+
+fn full<M: Kind<ColorFormat: Colour>>(page: &mut String) {
+    let mut screen = Screen::<M>::new();
+    let area = screen.display.bounding_box();
+    let pixels = pixel_bytes::<M::ColorFormat>(M::SIZE);
+    let things = Film::Small.frame(M::SIZE, 0);
+    let mut memory = Memory::default();
+    for rows in [M::SIZE.height, 40, 16, 8, 4, 2, 1] {
+        let mut strip = strip::<M::ColorFormat>(M::SIZE.width, rows);
+        in_bands(&mut memory.record(&things), area, &mut strip, &mut screen.display)
+            .expect("a bus that works");
+        screen.assert_shows(&reference(&things, M::SIZE), ("bands", rows));
+        let (bytes, windows) = screen.count();
+        let name = match rows {
+            1 => "bands of 1 row".to_string(),
+            _ if rows == M::SIZE.height => "one".to_string(),
+            _ => format!("bands of {rows} rows"),
+        };
+        let _ = writeln!(
+            page,
+            "| {} | {name} | {} | {} | {windows} | {:.4} | {} |",
+            M::NAME,
+            grouped(strip.len()),
+            grouped(bytes),
+            bytes as f64 / pixels as f64,
+            rates(bytes as f64)
+        );
+    }
+}
+
+fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &str) {
+    let _ = write!(
+        page,
+        "\n### {}: {name}\n\n\
+        | sent as | bytes a frame | windows a frame | at 20 MHz | at 40 MHz |\n|---|---|---|---|---|\n",
+        M::NAME
+    );
+    for (way, name) in [
+        (Way::Dirty, "dirty rectangles"),
+        (Way::Bands, "full frames in bands"),
+        (Way::Spans, "spans, on the cleared screen"),
+        (Way::Pixels, "pixels, on the cleared screen"),
+    ] {
+        let costs = film::<M>(what, FRAMES, way);
+        let mean = |of: fn(&Cost) -> usize| of(&sum(&costs)) as f64 / costs.len() as f64;
+        let most = |of: fn(&Cost) -> usize| grouped(costs.iter().map(of).max().unwrap_or(0));
+        let bytes = mean(|cost| cost.bytes);
+        let _ = writeln!(
+            page,
+            "| {name} | {} ({}) | {} ({}) | {} |",
+            grouped(bytes.round() as usize),
+            most(|cost| cost.bytes),
+            grouped(mean(|cost| cost.windows).round() as usize),
+            most(|cost| cost.windows),
+            rates(bytes)
+        );
+    }
+}
+
+fn changed(page: &mut String) {
+    for (turn, step) in [(20, "18°"), (36, "10°"), (72, "5°"), (360, "1°"), (1440, "¼°")] {
+        for axis in [[0, 1, 0], [1, 0, 0], [0, 0, 1], [1, 1, 1], [3, -2, 1]] {
+            let costs = film::<ST7789>(Film::Cube { axis, turn }, turn, Way::Dirty);
+            let share = |cost: &Cost| cost.bytes as f64 / cost.changed as f64;
+            let worst = costs.iter().map(share).fold(0.0, f64::max);
+            let above = costs.iter().filter(|cost| cost.bytes * 100 > cost.changed * 105).count();
+            let [x, y, z] = axis;
+            let _ = writeln!(
+                page,
+                "| {step} | ({x}, {y}, {z}) | {:.4} | {worst:.4} | {above} of {} |",
+                share(&sum(&costs)),
+                costs.len()
+            );
+        }
+    }
+}
