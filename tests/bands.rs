@@ -3,6 +3,7 @@
 
 mod bridge;
 mod oracle;
+mod programs;
 
 use bridge::draw::{cube_camera, room_faces, CUBE, CUBE_EDGES, CUBE_FACES};
 use bridge::pair::{ModelBits, Step, ONE};
@@ -259,4 +260,25 @@ fn the_inside_of_a_room_in_bands() {
         let picture = luma(&display);
         assert!(picture == whole(&placed, (0, 0, 64, 64)) && picture.iter().all(|&luma| luma != 0));
     }
+}
+
+#[test]
+fn the_example_shows_one_picture_in_three_ways() {
+    let to = programs::folder("bands", "example");
+    let done = programs::example("bands", &["--out".as_ref(), to.as_os_str()]);
+    let said = String::from_utf8_lossy(&done.stdout).into_owned();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let others = said.split_whitespace().find_map(|word| word.parse::<u32>().ok());
+    assert!(others.is_some_and(|n| n >= 30) && said.contains("the same picture three times"), "{said}");
+    let file = std::fs::File::open(to.join("bands.png")).expect("a picture");
+    let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().expect("PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("it fits memory")];
+    reader.next_frame(&mut pixels).expect("PNG");
+    // A palette: the pot's shades, the caption, the background, which is not even half of it; no magenta.
+    let palette = reader.info().palette.clone().expect("few colours");
+    assert!(
+        palette.chunks(3).any(|c| c == [255, 255, 255]) && !palette.chunks(3).any(|c| c == [255, 0, 255])
+    );
+    let background = pixels.iter().filter(|&&p| p == pixels[0]).count();
+    assert!(palette.len() > 60 && background * 3 < pixels.len() * 2, "{background}");
 }
