@@ -1,0 +1,14 @@
+//! A camera and a placed mesh, of which nothing is drawn.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+use bench::{firmware, scene};
+use core::hint::black_box;
+
+struct Memory;
+impl Memory {
+    const NEW: Self = Self;
+}
+
+firmware!(Memory, |_| {
+    black_box(scene::Scene::new(&scene::CUBE)?.place());
+    Some(())
+});
