@@ -39,7 +39,14 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     let distance = bits(&[number(&model["distance"])?, 0.0, 0.0])[0];
     let vertices: Vec<[i16; 3]> = vertices.iter().map(|v| v.map(|c| c as i16)).collect();
     writeln!(text, "pub static {name}: Model = Model {{")?;
-    writeln!(text, "mesh: mesh({}, -{k}, {}, {}, {}),", slice(&vertices), slice(&faces), slice(&normals), slice(&edges))?;
+    writeln!(
+        text,
+        "mesh: mesh({}, -{k}, {}, {}, {}),",
+        slice(&vertices),
+        slice(&faces),
+        slice(&normals),
+        slice(&edges)
+    )?;
     writeln!(text, "axes: {:?}, distance: {distance} }};", [x, y, z])?;
     Ok(())
 }

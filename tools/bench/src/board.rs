@@ -1,13 +1,16 @@
 //! The emulated board: a clock that counts instructions, and the end of the program. On the host the clock stands still.
 
-pub use board::{end, Clock};
+#[cfg(target_os = "none")]
+pub use emulated::{end, Clock};
+#[cfg(not(target_os = "none"))]
+pub use host::{end, Clock};
 #[cfg(target_os = "none")]
 pub use semihosting::println;
 #[cfg(not(target_os = "none"))]
 pub use std::println;
 
 #[cfg(target_os = "none")]
-mod board {
+mod emulated {
     use cortex_m::peripheral::{syst::SystClkSource, SYST};
 
     /// SysTick, 25 MHz. Under `-icount shift=6` an instruction takes 64 ns, so 5/8 instructions pass in a tick.
@@ -61,7 +64,7 @@ mod board {
 }
 
 #[cfg(not(target_os = "none"))]
-mod board {
+mod host {
     pub struct Clock;
 
     impl Clock {

@@ -8,25 +8,31 @@ pub mod board;
 mod canvas;
 pub mod frames;
 pub mod image;
+pub mod measure;
+pub mod profile;
 pub mod scene;
 pub mod stack;
 
-/// A program over a memory of its own, which lies in a static: the linker says so if it does not fit.
+/// A program over variables, each in a static of its own: the linker says so if they do not fit, and those that start
+/// with zeros take no flash.
 #[macro_export]
 macro_rules! firmware {
-    ($memory:ty, $run:expr) => {
+    ($($name:ident: $type:ty = $start:expr,)* $body:block) => {
+        fn run($($name: &mut $type),*) -> Option<()> $body
+
         #[cfg(target_os = "none")]
         #[cortex_m_rt::entry]
         fn main() -> ! {
-            static mut MEMORY: $memory = <$memory>::NEW;
-            let run: fn(&mut $memory) -> Option<()> = $run;
-            $crate::board::end(run(MEMORY).is_some())
+            $(
+                #[allow(non_upper_case_globals)] // the name is the argument's
+                static mut $name: $type = $start;
+            )*
+            $crate::board::end(run($($name),*).is_some())
         }
 
         #[cfg(not(target_os = "none"))]
         fn main() {
-            let run: fn(&mut $memory) -> Option<()> = $run;
-            $crate::board::end(run(&mut Box::new(<$memory>::NEW)).is_some())
+            $crate::board::end(run($(&mut *Box::<$type>::new($start)),*).is_some())
         }
     };
 }

@@ -50,7 +50,14 @@ pub struct Scene {
 
 impl Scene {
     /// The compiler sees none of the numbers. `None` is for what the types cannot know: that these have an image.
+    #[inline(always)]
     pub fn new(model: &'static Model) -> Option<Self> {
+        Self::sized(model, SIZE)
+    }
+
+    /// On another square than [`SIZE`].
+    #[inline(always)]
+    pub fn sized(model: &'static Model, size: u32) -> Option<Self> {
         let Model { mesh, axes, distance } = black_box(model);
         let [x, y, z] = axes.map(vector);
         let origin = Point3::from_ints(0, 0, 0);
@@ -58,14 +65,15 @@ impl Scene {
         let eye = Point3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_bits(*distance));
         let viewing = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).ok()?;
         let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(20 << 16)));
-        let size = Size::new(SIZE, SIZE);
+        let size = Size::new(size, size);
         let projection = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
         let viewport = Viewport::new(Point::zero(), size).ok()?;
-        Some(Self {
-            mesh: *mesh,
-            camera: Camera::new(&viewing, &projection, &viewport),
-            model,
-        })
+        Some(Self { mesh: *mesh, camera: Camera::new(&viewing, &projection, &viewport), model })
+    }
+
+    /// The vertices alone.
+    pub fn without_faces(self) -> Option<Self> {
+        Some(Self { mesh: Mesh::new(self.mesh.vertices(), self.mesh.exponent(), &[]).ok()?, ..self })
     }
 
     /// The first thing in every frame.

@@ -9,12 +9,7 @@ use pinhole::{Corner, DepthBuffer};
 const ROWS: u32 = 8;
 const PIXELS: usize = (scene::SIZE * ROWS) as usize;
 
-struct Memory([Corner; CORNERS], [u16; PIXELS]);
-impl Memory {
-    const NEW: Self = Self([Corner::EMPTY; CORNERS], [0; PIXELS]);
-}
-
-firmware!(Memory, |Memory(corners, storage)| {
+firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], storage: [u16; PIXELS] = [0; PIXELS], {
     let scene = scene::Scene::new(&scene::CUBE)?;
     let light = scene.light()?;
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));

@@ -3,12 +3,7 @@
 use bench::{firmware, scene};
 use core::hint::black_box;
 
-struct Memory;
-impl Memory {
-    const NEW: Self = Self;
-}
-
-firmware!(Memory, |_| {
+firmware!({
     black_box(&scene::CUBE);
     Some(())
 });

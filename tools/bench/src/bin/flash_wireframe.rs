@@ -4,12 +4,7 @@ use bench::image::{Sink, CORNERS};
 use bench::{firmware, scene};
 use pinhole::Corner;
 
-struct Memory([Corner; CORNERS]);
-impl Memory {
-    const NEW: Self = Self([Corner::EMPTY; CORNERS]);
-}
-
-firmware!(Memory, |Memory(corners)| {
+firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], {
     let scene = scene::Scene::new(&scene::CUBE)?;
     scene.place().wireframe(scene::LINE, corners, &mut Sink).ok()?;
     Some(())

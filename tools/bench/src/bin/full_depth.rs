@@ -1,7 +1,14 @@
+//! Lit faces with depth, both for a whole frame.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::{firmware, frames, scene};
+use bench::frames::{self, Memory};
+use bench::measure::{measure, Named};
+use bench::{board, firmware, scene};
 
-firmware!(frames::Memory, |memory| {
-    let scenes: &[frames::Named] = &[("S2", &scene::CUBE), ("S3", &scene::TORUS), ("S4", &scene::ICO)];
-    frames::measure("depth,full", scenes, memory, frames::depth)
+const SCENES: &[Named] = &[("S2", &scene::CUBE), ("S3", &scene::TORUS), ("S4", &scene::ICO)];
+
+firmware!(memory: Memory = Memory::NEW, {
+    let mut clock = board::Clock::new()?;
+    measure("depth", "full", SCENES, &mut clock, &mut |scene, light, display| {
+        frames::depth(scene, light, memory, display)
+    })
 });

@@ -1,7 +1,14 @@
+//! Lines, into memory for a whole frame.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::{firmware, frames, scene};
+use bench::frames::{self, Memory};
+use bench::measure::{measure, Named};
+use bench::{board, firmware, scene};
 
-firmware!(frames::Memory, |memory| {
-    let scenes: &[frames::Named] = &[("S1", &scene::CUBE)];
-    frames::measure("wireframe,full", scenes, memory, frames::wireframe)
+const SCENES: &[Named] = &[("S1", &scene::CUBE)];
+
+firmware!(memory: Memory = Memory::NEW, {
+    let mut clock = board::Clock::new()?;
+    measure("wireframe", "full", SCENES, &mut clock, &mut |scene, light, display| {
+        frames::wireframe(scene, light, memory, display)
+    })
 });
