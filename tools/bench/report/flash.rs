@@ -17,18 +17,22 @@ pub(crate) const BUILDS: [Build; 4] = [
 /// check would be blind.
 pub(crate) struct Image {
     pub(crate) name: &'static str,
+    /// On the page.
+    pub(crate) says: &'static str,
     without: &'static [&'static str],
 }
 
 const LIGHT: &str = "shade/";
-const DEPTH: [&str; 2] = ["raster/depth.rs", "output/depth.rs"];
+const DEPTH: [&str; 2] = ["raster/plane.rs", "output/depth.rs"];
 const NO_FACES: &[&str] = &[DEPTH[0], DEPTH[1], LIGHT, "raster/triangle.rs"];
 
 pub(crate) const IMAGES: &[Image] = &[
-    Image { name: "set_up", without: NO_FACES },
-    Image { name: "wireframe", without: NO_FACES },
-    Image { name: "solid", without: &DEPTH },
-    Image { name: "depth", without: &[] },
+    Image { name: "set_up", says: "set-up", without: NO_FACES },
+    Image { name: "wireframe", says: "wireframe", without: NO_FACES },
+    Image { name: "wireframe_bands", says: "wireframe in bands", without: NO_FACES },
+    Image { name: "solid", says: "flat faces", without: &DEPTH },
+    Image { name: "depth", says: "flat faces with depth", without: &[] },
+    Image { name: "depth_bands", says: "flat faces with depth in bands", without: &[] },
 ];
 
 /// Has all that others must not have.
@@ -52,7 +56,7 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Flash>
         let empty = elf::sizes(&image("empty"))?.flash;
         let sources = |name| provenance::of(&image(name));
         let witness = sources(WITNESS)?;
-        for &Image { name, without } in IMAGES {
+        for &Image { name, without, .. } in IMAGES {
             sizes.insert((name, build), elf::sizes(&image(name))?.flash.saturating_sub(empty));
             let from = sources(name)?;
             for part in without {

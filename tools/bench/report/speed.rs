@@ -6,18 +6,61 @@ use std::collections::BTreeMap;
 use std::process::{Command, Stdio};
 
 /// The firmwares that count, each of one way to draw.
-const BINS: &[&str] = &["full_empty", "full_empty_depth", "full_wireframe", "full_solid", "full_depth"];
+const BINS: &[&str] = &[
+    "full_empty",
+    "full_empty_depth",
+    "full_wireframe",
+    "full_solid",
+    "full_depth",
+    "band_empty",
+    "band_empty_depth",
+    "band_wireframe",
+    "band_solid",
+    "band_depth",
+];
 
 /// `scene,way,how` of a line, with its number and its picture's checksum.
 pub(crate) type Lines = BTreeMap<String, (u64, String)>;
 
 pub(crate) struct Speed {
-    pub(crate) lines: Lines,
+    lines: Lines,
+    pub(crate) ram: Vec<Ram>,
 }
+
+/// RAM of a scene, depth-tested in bands of 8 rows, in bytes.
+pub(crate) struct Ram {
+    pub(crate) scene: &'static str,
+    pub(crate) statics: u64,
+    pub(crate) stack: u64,
+    pub(crate) limit: u64,
+}
+
+impl Ram {
+    pub(crate) fn together(&self) -> u64 {
+        self.statics + self.stack
+    }
+}
+
+/// The firmwares that measure RAM, their scenes, and the most that these may take.
+const RAM: &[(&str, &str, u64)] = &[("ram_s3", "S3", 20 << 10), ("ram_s4", "S4", 40 << 10)];
+
+/// Of S3 with depth: instructions in bands of 16 rows, over those at once.
+const MOST: f64 = 1.25;
 
 impl Speed {
     pub(crate) fn instructions(&self, scene: &str, way: &str, how: &str) -> Option<u64> {
         self.lines.get(&format!("{scene},{way},{how}")).map(|line| line.0)
+    }
+
+    /// Bands of 16 rows over drawing at once: with all it takes, and without the clears.
+    pub(crate) fn ratios(&self, scene: &str, way: &str) -> [Option<f64>; 2] {
+        let count = |scene, how| self.instructions(scene, way, how).map(|count| count as f64);
+        // An empty wireframe is an empty frame without depth.
+        let empty = |how| self.instructions("empty", if way == "depth" { way } else { "solid" }, how);
+        let drawing = |how| Some(count(scene, how)? - empty(how)? as f64);
+        let all = count(scene, "band16").zip(count(scene, "full"));
+        let drawn = drawing("band16").zip(drawing("full"));
+        [all, drawn].map(|pair| pair.map(|(bands, full)| bands / full).filter(|ratio| ratio.is_finite()))
     }
 }
 
@@ -34,7 +77,7 @@ fn parse(text: &str, lines: &mut Lines) -> Result<()> {
 /// The same programs here.
 pub(crate) fn host() -> Result<Lines> {
     let mut lines = Lines::new();
-    for bin in BINS {
+    for bin in BINS.iter().chain(RAM.iter().map(|(bin, ..)| bin)) {
         let mut command = Command::new("cargo");
         command.args(["run", "--quiet", "--locked", "--release", "--bin", bin]).current_dir(BENCH);
         let output = command.stdin(Stdio::null()).stderr(Stdio::inherit()).output()?;
@@ -51,11 +94,35 @@ pub(crate) fn measure(build: Build, host: &Lines, failures: &mut Vec<String>) ->
     for bin in BINS {
         parse(&build.run(bin)?, &mut lines)?;
     }
+    let mut ram = Vec::new();
+    for &(bin, scene, limit) in RAM {
+        parse(&build.run(bin)?, &mut lines)?;
+        let stack = lines.get(&format!("{scene},depth,ram")).ok_or("no line about the stack")?.0;
+        let statics = elf::sizes(&build.image(bin))?.statics;
+        let ram_of_scene = Ram { scene, statics, stack, limit };
+        if ram_of_scene.together() > limit {
+            failures.push(format!("{scene}: {} bytes of RAM, {limit} are allowed", ram_of_scene.together()));
+        }
+        ram.push(ram_of_scene);
+    }
     for (key, (_, checksum)) in &lines {
         if host.get(key).map(|line| &line.1) != Some(checksum) {
             failures.push(format!("{key}: not the host's picture"));
         }
+        // All ways to draw a scene give one picture.
+        let full = key.rsplit_once(',').and_then(|(scene, _)| lines.get(&format!("{scene},full")));
+        if full.map(|line| &line.1) != Some(checksum) {
+            failures.push(format!("{key}: not the picture that is drawn at once"));
+        }
     }
-    let _ = elf::sizes;
-    Ok(Speed { lines })
+    let speed = Speed { lines, ram };
+    for ratio in speed.ratios("S3", "depth") {
+        match ratio {
+            Some(ratio) if ratio <= MOST => {}
+            ratio => failures.push(format!(
+                "S3 in bands of 16 rows takes {ratio:?} times as many instructions: {MOST} are allowed"
+            )),
+        }
+    }
+    Ok(speed)
 }

@@ -2,12 +2,11 @@
 
 use crate::canvas::Canvas;
 use crate::measure::Display;
-use crate::scene::{Scene, BACKGROUND, LINE, SIZE};
+use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{Corner, DepthBuffer, Lambert};
 
 const PIXELS: usize = (SIZE * SIZE) as usize;
@@ -72,10 +71,6 @@ pub fn depth(
         scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut canvas(pixels));
     black_box(statistics);
     display.take_pixels(pixels);
-}
-
-fn area() -> Rectangle {
-    Rectangle::new(Point::zero(), Size::new(SIZE, SIZE))
 }
 
 /// Cleared.

@@ -8,8 +8,9 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// The cube's vertices.
+/// The cube's vertices, and its faces or edges with a word of bits.
 pub const CORNERS: usize = 8;
+pub const RECORDS: usize = 12 + 1;
 
 /// A display that costs next to nothing: a driver's code is not the library's.
 pub struct Sink;

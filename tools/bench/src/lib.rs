@@ -2,6 +2,7 @@
 //! `report` compares the two.
 #![cfg_attr(target_os = "none", no_std)]
 
+pub mod bands;
 pub mod board;
 #[allow(dead_code)] // shared with the examples, which use more of it
 #[path = "../../../examples/show/canvas.rs"]

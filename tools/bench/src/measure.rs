@@ -2,6 +2,7 @@
 
 use crate::board::{println, Clock};
 use crate::scene::{Model, Scene};
+use crate::stack;
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{IntoStorage, Rgb565};
 use pinhole::Lambert;
@@ -55,24 +56,43 @@ impl Checksum {
     }
 }
 
-/// Counts the second frame of every scene and prints a line `scene,way,how,instructions,crc`. `frame` is one whole
-/// frame; what it is given stands for what the compiler cannot know.
-pub fn measure(
-    way: &str,
-    how: &str,
-    scenes: &[Named],
-    clock: &mut Clock,
-    frame: &mut dyn FnMut(&Scene, &Lambert, &mut Display),
-) -> Option<()> {
+/// One whole frame; what it is given stands for what the compiler cannot know. `None` where it has too little memory.
+pub type Frame<'f> = &'f mut dyn FnMut(&Scene, &Lambert, &mut Display) -> Option<()>;
+
+/// Counts the second frame of every scene and prints a line `scene,way,how,instructions,crc`.
+pub fn measure(way: &str, how: &str, scenes: &[Named], clock: &mut Clock, frame: Frame<'_>) -> Option<()> {
     for (name, model) in scenes {
         let scene = Scene::new(model)?;
         let light = scene.light()?;
         let mut display = Display::default();
-        let mut frame = |display: &mut Display| frame(black_box(&scene), black_box(&light), display);
-        frame(&mut display);
-        let instructions = clock.count(&mut || frame(&mut display))?;
-        let crc = display.look(&mut frame);
+        let mut good = true;
+        let mut once =
+            |display: &mut Display| good &= frame(black_box(&scene), black_box(&light), display).is_some();
+        once(&mut display);
+        let instructions = clock.count(&mut || once(&mut display))?;
+        let crc = display.look(&mut once);
+        good.then_some(())?;
         println!("{name},{way},{how},{instructions},{crc:08x}");
     }
     Some(())
+}
+
+/// Prints a line `scene,depth,ram,stack,crc`: the deepest byte of the stack while a scene is set up and drawn twice.
+pub fn stack(name: &str, model: &'static Model, frame: Frame<'_>) -> Option<()> {
+    stack::paint();
+    let crc = set_up_and_draw(model, frame);
+    let deepest = stack::deepest();
+    println!("{name},depth,ram,{deepest},{:08x}", crc?);
+    Some(())
+}
+
+#[inline(never)]
+fn set_up_and_draw(model: &'static Model, frame: Frame<'_>) -> Option<u32> {
+    let scene = Scene::new(model)?;
+    let light = scene.light()?;
+    let mut display = Display::default();
+    frame(black_box(&scene), black_box(&light), &mut display)?;
+    let mut good = None;
+    let crc = display.look(&mut |display| good = frame(black_box(&scene), black_box(&light), display));
+    good.map(|()| crc)
 }

@@ -3,6 +3,7 @@
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
     Affine, Angle, Camera, Dim, Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
@@ -15,6 +16,11 @@ pub const BACKGROUND: Rgb565 = Rgb565::BLACK;
 pub const LINE: Rgb565 = Rgb565::CYAN;
 const FACE: Rgb565 = Rgb565::new(31, 52, 14);
 const AMBIENT: u16 = 48;
+
+/// The pixels of a frame.
+pub fn area() -> Rectangle {
+    Rectangle::new(Point::zero(), Size::new(SIZE, SIZE))
+}
 
 /// What `build.rs` makes of a model.
 pub struct Model {

@@ -9,6 +9,7 @@ const SCENES: &[Named] = &[("empty", &scene::CUBE)];
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
     measure("solid", "full", SCENES, &mut clock, &mut |scene, light, display| {
-        frames::empty(scene, light, memory, display)
+        frames::empty(scene, light, memory, display);
+        Some(())
     })
 });

@@ -9,6 +9,7 @@ const SCENES: &[Named] = &[("empty", &scene::CUBE)];
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
     measure("depth", "full", SCENES, &mut clock, &mut |scene, light, display| {
-        frames::empty_depth(scene, light, memory, display)
+        frames::empty_depth(scene, light, memory, display);
+        Some(())
     })
 });

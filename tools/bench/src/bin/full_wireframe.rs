@@ -9,6 +9,7 @@ const SCENES: &[Named] = &[("S1", &scene::CUBE)];
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
     measure("wireframe", "full", SCENES, &mut clock, &mut |scene, light, display| {
-        frames::wireframe(scene, light, memory, display)
+        frames::wireframe(scene, light, memory, display);
+        Some(())
     })
 });
