@@ -18,6 +18,12 @@ pub(crate) struct Build {
     pub(crate) level: &'static str,
 }
 
+impl std::fmt::Display for Build {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} at opt-level {}", self.target, self.level)
+    }
+}
+
 impl Build {
     pub(crate) fn cargo(self, verb: &str, rest: &[&str]) -> Result<()> {
         let mut command = self.command(verb);

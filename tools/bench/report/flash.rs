@@ -1,7 +1,8 @@
 //! Flash of linking only what is used: images less the empty one, and what they must not hold.
 
 use crate::cross::{self, Build};
-use crate::{elf, provenance, Result, M0, M3};
+use crate::provenance::{Part, Provenance};
+use crate::{elf, Result, M0, M3};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -13,24 +14,29 @@ pub(crate) const BUILDS: [Build; 4] = [
     Build { target: M0, level: "s" },
 ];
 
-/// Source files, or folders of them, that an image must hold nothing of. All of them are in the image `WITNESS`, or the
+/// An image, and the parts of the library that it must hold nothing of. All of these are in the image `WITNESS`, or the
 /// check would be blind.
 pub(crate) struct Image {
     pub(crate) name: &'static str,
     /// On the page.
     pub(crate) says: &'static str,
-    without: &'static [&'static str],
+    without: &'static [Part],
 }
 
-const LIGHT: &str = "shade/";
-const DEPTH: [&str; 2] = ["raster/plane.rs", "output/depth.rs"];
-const NO_FACES: &[&str] = &[DEPTH[0], DEPTH[1], LIGHT, "raster/triangle.rs"];
+const NO_DEPTH: &[Part] = &[Part("raster/plane.rs", Some("of_depth")), Part("output/depth.rs", None)];
+const NO_FACES: &[Part] = &[
+    NO_DEPTH[0],
+    NO_DEPTH[1],
+    Part("raster/plane.rs", None),
+    Part("raster/triangle.rs", Some("fill")),
+    Part("shade/", None),
+];
 
 pub(crate) const IMAGES: &[Image] = &[
     Image { name: "set_up", says: "set-up", without: NO_FACES },
     Image { name: "wireframe", says: "wireframe", without: NO_FACES },
     Image { name: "wireframe_bands", says: "wireframe in bands", without: NO_FACES },
-    Image { name: "solid", says: "flat faces", without: &DEPTH },
+    Image { name: "solid", says: "flat faces", without: NO_DEPTH },
     Image { name: "depth", says: "flat faces with depth", without: &[] },
     Image { name: "depth_bands", says: "flat faces with depth in bands", without: &[] },
 ];
@@ -42,43 +48,41 @@ const LIMITS: &str = "tools/bench/flash.txt";
 pub(crate) struct Flash {
     /// Bytes more than the empty image has.
     pub(crate) sizes: BTreeMap<(&'static str, Build), u64>,
-    /// Bytes of code on the M3 at level 3, by the library's files.
-    pub(crate) files: BTreeMap<&'static str, BTreeMap<String, u64>>,
+    /// Where the code comes from, on the M3 at level 3.
+    pub(crate) code: BTreeMap<&'static str, Provenance>,
 }
 
 pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Flash> {
-    let (mut sizes, mut files) = (BTreeMap::new(), BTreeMap::new());
+    let (mut sizes, mut code) = (BTreeMap::new(), BTreeMap::new());
     for build in BUILDS {
         let bins = ["empty"].into_iter().chain(IMAGES.iter().map(|image| image.name));
         let bins: Vec<String> = bins.map(|name| format!("--bin=flash_{name}")).collect();
         build.cargo("build", &bins.iter().map(String::as_str).collect::<Vec<_>>())?;
         let image = |name: &str| build.image(&format!("flash_{name}"));
         let empty = elf::sizes(&image("empty"))?.flash;
-        let sources = |name| provenance::of(&image(name));
-        let witness = sources(WITNESS)?;
+        let witness = Provenance::of(&image(WITNESS))?;
         for &Image { name, without, .. } in IMAGES {
             sizes.insert((name, build), elf::sizes(&image(name))?.flash.saturating_sub(empty));
-            let from = sources(name)?;
-            for part in without {
-                let bytes = |from: &BTreeMap<String, u64>| -> u64 {
-                    from.iter().filter(|(file, _)| file.starts_with(part)).map(|(_, bytes)| bytes).sum()
-                };
-                let (held, seen) = (bytes(&from), bytes(&witness));
-                let where_ = format!("{} at {}", build.target, build.level);
+            let from = Provenance::of(&image(name))?;
+            for &part in without {
+                let Part(file, function) = part;
+                let part_name = format!("{file} {}", function.unwrap_or_default());
+                let (held, seen) = (from.because_of(part), witness.because_of(part));
                 if held > 0 {
-                    failures.push(format!("{where_}: {name} holds {held} bytes of {part}"));
+                    failures.push(format!("{build}: {name} holds {held} bytes of {part_name}"));
                 }
                 if seen == 0 {
-                    failures.push(format!("{where_}: {WITNESS} holds nothing of {part}: the check is blind"));
+                    failures
+                        .push(format!("{build}: {WITNESS} holds nothing of {part_name}: the check is blind"));
                 }
             }
             if build == BUILDS[0] {
-                files.insert(name, from);
+                code.insert(name, from);
             }
         }
     }
     limits(rebase, &sizes, failures)?;
-    Ok(Flash { sizes, files })
+    Ok(Flash { sizes, code })
 }
 
 /// At most 5 % more than what was once committed.

@@ -60,11 +60,11 @@ does nothing (it has the same mesh, start and end). The display is a stub. CI al
 | bytes |";
 
 const FILES: &str = "
-What each of them holds, in bytes of code on thumbv7m at opt-level 3, by the module of the library whose source line an
-instruction comes from, wherever it was inlined. The rest comes from Rust's own library, inlined into these, and from
-the compiler's routines. CI fails if an image holds a byte that it has no use for: one that draws no faces none of
-`raster/triangle.rs`, one without light none of `shade`, one without depth none of `raster/plane.rs` and
-`output/depth.rs`; and if the image with depth does not hold them, for then the check would be blind.
+What each of them holds, in bytes of code on thumbv7m at opt-level 3, by the module of the library that an instruction
+was written for, wherever it was inlined: the innermost one, when code of Rust's own library was inlined there. The
+rest is the compiler's routines and the firmware's own. CI fails if an image holds a byte that it has no use for: a
+wireframe of triangles, planes, depth and `shade`; flat faces without depth of depth; and if the image with depth does
+not hold them, for then the check would be blind.
 
 | bytes of |";
 
@@ -109,9 +109,8 @@ pub(crate) fn text(compiler: &str, speed: &Speed, flash: &Flash) -> String {
     for module in MODULES {
         let _ = write!(text, "| `{}` |", module.trim_end_matches('/'));
         for image in IMAGES {
-            let files = flash.files.get(image.name).into_iter().flatten();
-            let bytes = files.filter(|(file, _)| file.starts_with(module)).map(|(_, bytes)| bytes).sum();
-            let _ = write!(text, " {} |", grouped(bytes));
+            let bytes = flash.code.get(image.name).map(|code| code.of_file(module));
+            let _ = write!(text, " {} |", bytes.map_or("–".into(), grouped));
         }
         text.push('\n');
     }
@@ -149,7 +148,7 @@ fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at) % 3 == 0 {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
             text.push(THIN);
         }
         text.push(digit);

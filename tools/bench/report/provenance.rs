@@ -1,61 +1,68 @@
-//! Which source file each byte of an image's code comes from, functions that vanished by inlining included: from the
-//! line table, which `llvm-dwarfdump` prints.
+//! Which source each byte of an image's code comes from, functions that vanished by inlining included: from the
+//! image's debug information, which `llvm-symbolizer` reads.
 
-use crate::{cross, Result};
-use std::collections::BTreeMap;
+use crate::{cross, elf, Result};
+use std::io::Write;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
-/// Bytes of code by file, for the files of the library, as `raster/line.rs`.
-pub(crate) fn of(image: &Path) -> Result<BTreeMap<String, u64>> {
-    let output = Command::new("llvm-dwarfdump").arg("--debug-line").arg(image).output();
-    let output = output.map_err(|error| format!("llvm-dwarfdump (Debian: llvm): {error}"))?;
-    let text = String::from_utf8(output.stdout)?;
-    let library = cross::root().join("src");
-    let mut bytes = BTreeMap::new();
-    for (file, length) in files(&text) {
-        if let Ok(file) = Path::new(&file).strip_prefix(&library) {
-            *bytes.entry(file.display().to_string()).or_default() += length;
-        }
-    }
-    Ok(bytes)
+/// Code of the library, by the chain of calls that were inlined into one another at one place.
+pub(crate) struct Provenance {
+    places: Vec<Vec<Frame>>,
 }
 
-/// Code starts behind the vector table. What the linker has thrown away seems to lie at zero.
-const CODE: u64 = 0x400;
+/// One function of the library at one place; `file` is like `raster/line.rs`.
+struct Frame {
+    file: String,
+    function: String,
+}
 
-/// Every row of the line table: its file, and the bytes to the next row.
-fn files(text: &str) -> Vec<(String, u64)> {
-    let mut result = Vec::new();
-    let (mut folders, mut names) = (BTreeMap::new(), BTreeMap::new());
-    let mut file = 0;
-    let mut row: Option<(u64, usize)> = None;
-    for line in text.lines() {
-        let words: Vec<&str> = line.split_whitespace().collect();
-        let index = |rest: &str| rest.split(']').next().and_then(|n| n.trim().parse::<usize>().ok());
-        let quoted = || line.split('"').nth(1).unwrap_or_default().to_string();
-        if line.starts_with("debug_line[") {
-            (folders, names, row) = (BTreeMap::new(), BTreeMap::new(), None);
-        } else if let Some(folder) = line.strip_prefix("include_directories[").and_then(index) {
-            folders.insert(folder, quoted());
-        } else if let Some(number) = line.strip_prefix("file_names[").and_then(index) {
-            file = number;
-        } else if words.first() == Some(&"name:") {
-            names.insert(file, (quoted(), 0));
-        } else if let ["dir_index:", folder] = words[..] {
-            if let (Some(name), Ok(folder)) = (names.get_mut(&file), folder.parse()) {
-                name.1 = folder;
-            }
-        } else if let [address, _, _, file, ..] = words[..] {
-            let address = address.strip_prefix("0x").and_then(|hex| u64::from_str_radix(hex, 16).ok());
-            let (Some(address), Ok(file)) = (address, file.parse()) else { continue };
-            if let Some((from, file)) = row.filter(|&(from, _)| from >= CODE) {
-                let (name, folder) = names.get(&file).cloned().unwrap_or_default();
-                let folder = folders.get(&folder).cloned().unwrap_or_default();
-                result.push((format!("{folder}/{name}"), address.saturating_sub(from)));
-            }
-            row = (!words.contains(&"end_sequence")).then_some((address, file));
-        }
+/// The code of a folder or file, or of one function in it.
+#[derive(Clone, Copy)]
+pub(crate) struct Part(pub(crate) &'static str, pub(crate) Option<&'static str>);
+
+/// An instruction takes two bytes or four.
+const STEP: u64 = 2;
+
+impl Provenance {
+    pub(crate) fn of(image: &Path) -> Result<Self> {
+        let mut symbolizer = Command::new("llvm-symbolizer");
+        symbolizer.args(["--inlines", "--demangle", "--output-style=LLVM"]).arg("--obj").arg(image);
+        let mut child = symbolizer.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+        let child = child.as_mut().map_err(|error| format!("llvm-symbolizer (Debian: llvm): {error}"))?;
+        let code = elf::sizes(image)?.code;
+        let mut questions = child.stdin.take().ok_or("its input")?;
+        let asker = std::thread::spawn(move || {
+            code.step_by(STEP as usize).try_for_each(|at| writeln!(questions, "{at:#x}"))
+        });
+        let mut text = String::new();
+        std::io::Read::read_to_string(&mut child.stdout.take().ok_or("its output")?, &mut text)?;
+        asker.join().map_err(|_| "the thread that asks")??;
+        child.wait()?;
+        // An answer is pairs of lines, a function and its place, the innermost first; then an empty line.
+        let library = cross::root().join("src");
+        let places = text.split("\n\n").map(|answer| {
+            let lines: Vec<&str> = answer.lines().collect();
+            let frame = |pair: &[&str]| {
+                let path = pair.get(1)?.split(':').next()?;
+                let file = Path::new(path).strip_prefix(&library).ok()?;
+                Some(Frame { file: file.display().to_string(), function: pair[0].to_string() })
+            };
+            lines.chunks(2).filter_map(frame).collect()
+        });
+        Ok(Self { places: places.collect() })
     }
-    result
+
+    /// Bytes that were written in one of these files, or inlined there from other libraries.
+    pub(crate) fn of_file(&self, file: &str) -> u64 {
+        let innermost = |place: &&Vec<Frame>| place.first().is_some_and(|frame| frame.file.starts_with(file));
+        STEP * self.places.iter().filter(innermost).count() as u64
+    }
+
+    /// Bytes that are there because of this part: its own and what it calls, where that was inlined.
+    pub(crate) fn because_of(&self, Part(file, function): Part) -> u64 {
+        let named = |frame: &Frame| function.is_none_or(|name| frame.function.contains(name));
+        let part = |frame: &Frame| frame.file.starts_with(file) && named(frame);
+        STEP * self.places.iter().filter(|place| place.iter().any(part)).count() as u64
+    }
 }
