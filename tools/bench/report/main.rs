@@ -1,10 +1,10 @@
-//! Measures what bands cost: instructions, RAM and flash. `tools/bench/run` starts it; README: `docs/bands.md`, which
-//! it writes.
+//! Measures what bands cost, in instructions, RAM and flash, and writes `docs/bands.md`. `tools/bench/run` starts it.
 
 mod cross;
 mod elf;
 mod flash;
 mod page;
+mod profile;
 mod provenance;
 mod speed;
 
@@ -26,6 +26,8 @@ enum Mode {
     Check,
     /// Take today's sizes for the limits.
     Rebase,
+    /// Say where the instructions of a frame go, and nothing else.
+    Profile,
 }
 
 fn main() -> ExitCode {
@@ -34,8 +36,9 @@ fn main() -> ExitCode {
         [] => Mode::Write,
         ["--check"] => Mode::Check,
         ["--rebase"] => Mode::Rebase,
+        ["--profile"] => Mode::Profile,
         _ => {
-            eprintln!("tools/bench/run [--check | --rebase]");
+            eprintln!("tools/bench/run [--check | --rebase | --profile]");
             return ExitCode::from(2);
         }
     };
@@ -54,10 +57,14 @@ fn main() -> ExitCode {
 
 /// What does not hold.
 fn run(mode: Mode) -> Result<Vec<String>> {
+    let m3 = Build { target: M3, level: "3" };
+    if mode == Mode::Profile {
+        print!("{}", profile::text(&m3.run("profile")?)?);
+        return Ok(Vec::new());
+    }
     let mut failures = Vec::new();
     let compiler = cross::compiler()?;
     let host = speed::host()?;
-    let m3 = Build { target: M3, level: "3" };
     m3.cargo("build", &["--bins"])?;
     let speed = speed::measure(m3, &host, &mut failures)?;
     let flash = flash::measure(mode == Mode::Rebase, &mut failures)?;

@@ -76,15 +76,19 @@ fn parse(text: &str, lines: &mut Lines) -> Result<()> {
 
 /// The same programs here.
 pub(crate) fn host() -> Result<Lines> {
-    let mut lines = Lines::new();
-    for bin in BINS.iter().chain(RAM.iter().map(|(bin, ..)| bin)) {
+    let cargo = |arguments: &[&str]| -> Result<String> {
         let mut command = Command::new("cargo");
-        command.args(["run", "--quiet", "--locked", "--release", "--bin", bin]).current_dir(BENCH);
+        command.args(arguments).args(["--quiet", "--locked", "--release"]).current_dir(BENCH);
         let output = command.stdin(Stdio::null()).stderr(Stdio::inherit()).output()?;
         if !output.status.success() {
-            return Err(format!("{bin} on the host: {}", output.status).into());
+            return Err(format!("{command:?}: {}", output.status).into());
         }
-        parse(&String::from_utf8(output.stdout)?, &mut lines)?;
+        Ok(String::from_utf8(output.stdout)?)
+    };
+    cargo(&["build", "--bins"])?;
+    let mut lines = Lines::new();
+    for bin in BINS.iter().chain(RAM.iter().map(|(bin, ..)| bin)) {
+        parse(&cargo(&["run", "--bin", bin])?, &mut lines)?;
     }
     Ok(lines)
 }
