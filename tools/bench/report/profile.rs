@@ -5,13 +5,15 @@ use crate::Result;
 use std::fmt::Write;
 
 /// What the columns of the firmware's lines count, behind the scene and the instructions.
-const NAMES: [&str; N] = ["draw", "vertex", "culled face", "drawn face", "row", "tested pixel", "written pixel"];
+const NAMES: [&str; N] =
+    ["draw", "vertex", "culled face", "drawn face", "row", "tested pixel", "written pixel"];
 const N: usize = 7;
 
 pub(crate) fn text(lines: &str) -> Result<String> {
     let (mut cases, mut text) = (Vec::new(), String::new());
     for line in lines.lines() {
-        let numbers = line.split(',').skip(1).map(str::parse).collect::<std::result::Result<Vec<f64>, _>>()?;
+        let numbers =
+            line.split(',').skip(1).map(str::parse).collect::<std::result::Result<Vec<f64>, _>>()?;
         let [instructions, vertices, culled, drawn, rows, tested, _runs, written] = numbers[..] else {
             return Err(format!("not a case: {line}").into());
         };
