@@ -37,6 +37,8 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
         [0, 1, 2].map(|i| bits(&[x[i], y[i], z[i]]))
     };
     let distance = bits(&[number(&model["distance"])?, 0.0, 0.0])[0];
+    let reference = ["front", "writes_front"].map(|name| model["reference"][name].as_u64());
+    let [Some(front), Some(writes)] = reference else { return Err("a reference".into()) };
     let vertices: Vec<[i16; 3]> = vertices.iter().map(|v| v.map(|c| c as i16)).collect();
     writeln!(text, "pub static {name}: Model = Model {{")?;
     writeln!(
@@ -47,7 +49,7 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
         slice(&normals),
         slice(&edges)
     )?;
-    writeln!(text, "axes: {:?}, distance: {distance} }};", [x, y, z])?;
+    writeln!(text, "axes: {:?}, distance: {distance}, reference: [{front}, {writes}] }};", [x, y, z])?;
     Ok(())
 }
 

@@ -64,6 +64,7 @@ fn run(mode: Mode) -> Result<Vec<String>> {
     }
     let mut failures = Vec::new();
     let compiler = cross::compiler()?;
+    speed::compare_scenes(&mut failures);
     let host = speed::host()?;
     m3.cargo("build", &["--bins"])?;
     let speed = speed::measure(m3, &host, &mut failures)?;

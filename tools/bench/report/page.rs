@@ -29,7 +29,7 @@ counted by the emulator's clock, 64 ns for each, against a loop of known length 
 run. Counted is the second frame of a scene, all of it: the frame's pixels set to the background, the depth strips
 cleared, the object placed, its vertices transformed, its faces sorted out, lit and drawn. It ends when the pixels lie
 in memory: nothing is sent. Camera and light are set up before. The compiler knows none of the numbers. Every picture
-is that of the host, compared by checksum.
+is that of the host, compared by checksum, and the scenes cover the pixels that `tools/bench/scenes.json` says.
 
 *At once* draws into memory for the whole frame, with a depth for each pixel; in *bands* the same goes through strips of
 so many rows. *Empty* is a frame in which nothing is drawn: what the clears cost. The last columns divide the bands of

@@ -5,7 +5,7 @@ use crate::board::{println, Clock};
 use crate::canvas::Canvas;
 use crate::frames::Memory;
 use crate::measure::Named;
-use crate::scene::Scene;
+use crate::scene::{Model, Scene, SIZE};
 use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -41,6 +41,15 @@ impl DrawTarget for Tally {
         self.pixels += area.size.width;
         Ok(())
     }
+}
+
+/// The faces of a scene that are drawn, and the pixels that they cover together.
+pub fn covered(model: &'static Model) -> Option<[u32; 2]> {
+    let scene = Scene::new(model)?;
+    let light = scene.light()?;
+    let mut tally = Tally { size: Size::new(SIZE, SIZE), runs: 0, pixels: 0 };
+    let Ok(statistics) = scene.place().solid(scene.shade(&light), &mut [], &mut tally);
+    Some([statistics.drawn, tally.pixels])
 }
 
 /// Lines `scene,instructions,vertices,culled,drawn,rows,tested,runs,written`.

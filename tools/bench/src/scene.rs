@@ -29,6 +29,8 @@ pub struct Model {
     axes: [[i32; 3]; 3],
     /// Of the eye from the origin, in 2⁻¹⁶.
     distance: i32,
+    /// Front faces, and the pixels that these cover together, as `scenes.json` has them.
+    pub reference: [u32; 2],
 }
 
 include!(concat!(env!("OUT_DIR"), "/models.rs"));
@@ -64,7 +66,7 @@ impl Scene {
     /// On another square than [`SIZE`].
     #[inline(always)]
     pub fn sized(model: &'static Model, size: u32) -> Option<Self> {
-        let Model { mesh, axes, distance } = black_box(model);
+        let Model { mesh, axes, distance, .. } = black_box(model);
         let [x, y, z] = axes.map(vector);
         let origin = Point3::from_ints(0, 0, 0);
         let model = Affine::from_frame(x, y, z, origin);
