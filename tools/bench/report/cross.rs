@@ -25,7 +25,7 @@ impl std::fmt::Display for Build {
 }
 
 impl Build {
-    pub(crate) fn cargo(self, verb: &str, rest: &[&str]) -> Result<()> {
+    pub(crate) fn cargo(self, verb: &str, rest: &[String]) -> Result<()> {
         let mut command = self.command(verb);
         let status = command.args(rest).stdin(Stdio::null()).status()?;
         if !status.success() {

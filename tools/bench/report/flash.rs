@@ -52,12 +52,16 @@ pub(crate) struct Flash {
     pub(crate) code: BTreeMap<&'static str, Provenance>,
 }
 
+/// All images, as arguments for cargo.
+pub(crate) fn bins() -> Vec<String> {
+    let names = ["empty"].into_iter().chain(IMAGES.iter().map(|image| image.name));
+    names.map(|name| format!("--bin=flash_{name}")).collect()
+}
+
 pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Flash> {
     let (mut sizes, mut code) = (BTreeMap::new(), BTreeMap::new());
     for build in BUILDS {
-        let bins = ["empty"].into_iter().chain(IMAGES.iter().map(|image| image.name));
-        let bins: Vec<String> = bins.map(|name| format!("--bin=flash_{name}")).collect();
-        build.cargo("build", &bins.iter().map(String::as_str).collect::<Vec<_>>())?;
+        build.cargo("build", &bins())?;
         let image = |name: &str| build.image(&format!("flash_{name}"));
         let empty = elf::sizes(&image("empty"))?.flash;
         let witness = Provenance::of(&image(WITNESS))?;

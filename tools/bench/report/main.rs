@@ -66,7 +66,8 @@ fn run(mode: Mode) -> Result<Vec<String>> {
     let compiler = cross::compiler()?;
     speed::compare_scenes(&mut failures);
     let host = speed::host()?;
-    m3.cargo("build", &["--bins"])?;
+    // Both at once, for two cores.
+    m3.cargo("build", &[speed::bins(), flash::bins()].concat())?;
     let speed = speed::measure(m3, &host, &mut failures)?;
     let flash = flash::measure(mode == Mode::Rebase, &mut failures)?;
     let text = page::text(&compiler, &speed, &flash);

@@ -9,12 +9,10 @@ use std::process::{Command, Stdio};
 /// The firmwares that count, each of one way to draw.
 const BINS: &[&str] = &[
     "full_empty",
-    "full_empty_depth",
     "full_wireframe",
     "full_solid",
     "full_depth",
     "band_empty",
-    "band_empty_depth",
     "band_wireframe",
     "band_solid",
     "band_depth",
@@ -44,6 +42,11 @@ impl Ram {
 
 /// The firmwares that measure RAM, their scenes, and the most that these may take.
 const RAM: &[(&str, &str, u64)] = &[("ram_s3", "S3", 20 << 10), ("ram_s4", "S4", 40 << 10)];
+
+/// All of them, as arguments for cargo.
+pub(crate) fn bins() -> Vec<String> {
+    BINS.iter().chain(RAM.iter().map(|(bin, ..)| bin)).map(|bin| format!("--bin={bin}")).collect()
+}
 
 /// Of S3 with depth: instructions in bands of 16 rows, over those at once.
 const MOST: f64 = 1.25;
@@ -100,10 +103,11 @@ pub(crate) fn host() -> Result<Lines> {
         }
         Ok(String::from_utf8(output.stdout)?)
     };
-    cargo(&["build", "--bins"])?;
+    let bins = bins();
+    cargo(&["build"].into_iter().chain(bins.iter().map(String::as_str)).collect::<Vec<_>>())?;
     let mut lines = Lines::new();
-    for bin in BINS.iter().chain(RAM.iter().map(|(bin, ..)| bin)) {
-        parse(&cargo(&["run", "--bin", bin])?, &mut lines)?;
+    for bin in &bins {
+        parse(&cargo(&["run", bin])?, &mut lines)?;
     }
     Ok(lines)
 }

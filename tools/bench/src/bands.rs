@@ -51,12 +51,7 @@ impl Memory {
 }
 
 /// What a frame costs before anything is drawn.
-pub fn empty(
-    _: &Scene,
-    _: &Lambert,
-    Storage { strip, .. }: Storage<'_>,
-    display: &mut Display,
-) -> Option<()> {
+pub fn empty(Storage { strip, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(band) = frame.next_band(strip).ok()? {
         display.take_bytes(band.bytes());
@@ -65,12 +60,7 @@ pub fn empty(
 }
 
 /// The same, with depth.
-pub fn empty_depth(
-    _: &Scene,
-    _: &Lambert,
-    Storage { strip, depth, .. }: Storage<'_>,
-    display: &mut Display,
-) -> Option<()> {
+pub fn empty_depth(Storage { strip, depth, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(band) = frame.next_band(strip).ok()? {
         black_box(DepthBuffer::new(band.area(), depth).ok()?);

@@ -26,13 +26,13 @@ impl Memory {
 }
 
 /// What a frame costs before anything is drawn.
-pub fn empty(_: &Scene, _: &Lambert, Memory { pixels, .. }: &mut Memory, display: &mut Display) {
+pub fn empty(Memory { pixels, .. }: &mut Memory, display: &mut Display) {
     canvas(pixels);
     display.take_pixels(pixels);
 }
 
 /// The same, with depth.
-pub fn empty_depth(_: &Scene, _: &Lambert, Memory { pixels, depth, .. }: &mut Memory, display: &mut Display) {
+pub fn empty_depth(Memory { pixels, depth, .. }: &mut Memory, display: &mut Display) {
     canvas(pixels);
     black_box(DepthBuffer::new(area(), depth)).ok();
     display.take_pixels(pixels);

@@ -9,8 +9,11 @@ const SCENES: &[Named] = &[("empty", &scene::CUBE)];
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
     for (how, rows) in [("band240", 240), ("band16", 16), ("band8", 8)] {
-        measure("solid", how, SCENES, &mut clock, &mut |scene, light, display| {
-            bands::empty(scene, light, memory.rows(rows)?, display)
+        measure("solid", how, SCENES, &mut clock, &mut |_, _, display| {
+            bands::empty(memory.rows(rows)?, display)
+        })?;
+        measure("depth", how, SCENES, &mut clock, &mut |_, _, display| {
+            bands::empty_depth(memory.rows(rows)?, display)
         })?;
     }
     Some(())

@@ -8,8 +8,12 @@ const SCENES: &[Named] = &[("empty", &scene::CUBE)];
 
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
-    measure("solid", "full", SCENES, &mut clock, &mut |scene, light, display| {
-        frames::empty(scene, light, memory, display);
+    measure("solid", "full", SCENES, &mut clock, &mut |_, _, display| {
+        frames::empty(memory, display);
+        Some(())
+    })?;
+    measure("depth", "full", SCENES, &mut clock, &mut |_, _, display| {
+        frames::empty_depth(memory, display);
         Some(())
     })
 });
