@@ -24,9 +24,9 @@ and CI runs that with `--check`: it fails where a limit is broken or, with the s
 const SPEED: &str = "
 ## Instructions
 
-Of one frame on a Cortex-M3 (thumbv7m, opt-level 3, fat LTO), 240 × 240 pixels of Rgb565. Instructions are not cycles. They are
-counted by the emulator's clock, 64 ns for each, against a loop of known length in the same run; the same in every
-run. Counted is the second frame of a scene, all of it: the frame's pixels set to the background, the depth strips
+Of one frame on a Cortex-M3 (thumbv7m, opt-level 3, fat LTO), 240 × 240 pixels of Rgb565. Instructions are not cycles.
+They are counted by the emulator's clock, 64 ns for each, against a loop of known length in the same run; the same in
+every run. Counted is the second frame of a scene, all of it: the frame's pixels set to the background, the depth strips
 cleared, the object placed, its vertices transformed, its faces sorted out, lit and drawn. It ends when the pixels lie
 in memory: nothing is sent. Camera and light are set up before. The compiler knows none of the numbers. Every picture
 is that of the host, compared by checksum, and the scenes cover the pixels that `tools/bench/scenes.json` says.
@@ -42,9 +42,9 @@ so many rows. *Empty* is a frame in which nothing is drawn: what the clears cost
 const RAM: &str = "
 ## RAM
 
-Depth-tested in bands of 8 rows: all variables (corners, records, the strips of colour and depth, from the image's sections) and the
-stack from the top of RAM to its deepest byte in two frames and the set-up before them (painted first). The mesh lies
-in flash.
+Depth-tested in bands of 8 rows: all variables (corners, records, the strips of colour and depth, from the image's
+sections) and the stack from the top of RAM to its deepest byte in two frames and the set-up before them (painted
+first). The mesh lies in flash.
 
 | scene | variables | stack | together | at most |
 |---|--:|--:|--:|--:|
