@@ -1,0 +1,43 @@
+//! Sizes of an image's sections, from its ELF file of 32 bits.
+
+use crate::Result;
+use std::ops::Range;
+use std::path::Path;
+
+/// In bytes.
+pub(crate) struct Sizes {
+    /// What takes flash: code, constants and the start values of variables.
+    pub(crate) flash: u64,
+    /// What takes RAM from the start: variables.
+    pub(crate) statics: u64,
+    /// Where the instructions are.
+    pub(crate) code: Range<u64>,
+}
+
+pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
+    let file = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
+    let short = || format!("{}: no ELF file of 32 bits", image.display());
+    if !file.starts_with(b"\x7fELF\x01\x01") {
+        return Err(short().into());
+    }
+    let half = |at: usize| file.get(at..at + 2).map(|b| usize::from(b[0]) | usize::from(b[1]) << 8);
+    let word = |at: usize| Some(half(at)? | half(at + 2)? << 16);
+    let header = || {
+        let (table, size, count) = (word(32)?, half(46)?, half(48)?);
+        let mut sizes = Sizes { flash: 0, statics: 0, code: 0..0 };
+        for section in 0..count {
+            let at = table + section * size;
+            let (kind, flags) = (word(at + 4)?, word(at + 8)?);
+            let (from, bytes) = (word(at + 12)? as u64, word(at + 20)? as u64);
+            let (allocated, writable, empty) = (flags & 2 != 0, flags & 1 != 0, kind == 8);
+            if flags & 4 != 0 && bytes > 0 {
+                sizes.code = from..from + bytes; // one section, of link.x
+            }
+            // Memory that starts empty takes no flash.
+            sizes.flash += if allocated && !empty { bytes } else { 0 };
+            sizes.statics += if allocated && writable { bytes } else { 0 };
+        }
+        Some(sizes)
+    };
+    Ok(header().ok_or_else(short)?)
+}

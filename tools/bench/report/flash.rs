@@ -1,0 +1,119 @@
+//! Flash of linking only what is used: images less the empty one, and what they must not hold.
+
+use crate::cross::{self, Build};
+use crate::provenance::{Part, Provenance};
+use crate::{elf, Result, M0, M3};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// The builds, in the order of the page's columns.
+pub(crate) const BUILDS: [Build; 4] = [
+    Build { target: M3, level: "3" },
+    Build { target: M3, level: "s" },
+    Build { target: M0, level: "3" },
+    Build { target: M0, level: "s" },
+];
+
+/// An image, and the parts of the library that it must hold nothing of. All of these are in the image `WITNESS`, or the
+/// check would be blind.
+pub(crate) struct Image {
+    pub(crate) name: &'static str,
+    /// On the page.
+    pub(crate) says: &'static str,
+    without: &'static [Part],
+}
+
+const NO_DEPTH: &[Part] = &[Part("raster/plane.rs", Some("of_depth")), Part("output/depth.rs", None)];
+const NO_FACES: &[Part] = &[
+    NO_DEPTH[0],
+    NO_DEPTH[1],
+    Part("raster/plane.rs", None),
+    Part("raster/triangle.rs", Some("fill")),
+    Part("shade/", None),
+];
+
+pub(crate) const IMAGES: &[Image] = &[
+    Image { name: "set_up", says: "set-up", without: NO_FACES },
+    Image { name: "wireframe", says: "wireframe", without: NO_FACES },
+    Image { name: "wireframe_bands", says: "wireframe in bands", without: NO_FACES },
+    Image { name: "solid", says: "flat faces", without: NO_DEPTH },
+    Image { name: "depth", says: "flat faces with depth", without: &[] },
+    Image { name: "depth_bands", says: "flat faces with depth in bands", without: &[] },
+];
+
+/// Has all that others must not have.
+const WITNESS: &str = "depth";
+const LIMITS: &str = "tools/bench/flash.txt";
+
+pub(crate) struct Flash {
+    /// Bytes more than the empty image has.
+    pub(crate) sizes: BTreeMap<(&'static str, Build), u64>,
+    /// Where the code comes from, on the M3 at level 3.
+    pub(crate) code: BTreeMap<&'static str, Provenance>,
+}
+
+/// All images, as arguments for cargo.
+pub(crate) fn bins() -> Vec<String> {
+    let names = ["empty"].into_iter().chain(IMAGES.iter().map(|image| image.name));
+    names.map(|name| format!("--bin=flash_{name}")).collect()
+}
+
+pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Flash> {
+    let (mut sizes, mut code) = (BTreeMap::new(), BTreeMap::new());
+    for build in BUILDS {
+        build.cargo("build", &bins())?;
+        let image = |name: &str| build.image(&format!("flash_{name}"));
+        let empty = elf::sizes(&image("empty"))?.flash;
+        let witness = Provenance::of(&image(WITNESS))?;
+        for &Image { name, without, .. } in IMAGES {
+            sizes.insert((name, build), elf::sizes(&image(name))?.flash.saturating_sub(empty));
+            let from = Provenance::of(&image(name))?;
+            for &part in without {
+                let Part(file, function) = part;
+                let part_name = format!("{file} {}", function.unwrap_or_default());
+                let (held, seen) = (from.because_of(part), witness.because_of(part));
+                if held > 0 {
+                    failures.push(format!("{build}: {name} holds {held} bytes of {part_name}"));
+                }
+                if seen == 0 {
+                    failures
+                        .push(format!("{build}: {WITNESS} holds nothing of {part_name}: the check is blind"));
+                }
+            }
+            if build == BUILDS[0] {
+                code.insert(name, from);
+            }
+        }
+    }
+    limits(rebase, &sizes, failures)?;
+    Ok(Flash { sizes, code })
+}
+
+/// At most 5 % more than what was once committed.
+fn limits(
+    rebase: bool,
+    sizes: &BTreeMap<(&'static str, Build), u64>,
+    failures: &mut Vec<String>,
+) -> Result<()> {
+    let path = cross::root().join(LIMITS);
+    if rebase {
+        let mut text = String::from("# Bytes of flash above the empty image; 5 % more fail. `tools/bench/run --rebase` writes this.\n");
+        for ((name, Build { target, level }), bytes) in sizes {
+            writeln!(text, "{target} {level} {name} {bytes}")?;
+        }
+        std::fs::write(path, text)?;
+        return Ok(());
+    }
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{LIMITS}: {error}"))?;
+    for ((name, Build { target, level }), &bytes) in sizes {
+        let line = format!("{target} {level} {name} ");
+        let limit =
+            text.lines().find_map(|l| l.strip_prefix(&line)).and_then(|bytes| bytes.parse::<u64>().ok());
+        match limit {
+            Some(limit) if bytes * 100 <= limit * 105 => {}
+            Some(limit) => failures.push(format!("{line}: {bytes} bytes, 5 % above {limit} are allowed")),
+            None => failures.push(format!("{line}: no limit in {LIMITS}")),
+        }
+    }
+    Ok(())
+}

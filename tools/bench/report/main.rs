@@ -1,0 +1,83 @@
+//! Measures what bands cost, in instructions, RAM and flash, and writes `docs/bands.md`. `tools/bench/run` starts it.
+
+mod cross;
+mod elf;
+mod flash;
+mod page;
+mod profile;
+mod provenance;
+mod speed;
+
+use cross::Build;
+use std::process::ExitCode;
+
+type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
+
+const PAGE: &str = "docs/bands.md";
+const M0: &str = "thumbv6m-none-eabi";
+const M3: &str = "thumbv7m-none-eabi";
+
+/// What is asked for on the command line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    /// Write the page.
+    Write,
+    /// Compare it.
+    Check,
+    /// Take today's sizes for the limits.
+    Rebase,
+    /// Say where the instructions of a frame go, and nothing else.
+    Profile,
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mode = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => Mode::Write,
+        ["--check"] => Mode::Check,
+        ["--rebase"] => Mode::Rebase,
+        ["--profile"] => Mode::Profile,
+        _ => {
+            eprintln!("tools/bench/run [--check | --rebase | --profile]");
+            return ExitCode::from(2);
+        }
+    };
+    match run(mode) {
+        Ok(failures) if failures.is_empty() => ExitCode::SUCCESS,
+        Ok(failures) => {
+            failures.iter().for_each(|failure| eprintln!("bench: {failure}"));
+            ExitCode::from(1)
+        }
+        Err(error) => {
+            eprintln!("bench: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// What does not hold.
+fn run(mode: Mode) -> Result<Vec<String>> {
+    let m3 = Build { target: M3, level: "3" };
+    if mode == Mode::Profile {
+        print!("{}", profile::text(&m3.run("profile")?)?);
+        return Ok(Vec::new());
+    }
+    let mut failures = Vec::new();
+    let compiler = cross::compiler()?;
+    speed::compare_scenes(&mut failures);
+    let host = speed::host()?;
+    // Both at once, for two cores.
+    m3.cargo("build", &[speed::bins(), flash::bins()].concat())?;
+    let speed = speed::measure(m3, &host, &mut failures)?;
+    let flash = flash::measure(mode == Mode::Rebase, &mut failures)?;
+    let text = page::text(&compiler, &speed, &flash);
+    println!("{text}");
+    let path = cross::root().join(PAGE);
+    if mode == Mode::Check {
+        let old = std::fs::read_to_string(&path).map_err(|error| format!("{PAGE}: {error}"))?;
+        page::compare(&old, &text, &compiler, &mut failures);
+    } else {
+        std::fs::write(&path, text)?;
+    }
+    Ok(failures)
+}

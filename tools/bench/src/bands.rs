@@ -1,0 +1,122 @@
+//! Whole frames in bands: the scene is recorded once, then drawn into strips of some rows.
+
+use crate::measure::Display;
+use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
+use core::hint::black_box;
+use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::{Corner, DepthBuffer, Frame, Lambert};
+
+/// What the largest scene takes: vertices, and visible faces with one for every 16 of the mesh.
+const CORNERS: usize = 2892;
+const RECORDS: usize = 1800 + 5780_usize.div_ceil(16);
+
+/// Of the strip of colour and the one of depth, for bands of so many rows.
+pub const fn bytes(rows: u32) -> usize {
+    Frame::<Rgb565>::strip_bytes(SIZE, rows)
+}
+pub const fn pixels(rows: u32) -> usize {
+    (SIZE * rows) as usize
+}
+
+/// What a frame in bands is lent. The strips' lengths say how many rows a band has.
+pub struct Storage<'s> {
+    pub corners: &'s mut [Corner],
+    pub records: &'s mut [u16],
+    pub strip: &'s mut [u8],
+    pub depth: &'s mut [u16],
+}
+
+/// Storage for the largest scene and bands of any height.
+pub struct Memory {
+    corners: [Corner; CORNERS],
+    records: [u16; RECORDS],
+    strip: [u8; bytes(SIZE)],
+    depth: [u16; pixels(SIZE)],
+}
+
+impl Memory {
+    pub const NEW: Self = Self {
+        corners: [Corner::EMPTY; CORNERS],
+        records: [0; RECORDS],
+        strip: [0; bytes(SIZE)],
+        depth: [0; pixels(SIZE)],
+    };
+
+    /// For bands of so many rows.
+    pub fn rows(&mut self, rows: u32) -> Option<Storage<'_>> {
+        let Self { corners, records, strip, depth } = self;
+        let (strip, depth) = (strip.get_mut(..bytes(rows))?, depth.get_mut(..pixels(rows))?);
+        Some(Storage { corners, records, strip, depth })
+    }
+}
+
+/// What a frame costs before anything is drawn.
+pub fn empty(Storage { strip, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
+    let mut frame = Frame::new(area(), BACKGROUND);
+    while let Some(band) = frame.next_band(strip).ok()? {
+        display.take_bytes(band.bytes());
+    }
+    Some(())
+}
+
+/// The same, with depth.
+pub fn empty_depth(Storage { strip, depth, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
+    let mut frame = Frame::new(area(), BACKGROUND);
+    while let Some(band) = frame.next_band(strip).ok()? {
+        black_box(DepthBuffer::new(band.area(), depth).ok()?);
+        display.take_bytes(band.bytes());
+    }
+    Some(())
+}
+
+pub fn wireframe(
+    scene: &Scene,
+    _: &Lambert,
+    Storage { corners, records, strip, .. }: Storage<'_>,
+    display: &mut Display,
+) -> Option<()> {
+    let projected = scene.place().transform(corners);
+    let mut edges = projected.edges(records).ok()?;
+    let mut frame = Frame::new(area(), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let Ok(()) = edges.draw(LINE, &mut band);
+        display.take_bytes(band.bytes());
+    }
+    black_box(edges.statistics());
+    Some(())
+}
+
+pub fn solid(
+    scene: &Scene,
+    light: &Lambert,
+    Storage { corners, records, strip, .. }: Storage<'_>,
+    display: &mut Display,
+) -> Option<()> {
+    let projected = scene.place().transform(corners);
+    let mut faces = projected.faces(records).ok()?;
+    let mut frame = Frame::new(area(), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let Ok(()) = faces.solid(scene.shade(light), &mut band);
+        display.take_bytes(band.bytes());
+    }
+    black_box(faces.statistics());
+    Some(())
+}
+
+pub fn depth(
+    scene: &Scene,
+    light: &Lambert,
+    Storage { corners, records, strip, depth }: Storage<'_>,
+    display: &mut Display,
+) -> Option<()> {
+    let projected = scene.place().transform_depth(corners);
+    let mut faces = projected.faces(records).ok()?;
+    let mut frame = Frame::new(area(), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
+        let Ok(()) = faces.depth_tested(scene.shade(light), &mut depth, &mut band);
+        display.take_bytes(band.bytes());
+    }
+    black_box(faces.statistics());
+    Some(())
+}

@@ -1,0 +1,22 @@
+//! S3 with depth in bands of 8 rows, with no more memory than that takes.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+use bench::bands::{self, bytes, pixels, Storage};
+use bench::{firmware, measure, scene};
+use pinhole::Corner;
+
+const VERTICES: usize = 500;
+/// Faces that show, with some to spare, and a bit for each of the mesh.
+const RECORDS: usize = 480 + 1000_usize.div_ceil(16);
+
+firmware!(
+    corners: [Corner; VERTICES] = [Corner::EMPTY; VERTICES],
+    records: [u16; RECORDS] = [0; RECORDS],
+    strip: [u8; bytes(8)] = [0; bytes(8)],
+    depth: [u16; pixels(8)] = [0; pixels(8)],
+    {
+        measure::stack("S3", &scene::TORUS, &mut |scene, light, display| {
+            let (corners, records) = (&mut *corners, &mut *records);
+            bands::depth(scene, light, Storage { corners, records, strip, depth }, display)
+        })
+    }
+);

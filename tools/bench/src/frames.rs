@@ -1,0 +1,81 @@
+//! Whole frames, drawn at once: into memory, with depth for every pixel.
+
+use crate::canvas::Canvas;
+use crate::measure::Display;
+use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
+use core::hint::black_box;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::{Corner, DepthBuffer, Lambert};
+
+const PIXELS: usize = (SIZE * SIZE) as usize;
+/// The most vertices of a scene.
+const CORNERS: usize = 2892;
+
+/// Memory for a whole frame.
+pub struct Memory {
+    pub(crate) pixels: [Rgb565; PIXELS],
+    pub(crate) depth: [u16; PIXELS],
+    pub(crate) corners: [Corner; CORNERS],
+}
+
+impl Memory {
+    pub const NEW: Self =
+        Self { pixels: [BACKGROUND; PIXELS], depth: [0; PIXELS], corners: [Corner::EMPTY; CORNERS] };
+}
+
+/// What a frame costs before anything is drawn.
+pub fn empty(Memory { pixels, .. }: &mut Memory, display: &mut Display) {
+    canvas(pixels);
+    display.take_pixels(pixels);
+}
+
+/// The same, with depth.
+pub fn empty_depth(Memory { pixels, depth, .. }: &mut Memory, display: &mut Display) {
+    canvas(pixels);
+    black_box(DepthBuffer::new(area(), depth)).ok();
+    display.take_pixels(pixels);
+}
+
+pub fn wireframe(
+    scene: &Scene,
+    _: &Lambert,
+    Memory { pixels, corners, .. }: &mut Memory,
+    display: &mut Display,
+) {
+    let Ok(statistics) = scene.place().wireframe(LINE, corners, &mut canvas(pixels));
+    black_box(statistics);
+    display.take_pixels(pixels);
+}
+
+pub fn solid(
+    scene: &Scene,
+    light: &Lambert,
+    Memory { pixels, corners, .. }: &mut Memory,
+    display: &mut Display,
+) {
+    let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut canvas(pixels));
+    black_box(statistics);
+    display.take_pixels(pixels);
+}
+
+pub fn depth(
+    scene: &Scene,
+    light: &Lambert,
+    Memory { pixels, depth, corners }: &mut Memory,
+    display: &mut Display,
+) {
+    let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
+    let Ok(statistics) =
+        scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut canvas(pixels));
+    black_box(statistics);
+    display.take_pixels(pixels);
+}
+
+/// Cleared.
+fn canvas(pixels: &mut [Rgb565]) -> Canvas<'_, Rgb565> {
+    let mut canvas = Canvas::new(pixels, Size::new(SIZE, SIZE));
+    let Ok(()) = canvas.clear(BACKGROUND);
+    canvas
+}

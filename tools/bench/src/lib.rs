@@ -1,0 +1,39 @@
+//! What the measuring firmwares share. They also run on the host, where they count nothing and draw the same pictures:
+//! `report` compares the two.
+#![cfg_attr(target_os = "none", no_std)]
+
+pub mod bands;
+pub mod board;
+#[allow(dead_code)] // shared with the examples, which use more of it
+#[path = "../../../examples/show/canvas.rs"]
+mod canvas;
+pub mod frames;
+pub mod image;
+pub mod measure;
+pub mod profile;
+pub mod scene;
+pub mod stack;
+
+/// A program over variables, each in a static of its own: the linker says so if they do not fit, and those that start
+/// with zeros take no flash.
+#[macro_export]
+macro_rules! firmware {
+    ($($name:ident: $type:ty = $start:expr,)* $body:block) => {
+        fn run($($name: &mut $type),*) -> Option<()> $body
+
+        #[cfg(target_os = "none")]
+        #[cortex_m_rt::entry]
+        fn main() -> ! {
+            $(
+                #[allow(non_upper_case_globals)] // the name is the argument's
+                static mut $name: $type = $start;
+            )*
+            $crate::board::end(run($($name),*).is_some())
+        }
+
+        #[cfg(not(target_os = "none"))]
+        fn main() {
+            $crate::board::end(run($(&mut *Box::<$type>::new($start)),*).is_some())
+        }
+    };
+}

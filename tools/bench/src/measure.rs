@@ -1,0 +1,98 @@
+//! Counting frames, and looking at them.
+
+use crate::board::{println, Clock};
+use crate::scene::{Model, Scene};
+use crate::stack;
+use core::hint::black_box;
+use embedded_graphics_core::pixelcolor::{IntoStorage, Rgb565};
+use pinhole::Lambert;
+
+/// A scene's name, and what it shows.
+pub type Named = (&'static str, &'static Model);
+
+/// Where frames go. What is counted ends where a DMA controller would take the bytes; in a frame that is not
+/// counted they go into a checksum.
+#[derive(Default)]
+pub struct Display {
+    checksum: Option<Checksum>,
+}
+
+impl Display {
+    /// Pixels as they go over the wire, the high byte first.
+    #[inline(never)]
+    pub fn take_bytes(&mut self, bytes: &[u8]) {
+        if let Some(checksum) = &mut self.checksum {
+            for pair in black_box(bytes).chunks_exact(2) {
+                pair.iter().rev().for_each(|&byte| checksum.add(byte));
+            }
+        }
+    }
+
+    #[inline(never)]
+    pub fn take_pixels(&mut self, pixels: &[Rgb565]) {
+        if let Some(checksum) = &mut self.checksum {
+            black_box(pixels)
+                .iter()
+                .flat_map(|p| p.into_storage().to_le_bytes())
+                .for_each(|b| checksum.add(b));
+        }
+    }
+
+    /// The CRC-32 of the pixels that `frame` gives it, as little-endian numbers.
+    pub fn look(&mut self, frame: &mut dyn FnMut(&mut Self)) -> u32 {
+        self.checksum = Some(Checksum(!0));
+        frame(self);
+        self.checksum.take().map_or(0, |checksum| !checksum.0)
+    }
+}
+
+/// CRC-32 as in zip and PNG. Bit by bit: a table would be larger than the code.
+struct Checksum(u32);
+
+impl Checksum {
+    fn add(&mut self, byte: u8) {
+        self.0 = (0..8)
+            .fold(self.0 ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 & (crc & 1).wrapping_neg()));
+    }
+}
+
+/// One whole frame; what it is given stands for what the compiler cannot know. `None` where it has too little memory.
+pub type Frame<'f> = &'f mut dyn FnMut(&Scene, &Lambert, &mut Display) -> Option<()>;
+
+/// Counts the second frame of every scene and prints a line `scene,way,how,instructions,crc`.
+pub fn measure(way: &str, how: &str, scenes: &[Named], clock: &mut Clock, frame: Frame<'_>) -> Option<()> {
+    for (name, model) in scenes {
+        let scene = Scene::new(model)?;
+        let light = scene.light()?;
+        let mut display = Display::default();
+        let mut good = true;
+        let mut once =
+            |display: &mut Display| good &= frame(black_box(&scene), black_box(&light), display).is_some();
+        once(&mut display);
+        let instructions = clock.count(&mut || once(&mut display))?;
+        let crc = display.look(&mut once);
+        good.then_some(())?;
+        println!("{name},{way},{how},{instructions},{crc:08x}");
+    }
+    Some(())
+}
+
+/// Prints a line `scene,depth,ram,stack,crc`: the deepest byte of the stack while a scene is set up and drawn twice.
+pub fn stack(name: &str, model: &'static Model, frame: Frame<'_>) -> Option<()> {
+    stack::paint();
+    let crc = set_up_and_draw(model, frame);
+    let deepest = stack::deepest();
+    println!("{name},depth,ram,{deepest},{:08x}", crc?);
+    Some(())
+}
+
+#[inline(never)]
+fn set_up_and_draw(model: &'static Model, frame: Frame<'_>) -> Option<u32> {
+    let scene = Scene::new(model)?;
+    let light = scene.light()?;
+    let mut display = Display::default();
+    frame(black_box(&scene), black_box(&light), &mut display)?;
+    let mut good = None;
+    let crc = display.look(&mut |display| good = frame(black_box(&scene), black_box(&light), display));
+    good.map(|()| crc)
+}

@@ -1,0 +1,111 @@
+//! The scenes of `scenes.json`: S1 and S2 show its cube, S3 its torus, S4 its icosphere.
+
+use core::hint::black_box;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::space::{Model as ModelSpace, World};
+use pinhole::{
+    Affine, Angle, Camera, Dim, Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+};
+
+/// Width and height of a frame.
+pub const SIZE: u32 = 240;
+/// Where no face is, and the colour of lines and of a face in full light.
+pub const BACKGROUND: Rgb565 = Rgb565::BLACK;
+pub const LINE: Rgb565 = Rgb565::CYAN;
+const FACE: Rgb565 = Rgb565::new(31, 52, 14);
+const AMBIENT: u16 = 48;
+
+/// The pixels of a frame.
+pub fn area() -> Rectangle {
+    Rectangle::new(Point::zero(), Size::new(SIZE, SIZE))
+}
+
+/// What `build.rs` makes of a model.
+pub struct Model {
+    pub mesh: Mesh<'static>,
+    /// Where the object's axes point in the world, in 2⁻¹⁶.
+    axes: [[i32; 3]; 3],
+    /// Of the eye from the origin, in 2⁻¹⁶.
+    distance: i32,
+    /// Front faces, and the pixels that these cover together, as `scenes.json` has them.
+    pub reference: [u32; 2],
+}
+
+include!(concat!(env!("OUT_DIR"), "/models.rs"));
+
+/// At compile time.
+const fn mesh(
+    vertices: &'static [[i16; 3]],
+    exponent: i8,
+    faces: &'static [[u16; 3]],
+    normals: &'static [[i16; 3]],
+    edges: &'static [[u16; 2]],
+) -> Mesh<'static> {
+    let Ok(mesh) = Mesh::new(vertices, exponent, faces) else { panic!("faces") };
+    let Ok(mesh) = mesh.with_normals(normals) else { panic!("normals") };
+    let Ok(mesh) = mesh.with_edges(edges) else { panic!("edges") };
+    mesh
+}
+
+/// A model before its camera: set up before the frame.
+pub struct Scene {
+    mesh: Mesh<'static>,
+    model: Affine<ModelSpace, World>,
+    camera: Camera,
+}
+
+impl Scene {
+    /// The compiler sees none of the numbers. `None` is for what the types cannot know: that these have an image.
+    #[inline(always)]
+    pub fn new(model: &'static Model) -> Option<Self> {
+        Self::sized(model, SIZE)
+    }
+
+    /// On another square than [`SIZE`].
+    #[inline(always)]
+    pub fn sized(model: &'static Model, size: u32) -> Option<Self> {
+        let Model { mesh, axes, distance, .. } = black_box(model);
+        let [x, y, z] = axes.map(vector);
+        let origin = Point3::from_ints(0, 0, 0);
+        let model = Affine::from_frame(x, y, z, origin);
+        let eye = Point3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_bits(*distance));
+        let viewing = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).ok()?;
+        let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(20 << 16)));
+        let size = Size::new(size, size);
+        let projection = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
+        let viewport = Viewport::new(Point::zero(), size).ok()?;
+        Some(Self { mesh: *mesh, camera: Camera::new(&viewing, &projection, &viewport), model })
+    }
+
+    /// The vertices alone.
+    pub fn without_faces(self) -> Option<Self> {
+        Some(Self { mesh: Mesh::new(self.mesh.vertices(), self.mesh.exponent(), &[]).ok()?, ..self })
+    }
+
+    /// The first thing in every frame.
+    #[inline(always)]
+    pub fn place(&self) -> Placed<'static> {
+        self.camera.place(&self.mesh, &self.model)
+    }
+
+    /// Set up before the frame too, where there is light.
+    pub fn light(&self) -> Option<Lambert> {
+        Lambert::new(&self.model, vector(black_box(LIGHT)), AMBIENT).ok()
+    }
+
+    /// Lambert-flat.
+    #[inline(always)]
+    pub fn shade<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
+        |face| match self.mesh.normals().get(face) {
+            Some(&normal) => FACE.dim(light.level(normal)),
+            None => FACE,
+        }
+    }
+}
+
+fn vector<S: pinhole::space::SetUp>(bits: [i32; 3]) -> Vector3<S> {
+    let [x, y, z] = bits.map(Scalar::from_bits);
+    Vector3::new(x, y, z)
+}
