@@ -82,7 +82,7 @@ Bounds that other tests hold, with their own measurements:
 | `Camera::unproject` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
 | `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
 | `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_whole_nodes_by_their_bounding_sphere` |
-| `Placed::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/plane.rs` |
+| `Placed::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |
 | `Mesh::bounding_sphere`, radius | √3 times the least, 4·2⁻¹⁶ and 2⁻²⁸ of itself | `s5_bounding_spheres` |
 | `Viewing::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
 | `Affine::to_matrix`, `Projection::to_matrix` and back | exact | `s2_a_matrix_read_back_is_the_same_transform`, `s4_a_projection_from_its_matrix` |

@@ -9,9 +9,9 @@ use crate::raster::ScreenPoint;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Corner {
-    /// Sub-pixels to the right of the viewport's centre in the upper 20 bits; below them the upper
-    /// 12 of the depth's 24.
-    right: i32,
+    /// Sub-pixels to the right of the viewport's centre, and 2¹⁹, in the upper 20 bits: never 0, which
+    /// is none. Below them the upper 12 of the depth's 24.
+    right: u32,
     /// Sub-pixels below the viewport's centre, and the lower 12 bits of the depth.
     down: i32,
 }
@@ -35,42 +35,49 @@ impl Corner {
     /// Places have at most 2^18 sub-pixels: 20 bits with their sign.
     pub(crate) const REACH: i32 = 18;
 
-    /// No place yet: for arrays in statics.
-    pub const EMPTY: Self = Self { right: i32::MIN, down: 0 };
+    const BIAS: i32 = 1 << 19;
+
+    /// No place yet: for arrays in statics. All zeros, so that they take no room in flash.
+    pub const EMPTY: Self = Self { right: 0, down: 0 };
 
     /// |right|, |down| ≤ 2¹⁸ sub-pixels from the viewport's centre; depth in 16.8, 24 bits.
     #[inline(always)]
     pub(crate) fn new(right: i32, down: i32, depth: i32) -> Self {
         debug_assert!(right.abs().max(down.abs()) <= 1 << Self::REACH && depth >> 24 == 0);
-        Self { right: right << 12 | depth >> 12, down: down << 12 | (depth & 0xfff) }
+        let right = (right + Self::BIAS) as u32; // 2¹⁸ … 3·2¹⁸
+        Self { right: right << 12 | depth as u32 >> 12, down: down << 12 | (depth & 0xfff) }
     }
 
-    /// Whether there is a place: −2¹⁹ in the upper bits is none.
+    /// Whether there is a place.
     #[inline(always)]
     pub(crate) fn whole(self) -> bool {
-        self.right != Self::EMPTY.right
+        self.right != 0
     }
 
-    /// Sub-pixels from the viewport's centre.
+    /// Sub-pixels from a point that all corners of a viewport share, for differences; the viewport's
+    /// centre lies at [`CENTRE`](Self::CENTRE).
     #[inline(always)]
     pub(crate) fn offset(self) -> ScreenPoint {
-        ScreenPoint::inside(self.right >> 12, self.down >> 12)
+        ScreenPoint::inside((self.right >> 12) as i32, self.down >> 12)
     }
+
+    /// Where [`offset`](Self::offset) has the viewport's centre.
+    pub(crate) const CENTRE: [i32; 2] = [Self::BIAS, 0];
 
     /// In 16.8.
     #[inline(always)]
     pub(crate) fn depth(self) -> i32 {
-        (self.right & 0xfff) << 12 | (self.down & 0xfff)
+        ((self.right & 0xfff) << 12) as i32 | (self.down & 0xfff)
     }
 
     /// A place anywhere in the guard band, without depth: for those who know that it is one.
     pub(crate) fn bare(point: ScreenPoint) -> Self {
-        Self { right: point.x(), down: point.y() }
+        Self { right: point.x() as u32, down: point.y() }
     }
 
     /// What [`bare`](Self::bare) holds.
     pub(crate) fn point(self) -> ScreenPoint {
-        ScreenPoint::inside(self.right, self.down)
+        ScreenPoint::inside(self.right as i32, self.down)
     }
 }
 
@@ -91,7 +98,8 @@ mod tests {
                 for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
                     let corner = Corner::new(right, down, depth);
                     assert!(corner.whole());
-                    assert_eq!((corner.offset().x(), corner.offset().y()), (right, down));
+                    let [x, y] = Corner::CENTRE;
+                    assert_eq!((corner.offset().x() - x, corner.offset().y() - y), (right, down));
                     assert_eq!(corner.depth(), depth);
                 }
             }

@@ -38,6 +38,7 @@ pub(crate) struct Placement {
 impl Placement {
     /// `exponent`: of the mesh, coordinate = vertex · 2^exponent; `justify`: left shift that
     /// brings its largest coordinate to the top of 32 bits.
+    #[inline(never)] // set-up: small is better
     pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, exponent: i32, justify: u32) -> Self {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
@@ -133,12 +134,13 @@ impl Placement {
     /// Where a corner that has a place lies on the screen.
     #[inline(always)]
     pub(crate) fn at(&self, corner: Corner) -> Image {
-        let ([x, y], offset) = (self.screen.centre, corner.offset());
-        Image { point: ScreenPoint::inside(x + offset.x(), y + offset.y()), depth: corner.depth() }
+        let ([x, y], [cx, cy], offset) = (self.screen.centre, Corner::CENTRE, corner.offset());
+        Image { point: ScreenPoint::inside(x - cx + offset.x(), y - cy + offset.y()), depth: corner.depth() }
     }
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
     /// same bits where both work.
+    #[inline(never)] // set-up: small is better
     pub(crate) fn image(&self, h: &Homogeneous) -> Image {
         let r = reciprocal(h.w);
         let n = r.shift as i32;
@@ -205,6 +207,7 @@ impl Placement {
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.
+#[inline(never)] // set-up: small is better
 fn reach(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
     let sum: i64 = row.linear.iter().map(|c| i64::from(c.abs())).sum();
@@ -224,6 +227,7 @@ fn reach(row: &Row, unit: i32) -> i32 {
 }
 
 /// The row as integers over justified coordinates, in units of 2^exponent.
+#[inline(never)] // set-up: small is better
 fn form(row: &Row, unit: i32, exponent: i32) -> Form {
     // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `reach`.
     let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);

@@ -415,6 +415,7 @@ pub(crate) fn to_scalar(v: i64) -> i32 {
 }
 
 /// `a · b` for two blocks.
+#[inline(never)] // set-up: small is better
 pub(crate) fn product(
     a: &[[i32; 3]; 3],
     a_exponent: i32,

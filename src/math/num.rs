@@ -111,6 +111,7 @@ pub(crate) fn sqrt(v: u64) -> u32 {
 
 /// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Wants `n < 2·d`, `0 < d < 2⁶²`
 /// and `bits ≤ 62`; a zero divisor gives all ones.
+#[inline(never)] // set-up: small is better
 pub(crate) fn fraction(n: u64, d: u64, bits: u32) -> u64 {
     let mut rest = n;
     let mut quotient = 0;
@@ -128,6 +129,7 @@ pub(crate) fn fraction(n: u64, d: u64, bits: u32) -> u64 {
 }
 
 /// `⌊n / d⌋` and the remainder for `n < 2⁶³`, `0 < d < 2³¹`, by long division.
+#[inline(never)] // set-up: small is better
 pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
     let (mut quotient, mut rest) = (0u64, 0u32);
     for bit in (0..63).rev() {
@@ -142,6 +144,7 @@ pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
 }
 
 /// `v · 2^shift`, saturating to the left, rounded to nearest (ties up) to the right.
+#[inline(never)] // set-up: small is better
 pub(crate) fn scale(v: i64, shift: i32) -> i64 {
     if shift >= 0 {
         let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63
@@ -183,6 +186,7 @@ pub(crate) fn add(a: i64, b: i64) -> i64 {
 }
 
 /// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶². Wants |m| ≤ 2³⁰ and |t| ≤ 2⁶².
+#[inline(never)] // set-up: small is better
 pub(crate) fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
     let m = i64::from(m);
     // t = high·2³² + low: m·high ≤ 2⁶⁰, m·low < 2⁶², so the 96-bit product is high_product·2³² + low word.

@@ -16,6 +16,7 @@ pub(crate) struct Row {
 
 /// Brings sums of products to 30 bits and one exponent: rounded to nearest, so each coefficient
 /// is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
+#[inline(never)] // set-up: small is better
 pub(crate) fn block<const N: usize>(sums: [[i64; 3]; N], exponent: i32) -> ([[i32; 3]; N], i32) {
     let largest = sums.iter().flatten().map(|c| c.unsigned_abs()).max().unwrap_or(0);
     if largest == 0 {
@@ -51,6 +52,7 @@ impl Row {
     }
 
     /// The form on a vector in 2⁻³²: in 2⁻³², saturating.
+    #[inline(never)] // set-up: small is better
     pub(crate) fn apply(&self, p: [i64; 3]) -> i64 {
         self.linear
             .iter()
@@ -59,6 +61,7 @@ impl Row {
     }
 
     /// This form over the coordinates that `rows` computes: their coefficients share an exponent.
+    #[inline(never)] // set-up: small is better
     pub(crate) fn of(&self, linear: &[[i32; 3]; 3], exponent: i32, offset: [i64; 3]) -> Self {
         let sums = row_times(self.linear, linear);
         let ([linear], exponent) = block([sums], self.exponent + exponent - 30);

@@ -184,11 +184,14 @@ impl<'s, C: Wire> Band<'s, C> {
         self.bytes.get_mut(start..start.wrapping_add(self.stride))
     }
 
-    /// A column of the frame, counted from the band's left; at most its width.
+    /// Where columns from x on, `width` of them, begin and end in a row: at most its width.
     #[inline(always)]
-    fn column(&self, x: i64) -> usize {
-        let column = x - i64::from(self.area.top_left.x);
-        column.clamp(0, i64::from(self.area.size.width)) as usize
+    fn columns(&self, x: i32, width: u32) -> (usize, usize) {
+        let Rectangle { top_left, size } = self.area;
+        // At least 0, and below 2³²: what lies left of the band counts as its first column.
+        let from_left = |x: i32| x.max(top_left.x).wrapping_sub(top_left.x) as u32;
+        let (from, to) = (from_left(x), from_left(x.saturating_add_unsigned(width)));
+        (from.min(size.width) as usize, to.min(size.width) as usize)
     }
 }
 
@@ -218,8 +221,7 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
     #[inline]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
         let Rectangle { top_left: Point { x, y }, size } = *area;
-        let from = self.column(x.into());
-        let to = self.column(i64::from(x) + i64::from(size.width));
+        let (from, to) = self.columns(x, size.width);
         if size.height == 1 {
             if let Some(row) = self.row(y) {
                 wire::fill(row, from, to, colour);
@@ -241,7 +243,7 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
         colours: I,
     ) -> Result<(), Infallible> {
         let Rectangle { top_left: Point { x, y }, size } = *area;
-        let (from, to) = (self.column(x.into()), self.column(i64::from(x) + i64::from(size.width)));
+        let (from, to) = self.columns(x, size.width);
         let mut colours = colours.into_iter();
         if size.height == 1 && to - from == size.width as usize {
             if let Some(row) = self.row(y) {

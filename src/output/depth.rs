@@ -69,7 +69,14 @@ impl<'a> DepthBuffer<'a> {
 
     /// Nothing is seen any more: for the next frame.
     pub fn clear(&mut self) {
-        self.values.fill(Self::NOTHING);
+        // In blocks that become wide stores. The hint keeps the loop from being taken for the library's
+        // `memset`, which costs up to three times as much on a Cortex-M.
+        let mut blocks = self.values.chunks_exact_mut(16);
+        for block in &mut blocks {
+            block.fill(Self::NOTHING);
+            core::hint::black_box(());
+        }
+        blocks.into_remainder().fill(Self::NOTHING);
     }
 
     /// The pixels that it holds.

@@ -37,16 +37,16 @@
 //! ```
 
 mod along;
+mod depth;
 mod line;
 mod plane;
 mod triangle;
 
 pub(crate) use along::Along;
+pub(crate) use depth::FARTHEST;
 pub use line::line;
-pub(crate) use plane::FARTHEST;
-pub use plane::{Plane, Triangle};
-pub(crate) use triangle::fill;
-pub use triangle::{area, triangle};
+pub use plane::Plane;
+pub use triangle::{area, triangle, Triangle};
 
 /// The guard band: 3D geometry is cut at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;

@@ -27,6 +27,46 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     mul_wide(c.x - a.x, b.y - a.y) - mul_wide(b.x - a.x, c.y - a.y)
 }
 
+/// A triangle ready to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Triangle {
+    pub(super) corners: [ScreenPoint; 3],
+    /// [`area`]; not zero.
+    pub(super) area: i64,
+    pub(super) viewport: Scissor,
+}
+
+impl Triangle {
+    /// `area` is that of the corners, and not zero; pixels outside the viewport will not be asked for.
+    #[inline(always)]
+    pub(crate) fn new(corners: [ScreenPoint; 3], area: i64, viewport: &Scissor) -> Self {
+        Self { corners, area, viewport: *viewport }
+    }
+
+    /// Its covered pixels inside the scissor, row by row.
+    #[inline]
+    pub(crate) fn fill<E>(
+        &self,
+        scissor: &Scissor,
+        span: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        fill(self.corners, self.area > 0, scissor, span)
+    }
+
+    /// Whether all its edges are shorter than 512 pixels.
+    pub(super) fn is_small(&self) -> bool {
+        self.extent() < 1 << 17
+    }
+
+    /// A number with as many bits as the largest difference from its first corner has, in sub-pixels.
+    pub(super) fn extent(&self) -> u32 {
+        let [a, b, c] = self.corners;
+        let (dx1, dy1) = (b.x - a.x, b.y - a.y);
+        let (dx2, dy2) = (c.x - a.x, c.y - a.y);
+        (dx1.abs() | dx2.abs() | dy1.abs() | dy2.abs()).unsigned_abs()
+    }
+}
+
 /// Walks the covered pixels inside the scissor, one span a row, top to bottom: rules R1 to R9.
 ///
 /// # Errors
@@ -61,7 +101,7 @@ pub fn triangle<E>(
 /// [`triangle`] for callers that know the winding: `front` tells whether [`area`] is positive; it
 /// is not zero.
 #[inline]
-pub(crate) fn fill<E>(
+fn fill<E>(
     [mut a, mut b, mut c]: [ScreenPoint; 3],
     front: bool,
     scissor: &Scissor,

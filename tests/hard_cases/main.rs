@@ -25,7 +25,7 @@
 //! | C5 inside a mesh | `c::c5_*`; `inside.rs`, `clipped.rs` | one ray per pixel; each pixel once |
 //! | C6 far off screen, the shared cut, larger than the screen | `c::c6_*`; `chain.rs` | one ray per pixel; the f64 chain |
 //! | D1 the threshold of z-fighting | `d::d1_*` | f64, all that is two steps apart |
-//! | D2 slivers and extrapolation | `d::d2_*`; `d2_*` in `src/raster/plane.rs` | the plane in rationals |
+//! | D2 slivers and extrapolation | `d::d2_*`; `d2_*` in `src/raster/depth.rs` | the plane in rationals |
 //! | D3 what is stored | `d::d3_*` | f64 |
 //! | E1 large offsets | `e::e1_*`; `chain.rs` | the same scene at the origin; f64 |
 //! | E2 out of Q16.16 | `e::e2_*` | f64 |

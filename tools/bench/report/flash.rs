@@ -23,7 +23,7 @@ pub(crate) struct Image {
     without: &'static [Part],
 }
 
-const NO_DEPTH: &[Part] = &[Part("raster/plane.rs", Some("of_depth")), Part("output/depth.rs", None)];
+const NO_DEPTH: &[Part] = &[Part("raster/depth.rs", None), Part("output/depth.rs", None)];
 const NO_FACES: &[Part] = &[
     NO_DEPTH[0],
     NO_DEPTH[1],
