@@ -173,6 +173,21 @@ impl<'s, C: Wire> Band<'s, C> {
         }
     }
 
+    #[inline(always)]
+    fn fill_row(&mut self, Point { x, y }: Point, width: u32, colour: C) {
+        let (from, to) = self.columns(x, width);
+        if let Some(row) = self.row(y) {
+            wire::fill(row, from, to, colour);
+        }
+    }
+
+    #[inline(never)]
+    fn fill_rows(&mut self, area: &Rectangle, colour: C) {
+        for y in inside(area).and(&inside(&self.area)).rows() {
+            self.fill_row(Point::new(area.top_left.x, y), area.size.width, colour);
+        }
+    }
+
     /// Row `y` of the frame.
     #[inline(always)]
     fn row(&mut self, y: i32) -> Option<&mut [u8]> {
@@ -220,19 +235,11 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
 
     #[inline]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        let Rectangle { top_left: Point { x, y }, size } = *area;
-        let (from, to) = self.columns(x, size.width);
-        if size.height == 1 {
-            if let Some(row) = self.row(y) {
-                wire::fill(row, from, to, colour);
-            }
-            return Ok(());
-        }
-        let rows = inside(area).and(&inside(&self.area)).rows();
-        for y in rows {
-            if let Some(row) = self.row(y) {
-                wire::fill(row, from, to, colour);
-            }
+        if area.size.height == 1 {
+            // Most are: the spans of triangles.
+            self.fill_row(area.top_left, area.size.width, colour);
+        } else {
+            self.fill_rows(area, colour);
         }
         Ok(())
     }
