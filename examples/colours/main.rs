@@ -92,8 +92,8 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         "Rounded: to the nearest",
         "level of each channel.",
         "Dithered: 8 x 8 Bayer,",
-        "64 shades more between",
-        "two levels.",
+        "63 more shades between",
+        "any two levels.",
     ];
     for (line, text) in (0..).zip(lines) {
         write(text, corner(7) + Point::new(4, 4 + 13 * line), &FONT_6X10, FAINT, &mut sheet)?;

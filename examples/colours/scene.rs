@@ -18,7 +18,7 @@ use std::error::Error;
 const CLAY: Rgb888 = Rgb888::new(255, 178, 92);
 
 /// A wall across the picture, counter-clockwise from the lower left.
-const WALL: [[i16; 3]; 4] = [[-40, -30, -9], [40, -30, -9], [40, 30, -9], [-40, 30, -9]];
+const WALL: [[i16; 3]; 4] = [[-34, -36, -18], [34, -36, -18], [34, 22, -18], [-34, 22, -18]];
 const WALL_FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 const WALL_COLOURS: [Rgb888; 4] = [
     Rgb888::new(226, 120, 160),
@@ -38,12 +38,12 @@ pub(crate) struct Scene {
 impl Scene {
     pub(crate) fn new(size: Size) -> Result<Self, Box<dyn Error>> {
         let viewing = Viewing::look_at(
-            Point3::from_ints(0, 9, 30),
-            Point3::from_f32(0.3, -0.4, 0.0)?,
+            Point3::from_ints(0, 15, 42),
+            Point3::from_f32(1.2, -0.6, 0.0)?,
             Vector3::from_ints(0, 1, 0),
         )?;
         let projection =
-            Projection::perspective(Angle::degrees(22), size, Scalar::from_num(10), Scalar::from_num(80))?;
+            Projection::perspective(Angle::degrees(31), size, Scalar::from_num(10), Scalar::from_num(90))?;
         let camera = Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?);
         let model = Affine::<Model, World>::rotation_y(Angle::degrees(-25));
         // From above, the left and the front.

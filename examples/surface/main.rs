@@ -136,10 +136,10 @@ fn draw(
 fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
     let viewing = Viewing::look_at(
         Point3::from_f32(2.6, -5.2, 4.4)?,
-        Point3::from_f32(0.0, 0.0, -0.2)?,
+        Point3::from_f32(-0.15, 0.0, -0.3)?,
         Vector3::from_ints(0, 0, 1),
     )?;
     let projection =
-        Projection::perspective(Angle::degrees(36), size, Scalar::from_num(2), Scalar::from_num(14))?;
+        Projection::perspective(Angle::degrees(41), size, Scalar::from_num(2), Scalar::from_num(14))?;
     Ok(Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?))
 }

@@ -3,12 +3,15 @@
 use crate::oracle::coverage::{centre, edge, P};
 use crate::oracle::rng::Rng;
 use crate::oracle::shade::{distance, Lit};
+use crate::oracle::target::{Call, Recorder};
 use crate::target::{
     corners, draw, flat, flat_camera, for_every_colour, gouraud, mesh, random_colour, random_triangle,
     vertex, Colour,
 };
-use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
-use pinhole::{Affine, Gouraud};
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+};
+use pinhole::{Affine, Channels, Flat, Gouraud};
 
 /// ½ for the rounding, and what the documentation allows beyond.
 const BOUND: f64 = 0.5 + 1.0 / 512.0;
@@ -71,10 +74,42 @@ fn even_colours_are_flat() {
     }
 }
 
+/// Rounded as `embedded-graphics` rounds.
+fn nearest<C: Channels + From<Rgb888> + core::fmt::Debug>(colour: Rgb888) {
+    let vertices = [(0, 0), (0, 9000), (9000, 0)].map(vertex);
+    let (camera, mesh) = (flat_camera(), mesh(&vertices));
+    let mut target = Recorder::<C>::sized(64, 48);
+    let placed = camera.place(&mesh, &Affine::identity());
+    placed.solid(|_| Flat::from(colour), &mut [], &mut target).expect("no error");
+    assert!(target.pixels.len() > 500);
+    assert!(
+        target.pixels.values().all(|&(drawn, _)| drawn == C::from(colour)),
+        "{colour:?}: {:?}",
+        C::from(colour)
+    );
+}
+
+#[test]
+fn flat_colours_are_the_nearest_of_every_kind() {
+    let mut rng = Rng::new(0x62);
+    for _ in 0..300 {
+        let [r, g, b] = random_colour(&mut rng).rgb;
+        let colour = Rgb888::new(r, g, b);
+        nearest::<Rgb555>(colour);
+        nearest::<Bgr555>(colour);
+        nearest::<Rgb565>(colour);
+        nearest::<Bgr565>(colour);
+        nearest::<Rgb666>(colour);
+        nearest::<Bgr666>(colour);
+        nearest::<Rgb888>(colour);
+        nearest::<Bgr888>(colour);
+        nearest::<Gray8>(colour);
+    }
+}
+
 /// The pixels go out with one call a span.
 #[test]
 fn a_span_is_one_call() {
-    use crate::oracle::target::{Call, Recorder};
     let vertices = [(100, 100), (9000, 3000), (2000, 11_000)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
     let placed = camera.place(&mesh, &Affine::identity()).with_cull(pinhole::Cull::None);
