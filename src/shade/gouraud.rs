@@ -17,7 +17,8 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 /// the colours that those points of the face have in space, rounded to 1/256 of a step of `Rgb888`: off
 /// by another 2⁻⁹ level at most. Over what is left colours are linear on the screen again, piece by piece,
 /// which is not the same as over the whole face, but goes over into it: as a corner passes a plane, no
-/// colour jumps, and from there on they drift towards those of perspective.
+/// colour jumps by more than 1 in 255 (`tests/shading/cut.rs`), and from there on they drift towards those
+/// of perspective.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
