@@ -25,4 +25,4 @@ pub use render::{
     Transformed,
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
-pub use shade::{Dim, Lambert, LightError};
+pub use shade::{Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError};

@@ -159,3 +159,23 @@ fn levels_under_scales_up_to_10_000_to_1() {
     }
     println!("within {worst:.3} levels");
 }
+
+/// At vertices as at faces, as far as both lists go.
+#[test]
+fn levels_of_many_normals_are_those_of_each() {
+    let mut rng = Rng::new(0x90);
+    for _ in 0..200 {
+        let mut model = ModelBits::random_rotation(&mut rng);
+        if rng.one_in(2) {
+            model.0.push(Step::Scale([ONE, ONE / 3, 2 * ONE]));
+        }
+        let light = Lambert::new(&model.library(), vector([ONE, -ONE / 5, 3 * ONE]), 40).expect("a light");
+        let normals: Vec<_> =
+            (0..rng.below(9)).map(|_| rng.direction().map(|c| (c * 32767.0) as i16)).collect();
+        let mut levels = vec![999; rng.below(9)];
+        light.levels(&normals, &mut levels);
+        for (i, level) in levels.into_iter().enumerate() {
+            assert_eq!(level, normals.get(i).map_or(999, |&normal| light.level(normal)));
+        }
+    }
+}

@@ -32,7 +32,13 @@ fn meshes() {
     ));
     assert!(mesh.with_normals(&[[0, 0, 1]]).is_ok());
     assert!(matches!(mesh.with_normals(&[]), Err(MeshError::NormalCount { faces: 1, normals: 0 })));
-    // As many vertices as a u16 can name, and one more.
+    let wrong = MeshError::VertexNormalCount { vertices: mesh.vertices().len(), normals: 1 };
+    assert_eq!(mesh.with_vertex_normals(&[[0, 0, 1]]), Err(wrong));
+    let normals = vec![[0, 0, 32767]; mesh.vertices().len()];
+    assert_eq!(mesh.with_vertex_normals(&normals).expect("one each").vertex_normals(), normals);
+    assert_eq!(mesh.corners_of(0, &[7]).iter().filter(|&&c| c == 7).count(), 1);
+    assert_eq!(mesh.corners_of(1, &[7; 9]), [0; 3]); // no such face
+                                                     // As many vertices as a u16 can name, and one more.
     let many = vec![[1i16, 2, 3]; 65537];
     assert!(Mesh::new(&many[..65536], 0, &[[0, 65535, 9]]).is_ok());
     assert!(matches!(Mesh::new(&many, 0, &[]), Err(MeshError::TooManyVertices { .. })));

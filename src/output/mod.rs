@@ -45,3 +45,15 @@ pub(crate) fn send<D: DrawTarget>(target: &mut D, span: Span, colour: D::Color) 
     let size = Size::new(span.width.unsigned_abs(), span.height.unsigned_abs());
     target.fill_solid(&Rectangle::new(Point::new(span.x, span.y), size), colour)
 }
+
+/// Sends one run of pixels in a row, each with its own colour: `colours` is told how many.
+#[inline(always)]
+pub(crate) fn send_run<D: DrawTarget, C: Iterator<Item = D::Color>>(
+    target: &mut D,
+    span: Span,
+    colours: impl FnOnce(u32) -> C,
+) -> Result<(), D::Error> {
+    let width = span.width.unsigned_abs(); // positive
+    let area = Rectangle::new(Point::new(span.x, span.y), Size::new(width, 1));
+    target.fill_contiguous(&area, colours(width))
+}

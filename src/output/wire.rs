@@ -230,3 +230,102 @@ pub(super) fn get<C: Wire>(row: &[u8], x: usize) -> Option<C> {
     };
     Some(C::decode(bits))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics_core::pixelcolor::GrayColor;
+
+    /// Long enough for a byte shared at both ends and two whole ones between; the rest is a byte too many.
+    const WIDTH: usize = 33;
+
+    /// The bits of a row, one after the other, most significant first.
+    type Bits = [bool; 8 * (3 * WIDTH + 1)];
+
+    fn put(bits: &mut Bits, x: usize, size: usize, value: u32) {
+        for bit in 0..size {
+            bits[x * size + bit] = value >> (size - 1 - bit) & 1 == 1;
+        }
+    }
+
+    fn read(bits: &Bits, x: usize, size: usize) -> u32 {
+        (0..size).fold(0, |value, bit| value << 1 | u32::from(bits[x * size + bit]))
+    }
+
+    /// All ways to write a row and to read it, at all offsets, against one bit after the other.
+    fn check<C: Wire + core::fmt::Debug>(size: usize, colours: &[C]) {
+        assert_eq!(C::BITS as usize, size);
+        let bytes = stride::<C>(WIDTH as u32);
+        assert_eq!(bytes, (WIDTH * size).div_ceil(8));
+        for (i, &colour) in colours.iter().enumerate() {
+            assert_eq!(C::decode(colour.encode()), colour);
+            assert!(size == 32 || colour.encode() < 1 << size, "{colour:?}");
+            for from in 0..=WIDTH {
+                for to in from..=WIDTH {
+                    // Not all zeros or ones before.
+                    let mut filled = [0xa5; 3 * WIDTH + 1];
+                    let mut copied = filled;
+                    let mut wanted: Bits = core::array::from_fn(|bit| 0xa5 >> (7 - bit % 8) & 1 == 1);
+                    let mut wanted_copy = wanted;
+                    // Colours that end before the row does, and ones that do not.
+                    let some = to - (to - from) / 3;
+                    for x in from..to {
+                        put(&mut wanted, x, size, colour.encode());
+                        if x < some {
+                            put(&mut wanted_copy, x, size, colours[(i + x) % colours.len()].encode());
+                        }
+                    }
+                    fill(&mut filled[..bytes], from, to, colour);
+                    let run = (from..some).map(|x| colours[(i + x) % colours.len()]);
+                    copy(&mut copied[..bytes], from, to, run);
+                    for (row, wanted) in [(filled, wanted), (copied, wanted_copy)] {
+                        for (bit, wanted) in wanted.into_iter().enumerate() {
+                            assert_eq!(
+                                row[bit / 8] >> (7 - bit % 8) & 1 == 1,
+                                wanted,
+                                "{from}..{to}, bit {bit}"
+                            );
+                        }
+                        for x in 0..WIDTH {
+                            assert_eq!(get::<C>(&row[..bytes], x), Some(C::decode(read(&wanted, x, size))));
+                        }
+                    }
+                }
+            }
+        }
+        // Beyond the end nothing is written or read.
+        let (mut row, colour) = ([0; 3 * WIDTH], colours[0]);
+        set(&mut row[..bytes], 8 * bytes, colour);
+        copy(&mut row[..bytes], 8 * bytes, 8 * bytes + 1, [colour].into_iter());
+        assert_eq!((row, get::<C>(&row[..bytes], 8 * bytes)), ([0; 3 * WIDTH], None));
+    }
+
+    #[test]
+    fn rows_are_the_bits_of_their_pixels() {
+        check(1, &[BinaryColor::On, BinaryColor::Off, BinaryColor::Off]);
+        check(2, &[3, 0, 1, 2].map(Gray2::new));
+        check(4, &[15, 0, 9, 6, 3].map(Gray4::new));
+        check(8, &[255, 0, 0x5a].map(Gray8::new));
+        check(16, &[Rgb565::new(31, 0, 21), Rgb565::new(0, 63, 1)]);
+        check(16, &[Bgr565::new(31, 0, 21), Bgr565::new(0, 63, 1)]);
+        check(24, &[Rgb888::new(1, 2, 255), Rgb888::new(250, 128, 0)]);
+        check(24, &[Rgb666::new(63, 1, 0), Rgb666::new(2, 0, 62)]);
+        check(24, &[Bgr666::new(63, 1, 0), Bgr666::new(2, 0, 62)]);
+    }
+
+    /// Written out by hand.
+    #[test]
+    fn the_first_pixel_is_in_the_upper_bits() {
+        let mut row = [0; 3];
+        fill(&mut row[..2], 0, 1, Rgb565::new(0b10001, 0b110011, 0b01010));
+        assert_eq!(row, [0b1000_1110, 0b0110_1010, 0]);
+        fill(&mut row, 0, 1, Rgb666::new(0b100001, 0b110011, 0b010101));
+        assert_eq!(row, [0b1000_0100, 0b1100_1100, 0b0101_0100]);
+        fill(&mut row, 0, 1, Bgr666::new(0b100001, 0b110011, 0b010101));
+        assert_eq!(row, [0b0101_0100, 0b1100_1100, 0b1000_0100]);
+        row = [0; 3];
+        set(&mut row, 1, Gray4::new(0xb));
+        set(&mut row, 2, Gray4::WHITE);
+        assert_eq!(row, [0x0b, 0xf0, 0]);
+    }
+}

@@ -10,6 +10,65 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// shade faces return one.
 ///
 /// Every `PixelColor` is an ink, and then nothing is computed or carried that one colour does not need.
+/// [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are colours of light for any target, dithered or
+/// not.
+///
+/// Colours of the mesh, of its faces and of its vertices are three closures:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use pinhole::{
+///     space::{Model, World}, Affine, Angle, Camera, Corner, Dim, Gouraud, Lambert, Mesh, Point3, Projection,
+///     Scalar, Vector3, Viewing, Viewport,
+/// };
+/// // A roof: two faces that meet in an edge, with normals of the faces and of the vertices.
+/// const VERTICES: [[i16; 3]; 4] = [[0, -4, 0], [0, 4, 0], [-4, 0, -3], [4, 0, -3]];
+/// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [1, 0, 3]];
+/// const NORMALS: [[i16; 3]; 2] = [[-19660, 0, 26214], [19660, 0, 26214]];
+/// const VERTEX_NORMALS: [[i16; 3]; 4] = [[0, 0, 32767], [0, 0, 32767], NORMALS[0], NORMALS[1]];
+/// let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_normals(&NORMALS)?.with_vertex_normals(&VERTEX_NORMALS)?;
+/// # let viewport = Viewport::new(Point::zero(), Size::new(48, 48))?;
+/// # let camera = Camera::new(
+/// #     &Viewing::look_at(Point3::from_ints(0, 0, 9), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(20))?,
+/// #     &viewport,
+/// # );
+/// let model = Affine::<Model, World>::identity();
+/// let placed = camera.place(&mesh, &model);
+/// let light = Lambert::new(&model, Vector3::from_ints(-1, 0, 2), 64)?;
+/// # let mut cache = [Corner::EMPTY; 4];
+/// # let colours = |display: &MockDisplay<Rgb565>| {
+/// #     let row = (0..48).filter_map(|x| display.get_pixel(Point::new(x, 24)));
+/// #     row.map(|c| c.into_storage()).collect::<std::collections::BTreeSet<_>>().len()
+/// # };
+/// # let display = || { let mut display = MockDisplay::<Rgb565>::new(); display.set_allow_overdraw(true); display };
+///
+/// // The mesh in one colour.
+/// # let mut target = display();
+/// placed.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
+/// # assert_eq!(colours(&target), 1);
+///
+/// // A colour for each face, at the light of its normal.
+/// # let mut target = display();
+/// let paint = [Rgb565::RED, Rgb565::WHITE];
+/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
+/// # assert_eq!(colours(&target), 2);
+///
+/// // The light at each vertex, worked out once; smooth in between.
+/// # let mut target = display();
+/// let mut levels = [0; VERTICES.len()];
+/// light.levels(mesh.vertex_normals(), &mut levels);
+/// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
+/// placed.solid(smooth, &mut cache, &mut target)?;
+/// # assert!(colours(&target) > 8);
+///
+/// // A colour for each vertex.
+/// # let mut target = display();
+/// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
+/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
+/// # assert!(colours(&target) > 16);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Ink: Copy {
     /// What a corner carries when a face is cut: `()` for inks that do not vary.
     type Carried: Carried;

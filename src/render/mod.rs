@@ -16,6 +16,7 @@ mod ink;
 mod lines;
 mod painter;
 mod path;
+mod smooth;
 mod statistics;
 mod transformed;
 

@@ -35,6 +35,7 @@ pub struct Mesh<'a, V = i16> {
     edges: &'a [[u16; 2]],
     edge_faces: &'a [[u16; 2]],
     normals: &'a [[i16; 3]],
+    vertex_normals: &'a [[i16; 3]],
     exponent: i8,
     /// Left shift that brings the largest coordinate to the top of 32 bits.
     justify: u8,
@@ -83,6 +84,13 @@ pub enum MeshError {
         /// How many normals were given.
         normals: usize,
     },
+    /// Vertex normals come one per vertex.
+    VertexNormalCount {
+        /// How many vertices there are.
+        vertices: usize,
+        /// How many normals were given.
+        normals: usize,
+    },
     /// The exponent leaves −32 … 15: choose another unit.
     Exponent {
         /// The one given.
@@ -107,6 +115,9 @@ impl core::fmt::Display for MeshError {
             }
             Self::NormalCount { faces, normals } => {
                 write!(f, "{normals} normals for {faces} faces: give one per face")
+            }
+            Self::VertexNormalCount { vertices, normals } => {
+                write!(f, "{normals} vertex normals for {vertices} vertices: give one per vertex")
             }
             Self::Exponent { exponent } => {
                 write!(f, "exponent {exponent} leaves -32 ... 15: choose another unit")
@@ -201,7 +212,16 @@ impl<'a> Mesh<'a, i16> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self { vertices, faces, edges: &[], edge_faces: &[], normals: &[], exponent, justify })
+        Ok(Self {
+            vertices,
+            faces,
+            edges: &[],
+            edge_faces: &[],
+            normals: &[],
+            vertex_normals: &[],
+            exponent,
+            justify,
+        })
     }
 }
 
@@ -229,7 +249,16 @@ impl<'a> Mesh<'a, Scalar> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self { vertices, faces, edges: &[], edge_faces: &[], normals: &[], exponent: -16, justify })
+        Ok(Self {
+            vertices,
+            faces,
+            edges: &[],
+            edge_faces: &[],
+            normals: &[],
+            vertex_normals: &[],
+            exponent: -16,
+            justify,
+        })
     }
 }
 
@@ -289,6 +318,21 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { normals, ..self })
     }
 
+    /// With a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): that of the
+    /// surface which the faces stand for, or the mean of the faces' about the vertex. For light that runs
+    /// smoothly over the edges: see [`Lambert::levels`](crate::Lambert::levels).
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::VertexNormalCount`] when there is not one per vertex.
+    pub const fn with_vertex_normals(self, vertex_normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
+        let (vertices, normals) = (self.vertices.len(), vertex_normals.len());
+        if normals != vertices {
+            return Err(MeshError::VertexNormalCount { vertices, normals });
+        }
+        Ok(Self { vertex_normals, ..self })
+    }
+
     /// The vertices, in units of 2^[`exponent`](Self::exponent).
     pub const fn vertices(&self) -> &'a [[V; 3]] {
         self.vertices
@@ -312,6 +356,24 @@ impl<'a, V> Mesh<'a, V> {
     /// The face normals in 2⁻¹⁵, or none.
     pub const fn normals(&self) -> &'a [[i16; 3]] {
         self.normals
+    }
+
+    /// The vertex normals in 2⁻¹⁵, or none.
+    pub const fn vertex_normals(&self) -> &'a [[i16; 3]] {
+        self.vertex_normals
+    }
+
+    /// What `of_vertices` has for the corners of a face, in the order in which the face names them; the
+    /// type's default where it has nothing, or there is no such face.
+    ///
+    /// ```
+    /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;
+    /// assert_eq!(mesh.corners_of(0, &["a", "b", "c"]), ["c", "a", "b"]);
+    /// # Ok::<(), pinhole::MeshError>(())
+    /// ```
+    pub fn corners_of<T: Copy + Default>(&self, face: usize, of_vertices: &[T]) -> [T; 3] {
+        let at = |index: u16| of_vertices.get(usize::from(index)).copied().unwrap_or_default();
+        self.faces.get(face).map_or_else(|| [T::default(); 3], |corners| corners.map(at))
     }
 
     /// Model coordinate = vertex · 2^exponent (the vertices' bits, for fixed-point ones).

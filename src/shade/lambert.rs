@@ -1,4 +1,4 @@
-//! Ambient and Lambert light per face.
+//! Ambient and Lambert light, per face or per vertex.
 
 use crate::math::num::{row_times, scale};
 use crate::math::unit::normalise;
@@ -71,7 +71,7 @@ impl Lambert {
         })
     }
 
-    /// The light on a face with this unit normal (model space, 2⁻¹⁵), 0 … 256: within 1 of
+    /// The light on a face, or at a vertex, with this unit normal (model space, 2⁻¹⁵), 0 … 256: within 1 of
     /// `ambient + (256 − ambient) · max(0, cos)`.
     pub fn level(&self, normal: [i16; 3]) -> u16 {
         let normal = match &self.bend {
@@ -86,6 +86,23 @@ impl Lambert {
         let cosine = (dot(normal, self.towards) >> 15).clamp(0, 1 << 15) as u32;
         let rest = u32::from(256 - self.ambient.min(256)); // ≤ 2⁸
         self.ambient + ((rest * cosine + (1 << 14)) >> 15) as u16
+    }
+
+    /// The [`level`](Self::level) for each of these normals, to the start of `levels`, as far as both go:
+    /// the light at the vertices, once a frame, for [`Gouraud`](super::Gouraud).
+    ///
+    /// ```
+    /// use pinhole::{space::{Model, World}, Affine, Lambert, Vector3};
+    /// let light = Lambert::new(&Affine::<Model, World>::identity(), Vector3::from_ints(0, 0, 1), 56)?;
+    /// let mut levels = [0; 3];
+    /// light.levels(&[[0, 0, 32767], [28377, 0, 16384], [32767, 0, 0]], &mut levels); // 0, 60 and 90 degrees
+    /// assert_eq!(levels, [256, 156, 56]);
+    /// # Ok::<(), pinhole::LightError>(())
+    /// ```
+    pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
+        for (level, &normal) in levels.iter_mut().zip(normals) {
+            *level = self.level(normal);
+        }
     }
 }
 

@@ -9,6 +9,7 @@
 //! * [`target`] draw targets that count, that fail and that make ASCII pictures
 //! * [`picture`] how far edges must move to explain a whole depth-tested picture, in f64
 //! * [`volume`] the homogeneous view volume: distances, and what of a line is inside
+//! * [`shade`] colours over a triangle and dithered, in exact fractions
 //! * [`rng`] a seeded generator, so that every run draws the same cases
 #![allow(dead_code)] // every test file takes the oracles that it needs
 
@@ -20,5 +21,6 @@ pub(crate) mod hidden;
 pub(crate) mod line;
 pub(crate) mod picture;
 pub(crate) mod rng;
+pub(crate) mod shade;
 pub(crate) mod target;
 pub(crate) mod volume;

@@ -6,13 +6,14 @@ use crate::targets::{Least, Wire};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565};
+use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span};
+use embedded_graphics_core::Pixel;
+use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Camera, Coordinate, Corner, Cull, DepthBuffer, Dim, Dirty, Lambert, Mesh, Painter, Placed,
-    Scalar, WindowCost,
+    Affine, Camera, Channels, Coordinate, Corner, Cull, DepthBuffer, Dim, Dirty, Flat, Frame, Gouraud,
+    InkFor, Lambert, Mesh, Painter, Placed, Scalar, WindowCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -25,6 +26,8 @@ struct Scene<'a, C> {
     colours: &'a [(C, [i16; 3])],
     corners: &'a mut [Corner],
     depth: &'a mut [u16],
+    records: &'a mut [u16],
+    strip: &'a mut [u8],
     painter: Painter<C, 100, 100>,
 }
 
@@ -38,6 +41,94 @@ fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut
         0 => scene.painter.clear(),
         _ => report(scene.painter.draw(target)),
     }
+}
+
+/// What varies over a face, through every way to draw faces, at once and in bands.
+fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::Wire>>(
+    scene: &mut Scene<'_, D::Color>,
+    levels: &mut [u16],
+    target: &mut D,
+) {
+    let placed = scene.camera.place(&scene.mesh, &scene.model);
+    scene.light.levels(scene.mesh.vertex_normals(), levels);
+    let (mesh, colour) = (scene.mesh, || Rgb888::new(any() as u8, any() as u8, any() as u8));
+    let smooth = |face| Gouraud::lit(colour(), mesh.corners_of(face, levels));
+    let ends = || Gouraud::new([colour(), colour(), colour()]);
+    let flat = || Flat::lit(colour(), any() as u16);
+    // An ink a run: together the calls of one have a chance to be inlined.
+    match any() {
+        0 => fill_all(scene, &placed, smooth, target),
+        1 => fill_all(scene, &placed, |_| ends().dithered(), target),
+        2 => fill_all(scene, &placed, |_| flat(), target),
+        3 => fill_all(scene, &placed, |_| flat().dithered(), target),
+        _ => draw_edges(scene, &placed, target),
+    }
+}
+
+fn fill_all<D: DrawTarget<Color: pinhole::Wire>, I: InkFor<D::Color>>(
+    scene: &mut Scene<'_, D::Color>,
+    placed: &Placed<'_>,
+    shade: impl Fn(usize) -> I,
+    target: &mut D,
+) {
+    let Scene { colours, corners, depth, records, strip, .. } = scene;
+    let Some(&(background, _)) = colours.first() else { return };
+    let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    report(placed.solid(&shade, corners, target));
+    if let Ok(mut depth) = DepthBuffer::new(area, depth) {
+        report(placed.depth_tested(&shade, corners, &mut depth, target));
+    }
+    let mut painter = Painter::<I, 20, 20>::new();
+    report(painter.add(placed, &shade));
+    let mut frame = Frame::new(area, background);
+    let order = painter.order();
+    match frame.next_band(strip) {
+        Ok(Some(mut band)) => {
+            report(order.draw(&mut band));
+            let projected = placed.transform(corners);
+            match projected.faces(records) {
+                Ok(mut faces) => report(faces.solid(&shade, &mut band)),
+                error => report(error.map(|_| ())),
+            }
+            let projected = placed.transform_depth(corners);
+            match (projected.faces(records), DepthBuffer::new(band.area(), depth)) {
+                (Ok(mut faces), Ok(mut depth)) => {
+                    report(faces.depth_tested(&shade, &mut depth, &mut band));
+                    black_box((faces.bounds(), faces.statistics()));
+                }
+                _ => drop(black_box(Some(0))),
+            }
+            report(band.send(target));
+            black_box(band.into_bytes());
+        }
+        error => report(error.map(|_| ())),
+    }
+}
+
+/// Lines, and what else may come, in a band.
+fn draw_edges<D: DrawTarget<Color: pinhole::Wire>>(
+    scene: &mut Scene<'_, D::Color>,
+    placed: &Placed<'_>,
+    target: &mut D,
+) {
+    let Scene { colours, corners, records, strip, .. } = scene;
+    let Some(&(colour, _)) = colours.first() else { return };
+    let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    let Ok(Some(mut band)) = Frame::new(area, colour).next_band(strip) else { return };
+    let projected = placed.transform(corners);
+    match projected.edges(records) {
+        Ok(mut edges) => {
+            report(edges.draw(colour, &mut band));
+            black_box((edges.bounds(), edges.statistics()));
+        }
+        error => report(error.map(|_| ())),
+    }
+    let other = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    report(band.fill_solid(&other, colour));
+    report(band.fill_contiguous(&other, colours.iter().map(|c| c.0)));
+    report(band.draw_iter(colours.iter().map(|c| Pixel(Point::new(any(), any()), c.0))));
+    report(band.clear(colour));
+    report(band.send(target));
 }
 
 fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
@@ -86,6 +177,24 @@ macro_rules! entries {
     )*};
 }
 
+macro_rules! shaded {
+    ($($name:ident: $target:ty, $colour:ty;)*) => {$(
+        #[unsafe(no_mangle)]
+        fn $name(scene: &mut Scene<'_, $colour>, levels: &mut [u16], target: &mut $target) {
+            shade(scene, levels, target);
+        }
+    )*};
+}
+
+shaded! {
+    entry_shaded_canvas_rgb565: Canvas<'_, Rgb565>, Rgb565;
+    entry_shaded_canvas_gray8: Canvas<'_, Gray8>, Gray8;
+    entry_shaded_canvas_binary: Canvas<'_, BinaryColor>, BinaryColor;
+    entry_shaded_wire_rgb565: Wire<Rgb565>, Rgb565;
+    entry_shaded_wire_gray8: Wire<Gray8>, Gray8;
+    entry_shaded_wire_binary: Wire<BinaryColor>, BinaryColor;
+}
+
 entries! {
     entry_canvas_rgb565: Canvas<'_, Rgb565>, Rgb565;
     entry_canvas_gray8: Canvas<'_, Gray8>, Gray8;
@@ -117,12 +226,12 @@ fn entry_raster_triangle(corners: [ScreenPoint; 3]) -> Result<i64, i32> {
 }
 
 #[unsafe(no_mangle)]
-fn entry_raster_line(from: Pixel, to: Pixel) -> Result<(), i32> {
+fn entry_raster_line(from: raster::Pixel, to: raster::Pixel) -> Result<(), i32> {
     raster::line(from, to, &scissor(), span)
 }
 
 #[unsafe(no_mangle)]
-fn entry_raster_pixel(point: ScreenPoint) -> Pixel {
+fn entry_raster_pixel(point: ScreenPoint) -> raster::Pixel {
     point.pixel()
 }
 

@@ -84,6 +84,7 @@ entries! {
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
+    entry_vertex_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_vertex_normals(n) }
 
     entry_rotation(angle: Angle) -> Result<Affine<Model, World>, AxisError> { Affine::rotation(point(), vector(), angle) }
     entry_quaternion() -> Result<Quaternion, QuaternionError> { Quaternion::new(scalar(), scalar(), scalar(), scalar()) }

@@ -1,0 +1,132 @@
+//! One scene in every kind of colour, rounded and dithered, on one contact sheet:
+//!
+//! ```text
+//! cargo run --release --example colours -- --help
+//! ```
+
+#[path = "../common/canvas.rs"]
+mod canvas;
+#[path = "../common/command.rs"]
+mod command;
+mod scene;
+#[path = "../common/still.rs"]
+mod still;
+
+use canvas::Canvas;
+use command::Generated;
+use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
+use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::text::{Baseline, Text};
+use pinhole::{Channels, Dithered, Gouraud, InkFor, Wire};
+use scene::Scene;
+use std::error::Error;
+use std::process::ExitCode;
+
+const BACKGROUND: Rgb888 = Rgb888::new(233, 230, 222);
+const INK: Rgb888 = Rgb888::new(38, 42, 52);
+const FAINT: Rgb888 = Rgb888::new(110, 108, 104);
+
+const PICTURE: Size = Size::new(168, 128);
+const GAP: u32 = 8;
+const CAPTION: u32 = 17;
+const HEADER: u32 = 24;
+
+/// Rows of a band.
+const ROWS: u32 = 8;
+
+fn main() -> ExitCode {
+    command::run(|| {
+        let about = "Draws a scene in every kind of colour, rounded and dithered: a contact sheet";
+        let file = Generated::arguments("colours", about, "docs/colours.png")?;
+        file.finish(&sheet().map_err(|e| e.to_string())?, |_| {})
+    })
+}
+
+/// A format: its name, its bits, and the pictures that it makes of the scene.
+type Row = (&'static str, &'static str, [Vec<Rgb888>; 2]);
+
+/// All the pictures as a PNG file.
+fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
+    let scene = Scene::new(PICTURE)?;
+    let formats: [Row; 7] = [
+        ("Rgb888", "24 bits", pictures::<Rgb888>(&scene)?),
+        ("Rgb666", "18 bits", pictures::<Rgb666>(&scene)?),
+        ("Rgb565", "16 bits", pictures::<Rgb565>(&scene)?),
+        ("Gray8", "8 bits", pictures::<Gray8>(&scene)?),
+        ("Gray4", "4 bits", pictures::<Gray4>(&scene)?),
+        ("Gray2", "2 bits", pictures::<Gray2>(&scene)?),
+        ("BinaryColor", "1 bit", pictures::<BinaryColor>(&scene)?),
+    ];
+    // Four columns of two rows of pairs; the last cell explains.
+    let pair = Size::new(PICTURE.width + GAP, 2 * (PICTURE.height + CAPTION) + GAP);
+    let size = Size::new(4 * pair.width + GAP, HEADER + 2 * pair.height + GAP);
+    let mut sheet = Canvas::new(size, BACKGROUND);
+    let title = "pinhole: one scene in every colour, drawn in bands of 8 rows";
+    write(title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet)?;
+    let corner = |cell: u32| {
+        let offset = Size::new(cell % 4, cell / 4).component_mul(pair);
+        Point::new(GAP as i32, HEADER as i32) + offset
+    };
+    for (cell, (name, bits, pictures)) in (0..).zip(formats) {
+        let mut at = corner(cell);
+        for (picture, how) in pictures.into_iter().zip(["rounded", "dithered"]) {
+            sheet.fill_contiguous(&Rectangle::new(at, PICTURE), picture)?;
+            let below = at + Point::new(0, PICTURE.height as i32 + 3);
+            write(name, below, &FONT_6X10, INK, &mut sheet)?;
+            let details = format!("{bits}, {how}");
+            let aside = below + Point::new(6 * (name.len() as i32 + 1), 0);
+            write(&details, aside, &FONT_6X10, FAINT, &mut sheet)?;
+            at.y += (PICTURE.height + CAPTION) as i32;
+        }
+    }
+    let lines = [
+        "Gouraud shading: light at",
+        "the vertices, from above",
+        "and the left, and linear",
+        "between them; a wall with",
+        "a colour at each corner.",
+        "",
+        "Rounded: to the nearest",
+        "level of each channel.",
+        "Dithered: 8 x 8 Bayer,",
+        "63 more shades between",
+        "any two levels.",
+    ];
+    for (line, text) in (0..).zip(lines) {
+        write(text, corner(7) + Point::new(4, 4 + 13 * line), &FONT_6X10, FAINT, &mut sheet)?;
+    }
+    still::png(size, sheet.pixels())
+}
+
+fn pictures<C: Channels + Wire + Into<Rgb888>>(scene: &Scene) -> Result<[Vec<Rgb888>; 2], Box<dyn Error>>
+where
+    Gouraud: InkFor<C>,
+    Dithered<Gouraud>: InkFor<C>,
+{
+    Ok([picture::<C, _>(scene, |ink| ink)?, picture::<C, _>(scene, Gouraud::dithered)?])
+}
+
+/// The scene in one kind of colour, band by band.
+fn picture<C, I>(scene: &Scene, ink: fn(Gouraud) -> I) -> Result<Vec<Rgb888>, Box<dyn Error>>
+where
+    C: Channels + Wire + Into<Rgb888>,
+    I: InkFor<C>,
+{
+    let mut pixels = Vec::new();
+    scene.draw(ROWS, ink, |band| pixels.extend(band.colours().map(Into::into)))?;
+    Ok(pixels)
+}
+
+fn write(
+    text: &str,
+    at: Point,
+    font: &MonoFont<'_>,
+    colour: Rgb888,
+    sheet: &mut Canvas<Rgb888>,
+) -> Result<(), Box<dyn Error>> {
+    Text::with_baseline(text, at, MonoTextStyle::new(font, colour), Baseline::Top).draw(sheet)?;
+    Ok(())
+}

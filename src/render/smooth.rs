@@ -1,0 +1,86 @@
+//! The inks of [`crate::shade`] that are more than a colour.
+
+use super::{Ink, InkFor};
+use crate::clip::Barycentric;
+use crate::output::{send, send_run};
+use crate::raster::{Span, Triangle};
+use crate::shade::{Bayer, Channels, Dithered, Even, Flat, Gouraud, Nearest, Ramps};
+use embedded_graphics_core::draw_target::DrawTarget;
+
+impl Ink for Flat {
+    type Carried = ();
+
+    fn piece(&self, _: [(); 3]) -> Self {
+        *self
+    }
+}
+
+impl<C: Channels> InkFor<C> for Flat {
+    type Fill = C;
+
+    fn over(&self, _: &Triangle) -> C {
+        self.nearest()
+    }
+
+    #[inline(always)]
+    fn send<D: DrawTarget<Color = C>>(fill: &C, span: Span, target: &mut D) -> Result<(), D::Error> {
+        send(target, span, *fill)
+    }
+}
+
+impl Ink for Gouraud {
+    type Carried = Barycentric;
+
+    fn piece(&self, corners: [Barycentric; 3]) -> Self {
+        self.part(corners.map(|c| c.0))
+    }
+}
+
+impl<C: Channels> InkFor<C> for Gouraud {
+    type Fill = Ramps<C>;
+
+    #[inline(always)]
+    fn over(&self, triangle: &Triangle) -> Ramps<C> {
+        self.over(triangle)
+    }
+
+    #[inline(always)]
+    fn send<D: DrawTarget<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut D) -> Result<(), D::Error> {
+        send_run(target, span, |width| fill.run::<Nearest>(span.x, span.y, width))
+    }
+}
+
+impl<I: Ink> Ink for Dithered<I> {
+    type Carried = I::Carried;
+
+    fn piece(&self, corners: [I::Carried; 3]) -> Self {
+        Self(self.0.piece(corners))
+    }
+}
+
+impl<C: Channels> InkFor<C> for Dithered<Flat> {
+    type Fill = Even<C>;
+
+    fn over(&self, _: &Triangle) -> Even<C> {
+        Even::new(self.0)
+    }
+
+    #[inline(always)]
+    fn send<D: DrawTarget<Color = C>>(fill: &Even<C>, span: Span, target: &mut D) -> Result<(), D::Error> {
+        send_run(target, span, |width| fill.run(span.x, span.y, width))
+    }
+}
+
+impl<C: Channels> InkFor<C> for Dithered<Gouraud> {
+    type Fill = Ramps<C>;
+
+    #[inline(always)]
+    fn over(&self, triangle: &Triangle) -> Ramps<C> {
+        self.0.over(triangle)
+    }
+
+    #[inline(always)]
+    fn send<D: DrawTarget<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut D) -> Result<(), D::Error> {
+        send_run(target, span, |width| fill.run::<Bayer>(span.x, span.y, width))
+    }
+}

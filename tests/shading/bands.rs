@@ -1,0 +1,126 @@
+//! Whatever the bands, smooth and dithered pictures are those in one piece.
+
+use crate::bridge;
+use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use crate::oracle::rng::Rng;
+use crate::target::{flat, for_every_colour, gouraud, random_colour, Colour, Picture};
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::{
+    Affine, Camera, Corner, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, InkFor, Mesh, Painter,
+};
+
+const FACES: usize = 14;
+const VERTICES: usize = 16;
+
+/// A tangle of faces about the picture, some of them through the near plane, some far larger than the screen.
+struct Scene {
+    vertices: [[i16; 3]; VERTICES],
+    faces: [[u16; 3]; FACES],
+    inks: Vec<(Flat, Gouraud)>,
+    /// The viewport, and a frame that sees a part of it, or all.
+    viewport: (i32, i32, u32, u32),
+    frame: Rectangle,
+}
+
+impl Scene {
+    fn random(rng: &mut Rng) -> Self {
+        let mut vertices = [[0; 3]; VERTICES];
+        for vertex in &mut vertices {
+            let reach = if rng.one_in(5) { 3000 } else { 300 };
+            *vertex = [rng.int(-reach, reach), rng.int(-reach, reach), rng.int(-500, 30)].map(|c| c as i16);
+        }
+        let mut index = || rng.below(VERTICES) as u16;
+        let faces = [[0; 3]; FACES].map(|face| face.map(|_: u16| index()));
+        let inks = (0..FACES)
+            .map(|_| {
+                let colours = [0; 3].map(|_| random_colour(rng));
+                (flat(colours[0]), gouraud(colours))
+            })
+            .collect();
+        let (viewport, frame) = if rng.one_in(3) {
+            ((-9, 4, 700, 500), bridge::rectangle(-3, 11, 21, 13))
+        } else {
+            ((0, 0, 21, 13), bridge::rectangle(0, 0, 21, 13))
+        };
+        Self { vertices, faces, inks, viewport, frame }
+    }
+
+    fn camera(&self) -> Camera {
+        let (_, _, w, h) = self.viewport;
+        CameraBits {
+            view: ViewBits::LookAlong([0, 0, 3 * ONE], [0, 0, -ONE], [0, ONE, 0]),
+            projection: ProjectionBits::Perspective(1 << 30, (w, h), ONE, 40 * ONE),
+            viewport: self.viewport,
+        }
+        .library()
+    }
+
+    fn check<C: Colour, I: InkFor<C>>(&self, ink: impl Fn(usize) -> I) {
+        let (camera, background) = (self.camera(), C::decode(0));
+        let mesh = Mesh::new(&self.vertices, -6, &self.faces).expect("a mesh");
+        let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        let pixels = (self.frame.size.width * self.frame.size.height) as usize;
+        let (mut corners, mut records) = ([Corner::EMPTY; VERTICES], [0; FACES + 1]);
+
+        let [mut solid, mut nearer, mut painted] = [0; 3].map(|_| Picture::<C>::new(self.frame));
+        let Ok(_) = placed.solid(&ink, &mut corners, &mut solid);
+        let mut storage = vec![0; pixels];
+        let mut depth = DepthBuffer::new(self.frame, &mut storage).expect("storage");
+        let Ok(_) = placed.depth_tested(&ink, &mut corners, &mut depth, &mut nearer);
+        let mut painter = Box::new(Painter::<I, 200, 80>::new());
+        painter.add(&placed, &ink).expect("room");
+        let order = painter.order();
+        let Ok(()) = order.draw(&mut painted);
+
+        let banded = |rows: u32, draw: &mut dyn FnMut(&mut pinhole::Band<'_, C>)| -> Vec<C> {
+            let mut frame = Frame::new(self.frame, background);
+            let mut strip = vec![0xff; Frame::<C>::strip_bytes(self.frame.size.width, rows)];
+            let mut colours = Vec::new();
+            while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
+                draw(&mut band);
+                colours.extend(band.colours());
+            }
+            colours
+        };
+        let name = core::any::type_name::<(C, I)>();
+        for rows in 1..=self.frame.size.height {
+            let order = &order;
+            let bands = banded(rows, &mut |band| {
+                let Ok(()) = order.draw(band);
+            });
+            assert!(bands == painted.before(background), "{name}: painter, {rows} rows");
+            let projected = placed.transform(&mut corners);
+            let mut faces = projected.faces(&mut records).expect("room");
+            let bands = banded(rows, &mut |band| {
+                let Ok(()) = faces.solid(&ink, band);
+            });
+            assert!(bands == solid.before(background), "{name}: {rows} rows");
+            let projected = placed.transform_depth(&mut corners);
+            let mut faces = projected.faces(&mut records).expect("room");
+            let bands = banded(rows, &mut |band| {
+                let mut storage = vec![0; pixels];
+                let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
+                let Ok(()) = faces.depth_tested(&ink, &mut depth, band);
+            });
+            assert!(bands == nearer.before(background), "{name}: with depth, {rows} rows");
+        }
+    }
+}
+
+fn every_ink<C: Colour>(scene: &Scene) {
+    let smooth = |face: usize| scene.inks[face].1;
+    let even = |face: usize| scene.inks[face].0;
+    scene.check::<C, Gouraud>(smooth);
+    scene.check::<C, Dithered<Gouraud>>(|face| smooth(face).dithered());
+    scene.check::<C, Flat>(even);
+    scene.check::<C, Dithered<Flat>>(|face| even(face).dithered());
+}
+
+#[test]
+fn bands_of_every_height_make_the_whole() {
+    let mut rng = Rng::new(0x80);
+    for _ in 0..60 {
+        let scene = Scene::random(&mut rng);
+        for_every_colour!(every_ink(&scene));
+    }
+}

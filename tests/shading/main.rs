@@ -1,0 +1,12 @@
+//! Smooth and dithered inks on every kind of target, against exact fractions: `oracle/shade.rs`.
+
+#[path = "../bridge/mod.rs"]
+mod bridge;
+#[path = "../oracle/mod.rs"]
+mod oracle;
+
+mod bands;
+mod cut;
+mod dither;
+mod smooth;
+mod target;
