@@ -23,7 +23,10 @@ pub(crate) struct Image {
     without: &'static [Part],
 }
 
-const NO_DEPTH: &[Part] = &[Part("raster/depth.rs", None), Part("output/depth.rs", None)];
+const DITHER: Part = Part("shade/dither.rs", None);
+const FLAT: &[Part] = &[Part("shade/gouraud.rs", None), DITHER];
+const NO_DEPTH: &[Part] =
+    &[Part("raster/depth.rs", None), Part("output/depth.rs", None), FLAT[0], DITHER];
 const NO_FACES: &[Part] = &[
     NO_DEPTH[0],
     NO_DEPTH[1],
@@ -37,12 +40,14 @@ pub(crate) const IMAGES: &[Image] = &[
     Image { name: "wireframe", says: "wireframe", without: NO_FACES },
     Image { name: "wireframe_bands", says: "wireframe in bands", without: NO_FACES },
     Image { name: "solid", says: "flat faces", without: NO_DEPTH },
-    Image { name: "depth", says: "flat faces with depth", without: &[] },
-    Image { name: "depth_bands", says: "flat faces with depth in bands", without: &[] },
+    Image { name: "depth", says: "flat faces with depth", without: FLAT },
+    Image { name: "depth_bands", says: "flat faces with depth in bands", without: FLAT },
+    Image { name: "gouraud", says: "smooth faces with depth in bands", without: &[DITHER] },
+    Image { name: "dither", says: "the same, dithered", without: &[] },
 ];
 
 /// Has all that others must not have.
-const WITNESS: &str = "depth";
+const WITNESS: &str = "dither";
 const LIMITS: &str = "tools/bench/flash.txt";
 
 pub(crate) struct Flash {

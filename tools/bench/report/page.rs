@@ -63,8 +63,8 @@ const FILES: &str = "
 What each of them holds, in bytes of code on thumbv7m at opt-level 3, by the module of the library that an instruction
 was written for, wherever it was inlined: the innermost one, when code of Rust's own library was inlined there. The
 rest is the compiler's routines and the firmware's own. CI fails if an image holds a byte that it has no use for: a
-wireframe of triangles, planes, depth and `shade`; flat faces without depth of depth; and if the image with depth does
-not hold them, for then the check would be blind.
+wireframe of triangles, planes, depth and `shade`; flat faces of smooth shades and dither; those without depth of depth;
+and if the last image does not hold all of these, for then the check would be blind.
 
 | bytes of |";
 

@@ -2,11 +2,12 @@
 
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
-    Affine, Angle, Camera, Dim, Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+    Affine, Angle, Camera, Dim, Gouraud, Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing,
+    Viewport,
 };
 
 /// Width and height of a frame.
@@ -101,6 +102,18 @@ impl Scene {
         |face| match self.mesh.normals().get(face) {
             Some(&normal) => FACE.dim(light.level(normal)),
             None => FACE,
+        }
+    }
+}
+
+impl Scene {
+    /// Each corner in a light of its own: what the light's level is for its place, as if that were a normal.
+    pub fn smooth<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Gouraud + 's {
+        |face| {
+            let corners = self.mesh.faces().get(face).copied().unwrap_or_default();
+            let place =
+                |vertex: u16| self.mesh.vertices().get(usize::from(vertex)).copied().unwrap_or_default();
+            Gouraud::lit(Rgb888::WHITE, corners.map(|vertex| light.level(place(vertex))))
         }
     }
 }

@@ -111,9 +111,14 @@ fn draw_edges<D: DrawTarget<Color: pinhole::Wire>>(
     placed: &Placed<'_>,
     target: &mut D,
 ) {
-    let Scene { colours, corners, records, strip, .. } = scene;
+    let Scene { colours, corners, depth, records, strip, .. } = scene;
     let Some(&(colour, _)) = colours.first() else { return };
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    if let Ok(mut depth) = DepthBuffer::new(area, depth) {
+        black_box(placed.depth_only(corners, &mut depth));
+        report(placed.hidden_line(colour, corners, &mut depth, target));
+        report(placed.wireframe_depth_tested(colour, corners, &mut depth, target));
+    }
     let Ok(Some(mut band)) = Frame::new(area, colour).next_band(strip) else { return };
     let projected = placed.transform(corners);
     match projected.edges(records) {
@@ -122,6 +127,17 @@ fn draw_edges<D: DrawTarget<Color: pinhole::Wire>>(
             black_box((edges.bounds(), edges.statistics()));
         }
         error => report(error.map(|_| ())),
+    }
+    let projected = placed.transform_depth(corners);
+    if let (Ok(mut faces), Ok(mut depth)) = (projected.faces(records), DepthBuffer::new(area, depth)) {
+        faces.depth_only(&mut depth);
+    }
+    match (projected.edges(records), DepthBuffer::new(band.area(), depth)) {
+        (Ok(mut edges), Ok(mut depth)) => {
+            report(edges.hidden_line(colour, &mut depth, &mut band));
+            report(edges.depth_tested(colour, &mut depth, &mut band));
+        }
+        _ => drop(black_box(Some(0))),
     }
     let other = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     report(band.fill_solid(&other, colour));
