@@ -25,8 +25,7 @@ pub(crate) struct Image {
 
 const DITHER: Part = Part("shade/dither.rs", None);
 const FLAT: &[Part] = &[Part("shade/gouraud.rs", None), DITHER];
-const NO_DEPTH: &[Part] =
-    &[Part("raster/depth.rs", None), Part("output/depth.rs", None), FLAT[0], DITHER];
+const NO_DEPTH: &[Part] = &[Part("raster/depth.rs", None), Part("output/depth.rs", None), FLAT[0], DITHER];
 const NO_FACES: &[Part] = &[
     NO_DEPTH[0],
     NO_DEPTH[1],
