@@ -83,6 +83,10 @@ Bounds that other tests hold, with their own measurements:
 | `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
 | `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_whole_nodes_by_their_bounding_sphere` |
 | `Placed::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |
+| `Placed::wireframe_depth_tested`, `hidden_line`: the depth of a line | ½ and n·2⁻¹⁷ step, n pixels from an end | `depth_along_a_line_is_that_of_the_point_on_it` |
+| `Placed::hidden_line` | 99.8 % of what is seen is drawn; nothing more than two steps behind what is nearest at the pixel's centre, but for the edge's own faces | `tests/hidden_line.rs` |
+| `Gouraud`, `Flat` | ½ + 2⁻⁹ level of the target's channel | `tests/shading/` |
+| `Dithered`, mean of 8 × 8 pixels of one colour | 1/128 + 2⁻¹⁶ level | `tests/shading/dither.rs` |
 | `Mesh::bounding_sphere`, radius | √3 times the least, 4·2⁻¹⁶ and 2⁻²⁸ of itself | `s5_bounding_spheres` |
 | `Viewing::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
 | `Affine::to_matrix`, `Projection::to_matrix` and back | exact | `s2_a_matrix_read_back_is_the_same_transform`, `s4_a_projection_from_its_matrix` |
