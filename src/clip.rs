@@ -71,6 +71,13 @@ impl Carried for () {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Barycentric(pub(crate) [i32; 3]);
 
+impl Barycentric {
+    /// Of each corner, in 2⁻³⁰: 2³⁰ together, but for rounding.
+    pub const fn weights(self) -> [i32; 3] {
+        self.0
+    }
+}
+
 impl Carried for Barycentric {
     fn of(corner: usize) -> Self {
         Self([0, 1, 2].map(|i| i32::from(i == corner) << 30))

@@ -36,9 +36,12 @@ impl Solid {
                 beside.entry([a.min(b), a.max(b)]).or_default().push(number as u16);
             }
         }
-        let pair = |edge| {
-            let faces: &Vec<u16> = &beside[edge];
-            [0, 1].map(|i| faces.get(i).copied().unwrap_or(Mesh::<i16>::NO_FACE))
+        // An edge that is listed again gets the next two.
+        let mut listed = BTreeMap::<[u16; 2], usize>::new();
+        let pair = |edge: &[u16; 2]| {
+            let times = listed.entry(*edge).or_default();
+            *times += 2;
+            [*times - 2, *times - 1].map(|i| beside[edge].get(i).copied().unwrap_or(Mesh::<i16>::NO_FACE))
         };
         self.edges.iter().map(pair).collect()
     }
@@ -168,6 +171,14 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
     }
 }
 
+fn camera() -> CameraBits {
+    CameraBits {
+        view: ViewBits::LookAt([0, 0, 11 * ONE], [0; 3], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 29, (WIDTH, HEIGHT), ONE, 30 * ONE),
+        viewport: (0, 0, WIDTH, HEIGHT),
+    }
+}
+
 #[test]
 fn what_an_oracle_sees_is_drawn_and_nothing_behind_a_face() {
     let mut rng = Rng::new(5);
@@ -175,13 +186,8 @@ fn what_an_oracle_sees_is_drawn_and_nothing_behind_a_face() {
     let solids = [cube(), torus(25, 20), torus(9, 5), pot(), splinters(&mut rng), splinters(&mut rng)];
     for turn in 0..6 {
         for (number, solid) in solids.iter().enumerate() {
-            let camera = CameraBits {
-                view: ViewBits::LookAt([0, 0, 11 * ONE], [0; 3], [0, ONE, 0]),
-                projection: ProjectionBits::Perspective(1 << 29, (WIDTH, HEIGHT), ONE, 30 * ONE),
-                viewport: (0, 0, WIDTH, HEIGHT),
-            };
             let model = ModelBits(vec![Step::Y(rng.next() as u32), Step::X(rng.next() as u32)]);
-            let score = score(solid, &camera, &model);
+            let score = score(solid, &camera(), &model);
             println!("{number} {turn}: {score:?}");
             all.seen += score.seen;
             all.missed += score.missed;
@@ -197,4 +203,32 @@ fn what_an_oracle_sees_is_drawn_and_nothing_behind_a_face() {
         all.missed * 500 <= all.seen && all.behind * 333 <= all.drawn && all.behind_centre == 0,
         "{all:?}"
     );
+}
+
+/// Seven blades about one axis, which is listed once for every two of their faces.
+#[test]
+fn edges_of_many_faces_are_seen_by_all_of_them() {
+    let mut vertices = vec![[0, -9_000, 0], [0, 9_000, 0]];
+    let mut faces = Vec::new();
+    for i in 0..7 {
+        let (s, c) = (f64::from(i) * core::f64::consts::TAU / 7.0 + 0.2).sin_cos();
+        vertices.push([(12_000.0 * c) as i16, 500 * i as i16, (12_000.0 * s) as i16]);
+        // Both sides: what is turned away is left out.
+        faces.extend([[0, 1, i as u16 + 2], [1, 0, i as u16 + 2]]);
+    }
+    let mut blades = Solid::new(vertices, -13, faces);
+    let axis = [0, 1];
+    blades.edges.extend([axis; 6]); // fourteen faces
+    blades.edges.sort_unstable();
+    let mut all = Score::default();
+    let mut rng = Rng::new(9);
+    for _ in 0..8 {
+        let model = ModelBits(vec![Step::Y(rng.next() as u32), Step::X(rng.next() as u32 >> 4)]);
+        let score = score(&blades, &camera(), &model);
+        println!("{score:?}");
+        all.seen += score.seen;
+        all.missed += score.missed;
+        all.behind_centre += score.behind_centre;
+    }
+    assert!(all.seen > 2000 && all.missed * 100 <= all.seen && all.behind_centre == 0, "{all:?}");
 }

@@ -44,18 +44,17 @@ struct Part {
 }
 
 impl Part {
-    /// The sides of the faces, each once, and the faces beside each: two of them, where there are more.
-    fn edges(&self) -> BTreeMap<[u16; 2], [u16; 2]> {
-        let mut edges = BTreeMap::new();
+    /// The sides of the faces, each once, or once for every two of the faces beside it; with those.
+    fn edges(&self) -> Vec<([u16; 2], [u16; 2])> {
+        let mut edges = BTreeMap::<[u16; 2], Vec<u16>>::new();
         for (number, &[a, b, c]) in self.faces.iter().enumerate() {
             for [a, b] in [[a, b], [b, c], [c, a]] {
-                let beside = edges.entry([a.min(b), a.max(b)]).or_insert([Mesh::<Scalar>::NO_FACE; 2]);
-                if let Some(free) = beside.iter_mut().find(|face| **face == Mesh::<Scalar>::NO_FACE) {
-                    *free = number as u16; // see MOST_FACES
-                }
+                edges.entry([a.min(b), a.max(b)]).or_default().push(number as u16);
+                // see MOST_FACES
             }
         }
-        edges
+        let pair = |faces: &[u16]| [0, 1].map(|i| faces.get(i).copied().unwrap_or(Mesh::<Scalar>::NO_FACE));
+        edges.iter().flat_map(|(edge, faces)| faces.chunks(2).map(|two| (*edge, pair(two)))).collect()
     }
 }
 

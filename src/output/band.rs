@@ -70,7 +70,7 @@ impl<C: Wire> Frame<C> {
         self.area
     }
 
-    /// The bytes that a strip of `rows` rows takes.
+    /// The bytes that a strip of `rows` rows takes; saturates.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{BinaryColor, Rgb565}, prelude::*};
@@ -80,11 +80,14 @@ impl<C: Wire> Frame<C> {
     /// assert_eq!(Frame::<BinaryColor>::strip_bytes(130, 8), 136);
     /// ```
     pub const fn strip_bytes(width: u32, rows: u32) -> usize {
-        wire::stride::<C>(width) * rows as usize
+        wire::stride::<C>(width).saturating_mul(rows as usize)
     }
 
     /// The next band, filled with the background: as many rows as the strip has room for and the frame
     /// still has. `None` after the last one, and for a frame without pixels.
+    ///
+    /// The strip's bytes decide: one that is longer than some rows by less than a row is not filled, and one
+    /// that is longer by a row gives that row too. A depth strip needs a number for each pixel of the band.
     ///
     /// Whatever becomes of a band, the next call goes on below it; a frame is begun anew with a new
     /// `Frame`, or a clone.
@@ -117,7 +120,7 @@ impl<C: Wire> Frame<C> {
 /// Some rows of a frame in memory: a DrawTarget in the frame's coordinates, so that all that draws on
 /// the display draws on it, 3D or not; what lies above or below is left out.
 ///
-/// Pixels are held as the wire takes them: see [`Wire`].
+/// Pixels are held as the wire takes them: see [`Wire`]. [`Frame`] has an example.
 #[derive(Debug)]
 pub struct Band<'s, C> {
     area: Rectangle,

@@ -17,10 +17,10 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!((Gray4::BITS, Gray4::decode(9)), (4, Gray4::new(9)));
 /// ```
 pub trait Wire: PixelColor {
-    /// Bits a pixel: 1, 2, 4, 8, 16, 24 or 32.
+    /// Bits a pixel: 1, 2, 4, 8, 16, 24 or 32; others do not compile where they are used.
     const BITS: u32;
 
-    /// The bits, in the lowest [`BITS`](Self::BITS).
+    /// The bits, in the lowest [`BITS`](Self::BITS); higher ones do not count.
     fn encode(self) -> u32;
 
     /// The colour of such bits.
@@ -91,8 +91,13 @@ impl Wire for Bgr666 {
 
 /// The bytes of a row of `width` pixels.
 pub(super) const fn stride<C: Wire>(width: u32) -> usize {
-    // A width of 32 bits times 32: 64-bit arithmetic; hosts only have rows beyond 2³² bytes.
-    (width as u64 * C::BITS as u64).div_ceil(8) as usize
+    const { assert!(matches!(C::BITS, 1 | 2 | 4 | 8 | 16 | 24 | 32), "Wire::BITS is 1, 2, 4, 8, 16, 24 or 32") };
+    let bytes = (width as u64 * C::BITS as u64).div_ceil(8); // 32 + 6 bits
+    if bytes < usize::MAX as u64 {
+        bytes as usize
+    } else {
+        usize::MAX // no strip is as long
+    }
 }
 
 /// Fills pixels `from..to` of a row; those beyond its end are left out.
@@ -150,7 +155,7 @@ fn fill_packed<C: Wire>(row: &mut [u8], from: usize, to: usize, bits: u32) {
         2 => 0x55,
         _ => 0x11,
     };
-    let pattern = (bits * ones) as u8;
+    let pattern = ((bits & ((1 << C::BITS) - 1)) * ones) as u8; // below 2⁸
     let (first, last) = (from / shared, to / shared); // by a power of two
                                                       // Bits from a pixel of a byte onwards.
     let from_on = |x: usize| 0xff_u8.checked_shr((x % shared) as u32 * C::BITS).unwrap_or(0);

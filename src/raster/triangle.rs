@@ -17,7 +17,7 @@
 //! proofs stand at [`Small`] (10.22, for triangles within 64 pixels) and [`Large`] (32.32). No
 //! division, no 64-bit product per row.
 
-use super::{Scissor, ScreenPoint, Span};
+use super::{Plane, Scissor, ScreenPoint, Span};
 use crate::math::num::{mul_wide, reciprocal};
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
@@ -51,6 +51,12 @@ impl Triangle {
         span: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
         fill(self.corners, self.area > 0, scissor, span)
+    }
+
+    /// What varies linearly over it, for inks of one's own: values 0 … 2²⁴ − 1 at its corners, in their
+    /// order; larger ones count as the largest.
+    pub fn plane(&self, values: [u32; 3]) -> Plane {
+        Plane::new(self, values.map(|value| value.min((1 << 24) - 1) as i32))
     }
 
     /// Whether all its edges are shorter than 512 pixels.

@@ -11,7 +11,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible faces of a mesh, ready to be drawn band by band, or into any target whose pixels are part
-/// of the picture: see [`Transformed::faces`].
+/// of the picture: see [`Transformed::faces`]; [`Placed::transform`](crate::Placed::transform) has an example.
 #[derive(Debug)]
 pub struct Faces<'a, V = i16, const DEPTH: bool = false> {
     transformed: Transformed<'a, V, DEPTH>,
@@ -20,7 +20,8 @@ pub struct Faces<'a, V = i16, const DEPTH: bool = false> {
     bounds: Scissor,
 }
 
-/// The visible edges of a mesh, ready to be drawn band by band: see [`Transformed::edges`].
+/// The visible edges of a mesh, ready to be drawn band by band: see [`Transformed::edges`]; they are
+/// drawn like the faces of the example at [`Placed::transform`](crate::Placed::transform).
 #[derive(Debug)]
 pub struct Edges<'a, V = i16, const DEPTH: bool = false> {
     transformed: Transformed<'a, V, DEPTH>,
@@ -192,8 +193,9 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate> Faces<'_, V, true> {
-    /// Draws what lies in a band where it is nearer than what `depth` holds, which is best made for the
-    /// [area](crate::Band::area) of the band: see [`Placed::depth_tested`](crate::Placed::depth_tested).
+    /// Draws what lies in a band where it is nearer than what `depth` holds, which is made for the
+    /// [area](crate::Band::area) of the band: outside it nothing is drawn, so that the depth of another band
+    /// leaves this one empty. See [`Placed::depth_tested`](crate::Placed::depth_tested).
     /// `shade` is asked once for each face that a band meets.
     ///
     /// # Errors

@@ -78,7 +78,53 @@ pub trait Ink: Copy {
     fn piece(&self, corners: [Self::Carried; 3]) -> Self;
 }
 
-/// An [`Ink`] for targets with pixels of `C`.
+/// An [`Ink`] for targets with pixels of `C`. One of one's own, that runs from corner to corner:
+///
+/// ```
+/// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
+/// use embedded_graphics::{draw_target::DrawTarget, primitives::Rectangle};
+/// use pinhole::{clip::Barycentric, raster::{Plane, Span, Triangle}, Ink, InkFor};
+/// # use pinhole::*;
+/// #[derive(Clone, Copy)]
+/// struct Ramp([u8; 3]);
+///
+/// impl Ink for Ramp {
+///     type Carried = Barycentric;
+///     fn piece(&self, corners: [Barycentric; 3]) -> Self {
+///         Self(corners.map(|corner| {
+///             let sum: i64 = corner.weights().iter().zip(self.0).map(|(&w, c)| i64::from(w) * i64::from(c)).sum();
+///             (sum >> 30) as u8
+///         }))
+///     }
+/// }
+///
+/// impl InkFor<Gray8> for Ramp {
+///     type Fill = Plane;
+///     fn over(&self, triangle: &Triangle) -> Plane {
+///         triangle.plane(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
+///     }
+///     fn send<D: DrawTarget<Color = Gray8>>(plane: &Plane, span: Span, target: &mut D) -> Result<(), D::Error> {
+///         let row = Rectangle::new(Point::new(span.x, span.y), Size::new(span.width as u32, 1));
+///         let colours = (span.x..span.x + span.width).map(|x| Gray8::new((plane.at(x, span.y) >> 24) as u8));
+///         target.fill_contiguous(&row, colours)
+///     }
+/// }
+/// # const VERTICES: [[i16; 3]; 3] = [[-3, -3, 0], [3, -3, 0], [0, 3, 0]];
+/// # let mesh = Mesh::new(&VERTICES, -1, &[[0, 1, 2]])?;
+/// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+/// # let camera = Camera::new(
+/// #     &Viewing::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+/// #     &viewport,
+/// # );
+/// # let placed = camera.place(&mesh, &Affine::identity());
+/// let mut display = MockDisplay::<Gray8>::new();
+/// placed.solid(|_face| Ramp([40, 240, 140]), &mut [], &mut display)?;
+/// # use embedded_graphics::pixelcolor::GrayColor;
+/// let luma = |x| display.get_pixel(Point::new(x, 24)).unwrap().luma();
+/// assert!(luma(8) < 75 && luma(16) > 130 && luma(16) < 150 && luma(23) > 205);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait InkFor<C: PixelColor>: Ink {
     /// What is worked out once for each triangle.
     type Fill;
@@ -86,7 +132,7 @@ pub trait InkFor<C: PixelColor>: Ink {
     /// Made ready for a triangle, whose corners are in the order of the face's.
     fn over(&self, triangle: &Triangle) -> Self::Fill;
 
-    /// Sends one run of covered pixels in a row.
+    /// Sends one run of covered pixels: a row, one pixel high.
     ///
     /// # Errors
     ///

@@ -110,7 +110,7 @@ struct Face<I> {
     ink: I,
 }
 
-/// All that a [`Painter`] recorded, from far to near.
+/// All that a [`Painter`] recorded, from far to near: `painter.order()`, then `draw` for every band.
 #[derive(Clone, Copy, Debug)]
 pub struct PaintersOrder<'a, I> {
     corners: &'a [Corner],

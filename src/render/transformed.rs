@@ -11,7 +11,7 @@ use heapless::Vec;
 /// depth was computed too.
 ///
 /// Vertices beyond the end of the corners lent are computed whenever a face or an edge needs them: the
-/// picture is the same, so a mesh may be larger than its storage.
+/// picture is the same, so a mesh may be larger than its storage. [`Placed::transform`] has an example.
 #[derive(Clone, Copy, Debug)]
 pub struct Transformed<'a, V = i16, const DEPTH: bool = false> {
     pub(super) placed: Placed<'a, V>,

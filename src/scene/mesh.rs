@@ -128,8 +128,11 @@ impl core::fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-/// The first two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const`
-/// where the mesh is small, by the importer where it is large. It looks at every face for every edge.
+/// The two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const`
+/// where the mesh is small, at run time where it is large. It looks at every face for every edge.
+///
+/// Where more than two faces meet in an edge, list it once for every two: each time it gets the next
+/// two.
 ///
 /// ```
 /// use pinhole::{edge_faces, Mesh};
@@ -137,25 +140,35 @@ impl core::error::Error for MeshError {}
 /// const EDGES: [[u16; 2]; 2] = [[1, 2], [0, 2]];
 /// const BESIDE: [[u16; 2]; 2] = edge_faces(&EDGES, &FACES);
 /// assert_eq!(BESIDE, [[0, 1], [0, Mesh::<i16>::NO_FACE]]);
+/// let twice = edge_faces(&[[0, 1], [1, 0]], &[[0, 1, 2], [1, 0, 3], [0, 1, 4]]);
+/// assert_eq!(twice, [[0, 1], [2, Mesh::<i16>::NO_FACE]]);
 /// ```
 pub const fn edge_faces<const E: usize>(edges: &[[u16; 2]; E], faces: &[[u16; 3]]) -> [[u16; 2]; E] {
     let mut beside = [[u16::MAX; 2]; E];
     let mut edge = 0;
     while edge < E {
-        beside[edge] = faces_beside(edges[edge], faces);
+        let (mut earlier, mut listed) = (0, 0);
+        while earlier < edge {
+            let ([a, b], [p, q]) = (edges[edge], edges[earlier]);
+            listed += ((a == p && b == q) || (a == q && b == p)) as usize;
+            earlier += 1;
+        }
+        beside[edge] = faces_beside(edges[edge], faces, 2 * listed);
         edge += 1;
     }
     beside
 }
 
-/// The first two faces beside an edge.
-const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]]) -> [u16; 2] {
+/// Two faces beside an edge, after the first `skip`.
+const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], skip: usize) -> [u16; 2] {
     let mut beside = [u16::MAX; 2];
     let (mut face, mut found) = (0, 0);
-    while face < faces.len() && face < u16::MAX as usize && found < 2 {
+    while face < faces.len() && face < u16::MAX as usize && found < skip + 2 {
         let [a, b, c] = faces[face];
         if (p == a || p == b || p == c) && (q == a || q == b || q == c) {
-            beside[found] = face as u16;
+            if found >= skip {
+                beside[found - skip] = face as u16;
+            }
             found += 1;
         }
         face += 1;
@@ -284,7 +297,8 @@ impl<'a, V> Mesh<'a, V> {
     /// Stands for no face beside an edge.
     pub const NO_FACE: u16 = u16::MAX;
 
-    /// With the two faces beside each edge, for hidden-line drawing: [`edge_faces`] finds them.
+    /// With the two faces beside each edge, for hidden-line drawing: [`edge_faces`] finds them. An edge in
+    /// which more faces meet is listed once for every two.
     ///
     /// # Errors
     ///

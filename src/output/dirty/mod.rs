@@ -36,8 +36,9 @@ impl WindowCost {
 ///
 /// For every frame, [`mark`](Self::mark) what is drawn, then [`take`](Self::take) the rectangles and
 /// draw each anew with its background: everything outside them is as it was. Marks are merged where
-/// the rectangle about both costs no more bytes than both apart. What has no marks costs nothing, so
-/// things that stand still are marked only when they change.
+/// the rectangle about both costs no more bytes than both apart. What has no marks costs nothing: a
+/// thing at rest need not be marked. When it moves again, mark where it was and where it is, as its last
+/// mark is forgotten; when it comes to rest it is sent once more.
 ///
 /// `N` is how many rectangles are marked in a frame, and how many are taken, at most. Two for each thing
 /// that moves are room for where it was and where it is; a third one for leaving out the corners that
