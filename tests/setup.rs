@@ -169,3 +169,74 @@ fn no_set_up_panics() {
         }
     }
 }
+
+/// Cameras made by the compiler: with every constructor that may stand in a constant.
+mod constant {
+    use super::*;
+    use pinhole::{Camera, Projection, Window};
+
+    const SIZE: Size = Size::new(320, 240);
+    const UP: Vector3<World> = Vector3::from_ints(1, 9, 2);
+    const EYE: Point3<World> = Point3::from_ints(7, -3, 11);
+    const NEAR: Scalar = Scalar::from_bits(45_678);
+    const FAR: Scalar = Scalar::const_from_int(77);
+    const WINDOW: Window = Window {
+        left: Scalar::from_bits(-33_333),
+        right: Scalar::from_bits(44_444),
+        bottom: Scalar::from_bits(-22_222),
+        top: Scalar::from_bits(55_555),
+    };
+
+    macro_rules! cameras {
+        ($viewings:expr, $projections:expr, $viewport:expr) => {{
+            let mut cameras = [None; 9];
+            let (mut i, viewings, projections, viewport) = (0, $viewings, $projections, $viewport);
+            while i < 9 {
+                if let (Ok(viewing), Ok(projection), Ok(viewport)) =
+                    (&viewings[i / 3], &projections[i % 3], &viewport)
+                {
+                    cameras[i] = Some(Camera::new(viewing, projection, viewport));
+                }
+                i += 1;
+            }
+            cameras
+        }};
+    }
+
+    const CAMERAS: [Option<Camera>; 9] = cameras!(
+        [
+            Viewing::look_at(EYE, Point3::from_ints(0, 1, 0), UP),
+            Viewing::look_along(EYE, Vector3::from_ints(-3, 1, 4), UP),
+            Viewing::from_reference(EYE, Vector3::from_ints(1, 2, 3), UP),
+        ],
+        [
+            Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
+            Projection::frustum(WINDOW, NEAR, FAR),
+            Projection::orthographic(WINDOW, NEAR, FAR),
+        ],
+        Viewport::new(Point::new(5, -7), SIZE)
+    );
+
+    #[test]
+    fn is_what_the_program_makes() {
+        let hide = core::hint::black_box::<Point3<World>>;
+        let eye = hide(EYE);
+        let made = cameras!(
+            [
+                Viewing::look_at(eye, Point3::from_ints(0, 1, 0), UP),
+                Viewing::look_along(eye, Vector3::from_ints(-3, 1, 4), UP),
+                Viewing::from_reference(eye, Vector3::from_ints(1, 2, 3), UP),
+            ],
+            [
+                Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
+                Projection::frustum(WINDOW, NEAR, FAR),
+                Projection::orthographic(WINDOW, NEAR, FAR),
+            ],
+            Viewport::new(Point::new(5, -7), SIZE)
+        );
+        assert!(CAMERAS.iter().all(Option::is_some));
+        assert_eq!(CAMERAS, made);
+        const TURN: Affine<Model, World> = Affine::rotation_y(Angle::degrees(33));
+        assert_eq!(TURN, Affine::rotation_y(core::hint::black_box(Angle::degrees(33))));
+    }
+}

@@ -138,7 +138,7 @@ pub(crate) fn roots() -> [Measured; 1] {
 fn unit_vector_error(v: [i64; 3]) -> f64 {
     let real = v.map(|c| c as f64);
     let exact = normalise(real);
-    let got = unit::normalise(v).unwrap_or_default();
+    let got = unit::normalise(&v);
     (0..3).map(|i| (q30(got[i]) - exact[i]).abs()).fold(0.0, f64::max)
 }
 

@@ -18,7 +18,7 @@ pub use viewing::{Side, Viewing, ViewingError};
 pub use viewport::{Viewport, ViewportError};
 pub use visibility::Visibility;
 
-use crate::math::num::mul_translation;
+use crate::math::num::{max, min, mul_translation};
 use crate::math::Row;
 use crate::raster::GUARD_BAND;
 use embedded_graphics_core::primitives::Rectangle;
@@ -39,6 +39,23 @@ use embedded_graphics_core::primitives::Rectangle;
 /// );
 /// # let _ = camera;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// A camera that stands still is a constant: 192 bytes of flash, and no code for what made it. One that
+/// cannot be does not compile.
+///
+/// ```
+/// use embedded_graphics::geometry::{Point, Size};
+/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+/// const CAMERA: Camera = {
+///     let (eye, origin, up) = (Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+///     let Ok(viewing) = Viewing::look_at(eye, origin, up) else { panic!("the direction") };
+///     let Ok(viewport) = Viewport::new(Point::zero(), Size::new(240, 240)) else { panic!("the size") };
+///     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(50));
+///     let Ok(lens) = Projection::perspective(Angle::degrees(50), viewport.size(), near, far) else { panic!("the lens") };
+///     Camera::new(&viewing, &lens, &viewport)
+/// };
+/// # let _ = CAMERA;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
@@ -65,25 +82,24 @@ pub(crate) struct Screen {
 impl Camera {
     /// From its three parts. The near plane always cuts; the far plane does on
     /// [request](Self::with_far_clip).
-    pub fn new(viewing: &Viewing, projection: &Projection, viewport: &Viewport) -> Self {
+    #[inline(never)] // set-up: small is better
+    pub const fn new(viewing: &Viewing, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
         let (x, y) = viewport.centre();
-        // 2²¹ sub-pixels.
-        let guard = GUARD_BAND * 256;
-        // At least half a pixel: the viewport has pixels and lies inside the guard band.
-        let free = (guard - x.abs().max(y.abs())).max(128);
-        // At most 2²¹ sub-pixels.
-        let half = area.size.width.max(area.size.height).max(1) * 128;
+        // At least half a pixel of 2²¹ sub-pixels: the viewport has pixels and lies inside the guard band.
+        // At most 2²¹ too.
+        let free = GUARD_BAND * 256 - max(x.abs(), y.abs());
+        let half = max(area.size.width as i32, area.size.height as i32) * 128;
         // Binary logarithms, downwards and upwards, without ilog2's panic at 0.
-        let room = 31 - free.leading_zeros() as i32;
-        let unit = (32 - (half - 1).leading_zeros() as i32).min(room);
-        let [x_row, y_row, d_row, w_row] = *projection.rows();
+        let room = 31 - max(free, 128).leading_zeros() as i32;
+        let unit = min(32 - (max(half, 128) - 1).leading_zeros() as i32, room);
+        let [x_row, y_row, d_row, w_row] = projection.rows();
         // Half the viewport in units of 2^unit sub-pixels; rows count downwards, so y turns.
         let rows = [
             stretched(x_row, area.size.width as i32 * 128, -unit),
-            stretched(y_row, -(area.size.height as i32 * 128), -unit),
+            stretched(y_row, area.size.height as i32 * -128, -unit),
             stretched(d_row, 65_535, -16),
-            w_row,
+            *w_row,
         ];
         Self {
             axes: viewing.rows(),
@@ -107,11 +123,11 @@ impl Camera {
 }
 
 /// `row · factor · 2^exponent` for a factor of at most 23 bits.
-fn stretched(row: Row, factor: i32, exponent: i32) -> Row {
-    // 30 × 23 bits.
-    let linear = row.linear.map(|m| i64::from(m) * i64::from(factor));
+#[inline(never)] // set-up: small is better
+const fn stretched(row: &Row, factor: i32, exponent: i32) -> Row {
+    let ([a, b, c], m) = (row.linear, factor as i64); // 30 × 23 bits
     let offset = mul_translation(factor, exponent, row.offset);
-    Row::new(linear, row.exponent - 30 + exponent, offset)
+    Row::new(&[a as i64 * m, b as i64 * m, c as i64 * m], row.exponent - 30 + exponent, offset)
 }
 
 #[cfg(feature = "defmt")]

@@ -1,8 +1,8 @@
 //! Single points: to the screen for labels, and back for picking.
 
 use super::{Camera, Placement};
-use crate::math::num::{add, excess, row_times, scale};
-use crate::math::unit::normalise;
+use crate::math::num::{add, dot, excess, row_times, scale};
+use crate::math::unit::{cross_exact, is_zero, normalise};
 use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
 use crate::space::{Model, Ndc, World};
@@ -104,12 +104,13 @@ impl Camera {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
         // Along both planes; the way on which d grows leads away from the viewer.
-        let along = normalise(cross(&across.linear, &down.linear).map(i64::from))?;
-        let growth: i64 =
-            self.rows[2].linear.iter().zip(along).map(|(&m, c)| i64::from(m) * i64::from(c)).sum();
-        let turn = if growth < 0 { -1 } else { 1 };
+        let along = normalise(&cross_exact(&across.linear, &down.linear));
+        if is_zero(&along) {
+            return None;
+        }
+        let turn = if dot(&self.rows[2].linear, &along) < 0 { -1 } else { 1 };
         // Rᵀ·along: 3·2⁶⁰, to 2¹⁴ world units of 2⁻¹⁶.
-        let world = row_times(along, &self.axes).map(|sum| Scalar::from_bits(scale(turn * sum, -30) as i32));
+        let world = row_times(&along, &self.axes).map(|sum| Scalar::from_bits(scale(turn * sum, -30) as i32));
         let [x, y, z] = world;
         Some(Ray { origin, direction: Vector3::new(x, y, z) })
     }
@@ -123,10 +124,7 @@ impl Camera {
     pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
         let point = |direction: [i32; 3]| {
             // The forms without their constants: three products of at most 2⁶⁰.
-            let at = |row: &Row| -> (i64, i32) {
-                let sum = row.linear.iter().zip(direction).map(|(&m, c)| i64::from(m) * i64::from(c)).sum();
-                (sum, row.exponent)
-            };
+            let at = |row: &Row| (dot(&row.linear, &direction), row.exponent);
             let [x_row, y_row, _, w_row] = &self.rows;
             let (w, w_exponent) = at(w_row);
             // A row's largest coefficient has 30 bits, so w is about 2⁵⁹ · cos.
@@ -188,18 +186,12 @@ impl Camera {
     }
 }
 
-fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
-    // Products of at most 2⁶⁰.
-    let part = |i: usize, j: usize| i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]);
-    [part(1, 2), part(2, 0), part(0, 1)]
-}
-
 /// The point where three planes meet, in 2⁻²⁴, by Cramer's rule; `None` where they do not, or
 /// farther than 2¹⁷ away.
 fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
     let [a, b, c] = planes;
     // Cross products brought to 45 bits by a common factor.
-    let normals = [cross(&b.linear, &c.linear), cross(&c.linear, &a.linear), cross(&a.linear, &b.linear)];
+    let normals = [(b, c), (c, a), (a, b)].map(|(a, b)| cross_exact(&a.linear, &b.linear));
     let largest = normals.iter().flatten().map(|v| v.unsigned_abs()).max()?;
     let normals = normals.map(|n| n.map(|v| scale(v, -excess(largest, 45).max(0))));
     let determinant: i128 =

@@ -5,7 +5,8 @@
 //! products. Error budget: ARCHITECTURE.md, "Numbers".
 
 use super::{Camera, Corner, Image, Screen};
-use crate::math::num::{add, mul_high, mul_wide, reciprocal, scale};
+use crate::math::num::{add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, scale};
+use crate::math::row::{forms, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
 use crate::space::{Model, World};
@@ -43,24 +44,25 @@ impl Placement {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
-        let away = model.offset_from(camera.eye);
-        let offset = camera.axes.map(|linear| Row { linear, ..Row::ZERO }.apply(away));
+        let offset = forms(&camera.axes, 0, &model.offset_from(camera.eye), &[0; 3]);
+        let view = Rows { linear, exponent: linear_exponent, offset };
         // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
         //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
         //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
         let unit = exponent - justify as i32;
-        let bits = |v: u64| 64 - v.leading_zeros() as i32;
-        let away = offset.iter().map(|c| bits(c.unsigned_abs())).max().unwrap_or(0);
-        let largest = linear.iter().flatten().map(|m| bits(m.unsigned_abs().into())).max().unwrap_or(0);
-        let around = if largest == 0 { 0 } else { largest - 30 + linear_exponent + unit + 31 + 2 + 32 };
-        let bits = away.max(around) + 1;
-        let shift = camera.rows.iter().map(|row| row.overflow(bits)).max().unwrap_or(0).max(0);
-        let [x, y, d, w] = camera.rows.map(|row| row.shifted(shift).of(&linear, linear_exponent, offset));
+        let largest = magnitude(view.linear.as_flattened());
+        let around = match largest {
+            0 => 0,
+            _ => excess(largest.into(), 30) + linear_exponent + unit + 31 + 2 + 32,
+        };
+        let bits = excess(bits_of(&view.offset), 0).max(around) + 1;
+        let [x, y, d, w] = &camera.rows;
+        let shift = x.overflow(bits).max(y.overflow(bits)).max(d.overflow(bits)).max(w.overflow(bits)).max(0);
+        let (x, y, d, w) = (x.of(&view, shift), y.of(&view, shift), d.of(&view, shift), w.of(&view, shift));
         // 3 Exponents from what the rows can reach over the object. A justified coordinate v
         //   stands for v·2^unit.
-        let (reach_x, reach_y) = (reach(&x, unit), reach(&y, unit));
         let Screen { unit: screen_unit, room, .. } = camera.screen;
-        let e_xy = reach_x.max(reach_y);
+        let e_xy = reach(&x, unit).max(reach(&y, unit));
         // Finer x than w is of no use; much coarser x means an object far to the side.
         let e_w = reach(&w, unit).max(e_xy - room);
         let e_xy = e_xy.max(e_w);
@@ -144,16 +146,13 @@ impl Placement {
     pub(crate) fn image(&self, h: &Homogeneous) -> Image {
         let r = reciprocal(h.w);
         let n = r.shift as i32;
-        let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
-        let along = |v: i32, centre: i32| {
-            let v = scale(mul_wide(v, r.mantissa), -right) + i64::from(centre);
-            v.clamp(-(1 << 21), 1 << 21) as i32
-        };
-        let [cx, cy] = self.screen.centre;
-        let depth = scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 37);
+        let left = n + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
+                                                               // Times the mantissa and 2^left, rounded; far beyond the guard band it ends at ±2³⁰.
+        let along = |v: i32, left: i32| narrow(scale(mul_wide(v, r.mantissa), left));
+        let [cx, cy] = self.screen.centre; // |centre| ≤ 2²¹: sums stay below 2³¹
         Image {
-            point: ScreenPoint::clamped(along(h.x, cx), along(h.y, cy)),
-            depth: depth.clamp(0, i64::from(FARTHEST)) as i32,
+            point: ScreenPoint::clamped(along(h.x, left) + cx, along(h.y, left) + cy),
+            depth: along(h.d, n + self.d_over_w - 37).clamp(0, FARTHEST),
         }
     }
 
@@ -206,24 +205,29 @@ impl Placement {
     }
 }
 
+/// ±2³⁰ at most.
+#[inline(never)] // set-up: small is better
+fn narrow(v: i64) -> i32 {
+    v.clamp(-(1 << 30), 1 << 30) as i32
+}
+
 /// The least exponent with which the form fits its integers over all justified coordinates.
 #[inline(never)] // set-up: small is better
 fn reach(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
-    let sum: i64 = row.linear.iter().map(|c| i64::from(c.abs())).sum();
+    let [a, b, c] = row.linear.map(i32::unsigned_abs);
+    let sum = i64::from(a) + i64::from(b) + i64::from(c);
     let linear = scale(sum, row.exponent + unit + 33).unsigned_abs(); // ≤ 2⁶²
     let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³
                                                     // Head-room for the rounding of coefficients: 2⁻¹⁶ of it all.
     let bound = bound.saturating_add((bound >> 16) + 16);
-    let result = 64 - bound.leading_zeros() as i32 - 63; // below 2³¹
-                                                         // Each coefficient below 2³⁰ − 2¹⁵, so that it splits into 15 + 16 signed bits.
-    let largest = row.linear.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
-    let coefficient = row.exponent + unit + 1 + i32::from(largest > (1 << 30) - (1 << 16));
+    let result = excess(bound, 63); // below 2³¹
+    let largest = a.max(b).max(c);
     if largest == 0 {
-        result
-    } else {
-        result.max(coefficient)
+        return result;
     }
+    // Each coefficient below 2³⁰ − 2¹⁵, so that it splits into 15 + 16 signed bits.
+    result.max(row.exponent + unit + 1 + i32::from(largest > (1 << 30) - (1 << 16)))
 }
 
 /// The row as integers over justified coordinates, in units of 2^exponent.

@@ -1,8 +1,8 @@
 //! World to view: where the camera stands and which way is up.
 
 use crate::math::float::{fixed, float};
-use crate::math::num::add;
-use crate::math::unit::{cross, cross_units, normalise};
+use crate::math::num::{self, add};
+use crate::math::unit::{cross, cross_units, is_zero, normalise};
 use crate::math::{Point3, Row, Scalar, Vector3};
 use crate::space::{View, World};
 
@@ -97,14 +97,18 @@ impl Viewing {
     /// # Errors
     ///
     /// [`ViewingError`] when the target is the eye, or `up` is zero or along the gaze.
-    pub fn look_at(
+    pub const fn look_at(
         eye: Point3<World>,
         target: Point3<World>,
         up: Vector3<World>,
     ) -> Result<Self, ViewingError> {
         let (e, t) = (eye.bits(), target.bits());
-        let back = |i: usize| i64::from(e[i]) - i64::from(t[i]); // 33 bits
-        Self::towards(eye, [back(0), back(1), back(2)], up)
+        // 33 bits.
+        Self::towards(
+            eye,
+            &[e[0] as i64 - t[0] as i64, e[1] as i64 - t[1] as i64, e[2] as i64 - t[2] as i64],
+            up,
+        )
     }
 
     /// From `eye` along `gaze`, with `up` upwards in the picture.
@@ -112,12 +116,13 @@ impl Viewing {
     /// # Errors
     ///
     /// [`ViewingError`] when `gaze` or `up` is zero or they are parallel.
-    pub fn look_along(
+    pub const fn look_along(
         eye: Point3<World>,
         gaze: Vector3<World>,
         up: Vector3<World>,
     ) -> Result<Self, ViewingError> {
-        Self::towards(eye, gaze.bits().map(|c| -i64::from(c)), up)
+        let [x, y, z] = longs(gaze);
+        Self::towards(eye, &[-x, -y, -z], up)
     }
 
     /// From a view reference point, a view plane normal (towards the viewer) and an up vector.
@@ -125,12 +130,12 @@ impl Viewing {
     /// # Errors
     ///
     /// [`ViewingError`] when `vpn` or `vup` is zero or they are parallel.
-    pub fn from_reference(
+    pub const fn from_reference(
         vrp: Point3<World>,
         vpn: Vector3<World>,
         vup: Vector3<World>,
     ) -> Result<Self, ViewingError> {
-        Self::towards(vrp, vpn.bits().map(i64::from), vup)
+        Self::towards(vrp, &longs(vpn), vup)
     }
 
     /// One of the six multiview directions, from `vrp`: for an orthographic projection, faces
@@ -167,8 +172,11 @@ impl Viewing {
     ///
     /// [`ViewingError::NotAxonometric`] where a component is zero or both are equal, and
     /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹² of `up`.
-    pub fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewingError> {
-        if side.to_bits() == 0 || up.to_bits() == 0 || side.unsigned_abs() == up.unsigned_abs() {
+    pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewingError> {
+        if side.to_bits() == 0
+            || up.to_bits() == 0
+            || side.to_bits().unsigned_abs() == up.to_bits().unsigned_abs()
+        {
             return Err(ViewingError::NotAxonometric);
         }
         Self::from_reference(vrp, Vector3::new(side, up, side), Vector3::from_ints(0, 1, 0))
@@ -181,8 +189,9 @@ impl Viewing {
     ///
     /// [`ViewingError::NotAxonometric`] where a component is zero or two are equal but for the
     /// sign, and [`ViewingError::ParallelUp`] where the VPN is within 2⁻¹² rad of the y axis.
-    pub fn trimetric(vrp: Point3<World>, vpn: Vector3<World>) -> Result<Self, ViewingError> {
-        let [x, y, z] = vpn.bits().map(i32::unsigned_abs);
+    pub const fn trimetric(vrp: Point3<World>, vpn: Vector3<World>) -> Result<Self, ViewingError> {
+        let [x, y, z] = vpn.bits();
+        let (x, y, z) = (x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs());
         if x == 0 || y == 0 || z == 0 || x == y || y == z || z == x {
             return Err(ViewingError::NotAxonometric);
         }
@@ -247,20 +256,25 @@ impl Viewing {
     }
 
     /// `back` is the direction of n, of any length.
-    fn towards(eye: Point3<World>, back: [i64; 3], up: Vector3<World>) -> Result<Self, ViewingError> {
-        let up = up.bits().map(i64::from);
-        let n = normalise(back).ok_or(ViewingError::ZeroDirection)?;
-        let up_unit = normalise(up).ok_or(ViewingError::ZeroUp)?;
+    #[inline(never)] // set-up: small is better
+    const fn towards(eye: Point3<World>, back: &[i64; 3], up: Vector3<World>) -> Result<Self, ViewingError> {
+        let up = longs(up);
+        let (n, up_unit) = (normalise(back), normalise(&up));
+        if is_zero(&n) {
+            return Err(ViewingError::ZeroDirection);
+        }
+        if is_zero(&up_unit) {
+            return Err(ViewingError::ZeroUp);
+        }
         // The sine of the angle between them, from unit vectors; squared, in 2⁻⁶⁰.
-        let sine = cross_units(up_unit, n);
-        let square: i64 = sine.iter().map(|&c| i64::from(c) * i64::from(c)).sum();
-        if square < 1 << (60 - 24) {
+        let sine = cross_units(&up_unit, &n);
+        if num::dot(&sine, &sine) < 1 << (60 - 24) {
             return Err(ViewingError::ParallelUp);
         }
         // u from the vectors as given, not from rounded unit vectors: near-parallel ones differ in
         // their low bits.
-        let u = normalise(cross(up, back)).ok_or(ViewingError::ParallelUp)?;
-        Ok(Self { rows: [u, cross_units(n, u), n], eye: wide(eye) })
+        let u = normalise(&cross(&up, back));
+        Ok(Self { rows: [u, cross_units(&n, &u), n], eye: wide(eye) })
     }
 
     /// The axes u, v, n as rows, in 2⁻³⁰.
@@ -271,7 +285,7 @@ impl Viewing {
     /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units, each within 2⁻¹³:
     /// for reading. The pipeline subtracts the eye first and does not use it.
     pub fn translation(&self) -> [i64; 3] {
-        self.rows_over_world().map(|row| row.apply(self.eye.map(|c| -c)))
+        self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
     /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step) and
@@ -280,7 +294,7 @@ impl Viewing {
         let p = p.bits();
         let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);
         let relative = [relative(0), relative(1), relative(2)];
-        let image = self.rows_over_world().map(|row| row.apply(relative));
+        let image = self.rows_over_world().map(|row| row.apply(&relative));
         Point3::from_bits(image.map(crate::math::to_scalar))
     }
 
@@ -292,6 +306,11 @@ impl Viewing {
     pub(super) fn rows_over_world(&self) -> [Row; 3] {
         self.rows.map(|linear| Row { linear, exponent: 0, offset: 0 })
     }
+}
+
+const fn longs(v: Vector3<World>) -> [i64; 3] {
+    let [x, y, z] = v.bits();
+    [x as i64, y as i64, z as i64]
 }
 
 /// A point's coordinates in 2⁻³².

@@ -53,13 +53,13 @@ impl Viewport {
     /// # Errors
     ///
     /// [`ViewportError`] when it is empty or leaves the guard band.
-    pub fn new(top_left: Point, size: Size) -> Result<Self, ViewportError> {
+    pub const fn new(top_left: Point, size: Size) -> Result<Self, ViewportError> {
         if size.width == 0 || size.height == 0 {
             return Err(ViewportError::Empty);
         }
-        let inside = |low: i32, extent: u32| {
-            low >= -GUARD_BAND && i64::from(low) + i64::from(extent) <= i64::from(GUARD_BAND)
-        };
+        const fn inside(low: i32, extent: u32) -> bool {
+            low >= -GUARD_BAND && low as i64 + extent as i64 <= GUARD_BAND as i64
+        }
         if !inside(top_left.x, size.width) || !inside(top_left.y, size.height) {
             return Err(ViewportError::OutsideGuardBand);
         }

@@ -35,7 +35,7 @@ impl Camera {
         let (linear, view_exponent) = product(&self.axes, 0, m, exponent);
         let place = |i: usize| {
             let axis = Row { linear: self.axes[i], ..Row::ZERO };
-            Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(away) }.apply(centre)
+            Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)
         };
         let centre = [place(0), place(1), place(2)];
         let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
@@ -66,7 +66,7 @@ impl Camera {
                 visibility = Visibility::Partly; // beyond what the numbers tell
                 continue;
             }
-            let distance = plane.apply(centre);
+            let distance = plane.apply(&centre);
             let squares: u64 = plane.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
             let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
             let reach = mul_translation((length >> 1) as i32 + 1, plane.exponent - 29, radius);

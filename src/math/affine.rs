@@ -1,9 +1,9 @@
 //! Affine transforms between the spaces a scene is set up in.
 
 use super::float;
-use super::num::{add, excess, fraction, row_times, scale, sqrt};
-use super::row::{block, Row};
-use super::unit::normalise;
+use super::num::{add, dot, excess, fraction, row_times, scale, sqrt, transposed};
+use super::row::{block, forms, Row};
+use super::unit::{cross_exact, is_zero, normalise};
 use super::{Angle, Point3, Quaternion, Scalar, Vector3};
 use crate::space::SetUp;
 use core::marker::PhantomData;
@@ -75,24 +75,24 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     pub fn scale_axes(x: Scalar, y: Scalar, z: Scalar) -> Self {
         let [x, y, z] = [x, y, z].map(|f| i64::from(f.to_bits()));
         // Value = bits · 2⁻¹⁶ = bits · 2^(14 − 30).
-        let (linear, exponent) = block([[x, 0, 0], [0, y, 0], [0, 0, z]], 14);
+        let (linear, exponent) = rounded(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 14);
         Self::from_parts(linear, exponent, [0; 3])
     }
 
     /// About the x axis, from y towards z: `|1 0 0; 0 c −s; 0 s c|`. Coefficients within 2⁻²⁹·⁵.
-    pub fn rotation_x(angle: Angle) -> Self {
+    pub const fn rotation_x(angle: Angle) -> Self {
         let (s, c) = angle.sin_cos();
         Self::from_parts([[ONE, 0, 0], [0, c, -s], [0, s, c]], 0, [0; 3])
     }
 
     /// About the y axis, from z towards x: `|c 0 s; 0 1 0; −s 0 c|`. Coefficients within 2⁻²⁹·⁵.
-    pub fn rotation_y(angle: Angle) -> Self {
+    pub const fn rotation_y(angle: Angle) -> Self {
         let (s, c) = angle.sin_cos();
         Self::from_parts([[c, 0, s], [0, ONE, 0], [-s, 0, c]], 0, [0; 3])
     }
 
     /// About the z axis, from x towards y: `|c −s 0; s c 0; 0 0 1|`. Coefficients within 2⁻²⁹·⁵.
-    pub fn rotation_z(angle: Angle) -> Self {
+    pub const fn rotation_z(angle: Angle) -> Self {
         let (s, c) = angle.sin_cos();
         Self::from_parts([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 0, [0; 3])
     }
@@ -113,7 +113,10 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     ///
     /// [`AxisError::ZeroAxis`].
     pub fn rotation(through: Point3<B>, axis: Vector3<B>, angle: Angle) -> Result<Self, AxisError> {
-        let axis = normalise(axis.bits().map(i64::from)).ok_or(AxisError::ZeroAxis)?;
+        let axis = normalise(&axis.bits().map(i64::from));
+        if is_zero(&axis) {
+            return Err(AxisError::ZeroAxis);
+        }
         let (s, c) = angle.sin_cos();
         let versine = i64::from(ONE) - i64::from(c); // 0 … 2³¹
                                                      // Products in 2⁻⁶⁰, to 2⁻³⁰: at most 2⁶¹.
@@ -146,21 +149,21 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
 
     /// A linear part in 2⁻³⁰, up to 31 bits, that leaves one point where it is.
     fn about(linear: [[i64; 3]; 3], fixed: Point3<B>) -> Self {
-        let (linear, exponent) = block(linear, 0);
+        let (linear, exponent) = rounded(&linear, 0);
         let turned = Self::from_parts(linear, exponent, [0; 3]);
         let at = fixed.bits().map(|c| i64::from(c) << 16);
-        let offset = turned.rows().map(|row| -row.apply(at));
-        let away = |i: usize| add(at[i], offset[i]);
-        Self { offset: [away(0), away(1), away(2)], ..turned }
+        let [x, y, z] = turned.apply_bits(&at);
+        Self { offset: [add(at[0], -x), add(at[1], -y), add(at[2], -z)], ..turned }
     }
 
     /// The frame with these axes and origin: columns a, b, c, o. It leads from the frame's own
     /// coordinates to those in which it is given. Exact where the axes span no more than 30 bits,
     /// otherwise within 2⁻³⁰ of the largest coefficient.
+    #[inline(never)] // set-up: small is better
     pub fn from_frame(a: Vector3<B>, b: Vector3<B>, c: Vector3<B>, origin: Point3<B>) -> Self {
         let (a, b, c) = (a.bits(), b.bits(), c.bits());
         let row = |i: usize| [a[i], b[i], c[i]].map(i64::from);
-        let (linear, exponent) = block([row(0), row(1), row(2)], 14);
+        let (linear, exponent) = rounded(&[row(0), row(1), row(2)], 14);
         Self::from_parts(linear, exponent, origin.bits().map(|c| i64::from(c) << 16))
     }
 
@@ -188,7 +191,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         let linear = [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]];
         let (l, exponent) = float::aligned(linear).ok_or(MatrixError::NotFinite)?;
         let linear = [[l[0], l[1], l[2]], [l[3], l[4], l[5]], [l[6], l[7], l[8]]];
-        let (linear, exponent) = block(linear, exponent + 30);
+        let (linear, exponent) = rounded(&linear, exponent + 30);
         let translation = [x[3], y[3], z[3]];
         if translation.iter().any(|t| *t >= 1_073_741_824.0 || *t <= -1_073_741_824.0) {
             return Err(MatrixError::OutOfRange);
@@ -233,12 +236,11 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
                 -q
             }
         };
-        let transposed = |i: usize| [cofactors[0][i], cofactors[1][i], cofactors[2][i]].map(quotient);
-        let linear = [transposed(0), transposed(1), transposed(2)];
+        let linear = transposed(&cofactors).map(|row| row.map(quotient));
         // Values: c·2^(ce + 2e − 60) over det·2^(de + 3e − 90), so c/det · 2^(30 − e + ce − de), and the
         // quotient is c·2³⁰/(det·2^up) · 2³².
         let exponent = c_exponent - d_exponent - self.exponent;
-        let (linear, exponent) = block(linear, 30 + exponent - 30 - 32 + up + 30);
+        let (linear, exponent) = rounded(&linear, 30 + exponent - 30 - 32 + up + 30);
         Ok(self.returning(linear, exponent))
     }
 
@@ -272,26 +274,22 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     pub fn rigid_inverse(&self) -> Result<Affine<B, A>, InverseError> {
         let [x, y, z] = &self.linear;
         // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½.
-        let gram = |a: &[i32; 3], b: &[i32; 3]| -> i64 {
-            a.iter().zip(b).map(|(&a, &b)| i64::from(a) * i64::from(b)).sum() // ≤ 3·2⁶⁰
-        };
         let one = scale(1 << 60, -2 * self.exponent);
         let near = |value: i64, wanted: i64| (value - wanted).abs() <= 1 << 40;
-        let rigid = [x, y, z].iter().all(|row| near(gram(row, row), one))
-            && near(gram(x, y), 0)
-            && near(gram(y, z), 0)
-            && near(gram(z, x), 0);
+        let rigid = [x, y, z].iter().all(|row| near(dot(row, row), one))
+            && near(dot(x, y), 0)
+            && near(dot(y, z), 0)
+            && near(dot(z, x), 0);
         if !(-1..=1).contains(&self.exponent) || !rigid {
             return Err(InverseError::NotRigid);
         }
-        let transposed = [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]];
-        Ok(self.returning(transposed, self.exponent))
+        Ok(self.returning(transposed(&self.linear), self.exponent))
     }
 
     /// The inverse with this linear part: `−L·o` brings this transform's origin back.
     fn returning(&self, linear: [[i32; 3]; 3], exponent: i32) -> Affine<B, A> {
         let back = Affine::<B, A>::from_parts(linear, exponent, [0; 3]);
-        let offset = back.rows().map(|row| -row.apply(self.offset));
+        let offset = back.apply_bits(&self.offset).map(|c| -c);
         Affine { offset, ..back }
     }
 
@@ -299,15 +297,19 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// largest one, the translation within 3·2⁻³³.
     pub fn then<C: SetUp>(&self, next: &Affine<B, C>) -> Affine<A, C> {
         let (linear, exponent) = product(&next.linear, next.exponent, &self.linear, self.exponent);
-        let offset = next.rows().map(|row| row.apply(self.offset));
-        Affine::from_parts(linear, exponent, offset)
+        Affine::from_parts(linear, exponent, next.apply_bits(&self.offset))
     }
 
     /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step) and saturated at the
     /// ends of [`Scalar`].
     pub fn apply(&self, p: Point3<A>) -> Point3<B> {
         let p = p.bits().map(|c| i64::from(c) << 16);
-        Point3::from_bits(self.rows().map(|row| to_scalar(row.apply(p))))
+        Point3::from_bits(self.apply_bits(&p).map(to_scalar))
+    }
+
+    /// The image of a point in 2⁻³², in 2⁻³².
+    fn apply_bits(&self, p: &[i64; 3]) -> [i64; 3] {
+        forms(&self.linear, self.exponent, p, &self.offset)
     }
 
     /// The linear part: coefficients `m · 2^(exponent − 30)`, row by row.
@@ -392,21 +394,15 @@ impl core::error::Error for InverseError {}
 /// `result · 2^(exponent − 60)`.
 fn determinant([x, y, z]: &[[i32; 3]; 3]) -> (i64, i32) {
     // Three products of at most 2³⁰ · 2⁶¹, in 2⁻⁹⁰.
-    let exact: i128 = cross(y, z).iter().zip(x).map(|(&c, &m)| i128::from(c) * i128::from(m)).sum();
+    let exact: i128 = cross_exact(y, z).iter().zip(x).map(|(&c, &m)| i128::from(c) * i128::from(m)).sum();
     let shift = (128 - 62 - exact.unsigned_abs().leading_zeros() as i32).max(0);
     ((exact >> shift) as i64, shift - 30)
-}
-
-/// `a × b`, products of at most 2⁶⁰.
-fn cross(a: &[i32; 3], b: &[i32; 3]) -> [i64; 3] {
-    let part = |i: usize, j: usize| i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]);
-    [part(1, 2), part(2, 0), part(0, 1)]
 }
 
 /// det(A)·A⁻ᵀ, whose rows are the cross products of A's: 30 bits, and the exponent of the block
 /// relative to 2⁻³⁰ for products in 2⁻⁶⁰.
 pub(crate) fn cofactors([x, y, z]: &[[i32; 3]; 3]) -> ([[i32; 3]; 3], i32) {
-    block([cross(y, z), cross(z, x), cross(x, y)], -30)
+    rounded(&[cross_exact(y, z), cross_exact(z, x), cross_exact(x, y)], -30)
 }
 
 /// 2⁻³² to 2⁻¹⁶, rounded to nearest, saturated.
@@ -422,10 +418,19 @@ pub(crate) fn product(
     b: &[[i32; 3]; 3],
     b_exponent: i32,
 ) -> ([[i32; 3]; 3], i32) {
-    let sums = a.map(|row| row_times(row, b));
+    let [x, y, z] = a;
     // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp.
-    let (linear, exponent) = block(sums, a_exponent + b_exponent - 30);
+    let (linear, exponent) =
+        rounded(&[row_times(x, b), row_times(y, b), row_times(z, b)], a_exponent + b_exponent - 30);
     (linear, exponent.clamp(-65_536, 65_536))
+}
+
+/// Sums of products as rows of 30 bits and one exponent.
+#[inline(never)] // set-up: small is better
+fn rounded(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
+    let mut linear = [[0; 3]; 3];
+    let exponent = block(sums.as_flattened(), exponent, linear.as_flattened_mut());
+    (linear, exponent)
 }
 
 #[cfg(feature = "defmt")]

@@ -1,6 +1,6 @@
 //! Binary angles and their sine and cosine.
 
-use super::num::mul_high;
+use super::num::{fraction, mul_high};
 use super::NumberError;
 
 /// An angle as a binary fraction of a turn: one turn is 2³², so sums wrap without error.
@@ -36,16 +36,16 @@ impl Angle {
 
     /// `numerator / denominator` of a turn, rounded to the nearest 2⁻³² turn; whole turns fall
     /// away. A denominator of zero counts as no turn.
+    #[inline(never)] // set-up: small is better
     pub const fn turns(numerator: i32, denominator: u32) -> Self {
         if denominator == 0 {
             return Self::ZERO;
         }
-        let d = denominator as i64;
-        let part = (numerator as i64).rem_euclid(d); // 0 ≤ part < d < 2³²
-                                                     // part·2³² needs 64 unsigned bits, and rounding may carry one more: 2³² turns into 0.
-        let scaled = (part as u64) << 32;
-        let (q, r) = (scaled / d as u64, scaled % d as u64);
-        Self((q + (r >= d as u64 - r) as u64) as u32)
+        // 0 ≤ part < denominator; their quotient to 33 bits, the last one for rounding. It may carry: 2³²
+        // turns into 0. No division of 64 bits, which is half a kilobyte of library.
+        let rest = numerator.unsigned_abs() % denominator;
+        let part = if numerator < 0 && rest != 0 { denominator.wrapping_sub(rest) } else { rest };
+        Self(((fraction(part as u64, denominator as u64, 33) + 1) >> 1) as u32)
     }
 
     /// Whole degrees, rounded to the nearest 2⁻³² turn.
@@ -79,7 +79,8 @@ impl Angle {
     /// The nearest of 64 table angles a per quarter turn and the remainder δ, |δ| ≤ π/256, go
     /// through the addition theorems with `sin δ = δ − δ³/6` and `cos δ = 1 − δ²/2 + δ⁴/24`; what
     /// the series leave out is below 2⁻³⁸. (Abramowitz and Stegun, 4.3.16–17, 4.3.65–66.)
-    pub fn sin_cos(self) -> (i32, i32) {
+    #[inline(never)] // set-up: small is better
+    pub const fn sin_cos(self) -> (i32, i32) {
         let within = (self.0 & 0x3fff_ffff) as i32; // the place inside the quarter turn
         let index = (within + (1 << 23)) >> 24; // 0 … 64
         let rest = within - (index << 24); // ±2²³
@@ -126,8 +127,13 @@ impl core::ops::Neg for Angle {
 }
 
 /// sin(index · π/128) in 2⁻³⁰ for 0 … 64.
-fn table(index: i32) -> i32 {
-    SINE.get(index as usize).copied().unwrap_or(1 << 30)
+const fn table(index: i32) -> i32 {
+    let index = index as usize;
+    if index < SINE.len() {
+        SINE[index]
+    } else {
+        1 << 30
+    }
 }
 
 #[rustfmt::skip]

@@ -39,7 +39,7 @@ pub(crate) fn fixed(v: f64, fraction: i32) -> Option<i64> {
 /// A linear form from its four coefficients, all of it times 2^`shift`.
 pub(crate) fn row([x, y, z, constant]: &[f64; 4], shift: i32) -> Option<Row> {
     let (linear, exponent) = aligned([*x, *y, *z])?;
-    Some(Row::new(linear, exponent + shift, fixed(*constant, 32 + shift)?))
+    Some(Row::new(&linear, exponent + shift, fixed(*constant, 32 + shift)?))
 }
 
 /// `m · 2^exponent`: exact for 53 bits, beyond them rounded to nearest; 0 or ±∞ outside f64's

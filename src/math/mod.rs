@@ -10,7 +10,7 @@ mod normal;
 pub(crate) mod num;
 mod point;
 mod quaternion;
-mod row;
+pub(crate) mod row;
 mod sphere;
 pub(crate) mod unit;
 

@@ -1,6 +1,7 @@
 //! Normals under an affine transform.
 
 use super::affine::cofactors;
+use super::num::dot;
 use super::unit::normalise;
 use super::Affine;
 use crate::space::SetUp;
@@ -39,8 +40,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         let (linear, _) = self.linear();
         let (rows, _) = cofactors(linear);
         // The determinant's sign; three products of at most 2⁶⁰.
-        let determinant: i64 = linear[0].iter().zip(rows[0]).map(|(&a, c)| i64::from(a) * i64::from(c)).sum();
-        let rows = if determinant < 0 { rows.map(|row| row.map(|c| -c)) } else { rows };
+        let rows = if dot(&linear[0], &rows[0]) < 0 { rows.map(|row| row.map(|c| -c)) } else { rows };
         NormalMap { rows, ends: PhantomData }
     }
 }
@@ -49,11 +49,9 @@ impl<A, B> NormalMap<A, B> {
     /// The image of a normal of any length in 2⁻¹⁵: a unit normal (32767 stands for 1), each
     /// component within 2⁻¹⁵, or zero where the image has no direction.
     pub fn apply(&self, normal: [i16; 3]) -> [i16; 3] {
-        let image = self.rows.map(|row| {
-            // Three products of at most 2⁴⁵.
-            row.iter().zip(normal).map(|(&m, n)| i64::from(m) * i64::from(n)).sum()
-        });
-        normalise(image).map_or([0; 3], to_short)
+        let ([x, y, z], normal) = (&self.rows, normal.map(i32::from)); // three products of at most 2⁴⁵
+        let image = [dot(x, &normal), dot(y, &normal), dot(z, &normal)];
+        to_short(normalise(&image))
     }
 
     pub(crate) const fn rows(&self) -> &[[i32; 3]; 3] {

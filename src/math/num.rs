@@ -6,23 +6,23 @@
 
 /// `a · b`, exact.
 #[inline(always)]
-pub(crate) fn mul_wide(a: i32, b: i32) -> i64 {
+pub(crate) const fn mul_wide(a: i32, b: i32) -> i64 {
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
     return mul_wide_by_halves(a, b);
     #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-    return i64::from(a) * i64::from(b);
+    return a as i64 * b as i64;
 }
 
 /// `⌊a · b / 2³²⌋`.
 #[inline(always)]
-pub(crate) fn mul_high(a: i32, b: i32) -> i32 {
+pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
     (mul_wide(a, b) >> 32) as i32 // |a·b| ≤ 2⁶²: the high word fits
 }
 
 /// [`mul_wide`] from four 16-bit products, for cores whose multiplier keeps 32 bits.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline]
-fn mul_wide_by_halves(a: i32, b: i32) -> i64 {
+const fn mul_wide_by_halves(a: i32, b: i32) -> i64 {
     let (ah, al) = (a >> 16, a & 0xffff);
     let (bh, bl) = (b >> 16, b & 0xffff);
     // al·bl < 2³²; the cross products lie in ±2³¹ and their high halves are added apart, so that
@@ -32,7 +32,7 @@ fn mul_wide_by_halves(a: i32, b: i32) -> i64 {
     let cross2 = al.wrapping_mul(bh);
     let middle = (low >> 16) + (cross1 as u32 & 0xffff) + (cross2 as u32 & 0xffff);
     let high = ah * bh + (cross1 >> 16) + (cross2 >> 16) + (middle >> 16) as i32;
-    (i64::from(high) << 32) | i64::from((middle << 16) | (low & 0xffff))
+    ((high as i64) << 32) | ((middle << 16) | (low & 0xffff)) as i64
 }
 
 /// `1/m` for the 256 intervals of m ∈ [1, 2), in 2⁻⁹, less the leading 256: the largest
@@ -89,12 +89,21 @@ pub(crate) fn reciprocal(v: i32) -> Reciprocal {
     Reciprocal { mantissa: (r << 22) + ((s * r) >> 8), shift } // |s·r| < 2³¹
 }
 
+/// Stands in a loop that is to stay one: the compiler would copy its body four times and more, which
+/// set-up need not be fast enough for.
+#[inline(always)]
+pub(crate) const fn keep_rolled() {
+    core::hint::black_box(());
+}
+
 /// The integer square root, rounded to nearest.
 ///
 /// Digit by digit: 32 steps, no division. (Warren, Hacker's Delight, 2nd ed., section 11–1.)
-pub(crate) fn sqrt(v: u64) -> u32 {
+#[inline(never)] // set-up: small is better
+pub(crate) const fn sqrt(v: u64) -> u32 {
     let (mut rest, mut root, mut bit) = (v, 0u64, 1u64 << 62);
     while bit != 0 {
+        keep_rolled();
         if rest >= root + bit {
             rest -= root + bit;
             root = (root >> 1) + bit;
@@ -106,26 +115,28 @@ pub(crate) fn sqrt(v: u64) -> u32 {
     // rest = v − root²; root + ½ is passed when rest > root. The root of 2⁶⁴ − 1 would round to
     // 2³², so the last step saturates.
     let root = root as u32; // root < 2³²
-    root.saturating_add(u32::from(rest > u64::from(root)))
+    root.saturating_add((rest > root as u64) as u32)
 }
 
 /// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Wants `n < 2·d`, `0 < d < 2⁶²`
 /// and `bits ≤ 62`; a zero divisor gives all ones.
 #[inline(never)] // set-up: small is better
-pub(crate) fn fraction(n: u64, d: u64, bits: u32) -> u64 {
+pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
     let mut rest = n;
-    let mut quotient = 0;
-    for step in 0..=bits {
-        if step > 0 {
-            rest <<= 1; // rest < d < 2⁶²
-            quotient <<= 1;
-        }
+    let (mut quotient, mut step) = (0, 0);
+    loop {
+        keep_rolled();
         if rest >= d {
             rest = rest.wrapping_sub(d); // no wrap: rest ≥ d
             quotient |= 1;
         }
+        if step >= bits {
+            return quotient;
+        }
+        rest <<= 1; // rest < d < 2⁶²
+        quotient <<= 1;
+        step += 1;
     }
-    quotient
 }
 
 /// `⌊n / d⌋` and the remainder for `n < 2⁶³`, `0 < d < 2³¹`, by long division.
@@ -133,6 +144,7 @@ pub(crate) fn fraction(n: u64, d: u64, bits: u32) -> u64 {
 pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
     let (mut quotient, mut rest) = (0u64, 0u32);
     for bit in (0..63).rev() {
+        keep_rolled();
         rest = (rest << 1) | ((n >> bit) & 1) as u32; // rest < d < 2³¹
         quotient <<= 1;
         if rest >= d {
@@ -145,13 +157,13 @@ pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
 
 /// `v · 2^shift`, saturating to the left, rounded to nearest (ties up) to the right.
 #[inline(never)] // set-up: small is better
-pub(crate) fn scale(v: i64, shift: i32) -> i64 {
+pub(crate) const fn scale(v: i64, shift: i32) -> i64 {
     if shift >= 0 {
         let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63
         match v {
             0 => 0,
             _ if shift < room => v << shift,
-            _ => saturated(v),
+            _ => SATURATED * v.signum(),
         }
     } else if shift > -64 {
         let floor = v >> (-shift - 1); // shifted by 0 … 62
@@ -161,58 +173,96 @@ pub(crate) fn scale(v: i64, shift: i32) -> i64 {
     }
 }
 
-/// The bound at which translations saturate, with the sign of `v`.
-fn saturated(v: i64) -> i64 {
-    if v < 0 {
-        -SATURATED
-    } else {
-        SATURATED
-    }
+/// `a · b`, exact in 64 bits for coefficients of at most 2³⁰: sums of three products, below 2⁶².
+#[inline(never)] // set-up: small is better
+pub(crate) const fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
+    let ([a, b, c], [x, y, z]) = (*a, *b);
+    a as i64 * x as i64 + b as i64 * y as i64 + c as i64 * z as i64
+}
+
+/// The rows as columns.
+pub(crate) const fn transposed([x, y, z]: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
+    [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
 /// Row `v` times matrix `m`, coefficients of at most 2³⁰: sums of three products, below 2⁶².
-pub(crate) fn row_times(v: [i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
-    // Indexed by constants only: not even without inlining is there a bounds check.
-    let ([a, b, c], [x, y, z]) = (v.map(i64::from), m.map(|row| row.map(i64::from)));
-    [a * x[0] + b * y[0] + c * z[0], a * x[1] + b * y[1] + c * z[1], a * x[2] + b * y[2] + c * z[2]]
+#[inline(never)] // set-up: small is better
+pub(crate) const fn row_times(v: &[i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
+    let ([a, b, c], [x, y, z]) = (*v, m);
+    let (a, b, c) = (a as i64, b as i64, c as i64);
+    [
+        a * x[0] as i64 + b * y[0] as i64 + c * z[0] as i64,
+        a * x[1] as i64 + b * y[1] as i64 + c * z[1] as i64,
+        a * x[2] as i64 + b * y[2] as i64 + c * z[2] as i64,
+    ]
 }
 
 /// Translations stay within ±2⁶² (2³⁰ world units in 2⁻³²), so that two of them can be added.
 pub(crate) const SATURATED: i64 = 1 << 62;
 
 /// `a + b` for translations, saturating at ±2⁶².
-pub(crate) fn add(a: i64, b: i64) -> i64 {
-    a.saturating_add(b).clamp(-SATURATED, SATURATED)
+#[inline(never)] // set-up: small is better
+pub(crate) const fn add(a: i64, b: i64) -> i64 {
+    match a.saturating_add(b) {
+        sum if sum > SATURATED => SATURATED,
+        sum if sum < -SATURATED => -SATURATED,
+        sum => sum,
+    }
 }
 
 /// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶². Wants |m| ≤ 2³⁰ and |t| ≤ 2⁶².
 #[inline(never)] // set-up: small is better
-pub(crate) fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
-    let m = i64::from(m);
-    // t = high·2³² + low: m·high ≤ 2⁶⁰, m·low < 2⁶², so the 96-bit product is high_product·2³² + low word.
+pub(crate) const fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
+    let m = m as i64;
+    // t = high·2³² + low: m·high ≤ 2⁶⁰, m·low < 2⁶², so the 96-bit product is high·2³² + low word.
     let low = m * (t & 0xffff_ffff);
     let high = m * (t >> 32) + (low >> 32);
-    let low = low & 0xffff_ffff;
-    let right = -exponent;
-    if right >= 32 {
-        // The low word only matters to the rounding bit, and only when the shift is exactly 32.
-        if right == 32 {
-            add(high, low >> 31)
-        } else {
-            scale(high, 32 - right).clamp(-SATURATED, SATURATED)
-        }
+    // Shifted right by 32 or more, the high word rounds by itself; the low one has the rounding bit where
+    // the shift is exactly 32, and is nothing beyond.
+    let high = add(scale(high, exponent + 32), 0);
+    if high.unsigned_abs() == SATURATED as u64 {
+        return high;
+    }
+    add(high, scale(low & 0xffff_ffff, exponent))
+}
+
+/// The bits that any of the numbers has: as many as the largest.
+#[inline(never)] // set-up: small is better
+pub(crate) const fn bits_of(mut numbers: &[i64]) -> u64 {
+    let mut bits = 0;
+    while let Some((number, left)) = numbers.split_first() {
+        keep_rolled();
+        bits |= number.unsigned_abs();
+        numbers = left;
+    }
+    bits
+}
+
+/// The same for coefficients.
+#[inline(never)] // set-up: small is better
+pub(crate) fn magnitude(linear: &[i32]) -> u32 {
+    linear.iter().fold(0, |bits, m| {
+        keep_rolled();
+        bits | m.unsigned_abs()
+    })
+}
+
+/// The larger one: `Ord` is not for constants.
+pub(crate) const fn max(a: i32, b: i32) -> i32 {
+    if a > b {
+        a
     } else {
-        let left = 32 - right; // ≥ 1
-        let high = scale(high, left).clamp(-SATURATED, SATURATED);
-        if high.abs() == SATURATED {
-            return high;
-        }
-        add(high, scale(low, -right))
+        b
     }
 }
 
+/// The smaller one.
+pub(crate) const fn min(a: i32, b: i32) -> i32 {
+    -max(-a, -b)
+}
+
 /// How far to shift `v` right so that it keeps at most `bits` bits: negative to the left.
-pub(crate) fn excess(v: u64, bits: i32) -> i32 {
+pub(crate) const fn excess(v: u64, bits: i32) -> i32 {
     64 - v.leading_zeros() as i32 - bits
 }
 

@@ -1,6 +1,7 @@
 //! Unit quaternions, as orientation filters deliver them.
 
-use super::num::{excess, fraction, scale, sqrt};
+use super::num::{excess, scale, sqrt};
+use super::unit::part;
 use super::{NumberError, Scalar};
 
 /// A rotation as a unit quaternion `w + x·i + y·j + z·k`; its parts are kept in 2⁻³⁰.
@@ -57,16 +58,8 @@ impl Quaternion {
         // To 30 bits, so that four squares stay below 2⁶³.
         let parts = parts.map(|c| scale(c, -excess(largest, 30)));
         let square = parts.iter().map(|c| c.unsigned_abs().pow(2)).sum();
-        let length = u64::from(sqrt(square)); // 2²⁹ … 2³¹
-        Ok(Self(parts.map(|c| {
-            let q = (fraction(c.unsigned_abs(), length, 31) + 1) >> 1;
-            let q = q.min(1 << 30) as i32;
-            if c < 0 {
-                -q
-            } else {
-                q
-            }
-        })))
+        let length = sqrt(square); // 2²⁹ … 2³¹
+        Ok(Self(parts.map(|c| part(c as i32, length)))) // 30 bits, or 2³⁰
     }
 
     /// w, x, y, z in 2⁻³⁰.

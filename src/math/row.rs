@@ -1,6 +1,7 @@
 //! A linear form over a space: the stuff of matrices.
 
-use super::num::{add, excess, mul_translation, row_times, scale};
+use super::num::{add, bits_of, excess, keep_rolled, magnitude, mul_translation, row_times, scale};
+use core::hint::black_box;
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
 /// constant in 2⁻³² that keeps what a coefficient's rounding would lose far from the origin.
@@ -14,58 +15,81 @@ pub(crate) struct Row {
     pub(crate) offset: i64,
 }
 
-/// Brings sums of products to 30 bits and one exponent: rounded to nearest, so each coefficient
-/// is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
-#[inline(never)] // set-up: small is better
-pub(crate) fn block<const N: usize>(sums: [[i64; 3]; N], exponent: i32) -> ([[i32; 3]; N], i32) {
-    let largest = sums.iter().flatten().map(|c| c.unsigned_abs()).max().unwrap_or(0);
-    if largest == 0 {
-        return ([[0; 3]; N], 0);
+/// Brings sums of products to 30 bits and one exponent, which it returns: rounded to nearest, so each
+/// coefficient is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
+#[inline(never)] // set-up: small is better, and so are slices: their loops stay loops
+pub(crate) const fn block(mut sums: &[i64], exponent: i32, mut linear: &mut [i32]) -> i32 {
+    let bits = bits_of(sums);
+    let shift = excess(bits, 30);
+    while let (Some((sum, sums_left)), Some((m, linear_left))) =
+        (sums.split_first(), linear.split_first_mut())
+    {
+        keep_rolled();
+        *m = scale(*sum, -shift) as i32; // 30 bits, or 2³⁰ itself when rounding carries
+        (sums, linear) = (sums_left, linear_left);
     }
-    let shift = excess(largest, 30);
-    // 30 bits, or 2³⁰ itself when rounding carries.
-    (sums.map(|row| row.map(|c| scale(c, -shift) as i32)), exponent + shift)
+    match bits {
+        0 => 0,
+        _ => exponent + shift,
+    }
+}
+
+/// Three forms whose coefficients share an exponent: coordinates of another space.
+pub(crate) struct Rows {
+    /// Each at most 2³⁰ in absolute value.
+    pub(crate) linear: [[i32; 3]; 3],
+    /// Of the block.
+    pub(crate) exponent: i32,
+    /// In 2⁻³², at most 2⁶² in absolute value.
+    pub(crate) offset: [i64; 3],
+}
+
+/// All three of them on a vector in 2⁻³²: in 2⁻³², saturating.
+#[inline(never)] // set-up: small is better
+pub(crate) fn forms(linear: &[[i32; 3]; 3], exponent: i32, p: &[i64; 3], offset: &[i64; 3]) -> [i64; 3] {
+    let ([x, y, z], [a, b, c]) = (linear, *offset);
+    [form(x, exponent, p, a), form(y, exponent, p, b), form(z, exponent, p, c)]
+}
+
+/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating.
+#[inline(never)] // set-up: small is better
+pub(crate) fn form(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
+    // Of a length that the compiler does not see, or the loop becomes three copies of itself.
+    let linear: &[i32] = black_box(linear);
+    linear.iter().zip(p).fold(offset, |sum, (m, c)| add(sum, mul_translation(*m, exponent - 30, *c)))
 }
 
 impl Row {
     pub(crate) const ZERO: Self = Self { linear: [0; 3], exponent: 0, offset: 0 };
 
     /// From coefficients `linear · 2^exponent`, each below 2⁶², and an offset in 2⁻³².
-    pub(crate) fn new(linear: [i64; 3], exponent: i32, offset: i64) -> Self {
-        let ([linear], exponent) = block([linear], exponent + 30);
-        Self { linear, exponent, offset }
+    pub(crate) const fn new(linear: &[i64; 3], exponent: i32, offset: i64) -> Self {
+        let mut row = Self { offset, ..Self::ZERO };
+        row.exponent = block(linear, exponent + 30, &mut row.linear);
+        row
     }
 
     /// By how many bits the form, or a part of it, may pass 2⁶¹ (half of what saturates) over vectors
     /// of up to `reach` bits.
+    #[inline(never)] // set-up: small is better
     pub(crate) fn overflow(&self, reach: i32) -> i32 {
-        let bits = |v: u64| 64 - v.leading_zeros() as i32;
-        let largest = self.linear.iter().map(|c| u64::from(c.unsigned_abs())).max().unwrap_or(0);
+        let bits = magnitude(&self.linear);
         // Three products.
-        let linear = if largest == 0 { 0 } else { bits(largest) + self.exponent - 30 + reach + 2 };
-        linear.max(bits(self.offset.unsigned_abs())) + 1 - 61
-    }
-
-    /// All of it times 2^−`shift`.
-    pub(crate) fn shifted(&self, shift: i32) -> Self {
-        Self { linear: self.linear, exponent: self.exponent - shift, offset: scale(self.offset, -shift) }
+        let linear = if bits == 0 { 0 } else { excess(bits.into(), 28) + self.exponent + reach };
+        linear.max(excess(self.offset.unsigned_abs(), 0)) - 60
     }
 
     /// The form on a vector in 2⁻³²: in 2⁻³², saturating.
-    #[inline(never)] // set-up: small is better
-    pub(crate) fn apply(&self, p: [i64; 3]) -> i64 {
-        self.linear
-            .iter()
-            .zip(p)
-            .fold(self.offset, |sum, (&m, c)| add(sum, mul_translation(m, self.exponent - 30, c)))
+    pub(crate) fn apply(&self, p: &[i64; 3]) -> i64 {
+        form(&self.linear, self.exponent, p, self.offset)
     }
 
-    /// This form over the coordinates that `rows` computes: their coefficients share an exponent.
+    /// This form over what `inner` starts from. All of it is first taken times 2^−`shift`.
     #[inline(never)] // set-up: small is better
-    pub(crate) fn of(&self, linear: &[[i32; 3]; 3], exponent: i32, offset: [i64; 3]) -> Self {
-        let sums = row_times(self.linear, linear);
-        let ([linear], exponent) = block([sums], self.exponent + exponent - 30);
-        Self { linear, exponent, offset: self.apply(offset) }
+    pub(crate) fn of(&self, inner: &Rows, shift: i32) -> Self {
+        let own = self.exponent - shift;
+        let offset = form(&self.linear, own, &inner.offset, scale(self.offset, -shift));
+        Self::new(&row_times(&self.linear, &inner.linear), own + inner.exponent - 60, offset)
     }
 
     /// `self · a + other · b` for factors of 30 bits and an exponent each.
@@ -84,6 +108,6 @@ impl Row {
         let (a_sums, b_sums) = (at(a_sums, a_exponent), at(b_sums, b_exponent));
         let sum = |i: usize| a_sums[i] + b_sums[i];
         let offset = |row: &Self, (m, e): (i64, i32)| mul_translation(m as i32, e, row.offset); // |m| ≤ 2³⁰
-        Self::new([sum(0), sum(1), sum(2)], exponent, add(offset(self, a), offset(other, b)))
+        Self::new(&[sum(0), sum(1), sum(2)], exponent, add(offset(self, a), offset(other, b)))
     }
 }

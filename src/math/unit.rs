@@ -1,55 +1,73 @@
 //! Directions of length one, by block scaling: right for tiny and huge vectors alike.
 
-use super::num::{excess, fraction, scale, sqrt};
+use super::num::{bits_of, excess, fraction, scale, sqrt};
 
-/// Scales the three numbers by one power of two so that the largest has 31 bits. `None` for zero.
-fn block(v: [i64; 3]) -> Option<[i64; 3]> {
-    let largest = v[0].unsigned_abs().max(v[1].unsigned_abs()).max(v[2].unsigned_abs());
-    if largest == 0 {
-        return None;
-    }
-    // Rounding may carry to 2³¹ exactly, which the users below allow for.
-    let shift = -excess(largest, 31);
-    Some(v.map(|c| scale(c, shift)))
+/// Scales the three numbers by one power of two so that the largest has 31 bits: rounded to nearest, but
+/// never beyond `i32`. Zero stays zero.
+#[inline(never)] // set-up: small is better
+const fn block(v: &[i64; 3]) -> [i32; 3] {
+    let shift = -excess(bits_of(v), 31); // 0 may be shifted by any number
+    let [x, y, z] = *v;
+    [narrow(scale(x, shift)), narrow(scale(y, shift)), narrow(scale(z, shift))]
+}
+
+/// ±2³¹ at most.
+const fn narrow(v: i64) -> i32 {
+    (v - (v == 1 << 31) as i64) as i32
 }
 
 /// `v / |v|` in 2⁻³⁰, each component within 1.5·2⁻³⁰: ½ for each of its own block scaling, the
-/// rounding of the length, and that of the quotient. `None` for the zero vector.
-/// Wants |v| components below 2⁶².
-pub(crate) fn normalise(v: [i64; 3]) -> Option<[i32; 3]> {
-    let v = block(v)?;
-    let square = v.iter().map(|c| c.unsigned_abs().pow(2)).sum(); // ≤ 3·2⁶²
-    let length = u64::from(sqrt(square)); // 2³⁰ … 2³¹·⁸
-    Some(v.map(|c| {
-        // |c| ≤ length up to rounding, so 31 bits and a rounding bit: ≤ 2³¹ before, ≤ 2³⁰ after.
-        let q = (fraction(c.unsigned_abs(), length, 31) + 1) >> 1;
-        let q = q.min(1 << 30) as i32;
-        if c < 0 {
-            -q
-        } else {
-            q
-        }
-    }))
+/// rounding of the length, and that of the quotient. Zero for the zero vector.
+#[inline(never)] // set-up: small is better
+pub(crate) const fn normalise(v: &[i64; 3]) -> [i32; 3] {
+    let v = block(v);
+    let [x, y, z] = v;
+    let square = (x as i64 * x as i64) as u64 + (y as i64 * y as i64) as u64 + (z as i64 * z as i64) as u64;
+    let length = sqrt(square); // of ≤ 3·2⁶²: 2³⁰ … 2³¹·⁸, or 0
+    [part(x, length), part(y, length), part(z, length)]
+}
+
+/// Whether that was the zero vector.
+pub(crate) const fn is_zero(unit: &[i32; 3]) -> bool {
+    unit[0] | unit[1] | unit[2] == 0
+}
+
+/// `c / length` in 2⁻³⁰, rounded to nearest: |c| ≤ length up to rounding, so 31 bits and a rounding bit,
+/// ≤ 2³¹ before, ≤ 2³⁰ after. No length gives 0.
+#[inline(never)] // set-up: small is better
+pub(crate) const fn part(c: i32, length: u32) -> i32 {
+    if length == 0 {
+        return 0;
+    }
+    let q = (fraction(c.unsigned_abs() as u64, length as u64, 31) + 1) >> 1;
+    let q = if q > 1 << 30 { 1 << 30 } else { q as i32 };
+    if c < 0 {
+        -q
+    } else {
+        q
+    }
 }
 
 /// `a × b` up to a positive factor, from block-scaled factors: exact for components of 31 bits.
 /// Zero where either is zero.
-pub(crate) fn cross(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
-    let (Some(a), Some(b)) = (block(a), block(b)) else {
-        return [0; 3];
-    };
-    // Products ≤ 2⁶², so a difference could reach 2⁶³: halved, it stays below 2⁶².
-    let halved = |i: usize, j: usize| a[i] * b[j] / 2 - a[j] * b[i] / 2;
-    [halved(1, 2), halved(2, 0), halved(0, 1)]
+pub(crate) const fn cross(a: &[i64; 3], b: &[i64; 3]) -> [i64; 3] {
+    cross_exact(&block(a), &block(b))
 }
 
-/// `⌈·⌋` of `a × b` for unit vectors in 2⁻³⁰, again in 2⁻³⁰: rounded to nearest.
-pub(crate) fn cross_units(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
-    let part = |i: usize, j: usize| {
-        let p = i64::from(a[i]) * i64::from(b[j]) - i64::from(a[j]) * i64::from(b[i]); // ≤ 2⁶¹
-        scale(p, -30) as i32 // units: at most 2³⁰
-    };
-    [part(1, 2), part(2, 0), part(0, 1)]
+/// `a × b` for unit vectors in 2⁻³⁰, again in 2⁻³⁰: rounded to nearest.
+#[inline(never)] // set-up: small is better
+pub(crate) const fn cross_units(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
+    let [x, y, z] = cross_exact(a, b); // units: ≤ 2⁶¹ before, at most 2³⁰ after
+    [scale(x, -30) as i32, scale(y, -30) as i32, scale(z, -30) as i32]
+}
+
+/// `a × b`: below 2⁶² for coefficients of at most 2³⁰, below 2⁶³ where no two are −2³¹ and 2³¹.
+#[inline(never)] // set-up: small is better
+pub(crate) const fn cross_exact([a, b, c]: &[i32; 3], [x, y, z]: &[i32; 3]) -> [i64; 3] {
+    const fn difference(a: i32, b: i32, c: i32, d: i32) -> i64 {
+        a as i64 * b as i64 - c as i64 * d as i64
+    }
+    [difference(*b, *z, *c, *y), difference(*c, *x, *a, *z), difference(*a, *y, *b, *x)]
 }
 
 #[cfg(test)]
@@ -59,13 +77,13 @@ mod tests {
     #[test]
     fn e4_tiny_and_huge_vectors_have_length_one() {
         for v in [[1, 0, 0], [0, -1, 1], [1, 2, -2], [1 << 40, 1, -(1 << 39)], [i64::MAX / 4; 3]] {
-            let unit = normalise(v).unwrap();
+            let unit = normalise(&v);
             let length = v.iter().map(|&c| (c as f64).powi(2)).sum::<f64>().sqrt();
             for (u, c) in unit.iter().zip(v) {
                 assert!((f64::from(*u) - c as f64 / length * 1_073_741_824.0).abs() <= 1.0, "{v:?}");
             }
         }
-        assert_eq!(normalise([0; 3]), None);
-        assert_eq!(normalise([0, 0, -7]), Some([0, 0, -(1 << 30)]));
+        assert!(is_zero(&normalise(&[0; 3])));
+        assert_eq!(normalise(&[0, 0, -7]), [0, 0, -(1 << 30)]);
     }
 }

@@ -1,8 +1,8 @@
 //! Ambient and Lambert light, per face or per vertex.
 
-use crate::math::num::{row_times, scale};
-use crate::math::unit::normalise;
-use crate::math::{to_short, Affine, NormalMap, Vector3};
+use crate::math::num::{row_times, transposed};
+use crate::math::unit::{is_zero, normalise};
+use crate::math::{product, to_short, Affine, NormalMap, Vector3};
 use crate::space::{Model, World};
 
 /// One directional light and an ambient part, made ready for one object.
@@ -59,10 +59,13 @@ impl Lambert {
         towards_light: Vector3<World>,
         ambient: u16,
     ) -> Result<Self, LightError> {
-        let light = normalise(towards_light.bits().map(i64::from)).ok_or(LightError::ZeroDirection)?;
+        let light = normalise(&towards_light.bits().map(i64::from));
+        if is_zero(&light) {
+            return Err(LightError::ZeroDirection);
+        }
         let normals = model.normals();
         // n·(Cᵀ·l) = (C·n)·l.
-        let in_model = normalise(row_times(light, normals.rows())).unwrap_or([0; 3]);
+        let in_model = normalise(&row_times(&light, normals.rows()));
         let even = keeps_angles(normals.rows());
         Ok(Self {
             towards: to_short(if even { in_model } else { light }),
@@ -109,16 +112,9 @@ impl Lambert {
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
 /// of light.
 fn keeps_angles(m: &[[i32; 3]; 3]) -> bool {
-    let gram = |a: &[i32; 3], b: &[i32; 3]| -> i64 {
-        a.iter().zip(b).map(|(&a, &b)| scale(i64::from(a) * i64::from(b), -2)).sum()
-        // ≤ 3·2⁵⁸
-    };
-    let [x, y, z] = m;
-    let length = gram(x, x);
-    let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
-    near(gram(y, y), length)
-        && near(gram(z, z), length)
-        && near(gram(x, y), 0)
-        && near(gram(x, z), 0)
-        && near(gram(y, z), 0)
+    // Their products with each other; all of one exponent.
+    let ([x, y, z], _) = product(m, 0, &transposed(m), 0);
+    let length = x[0];
+    let near = |value: i32, wanted: i32| (value - wanted).abs() <= length >> 10; // 2³⁰ at most, both
+    near(y[1], length) && near(z[2], length) && near(x[1], 0) && near(x[2], 0) && near(y[2], 0)
 }

@@ -114,7 +114,7 @@ impl Projection {
     /// units of the matrix).
     pub fn apply(&self, p: Point3<View>) -> ClipPoint {
         let p = p.bits().map(|c| i64::from(c) << 16);
-        let [x, y, d, w] = self.rows.map(|row| row.apply(p));
+        let [x, y, d, w] = self.rows.map(|row| row.apply(&p));
         // z = 2d − w, all four quartered so that nothing passes 2⁶².
         ClipPoint::new([x >> 2, y >> 2, (d >> 1) - (w >> 2), w >> 2], 2 - 32)
     }

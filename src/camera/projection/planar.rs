@@ -156,7 +156,7 @@ impl PlanarProjection {
     /// the arithmetic of the matrix.
     pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {
         let p = p.bits().map(|c| i64::from(c) << 16);
-        let [x, y, z, w] = self.rows.map(|row| row.apply(p));
+        let [x, y, z, w] = self.rows.map(|row| row.apply(&p));
         if w == 0 {
             return None;
         }
@@ -170,7 +170,7 @@ impl PlanarProjection {
     /// The homogeneous image (x, y, z, w) before the division, each rounded and saturated.
     pub fn homogeneous(&self, p: Point3<View>) -> [Scalar; 4] {
         let p = p.bits().map(|c| i64::from(c) << 16);
-        self.rows.map(|row| Scalar::from_bits(to_scalar(row.apply(p))))
+        self.rows.map(|row| Scalar::from_bits(to_scalar(row.apply(&p))))
     }
 }
 
@@ -221,7 +221,7 @@ impl Projection {
         let x = form(x, window.left, window.right)?;
         let y = form(y, window.bottom, window.top)?;
         let depth = extent(near, far).ok_or(ProjectionError::NearNotBeforeFar)?;
-        let w_at = |distance: Scalar| w.apply([0, 0, -(i64::from(distance.to_bits()) << 16)]);
+        let w_at = |distance: Scalar| w.apply(&[0, 0, -(i64::from(distance.to_bits()) << 16)]);
         if w_at(near) <= 0 || w_at(far) <= 0 {
             return Err(ProjectionError::NearNotPositive);
         }

@@ -114,7 +114,7 @@ impl ReferenceVolume {
             Kind::Perspective { to_back, .. } => ratio(1 << 16, to_back),
         };
         Point3::from_bits(self.rows.map(|row| {
-            let v = row.apply(p);
+            let v = row.apply(&p);
             to_scalar(mul_translation(shrink.0 as i32, shrink.1, v)) // |m| ≤ 2³⁰
         }))
     }

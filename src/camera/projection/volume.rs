@@ -38,14 +38,15 @@ impl Projection {
     /// [`NearNotPositive`](ProjectionError::NearNotPositive),
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
     /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
-    pub fn perspective(
+    #[inline(never)] // set-up: small is better
+    pub const fn perspective(
         fov_y: Angle,
         aspect: Size,
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, ProjectionError> {
         const LEAST: u32 = 1 << 20; // 1/4096 turn
-        if !(LEAST..=(1 << 31) - LEAST).contains(&fov_y.bits()) {
+        if fov_y.bits() < LEAST || fov_y.bits() > (1 << 31) - LEAST {
             return Err(ProjectionError::FieldOfView);
         }
         if aspect.width == 0 || aspect.height == 0 {
@@ -53,11 +54,9 @@ impl Projection {
         }
         let (sine, cosine) = Angle::from_bits(fov_y.bits() / 2).sin_cos();
         // Half angles of 1/8192 … 2047/8192 turn: both positive, 30 bits; times 32-bit sides.
-        let (sine, cosine) = (i64::from(sine), i64::from(cosine));
-        let across =
-            ratio(cosine * i64::from(aspect.height), (sine * i64::from(aspect.width)).unsigned_abs());
-        let up = ratio(cosine, sine.unsigned_abs());
-        Self::by_distance(row(0, across, 0), row(1, up, 0), near, far)
+        let across = ratio(cosine as i64 * aspect.height as i64, sine as u64 * aspect.width as u64);
+        let up = ratio(cosine as i64, sine as u64);
+        Self::by_distance(&row(0, across, 0), &row(1, up, 0), near, far)
     }
 
     /// A frustum by the window that it cuts out of the near plane; it may lie off the axis.
@@ -78,43 +77,42 @@ impl Projection {
     /// [`ProjectionError::EmptyWindow`], [`NearNotPositive`](ProjectionError::NearNotPositive),
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
     /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
-    pub fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
-        let form = |axis: usize, low: Scalar, high: Scalar| {
-            let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
-            let (low, high) = (i64::from(low.to_bits()), i64::from(high.to_bits()));
-            // Both coefficients over one denominator: the numerators, 33 bits, are exact.
-            let (numerator, shear) = (2 * i64::from(near.to_bits()), high + low);
-            let (_, e) = ratio(numerator.abs().max(shear.abs()).max(1), extent);
-            // Both in the larger one's unit.
-            let small = |n: i64| {
-                let (m, own) = ratio(n, extent);
-                scale(m, own - e)
-            };
-            let mut linear = [0, 0, small(shear)];
-            if let Some(focal) = linear.get_mut(axis) {
-                *focal = small(numerator);
-            }
-            Ok(Row::new(linear, e, 0))
+    pub const fn frustum(window: Window, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
+        let Window { left, right, bottom, top } = window;
+        let (Some(x), Some(y)) = (Self::shear(0, left, right, near), Self::shear(1, bottom, top, near))
+        else {
+            return Err(ProjectionError::EmptyWindow);
         };
-        let x = form(0, window.left, window.right)?;
-        let y = form(1, window.bottom, window.top)?;
-        Self::by_distance(x, y, near, far)
+        Self::by_distance(&x, &y, near, far)
+    }
+
+    /// The row x or y of a frustum: `(2n·x + (high + low)·z)/(high − low)`.
+    const fn shear(axis: usize, low: Scalar, high: Scalar, near: Scalar) -> Option<Row> {
+        let Some(extent) = extent(low, high) else { return None };
+        // Both coefficients over one denominator: the numerators, 33 bits, are exact.
+        let (focal, shear) = (2 * near.to_bits() as i64, high.to_bits() as i64 + low.to_bits() as i64);
+        let ((focal, e), (shear, own)) = (ratio(focal, extent), ratio(shear, extent));
+        // Both in the larger one's unit; a zero has none.
+        let unit = if focal == 0 || (shear != 0 && own > e) { own } else { e };
+        let (focal, shear) = (scale(focal, e - unit), scale(shear, own - unit));
+        let linear = if axis == 0 { [focal, 0, shear] } else { [0, focal, shear] };
+        Some(Row::new(&linear, unit, 0))
     }
 
     /// The rows d and w of a frustum: `d = (f·(−z) − f·n)/(f − n)`, `w = −z`.
-    fn by_distance(x: Row, y: Row, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
-        if near <= Scalar::ZERO {
+    #[inline(never)] // set-up: small is better
+    const fn by_distance(x: &Row, y: &Row, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
+        if near.to_bits() <= 0 {
             return Err(ProjectionError::NearNotPositive);
         }
-        let depth = extent(near, far).ok_or(ProjectionError::NearNotBeforeFar)?;
-        let (n, f) = (i64::from(near.to_bits()), i64::from(far.to_bits()));
-        let at_eye = match offset(-n * f, depth << 16) {
-            Some(value) => value,
-            None => return Err(ProjectionError::NearTooCloseToFar),
+        let Some(depth) = extent(near, far) else { return Err(ProjectionError::NearNotBeforeFar) };
+        let (n, f) = (near.to_bits() as i64, far.to_bits() as i64);
+        let Some(at_eye) = offset(-n * f, depth << 16) else {
+            return Err(ProjectionError::NearTooCloseToFar);
         };
         let d = row(2, ratio(-f, depth), at_eye);
         let w = row(2, (-1, 0), 0);
-        Ok(Self { rows: [x, y, d, w] })
+        Ok(Self { rows: [*x, *y, d, w] })
     }
 
     /// A box in view space, seen along −z: no size change with distance. `near` and `far` are
@@ -136,19 +134,26 @@ impl Projection {
     /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
     /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
-    pub fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
-        let form = |axis: usize, low: Scalar, high: Scalar| {
-            let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
-            let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
-            let centre = offset(-sum, extent).ok_or(ProjectionError::WindowTooSmall)?;
-            Ok(row(axis, ratio(2 << 16, extent), centre))
+    pub const fn orthographic(window: Window, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
+        let Window { left, right, bottom, top } = window;
+        let (x, y) = match (Self::centred(0, left, right), Self::centred(1, bottom, top)) {
+            (Ok(x), Ok(y)) => (x, y),
+            (Err(error), _) | (_, Err(error)) => return Err(error),
         };
-        let x = form(0, window.left, window.right)?;
-        let y = form(1, window.bottom, window.top)?;
-        let depth = extent(near, far).ok_or(ProjectionError::NearNotBeforeFar)?;
-        let at_eye = offset(-i64::from(near.to_bits()), depth);
-        let d = row(2, ratio(-1 << 16, depth), at_eye.ok_or(ProjectionError::NearTooCloseToFar)?);
+        let Some(depth) = extent(near, far) else { return Err(ProjectionError::NearNotBeforeFar) };
+        let Some(at_eye) = offset(-(near.to_bits() as i64), depth) else {
+            return Err(ProjectionError::NearTooCloseToFar);
+        };
+        let d = row(2, ratio(-1 << 16, depth), at_eye);
         let w = Row { offset: 1 << 32, ..Row::ZERO };
         Ok(Self { rows: [x, y, d, w] })
+    }
+
+    /// The row x or y of a box: `(2·x − (high + low))/(high − low)`.
+    const fn centred(axis: usize, low: Scalar, high: Scalar) -> Result<Row, ProjectionError> {
+        let Some(extent) = extent(low, high) else { return Err(ProjectionError::EmptyWindow) };
+        let sum = low.to_bits() as i64 + high.to_bits() as i64;
+        let Some(centre) = offset(-sum, extent) else { return Err(ProjectionError::WindowTooSmall) };
+        Ok(row(axis, ratio(2 << 16, extent), centre))
     }
 }

@@ -1,7 +1,7 @@
 //! The emulated board: a clock that counts instructions, and the end of the program. On the host the clock stands still.
 
 #[cfg(target_os = "none")]
-pub use emulated::{end, Clock};
+pub use emulated::{end, end_with_stack, Clock};
 #[cfg(not(target_os = "none"))]
 pub use host::{end, Clock};
 #[cfg(target_os = "none")]
@@ -12,6 +12,7 @@ pub use std::println;
 #[cfg(target_os = "none")]
 mod emulated {
     use cortex_m::peripheral::{syst::SystClkSource, SYST};
+    use semihosting::sys::arm_compat::sys_writec;
 
     /// SysTick, 25 MHz. Under `-icount shift=6` an instruction takes 64 ns, so 5/8 instructions pass in a tick.
     pub struct Clock {
@@ -55,6 +56,18 @@ mod emulated {
     /// The emulator's exit code is that of the program.
     pub fn end(well: bool) -> ! {
         semihosting::process::exit(i32::from(!well))
+    }
+
+    /// Prints how deep the stack was since it was painted, in eight hexadecimal digits, and ends. Without the
+    /// library's formatting: it would be in every image, and hide what one of them takes of it.
+    #[inline(never)]
+    pub fn end_with_stack(well: bool) -> ! {
+        let deepest = crate::stack::deepest() as u32;
+        for shift in (0..8).rev() {
+            sys_writec(b"0123456789abcdef"[(deepest >> (4 * shift) & 15) as usize]);
+        }
+        sys_writec(b'\n');
+        end(well)
     }
 
     #[panic_handler]

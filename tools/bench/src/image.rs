@@ -1,23 +1,71 @@
 //! What the images share whose size in flash is measured. Each is a firmware of its own, and all of them hold the cube.
 
+use crate::scene::{lit, CUBE, SIZE};
 use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{OriginDimensions, Size};
+use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Camera, Lambert, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+};
 
 /// The cube's vertices, and its faces or edges with a word of bits.
 pub const CORNERS: usize = 8;
 pub const RECORDS: usize = 12 + 1;
+
+/// Rows of a band.
+pub const ROWS: u32 = 8;
+
+/// Before the cube, and a constant, as that of a firmware whose camera stands still.
+const CAMERA: Camera = {
+    let (eye, origin, up) =
+        (Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    let Ok(viewing) = Viewing::look_at(eye, origin, up) else { panic!("the direction") };
+    let size = Size::new(SIZE, SIZE);
+    let Ok(viewport) = Viewport::new(Point::zero(), size) else { panic!("the size") };
+    let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(20));
+    let Ok(lens) = Projection::perspective(Angle::degrees(60), size, near, far) else { panic!("the lens") };
+    Camera::new(&viewing, &lens, &viewport)
+};
+
+/// The cube on a turntable.
+pub struct Turntable {
+    model: Affine<Model, World>,
+}
+
+impl Turntable {
+    /// Turned by an angle that the compiler does not know.
+    pub fn new() -> Self {
+        Self { model: Affine::rotation_y(Angle::from_bits(black_box(1 << 29))) }
+    }
+
+    /// Of the camera the compiler does not see that there is but one.
+    #[inline(always)]
+    pub fn place(&self) -> Placed<'static> {
+        black_box(&CAMERA).place(&black_box(&CUBE).mesh, &self.model)
+    }
+
+    pub fn light(&self) -> Option<Lambert> {
+        lit(&self.model)
+    }
+}
+
+impl Default for Turntable {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 
 /// A display that costs next to nothing: a driver's code is not the library's.
 pub struct Sink;
 
 impl OriginDimensions for Sink {
     fn size(&self) -> Size {
-        black_box(Size::new(crate::scene::SIZE, crate::scene::SIZE))
+        black_box(Size::new(SIZE, SIZE))
     }
 }
 

@@ -28,7 +28,9 @@ macro_rules! firmware {
                 #[allow(non_upper_case_globals)] // the name is the argument's
                 static mut $name: $type = $start;
             )*
-            $crate::board::end(run($($name),*).is_some())
+            $crate::stack::paint();
+            let good = run($($name),*).is_some();
+            $crate::board::end_with_stack(good)
         }
 
         #[cfg(not(target_os = "none"))]

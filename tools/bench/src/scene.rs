@@ -93,29 +93,37 @@ impl Scene {
 
     /// Set up before the frame too, where there is light.
     pub fn light(&self) -> Option<Lambert> {
-        Lambert::new(&self.model, vector(black_box(LIGHT)), AMBIENT).ok()
+        lit(&self.model)
     }
-
     /// Lambert-flat.
     #[inline(always)]
     pub fn shade<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
-        |face| match self.mesh.normals().get(face) {
-            Some(&normal) => FACE.dim(light.level(normal)),
-            None => FACE,
-        }
+        flat(&self.mesh, light)
     }
 }
 
-impl Scene {
-    /// Each corner in a light of its own: what the light's level is for its place, as if that were a normal.
-    pub fn smooth<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Gouraud + 's {
-        |face| {
-            let corners = self.mesh.faces().get(face).copied().unwrap_or_default();
-            let place =
-                |vertex: u16| self.mesh.vertices().get(usize::from(vertex)).copied().unwrap_or_default();
-            Gouraud::lit(Rgb888::WHITE, corners.map(|vertex| light.level(place(vertex))))
-        }
+/// Each face in the light that its normal has.
+#[inline(always)]
+pub fn flat<'s>(mesh: &'s Mesh<'static>, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
+    |face| match mesh.normals().get(face) {
+        Some(&normal) => FACE.dim(light.level(normal)),
+        None => FACE,
     }
+}
+
+/// Each corner in a light of its own: what the light's level is for its place, as if that were a normal.
+#[inline(always)]
+pub fn smooth<'s>(mesh: &'s Mesh<'static>, light: &'s Lambert) -> impl Fn(usize) -> Gouraud + 's {
+    |face| {
+        let corners = mesh.faces().get(face).copied().unwrap_or_default();
+        let place = |vertex: u16| mesh.vertices().get(usize::from(vertex)).copied().unwrap_or_default();
+        Gouraud::lit(Rgb888::WHITE, corners.map(|vertex| light.level(place(vertex))))
+    }
+}
+
+/// Where the light of all scenes is.
+pub fn lit(model: &Affine<ModelSpace, World>) -> Option<Lambert> {
+    Lambert::new(model, vector(black_box(LIGHT)), AMBIENT).ok()
 }
 
 fn vector<S: pinhole::space::SetUp>(bits: [i32; 3]) -> Vector3<S> {

@@ -1,24 +1,24 @@
 //! Lit faces, in bands, with depth.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::{bytes, pixels};
-use bench::image::{Sink, CORNERS, RECORDS};
+use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
 use bench::{firmware, scene};
 use pinhole::{Corner, DepthBuffer, Frame};
 
 firmware!(
     corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
     records: [u16; RECORDS] = [0; RECORDS],
-    strip: [u8; bytes(8)] = [0; bytes(8)],
-    storage: [u16; pixels(8)] = [0; pixels(8)],
+    strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
+    storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
-        let scene = scene::Scene::new(&scene::CUBE)?;
-        let light = scene.light()?;
-        let projected = scene.place().transform_depth(corners);
+        let scene = Turntable::new();
+        let (placed, light) = (scene.place(), scene.light()?);
+        let projected = placed.transform_depth(corners);
         let mut faces = projected.faces(records).ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
-            faces.depth_tested(scene.shade(&light), &mut depth, &mut band).ok()?;
+            faces.depth_tested(scene::flat(placed.mesh(), &light), &mut depth, &mut band).ok()?;
             band.send(&mut Sink).ok()?;
         }
         Some(())

@@ -1,11 +1,10 @@
 //! Lines, at once.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::image::{Sink, CORNERS};
+use bench::image::{Sink, Turntable, CORNERS};
 use bench::{firmware, scene};
 use pinhole::Corner;
 
 firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], {
-    let scene = scene::Scene::new(&scene::CUBE)?;
-    scene.place().wireframe(scene::LINE, corners, &mut Sink).ok()?;
+    Turntable::new().place().wireframe(scene::LINE, corners, &mut Sink).ok()?;
     Some(())
 });

@@ -1,17 +1,16 @@
 //! Lines, in bands.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::bytes;
-use bench::image::{Sink, CORNERS, RECORDS};
+use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
 use bench::{firmware, scene};
 use pinhole::{Corner, Frame};
 
 firmware!(
     corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
     records: [u16; RECORDS] = [0; RECORDS],
-    strip: [u8; bytes(8)] = [0; bytes(8)],
+    strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
     {
-        let scene = scene::Scene::new(&scene::CUBE)?;
-        let projected = scene.place().transform(corners);
+        let projected = Turntable::new().place().transform(corners);
         let mut edges = projected.edges(records).ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
         while let Some(mut band) = frame.next_band(strip).ok()? {
