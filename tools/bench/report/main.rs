@@ -1,8 +1,11 @@
-//! Measures what bands cost, in instructions, RAM and flash, and writes `docs/bands.md`. `tools/bench/run` starts it.
+//! Measures what bands cost, in instructions and RAM, and what each feature takes of flash and stack; writes
+//! `docs/bands.md` and `docs/footprint.md`. `tools/bench/run` starts it.
 
+mod bands_page;
 mod cross;
 mod elf;
-mod flash;
+mod footprint;
+mod footprint_page;
 mod page;
 mod profile;
 mod provenance;
@@ -13,7 +16,6 @@ use std::process::ExitCode;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-const PAGE: &str = "docs/bands.md";
 const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
 
@@ -67,17 +69,21 @@ fn run(mode: Mode) -> Result<Vec<String>> {
     speed::compare_scenes(&mut failures);
     let host = speed::host()?;
     // Both at once, for two cores.
-    m3.cargo("build", &[speed::bins(), flash::bins()].concat())?;
+    m3.cargo("build", &[speed::bins(), footprint::bins()].concat())?;
     let speed = speed::measure(m3, &host, &mut failures)?;
-    let flash = flash::measure(mode == Mode::Rebase, &mut failures)?;
-    let text = page::text(&compiler, &speed, &flash);
-    println!("{text}");
-    let path = cross::root().join(PAGE);
-    if mode == Mode::Check {
-        let old = std::fs::read_to_string(&path).map_err(|error| format!("{PAGE}: {error}"))?;
-        page::compare(&old, &text, &compiler, &mut failures);
-    } else {
-        std::fs::write(&path, text)?;
+    let footprint = footprint::measure(mode == Mode::Rebase, &mut failures)?;
+    for (page, text) in [
+        ("docs/bands.md", bands_page::text(&compiler, &speed)),
+        ("docs/footprint.md", footprint_page::text(&compiler, &footprint)),
+    ] {
+        println!("{text}");
+        let path = cross::root().join(page);
+        if mode == Mode::Check {
+            let old = std::fs::read_to_string(&path).map_err(|error| format!("{page}: {error}"))?;
+            page::compare(page, &old, &text, &compiler, &mut failures);
+        } else {
+            std::fs::write(&path, text)?;
+        }
     }
     Ok(failures)
 }

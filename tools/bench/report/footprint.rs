@@ -1,4 +1,4 @@
-//! Flash of linking only what is used: images less the empty one, and what they must not hold.
+//! Flash, variables and stack of linking only what is used: of images less the empty one, and what these must not hold.
 
 use crate::cross::{self, Build};
 use crate::provenance::{Part, Provenance};
@@ -20,8 +20,13 @@ pub(crate) struct Image {
     pub(crate) name: &'static str,
     /// On the page.
     pub(crate) says: &'static str,
+    /// The most flash that it may take on the M3 at level 3.
+    pub(crate) budget: Option<u64>,
     without: &'static [Part],
 }
+
+/// The most stack that an image may take on the M3 at level 3, its own frames included.
+pub(crate) const STACK: u64 = 1536;
 
 const DITHER: Part = Part("shade/dither.rs", None);
 const FLAT: &[Part] = &[Part("shade/gouraud.rs", None), DITHER];
@@ -35,25 +40,35 @@ const NO_FACES: &[Part] = &[
 ];
 
 pub(crate) const IMAGES: &[Image] = &[
-    Image { name: "set_up", says: "set-up", without: NO_FACES },
-    Image { name: "wireframe", says: "wireframe", without: NO_FACES },
-    Image { name: "wireframe_bands", says: "wireframe in bands", without: NO_FACES },
-    Image { name: "solid", says: "flat faces", without: NO_DEPTH },
-    Image { name: "depth", says: "flat faces with depth", without: FLAT },
-    Image { name: "depth_bands", says: "flat faces with depth in bands", without: FLAT },
-    Image { name: "gouraud", says: "smooth faces with depth in bands", without: &[DITHER] },
-    Image { name: "dither", says: "the same, dithered", without: &[] },
+    Image { name: "place", says: "a placed mesh", budget: None, without: NO_FACES },
+    Image { name: "camera", says: "and a camera made at run time", budget: None, without: NO_FACES },
+    Image { name: "wireframe", says: "wireframe", budget: Some(6 << 10), without: NO_FACES },
+    Image { name: "wireframe_bands", says: "wireframe in bands", budget: None, without: NO_FACES },
+    Image { name: "solid", says: "flat faces", budget: None, without: NO_DEPTH },
+    Image { name: "depth", says: "flat faces with depth", budget: Some(10 << 10), without: FLAT },
+    Image { name: "depth_bands", says: "flat faces with depth in bands", budget: None, without: FLAT },
+    Image { name: "gouraud", says: "smooth faces with depth in bands", budget: None, without: &[DITHER] },
+    Image { name: "dither", says: "the same, dithered", budget: None, without: &[] },
+    Image { name: "everything", says: "everything", budget: Some(20 << 10), without: &[] },
 ];
 
 /// Has all that others must not have.
 const WITNESS: &str = "dither";
-const LIMITS: &str = "tools/bench/flash.txt";
+const LIMITS: &str = "tools/bench/footprint.txt";
 
-pub(crate) struct Flash {
-    /// Bytes more than the empty image has.
-    pub(crate) sizes: BTreeMap<(&'static str, Build), u64>,
+pub(crate) struct Footprint {
+    pub(crate) sizes: BTreeMap<(&'static str, Build), Size>,
     /// Where the code comes from, on the M3 at level 3.
     pub(crate) code: BTreeMap<&'static str, Provenance>,
+}
+
+/// In bytes.
+#[derive(Clone, Copy)]
+pub(crate) struct Size {
+    /// More than the empty image has.
+    pub(crate) flash: u64,
+    pub(crate) variables: u64,
+    pub(crate) stack: u64,
 }
 
 /// All images, as arguments for cargo.
@@ -62,15 +77,19 @@ pub(crate) fn bins() -> Vec<String> {
     names.map(|name| format!("--bin=flash_{name}")).collect()
 }
 
-pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Flash> {
+pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footprint> {
     let (mut sizes, mut code) = (BTreeMap::new(), BTreeMap::new());
     for build in BUILDS {
         build.cargo("build", &bins())?;
         let image = |name: &str| build.image(&format!("flash_{name}"));
         let empty = elf::sizes(&image("empty"))?.flash;
         let witness = Provenance::of(&image(WITNESS))?;
-        for &Image { name, without, .. } in IMAGES {
-            sizes.insert((name, build), elf::sizes(&image(name))?.flash.saturating_sub(empty));
+        for &Image { name, without, budget, .. } in IMAGES {
+            let elf::Sizes { flash, statics, .. } = elf::sizes(&image(name))?;
+            // The last thing that the image prints.
+            let stack = u64::from_str_radix(build.run(&format!("flash_{name}"))?.trim(), 16)?;
+            let size = Size { flash: flash.saturating_sub(empty), variables: statics, stack };
+            sizes.insert((name, build), size);
             let from = Provenance::of(&image(name))?;
             for &part in without {
                 let Part(file, function) = part;
@@ -86,30 +105,36 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Flash>
             }
             if build == BUILDS[0] {
                 code.insert(name, from);
+                if let Some(budget) = budget.filter(|&budget| size.flash > budget) {
+                    failures.push(format!("{name}: {} bytes of flash, {budget} are allowed", size.flash));
+                }
+                if stack > STACK {
+                    failures.push(format!("{name}: {stack} bytes of stack, {STACK} are allowed"));
+                }
             }
         }
     }
     limits(rebase, &sizes, failures)?;
-    Ok(Flash { sizes, code })
+    Ok(Footprint { sizes, code })
 }
 
 /// At most 5 % more than what was once committed.
 fn limits(
     rebase: bool,
-    sizes: &BTreeMap<(&'static str, Build), u64>,
+    sizes: &BTreeMap<(&'static str, Build), Size>,
     failures: &mut Vec<String>,
 ) -> Result<()> {
     let path = cross::root().join(LIMITS);
     if rebase {
         let mut text = String::from("# Bytes of flash above the empty image; 5 % more fail. `tools/bench/run --rebase` writes this.\n");
-        for ((name, Build { target, level }), bytes) in sizes {
-            writeln!(text, "{target} {level} {name} {bytes}")?;
+        for ((name, Build { target, level }), Size { flash, .. }) in sizes {
+            writeln!(text, "{target} {level} {name} {flash}")?;
         }
         std::fs::write(path, text)?;
         return Ok(());
     }
     let text = std::fs::read_to_string(path).map_err(|error| format!("{LIMITS}: {error}"))?;
-    for ((name, Build { target, level }), &bytes) in sizes {
+    for ((name, Build { target, level }), &Size { flash: bytes, .. }) in sizes {
         let line = format!("{target} {level} {name} ");
         let limit =
             text.lines().find_map(|l| l.strip_prefix(&line)).and_then(|bytes| bytes.parse::<u64>().ok());

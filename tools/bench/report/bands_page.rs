@@ -1,0 +1,80 @@
+//! `docs/bands.md`.
+
+use crate::page::{grouped, BUILT};
+use crate::speed::Speed;
+use std::fmt::Write;
+
+const HEAD: &str = "\
+# What bands cost
+
+Instructions and RAM, measured on an emulated Cortex-M. This page is written by
+
+```sh
+tools/bench/run
+```
+
+and CI runs that with `--check`: it fails where a limit is broken or, with the same compiler, a figure is not within 2 %
+(or 64 bytes) of this page's. What the code takes of the flash is in [footprint.md](footprint.md). ";
+
+const SPEED: &str = "
+## Instructions
+
+Of one frame on a Cortex-M3 (thumbv7m, opt-level 3, fat LTO), 240 × 240 pixels of Rgb565. Instructions are not cycles.
+They are counted by the emulator's clock, 64 ns for each, against a loop of known length in the same run; the same in
+every run. Counted is the second frame of a scene, all of it: the frame's pixels set to the background, the depth strips
+cleared, the object placed, its vertices transformed, its faces sorted out, lit and drawn. It ends when the pixels lie
+in memory: nothing is sent. Camera and light are set up before. The compiler knows none of the numbers. Every picture
+is that of the host, compared by checksum, and the scenes cover the pixels that `tools/bench/scenes.json` says.
+
+*At once* draws into memory for the whole frame, with a depth for each pixel; in *bands* the same goes through strips of
+so many rows. *Empty* is a frame in which nothing is drawn: what the clears cost. The last columns divide the bands of
+16 rows by what is drawn at once, and both less the empty frame; for the torus with depth both are to be at most 1.25.
+
+| scene | | at once | one band of 240 rows | bands of 16 rows | of 8 rows | 16 rows / at once | without the clears |
+|---|---|--:|--:|--:|--:|--:|--:|
+";
+
+const RAM: &str = "
+## RAM
+
+Depth-tested in bands of 8 rows: all variables (corners, records, the strips of colour and depth, from the image's
+sections) and the stack from the top of RAM to its deepest byte in two frames and the set-up before them (painted
+first). The mesh lies in flash.
+
+| scene | variables | stack | together | at most |
+|---|--:|--:|--:|--:|
+";
+
+pub(crate) fn text(compiler: &str, speed: &Speed) -> String {
+    let mut text = format!("{HEAD}{BUILT}{compiler}.\n{SPEED}");
+    for (scene, way, what) in ROWS {
+        let counts = ["full", "band240", "band16", "band8"].map(|how| speed.instructions(scene, way, how));
+        let _ = write!(text, "| {scene} | {what} |");
+        for count in counts {
+            let _ = write!(text, " {} |", count.map_or("–".into(), grouped));
+        }
+        for ratio in speed.ratios(scene, way) {
+            let _ = write!(text, " {} |", ratio.map_or("–".into(), |ratio| format!("{ratio:.3}")));
+        }
+        text.push('\n');
+    }
+    text += RAM;
+    for ram in &speed.ram {
+        let (together, limit) = (grouped(ram.together()), grouped(ram.limit));
+        let (statics, stack) = (grouped(ram.statics), grouped(ram.stack));
+        let _ = writeln!(text, "| {} | {statics} | {stack} | {together} | {limit} |", ram.scene);
+    }
+    text
+}
+
+const ROWS: &[(&str, &str, &str)] = &[
+    ("empty", "solid", "no depth"),
+    ("empty", "depth", "depth"),
+    ("S1", "wireframe", "cube, wireframe"),
+    ("S2", "solid", "cube, no depth"),
+    ("S2", "depth", "cube, depth"),
+    ("S3", "solid", "torus, 1000 triangles, no depth"),
+    ("S3", "depth", "torus, 1000 triangles, depth"),
+    ("S4", "solid", "sphere, 5780 triangles, no depth"),
+    ("S4", "depth", "sphere, 5780 triangles, depth"),
+];
