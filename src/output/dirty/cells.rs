@@ -36,23 +36,24 @@ impl Cells {
 
     /// What a hole leaves, in at most four pieces: the rows above and below it, then what stands
     /// beside it. All of it in one piece where the hole is elsewhere.
+    #[inline(never)] // once a pair: small is better
     pub(super) fn without(self, hole: Self) -> heapless::Vec<Self, 4> {
         let Self { left, top, right, bottom } = self;
         let (first, end) = (top.max(hole.top), bottom.min(hole.bottom));
         let apart = first >= end || left.max(hole.left) >= right.min(hole.right);
-        let pieces = if apart {
-            [Some(self), None, None, None]
-        } else {
-            [
-                Self::new(left, top, right, first),
-                Self::new(left, first, hole.left, end),
-                Self::new(hole.right, first, right, end),
-                Self::new(left, end, right, bottom),
-            ]
-        };
         let mut left_over = heapless::Vec::new();
-        for piece in pieces.into_iter().flatten() {
-            let _ = left_over.push(piece); // as many as there are
+        let mut keep = |left, top, right, bottom| {
+            if left < right && top < bottom {
+                let _ = left_over.push(Self { left, top, right, bottom }); // at most four
+            }
+        };
+        if apart {
+            keep(left, top, right, bottom);
+        } else {
+            keep(left, top, right, first);
+            keep(left, first, hole.left, end);
+            keep(hole.right, first, right, end);
+            keep(left, end, right, bottom);
         }
         left_over
     }

@@ -5,9 +5,10 @@ mod cover;
 
 use cells::Cells;
 use core::num::{NonZeroU16, NonZeroU32};
-use cover::{Cover, Price};
+use cover::Price;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
+use heapless::Vec;
 
 /// What a target charges for a rectangle of pixels: what decides whether two rectangles are sent as one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,8 +95,8 @@ pub struct Dirty<const N: usize> {
     cost: WindowCost,
     columns: NonZeroU16,
     rows: NonZeroU16,
-    last: Cover<N>,
-    now: Cover<N>,
+    last: Vec<Cells, N>,
+    now: Vec<Cells, N>,
     /// Nothing is known of the target.
     all: bool,
 }
@@ -116,8 +117,8 @@ impl<const N: usize> Dirty<N> {
             cost,
             columns: NonZeroU16::MIN,
             rows: NonZeroU16::MIN,
-            last: Cover::new(),
-            now: Cover::new(),
+            last: Vec::new(),
+            now: Vec::new(),
             all: true,
         }
     }
@@ -141,7 +142,7 @@ impl<const N: usize> Dirty<N> {
     pub fn mark(&mut self, rectangle: Rectangle) {
         let price = self.price();
         if let Some(cells) = self.cells(&rectangle) {
-            self.now.add(cells, &price);
+            cover::add(&mut self.now, cells, &price);
         }
     }
 
@@ -158,20 +159,20 @@ impl<const N: usize> Dirty<N> {
     /// They cost no more bytes than one rectangle about all marks; and as long as the marks of two frames
     /// are `N` at most, no more than each by itself. They overlap only where that is less than
     /// another window, or there is no room for more of them.
-    pub fn take(&mut self) -> heapless::Vec<Rectangle, N> {
+    pub fn take(&mut self) -> Vec<Rectangle, N> {
         let price = self.price();
         let now = core::mem::take(&mut self.now);
         let mut cover = core::mem::replace(&mut self.last, now);
         if core::mem::take(&mut self.all) {
             let all = self.cells(&self.area);
             cover.clear();
-            all.into_iter().for_each(|all| cover.add(all, &price));
+            all.into_iter().for_each(|all| cover::add(&mut cover, all, &price));
         } else {
-            self.last.parts().iter().for_each(|cells| cover.add(*cells, &price));
-            cover.settle(&price);
+            self.last.iter().for_each(|cells| cover::add(&mut cover, *cells, &price));
+            cover::settle(&mut cover, &price);
         }
-        let mut rectangles = heapless::Vec::new();
-        while let Some(cells) = cover.take_first() {
+        let mut rectangles = Vec::new();
+        while let Some(cells) = cover::take_first(&mut cover) {
             let _ = rectangles.push(self.rectangle(cells)); // as many as a cover has room for
         }
         rectangles
@@ -179,7 +180,7 @@ impl<const N: usize> Dirty<N> {
 
     fn price(&self) -> Price {
         let WindowCost { pixel_bits, window_bytes } = self.cost;
-        let pixels = i64::from(self.columns.get()).saturating_mul(self.rows.get().into());
+        let pixels = i32::from(self.columns.get()).saturating_mul(self.rows.get().into());
         Price { cell_bits: pixels.saturating_mul(pixel_bits.into()), window: window_bytes.into() }
     }
 
