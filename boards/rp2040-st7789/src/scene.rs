@@ -31,8 +31,8 @@ const FACES: [[u16; 3]; 12] = [
     [4, 5, 1],
     [4, 1, 0],
 ];
-/// Of each side, in 2⁻¹⁵.
 const ONE: i16 = i16::MAX;
+/// Of each side, in 2⁻¹⁵.
 const NORMALS: [[i16; 3]; 6] =
     [[0, 0, ONE], [0, 0, -ONE], [ONE, 0, 0], [-ONE, 0, 0], [0, ONE, 0], [0, -ONE, 0]];
 /// Checked by the compiler.

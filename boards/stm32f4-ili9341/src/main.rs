@@ -13,7 +13,12 @@ use mipidsi::{models::ILI9341Rgb565, Builder};
 use panic_probe as _;
 use pinhole::Angle;
 use stm32f4xx_hal::gpio::Speed;
-use stm32f4xx_hal::{pac, prelude::*, rcc::Config, spi::Spi};
+use stm32f4xx_hal::{
+    pac::{self, SPI1},
+    prelude::*,
+    rcc::Config,
+    spi::Spi,
+};
 
 /// A turn.
 const FRAMES: i32 = 120;
@@ -25,12 +30,12 @@ fn main() -> ! {
     let mut delay = peripherals.TIM5.delay_us(&mut rcc);
 
     let pins = peripherals.GPIOA.split(&mut rcc);
-    let [clock, data] =
-        [pins.pa5.into_alternate::<5>().erase(), pins.pa7.into_alternate::<5>().erase()];
+    let clock = pins.pa5.into_alternate().speed(Speed::VeryHigh);
+    let data = pins.pa7.into_alternate().speed(Speed::VeryHigh);
     let reset = pins.pa2.into_push_pull_output();
     let command = pins.pa3.into_push_pull_output();
     let select = pins.pa4.into_push_pull_output();
-    let bus = Spi::new(peripherals.SPI1, (Some(clock), None, Some(data)), MODE_0, 25.MHz(), &mut rcc);
+    let bus = Spi::new(peripherals.SPI1, (Some(clock), SPI1::NoMiso, Some(data)), MODE_0, 25.MHz(), &mut rcc);
 
     let mut buffer = [0; 1024];
     let device = ExclusiveDevice::new_no_delay(bus, select).unwrap();
