@@ -69,6 +69,7 @@ impl Carried for () {
 
 /// How much of each of a face's corners a point of it is, in 2⁻³⁰.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Barycentric(pub(crate) [i32; 3]);
 
 impl Barycentric {
@@ -177,6 +178,7 @@ pub(crate) fn triangle_at<P: Cut>(
 
 /// A corner in clip space with what varies over a face: colours, texture coordinates, ….
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipVertex<const A: usize> {
     /// Where it is.
     pub point: ClipPoint,

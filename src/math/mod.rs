@@ -27,7 +27,8 @@ pub use quaternion::{Quaternion, QuaternionError};
 pub(crate) use row::Row;
 pub use sphere::Sphere;
 
-/// The crate's public scalar: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶.
+/// The crate's public scalar: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶. It
+/// has no `defmt::Format`, as `fixed` has none in this version: log its `to_bits`.
 pub type Scalar = fixed::types::I16F16;
 
 /// Why a floating-point number cannot enter.

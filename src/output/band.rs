@@ -276,3 +276,20 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
         Ok(())
     }
 }
+
+// Of colours and pixels nothing is said: a colour need not have a Format, and a strip is kilobytes.
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for Frame<C> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (Rectangle { top_left, size }, done) = (self.area, self.done);
+        defmt::write!(f, "frame of {} at {}, {=u32} rows given out", size, top_left, done);
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for Band<'_, C> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let Rectangle { top_left, size } = self.area;
+        defmt::write!(f, "band of {} at {}", size, top_left);
+    }
+}

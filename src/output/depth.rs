@@ -186,3 +186,11 @@ impl<'a> DepthBuffer<'a> {
         run(first, length)
     }
 }
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for DepthBuffer<'_> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let Rectangle { top_left, size } = self.area;
+        defmt::write!(f, "depth buffer of {} at {}", size, top_left);
+    }
+}

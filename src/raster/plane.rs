@@ -18,6 +18,7 @@ use crate::math::num::{mul_wide, reciprocal};
 /// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
 /// depth, or a channel of colour. Values are 24 bits at the corners, 32 bits at the pixels.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane {
     /// At pixel (0, 0), in 2⁻⁸ of the corners' unit, wrapping, as are the steps.
     pub(super) origin: u32,

@@ -29,6 +29,7 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
 
 /// A triangle ready to be drawn.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle {
     pub(super) corners: [ScreenPoint; 3],
     /// [`area`]; not zero.

@@ -383,3 +383,11 @@ fn fill_nearer<D: DrawTarget, I: InkFor<D::Color>>(
     let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
     triangle.fill(&window.scissor, |span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
 }
+
+#[cfg(feature = "defmt")]
+impl<V> defmt::Format for Placed<'_, V> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let Rectangle { top_left, size } = self.area;
+        defmt::write!(f, "{} in {} at {}, cull {}", self.mesh, size, top_left, self.cull);
+    }
+}

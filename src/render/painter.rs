@@ -347,3 +347,26 @@ struct Room {
     corners: usize,
     faces: usize,
 }
+
+#[cfg(feature = "defmt")]
+impl<I, const CORNERS: usize, const FACES: usize> defmt::Format for Painter<I, CORNERS, FACES> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (corners, faces) = (self.corners.len(), self.faces.len());
+        defmt::write!(
+            f,
+            "painter of {=usize}/{=usize} corners, {=usize}/{=usize} faces: {}",
+            corners,
+            CORNERS,
+            faces,
+            FACES,
+            self.statistics
+        );
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<I> defmt::Format for PaintersOrder<'_, I> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "painter's order of {=usize} faces: {}", self.faces.len(), self.statistics);
+    }
+}

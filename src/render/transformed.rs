@@ -167,3 +167,10 @@ pub(super) fn pieces<K: Copy>(corners: &[Piece<K>]) -> impl Iterator<Item = ([Pi
 fn points<K: Copy>(piece: &[Piece<K>; 3]) -> [ScreenPoint; 3] {
     piece.map(|corner| corner.image.point)
 }
+
+#[cfg(feature = "defmt")]
+impl<V, const DEPTH: bool> defmt::Format for Transformed<'_, V, DEPTH> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{}, {=usize} corners kept", self.placed, self.corners.len());
+    }
+}

@@ -129,3 +129,10 @@ impl<'a> Hierarchy<'a> {
         self.nodes
     }
 }
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Hierarchy<'_> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "hierarchy of {=usize} nodes", self.nodes.len());
+    }
+}

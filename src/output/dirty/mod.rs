@@ -322,3 +322,21 @@ mod tests {
         assert_eq!(pages.take(), [at(3, 0, 30, 16)]);
     }
 }
+
+#[cfg(feature = "defmt")]
+impl<const N: usize> defmt::Format for Dirty<N> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (marks, last) = (self.now.parts().len(), self.last.parts().len());
+        let Rectangle { top_left, size } = self.area;
+        defmt::write!(
+            f,
+            "dirty of {} at {}: {=usize}/{=usize} marks, {=usize} before, all: {=bool}",
+            size,
+            top_left,
+            marks,
+            N,
+            last,
+            self.all
+        );
+    }
+}

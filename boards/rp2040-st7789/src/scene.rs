@@ -1,0 +1,88 @@
+//! A lit cube, and the memory that drawing it takes.
+
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::{
+    Affine, Angle, Band, Camera, Corner, Dim, Faces, Frame, Lambert, Mesh, Point3, Projection, Scalar,
+    Vector3, Viewing, Viewport,
+};
+
+const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
+const ROWS: u32 = 8;
+pub const BANDS: u32 = SCREEN.size.height / ROWS;
+pub const FIRST_BAND: Rectangle = Rectangle::new(Point::zero(), Size::new(SCREEN.size.width, ROWS));
+pub const STRIP: usize = Frame::<Rgb565>::strip_bytes(SCREEN.size.width, ROWS);
+
+const VERTICES: [[i16; 3]; 8] =
+    [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1], [-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1]];
+/// Two for each side.
+const FACES: [[u16; 3]; 12] = [
+    [0, 1, 2],
+    [0, 2, 3],
+    [5, 4, 7],
+    [5, 7, 6],
+    [1, 5, 6],
+    [1, 6, 2],
+    [4, 0, 3],
+    [4, 3, 7],
+    [3, 2, 6],
+    [3, 6, 7],
+    [4, 5, 1],
+    [4, 1, 0],
+];
+const ONE: i16 = i16::MAX;
+/// Of each side, in 2⁻¹⁵.
+const NORMALS: [[i16; 3]; 6] =
+    [[0, 0, ONE], [0, 0, -ONE], [ONE, 0, 0], [-ONE, 0, 0], [0, ONE, 0], [0, -ONE, 0]];
+/// Checked by the compiler.
+const CUBE: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
+    Ok(mesh) => mesh,
+    Err(_) => panic!("no sound mesh"),
+};
+
+pub struct Scene {
+    camera: Camera,
+    corners: [Corner; VERTICES.len()],
+    /// One for each face, and one for every 16 of them.
+    records: [u16; FACES.len() + 1],
+}
+
+/// The cube of a frame, as far as it is drawn.
+pub struct Turned<'a> {
+    frame: Frame<Rgb565>,
+    faces: Faces<'a>,
+    light: Lambert,
+}
+
+impl Scene {
+    pub fn new() -> Self {
+        let [eye, origin] = [Point3::from_ints(0, 3, 6), Point3::from_ints(0, 0, 0)];
+        let view = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).unwrap();
+        let [near, far] = [1, 12].map(Scalar::from_num);
+        let lens = Projection::perspective(Angle::degrees(35), SCREEN.size, near, far).unwrap();
+        let camera = Camera::new(&view, &lens, &Viewport::new(SCREEN.top_left, SCREEN.size).unwrap());
+        Self { camera, corners: [Corner::EMPTY; VERTICES.len()], records: [0; FACES.len() + 1] }
+    }
+
+    /// A frame: vertices are transformed and faces sorted out, once.
+    pub fn turned(&mut self, turn: Angle) -> Turned<'_> {
+        let model = Affine::rotation_y(turn);
+        let transformed = self.camera.place(&CUBE, &model).transform(&mut self.corners);
+        Turned {
+            frame: Frame::new(SCREEN, Rgb565::BLACK),
+            faces: transformed.faces(&mut self.records).unwrap(),
+            light: Lambert::new(&model, Vector3::from_ints(2, 3, 4), 40).unwrap(),
+        }
+    }
+}
+
+impl Turned<'_> {
+    /// The next of the frame's bands, drawn.
+    pub fn next_band<'s>(&mut self, strip: &'s mut [u8]) -> Band<'s, Rgb565> {
+        let mut band = self.frame.next_band(strip).unwrap().expect("one of BANDS");
+        let shade = |face: usize| Rgb565::CSS_GOLD.dim(self.light.level(NORMALS[face / 2]));
+        let Ok(_) = self.faces.solid(shade, &mut band);
+        band
+    }
+}

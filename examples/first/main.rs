@@ -1,0 +1,51 @@
+//! The README's first firmware, on the host: `picture.rs` is its code, to the letter (`tests/first` compares them, and goes
+//! the README's way from an empty folder).
+//!
+//! ```text
+//! cargo run --release --example first     # writes target/first/first.png
+//! ```
+
+#[allow(unreachable_pub)] // as a file of its own it is right
+mod picture;
+#[path = "../common/still.rs"]
+mod still;
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Pixel, Size};
+use pinhole::Angle;
+use std::convert::Infallible;
+use std::error::Error;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut screen = Screen(vec![Rgb565::MAGENTA; 240 * 240]);
+    picture::draw(&mut screen, Angle::degrees(30))?;
+    std::fs::create_dir_all("target/first")?;
+    let pixels: Vec<Rgb888> = screen.0.iter().map(|&colour| colour.into()).collect();
+    std::fs::write("target/first/first.png", still::png(screen.size(), &pixels)?)?;
+    println!("target/first/first.png: a picture");
+    Ok(())
+}
+
+/// In place of a display and its driver.
+struct Screen(Vec<Rgb565>);
+
+impl OriginDimensions for Screen {
+    fn size(&self) -> Size {
+        Size::new(240, 240)
+    }
+}
+
+impl DrawTarget for Screen {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(at, colour) in pixels {
+            let inside = (0..240).contains(&at.x) && (0..240).contains(&at.y);
+            if let Some(pixel) = self.0.get_mut((at.y * 240 + at.x) as usize).filter(|_| inside) {
+                *pixel = colour;
+            }
+        }
+        Ok(())
+    }
+}

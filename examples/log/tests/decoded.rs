@@ -1,0 +1,132 @@
+//! What the firmware logs, decoded, is what the host says of the same frames; and what each type's Format says is right.
+//!
+//! Without the tools for it the test says so and passes, except under `CI=true`.
+
+#[path = "../src/film.rs"]
+mod film;
+
+use defmt_decoder::{DecodeError, Table};
+use film::{Film, FRAMES};
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+const TARGET: &str = "thumbv7m-none-eabi";
+
+#[test]
+fn decoded_lines_are_those_of_the_host() {
+    let Some((image, sent)) = device() else { return };
+    let lines = decode(&image, &sent);
+    let (types, frames): (Vec<&str>, Vec<&str>) =
+        lines.iter().map(String::as_str).partition(|line| line.starts_with("DEBUG "));
+    assert_eq!(frames, host());
+    assert_eq!(types.iter().map(|line| &line["DEBUG ".len()..]).collect::<Vec<_>>(), TYPES);
+}
+
+/// The comparison would mean little if all frames were alike, or none was dropped, or clipped.
+#[test]
+fn the_film_has_all_kinds_of_frames() {
+    let lines = host();
+    let with = |part: &str| lines.iter().filter(|line| line.contains(part)).count();
+    assert!(with(" dropped: ") > 0 && with(" dropped: ") < lines.len(), "{lines:#?}");
+    assert!(with(" clipped: 0,") < with("Statistics"), "{lines:#?}");
+    let mut different = lines.clone();
+    different.dedup_by(|a, b| a["INFO frame 0".len()..] == b["INFO frame 0".len()..]);
+    assert_eq!(different.len(), lines.len(), "{lines:#?}");
+}
+
+/// What `types::log` makes, in its order, worked out by hand. The camera stands 40 away and 6 up, and has 30° for 64 rows:
+/// a focal length of 119.4 rows. So the square's half side of 9/8 takes 3.32 columns and 3.29 rows from (64, 32): faces
+/// cover the centres from 61 to 66 and 29 to 34, and edges run from pixel 60 to 67 and 28 to 35.
+const TYPES: [&str; 16] = [
+    "mesh of 4 vertices, 2 faces, 2 edges",
+    "128x64+8+0",
+    "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back",
+    "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back, \
+     3 corners kept",
+    "faces within Scissor { left: 61, top: 29, right: 67, bottom: 35 }: \
+     Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
+    "edges within Scissor { left: 60, top: 28, right: 68, bottom: 36 }: \
+     Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
+    "painter of 4/8 corners, 2/4 faces: \
+     Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
+    "painter's order of 2 faces: Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
+    "Some(band of Size { width: 128, height: 8 } at Point { x: 0, y: 0 })",
+    "frame of Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, 8 rows given out",
+    "depth buffer of Size { width: 5, height: 6 } at Point { x: 3, y: 4 }",
+    "dirty of Size { width: 128, height: 64 } at Point { x: 0, y: 0 }: 1/4 marks, 0 before, all: true",
+    "hierarchy of 1 nodes",
+    "(65536, 131072, -196608)/65536 radius 32768/65536",
+    "(32768, 32768, 32768)/65536",
+    "[-32768, 32768] x [-32768, 32768]/65536",
+];
+
+fn host() -> Vec<String> {
+    let mut film = Film::new();
+    let line = |number| match film.draw(number) {
+        // Debug has the names and the order of fields that defmt's derived Format has.
+        Ok((statistics, bands)) => format!("INFO frame {number} in {bands} bands: {statistics:?}"),
+        Err(error) => format!("WARN frame {number} dropped: {error:?}"),
+    };
+    (0..FRAMES).map(line).collect()
+}
+
+/// The firmware's image, and what it sends under QEMU. None if the tools for that are missing.
+fn device() -> Option<(Vec<u8>, Vec<u8>)> {
+    let check = cross(&["--check", TARGET]).output();
+    let lacking = match check {
+        Ok(check) if check.status.success() => None,
+        Ok(check) => Some(String::from_utf8_lossy(&check.stderr).into_owned()),
+        Err(error) => Some(format!("bash: {error}\n")),
+    };
+    if let Some(lacking) = lacking {
+        assert!(std::env::var("CI").as_deref() != Ok("true"), "{TARGET}: {lacking}");
+        // Not by eprintln, which the test harness shows only when a test fails.
+        write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: defmt on {TARGET}\n{lacking}").expect("stderr");
+        return None;
+    }
+    // Ends by itself: the film is short, and a panic ends QEMU too.
+    let run = cross(&[env!("CARGO"), "run", "--quiet", "--release", "--target", TARGET])
+        .stdin(Stdio::null())
+        .output()
+        .expect("bash ran a moment ago");
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let image = std::fs::read(target_dir().join(TARGET).join("release/log")).expect("it was run");
+    Some((image, run.stdout))
+}
+
+/// Level and text of each line.
+fn decode(image: &[u8], sent: &[u8]) -> Vec<String> {
+    let table = Table::parse(image).expect("an ELF file").expect("a .defmt section");
+    let mut decoder = table.new_stream_decoder();
+    decoder.received(sent);
+    let mut lines = Vec::new();
+    loop {
+        match decoder.decode() {
+            Ok(frame) => {
+                let level = frame.level().map_or("", |level| level.as_str()).to_uppercase();
+                lines.push(format!("{level} {}", frame.display_message()));
+            }
+            Err(DecodeError::UnexpectedEof) => return lines,
+            Err(DecodeError::Malformed) => panic!("malformed after {lines:#?}"),
+        }
+    }
+}
+
+/// Beside the test's own build, not in it: two compilers share no build, nor two cargos a lock.
+fn target_dir() -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
+}
+
+fn cross(words: &[&str]) -> Command {
+    let mut command = Command::new("bash");
+    command
+        .arg("../../tools/cross")
+        .args(words)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .env("CARGO_TARGET_DIR", target_dir())
+        // These would replace the flags by which firmware is linked.
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command
+}

@@ -1,0 +1,171 @@
+//! The README's way from an empty folder to a picture: its code is that of `examples/first`, is short, and does what
+//! the README says, on the host and on an emulated microcontroller.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const TARGET: &str = "thumbv7m-none-eabi";
+
+#[test]
+fn the_readme_shows_the_example_in_under_30_lines() {
+    let picture = read("examples/first/picture.rs");
+    assert_eq!(block("rust"), picture);
+    assert_eq!(read("boards/stm32f4-ili9341/src/picture.rs"), picture, "the board's");
+    assert!(picture.lines().count() < 30, "{} lines", picture.lines().count());
+}
+
+#[test]
+fn from_an_empty_folder_to_a_picture() {
+    let printed = on_the_host();
+    assert_pyramid(&printed);
+    if has_tools() {
+        assert!(on_a_microcontroller() == printed, "not the host's picture");
+    }
+}
+
+fn on_the_host() -> String {
+    let folder = Folder::new("host");
+    let main = [include_str!("screen.rs"), include_str!("host.rs")].concat();
+    folder.follow_the_readme(&main, "").run(cargo().arg("run"))
+}
+
+/// The board's part is that of the examples: its memory, its linker flags, and QEMU in place of a probe.
+fn on_a_microcontroller() -> String {
+    let folder = Folder::new("device");
+    let main = ["#![no_std]\n#![no_main]\n", include_str!("screen.rs"), include_str!("device.rs")].concat();
+    let firmware = folder.follow_the_readme(
+        &main,
+        "cortex-m = { version = \"0.7\", features = [\"critical-section-single-core\"] }\n\
+         cortex-m-rt = \"0.7\"\n\
+         semihosting = { version = \"0.1\", features = [\"stdio\", \"panic-handler\"] }\n\
+         [profile.release]\n\
+         panic = \"abort\"\n",
+    );
+    firmware.copy("memory.x");
+    firmware.copy(".cargo/config.toml");
+    let mut cross = Command::new("bash");
+    cross.arg(Path::new(ROOT).join("tools/cross")).arg(env!("CARGO"));
+    cross.args(["run", "--release", "--target", TARGET]);
+    // With the other device tests: core is built once.
+    cross.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross"));
+    // These would replace the flags by which firmware is linked.
+    cross.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    firmware.run(&mut cross)
+}
+
+/// Worked out by hand. The eye is √58 = 7.616 from the origin, and 30° for 64 rows make a focal length of 119.4 rows. So
+/// the tip, 1 above the origin, is 7.616 − 3/7.616 = 7.222 away and 7/7.616·119.4/7.222 = 15.2 rows above the middle,
+/// at (32, 16.8). The corner (−1, −1, 1) is turned to (−0.366, −1, 1.366), is 6.754 away, and appears at (25.5, 57.8).
+/// The edge between them, at x = 25.5 + 6.5·(57.8 − y)/41, parts two faces.
+fn assert_pyramid(printed: &str) {
+    let mut lines = printed.lines();
+    assert_eq!(lines.next(), Some("4096 pixels sent"), "each pixel once");
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split_whitespace().collect()).collect();
+    assert!(rows.len() == 64 && rows.iter().all(|row| row.len() == 64));
+    let lit = |row: &Vec<&str>| row.iter().any(|&colour| colour != "0000");
+    let (first, last) = (rows.iter().position(lit), rows.iter().rposition(lit));
+    // A tip may lie between the centres of its row's pixels.
+    assert!(matches!(first, Some(16..=18)) && matches!(last, Some(56..=57)), "{first:?}, {last:?}");
+    // Gold, (31, 53, 0) of 31, 63, 31: left of the edge face 3, in 256 − 3·40 of 256, and right of it face 0 in full light.
+    let gold =
+        |level: u32| format!("{:04x}", ((31 * level + 128) >> 8) << 11 | ((53 * level + 128) >> 8) << 5);
+    // At y = 40.5 the edge is at x = 28.2.
+    let (left, right) = (rows[40][26], rows[40][31]);
+    assert_eq!([left, right].map(str::to_string), [gold(136), gold(256)]);
+}
+
+/// The README's only block of this language after the heading.
+fn block(language: &str) -> String {
+    let readme = read("README.md");
+    let (_, section) = readme.split_once("\n## In a firmware of yours\n").expect("the heading");
+    let section = section.split("\n## ").next().unwrap_or("");
+    let (_, block) = section.split_once(&format!("```{language}\n")).expect("a block");
+    block.split_once("```\n").expect("its end").0.to_string()
+}
+
+fn read(path: &str) -> String {
+    fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// Outside of the repository, or cargo would count what is made in it among the repository's packages.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("pinhole-first-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    /// `cargo new`, the README's lines of Cargo.toml with some more, its code, and this main.rs.
+    fn follow_the_readme(&self, main: &str, more: &str) -> Firmware<'_> {
+        let new = cargo()
+            .args(["new", "--quiet", "--vcs", "none", "firmware"])
+            .current_dir(&self.0)
+            .output()
+            .expect("cargo");
+        assert!(new.status.success(), "{}", String::from_utf8_lossy(&new.stderr));
+        let firmware = Firmware { path: self.0.join("firmware"), _folder: self };
+        let manifest = fs::read_to_string(firmware.path.join("Cargo.toml")).expect("cargo made it");
+        let lines = block("toml");
+        let lines = lines.strip_prefix("[dependencies]\n").expect("dependencies").replace("../pinhole", ROOT);
+        assert!(lines.contains(ROOT) && manifest.ends_with("[dependencies]\n"), "{lines}{manifest}");
+        fs::write(firmware.path.join("Cargo.toml"), format!("{manifest}{lines}{more}")).expect("Cargo.toml");
+        fs::write(firmware.path.join("src/picture.rs"), block("rust")).expect("picture.rs");
+        fs::write(firmware.path.join("src/main.rs"), main).expect("main.rs");
+        // The versions that the repository is tested with, which are here already.
+        firmware.copy("Cargo.lock");
+        firmware
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0); // a temporary folder
+    }
+}
+
+struct Firmware<'a> {
+    path: PathBuf,
+    _folder: &'a Folder,
+}
+
+impl Firmware<'_> {
+    /// Takes a file of the repository over.
+    fn copy(&self, file: &str) {
+        let to = self.path.join(file);
+        fs::create_dir_all(to.parent().expect("a folder")).expect("a folder");
+        fs::copy(Path::new(ROOT).join(file), to).unwrap_or_else(|error| panic!("{file}: {error}"));
+    }
+
+    /// What the command prints in the firmware's folder.
+    fn run(&self, command: &mut Command) -> String {
+        let output = command.current_dir(&self.path).stdin(Stdio::null()).output().expect("a command");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("text")
+    }
+}
+
+fn cargo() -> Command {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("first"));
+    cargo
+}
+
+/// If not, it says so; under `CI=true` it is a failure.
+fn has_tools() -> bool {
+    let check = Command::new("bash").args(["tools/cross", "--check", TARGET]).current_dir(ROOT).output();
+    let lacking = match check {
+        Ok(check) if check.status.success() => return true,
+        Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
+        Err(error) => format!("bash: {error}\n"),
+    };
+    assert!(std::env::var("CI").as_deref() != Ok("true"), "{TARGET}: {lacking}");
+    // Not by eprintln, which the test harness shows only when a test fails.
+    write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: the README's firmware on {TARGET}\n{lacking}")
+        .expect("stderr");
+    false
+}
