@@ -1,4 +1,5 @@
 //! What a panel shows, and the host's way to it.
+#![allow(dead_code)] // example and test each take what they need
 
 use crate::show::{Display, Scratch, Screen, SIZE};
 use embedded_graphics::pixelcolor::{Gray4, Rgb888};

@@ -3,7 +3,7 @@
 
 use pinhole::{edge_faces, Mesh};
 
-#[allow(dead_code, unreachable_pub)] // generated; not all of it is shown
+#[allow(unreachable_pub)] // generated, and `pub` for those who take it in elsewhere
 #[path = "../../../assets/teapot.rs"]
 mod teapot;
 
@@ -105,12 +105,13 @@ pub(super) const BALL: Mesh<'static> = {
     let Ok(mesh) = mesh.with_vertex_normals(&BALL_VERTICES) else { panic!() };
     mesh
 };
-pub(super) const BALL_CORNERS: usize = 8 * 15;
-pub(super) const BALL_COUNT: usize = 8 * 16;
+pub(super) const BALL_CORNERS: usize = 8 * OCTANT;
+pub(super) const BALL_COUNT: usize = 8 * PARTS * PARTS;
 /// 32767 stands for 1.
 const BALL_EXPONENT: i8 = -15;
 /// Parts that an edge of the octahedron is divided in.
-const PARTS: usize = 4;
+const PARTS: usize = 6;
+const OCTANT: usize = (PARTS + 1) * (PARTS + 2) / 2;
 
 const BALL_VERTICES: [[i16; 3]; BALL_CORNERS] = {
     let mut vertices = [[0; 3]; BALL_CORNERS];
@@ -139,7 +140,7 @@ const BALL_FACES: [[u16; 3]; BALL_COUNT] = {
     let mut faces = [[0; 3]; BALL_COUNT];
     let (mut octant, mut next) = (0, 0);
     while octant < 8 {
-        let first = octant as u16 * 15;
+        let first = (octant * OCTANT) as u16;
         let (across, up, deep) = signs(octant);
         // Each sign that is negative mirrors the face.
         let mirrored = across * up * deep < 0;

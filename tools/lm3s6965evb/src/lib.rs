@@ -25,7 +25,8 @@ pub struct Board {
 }
 
 impl Board {
-    /// Sets the board up. `None` when it was taken before, and on any other machine.
+    /// Sets the board up. `None` when it was taken before, and on a host. (It cannot tell this microcontroller from
+    /// another one.)
     pub fn take() -> Option<Self> {
         static TAKEN: Mutex<Cell<bool>> = Mutex::new(Cell::new(false));
         let here = cfg!(all(target_arch = "arm", target_os = "none"));
