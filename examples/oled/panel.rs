@@ -56,12 +56,6 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
         Ok(panel)
     }
 
-    /// The pins and the bus, given back.
-    #[allow(dead_code)] // not in firmware, which keeps its panel
-    pub(crate) fn release(self) -> (SPI, DC) {
-        (self.spi, self.data_command)
-    }
-
     /// Sends the pixels of a window row by row, two a byte: what [`Band::bytes`](pinhole::Band::bytes) has.
     ///
     /// # Errors
@@ -77,15 +71,17 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
 
     /// Where the next pixels go: from left to right, row by row.
     fn window(&mut self, area: &Rectangle) -> Result<SPI, DC> {
-        let Point { x, y } = area.top_left;
         let Size { width, height } = area.size;
-        let last = area.bottom_right().ok_or(Error::Window)?;
-        let inside = self.bounding_box().contains(area.top_left) && self.bounding_box().contains(last);
-        if !inside || x % 2 != 0 || width % 2 != 0 || height == 0 {
+        let (Ok(x), Ok(y)) = (u32::try_from(area.top_left.x), u32::try_from(area.top_left.y)) else {
+            return Err(Error::Window);
+        };
+        let (right, bottom) = (x.saturating_add(width), y.saturating_add(height));
+        let inside = right <= SIZE.width && bottom <= SIZE.height;
+        if !inside || width == 0 || height == 0 || x % 2 != 0 || width % 2 != 0 {
             return Err(Error::Window);
         }
-        // Below 128.
-        self.command(&[COLUMNS, (x / 2) as u8, (last.x / 2) as u8, ROWS, y as u8, last.y as u8])
+        // Columns are counted in bytes; all below 128.
+        self.command(&[COLUMNS, (x / 2) as u8, (right / 2 - 1) as u8, ROWS, y as u8, (bottom - 1) as u8])
     }
 
     fn command(&mut self, bytes: &[u8]) -> Result<SPI, DC> {

@@ -133,7 +133,7 @@ impl Scratch {
     /// A sun, a planet about it and a moon about that, and their orbits.
     fn hierarchy<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         // Joints: the way round the sun, and round the planet. Then what is seen: three balls, two orbits.
-        let year = Angle::degrees(-24 * step - 10);
+        let year = Angle::degrees(60 - 24 * step);
         let month = Angle::degrees(75 * step);
         let flat = |radius: i16| Affine::<Model, Model>::scale(Scalar::from_num(radius));
         let out = |distance: i16| Affine::<Model, Model>::translation(Vector3::from_ints(distance, 0, 0));
