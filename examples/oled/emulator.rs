@@ -66,19 +66,29 @@ impl Emulator {
             Ok(lines) => lines,
             Err(error) => {
                 end(&mut qemu);
-                let said = std::fs::read_to_string(folder.0.join("stderr")).unwrap_or_default();
-                return Err(io::Error::other(format!("{error}\n{said}")));
+                return Err(folder.explain(error));
             }
         };
         let mut emulator = Self { qemu, control, serial, patience, folder };
-        emulator.control.read()?; // the greeting
-        emulator.execute(r#"{"execute": "qmp_capabilities"}"#)?;
-        emulator.execute(r#"{"execute": "cont"}"#)?;
-        Ok(emulator)
+        match emulator.begin() {
+            Ok(()) => Ok(emulator),
+            Err(error) => Err(emulator.folder.explain(error)),
+        }
+    }
+
+    fn begin(&mut self) -> io::Result<()> {
+        self.control.read()?; // the greeting
+        self.execute(r#"{"execute": "qmp_capabilities"}"#)?;
+        self.execute(r#"{"execute": "cont"}"#)
     }
 
     /// Waits for the next frame; it stays until [`proceed`](Self::proceed). `None` after the last one.
     pub(crate) fn frame(&mut self) -> io::Result<Option<(Report, Picture)>> {
+        let frame = self.report();
+        frame.map_err(|error| self.folder.explain(error))
+    }
+
+    fn report(&mut self) -> io::Result<Option<(Report, Picture)>> {
         let line = self.serial.read()?;
         if line == "end" {
             return Ok(None);
@@ -101,9 +111,9 @@ impl Emulator {
     pub(crate) fn finish(mut self) -> io::Result<()> {
         let qemu = &mut self.qemu;
         let status = wait(self.patience, || qemu.try_wait())?;
-        let said = std::fs::read_to_string(self.folder.0.join("stderr"))?;
-        if !status.success() || said.contains("ssd0323") {
-            return Err(io::Error::other(format!("{status}\n{said}")));
+        let understood = !self.folder.said()?.contains("ssd0323");
+        if !status.success() || !understood {
+            return Err(self.folder.explain(io::Error::other(status.to_string())));
         }
         Ok(())
     }
@@ -191,6 +201,17 @@ impl Folder {
         let _ = std::fs::remove_dir_all(&folder); // of a process long gone
         std::fs::create_dir(&folder)?;
         Ok(Self(folder))
+    }
+
+    /// What QEMU and its devices had to say.
+    fn said(&self) -> io::Result<String> {
+        std::fs::read_to_string(self.0.join("stderr"))
+    }
+
+    /// An error, with what QEMU said.
+    fn explain(&self, error: io::Error) -> io::Error {
+        let said = self.said().unwrap_or_default();
+        io::Error::new(error.kind(), format!("{error}\n{said}"))
     }
 }
 

@@ -12,11 +12,11 @@ pub(crate) enum Register {
     RunClock2 = 0x400F_E108,
 
     /// Port C: pin 7 alone, then the directions and the digital enable of all pins.
-    PortCPin7 = 0x4000_6000 + (4 << 7),
+    PortCPin7 = pin(0x4000_6000, 7),
     PortCDirection = 0x4000_6400,
     PortCDigital = 0x4000_651C,
     /// Port D, the same with pin 0.
-    PortDPin0 = 0x4000_7000 + (4 << 0),
+    PortDPin0 = pin(0x4000_7000, 0),
     PortDDirection = 0x4000_7400,
     PortDDigital = 0x4000_751C,
 
@@ -32,6 +32,11 @@ pub(crate) enum Register {
     UartFlags = 0x4000_C018,
     UartLine = 0x4000_C02C,
     UartControl = 0x4000_C030,
+}
+
+/// The register of one pin of a port: the address says which bits of the data it reaches.
+const fn pin(port: usize, number: usize) -> usize {
+    port + (4 << number)
 }
 
 impl Register {
