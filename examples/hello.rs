@@ -1,7 +1,7 @@
 //! The teapot on a microcontroller: draws the frames of `show` and prints a checksum of each.
 //!
 //! `cargo run --release --features qemu --example hello --target thumbv7m-none-eabi` runs it under QEMU;
-//! without `--target` it prints the same lines on the host. `tests/device.rs` compares them.
+//! without `--target` it prints the same lines on the host. `tests/device` compares them.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod show;
@@ -21,14 +21,20 @@ fn main() {
     run(&mut Stage::new());
 }
 
+/// Runs on a core, and ends the emulator.
 #[cfg(target_os = "none")]
-#[cortex_m_rt::entry]
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
 fn main() -> ! {
     use core::cell::RefCell;
-    use cortex_m::interrupt::{free, Mutex};
+    #[cfg(target_arch = "arm")]
+    use cortex_m as _; // its critical sections
+    use critical_section::Mutex;
+    #[cfg(target_arch = "riscv32")]
+    use riscv as _;
 
     // Not on the stack: the linker says so if it does not fit, and what is left of the 64 K is the stack.
     static STAGE: Mutex<RefCell<Stage>> = Mutex::new(RefCell::new(Stage::new()));
-    free(|token| run(&mut STAGE.borrow(token).borrow_mut()));
+    critical_section::with(|token| run(&mut STAGE.borrow_ref_mut(token)));
     semihosting::process::exit(0)
 }

@@ -26,7 +26,7 @@ angles, eyes, vertices and matrices, never the library's own intermediate result
 a seeded generator. Every bound on this page stands in the documentation of the function, is asserted by the test named
 beside it, and is at most twice the largest error that it finds (but for `Camera::visibility`, whose margin is derived
 and errs on the safe side). A Cortex-M0, whose multiplier keeps 32 bits, computes the same bits as all other cores
-(`both_forms_give_the_same_bits`, `tests/device.rs`), so this page holds for it too.
+(`both_forms_give_the_same_bits`, `tests/device`), so this page holds for it too.
 ";
 
 const CHAIN: &str = "\

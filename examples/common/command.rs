@@ -85,14 +85,23 @@ impl Generated {
         about: &'static str,
         out: &'static str,
     ) -> Result<Self, String> {
+        let mut given = matches(Self::command(example, about, out))?;
+        Ok(Self::from(example, &mut given))
+    }
+
+    /// For an example that can be told more.
+    pub(crate) fn command(example: &'static str, about: &'static str, out: &'static str) -> Command {
         let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
-        let command = Command::new(example)
+        Command::new(example)
             .about(about)
             .arg(option("out", "FILE", "The file", out).value_parser(value_parser!(PathBuf)))
-            .arg(check.help("Write nothing; exit code 1 if the file is not what would be written"));
-        let mut given = matches(command)?;
+            .arg(check.help("Write nothing; exit code 1 if the file is not what would be written"))
+    }
+
+    /// `example` as it follows `--example`.
+    pub(crate) fn from(example: &'static str, given: &mut ArgMatches) -> Self {
         let out = given.remove_one("out").unwrap_or_default();
-        Ok(Self { example, out, check: given.get_flag("check") })
+        Self { example, out, check: given.get_flag("check") }
     }
 
     /// Writes the file, or compares it; `difference` shows what changed.

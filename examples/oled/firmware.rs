@@ -1,0 +1,55 @@
+//! The firmware: draws in bands of eight rows, sends what changed, and waits after each frame until it was looked at.
+
+use crate::panel::{Error, Ssd0323};
+use crate::show::{self, Display, Scratch, Screen, FRAMES, SIZE};
+use core::cell::RefCell;
+use core::fmt::Write;
+use cortex_m as _; // its critical sections
+use critical_section::Mutex;
+use embedded_graphics::pixelcolor::Gray4;
+use embedded_graphics::primitives::Rectangle;
+use embedded_hal::digital::OutputPin;
+use embedded_hal::spi::SpiBus;
+use lm3s6965evb::Board;
+use pinhole::Frame;
+
+const ROWS: u32 = 8;
+
+/// All memory but the stack.
+struct Memory {
+    scratch: Scratch,
+    colours: [u8; Frame::<Gray4>::strip_bytes(SIZE.width, ROWS)],
+    depths: [u16; (SIZE.width * ROWS) as usize],
+}
+
+static MEMORY: Mutex<RefCell<Memory>> = Mutex::new(RefCell::new(Memory {
+    scratch: Scratch::new(),
+    colours: [0; Frame::<Gray4>::strip_bytes(SIZE.width, ROWS)],
+    depths: [0; (SIZE.width * ROWS) as usize],
+}));
+
+impl<SPI: SpiBus, DC: OutputPin> Display for Ssd0323<SPI, DC> {
+    type Error = Error<SPI::Error, DC::Error>;
+
+    fn write(&mut self, area: &Rectangle, pixels: &[u8]) -> Result<(), Self::Error> {
+        Ssd0323::write(self, area, pixels)
+    }
+}
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    let Board { spi, data_command, mut serial } = Board::take().expect("the first to take it");
+    let mut panel = Ssd0323::new(spi, data_command).expect("a panel");
+    critical_section::with(|token| {
+        let Memory { scratch, colours, depths } = &mut *MEMORY.borrow_ref_mut(token);
+        let mut screen = Screen::new(&mut panel, colours, depths);
+        for frame in 0..FRAMES {
+            scratch.draw(frame, &mut screen).expect("a panel");
+            // Whoever looks answers with any byte.
+            let _ = writeln!(serial, "{frame} {} {}", screen.sent(), show::caption(frame));
+            serial.read();
+        }
+    });
+    let _ = writeln!(serial, "end");
+    semihosting::process::exit(0)
+}

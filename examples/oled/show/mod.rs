@@ -1,0 +1,298 @@
+//! What the display shows: seven scenes of eight frames, each scene another way to draw. Firmware and host share it, so
+//! that they can compare every pixel.
+#![allow(dead_code)] // firmware, host and test each take what they need
+
+mod meshes;
+mod screen;
+
+pub(crate) use screen::{Display, Screen, SIZE};
+
+use embedded_graphics::mono_font::{ascii::FONT_5X8, MonoTextStyle};
+use embedded_graphics::pixelcolor::{Gray4, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::text::Text;
+use meshes::{
+    BALL, BALL_CORNERS, BALL_COUNT, LEFT_TIP, NOSE, RIGHT_TIP, RING, RING_CORNERS, SHIP, TEAPOT,
+    TEAPOT_FACES, TEAPOT_VERTICES,
+};
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Camera, Corner, Dim, Gouraud, Hierarchy, Lambert, Mesh, Node, Placed, Point3, Projection,
+    Scalar, Vector3, Viewing, Viewport,
+};
+
+/// Frames of a scene.
+pub(crate) const STEPS: u32 = 8;
+pub(crate) const SCENES: [&str; 7] =
+    ["wireframe", "hidden line", "flat", "Gouraud", "hierarchy", "dirty", "labels"];
+pub(crate) const FRAMES: u32 = STEPS * SCENES.len() as u32;
+
+/// Which scene a frame belongs to.
+pub(crate) fn caption(frame: u32) -> &'static str {
+    SCENES.get((frame / STEPS) as usize).copied().unwrap_or_default()
+}
+
+/// The memory that is lent to the library for a frame, beside the bands': corners of vertices, numbers of faces and edges,
+/// and light at vertices. Of several objects each has its own.
+pub(crate) struct Scratch {
+    teapot: ([Corner; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
+    balls: [([Corner; BALL_CORNERS], [u16; records(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
+    rings: [([Corner; RING_CORNERS], [u16; records(RING_CORNERS)]); 2],
+    ship: ([Corner; 8], [u16; records(12)], [u16; records(17)]),
+}
+
+/// One number for each face or edge, and one for every 16 of them.
+const fn records(count: usize) -> usize {
+    count + count.div_ceil(16)
+}
+
+impl Scratch {
+    pub(crate) const fn new() -> Self {
+        Self {
+            teapot: ([Corner::EMPTY; TEAPOT_VERTICES], [0; records(TEAPOT_FACES)], [0; TEAPOT_VERTICES]),
+            balls: [([Corner::EMPTY; BALL_CORNERS], [0; records(BALL_COUNT)], [0; BALL_CORNERS]); 3],
+            rings: [([Corner::EMPTY; RING_CORNERS], [0; records(RING_CORNERS)]); 2],
+            ship: ([Corner::EMPTY; 8], [0; records(12)], [0; records(17)]),
+        }
+    }
+
+    /// Draws a frame, in the order of the frames or alone.
+    pub(crate) fn draw<D: Display>(
+        &mut self,
+        frame: u32,
+        screen: &mut Screen<'_, D>,
+    ) -> Result<(), D::Error> {
+        let step = (frame % STEPS) as i32;
+        if step == 0 {
+            screen.clear();
+        }
+        match frame / STEPS {
+            0 => self.wireframe(step, screen),
+            1 => self.hidden_line(step, screen),
+            2 => self.flat(step, screen),
+            3 => self.gouraud(step, screen),
+            4 => self.hierarchy(step, screen),
+            5 => self.dirty(step, screen),
+            _ => self.labels(step, screen),
+        }
+    }
+
+    fn wireframe<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let (corners, _, records) = &mut self.ship;
+        let placed = place_ship(&turning(step));
+        let mut edges = placed.transform(corners).edges(records).expect("records for all edges");
+        screen.mark(edges.bounds());
+        screen.show(SCENES[0], |band, _| {
+            let Ok(()) = edges.draw(Gray4::WHITE, band);
+        })
+    }
+
+    fn hidden_line<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let (corners, face_records, edge_records) = &mut self.ship;
+        let placed = place_ship(&turning(step));
+        let transformed = placed.transform_depth(corners);
+        let mut faces = transformed.faces(face_records).expect("records for all faces");
+        let mut edges = transformed.edges(edge_records).expect("records for all edges");
+        screen.mark(edges.bounds());
+        screen.show(SCENES[1], |band, depth| {
+            faces.depth_only(depth);
+            let Ok(()) = edges.hidden_line(Gray4::WHITE, depth, band);
+        })
+    }
+
+    fn flat<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let (corners, records, _) = &mut self.ship;
+        let model = turning(step);
+        let light = light(&model, FROM_ABOVE);
+        let mut faces =
+            place_ship(&model).transform_depth(corners).faces(records).expect("records for all faces");
+        screen.mark(faces.bounds());
+        screen.show(SCENES[2], |band, depth| {
+            let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face), depth, band);
+        })
+    }
+
+    fn gouraud<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let (corners, records, levels) = &mut self.teapot;
+        let turn = Affine::<Model, Model>::rotation_y(Angle::degrees(22 * step - 30));
+        let model = turn.then(&Affine::translation(Vector3::from_ints(1, 0, 0)));
+        light(&model, FROM_ABOVE).levels(TEAPOT.vertex_normals(), levels);
+        let camera = camera([0, 14, 38], 27);
+        let mut faces = camera
+            .place(&TEAPOT, &model)
+            .transform_depth(corners)
+            .faces(records)
+            .expect("records for all faces");
+        screen.mark(faces.bounds());
+        screen.show(SCENES[3], |band, depth| {
+            let ink = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
+            let Ok(()) = faces.depth_tested(ink, depth, band);
+        })
+    }
+
+    /// A sun, a planet about it and a moon about that, and their orbits.
+    fn hierarchy<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        // Joints: the way round the sun, and round the planet. Then what is seen: three balls, two orbits.
+        let year = Angle::degrees(60 - 24 * step);
+        let month = Angle::degrees(75 * step);
+        let flat = |radius: i16| Affine::<Model, Model>::scale(Scalar::from_num(radius));
+        let out = |distance: i16| Affine::<Model, Model>::translation(Vector3::from_ints(distance, 0, 0));
+        let mut nodes = [
+            Node::root(out(18).then(&Affine::rotation_y(year))),
+            Node::child(0, out(7).then(&Affine::rotation_y(month))),
+            Node::root(flat(8)),
+            Node::child(0, flat(4)),
+            Node::child(1, flat(2)),
+            Node::root(flat(18)),
+            Node::child(0, flat(7)),
+        ];
+        let solar = Hierarchy::new(&mut nodes).expect("parents first");
+        let place = |node: usize| solar.world(node).copied().unwrap_or(Affine::identity());
+        let camera = camera([0, 20, 46], 36);
+
+        let [sun, planet, moon] = &mut self.balls;
+        let towards_sun = |ball: usize| {
+            let here = place(ball).apply(Point3::from_ints(0, 0, 0));
+            Vector3::new(-here.x(), -here.y(), -here.z())
+        };
+        light(&place(3), towards_sun(3)).levels(BALL.vertex_normals(), &mut planet.2);
+        light(&place(4), towards_sun(4)).levels(BALL.vertex_normals(), &mut moon.2);
+        // The sun shines, most towards the eye.
+        let glow = Lambert::new(&place(2), Vector3::from_ints(0, 20, 46), 150).expect("a direction");
+        glow.levels(BALL.vertex_normals(), &mut sun.2);
+        let mut balls = [(sun, 2), (planet, 3), (moon, 4)].map(|((corners, records, levels), node)| {
+            let model = place(node);
+            let placed = camera.place(&BALL, &model);
+            let faces = placed.transform_depth(corners).faces(records).expect("records for all faces");
+            (faces, &*levels)
+        });
+        let [far, near] = &mut self.rings;
+        let mut rings = [(far, 5), (near, 6)].map(|((corners, records), node)| {
+            let model = place(node);
+            let placed = camera.place(&RING, &model);
+            placed.transform_depth(corners).edges(records).expect("records for all edges")
+        });
+        let [_, planet, moon] = &balls;
+        screen.mark(planet.0.bounds());
+        screen.mark(moon.0.bounds());
+        screen.mark(rings[1].bounds());
+        screen.show(SCENES[4], |band, depth| {
+            for (faces, levels) in &mut balls {
+                let ink = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, *levels)).dithered();
+                let Ok(()) = faces.depth_tested(ink, depth, band);
+            }
+            for (edges, grey) in rings.iter_mut().zip([4, 7]) {
+                let Ok(()) = edges.depth_tested(Gray4::new(grey), depth, band);
+            }
+        })
+    }
+
+    /// A small ship before a large planet and stars, which stand still: only about the ship is anything drawn.
+    fn dirty<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let camera = camera([0, 0, 60], 36);
+        let [(corners, records, levels), ..] = &mut self.balls;
+        let planet = Affine::<Model, Model>::scale(Scalar::from_num(16))
+            .then(&Affine::translation(Vector3::from_ints(22, -4, 0)));
+        light(&planet, Vector3::from_ints(-4, 2, -1)).levels(BALL.vertex_normals(), levels);
+        let mut ground =
+            camera.place(&BALL, &planet).transform_depth(corners).faces(records).expect("records");
+
+        let (corners, records, _) = &mut self.ship;
+        let model = Affine::<Model, Model>::scale(Scalar::from_num(7) / 10)
+            .then::<Model>(&Affine::rotation_z(Angle::degrees(40 * step)))
+            .then::<Model>(&Affine::rotation_y(Angle::degrees(105)))
+            .then(&Affine::translation(Vector3::from_ints(-30 + 8 * step as i16, 8 - step as i16, 20)));
+        let sun = light(&model, Vector3::from_ints(-2, 4, 5));
+        let mut ship = camera.place(&SHIP, &model).transform_depth(corners).faces(records).expect("records");
+        screen.mark(ship.bounds());
+        screen.show(SCENES[5], |band, depth| {
+            for (i, &(x, y)) in STARS.iter().enumerate() {
+                let grey = Gray4::new(5 + 3 * (i as u8 % 4));
+                let Ok(()) = Pixel(Point::new(x, y), grey).draw(band);
+            }
+            let ink = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
+            let Ok(()) = ground.depth_tested(ink, depth, band);
+            let Ok(()) = ship.depth_tested(|face| ship_colour(&sun, face), depth, band);
+        })
+    }
+
+    /// Text at points of a solid, on top of it.
+    fn labels<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let (corners, face_records, edge_records) = &mut self.ship;
+        let model = turning(step);
+        let light = light(&model, FROM_ABOVE);
+        let placed = place_ship(&model);
+        let transformed = placed.transform_depth(corners);
+        let mut faces = transformed.faces(face_records).expect("records for all faces");
+        let mut edges = transformed.edges(edge_records).expect("records for all edges");
+        let style = MonoTextStyle::new(&FONT_5X8, Gray4::WHITE);
+        let names = [(NOSE, "nose"), (LEFT_TIP, "port"), (RIGHT_TIP, "starboard")];
+        let names = names.map(|(vertex, name)| {
+            let at = placed.project(vertex).map_or(Point::zero(), |(point, _)| {
+                let pixel = point.pixel();
+                Point::new(pixel.x.into(), pixel.y.into())
+            });
+            // Beside the point, and inside the picture.
+            let width = 5 * name.len() as i32;
+            let x = if at.x < SIZE.width as i32 / 2 { at.x - width - 1 } else { at.x + 3 };
+            let x = x.clamp(0, SIZE.width as i32 - width);
+            Text::new(name, Point::new(x, at.y.clamp(8, 60)), style)
+        });
+        screen.mark(edges.bounds());
+        names.iter().for_each(|name| screen.mark(name.bounding_box()));
+        screen.show(SCENES[6], |band, depth| {
+            let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face).dim(150), depth, band);
+            let Ok(()) = edges.hidden_line(Gray4::new(10), depth, band);
+            for name in &names {
+                let Ok(_) = name.draw(band);
+            }
+        })
+    }
+}
+
+const FROM_ABOVE: Vector3<World> = Vector3::from_ints(-4, 4, 3);
+
+const STARS: [(i32, i32); 12] = [
+    (5, 9),
+    (14, 41),
+    (23, 22),
+    (31, 52),
+    (38, 5),
+    (47, 34),
+    (55, 15),
+    (66, 46),
+    (76, 6),
+    (90, 3),
+    (112, 5),
+    (121, 18),
+];
+
+fn light(model: &Affine<Model, World>, towards: Vector3<World>) -> Lambert {
+    Lambert::new(model, towards, 24).expect("a direction")
+}
+
+/// From a point of the world towards its origin, with a field of view of so many degrees from top to bottom.
+fn camera([x, y, z]: [i16; 3], degrees: i32) -> Camera {
+    let eye = Point3::from_ints(x, y, z);
+    let viewing =
+        Viewing::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0)).expect("a direction");
+    let (near, far) = (Scalar::const_from_int(2), Scalar::const_from_int(200));
+    let projection =
+        Projection::perspective(Angle::degrees(degrees), SIZE, near, far).expect("a field of view");
+    let viewport = Viewport::new(Point::zero(), SIZE).expect("a picture");
+    Camera::new(&viewing, &projection, &viewport)
+}
+
+fn turning(step: i32) -> Affine<Model, World> {
+    let roll = Affine::<Model, Model>::rotation_z(Angle::degrees(10 * step - 25));
+    roll.then(&Affine::rotation_y(Angle::degrees(18 * step - 75)))
+}
+
+fn place_ship(model: &Affine<Model, World>) -> Placed<'static> {
+    const MESH: &Mesh<'static> = &SHIP;
+    camera([0, 12, 26], 34).place(MESH, model)
+}
+
+fn ship_colour(light: &Lambert, face: usize) -> Gray4 {
+    SHIP.normals().get(face).map_or(Gray4::BLACK, |&normal| Gray4::WHITE.dim(light.level(normal)))
+}

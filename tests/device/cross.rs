@@ -1,0 +1,120 @@
+//! Firmware, built by `tools/cross` once for each target, and run under QEMU.
+
+use crate::floats::is_float_routine;
+use std::collections::BTreeMap;
+use std::io::{Read, Write};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+/// QEMU needs a second or two; more than this means that the firmware hangs.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The examples, built for one target.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Firmware {
+    target: &'static str,
+}
+
+/// What was built. Locked while something is, or a run would have to wait for a build and seem to hang.
+static BUILT: Mutex<BTreeMap<&'static str, Option<Firmware>>> = Mutex::new(BTreeMap::new());
+
+impl Firmware {
+    /// None if the tools for it are missing, which fails under `CI=true`.
+    pub(crate) fn for_target(target: &'static str) -> Option<Self> {
+        let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
+        *built.entry(target).or_insert_with(|| Self::build(target))
+    }
+
+    fn build(target: &'static str) -> Option<Self> {
+        let check = Command::new("bash").args(["tools/cross", "--check", target]).current_dir(ROOT).output();
+        let lacking = match check {
+            Ok(check) if check.status.success() => {
+                let examples: &[&str] =
+                    if target.starts_with("thumb") { &["hello", "oled"] } else { &["hello"] };
+                let mut build = cross();
+                build.args([env!("CARGO"), "build", "--quiet", "--release", "--features", "qemu"]);
+                build.args(["--target", target]);
+                build.args(examples.iter().flat_map(|example| ["--example", example]));
+                let build = build.output().expect("bash ran a moment ago");
+                assert!(build.status.success(), "{}", String::from_utf8_lossy(&build.stderr));
+                return Some(Self { target });
+            }
+            Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
+            Err(error) => format!("bash: {error}\n"),
+        };
+        if std::env::var("CI").as_deref() == Ok("true") {
+            panic!("{target}: {lacking}");
+        }
+        // Not by eprintln, which the test harness shows only when a test fails.
+        write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: firmware for {target}\n{lacking}").expect("stderr");
+        None
+    }
+
+    /// The file of an example.
+    pub(crate) fn image(&self, example: &str) -> PathBuf {
+        target_dir().join(self.target).join("release/examples").join(example)
+    }
+
+    /// The lines that `hello` prints on an emulated core. It must exit with 0.
+    pub(crate) fn run_hello(&self, core: &str) -> Vec<String> {
+        let mut child = Command::new("bash")
+            .args(["tools/emulate", core])
+            .arg(self.image("hello"))
+            .current_dir(ROOT)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("bash");
+        let mut stdout = child.stdout.take().expect("piped");
+        let (sender, printed) = std::sync::mpsc::channel();
+        let reader = std::thread::spawn(move || {
+            let mut text = String::new();
+            // Its receiver is there as long as anyone wants the text.
+            let _ = sender.send(stdout.read_to_string(&mut text).map(|_| text));
+        });
+        // All is printed when it ends. What hangs is ended here: the script has replaced itself, so the child is QEMU.
+        let Ok(text) = printed.recv_timeout(PATIENCE) else {
+            child.kill().expect("a child of ours");
+            panic!("{core}: no end after {PATIENCE:?}");
+        };
+        let (text, status) = (text.expect("text"), child.wait().expect("a child of ours"));
+        reader.join().expect("reader");
+        assert!(status.success(), "{core}: {status}\n{text}");
+        text.lines().map(str::to_string).collect()
+    }
+
+    /// The float routines that are linked into an example.
+    pub(crate) fn float_routines(&self, example: &str) -> Vec<String> {
+        let nm = cross()
+            .args(["bash", "-c", "\"$NM\" \"$1\"", "nm"])
+            .arg(self.image(example))
+            .output()
+            .expect("bash");
+        assert!(nm.status.success(), "{}", String::from_utf8_lossy(&nm.stderr));
+        let listing = String::from_utf8_lossy(&nm.stdout).into_owned();
+        let names: Vec<&str> = listing.lines().filter_map(|line| line.split_whitespace().last()).collect();
+        assert!(names.contains(&"Reset"), "not the symbols of a firmware: {listing}");
+        names.into_iter().filter(|name| is_float_routine(name)).map(str::to_string).collect()
+    }
+}
+
+/// Beside the test's own build, not in it: two compilers share no build, nor two cargos a lock.
+fn target_dir() -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
+}
+
+fn cross() -> Command {
+    let mut command = Command::new("bash");
+    // These would replace the flags by which firmware is linked.
+    command
+        .arg("tools/cross")
+        .current_dir(ROOT)
+        .env("CARGO_TARGET_DIR", target_dir())
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command
+}

@@ -1,0 +1,118 @@
+//! The show on an SPI display: every pixel of every frame, as the display shows it, is the host's.
+
+use crate::cross::{Firmware, PATIENCE};
+use crate::emulator::{Emulator, Report};
+use crate::picture::Picture;
+use crate::show::{caption, FRAMES, STEPS};
+use std::collections::BTreeSet;
+use std::io::ErrorKind;
+use std::time::Duration;
+
+/// What differs, frame by frame; nothing where there are the same pictures, no more and no fewer.
+fn differences(seen: &[Picture], wanted: &[Picture]) -> Vec<String> {
+    let frames = seen.iter().zip(wanted).enumerate();
+    let pixels = frames
+        .filter_map(|(frame, (seen, wanted))| Some(format!("frame {frame}: {}", seen.difference(wanted)?)));
+    let missing = (seen.len() != wanted.len()).then(|| format!("{} of {} frames", seen.len(), wanted.len()));
+    pixels.chain(missing).collect()
+}
+
+fn host() -> Vec<Picture> {
+    (0..FRAMES).map(Picture::of_frame).collect()
+}
+
+fn shows_what_the_host_draws(target: &'static str, core: &str) {
+    let Some(firmware) = Firmware::for_target(target) else { return };
+    let mut emulator = Emulator::start(core, &firmware.image("oled"), PATIENCE).expect("QEMU");
+    let (mut reports, mut pictures) = (Vec::new(), Vec::new());
+    // One more than there are is enough to see that there are too many.
+    while let Some((report, picture)) = emulator.frame().expect("a frame") {
+        reports.push(report);
+        pictures.push(picture);
+        assert!(pictures.len() <= FRAMES as usize, "the show does not end");
+        emulator.proceed().expect("an answer");
+    }
+    emulator.finish().expect("a good end, and a display that understood everything");
+    assert_eq!(differences(&pictures, &host()), [""; 0]);
+
+    // In their order, and in bands of what changed: 4096 bytes are all of the display.
+    for (frame, report) in (0..).zip(&reports) {
+        let Report { frame: number, bytes, caption: name } = report;
+        assert_eq!((*number, name.as_str()), (frame, caption(frame)));
+        assert_eq!(*bytes == 4096, frame % STEPS == 0, "frame {frame}: {bytes} bytes");
+    }
+}
+
+#[test]
+fn cortex_m0() {
+    shows_what_the_host_draws("thumbv6m-none-eabi", "cortex-m0");
+}
+
+#[test]
+fn cortex_m3() {
+    shows_what_the_host_draws("thumbv7m-none-eabi", "cortex-m3");
+}
+
+#[test]
+fn cortex_m4f() {
+    shows_what_the_host_draws("thumbv7em-none-eabihf", "cortex-m4");
+}
+
+#[test]
+fn cortex_m7() {
+    shows_what_the_host_draws("thumbv7em-none-eabihf", "cortex-m7");
+}
+
+#[test]
+fn cortex_m33() {
+    shows_what_the_host_draws("thumbv8m.main-none-eabihf", "cortex-m33");
+}
+
+/// The comparison would mean little if the frames were empty or alike.
+#[test]
+fn frames_differ() {
+    let frames: BTreeSet<_> = host().iter().map(|picture| picture.levels().to_vec()).collect();
+    assert_eq!(frames.len(), FRAMES as usize);
+    // Levels that no display has stand for pixels that were not drawn.
+    assert!(frames.iter().flatten().all(|level| *level < 16));
+    assert!(frames.iter().all(|levels| levels.iter().filter(|level| **level > 0).count() > 200));
+}
+
+/// A check that cannot fail would be none.
+#[test]
+fn one_pixel_is_reported() {
+    let wanted = host();
+    let mut seen = wanted.clone();
+    assert_eq!(differences(&seen, &wanted), [""; 0]);
+    let mut levels = seen[5].levels().to_vec();
+    levels[128 * 17 + 93] ^= 1;
+    let was = wanted[5].levels()[128 * 17 + 93];
+    seen[5] = Picture::new(levels).expect("levels");
+    let message = format!("frame 5: 1 pixels differ, the first at (93, 17): {}, not {was}", was ^ 1);
+    assert_eq!(differences(&seen, &wanted), [message]);
+    assert_eq!(differences(&wanted[1..], &wanted[1..]), [""; 0]);
+    assert_eq!(differences(&wanted[..3], &wanted[..4]), ["3 of 4 frames"]);
+    assert!(Picture::new(vec![16; 128 * 64]).is_none() && Picture::new(vec![0; 128]).is_none());
+}
+
+/// Firmware that is not answered waits for ever: so does one that hangs. It is noticed, and QEMU goes with the test.
+#[test]
+fn a_hanging_firmware_is_ended() {
+    let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };
+    // Enough for a start under load; the firmware itself says nothing any more.
+    let patience = Duration::from_secs(10);
+    let mut emulator = Emulator::start("cortex-m3", &firmware.image("oled"), patience).expect("QEMU");
+    assert!(emulator.frame().expect("the first frame").is_some());
+    assert_eq!(
+        emulator.frame().map(|frame| frame.is_some()).map_err(|error| error.kind()),
+        Err(ErrorKind::TimedOut)
+    );
+}
+
+/// A core that QEMU does not have is an error, not a wait.
+#[test]
+fn an_emulator_that_does_not_start_is_an_error() {
+    let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };
+    let error = Emulator::start("cortex-m1000", &firmware.image("oled"), PATIENCE).err().expect("an error");
+    assert!(error.to_string().contains("cortex-m1000"), "{error}");
+}
