@@ -94,13 +94,13 @@ impl Placement {
     }
 
     /// The vertex on the screen, or an empty corner when it must be clipped or lies farther out than
-    /// corners reach: in front of near, outside the guard band, or so near to the eye that 32 bits do
-    /// not carry it.
+    /// corners reach: in front of near, outside the guard band, beyond far if that cuts, or so near to
+    /// the eye that 32 bits do not carry it.
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `29 − e − unit − n ≥ 1`, rounded to nearest with ties up.
     #[inline(always)]
-    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3]) -> Corner {
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3], far: bool) -> Corner {
         let h = self.clip(vertex);
         // |v| >> wide < w >> narrow implies |v| < w·2^(wide − narrow). (v ^ v >> 31 is |v|, or |v| − 1:
         // then it may be equal, and still has a place.)
@@ -109,7 +109,7 @@ impl Placement {
         if h.d < 0 || h.w < self.least_w || beyond(h.x) || beyond(h.y) {
             return Corner::EMPTY;
         }
-        if self.far_clip && self.beyond_far(&h) < 0 {
+        if far && self.beyond_far(&h) < 0 {
             return Corner::EMPTY;
         }
         let r = reciprocal(h.w);
@@ -187,14 +187,9 @@ impl Placement {
         }
     }
 
-    /// Cutting at the far plane, whatever the camera says.
-    pub(crate) fn with_far_clip(self) -> Self {
-        Self { far_clip: true, ..self }
-    }
-
-    /// How many of the planes of [`distance`](Self::distance) cut.
-    pub(crate) fn planes(&self) -> usize {
-        5 + usize::from(self.far_clip)
+    /// Whether the camera cuts at the far plane.
+    pub(crate) fn cuts_at_far(&self) -> bool {
+        self.far_clip
     }
 
     /// `w − d` (d is stored times 65535/65536), negative beyond the far plane.
