@@ -156,10 +156,11 @@ fn add(polygon: &mut Order, corner: usize) {
 pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> Order {
     let mut polygon = Order::new();
     (0..3).for_each(|corner| add(&mut polygon, corner));
+    let mut taken = 0b111u32; // places, a bit each
     for plane in 0..planes {
         let Some(&last) = polygon.last() else { break };
         let mut kept = Order::new();
-        let mut taken = polygon.iter().fold(0u32, |taken, &at| taken | 1 << (at & 31));
+        let mut left = 0;
         let mut from = (usize::from(last), corners.distance(plane, last.into()));
         for &to in &polygon {
             let to = (usize::from(to), corners.distance(plane, to.into()));
@@ -170,12 +171,14 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> Order {
                 cut(corners, free as usize, inside, outside);
                 add(&mut kept, free as usize);
             }
-            if to.1 >= 0 {
+            if to.1 < 0 {
+                left |= 1 << (to.0 & 31);
+            } else {
                 add(&mut kept, to.0);
             }
             from = to;
         }
-        polygon = kept;
+        (polygon, taken) = (kept, taken & !left);
     }
     polygon
 }

@@ -86,7 +86,16 @@ impl Placement {
         }
     }
 
+    /// The vertex in clip space, where vertices are few: small is better.
+    #[inline(never)]
+    pub(crate) fn clip_one<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
+        let v = vertex.map(|c| c.justify(self.justify));
+        let at = |form: &Form| form.at_one(&v, V::NARROW);
+        Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
+    }
+
     /// The vertex in clip space.
+    #[inline(always)]
     pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
         let v = vertex.map(|c| c.justify(self.justify));
         let at = |form: &Form| form.at(v, V::NARROW);
@@ -109,7 +118,9 @@ impl Placement {
         if h.d < 0 || h.w < self.least_w || beyond(h.x) || beyond(h.y) {
             return Corner::EMPTY;
         }
-        if far && self.beyond_far(&h) < 0 {
+        // d·2^d_over_w at most w less what d is stored short: then w − d is not negative. Rarely not so.
+        let limit = (h.w - (h.w >> 16) - 1) >> self.d_over_w.min(31);
+        if far && h.d >= limit && self.beyond_far(&h) < 0 {
             return Corner::EMPTY;
         }
         let r = reciprocal(h.w);
@@ -147,12 +158,12 @@ impl Placement {
         let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
         let along = |v: i32, centre: i32| {
             let v = scale(mul_wide(v, r.mantissa), -right) + i64::from(centre);
-            v.clamp(-(1 << 21), 1 << 21) as i32
+            v.clamp(-(1 << 21), 1 << 21) as i32 // the guard band
         };
         let [cx, cy] = self.screen.centre;
         let depth = scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 37);
         Image {
-            point: ScreenPoint::clamped(along(h.x, cx), along(h.y, cy)),
+            point: ScreenPoint::inside(along(h.x, cx), along(h.y, cy)),
             depth: depth.clamp(0, i64::from(FARTHEST)) as i32,
         }
     }
@@ -172,19 +183,19 @@ impl Placement {
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
     /// view volume cut at the guard band; each scaled by a positive factor of its own, negative
     /// outside. At most 2⁵⁴.
+    #[inline(never)] // rare: small is better
     pub(crate) fn distance(&self, plane: usize, h: &Homogeneous) -> i64 {
-        let guard = i64::from(crate::raster::GUARD_BAND * 256);
-        let up = self.xy_over_w + self.screen.unit; // ≤ 21
-        let [cx, cy] = self.screen.centre.map(i64::from);
-        let (x, y, w) = (i64::from(h.x) << up, i64::from(h.y) << up, i64::from(h.w));
-        match plane {
-            0 => i64::from(h.d),
-            1 => (guard + cx) * w + x,
-            2 => (guard - cx) * w - x,
-            3 => (guard + cy) * w + y,
-            4 => (guard - cy) * w - y,
-            _ => self.beyond_far(h),
-        }
+        let [cx, cy] = self.screen.centre;
+        let (v, centre) = match plane {
+            0 => return h.d.into(),
+            1 | 2 => (h.x, cx),
+            3 | 4 => (h.y, cy),
+            _ => return self.beyond_far(h),
+        };
+        let up = (self.xy_over_w + self.screen.unit) & 63; // ≤ 21
+        let v = i64::from(v) << up;
+        let (v, centre) = if plane % 2 == 0 { (-v, -centre) } else { (v, centre) };
+        i64::from(crate::raster::GUARD_BAND * 256 + centre) * i64::from(h.w) + v
     }
 
     /// Whether the camera cuts at the far plane.
@@ -193,6 +204,8 @@ impl Placement {
     }
 
     /// `w − d` (d is stored times 65535/65536), negative beyond the far plane.
+    #[cold]
+    #[inline(never)]
     fn beyond_far(&self, h: &Homogeneous) -> i64 {
         // Beyond a difference of 14 bits w gives way: 47 + 14 bits at most.
         let up = self.d_over_w.min(14);

@@ -16,7 +16,6 @@ pub struct Faces<'a, V = i16, const DEPTH: bool = false> {
     transformed: Transformed<'a, V, DEPTH>,
     bins: Bins<'a>,
     statistics: Statistics,
-    bounds: Scissor,
 }
 
 /// The visible edges of a mesh, ready to be drawn band by band: see [`Transformed::edges`]; they are
@@ -26,7 +25,6 @@ pub struct Edges<'a, V = i16, const DEPTH: bool = false> {
     transformed: Transformed<'a, V, DEPTH>,
     bins: Bins<'a>,
     statistics: Statistics,
-    bounds: Scissor,
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
@@ -37,11 +35,33 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
     /// then.
+    #[inline(always)] // what it makes is large: it is made where it stays
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let list = self.placed.mesh.faces();
+        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), inside(&self.placed.area).rows());
+        let statistics = self.record_faces(&mut bins)?;
+        Ok(Faces { transformed: *self, bins, statistics })
+    }
+
+    /// Sorts out the edges, and the visible ones by the rows where they begin. `records` are numbers
+    /// lent for the frame: one for each visible edge, and one for every 16 edges of the mesh.
+    ///
+    /// # Errors
+    ///
+    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
+    /// then.
+    #[inline(always)] // what it makes is large: it is made where it stays
+    pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
+        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), inside(&self.placed.area).rows());
+        let statistics = self.record_edges(&mut bins)?;
+        Ok(Edges { transformed: *self, bins, statistics })
+    }
+
+    /// Sorts out all faces, and then once more those that are kept.
+    #[inline(never)]
+    fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
         let (view, viewport) = (self.view(), inside(&self.placed.area));
-        let mut bins = Bins::new(records, list.len(), &viewport.rows())?;
-        let (mut statistics, mut bounds) = (Statistics::default(), Scissor::EMPTY);
+        let list = self.placed.mesh.faces();
+        let mut statistics = Statistics::default();
         let mut fan = Fan::<()>::new();
         loop {
             for (index, &face) in list.iter().enumerate() {
@@ -58,27 +78,21 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                         reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
                         fan.next();
                     }
-                    bins.put(index, &reach.and(&viewport), &mut bounds);
+                    bins.put(index, &reach.and(&viewport));
                 }
             }
             if !bins.turn(list.len())? {
-                return Ok(Faces { transformed: *self, bins, statistics, bounds });
+                return Ok(statistics);
             }
         }
     }
 
-    /// Sorts out the edges, and the visible ones by the rows where they begin. `records` are numbers
-    /// lent for the frame: one for each visible edge, and one for every 16 edges of the mesh.
-    ///
-    /// # Errors
-    ///
-    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
-    /// then.
-    pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
-        let list = self.placed.mesh.edges();
+    /// Sorts out all edges, and then once more those that are kept.
+    #[inline(never)]
+    fn record_edges(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
         let (view, viewport) = (self.view(), inside(&self.placed.area));
-        let mut bins = Bins::new(records, list.len(), &viewport.rows())?;
-        let (mut statistics, mut bounds) = (Statistics::default(), Scissor::EMPTY);
+        let list = self.placed.mesh.edges();
+        let mut statistics = Statistics::default();
         loop {
             for (index, &edge) in list.iter().enumerate() {
                 if !bins.wants(index) {
@@ -89,11 +103,11 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                     statistics.count_edge(ends.map(|(_, cut)| cut));
                 }
                 if let Some((ends, _)) = ends {
-                    bins.put(index, &reach_of_line(&ends).and(&viewport), &mut bounds);
+                    bins.put(index, &reach_of_line(&ends).and(&viewport));
                 }
             }
             if !bins.turn(list.len())? {
-                return Ok(Edges { transformed: *self, bins, statistics, bounds });
+                return Ok(statistics);
             }
         }
     }
@@ -115,6 +129,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
@@ -133,7 +148,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
 
     /// A rectangle around all pixels that are covered; without pixels where none is.
     pub fn bounds(&self) -> Rectangle {
-        rectangle(&self.bounds)
+        rectangle(&self.bins.bounds())
     }
 
     pub(super) fn viewport(&self) -> &Rectangle {
@@ -178,6 +193,7 @@ impl<V: Coordinate> Faces<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
@@ -197,6 +213,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn draw<D: DrawTarget>(&mut self, colour: D::Color, band: &mut D) -> Result<(), D::Error> {
         let scissor = scissor(band, self.viewport());
         self.each(&scissor, |_, _, [from, to]| {
@@ -211,7 +228,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
 
     /// A rectangle around all pixels that are drawn; without pixels where none is.
     pub fn bounds(&self) -> Rectangle {
-        rectangle(&self.bounds)
+        rectangle(&self.bins.bounds())
     }
 
     pub(super) fn viewport(&self) -> &Rectangle {

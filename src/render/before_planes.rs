@@ -18,10 +18,12 @@ pub(super) struct BeforePlanes<'a> {
 }
 
 impl Cut for BeforePlanes<'_> {
+    #[inline(never)] // rare, as all here: small is better
     fn distance(&self, plane: usize, at: usize) -> i64 {
         self.places.get(at).map_or(0, |point| self.placement.distance(plane, point))
     }
 
+    #[inline(never)]
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i64) {
         if let (Some(a), Some(b)) = (self.places.get(inside), self.places.get(outside)) {
             let point = a.towards(b, t);
@@ -45,7 +47,7 @@ impl<'a> BeforePlanes<'a> {
     }
 
     /// The image of the first corner, or `None` where that is outside.
-    #[inline(never)] // rare, as all here: small is better
+    #[inline(never)]
     pub(super) fn point(self) -> Option<Image> {
         (Outside::of(&self, 1, self.planes).any == 0).then(|| self.image(0))
     }

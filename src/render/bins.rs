@@ -6,6 +6,7 @@
 //! bands, items are drawn in the order of the mesh.
 
 use crate::raster::Scissor;
+use core::hint::black_box;
 use core::ops::Range;
 
 /// How many bins there are: for 240 rows one in four.
@@ -29,6 +30,8 @@ pub(super) struct Bins<'s> {
     taken: usize,
     /// Where the last band ended.
     row: i32,
+    /// The reach of all that were kept.
+    bounds: Scissor,
     sorting: bool,
 }
 
@@ -69,10 +72,7 @@ impl<'s> Bins<'s> {
     /// For `items` items and the rows that may be drawn. Then, until [`turn`](Self::turn) tells that all is
     /// done, all items that are [wanted](Self::wants) are [put](Self::put) in their order.
     #[inline(never)] // rare, as all here: small is better
-    pub(super) fn new(records: &'s mut [u16], items: usize, rows: &Range<i32>) -> Result<Self, BinsError> {
-        if items > usize::from(u16::MAX) {
-            return Err(BinsError::TooMany { items });
-        }
+    pub(super) fn new(records: &'s mut [u16], items: usize, rows: Range<i32>) -> Self {
         let words = items.div_ceil(16);
         // The list in front, the bits behind it. Where there is no room even for these, `turn` says so.
         let list = records.len().saturating_sub(words);
@@ -80,7 +80,7 @@ impl<'s> Bins<'s> {
         open.fill(0);
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
         let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        Ok(Self {
+        Self {
             order,
             open,
             ends: [0; BINS],
@@ -88,8 +88,9 @@ impl<'s> Bins<'s> {
             shift,
             taken: 0,
             row: i32::MIN,
+            bounds: Scissor::EMPTY,
             sorting: false,
-        })
+        }
     }
 
     /// Whether an item is to be looked at: the first time any, then those that were kept.
@@ -98,19 +99,24 @@ impl<'s> Bins<'s> {
         !self.sorting || self.open.get(item / 16).is_some_and(|bits| bits >> (item % 16) & 1 == 1)
     }
 
+    /// The reach of all that were kept.
+    pub(super) fn bounds(&self) -> Scissor {
+        self.bounds
+    }
+
     /// Whether it is the second time.
     #[inline(always)]
     pub(super) fn is_sorting(&self) -> bool {
         self.sorting
     }
 
-    /// Keeps an item with this reach, unless that is empty, and its reach in that of all.
+    /// Keeps an item with this reach, unless that is empty.
     #[inline(never)]
-    pub(super) fn put(&mut self, item: usize, reach: &Scissor, all: &mut Scissor) {
+    pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
         if reach.is_empty() {
             return;
         }
-        *all = all.or(reach);
+        self.bounds = self.bounds.or(reach);
         let bin = self.bin(reach.rows().start);
         let Some(end) = self.ends.get_mut(bin) else { return };
         if self.sorting {
@@ -134,6 +140,9 @@ impl<'s> Bins<'s> {
             (self.sorting, self.taken) = (false, 0);
             return Ok(false);
         }
+        if items > usize::from(u16::MAX) {
+            return Err(BinsError::TooMany { items });
+        }
         let (needed, given) = (self.taken + items.div_ceil(16), self.order.len() + self.open.len());
         if given < needed {
             return Err(BinsError::Records { needed, given });
@@ -141,6 +150,7 @@ impl<'s> Bins<'s> {
         // From counts to beginnings.
         let mut sum = 0u16;
         for end in &mut self.ends {
+            black_box(()); // keeps the loop as short as it is
             let count = core::mem::replace(end, sum);
             sum = sum.wrapping_add(count); // all that were kept, in the end
         }
@@ -194,6 +204,7 @@ impl<'s> Bins<'s> {
         }
         let until = self.ends.get(self.bin(rows.end - 1)).map_or(0, |&end| usize::from(end));
         for &item in self.order.get(self.taken..until).unwrap_or_default() {
+            black_box(()); // keeps the loop as short as it is
             if let Some(bits) = self.open.get_mut(usize::from(item / 16)) {
                 *bits |= 1 << (item % 16);
             }
@@ -214,13 +225,12 @@ mod tests {
     #[test]
     fn a_band_that_is_not_below_the_last_begins_anew() {
         let mut records = [0; 4];
-        let Ok(mut bins) = Bins::new(&mut records, 3, &(0..40)) else { panic!() };
-        let mut all = Scissor::EMPTY;
+        let mut bins = Bins::new(&mut records, 3, 0..40);
         loop {
             let wanted = (0..3).filter(|&item| bins.wants(item)).collect::<heapless::Vec<_, 3>>();
             wanted
                 .into_iter()
-                .for_each(|item| bins.put(item, &Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1), &mut all));
+                .for_each(|item| bins.put(item, &Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1)));
             match bins.turn(3) {
                 Ok(true) => {}
                 Ok(false) => break,

@@ -48,6 +48,8 @@ pub(super) struct Pieces {
     polygon: Vec<Image, CORNERS>,
     /// Where they were cut, which is where they are carried.
     order: Order,
+    /// Whether it is taken from its last corner to its first.
+    turned: bool,
     /// The second corner of this triangle; the first is the polygon's.
     at: usize,
 }
@@ -68,7 +70,7 @@ impl Pieces {
             let _ = self.polygon.push(image(at.into())); // as many as the order can have
         }
         self.order = order;
-        self.at = 0;
+        (self.turned, self.at) = (false, 0);
         let mut area = 0; // < 7·2⁴⁵
         while self.step() {
             area += self.area;
@@ -83,18 +85,23 @@ impl Pieces {
 
     /// To the first triangle of a polygon, all of which are counter-clockwise from here on.
     pub(super) fn face_viewer(&mut self) {
-        if self.area < 0 {
-            self.polygon.reverse();
-            self.order.reverse();
-        }
-        self.at = 0;
+        (self.turned, self.at) = (self.area < 0, 0);
         self.advance();
+    }
+
+    /// Where the polygon's corner of this number stands.
+    fn place(&self, corner: usize) -> usize {
+        if self.turned {
+            self.polygon.len().wrapping_sub(corner + 1) // where there are not so many, none stands there
+        } else {
+            corner
+        }
     }
 
     /// To the next triangle of the fan about the first corner, if there is one more.
     #[inline(never)] // rare: small is better
     fn step(&mut self) -> bool {
-        let corner = |at: usize| self.polygon.get(at).copied();
+        let corner = |at: usize| self.polygon.get(self.place(at)).copied();
         let (Some(a), Some(b), Some(c)) = (corner(0), corner(self.at + 1), corner(self.at + 2)) else {
             return false;
         };
@@ -133,7 +140,14 @@ impl<K: Carried> Fan<K> {
     pub(super) fn new() -> Self {
         let corner = Image { point: ScreenPoint::ORIGIN, depth: 0 };
         Self {
-            pieces: Pieces { corners: [corner; 3], area: 0, polygon: Vec::new(), order: Vec::new(), at: 0 },
+            pieces: Pieces {
+                corners: [corner; 3],
+                area: 0,
+                polygon: Vec::new(),
+                order: Vec::new(),
+                turned: false,
+                at: 0,
+            },
             carried: [K::of(0); PLACES],
         }
     }
@@ -162,7 +176,7 @@ impl<K: Carried> Fan<K> {
         } else {
             let at = self.pieces.at;
             ink.piece([0, at, at + 1].map(|corner| {
-                let place = self.pieces.order.get(corner).copied().unwrap_or(0);
+                let place = self.pieces.order.get(self.pieces.place(corner)).copied().unwrap_or(0);
                 self.carried.get(usize::from(place)).copied().unwrap_or_else(|| K::of(0))
             }))
         }

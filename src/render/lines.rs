@@ -21,6 +21,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn wireframe_depth_tested<D: DrawTarget>(
         &self,
         colour: D::Color,
@@ -34,6 +35,7 @@ impl<V: Coordinate> Placed<'_, V> {
     }
 
     /// Keeps the depth of the faces and draws nothing: what hides lines.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
         let window = Window::of_depth(depth, &self.area);
         let view = View::<V, true>::new(self, cache);
@@ -99,6 +101,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn hidden_line<D: DrawTarget>(
         &self,
         colour: D::Color,
@@ -121,6 +124,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_tested<D: DrawTarget>(
         &mut self,
         colour: D::Color,
@@ -136,6 +140,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn hidden_line<D: DrawTarget>(
         &mut self,
         colour: D::Color,
@@ -152,6 +157,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
 
 impl<V: Coordinate> super::Faces<'_, V, true> {
     /// Keeps the depth of what lies in a band and draws nothing: see [`Placed::depth_only`].
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
         let window = Window::of_depth(depth, self.viewport());
         let Ok(()) = self.each(

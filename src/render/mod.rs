@@ -156,7 +156,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// such vertex, or it lies in front of the near plane; what is beyond ±2³⁰ saturates.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
         let vertex = *self.mesh.vertices().get(index)?;
-        let h = self.placement.clip(vertex);
+        let h = self.placement.clip_one(vertex);
         (h.d >= 0 && h.w > 0).then(|| self.placement.unsnapped(&h))
     }
 
@@ -170,6 +170,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn wireframe<D: DrawTarget>(
         &self,
         colour: D::Color,
@@ -190,6 +191,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
         &self,
         shade: impl FnMut(usize) -> I,
@@ -248,6 +250,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
         &self,
         shade: impl FnMut(usize) -> I,

@@ -127,6 +127,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn draw<D: DrawTarget>(&self, target: &mut D) -> Result<(), D::Error>
     where
         I: InkFor<D::Color>,
@@ -176,6 +177,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     ///
     /// [`RecordError`] when there is no room, or the viewport is another than that of what is
     /// recorded already. Nothing of this mesh is recorded then, and all else still is.
+    #[inline(never)] // its frame is gone when it returns
     pub fn add<V: Coordinate>(
         &mut self,
         placed: &Placed<'_, V>,
@@ -271,6 +273,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn draw<D: DrawTarget>(&mut self, target: &mut D) -> Result<Statistics, D::Error>
     where
         I: InkFor<D::Color>,

@@ -13,6 +13,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first pixel that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn points<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
         let mut statistics = Statistics::default();
@@ -37,6 +38,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn polyline<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
         let mut statistics = Statistics::default();

@@ -7,6 +7,7 @@ use crate::camera::{Corner, Image, Placement};
 use crate::clip::{Carried, PLACES};
 use crate::math::{Coordinate, Homogeneous};
 use crate::raster;
+use core::hint::black_box;
 
 /// A placed mesh with its vertices on the screen, each transformed once. `DEPTH` tells whether their
 /// depth was computed too.
@@ -214,7 +215,8 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     corners: &mut [Corner],
 ) {
     for (corner, &vertex) in corners.iter_mut().zip(vertices) {
-        *corner = placement.project::<V, DEPTH>(vertex, far);
+        // `black_box`: nothing of it is brought into registers, of which there are too few, before the loop.
+        *corner = black_box(placement).project::<V, DEPTH>(vertex, far);
     }
 }
 
@@ -228,7 +230,7 @@ fn to_clip_space<V: Coordinate>(
 ) {
     for (&index, place) in indices.iter().zip(places) {
         if let Some(&vertex) = vertices.get(usize::from(index)) {
-            *place = placement.clip(vertex);
+            *place = placement.clip_one(vertex);
         }
     }
 }
