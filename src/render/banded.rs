@@ -37,7 +37,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// then.
     #[inline(always)] // what it makes is large: it is made where it stays
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), inside(&self.placed.area).rows());
+        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), inside(&self.placed.area));
         let statistics = self.record_faces(&mut bins)?;
         Ok(Faces { transformed: *self, bins, statistics })
     }
@@ -51,7 +51,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// then.
     #[inline(always)] // what it makes is large: it is made where it stays
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), inside(&self.placed.area).rows());
+        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), inside(&self.placed.area));
         let statistics = self.record_edges(&mut bins)?;
         Ok(Edges { transformed: *self, bins, statistics })
     }
@@ -59,7 +59,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Sorts out all faces, and then once more those that are kept.
     #[inline(never)]
     fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
-        let (view, viewport) = (self.view(), inside(&self.placed.area));
+        let view = self.view();
         let list = self.placed.mesh.faces();
         let mut statistics = Statistics::default();
         let mut fan = Fan::<()>::new();
@@ -78,7 +78,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                         reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
                         fan.next();
                     }
-                    bins.put(index, &reach.and(&viewport));
+                    bins.put(index, &reach);
                 }
             }
             if !bins.turn(list.len())? {
@@ -90,7 +90,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Sorts out all edges, and then once more those that are kept.
     #[inline(never)]
     fn record_edges(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
-        let (view, viewport) = (self.view(), inside(&self.placed.area));
+        let view = self.view();
         let list = self.placed.mesh.edges();
         let mut statistics = Statistics::default();
         loop {
@@ -103,7 +103,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                     statistics.count_edge(ends.map(|(_, cut)| cut));
                 }
                 if let Some((ends, _)) = ends {
-                    bins.put(index, &reach_of_line(&ends).and(&viewport));
+                    bins.put(index, &reach_of_line(&ends));
                 }
             }
             if !bins.turn(list.len())? {

@@ -22,8 +22,8 @@ pub(super) struct Bins<'s> {
     /// Where each bin ends in `order`. While counting how many items it has, and while sorting where its next
     /// one goes.
     ends: [u16; BINS],
-    /// The first row of the first bin.
-    top: i32,
+    /// Its first row is that of the first bin.
+    viewport: Scissor,
     /// A bin has 2^shift rows.
     shift: u32,
     /// How many of `order` were taken in. While counting and sorting: how many items were kept.
@@ -69,22 +69,23 @@ impl core::fmt::Display for BinsError {
 impl core::error::Error for BinsError {}
 
 impl<'s> Bins<'s> {
-    /// For `items` items and the rows that may be drawn. Then, until [`turn`](Self::turn) tells that all is
+    /// For `items` items and where they may be drawn. Then, until [`turn`](Self::turn) tells that all is
     /// done, all items that are [wanted](Self::wants) are [put](Self::put) in their order.
     #[inline(never)] // rare, as all here: small is better
-    pub(super) fn new(records: &'s mut [u16], items: usize, rows: Range<i32>) -> Self {
+    pub(super) fn new(records: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
         let words = items.div_ceil(16);
         // The list in front, the bits behind it. Where there is no room even for these, `turn` says so.
         let list = records.len().saturating_sub(words);
         let (order, open) = records.split_at_mut_checked(list).unwrap_or_default();
         open.fill(0);
+        let rows = viewport.rows();
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
         let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
         Self {
             order,
             open,
             ends: [0; BINS],
-            top: rows.start,
+            viewport,
             shift,
             taken: 0,
             row: i32::MIN,
@@ -110,13 +111,14 @@ impl<'s> Bins<'s> {
         self.sorting
     }
 
-    /// Keeps an item with this reach, unless that is empty.
+    /// Keeps an item with this reach, unless none of that may be drawn.
     #[inline(never)]
     pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
+        let reach = reach.and(&self.viewport);
         if reach.is_empty() {
             return;
         }
-        self.bounds = self.bounds.or(reach);
+        self.bounds = self.bounds.or(&reach);
         let bin = self.bin(reach.rows().start);
         let Some(end) = self.ends.get_mut(bin) else { return };
         if self.sorting {
@@ -159,7 +161,7 @@ impl<'s> Bins<'s> {
     }
 
     fn bin(&self, row: i32) -> usize {
-        (row.saturating_sub(self.top).max(0) >> self.shift).min(BINS as i32 - 1) as usize
+        (row.saturating_sub(self.viewport.rows().start).max(0) >> self.shift).min(BINS as i32 - 1) as usize
     }
 
     /// Calls `draw` for the items that may lie in a band, in the order of the mesh, until it tells that
@@ -199,7 +201,7 @@ impl<'s> Bins<'s> {
             self.taken = 0;
         }
         self.row = rows.end;
-        if rows.end <= self.top {
+        if rows.end <= self.viewport.rows().start {
             return;
         }
         let until = self.ends.get(self.bin(rows.end - 1)).map_or(0, |&end| usize::from(end));
@@ -225,7 +227,7 @@ mod tests {
     #[test]
     fn a_band_that_is_not_below_the_last_begins_anew() {
         let mut records = [0; 4];
-        let mut bins = Bins::new(&mut records, 3, 0..40);
+        let mut bins = Bins::new(&mut records, 3, Scissor::new(0, 0, 1, 40));
         loop {
             let wanted = (0..3).filter(|&item| bins.wants(item)).collect::<heapless::Vec<_, 3>>();
             wanted
