@@ -194,7 +194,7 @@ impl Placement {
         };
         let up = (self.xy_over_w + self.screen.unit) & 63; // ≤ 21
         let v = i64::from(v) << up;
-        let (v, centre) = if plane % 2 == 0 { (-v, -centre) } else { (v, centre) };
+        let (v, centre) = if plane & 1 == 0 { (-v, -centre) } else { (v, centre) };
         i64::from(crate::raster::GUARD_BAND * 256 + centre) * i64::from(h.w) + v
     }
 

@@ -173,6 +173,7 @@ impl<V: Coordinate> super::Faces<'_, V, true> {
 
 impl<V: Coordinate> View<'_, V, true> {
     /// The faces beside an edge, as their depth was kept: piece by piece where they were cut.
+    #[inline(never)]
     fn beside(&self, edge: usize, viewport: &Scissor) -> Vec<Beside, { 2 * (CORNERS - 2) }> {
         let mut all = Vec::new();
         let mesh = &self.placed.mesh;
