@@ -151,20 +151,19 @@ impl Placement {
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
     /// same bits where both work.
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // rare: small is better
     pub(crate) fn image(&self, h: &Homogeneous) -> Image {
         let r = reciprocal(h.w);
         let n = r.shift as i32;
         let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
-        let along = |v: i32, centre: i32| {
-            let v = scale(mul_wide(v, r.mantissa), -right) + i64::from(centre);
-            v.clamp(-(1 << 21), 1 << 21) as i32 // the guard band
-        };
         let [cx, cy] = self.screen.centre;
-        let depth = scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 37);
+        let depth = quotient(h.d, r.mantissa, n + self.d_over_w - 37, 0);
         Image {
-            point: ScreenPoint::inside(along(h.x, cx), along(h.y, cy)),
-            depth: depth.clamp(0, i64::from(FARTHEST)) as i32,
+            point: ScreenPoint::clamped(
+                quotient(h.x, r.mantissa, -right, cx),
+                quotient(h.y, r.mantissa, -right, cy),
+            ),
+            depth: depth.clamp(0, FARTHEST),
         }
     }
 
@@ -212,6 +211,13 @@ impl Placement {
         let down = (self.d_over_w - up).min(63);
         ((i64::from(h.w) * 65_535) >> down) - (i64::from(h.d) << (16 + up))
     }
+}
+
+/// `v · mantissa · 2^shift`, rounded to nearest, and `more`; within ±2³⁰. |more| < 2²⁴.
+#[inline(never)] // rare: small is better
+fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
+    let sum = scale(mul_wide(v, mantissa), shift) + i64::from(more); // `scale` stays within ±2⁶²
+    sum.clamp(-(1 << 30), 1 << 30) as i32
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.
