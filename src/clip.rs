@@ -24,24 +24,36 @@ use heapless::Vec;
 /// A triangle cut by six planes has at most 3 + 6 corners.
 pub const CORNERS: usize = 9;
 
-/// A convex polygon.
-pub(crate) type Polygon<P> = Vec<P, CORNERS>;
+/// Places for the corners of a polygon while a plane cuts it, which brings two new ones.
+pub(crate) const PLACES: usize = CORNERS + 2;
 
-/// What can be cut: a point with all that varies linearly with it.
-pub(crate) trait Cut: Copy {
-    /// The point `t`·2⁻³¹ of the way to `other`.
-    fn towards(&self, other: &Self, t: i64) -> Self;
+/// The places of a polygon's corners, in their order.
+pub(crate) type Order = Vec<u8, CORNERS>;
+
+/// Corners in numbered places, before planes. They may be any points that vary linearly along an edge: the
+/// clipper knows no more of them than this.
+pub(crate) trait Cut {
+    /// How far corner `at` lies from a plane, below 2⁵⁵ and negative outside.
+    fn distance(&self, plane: usize, at: usize) -> i64;
+
+    /// Puts the point `t`·2⁻³¹ of the way from one corner to another into place `at`, which may be one of theirs.
+    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i64);
 }
 
 /// `a + (b − a)·t·2⁻³¹`, rounded to nearest.
+#[inline(never)] // once, for all that varies: rare, so small is better
 fn between(a: i32, b: i32, t: i64) -> i32 {
     let way = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
     let moved = (((way * t) >> 30) + 1) >> 1;
     (i64::from(a) + moved) as i32 // between a and b
 }
 
-impl Cut for Homogeneous {
-    fn towards(&self, other: &Self, t: i64) -> Self {
+impl Homogeneous {
+    /// For places not yet taken.
+    pub(crate) const ZERO: Self = Self { x: 0, y: 0, d: 0, w: 0 };
+
+    /// The point `t`·2⁻³¹ of the way to `other`.
+    pub(crate) fn towards(&self, other: &Self, t: i64) -> Self {
         Self {
             x: between(self.x, other.x, t),
             y: between(self.y, other.y, t),
@@ -90,88 +102,84 @@ impl Carried for Barycentric {
     }
 }
 
-impl<K: Carried> Cut for (Homogeneous, K) {
-    fn towards(&self, other: &Self, t: i64) -> Self {
-        (self.0.towards(&other.0, t), self.1.towards(&other.1, t))
-    }
-}
-
-/// Where the edge from `inside` to `outside` passes the plane. Always computed from the inner
+/// Puts into place `at` where the edge between two corners passes a plane. Always computed from the inner
 /// end, so that both neighbours of an edge get the same point. The parameter has 31 bits and each
 /// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.
-fn cut<P: Cut>(inside: &P, outside: &P, d_in: i64, d_out: i64) -> P {
-    // 0 ≤ d_in, d_out < 0, both below 2⁵⁵: t in 2⁻³¹, below 1.
-    let t = fraction(d_in.unsigned_abs(), d_in.abs_diff(d_out), 31) as i64;
-    inside.towards(outside, t)
+fn cut(corners: &mut impl Cut, at: usize, inside: (usize, i64), outside: (usize, i64)) {
+    // 0 ≤ inside.1, outside.1 < 0, both below 2⁵⁵: t in 2⁻³¹, below 1.
+    let t = fraction(inside.1.unsigned_abs(), inside.1.abs_diff(outside.1), 31) as i64;
+    corners.put(at, inside.0, outside.0, t);
 }
 
-/// The six-bit outcode: bit i is set outside plane i. (Cohen and Sutherland; Newman and Sproull,
-/// *Principles of Interactive Computer Graphics*, 2nd ed., section 5.1.)
-pub(crate) fn outcode<P>(p: &P, planes: usize, distance: impl Fn(usize, &P) -> i64) -> u32 {
-    (0..planes).filter(|&i| distance(i, p) < 0).map(|i| 1 << i).sum()
+/// Where the first `count` corners lie: the planes outside of which all of them are, and those outside of which any is.
+/// Bit i stands for plane i. (Cohen and Sutherland's outcodes; Newman and Sproull, *Principles of Interactive
+/// Computer Graphics*, 2nd ed., section 5.1.)
+pub(crate) struct Outside {
+    pub(crate) all: u32,
+    pub(crate) any: u32,
 }
 
-/// The part of the line inside all planes, or `None`: Cohen–Sutherland in homogeneous coordinates.
-pub(crate) fn line_at<P: Cut>(
-    mut a: P,
-    mut b: P,
-    planes: usize,
-    distance: impl Fn(usize, &P) -> i64,
-) -> Option<(P, P)> {
-    if outcode(&a, planes, &distance) & outcode(&b, planes, &distance) != 0 {
-        return None;
+impl Outside {
+    pub(crate) fn of(corners: &impl Cut, count: usize, planes: usize) -> Self {
+        let mut outside = Self { all: 0, any: 0 };
+        for plane in 0..planes {
+            let beyond = (0..count).filter(|&at| corners.distance(plane, at) < 0).count();
+            outside.all |= u32::from(beyond == count) << plane;
+            outside.any |= u32::from(beyond > 0) << plane;
+        }
+        outside
     }
+}
+
+/// Leaves of the line from corner 0 to corner 1 the part inside all planes, and tells whether there is any:
+/// Cohen–Sutherland in homogeneous coordinates.
+pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> bool {
     for plane in 0..planes {
-        let (da, db) = (distance(plane, &a), distance(plane, &b));
-        match (da < 0, db < 0) {
+        let [a, b] = [0, 1].map(|at| (at, corners.distance(plane, at)));
+        match (a.1 < 0, b.1 < 0) {
             (false, false) => {}
-            (true, true) => return None,
-            (false, true) => b = cut(&a, &b, da, db),
-            (true, false) => a = cut(&b, &a, db, da),
+            (true, true) => return false,
+            (false, true) => cut(corners, 1, a, b),
+            (true, false) => cut(corners, 0, b, a),
         }
     }
-    Some((a, b))
+    true
 }
 
 /// A convex polygon grows by at most one corner a plane, so there is room; if rounding should bend
 /// one, the corner too many is left out.
-fn add<P>(polygon: &mut Polygon<P>, corner: P) {
-    let _ = polygon.push(corner);
+fn add(polygon: &mut Order, corner: usize) {
+    let _ = polygon.push(corner as u8); // one of `PLACES`
 }
 
-/// The part of the triangle inside all planes; fewer than three corners when nothing is left.
-/// (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
-pub(crate) fn triangle_at<P: Cut>(
-    corners: [P; 3],
-    planes: usize,
-    distance: impl Fn(usize, &P) -> i64,
-) -> Polygon<P> {
-    let mut polygon = Polygon::new();
-    let mut common = !0;
-    for corner in corners {
-        common &= outcode(&corner, planes, &distance);
-        add(&mut polygon, corner);
-    }
-    if common != 0 {
-        return Polygon::new();
-    }
+/// The part of the triangle of corners 0, 1 and 2 inside all planes; fewer than three corners when nothing is
+/// left. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
+pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> Order {
+    let mut polygon = Order::new();
+    (0..3).for_each(|corner| add(&mut polygon, corner));
+    let mut taken = 0b111u32; // places, a bit each
     for plane in 0..planes {
         let Some(&last) = polygon.last() else { break };
-        let (mut from, mut d_from) = (last, distance(plane, &last));
-        let mut kept = Polygon::new();
+        let mut kept = Order::new();
+        let mut left = 0;
+        let mut from = (usize::from(last), corners.distance(plane, last.into()));
         for &to in &polygon {
-            let d_to = distance(plane, &to);
-            match (d_from < 0, d_to < 0) {
-                (false, true) => add(&mut kept, cut(&from, &to, d_from, d_to)),
-                (true, false) => add(&mut kept, cut(&to, &from, d_to, d_from)),
-                _ => {}
+            let to = (usize::from(to), corners.distance(plane, to.into()));
+            if (from.1 < 0) != (to.1 < 0) {
+                let free = taken.trailing_ones(); // below `PLACES` in a convex polygon
+                taken |= 1 << (free & 31);
+                let (inside, outside) = if to.1 < 0 { (from, to) } else { (to, from) };
+                cut(corners, free as usize, inside, outside);
+                add(&mut kept, free as usize);
             }
-            if d_to >= 0 {
-                add(&mut kept, to);
+            if to.1 < 0 {
+                left |= 1 << (to.0 & 31);
+            } else {
+                add(&mut kept, to.0);
             }
-            (from, d_from) = (to, d_to);
+            from = to;
         }
-        polygon = kept;
+        (polygon, taken) = (kept, taken & !left);
     }
     polygon
 }
@@ -193,30 +201,41 @@ struct Aligned<const A: usize> {
     attributes: [i32; A],
 }
 
-impl<const A: usize> Cut for Aligned<A> {
-    fn towards(&self, other: &Self, t: i64) -> Self {
-        let mut result = *self;
-        for (a, b) in result.xyzw.iter_mut().zip(other.xyzw) {
+impl<const A: usize> Aligned<A> {
+    fn new(point: &ClipPoint, exponent: i32, attributes: [i32; A]) -> Self {
+        Self { xyzw: point.in_units(exponent), attributes }
+    }
+
+    fn towards(mut self, other: &Self, t: i64) -> Self {
+        let ends = self.xyzw.iter_mut().zip(&other.xyzw);
+        for (a, &b) in ends.chain(self.attributes.iter_mut().zip(&other.attributes)) {
             *a = between(*a, b, t);
         }
-        for (a, b) in result.attributes.iter_mut().zip(other.attributes) {
-            *a = between(*a, b, t);
-        }
-        result
+        self
     }
 }
 
-/// The distances from the six planes of the view volume, in the order of
-/// [`Outcode`](crate::Outcode)'s bits.
-fn side<const A: usize>(plane: usize, p: &Aligned<A>) -> i64 {
-    let [x, y, z, w] = p.xyzw.map(i64::from);
-    match plane {
-        0 => w + x,
-        1 => w - x,
-        2 => w + y,
-        3 => w - y,
-        4 => w + z,
-        _ => w - z,
+/// Corners before the six planes of the view volume, in the order of [`Outcode`](crate::Outcode)'s bits.
+impl<const A: usize, const N: usize> Cut for [Aligned<A>; N] {
+    fn distance(&self, plane: usize, at: usize) -> i64 {
+        let [x, y, z, w] = self.get(at).map_or([0; 4], |p| p.xyzw.map(i64::from));
+        match plane {
+            0 => w + x,
+            1 => w - x,
+            2 => w + y,
+            3 => w - y,
+            4 => w + z,
+            _ => w - z,
+        }
+    }
+
+    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i64) {
+        if let (Some(a), Some(b)) = (self.get(inside), self.get(outside)) {
+            let point = a.towards(b, t);
+            if let Some(place) = self.get_mut(at) {
+                *place = point;
+            }
+        }
     }
 }
 
@@ -227,9 +246,10 @@ fn side<const A: usize>(plane: usize, p: &Aligned<A>) -> i64 {
 /// section 6.5.4.)
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     let exponent = a.exponent().max(b.exponent());
-    let align = |p: &ClipPoint| Aligned { xyzw: p.in_units(exponent), attributes: [] };
-    let (a, b) = line_at(align(&a), align(&b), 6, side)?;
-    Some((ClipPoint::from_units(a.xyzw, exponent), ClipPoint::from_units(b.xyzw, exponent)))
+    let mut ends = [a, b].map(|p| Aligned::new(&p, exponent, []));
+    let inside = Outside::of(&ends, 2, 6).all == 0 && line_at(&mut ends, 6);
+    let [a, b] = ends.map(|p| ClipPoint::from_units(p.xyzw, exponent));
+    inside.then_some((a, b))
 }
 
 /// The part of a triangle inside the view volume −w ≤ x, y, z ≤ w: a convex polygon of up to nine
@@ -238,17 +258,23 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);
-    let aligned = corners.map(|c| Aligned { xyzw: c.point.in_units(exponent), attributes: c.attributes });
-    let polygon = triangle_at(aligned, 6, side);
-    let back = |p: &Aligned<A>| ClipVertex {
-        point: ClipPoint::from_units(p.xyzw, exponent),
-        attributes: p.attributes,
-    };
+    let [a, b, c] = corners.map(|c| Aligned::new(&c.point, exponent, c.attributes));
+    let mut places = [a; PLACES];
+    (places[1], places[2]) = (b, c);
     let mut result = Vec::new();
-    if polygon.len() >= 3 {
-        for corner in &polygon {
-            let _ = result.push(back(corner)); // as many as the polygon can have
-        }
+    if Outside::of(&places, 3, 6).all != 0 {
+        return result;
+    }
+    let polygon = triangle_at(&mut places, 6);
+    if polygon.len() < 3 {
+        return result;
+    }
+    for corner in polygon.iter().filter_map(|&at| places.get(usize::from(at))) {
+        // As many as the polygon can have.
+        let _ = result.push(ClipVertex {
+            point: ClipPoint::from_units(corner.xyzw, exponent),
+            attributes: corner.attributes,
+        });
     }
     result
 }

@@ -88,7 +88,16 @@ impl Placement {
         }
     }
 
+    /// The vertex in clip space, where vertices are few: small is better.
+    #[inline(never)]
+    pub(crate) fn clip_one<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
+        let v = vertex.map(|c| c.justify(self.justify));
+        let at = |form: &Form| form.at_one(&v, V::NARROW);
+        Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
+    }
+
     /// The vertex in clip space.
+    #[inline(always)]
     pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
         let v = vertex.map(|c| c.justify(self.justify));
         let at = |form: &Form| form.at(v, V::NARROW);
@@ -96,13 +105,13 @@ impl Placement {
     }
 
     /// The vertex on the screen, or an empty corner when it must be clipped or lies farther out than
-    /// corners reach: in front of near, outside the guard band, or so near to the eye that 32 bits do
-    /// not carry it.
+    /// corners reach: in front of near, outside the guard band, beyond far if that cuts, or so near to
+    /// the eye that 32 bits do not carry it.
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `29 − e − unit − n ≥ 1`, rounded to nearest with ties up.
     #[inline(always)]
-    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3]) -> Corner {
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3], far: bool) -> Corner {
         let h = self.clip(vertex);
         // |v| >> wide < w >> narrow implies |v| < w·2^(wide − narrow). (v ^ v >> 31 is |v|, or |v| − 1:
         // then it may be equal, and still has a place.)
@@ -111,7 +120,9 @@ impl Placement {
         if h.d < 0 || h.w < self.least_w || beyond(h.x) || beyond(h.y) {
             return Corner::EMPTY;
         }
-        if self.far_clip && self.beyond_far(&h) < 0 {
+        // d·2^d_over_w at most w less what d is stored short: then w − d is not negative. Rarely not so.
+        let limit = (h.w - (h.w >> 16) - 1) >> self.d_over_w.min(31);
+        if far && h.d >= limit && self.beyond_far(&h) < 0 {
             return Corner::EMPTY;
         }
         let r = reciprocal(h.w);
@@ -142,17 +153,19 @@ impl Placement {
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
     /// same bits where both work.
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // rare: small is better
     pub(crate) fn image(&self, h: &Homogeneous) -> Image {
         let r = reciprocal(h.w);
         let n = r.shift as i32;
-        let left = n + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
-                                                               // Times the mantissa and 2^left, rounded; far beyond the guard band it ends at ±2³⁰.
-        let along = |v: i32, left: i32| narrow(scale(mul_wide(v, r.mantissa), left));
-        let [cx, cy] = self.screen.centre; // |centre| ≤ 2²¹: sums stay below 2³¹
+        let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
+        let [cx, cy] = self.screen.centre;
+        let depth = quotient(h.d, r.mantissa, n + self.d_over_w - 37, 0);
         Image {
-            point: ScreenPoint::clamped(along(h.x, left) + cx, along(h.y, left) + cy),
-            depth: along(h.d, n + self.d_over_w - 37).clamp(0, FARTHEST),
+            point: ScreenPoint::clamped(
+                quotient(h.x, r.mantissa, -right, cx),
+                quotient(h.y, r.mantissa, -right, cy),
+            ),
+            depth: depth.clamp(0, FARTHEST),
         }
     }
 
@@ -171,32 +184,29 @@ impl Placement {
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
     /// view volume cut at the guard band; each scaled by a positive factor of its own, negative
     /// outside. At most 2⁵⁴.
+    #[inline(never)] // rare: small is better
     pub(crate) fn distance(&self, plane: usize, h: &Homogeneous) -> i64 {
-        let guard = i64::from(crate::raster::GUARD_BAND * 256);
-        let up = self.xy_over_w + self.screen.unit; // ≤ 21
-        let [cx, cy] = self.screen.centre.map(i64::from);
-        let (x, y, w) = (i64::from(h.x) << up, i64::from(h.y) << up, i64::from(h.w));
-        match plane {
-            0 => i64::from(h.d),
-            1 => (guard + cx) * w + x,
-            2 => (guard - cx) * w - x,
-            3 => (guard + cy) * w + y,
-            4 => (guard - cy) * w - y,
-            _ => self.beyond_far(h),
-        }
+        let [cx, cy] = self.screen.centre;
+        let (v, centre) = match plane {
+            0 => return h.d.into(),
+            1 | 2 => (h.x, cx),
+            3 | 4 => (h.y, cy),
+            _ => return self.beyond_far(h),
+        };
+        let up = (self.xy_over_w + self.screen.unit) & 63; // ≤ 21
+        let v = i64::from(v) << up;
+        let (v, centre) = if plane & 1 == 0 { (-v, -centre) } else { (v, centre) };
+        i64::from(crate::raster::GUARD_BAND * 256 + centre) * i64::from(h.w) + v
     }
 
-    /// Cutting at the far plane, whatever the camera says.
-    pub(crate) fn with_far_clip(self) -> Self {
-        Self { far_clip: true, ..self }
-    }
-
-    /// How many of the planes of [`distance`](Self::distance) cut.
-    pub(crate) fn planes(&self) -> usize {
-        5 + usize::from(self.far_clip)
+    /// Whether the camera cuts at the far plane.
+    pub(crate) fn cuts_at_far(&self) -> bool {
+        self.far_clip
     }
 
     /// `w − d` (d is stored times 65535/65536), negative beyond the far plane.
+    #[cold]
+    #[inline(never)]
     fn beyond_far(&self, h: &Homogeneous) -> i64 {
         // Beyond a difference of 14 bits w gives way: 47 + 14 bits at most.
         let up = self.d_over_w.min(14);
@@ -205,10 +215,11 @@ impl Placement {
     }
 }
 
-/// ±2³⁰ at most.
-#[inline(never)] // set-up: small is better
-fn narrow(v: i64) -> i32 {
-    v.clamp(-(1 << 30), 1 << 30) as i32
+/// `v · mantissa · 2^shift`, rounded to nearest, and `more`; within ±2³⁰. |more| < 2²⁴.
+#[inline(never)] // rare: small is better
+fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
+    let sum = scale(mul_wide(v, mantissa), shift) + i64::from(more); // `scale` stays within ±2⁶²
+    sum.clamp(-(1 << 30), 1 << 30) as i32
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.

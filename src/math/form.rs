@@ -77,6 +77,12 @@ impl Form {
         self.at_wide(v)
     }
 
+    /// [`at`](Self::at) where vertices are few.
+    #[inline(never)]
+    pub(crate) fn at_one(&self, v: &[i32; 3], narrow: bool) -> i32 {
+        self.at(*v, narrow)
+    }
+
     #[inline(always)]
     fn at_wide(&self, [x, y, z]: [i32; 3]) -> i32 {
         let [a, b, c] = self.doubled;

@@ -1,12 +1,11 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, pieces, Ink, InkFor, Outcome, Statistics, Transformed, Window};
+use super::{fill, fill_nearer, Fan, Ink, InkFor, Statistics, Transformed, View, Window};
 use crate::camera::Image;
-use crate::clip::Carried;
 use crate::math::Coordinate;
 use crate::output::{inside, rectangle, scissor, send, DepthBuffer};
-use crate::raster::{self, Scissor, ScreenPoint};
+use crate::raster::{self, Scissor};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -17,7 +16,6 @@ pub struct Faces<'a, V = i16, const DEPTH: bool = false> {
     transformed: Transformed<'a, V, DEPTH>,
     bins: Bins<'a>,
     statistics: Statistics,
-    bounds: Scissor,
 }
 
 /// The visible edges of a mesh, ready to be drawn band by band: see [`Transformed::edges`]; they are
@@ -27,7 +25,6 @@ pub struct Edges<'a, V = i16, const DEPTH: bool = false> {
     transformed: Transformed<'a, V, DEPTH>,
     bins: Bins<'a>,
     statistics: Statistics,
-    bounds: Scissor,
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
@@ -38,31 +35,11 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
     /// then.
+    #[inline(always)] // what it makes is large: it is made where it stays
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let list = self.placed.mesh.faces();
-        let viewport = inside(&self.placed.area);
-        let (mut statistics, mut bounds) = (Statistics::default(), Scissor::EMPTY);
-        let face = |index: usize| list.get(index).copied().unwrap_or_default();
-        let bins = Bins::new(
-            records,
-            list.len(),
-            viewport.rows(),
-            |index| {
-                let outcome = self.sort_out::<()>(face(index));
-                statistics.count(&outcome);
-                let reach = reach(&outcome).and(&viewport);
-                if reach.is_empty() {
-                    return None;
-                }
-                bounds = bounds.or(&reach);
-                Some(reach.rows().start)
-            },
-            |index| match self.whole(face(index)) {
-                Some(points) => Scissor::of(&points).rows().start,
-                None => reach(&self.sort_out::<()>(face(index))).rows().start,
-            },
-        )?;
-        Ok(Faces { transformed: *self, bins, statistics, bounds })
+        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), inside(&self.placed.area));
+        let statistics = self.record_faces(&mut bins)?;
+        Ok(Faces { transformed: *self, bins, statistics })
     }
 
     /// Sorts out the edges, and the visible ones by the rows where they begin. `records` are numbers
@@ -72,53 +49,72 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
     /// then.
+    #[inline(always)] // what it makes is large: it is made where it stays
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
-        let list = self.placed.mesh.edges();
-        let viewport = inside(&self.placed.area);
-        let (mut statistics, mut bounds) = (Statistics::default(), Scissor::EMPTY);
-        let ends = |index: usize| self.edge(list.get(index).copied().unwrap_or_default());
-        let bins = Bins::new(
-            records,
-            list.len(),
-            viewport.rows(),
-            |index| {
-                let Some((ends, cut)) = ends(index) else {
-                    statistics.outside += 1;
-                    return None;
-                };
-                statistics.drawn += 1;
-                statistics.clipped += u32::from(cut);
-                let reach = reach_of_line(&ends).and(&viewport);
-                if reach.is_empty() {
-                    return None;
+        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), inside(&self.placed.area));
+        let statistics = self.record_edges(&mut bins)?;
+        Ok(Edges { transformed: *self, bins, statistics })
+    }
+
+    /// Sorts out all faces, and then once more those that are kept.
+    #[inline(never)]
+    fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
+        let view = self.view();
+        let list = self.placed.mesh.faces();
+        let mut statistics = Statistics::default();
+        let mut fan = Fan::<()>::new();
+        loop {
+            for (index, &face) in list.iter().enumerate() {
+                if !bins.wants(index) {
+                    continue;
                 }
-                bounds = bounds.or(&reach);
-                Some(reach.rows().start)
-            },
-            |index| ends(index).map_or(0, |(ends, _)| reach_of_line(&ends).rows().start),
-        )?;
-        Ok(Edges { transformed: *self, bins, statistics, bounds })
+                let outcome = view.sort_out(face, &mut fan);
+                if !bins.is_sorting() {
+                    statistics.count(outcome);
+                }
+                if outcome.is_drawn() {
+                    let mut reach = Scissor::EMPTY;
+                    while let Some((corners, _)) = fan.piece() {
+                        reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
+                        fan.next();
+                    }
+                    bins.put(index, &reach);
+                }
+            }
+            if !bins.turn(list.len())? {
+                return Ok(statistics);
+            }
+        }
     }
 
-    /// The corners of a face that needs no clipping.
-    #[inline(always)]
-    fn whole(&self, face: [u16; 3]) -> Option<[ScreenPoint; 3]> {
-        let corners = face.map(|i| self.corner(i));
-        corners.iter().all(|c| c.whole()).then(|| corners.map(|c| self.placed.placement.at(c).point))
+    /// Sorts out all edges, and then once more those that are kept.
+    #[inline(never)]
+    fn record_edges(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
+        let view = self.view();
+        let list = self.placed.mesh.edges();
+        let mut statistics = Statistics::default();
+        loop {
+            for (index, &edge) in list.iter().enumerate() {
+                if !bins.wants(index) {
+                    continue;
+                }
+                let ends = view.edge(edge);
+                if !bins.is_sorting() {
+                    statistics.count_edge(ends.map(|(_, cut)| cut));
+                }
+                if let Some((ends, _)) = ends {
+                    bins.put(index, &reach_of_line(&ends));
+                }
+            }
+            if !bins.turn(list.len())? {
+                return Ok(statistics);
+            }
+        }
     }
 }
 
-/// The rows and columns in which a face may cover pixels.
+/// The rows and columns in which a line may cover pixels.
 #[inline(always)]
-fn reach<K: Carried>(outcome: &Outcome<K>) -> Scissor {
-    match outcome {
-        Outcome::Whole(corners, _) => Scissor::of(&corners.map(|c| c.point)),
-        Outcome::Cut(corners) => pieces(corners)
-            .fold(Scissor::EMPTY, |all, (piece, _)| all.or(&Scissor::of(&piece.map(|c| c.image.point)))),
-        Outcome::Culled | Outcome::Degenerate | Outcome::Outside => Scissor::EMPTY,
-    }
-}
-
 fn reach_of_line([from, to]: &[Image; 2]) -> Scissor {
     let (from, to) = (from.point.pixel(), to.point.pixel());
     let (left, right) = (from.x.min(to.x), from.x.max(to.x));
@@ -133,6 +129,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
@@ -151,7 +148,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
 
     /// A rectangle around all pixels that are covered; without pixels where none is.
     pub fn bounds(&self) -> Rectangle {
-        rectangle(&self.bounds)
+        rectangle(&self.bins.bounds())
     }
 
     pub(super) fn viewport(&self) -> &Rectangle {
@@ -163,29 +160,24 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         &mut self,
         scissor: &Scissor,
         mut shade: impl FnMut(usize) -> I,
-        mut draw: impl FnMut([Image; 3], i64, I) -> Result<(), E>,
+        mut draw: impl FnMut(&[Image; 3], i64, I) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { transformed, bins, .. } = self;
-        let list = transformed.placed.mesh.faces();
+        let (view, list) = (transformed.view(), transformed.placed.mesh.faces());
         let rows = scissor.rows();
+        let mut fan = Fan::new();
         bins.band(rows.clone(), |index| {
-            let mut end = i32::MIN;
-            match transformed.sort_out::<I::Carried>(list.get(index).copied().unwrap_or_default()) {
-                Outcome::Whole(corners, area) => {
+            let (mut end, mut shaded) = (i32::MIN, None);
+            if view.sort_out(list.get(index).copied().unwrap_or_default(), &mut fan).is_drawn() {
+                while let Some((corners, area)) = fan.piece() {
                     let reach = Scissor::of(&corners.map(|c| c.point));
-                    end = reach.rows().end;
+                    end = end.max(reach.rows().end);
                     if !reach.and(scissor).is_empty() {
-                        draw(corners, area, shade(index))?;
+                        let ink = *shaded.get_or_insert_with(|| shade(index));
+                        draw(corners, area, fan.ink(&ink))?;
                     }
+                    fan.next();
                 }
-                Outcome::Cut(corners) => {
-                    let ink = shade(index);
-                    for (piece, area) in pieces(&corners) {
-                        end = end.max(Scissor::of(&piece.map(|c| c.image.point)).rows().end);
-                        draw(piece.map(|c| c.image), area, ink.piece(piece.map(|c| c.carried)))?;
-                    }
-                }
-                Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
             }
             Ok(end <= rows.end)
         })
@@ -201,6 +193,7 @@ impl<V: Coordinate> Faces<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
@@ -209,7 +202,7 @@ impl<V: Coordinate> Faces<'_, V, true> {
     ) -> Result<(), D::Error> {
         let window = Window::new(band, &self.transformed.placed.area).with_depth(depth);
         self.each(&window.scissor, shade, |corners, area, ink| {
-            fill_nearer(&corners, area, &ink, &window, depth, band)
+            fill_nearer(corners, area, &ink, &window, depth, band)
         })
     }
 }
@@ -220,6 +213,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn draw<D: DrawTarget>(&mut self, colour: D::Color, band: &mut D) -> Result<(), D::Error> {
         let scissor = scissor(band, self.viewport());
         self.each(&scissor, |_, _, [from, to]| {
@@ -234,7 +228,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
 
     /// A rectangle around all pixels that are drawn; without pixels where none is.
     pub fn bounds(&self) -> Rectangle {
-        rectangle(&self.bounds)
+        rectangle(&self.bins.bounds())
     }
 
     pub(super) fn viewport(&self) -> &Rectangle {
@@ -245,16 +239,16 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     pub(super) fn each<E>(
         &mut self,
         scissor: &Scissor,
-        mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
+        mut draw: impl FnMut(&View<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { transformed, bins, .. } = self;
-        let list = transformed.placed.mesh.edges();
+        let (view, list) = (transformed.view(), transformed.placed.mesh.edges());
         let rows = scissor.rows();
         bins.band(rows.clone(), |index| {
-            let Some((ends, _)) = list.get(index).and_then(|&edge| transformed.edge(edge)) else {
+            let Some((ends, _)) = list.get(index).and_then(|&edge| view.edge(edge)) else {
                 return Ok(true);
             };
-            draw(transformed, index, ends)?;
+            draw(&view, index, ends)?;
             Ok(reach_of_line(&ends).rows().end <= rows.end)
         })
     }

@@ -1,11 +1,12 @@
 //! What is drawn where: faces or edges by the rows in which they begin.
 //!
-//! Numbers of items stand in one list, sorted into bins of rows in place (McIlroy, Bostic and McIlroy,
-//! *Engineering radix sort*, 1993). A band takes in the bins that begin above its end and sets a bit for
+//! Numbers of items stand in one list, sorted into bins of rows by counting (Knuth, *The Art of Computer
+//! Programming*, vol. 3, 2nd ed., section 5.2): every item is looked at twice. A band takes in the bins that begin above its end and sets a bit for
 //! each item; bits stay until their item has ended, and are visited in rising order: so whatever the
 //! bands, items are drawn in the order of the mesh.
 
-use core::cell::Cell;
+use crate::raster::Scissor;
+use core::hint::black_box;
 use core::ops::Range;
 
 /// How many bins there are: for 240 rows one in four.
@@ -14,20 +15,24 @@ const BINS: usize = 64;
 /// Items of a mesh, sorted for bands.
 #[derive(Debug)]
 pub(super) struct Bins<'s> {
-    /// Numbers of items, bin after bin.
-    order: &'s [u16],
-    /// A bit for each item of the mesh: taken in, and not ended.
+    /// Numbers of items, bin after bin; as long as there is room.
+    order: &'s mut [u16],
+    /// A bit for each item of the mesh: taken in, and not ended. While sorting: to be sorted.
     open: &'s mut [u16],
-    /// Where each bin ends in `order`.
+    /// Where each bin ends in `order`. While counting how many items it has, and while sorting where its next
+    /// one goes.
     ends: [u16; BINS],
-    /// The first row of the first bin.
-    top: i32,
+    /// Its first row is that of the first bin.
+    viewport: Scissor,
     /// A bin has 2^shift rows.
     shift: u32,
-    /// How many of `order` were taken in.
+    /// How many of `order` were taken in. While counting and sorting: how many items were kept.
     taken: usize,
     /// Where the last band ended.
     row: i32,
+    /// The reach of all that were kept.
+    bounds: Scissor,
+    sorting: bool,
 }
 
 /// Why faces or edges were not recorded: none of them were.
@@ -64,65 +69,99 @@ impl core::fmt::Display for BinsError {
 impl core::error::Error for BinsError {}
 
 impl<'s> Bins<'s> {
-    /// Sorts those of `items` items for which `begins` tells a row; it is asked once for every item in
-    /// their order, and `row` once more for each that is kept. `rows` are all that may be drawn.
-    pub(super) fn new(
-        records: &'s mut [u16],
-        items: usize,
-        rows: Range<i32>,
-        mut begins: impl FnMut(usize) -> Option<i32>,
-        mut row: impl FnMut(usize) -> i32,
-    ) -> Result<Self, BinsError> {
+    /// For `items` items and where they may be drawn. Then, until [`turn`](Self::turn) tells that all is
+    /// done, all items that are [wanted](Self::wants) are [put](Self::put) in their order.
+    #[inline(never)] // rare, as all here: small is better
+    pub(super) fn new(records: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
+        let words = items.div_ceil(16);
+        // The list in front, the bits behind it. Where there is no room even for these, `turn` says so.
+        let list = records.len().saturating_sub(words);
+        let (order, open) = records.split_at_mut_checked(list).unwrap_or_default();
+        open.fill(0);
+        let rows = viewport.rows();
+        let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
+        let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
+        Self {
+            order,
+            open,
+            ends: [0; BINS],
+            viewport,
+            shift,
+            taken: 0,
+            row: i32::MIN,
+            bounds: Scissor::EMPTY,
+            sorting: false,
+        }
+    }
+
+    /// Whether an item is to be looked at: the first time any, then those that were kept.
+    #[inline(always)]
+    pub(super) fn wants(&self, item: usize) -> bool {
+        !self.sorting || self.open.get(item / 16).is_some_and(|bits| bits >> (item % 16) & 1 == 1)
+    }
+
+    /// The reach of all that were kept.
+    pub(super) fn bounds(&self) -> Scissor {
+        self.bounds
+    }
+
+    /// Whether it is the second time.
+    #[inline(always)]
+    pub(super) fn is_sorting(&self) -> bool {
+        self.sorting
+    }
+
+    /// Keeps an item with this reach, unless none of that may be drawn.
+    #[inline(never)]
+    pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
+        let reach = reach.and(&self.viewport);
+        if reach.is_empty() {
+            return;
+        }
+        self.bounds = self.bounds.or(&reach);
+        let bin = self.bin(reach.rows().start);
+        let Some(end) = self.ends.get_mut(bin) else { return };
+        if self.sorting {
+            if let Some(place) = self.order.get_mut(usize::from(*end)) {
+                *place = item as u16; // fewer than 65536
+            }
+        } else {
+            self.taken += 1; // at most all items
+            if let Some(bits) = self.open.get_mut(item / 16) {
+                *bits |= 1 << (item % 16);
+            }
+        }
+        *end = end.wrapping_add(1); // at most all items
+    }
+
+    /// After all of `items` were looked at: whether they are to be looked at once more.
+    #[inline(never)]
+    pub(super) fn turn(&mut self, items: usize) -> Result<bool, BinsError> {
+        if self.sorting {
+            self.open.fill(0);
+            (self.sorting, self.taken) = (false, 0);
+            return Ok(false);
+        }
         if items > usize::from(u16::MAX) {
             return Err(BinsError::TooMany { items });
         }
-        let given = records.len();
-        let words = items.div_ceil(16);
-        // The list in front, the bits behind it.
-        let (list, open) = records.split_at_mut_checked(given.saturating_sub(words)).unwrap_or_default();
-        let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
-        let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        let bin = |row: i32| (row.saturating_sub(rows.start).max(0) >> shift).min(BINS as i32 - 1) as usize;
-        let (mut kept, mut ends) = (0usize, [0u16; BINS]);
-        for item in 0..items {
-            if let Some(row) = begins(item) {
-                if let Some(place) = list.get_mut(kept) {
-                    *place = item as u16; // fewer than 65536
-                }
-                kept += 1; // at most `items`
-                if let Some(count) = ends.get_mut(bin(row)) {
-                    *count += 1; // at most `items`
-                }
-            }
+        let (needed, given) = (self.taken + items.div_ceil(16), self.order.len() + self.open.len());
+        if given < needed {
+            return Err(BinsError::Records { needed, given });
         }
-        let needed = kept + words;
-        let list = match list.get_mut(..kept) {
-            Some(list) if given >= needed => list,
-            _ => return Err(BinsError::Records { needed, given }),
-        };
-        // From counts to ends; every bin's next place is its beginning.
-        let mut next = [0u16; BINS];
+        // From counts to beginnings.
         let mut sum = 0u16;
-        for (next, end) in next.iter_mut().zip(&mut ends) {
-            *next = sum;
-            sum += *end; // `kept` in the end
-            *end = sum;
+        for end in &mut self.ends {
+            black_box(()); // keeps the loop as short as it is
+            let count = core::mem::replace(end, sum);
+            sum = sum.wrapping_add(count); // all that were kept, in the end
         }
-        let cells = Cell::from_mut(&mut *list).as_slice_of_cells();
-        for (own, end) in ends.iter().enumerate() {
-            // Each turn brings one item to its bin.
-            while let Some(at) = next.get(own).copied().filter(|at| at < end) {
-                let Some(here) = cells.get(usize::from(at)) else { break };
-                let home = bin(row(here.get().into()));
-                let Some(place) = next.get_mut(home) else { break };
-                if let Some(there) = cells.get(usize::from(*place)) {
-                    here.swap(there);
-                }
-                *place += 1; // at most its bin's end
-            }
-        }
-        open.fill(0);
-        Ok(Self { order: list, open, ends, top: rows.start, shift, taken: 0, row: i32::MIN })
+        self.sorting = true;
+        Ok(true)
+    }
+
+    fn bin(&self, row: i32) -> usize {
+        (row.saturating_sub(self.viewport.rows().start).max(0) >> self.shift).min(BINS as i32 - 1) as usize
     }
 
     /// Calls `draw` for the items that may lie in a band, in the order of the mesh, until it tells that
@@ -154,6 +193,7 @@ impl<'s> Bins<'s> {
         Ok(())
     }
 
+    #[inline(never)]
     fn take_in(&mut self, rows: &Range<i32>) {
         if rows.start < self.row {
             // From the top: the same band once more, another frame, or another rectangle of it.
@@ -161,12 +201,12 @@ impl<'s> Bins<'s> {
             self.taken = 0;
         }
         self.row = rows.end;
-        if rows.end <= self.top {
+        if rows.end <= self.viewport.rows().start {
             return;
         }
-        let last = ((rows.end - 1).saturating_sub(self.top) >> self.shift).min(BINS as i32 - 1);
-        let until = self.ends.get(last as usize).map_or(0, |&end| usize::from(end));
+        let until = self.ends.get(self.bin(rows.end - 1)).map_or(0, |&end| usize::from(end));
         for &item in self.order.get(self.taken..until).unwrap_or_default() {
+            black_box(()); // keeps the loop as short as it is
             if let Some(bits) = self.open.get_mut(usize::from(item / 16)) {
                 *bits |= 1 << (item % 16);
             }
@@ -177,7 +217,7 @@ impl<'s> Bins<'s> {
 
 #[cfg(test)]
 mod tests {
-    use super::Bins;
+    use super::{Bins, Scissor};
     use core::convert::Infallible;
 
     /// Three items, in rows 0 … 9, 5 … 14 and 20 … 29.
@@ -187,9 +227,18 @@ mod tests {
     #[test]
     fn a_band_that_is_not_below_the_last_begins_anew() {
         let mut records = [0; 4];
-        let first = |item: usize| ITEMS[item].0;
-        let bins = Bins::new(&mut records, 3, 0..40, |item| Some(first(item)), first);
-        let Ok(mut bins) = bins else { panic!() };
+        let mut bins = Bins::new(&mut records, 3, Scissor::new(0, 0, 1, 40));
+        loop {
+            let wanted = (0..3).filter(|&item| bins.wants(item)).collect::<heapless::Vec<_, 3>>();
+            wanted
+                .into_iter()
+                .for_each(|item| bins.put(item, &Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1)));
+            match bins.turn(3) {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(error) => panic!("{error}"),
+            }
+        }
         for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
             let mut met = [false; 3];
             let Ok(()) = bins.band(from..to, |item| {

@@ -1,6 +1,6 @@
 //! Lines against depth: those that are nearer, and those that faces do not hide.
 
-use super::{pieces, Edges, Outcome, Placed, Statistics, Transformed, Window};
+use super::{Edges, Fan, Placed, Statistics, View, Window};
 use crate::camera::{Corner, Image};
 use crate::clip::CORNERS;
 use crate::math::Coordinate;
@@ -21,6 +21,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn wireframe_depth_tested<D: DrawTarget>(
         &self,
         colour: D::Color,
@@ -29,18 +30,19 @@ impl<V: Coordinate> Placed<'_, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, &self.area).with_depth(depth);
-        let transformed = self.transform_depth(cache);
-        transformed.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
+        let view = View::<V, true>::new(self, cache);
+        view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
 
     /// Keeps the depth of the faces and draws nothing: what hides lines.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
         let window = Window::of_depth(depth, &self.area);
-        let transformed = self.transform_depth(cache);
-        let Ok(statistics) = transformed.all(
+        let view = View::<V, true>::new(self, cache);
+        let Ok(statistics) = view.all(
             |_| Nothing,
             |corners, area, Nothing| {
-                keep(&corners, area, &window, depth);
+                keep(corners, area, &window, depth);
                 Ok::<(), core::convert::Infallible>(())
             },
         );
@@ -99,6 +101,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn hidden_line<D: DrawTarget>(
         &self,
         colour: D::Color,
@@ -107,9 +110,9 @@ impl<V: Coordinate> Placed<'_, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, &self.area).with_depth(depth);
-        let transformed = self.transform_depth(cache);
-        transformed.all_edges(|edge, ends| {
-            let beside = transformed.beside(edge, &window.viewport);
+        let view = View::<V, true>::new(self, cache);
+        view.all_edges(|edge, ends| {
+            let beside = view.beside(edge, &window.viewport);
             unhidden(&ends, &beside, colour, &window.scissor, depth, target)
         })
     }
@@ -121,6 +124,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_tested<D: DrawTarget>(
         &mut self,
         colour: D::Color,
@@ -136,6 +140,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn hidden_line<D: DrawTarget>(
         &mut self,
         colour: D::Color,
@@ -143,8 +148,8 @@ impl<V: Coordinate> Edges<'_, V, true> {
         band: &mut D,
     ) -> Result<(), D::Error> {
         let window = Window::new(band, self.viewport()).with_depth(depth);
-        self.each(&window.scissor, |transformed, edge, ends| {
-            let beside = transformed.beside(edge, &window.viewport);
+        self.each(&window.scissor, |view, edge, ends| {
+            let beside = view.beside(edge, &window.viewport);
             unhidden(&ends, &beside, colour, &window.scissor, depth, band)
         })
     }
@@ -152,21 +157,23 @@ impl<V: Coordinate> Edges<'_, V, true> {
 
 impl<V: Coordinate> super::Faces<'_, V, true> {
     /// Keeps the depth of what lies in a band and draws nothing: see [`Placed::depth_only`].
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
         let window = Window::of_depth(depth, self.viewport());
         let Ok(()) = self.each(
             &window.scissor,
             |_| Nothing,
             |corners, area, Nothing| {
-                keep(&corners, area, &window, depth);
+                keep(corners, area, &window, depth);
                 Ok::<(), core::convert::Infallible>(())
             },
         );
     }
 }
 
-impl<V: Coordinate> Transformed<'_, V, true> {
+impl<V: Coordinate> View<'_, V, true> {
     /// The faces beside an edge, as their depth was kept: piece by piece where they were cut.
+    #[inline(never)]
     fn beside(&self, edge: usize, viewport: &Scissor) -> Vec<Beside, { 2 * (CORNERS - 2) }> {
         let mut all = Vec::new();
         let mesh = &self.placed.mesh;
@@ -174,20 +181,18 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         if mesh.edge_faces().is_empty() {
             return all;
         }
-        let mut add = |corners: [Image; 3], area: i64| {
-            let points = corners.map(|c| c.point);
-            let plane = Plane::of_depth(&Triangle::new(points, area, viewport), corners.map(|c| c.depth));
-            // There is room for the pieces of two faces.
-            let _ = all.push(Beside { points, plane });
-        };
+        let mut fan = Fan::<()>::new();
         for face in beside {
             let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };
-            match self.sort_out::<()>(face) {
-                Outcome::Whole(corners, area) => add(corners, area),
-                Outcome::Cut(corners) => {
-                    pieces(&corners).for_each(|(piece, area)| add(piece.map(|c| c.image), area));
-                }
-                Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
+            if !self.sort_out(face, &mut fan).is_drawn() {
+                continue;
+            }
+            while let Some((corners, area)) = fan.piece() {
+                let points = corners.map(|c| c.point);
+                let plane = Plane::of_depth(&Triangle::new(points, area, viewport), corners.map(|c| c.depth));
+                // There is room for the pieces of two faces.
+                let _ = all.push(Beside { points, plane });
+                fan.next();
             }
         }
         all

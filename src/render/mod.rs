@@ -11,7 +11,9 @@
 //!    ([`Painter`]), or where they are nearer than a depth buffer says ([`Placed::depth_tested`]).
 
 mod banded;
+mod before_planes;
 mod bins;
+mod fan;
 mod ink;
 mod lines;
 mod painter;
@@ -22,11 +24,12 @@ mod transformed;
 
 pub use banded::{Edges, Faces};
 pub use bins::BinsError;
+use fan::{Fan, Outcome};
 pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};
 pub use statistics::Statistics;
 pub use transformed::Transformed;
-use transformed::{pieces, Outcome};
+use transformed::View;
 
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
@@ -115,7 +118,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     where
         'm: 'a,
     {
-        Transformed::new(*self, corners)
+        Transformed::new(self, corners)
     }
 
     /// The same with depth, for drawing against depth strips. Depth ends at the far plane: what lies
@@ -124,7 +127,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     where
         'm: 'a,
     {
-        Transformed::new(self.cut_at_far(), corners)
+        Transformed::new(self, corners)
     }
 
     /// The mesh that was placed.
@@ -143,17 +146,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// `65535·(z/w + 1)/2` there, where far is at least twice near: what rounding costs grows as
     /// far/(far − near).
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
-        let vertex = *self.mesh.vertices().get(index)?;
-        let corner = self.placement.project::<V, true>(vertex);
-        let image = if corner.whole() {
-            self.placement.at(corner)
-        } else {
-            let h = self.placement.clip(vertex);
-            if (0..self.placement.planes()).any(|i| self.placement.distance(i, &h) < 0) {
-                return None;
-            }
-            self.placement.image(&h)
-        };
+        let index = u16::try_from(index).ok().filter(|_| index < self.mesh.vertices().len())?;
+        let image = View::<V, true>::with_corners(self, false, &[]).image(index)?;
         Some((image.point, image.step()))
     }
 
@@ -162,7 +156,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// such vertex, or it lies in front of the near plane; what is beyond ±2³⁰ saturates.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
         let vertex = *self.mesh.vertices().get(index)?;
-        let h = self.placement.clip(vertex);
+        let h = self.placement.clip_one(vertex);
         (h.d >= 0 && h.w > 0).then(|| self.placement.unsnapped(&h))
     }
 
@@ -176,6 +170,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn wireframe<D: DrawTarget>(
         &self,
         colour: D::Color,
@@ -183,7 +178,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
-        self.transform(cache).all_edges(|_, [from, to]| {
+        View::<V, false>::new(self, cache).all_edges(|_, [from, to]| {
             raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(target, span, colour))
         })
     }
@@ -196,6 +191,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
         &self,
         shade: impl FnMut(usize) -> I,
@@ -203,8 +199,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, &self.area);
-        let transformed = self.transform(cache);
-        transformed
+        View::<V, false>::new(self, cache)
             .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &window, target))
     }
 
@@ -255,6 +250,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
         &self,
         shade: impl FnMut(usize) -> I,
@@ -263,72 +259,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, &self.area).with_depth(depth);
-        let transformed = Transformed::<V, true>::new(self.cut_at_far(), cache);
-        transformed.all(shade, |corners, area, ink| fill_nearer(&corners, area, &ink, &window, depth, target))
-    }
-
-    /// Depth ends at the far plane, whatever the camera says.
-    fn cut_at_far(&self) -> Self {
-        Self { placement: self.placement.with_far_clip(), ..*self }
-    }
-}
-
-impl<V: Coordinate, const DEPTH: bool> Transformed<'_, V, DEPTH> {
-    /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles with their areas, none of
-    /// them zero, and what they are filled with.
-    #[inline(always)]
-    fn all<I: Ink, E>(
-        &self,
-        mut shade: impl FnMut(usize) -> I,
-        mut draw: impl FnMut([Image; 3], i64, I) -> Result<(), E>,
-    ) -> Result<Statistics, E> {
-        let mut statistics = Statistics::default();
-        for (index, &face) in self.placed.mesh.faces().iter().enumerate() {
-            let outcome = self.sort_out(face);
-            statistics.count(&outcome);
-            each(&outcome, || shade(index), &mut draw)?;
-        }
-        Ok(statistics)
-    }
-
-    /// Step 3 and 4 for all edges in the mesh's order: `draw` gets their numbers and ends.
-    #[inline(always)]
-    fn all_edges<E>(
-        &self,
-        mut draw: impl FnMut(usize, [Image; 2]) -> Result<(), E>,
-    ) -> Result<Statistics, E> {
-        let mut statistics = Statistics::default();
-        for (index, &edge) in self.placed.mesh.edges().iter().enumerate() {
-            match self.edge(edge) {
-                Some((ends, cut)) => {
-                    statistics.clipped += u32::from(cut);
-                    statistics.drawn += 1;
-                    draw(index, ends)?;
-                }
-                None => statistics.outside += 1,
-            }
-        }
-        Ok(statistics)
-    }
-}
-
-/// Hands what is left of a face to `draw`.
-#[inline(always)]
-fn each<I: Ink, E>(
-    outcome: &Outcome<I::Carried>,
-    shade: impl FnOnce() -> I,
-    mut draw: impl FnMut([Image; 3], i64, I) -> Result<(), E>,
-) -> Result<(), E> {
-    match outcome {
-        Outcome::Whole(corners, area) => draw(*corners, *area, shade()),
-        Outcome::Cut(corners) => {
-            let ink = shade();
-            for (piece, area) in pieces(corners) {
-                draw(piece.map(|c| c.image), area, ink.piece(piece.map(|c| c.carried)))?;
-            }
-            Ok(())
-        }
-        Outcome::Culled | Outcome::Degenerate | Outcome::Outside => Ok(()),
+        View::<V, true>::new(self, cache)
+            .all(shade, |corners, area, ink| fill_nearer(corners, area, &ink, &window, depth, target))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Painter's order: from far to near, over everything recorded.
 
-use super::{fill, pieces, Ink, InkFor, Outcome, Placed, Statistics, Transformed, Window};
+use super::transformed::project;
+use super::{fill, Fan, Ink, InkFor, Outcome, Placed, Statistics, View, Window};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
 use crate::raster::{self, Scissor, ScreenPoint};
@@ -126,6 +127,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn draw<D: DrawTarget>(&self, target: &mut D) -> Result<(), D::Error>
     where
         I: InkFor<D::Color>,
@@ -175,6 +177,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     ///
     /// [`RecordError`] when there is no room, or the viewport is another than that of what is
     /// recorded already. Nothing of this mesh is recorded then, and all else still is.
+    #[inline(never)] // its frame is gone when it returns
     pub fn add<V: Coordinate>(
         &mut self,
         placed: &Placed<'_, V>,
@@ -189,51 +192,47 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         let (old_corners, old_faces) = (self.corners.len(), self.faces.len());
         let mut room = Room { corners: old_corners, faces: old_faces };
         room.corners += placed.mesh.vertices().len();
-        for &vertex in placed.mesh.vertices() {
-            // Over capacity is reported at the end, with what all of it would need.
-            let _ = self.corners.push(placed.placement.project::<V, true>(vertex));
-        }
+        // Over capacity is reported at the end, with what all of it would need.
+        let _ = self.corners.resize_default(room.corners.min(CORNERS));
+        let own = self.corners.get_mut(old_corners..).unwrap_or_default();
+        project::<V, true>(placed, false, own);
         let own_corners = self.corners.len();
         let mut statistics = Statistics::default();
+        let mut fan = Fan::new();
         for (index, &face) in placed.mesh.faces().iter().enumerate() {
             // Corners without room are computed anew: the counting goes on.
             let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
-            let outcome = Transformed::<V, true>::with_corners(*placed, own).sort_out(face);
-            statistics.count(&outcome);
-            match outcome {
-                Outcome::Whole(corners, _) => {
-                    let [a, b, c] = face.map(|i| old_corners.wrapping_add(usize::from(i)));
-                    self.record([a, b, c], &corners, &mut room, || shade(index));
-                }
-                Outcome::Cut(corners) => {
-                    let ink = shade(index);
-                    for (piece, _) in pieces(&corners) {
-                        let first = room.corners;
-                        room.corners += 3;
-                        for corner in &piece {
-                            let _ = self.corners.push(Corner::bare(corner.image.point));
-                        }
-                        let own = ink.piece(piece.map(|c| c.carried));
-                        self.record(
-                            [first, first + 1, first + 2],
-                            &piece.map(|c| c.image),
-                            &mut room,
-                            || own,
-                        );
+            let outcome = View::<V, true>::with_corners(placed, false, own).sort_out(face, &mut fan);
+            statistics.count(outcome);
+            if !outcome.is_drawn() {
+                continue;
+            }
+            let ink = shade(index);
+            while let Some((corners, _)) = fan.piece() {
+                let indices = if outcome == Outcome::Whole {
+                    face.map(|i| old_corners.wrapping_add(usize::from(i)))
+                } else {
+                    let first = room.corners;
+                    room.corners += 3;
+                    for corner in corners {
+                        let _ = self.corners.push(Corner::bare(corner.point));
                     }
-                }
-                Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
+                    [first, first + 1, first + 2]
+                };
+                self.record(indices, corners, &mut room, fan.ink(&ink));
+                fan.next();
             }
         }
         // From here on only the places count; where there is none, no face asks for it.
         let own = self.corners.get_mut(old_corners..own_corners).unwrap_or_default();
+        let view = View::<V, true>::with_corners(placed, false, &[]);
         for (index, corner) in own.iter_mut().enumerate() {
             let place = if corner.whole() {
-                Some(placed.placement.at(*corner).point)
+                Some(placed.placement.at(*corner))
             } else {
-                placed.project(index).map(|(point, _)| point)
+                view.image(index as u16) // fewer than 65537 vertices
             };
-            *corner = Corner::bare(place.unwrap_or(ScreenPoint::ORIGIN));
+            *corner = Corner::bare(place.map_or(ScreenPoint::ORIGIN, |place| place.point));
         }
         let (most_corners, most_faces) = (CORNERS.min(65_536), FACES.min(usize::from(NONE)));
         let error = if room.corners > most_corners {
@@ -254,13 +253,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
 
     /// Keeps a triangle if there is room, and counts it in any case.
     #[inline(always)]
-    fn record(
-        &mut self,
-        indices: [usize; 3],
-        corners: &[Image; 3],
-        room: &mut Room,
-        ink: impl FnOnce() -> I,
-    ) {
+    fn record(&mut self, indices: [usize; 3], corners: &[Image; 3], room: &mut Room, ink: I) {
         room.faces += 1;
         let [a, b, c] = corners.map(|c| (c.depth.unsigned_abs() + 128) >> 8); // to whole steps
                                                                               // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
@@ -271,7 +264,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
             corners: indices.map(|i| i as u16),
             key: !(mean as u16),
             next: NONE,
-            ink: ink(),
+            ink,
         });
     }
 
@@ -280,6 +273,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn draw<D: DrawTarget>(&mut self, target: &mut D) -> Result<Statistics, D::Error>
     where
         I: InkFor<D::Color>,

@@ -1,6 +1,6 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
-use super::{Placed, Statistics, Transformed};
+use super::{Placed, Statistics, View};
 use crate::camera::Corner;
 use crate::math::Coordinate;
 use crate::output::{scissor, send};
@@ -13,6 +13,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first pixel that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn points<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
         let mut statistics = Statistics::default();
@@ -37,12 +38,13 @@ impl<V: Coordinate> Placed<'_, V> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
     pub fn polyline<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, &self.area);
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
-        let line = Transformed::<V, false>::with_corners(*self, &[]);
+        let line = View::<V, false>::with_corners(self, false, &[]);
         let pixel = |corner: Corner| corner.whole().then(|| self.placement.at(corner).point.pixel());
         let corner = |index: usize| line.corner(index as u16);
         let count = vertices.len();
@@ -56,10 +58,9 @@ impl<V: Coordinate> Placed<'_, V> {
         for index in 1..count {
             let to = corner(index);
             let ends = line.edge([(index - 1) as u16, index as u16]);
+            statistics.count_edge(ends.map(|(_, cut)| cut));
             match ends {
-                Some(([a, b], cut)) => {
-                    statistics.drawn += 1;
-                    statistics.clipped += u32::from(cut);
+                Some(([a, b], _)) => {
                     let (a, b) = (a.point.pixel(), b.point.pixel());
                     raster::line(a, b, &scissor, |span| match without(span, joint) {
                         Some(span) => send(target, span, colour),
@@ -67,10 +68,7 @@ impl<V: Coordinate> Placed<'_, V> {
                     })?;
                     joint = Some(b).filter(|_| to.whole());
                 }
-                None => {
-                    statistics.outside += 1;
-                    joint = None;
-                }
+                None => joint = None,
             }
         }
         Ok(statistics)

@@ -1,6 +1,6 @@
 //! What became of the primitives.
 
-use super::transformed::Outcome;
+use super::fan::Outcome;
 
 /// Counts of what a draw did, in edges or in faces. Each one handed in is in exactly one of
 /// `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts those of the drawn that were
@@ -39,18 +39,28 @@ impl Statistics {
     }
 
     #[inline(always)]
-    pub(super) fn count<K>(&mut self, outcome: &Outcome<K>) {
+    pub(super) fn count(&mut self, outcome: Outcome) {
         // At most 2³² faces would fit a slice of a 32-bit core: no sum wraps.
         let field = match outcome {
             Outcome::Culled => &mut self.culled,
             Outcome::Degenerate => &mut self.degenerate,
             Outcome::Outside => &mut self.outside,
-            Outcome::Whole(..) => &mut self.drawn,
-            Outcome::Cut(_) => {
+            Outcome::Whole => &mut self.drawn,
+            Outcome::Cut => {
                 self.clipped = self.clipped.wrapping_add(1);
                 &mut self.drawn
             }
         };
         *field = field.wrapping_add(1);
+    }
+
+    /// An edge: whether it was cut, or `None` when nothing is left.
+    #[inline(always)]
+    pub(super) fn count_edge(&mut self, cut: Option<bool>) {
+        self.count(match cut {
+            Some(true) => Outcome::Cut,
+            Some(false) => Outcome::Whole,
+            None => Outcome::Outside,
+        });
     }
 }

@@ -1,11 +1,13 @@
 //! Vertices on the screen, and what becomes of faces and edges there.
 
-use super::{Cull, Placed};
-use crate::camera::{Corner, Image};
-use crate::clip::{self, Carried};
+use super::before_planes::{BeforePlanes, Carry};
+use super::fan::{Fan, Outcome};
+use super::{Ink, Placed, Statistics};
+use crate::camera::{Corner, Image, Placement};
+use crate::clip::{Carried, PLACES};
 use crate::math::{Coordinate, Homogeneous};
-use crate::raster::{self, ScreenPoint};
-use heapless::Vec;
+use crate::raster;
+use core::hint::black_box;
 
 /// A placed mesh with its vertices on the screen, each transformed once. `DEPTH` tells whether their
 /// depth was computed too.
@@ -18,36 +20,40 @@ pub struct Transformed<'a, V = i16, const DEPTH: bool = false> {
     corners: &'a [Corner],
 }
 
-/// A corner of a cut face.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Piece<K> {
-    pub(super) image: Image,
-    pub(super) carried: K,
-}
-
-/// What becomes of a face.
-pub(super) enum Outcome<K> {
-    Culled,
-    Degenerate,
-    Outside,
-    /// All corners as they are, and [`raster::area`].
-    Whole([Image; 3], i64),
-    /// What the planes leave, as a fan.
-    Cut(Vec<Piece<K>, { clip::CORNERS }>),
-}
-
 impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Fills the corners from the start of the vertex list.
-    pub(super) fn new(placed: Placed<'a, V>, corners: &'a mut [Corner]) -> Self {
-        for (corner, &vertex) in corners.iter_mut().zip(placed.mesh.vertices()) {
-            *corner = placed.placement.project::<V, DEPTH>(vertex);
-        }
-        Self { placed, corners }
+    pub(super) fn new(placed: &Placed<'a, V>, corners: &'a mut [Corner]) -> Self {
+        project::<V, DEPTH>(placed, DEPTH, corners);
+        Self { placed: *placed, corners }
     }
 
-    /// With corners that were filled elsewhere.
-    pub(super) fn with_corners(placed: Placed<'a, V>, corners: &'a [Corner]) -> Self {
-        Self { placed, corners }
+    #[inline(always)]
+    pub(super) fn view(&self) -> View<'_, V, DEPTH> {
+        View::with_corners(&self.placed, DEPTH, self.corners)
+    }
+}
+
+/// The same, with the mesh lent: what the drawing functions work on.
+#[derive(Clone, Copy)]
+pub(super) struct View<'a, V, const DEPTH: bool> {
+    pub(super) placed: &'a Placed<'a, V>,
+    /// Whether what lies beyond the far plane is cut off.
+    far: bool,
+    corners: &'a [Corner],
+}
+
+impl<'a, V: Coordinate, const DEPTH: bool> View<'a, V, DEPTH> {
+    /// Fills the corners from the start of the vertex list. Depth ends at the far plane, whatever the
+    /// camera says.
+    pub(super) fn new(placed: &'a Placed<'_, V>, corners: &'a mut [Corner]) -> Self {
+        project::<V, DEPTH>(placed, DEPTH, corners);
+        Self::with_corners(placed, DEPTH, corners)
+    }
+
+    /// With corners that were filled elsewhere. `far`: cut at the far plane, whatever the camera says.
+    #[inline(always)]
+    pub(super) fn with_corners(placed: &'a Placed<'_, V>, far: bool, corners: &'a [Corner]) -> Self {
+        Self { placed, far: far || placed.placement.cuts_at_far(), corners }
     }
 
     #[inline(always)]
@@ -59,113 +65,174 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     }
 
     #[cold]
+    #[inline(never)]
     fn uncached(&self, index: u16) -> Corner {
-        let vertex = self.placed.mesh.vertices().get(usize::from(index)); // checked by Mesh: always there
-        vertex.map_or(Corner::EMPTY, |&v| self.placed.placement.project::<V, DEPTH>(v))
+        let mut corner = [Corner::EMPTY];
+        // Checked by Mesh: there is such a vertex.
+        let vertex = self.placed.mesh.vertices().get(usize::from(index)..).unwrap_or_default();
+        project_all::<V, DEPTH>(&self.placed.placement, self.far, vertex, &mut corner);
+        let [corner] = corner;
+        corner
     }
 
-    /// The vertex in clip space; the indices were checked by [`Mesh`](crate::Mesh).
-    fn clip_vertex(&self, index: u16) -> Option<Homogeneous> {
-        self.placed.mesh.vertices().get(usize::from(index)).map(|&v| self.placed.placement.clip(v))
+    /// The vertices in clip space, before the planes.
+    fn before_planes<'c>(
+        &self,
+        indices: &[u16],
+        places: &'c mut [Homogeneous],
+        carry: &'c mut Carry<'c>,
+    ) -> BeforePlanes<'c>
+    where
+        'a: 'c,
+    {
+        let placement = &self.placed.placement;
+        to_clip_space(placement, self.placed.mesh.vertices(), indices, places);
+        BeforePlanes::new(placement, self.far, places, carry)
+    }
+
+    /// Where a vertex lies on the screen, if no plane cuts it off.
+    pub(super) fn image(&self, index: u16) -> Option<Image> {
+        let corner = self.corner(index);
+        if corner.whole() {
+            return Some(self.placed.placement.at(corner));
+        }
+        let mut places = [Homogeneous::ZERO];
+        self.before_planes(&[index], &mut places, &mut |_, _, _, _| {}).point()
     }
 
     /// The ends of an edge on the screen and whether the planes took anything of it, or `None` when
     /// they take it all.
     #[inline(always)]
-    pub(super) fn edge(&self, [a, b]: [u16; 2]) -> Option<([Image; 2], bool)> {
-        let (from, to) = (self.corner(a), self.corner(b));
+    pub(super) fn edge(&self, edge: [u16; 2]) -> Option<([Image; 2], bool)> {
+        let [from, to] = edge.map(|i| self.corner(i));
         if from.whole() && to.whole() {
             let placement = &self.placed.placement;
             Some(([placement.at(from), placement.at(to)], false))
         } else {
-            self.cut_edge(a, b)
+            self.cut_edge(edge)
         }
     }
 
     #[cold]
-    fn cut_edge(&self, a: u16, b: u16) -> Option<([Image; 2], bool)> {
-        let placement = &self.placed.placement;
-        let whole = (self.clip_vertex(a)?, self.clip_vertex(b)?);
-        let (a, b) = clip::line_at(whole.0, whole.1, placement.planes(), |i, p| placement.distance(i, p))?;
-        Some(([placement.image(&a), placement.image(&b)], (a, b) != whole))
+    #[inline(never)]
+    fn cut_edge(&self, edge: [u16; 2]) -> Option<([Image; 2], bool)> {
+        let mut places = [Homogeneous::ZERO; 2];
+        self.before_planes(&edge, &mut places, &mut |_, _, _, _| {}).edge()
     }
 
-    /// Step 3 of the pipeline, for one face.
+    /// All edges in the mesh's order: `draw` gets their numbers and ends.
     #[inline(always)]
-    pub(super) fn sort_out<K: Carried>(&self, face: [u16; 3]) -> Outcome<K> {
+    pub(super) fn all_edges<E>(
+        &self,
+        mut draw: impl FnMut(usize, [Image; 2]) -> Result<(), E>,
+    ) -> Result<Statistics, E> {
+        let mut statistics = Statistics::default();
+        for (index, &edge) in self.placed.mesh.edges().iter().enumerate() {
+            let ends = self.edge(edge);
+            statistics.count_edge(ends.map(|(_, cut)| cut));
+            if let Some((ends, _)) = ends {
+                draw(index, ends)?;
+            }
+        }
+        Ok(statistics)
+    }
+
+    /// Step 3 of the pipeline, for one face. What is drawn of it is the fan's.
+    #[inline(always)]
+    pub(super) fn sort_out<K: Carried>(&self, face: [u16; 3], fan: &mut Fan<K>) -> Outcome {
         let corners = face.map(|i| self.corner(i));
         let [a, b, c] = corners;
         if !(a.whole() && b.whole() && c.whole()) {
-            return self.cut_face(face);
+            return self.cut_face(face, fan);
         }
         let area = raster::area(&[a.offset(), b.offset(), c.offset()]);
-        self.turned(area, || Outcome::Whole(corners.map(|corner| self.placed.placement.at(corner)), area))
-    }
-
-    /// Leaves out what has no area, or is turned away.
-    #[inline(always)]
-    fn turned<K>(&self, area: i64, drawn: impl FnOnce() -> Outcome<K>) -> Outcome<K> {
-        if area == 0 {
-            Outcome::Degenerate
-        } else if area < 0 && self.placed.cull == Cull::Back {
-            Outcome::Culled
-        } else {
-            drawn()
+        let outcome = self.placed.cull.turned(area, Outcome::Whole);
+        if outcome == Outcome::Whole {
+            fan.pieces.whole(corners.map(|corner| self.placed.placement.at(corner)), area);
         }
+        outcome
     }
 
     #[cold]
-    fn cut_face<K: Carried>(&self, [a, b, c]: [u16; 3]) -> Outcome<K> {
-        let placement = &self.placed.placement;
-        let (Some(a), Some(b), Some(c)) = (self.clip_vertex(a), self.clip_vertex(b), self.clip_vertex(c))
-        else {
-            return Outcome::Outside;
-        };
-        let distance = |i: usize, p: &(Homogeneous, K)| placement.distance(i, &p.0);
-        let face = [(a, K::of(0)), (b, K::of(1)), (c, K::of(2))];
-        if face.iter().all(|p| clip::outcode(p, placement.planes(), distance) == 0) {
-            // Only farther out than corners reach.
-            let corners = face.map(|(point, _)| placement.image(&point));
-            let area = raster::area(&corners.map(|c| c.point));
-            return self.turned(area, || Outcome::Whole(corners, area));
+    #[inline(never)]
+    fn cut_face<K: Carried>(&self, face: [u16; 3], fan: &mut Fan<K>) -> Outcome {
+        let mut places = [Homogeneous::ZERO; PLACES];
+        let Fan { pieces, carried } = fan;
+        for (corner, carried) in carried.iter_mut().take(3).enumerate() {
+            *carried = K::of(corner);
         }
-        let polygon = clip::triangle_at(face, placement.planes(), distance);
-        if polygon.len() < 3 {
-            return Outcome::Outside;
-        }
-        let mut corners = Vec::<Piece<K>, { clip::CORNERS }>::new();
-        for (point, carried) in &polygon {
-            // As many as the polygon can have.
-            let _ = corners.push(Piece { image: placement.image(point), carried: *carried });
-        }
-        let area: i64 = fan(&corners).map(|piece| raster::area(&points(&piece))).sum(); // < 7·2⁴⁵
-        self.turned(area, || {
-            if area < 0 {
-                corners.reverse(); // pieces are counter-clockwise from here on
+        let mut carry = |at: usize, inside: usize, outside: usize, t: i64| {
+            if let (Some(a), Some(b)) = (carried.get(inside), carried.get(outside)) {
+                let carries = a.towards(b, t);
+                if let Some(place) = carried.get_mut(at) {
+                    *place = carries;
+                }
             }
-            Outcome::Cut(corners)
-        })
+        };
+        self.before_planes(&face, &mut places, &mut carry).face(self.placed.cull, pieces)
+    }
+
+    /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles with their areas, none of
+    /// them zero, and what they are filled with.
+    #[inline(always)]
+    pub(super) fn all<I: Ink, E>(
+        &self,
+        mut shade: impl FnMut(usize) -> I,
+        mut draw: impl FnMut(&[Image; 3], i64, I) -> Result<(), E>,
+    ) -> Result<Statistics, E> {
+        let mut statistics = Statistics::default();
+        let mut fan = Fan::new();
+        for (index, &face) in self.placed.mesh.faces().iter().enumerate() {
+            let outcome = self.sort_out(face, &mut fan);
+            statistics.count(outcome);
+            if outcome.is_drawn() {
+                let ink = shade(index);
+                while let Some((corners, area)) = fan.piece() {
+                    draw(corners, area, fan.ink(&ink))?;
+                    fan.next();
+                }
+            }
+        }
+        Ok(statistics)
     }
 }
 
-/// The triangles of a convex polygon about its first corner.
-fn fan<K: Copy>(corners: &[Piece<K>]) -> impl Iterator<Item = [Piece<K>; 3]> + '_ {
-    corners.split_first().into_iter().flat_map(|(&first, rest)| {
-        rest.windows(2).filter_map(move |pair| match *pair {
-            [a, b] => Some([first, a, b]),
-            _ => None,
-        })
-    })
+/// The vertex loop, from the start of the vertex list. `far`: cut at the far plane, whatever the camera says.
+pub(super) fn project<V: Coordinate, const DEPTH: bool>(
+    placed: &Placed<'_, V>,
+    far: bool,
+    corners: &mut [Corner],
+) {
+    let far = far || placed.placement.cuts_at_far();
+    project_all::<V, DEPTH>(&placed.placement, far, placed.mesh.vertices(), corners);
 }
 
-/// Those triangles of the fan that face as the polygon does, each with its area: rounding of the
-/// corners may turn a sliver over, which would be drawn on top of its neighbour.
-pub(super) fn pieces<K: Copy>(corners: &[Piece<K>]) -> impl Iterator<Item = ([Piece<K>; 3], i64)> + '_ {
-    fan(corners).map(|piece| (piece, raster::area(&points(&piece)))).filter(|&(_, area)| area > 0)
+#[inline(never)] // once, for the vertices that are kept and for those that are not
+fn project_all<V: Coordinate, const DEPTH: bool>(
+    placement: &Placement,
+    far: bool,
+    vertices: &[[V; 3]],
+    corners: &mut [Corner],
+) {
+    for (corner, &vertex) in corners.iter_mut().zip(vertices) {
+        // `black_box`: nothing of it is brought into registers, of which there are too few, before the loop.
+        *corner = black_box(placement).project::<V, DEPTH>(vertex, far);
+    }
 }
 
-fn points<K: Copy>(piece: &[Piece<K>; 3]) -> [ScreenPoint; 3] {
-    piece.map(|corner| corner.image.point)
+/// The vertices of these indices, which were checked by [`Mesh`](crate::Mesh).
+#[inline(never)] // rare: small is better
+fn to_clip_space<V: Coordinate>(
+    placement: &Placement,
+    vertices: &[[V; 3]],
+    indices: &[u16],
+    places: &mut [Homogeneous],
+) {
+    for (&index, place) in indices.iter().zip(places) {
+        if let Some(&vertex) = vertices.get(usize::from(index)) {
+            *place = placement.clip_one(vertex);
+        }
+    }
 }
 
 #[cfg(feature = "defmt")]
