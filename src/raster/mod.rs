@@ -38,6 +38,7 @@
 
 mod along;
 mod depth;
+mod edge;
 mod line;
 mod plane;
 mod triangle;
