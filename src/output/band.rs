@@ -1,7 +1,7 @@
 //! A frame in bands: a strip of memory in place of a framebuffer.
 
-use super::inside;
 use super::wire::{self, Wire};
+use super::{inside, rectangle};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -165,52 +165,70 @@ impl<'s, C: Wire> Band<'s, C> {
     }
 
     fn fill(&mut self, colour: C) {
-        let width = self.area.size.width as usize;
         if C::BITS <= 8 {
             // Also the bits beyond the end of a row.
             let pixels = (8 / C::BITS.max(1)) as usize;
             return self.bytes.chunks_exact_mut(1).for_each(|byte| wire::fill(byte, 0, pixels, colour));
         }
-        for row in self.bytes.chunks_exact_mut(self.stride.max(1)) {
-            wire::fill(row, 0, width, colour);
-        }
+        let pixels = (self.area.size.width as usize).wrapping_mul(self.area.size.height as usize);
+        wire::fill(self.bytes, 0, pixels, colour); // in memory, row after row
     }
 
+    /// Where a rectangle lies in the band.
     #[inline(always)]
-    fn fill_row(&mut self, Point { x, y }: Point, width: u32, colour: C) {
-        let (from, to) = self.columns(x, width);
-        if let Some(row) = self.row(y) {
-            wire::fill(row, from, to, colour);
-        }
-    }
-
-    #[inline(never)]
-    fn fill_rows(&mut self, area: &Rectangle, colour: C) {
-        for y in inside(area).and(&inside(&self.area)).rows() {
-            self.fill_row(Point::new(area.top_left.x, y), area.size.width, colour);
-        }
-    }
-
-    /// Row `y` of the frame.
-    #[inline(always)]
-    fn row(&mut self, y: i32) -> Option<&mut [u8]> {
-        let row = y.wrapping_sub(self.area.top_left.y) as u32; // far too large above
-        if row >= self.area.size.height {
-            return None;
-        }
-        let start = (row as usize).wrapping_mul(self.stride); // a row inside has a place
-        self.bytes.get_mut(start..start.wrapping_add(self.stride))
-    }
-
-    /// Where columns from x on, `width` of them, begin and end in a row: at most its width.
-    #[inline(always)]
-    fn columns(&self, x: i32, width: u32) -> (usize, usize) {
+    fn place(&self, area: &Rectangle) -> Place {
         let Rectangle { top_left, size } = self.area;
-        // At least 0, and below 2³²: what lies left of the band counts as its first column.
-        let from_left = |x: i32| x.max(top_left.x).wrapping_sub(top_left.x) as u32;
-        let (from, to) = (from_left(x), from_left(x.saturating_add_unsigned(width)));
-        (from.min(size.width) as usize, to.min(size.width) as usize)
+        // Far too large to the left and above.
+        let column = area.top_left.x.wrapping_sub(top_left.x) as u32;
+        let row = area.top_left.y.wrapping_sub(top_left.y) as u32;
+        let fits = |low: u32, extent: u32, all: u32| low <= all && extent <= all.wrapping_sub(low);
+        if fits(column, area.size.width, size.width) && fits(row, area.size.height, size.height) {
+            Place { column, row, size: area.size }
+        } else {
+            self.clipped(area)
+        }
     }
+
+    /// The same for one that does not lie inside.
+    #[cold]
+    #[inline(never)]
+    fn clipped(&self, area: &Rectangle) -> Place {
+        let both = rectangle(&inside(area).and(&inside(&self.area)));
+        let Point { x, y } = both.top_left - self.area.top_left; // not negative where there is a pixel
+        Place { column: x as u32, row: y as u32, size: both.size }
+    }
+
+    /// A row, and where in it its pixels begin.
+    #[inline(always)]
+    fn row(&mut self, row: u32) -> (&mut [u8], usize) {
+        let row = row as usize;
+        if C::BITS >= 8 {
+            return (self.bytes, row.wrapping_mul(self.area.size.width as usize));
+            // a pixel inside has a place
+        }
+        let start = row.wrapping_mul(self.stride);
+        (self.bytes.get_mut(start..start.wrapping_add(self.stride)).unwrap_or_default(), 0)
+    }
+
+    /// A pixel, if it is there.
+    #[inline(always)]
+    fn set(&mut self, Point { x, y }: Point, colour: C) {
+        let Rectangle { top_left, size } = self.area;
+        // Far too large to the left and above.
+        let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
+        if column < size.width && row < size.height {
+            let (bytes, start) = self.row(row);
+            wire::set(bytes, start.wrapping_add(column as usize), colour);
+        }
+    }
+}
+
+/// A rectangle in a band, which holds it whole.
+#[derive(Clone, Copy)]
+struct Place {
+    column: u32,
+    row: u32,
+    size: Size,
 }
 
 impl<C: Wire> Dimensions for Band<'_, C> {
@@ -224,48 +242,42 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
     type Error = Infallible;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        let (left, width) = (self.area.top_left.x, self.area.size.width);
-        for Pixel(Point { x, y }, colour) in pixels {
-            let column = x.wrapping_sub(left) as u32; // far too large to the left
-            if column < width {
-                if let Some(row) = self.row(y) {
-                    wire::set(row, column as usize, colour);
-                }
-            }
+        for Pixel(at, colour) in pixels {
+            self.set(at, colour);
         }
         Ok(())
     }
 
-    #[inline]
+    #[inline(always)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        if area.size.height == 1 {
-            // Most are: the spans of triangles.
-            self.fill_row(area.top_left, area.size.width, colour);
-        } else {
-            self.fill_rows(area, colour);
+        let Place { column, row, size } = self.place(area);
+        for row in row..row.wrapping_add(size.height) {
+            let (bytes, start) = self.row(row);
+            let from = start.wrapping_add(column as usize);
+            wire::fill(bytes, from, from.wrapping_add(size.width as usize), colour);
         }
         Ok(())
     }
 
+    #[inline(always)]
     fn fill_contiguous<I: IntoIterator<Item = C>>(
         &mut self,
         area: &Rectangle,
         colours: I,
     ) -> Result<(), Infallible> {
-        let Rectangle { top_left: Point { x, y }, size } = *area;
-        let (from, to) = self.columns(x, size.width);
+        let Place { column, row, size } = self.place(area);
         let mut colours = colours.into_iter();
-        if size.height == 1 && to - from == size.width as usize {
-            if let Some(row) = self.row(y) {
-                wire::copy(row, from, to, colours);
-            }
+        if size == area.size && size.height == 1 {
+            let (bytes, start) = self.row(row);
+            let from = start.wrapping_add(column as usize);
+            wire::copy(bytes, from, from.wrapping_add(size.width as usize), colours);
             return Ok(());
         }
-        for row in 0..size.height {
-            for column in 0..size.width {
+        for row in 0..area.size.height {
+            for column in 0..area.size.width {
                 let Some(colour) = colours.next() else { return Ok(()) };
-                let at = Point::new(x.wrapping_add_unsigned(column), y.wrapping_add_unsigned(row));
-                self.draw_iter([Pixel(at, colour)])?;
+                let Point { x, y } = area.top_left;
+                self.set(Point::new(x.wrapping_add_unsigned(column), y.wrapping_add_unsigned(row)), colour);
             }
         }
         Ok(())

@@ -147,6 +147,7 @@ const fn shared<C: Wire>() -> u32 {
     }
 }
 
+#[inline(never)]
 fn fill_packed<C: Wire>(row: &mut [u8], from: usize, to: usize, bits: u32) {
     let shared = shared::<C>() as usize;
     // The same pixel all over a byte: bits · 0b…0001_0001.
@@ -177,7 +178,25 @@ fn fill_packed<C: Wire>(row: &mut [u8], from: usize, to: usize, bits: u32) {
 /// Sets pixel `x` of a row, if it is there.
 #[inline(always)]
 pub(super) fn set<C: Wire>(row: &mut [u8], x: usize, colour: C) {
-    fill(row, x, x.wrapping_add(1), colour);
+    let bits = colour.encode();
+    match C::BITS {
+        8 => set_bytes(row, x, [bits as u8]),
+        16 => set_bytes(row, x, (bits as u16).to_be_bytes()),
+        24 => {
+            let [_, a, b, c] = bits.to_be_bytes();
+            set_bytes(row, x, [a, b, c]);
+        }
+        32 => set_bytes(row, x, bits.to_be_bytes()),
+        _ => fill_packed::<C>(row, x, x.wrapping_add(1), bits),
+    }
+}
+
+#[inline(always)]
+fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
+    let from = x.wrapping_mul(N);
+    if let Some(Ok(pixel)) = row.get_mut(from..from.wrapping_add(N)).map(<&mut [u8; N]>::try_from) {
+        *pixel = bytes;
+    }
 }
 
 /// Writes the colours to pixels `from..to` of a row, as long as both last.
@@ -195,6 +214,7 @@ pub(super) fn copy<C: Wire>(row: &mut [u8], from: usize, to: usize, colours: imp
                 [x, y, z]
             }),
         ),
+        32 => copy_bytes(row, from, to, colours.map(|c| c.encode().to_be_bytes())),
         _ => (from..to).zip(colours).for_each(|(x, colour)| set(row, x, colour)),
     }
 }

@@ -6,7 +6,7 @@
 //! [`Edge`] has it exactly, by one addition a row.
 
 use super::edge::{first_row, Edge};
-use super::{Plane, Scissor, ScreenPoint, Span};
+use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::mul_wide;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
@@ -45,7 +45,7 @@ impl Triangle {
     /// What varies linearly over it, for inks of one's own: values 0 … 2²⁴ − 1 at its corners, in their
     /// order; larger ones count as the largest.
     pub fn plane(&self, values: [u32; 3]) -> Plane {
-        Plane::new(self, values.map(|value| value.min((1 << 24) - 1) as i32))
+        Planes::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
     }
 
     /// Whether all its edges are shorter than 512 pixels.
