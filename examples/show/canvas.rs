@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 use embedded_graphics_core::{
     draw_target::DrawTarget,
-    geometry::{Dimensions, OriginDimensions, Point, Size},
+    geometry::{OriginDimensions, Point, Size},
     pixelcolor::PixelColor,
     primitives::Rectangle,
     Pixel,
@@ -31,20 +31,31 @@ impl<'a, C> Canvas<'a, C> {
         let start = y.checked_mul(width)?;
         self.pixels.get_mut(start.checked_add(left)?..start.checked_add(right)?)
     }
+}
 
-    /// The part of a rectangle that lies in the picture.
-    #[inline(always)]
-    fn part(&self, area: &Rectangle) -> Rectangle {
-        let Rectangle { top_left: Point { x, y }, size } = *area;
-        // To the left and above, far too large.
-        let fits = |low: i32, extent: u32, all: u32| {
-            let low = low as u32;
-            low <= all && extent <= all - low
-        };
-        if fits(x, size.width, self.size.width) && fits(y, size.height, self.size.height) {
-            *area
-        } else {
-            self.bounding_box().intersection(area)
+/// Eight pixels at a time. The hint keeps the compiler from unrolling, which costs short runs more than it saves.
+#[inline(always)]
+fn fill<C: Copy>(run: &mut [C], colour: C) {
+    let mut eights = run.chunks_exact_mut(8);
+    for pixels in &mut eights {
+        pixels.fill(colour);
+        core::hint::black_box(());
+    }
+    for pixel in eights.into_remainder() {
+        *pixel = colour;
+        core::hint::black_box(());
+    }
+}
+
+impl<C: Copy> Canvas<'_, C> {
+    /// What is more than a run, or not in the picture.
+    #[inline(never)]
+    fn fill_rows(&mut self, area: &Rectangle, colour: C) {
+        let (left, top, right, bottom) = edges(area);
+        for y in top.max(0)..bottom.min(self.size.height as i32) {
+            if let Some(row) = self.row(y, left, right) {
+                fill(row, colour);
+            }
         }
     }
 }
@@ -78,22 +89,20 @@ impl<C: PixelColor> DrawTarget for Canvas<'_, C> {
 
     #[inline(always)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        // Most are a row, and lie in the picture.
-        let Rectangle { top_left, size } = self.part(area);
-        let width = self.size.width as usize;
-        // Pixels in the picture have places.
-        let mut from = (top_left.y as usize).wrapping_mul(width).wrapping_add(top_left.x as usize);
-        for _ in 0..size.height {
-            let Some(row) = self.pixels.get_mut(from..from.wrapping_add(size.width as usize)) else { break };
-            // Eight at a time, of known number. The hint keeps the compiler from unrolling the rest, which costs
-            // short rows more than it saves.
-            let mut eights = row.chunks_exact_mut(8);
-            eights.by_ref().for_each(|pixels| pixels.fill(colour));
-            for pixel in eights.into_remainder() {
-                *pixel = colour;
-                core::hint::black_box(());
-            }
-            from = from.wrapping_add(width);
+        // To the left and above, far too large.
+        let (x, y, width) = (area.top_left.x as u32, area.top_left.y as u32, area.size.width);
+        if area.size.height != 1
+            || y >= self.size.height
+            || x > self.size.width
+            || width > self.size.width - x
+        {
+            self.fill_rows(area, colour);
+            return Ok(());
+        }
+        // Most are a run in the picture. Its pixels have places.
+        let from = (y as usize).wrapping_mul(self.size.width as usize).wrapping_add(x as usize);
+        if let Some(run) = self.pixels.get_mut(from..from.wrapping_add(width as usize)) {
+            fill(run, colour);
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! A frame in bands: a strip of memory in place of a framebuffer.
 
+use super::inside;
 use super::wire::{self, Wire};
-use super::{inside, rectangle};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -174,28 +174,35 @@ impl<'s, C: Wire> Band<'s, C> {
         wire::fill(self.bytes, 0, pixels, colour); // in memory, row after row
     }
 
-    /// Where a rectangle lies in the band.
+    /// The column and row of a run of pixels that lies in the band.
     #[inline(always)]
-    fn place(&self, area: &Rectangle) -> Place {
+    fn place(&self, Rectangle { top_left: Point { x, y }, size: run }: &Rectangle) -> Option<(u32, u32)> {
         let Rectangle { top_left, size } = self.area;
         // Far too large to the left and above.
-        let column = area.top_left.x.wrapping_sub(top_left.x) as u32;
-        let row = area.top_left.y.wrapping_sub(top_left.y) as u32;
-        let fits = |low: u32, extent: u32, all: u32| low <= all && extent <= all.wrapping_sub(low);
-        if fits(column, area.size.width, size.width) && fits(row, area.size.height, size.height) {
-            Place { column, row, size: area.size }
-        } else {
-            self.clipped(area)
-        }
+        let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
+        let inside = column <= size.width && run.width <= size.width - column && row < size.height;
+        (inside && run.height == 1).then_some((column, row))
     }
 
-    /// The same for one that does not lie inside.
-    #[cold]
+    #[inline(always)]
+    fn fill_run(&mut self, (column, row): (u32, u32), width: u32, colour: C) {
+        let (bytes, start) = self.row(row);
+        let from = start.wrapping_add(column as usize);
+        wire::fill(bytes, from, from.wrapping_add(width as usize), colour);
+    }
+
+    /// What is more than a run, or not in the band.
     #[inline(never)]
-    fn clipped(&self, area: &Rectangle) -> Place {
-        let both = rectangle(&inside(area).and(&inside(&self.area)));
-        let Point { x, y } = both.top_left - self.area.top_left; // not negative where there is a pixel
-        Place { column: x as u32, row: y as u32, size: both.size }
+    fn fill_rows(&mut self, area: &Rectangle, colour: C) {
+        let both = inside(area).and(&inside(&self.area));
+        let Point { x, y } = self.area.top_left;
+        if !both.is_empty() {
+            // None negative.
+            let column = both.columns().start.wrapping_sub(x) as u32;
+            for row in both.rows() {
+                self.fill_run((column, row.wrapping_sub(y) as u32), both.columns().len() as u32, colour);
+            }
+        }
     }
 
     /// A row, and where in it its pixels begin.
@@ -223,14 +230,6 @@ impl<'s, C: Wire> Band<'s, C> {
     }
 }
 
-/// A rectangle in a band, which holds it whole.
-#[derive(Clone, Copy)]
-struct Place {
-    column: u32,
-    row: u32,
-    size: Size,
-}
-
 impl<C: Wire> Dimensions for Band<'_, C> {
     fn bounding_box(&self) -> Rectangle {
         self.area
@@ -250,11 +249,10 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
 
     #[inline(always)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        let Place { column, row, size } = self.place(area);
-        for row in row..row.wrapping_add(size.height) {
-            let (bytes, start) = self.row(row);
-            let from = start.wrapping_add(column as usize);
-            wire::fill(bytes, from, from.wrapping_add(size.width as usize), colour);
+        match self.place(area) {
+            // Most are: the spans of triangles.
+            Some(place) => self.fill_run(place, area.size.width, colour),
+            None => self.fill_rows(area, colour),
         }
         Ok(())
     }
@@ -265,12 +263,11 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
         area: &Rectangle,
         colours: I,
     ) -> Result<(), Infallible> {
-        let Place { column, row, size } = self.place(area);
         let mut colours = colours.into_iter();
-        if size == area.size && size.height == 1 {
+        if let Some((column, row)) = self.place(area) {
             let (bytes, start) = self.row(row);
             let from = start.wrapping_add(column as usize);
-            wire::copy(bytes, from, from.wrapping_add(size.width as usize), colours);
+            wire::copy(bytes, from, from.wrapping_add(area.size.width as usize), colours);
             return Ok(());
         }
         for row in 0..area.size.height {

@@ -126,15 +126,13 @@ fn fill_bytes<const N: usize>(row: &mut [u8], from: usize, to: usize, bytes: [u8
                     *pixel = bytes;
                 }
             }
+            core::hint::black_box(());
         };
         // Eight at a time, of known number: two stores and more become one. The hint keeps the compiler from
-        // unrolling the rest, which costs short runs more than it saves.
+        // unrolling the loops, which costs short runs more than it saves.
         let mut eights = run.chunks_exact_mut(8 * N);
         eights.by_ref().for_each(put);
-        for pixel in eights.into_remainder().chunks_exact_mut(N) {
-            put(pixel);
-            core::hint::black_box(());
-        }
+        eights.into_remainder().chunks_exact_mut(N).for_each(put);
     }
 }
 

@@ -18,11 +18,12 @@ impl Plane {
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {
-        if !triangle.is_small() {
+        let planes = Planes::new(triangle);
+        if !planes.is_small() {
             let farthest = farthest_of_large(&triangle.viewport);
             depths = depths.map(|z| z.min(farthest));
         }
-        let mut plane = Planes::new(triangle).through(&depths);
+        let mut plane = planes.through(&depths);
         plane.origin = plane.origin.wrapping_add(1 << 15);
         plane
     }

@@ -12,8 +12,8 @@
 //!
 //! (Pineda, *A parallel algorithm for polygon rasterization*, 1988, section 3.4.)
 
-use super::{ScreenPoint, Triangle};
-use crate::math::num::{mul_wide, reciprocal, Reciprocal};
+use super::Triangle;
+use crate::math::num::{mul_wide, reciprocal};
 use core::hint::black_box;
 
 /// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
@@ -43,49 +43,38 @@ impl Plane {
 }
 
 /// What all planes over a triangle share.
-pub(crate) struct Planes {
-    corner: ScreenPoint,
-    /// From the first corner to the others, turned so that `den` is positive.
-    d1: (i32, i32),
-    d2: (i32, i32),
+pub(crate) struct Planes<'t> {
+    triangle: &'t Triangle,
     /// `den`: the area's magnitude.
     area: u64,
-    /// Of the area's upper 31 bits, where the triangle lies within 512 pixels.
-    reciprocal: Option<Reciprocal>,
-    /// Its exponent: see [`quick`](Self::quick).
+    /// The reciprocal of the area's upper 31 bits, and its exponent: see [`quick`](Self::quick).
+    mantissa: i32,
     exponent: i32,
-    /// Bits of the largest difference.
+    /// Bits of the largest difference between corners.
     extent: i32,
-    /// A pixel near those that are asked for.
-    near: (i32, i32),
 }
 
-impl Planes {
+impl<'t> Planes<'t> {
     /// Over a triangle.
     #[inline(never)]
-    pub(crate) fn new(triangle: &Triangle) -> Self {
-        let Triangle { corners: [a, b, c], area, viewport } = triangle;
-        // |dx|, |dy| ≤ 2²²; over `den = −area`.
-        let turn = |d: i32| if *area < 0 { d } else { -d };
-        let magnitude = area.unsigned_abs();
+    pub(crate) fn new(triangle: &'t Triangle) -> Self {
+        let area = triangle.area.unsigned_abs();
         // area = m·2^down with 31 bits, or fewer where it has fewer.
-        let down = (33 - magnitude.leading_zeros() as i32).max(0);
-        let r = reciprocal((magnitude >> (down & 31)) as i32); // 1/m = mantissa · 2^(shift − 61)
-        let extent = triangle.extent();
-        let (column, row) = (a.x >> 8, a.y >> 8);
-        // The error grows with the way: not farther from the viewport than must be, and not nearer, so
-        // that every band computes the same.
-        let near = |at: i32, low: i32, high: i32| at.clamp(low, high.max(low));
+        let down = (33 - area.leading_zeros() as i32).max(0); // ≤ 16
+        let r = reciprocal((area >> (down & 31)) as i32); // 1/m = mantissa · 2^(shift − 61)
         Self {
-            corner: *a,
-            d1: (turn(b.x - a.x), turn(b.y - a.y)),
-            d2: (turn(c.x - a.x), turn(c.y - a.y)),
-            area: magnitude,
-            reciprocal: triangle.is_small().then_some(r),
+            triangle,
+            area,
+            mantissa: r.mantissa,
             exponent: r.shift as i32 - down - 21,
-            extent: 32 - extent.leading_zeros() as i32,
-            near: (near(column, viewport.left, viewport.right), near(row, viewport.top, viewport.bottom)),
+            extent: 32 - triangle.extent().leading_zeros() as i32,
         }
+    }
+
+    /// Whether all edges are shorter than 512 pixels.
+    #[inline(always)]
+    pub(super) fn is_small(&self) -> bool {
+        self.extent <= 17
     }
 
     /// Through values 0 … 2²⁴ − 1 at the corners.
@@ -95,16 +84,22 @@ impl Planes {
     /// for that of the origin, and, by the quick way, 2¹⁰·⁶ for the reciprocal: see [`quick`](Self::quick).
     #[inline(never)]
     pub(crate) fn through(&self, &[za, zb, zc]: &[i32; 3]) -> Plane {
-        let Self { corner: a, d1: (dx1, dy1), d2: (dx2, dy2), .. } = *self;
-        let (dz1, dz2) = (zb - za, zc - za); // |dz| < 2²⁴
-                                             // Below 2⁴⁷ each.
-        let across = mul_wide(dz1, dy2) - mul_wide(dz2, dy1);
-        let along = mul_wide(dx1, dz2) - mul_wide(dx2, dz1);
+        let Triangle { corners: [a, b, c], area, viewport } = self.triangle;
+        // |dx|, |dy| ≤ 2²², |dz| < 2²⁴, turned so that they go with den's magnitude.
+        let turn = |dz: i32| if *area < 0 { dz } else { -dz };
+        let (dz1, dz2) = (turn(zb - za), turn(zc - za));
+        // Below 2⁴⁷ each.
+        let across = mul_wide(dz1, c.y - a.y) - mul_wide(dz2, b.y - a.y);
+        let along = mul_wide(dz2, b.x - a.x) - mul_wide(dz1, c.x - a.x);
         // Steps per sub-pixel: 24 bits of the values, and 40 more.
-        let ((column, row), gradient) = match self.quick(across, along) {
-            Some(gradient) => ((a.x >> 8, a.y >> 8), gradient),
-            None => (self.near, (quotient(across, self.area), quotient(along, self.area))),
-        };
+        let (mut column, mut row) = (a.x >> 8, a.y >> 8);
+        let gradient = self.quick(across, along).unwrap_or_else(|| {
+            // From a pixel near those that are asked for: the error grows with the way. Not nearer
+            // than the viewport, so that every band computes the same.
+            column = column.clamp(viewport.left, viewport.right.max(viewport.left));
+            row = row.clamp(viewport.top, viewport.bottom.max(viewport.top));
+            (quotient(across, self.area), quotient(along, self.area))
+        });
         // To that pixel's centre: up to 2²³ sub-pixels.
         let (x, y) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
         let at = ((za as u64) << 40)
@@ -123,23 +118,27 @@ impl Planes {
     /// steep for it.
     ///
     /// The reciprocal of the area is off by 2⁻²⁸ of itself, and the area and the numerator, cut to 31
-    /// bits, by 2⁻³⁰ each: together less than 2⁻²⁷·⁴. Gradient times extent, below 2²¹ steps for x and
+    /// bits, by 2⁻³⁰ each: together less than 2⁻²⁷·⁴. Gradient times extent, at most 2²¹ steps for x and
     /// for y, makes that 2⁻⁵·⁴ steps.
     #[inline(always)]
     fn quick(&self, across: i64, along: i64) -> Option<(i64, i64)> {
-        let r = self.reciprocal?;
+        if !self.is_small() {
+            return None;
+        }
         let by_area = |v: i64| {
             let cut = (33 - v.unsigned_abs().leading_zeros() as i32).max(0); // ≤ 16
                                                                              // v/area · 2⁴⁰ = (v >> cut) · mantissa · 2^(cut − down + shift − 21): |product| < 2⁶².
-            let product = mul_wide((v >> (cut & 31)) as i32, r.mantissa);
+            let product = mul_wide((v >> (cut & 31)) as i32, self.mantissa);
             // Shifted by 21 + 17 at most, as area < 2⁴⁵; not to the left: that is too steep.
             let right = -(cut + self.exponent);
             (right >= 0).then(|| product >> (right & 63))
         };
         let (x, y) = (by_area(across)?, by_area(along)?);
-        let steepest = x.unsigned_abs() | y.unsigned_abs();
-        // In bits: 40 of the gradient's and 8 of the extent's are fractions, and 2²¹ may be reached.
-        (64 - steepest.leading_zeros() as i32 + self.extent <= 69).then_some((x, y))
+        // Bits of the steepest beyond 32. Of the gradient's 40 are fractions and 8 of the extent's, and 2²¹ may be
+        // reached: 69 in all.
+        let high = |g: i64| ((g >> 32) ^ (g >> 63)) as u32;
+        let bits = 32 - (high(x) | high(y)).leading_zeros() as i32;
+        (bits + self.extent <= 69 - 32).then_some((x, y))
     }
 }
 
@@ -150,7 +149,8 @@ impl Planes {
 fn quotient(v: i64, area: u64) -> i64 {
     let mut digits = v.unsigned_abs() << 17;
     let (mut quotient, mut rest) = (0u64, 0u64);
-    for _ in 0..black_box(87) {
+    for _ in 0..87 {
+        black_box(()); // not unrolled
         rest = (rest << 1) | (digits >> 63); // rest < 2·area
         (digits, quotient) = (digits << 1, quotient << 1);
         if rest >= area {

@@ -34,23 +34,14 @@ impl Triangle {
 
     /// Its covered pixels inside the scissor, row by row.
     #[inline(always)]
-    pub(crate) fn fill<E>(
-        &self,
-        scissor: &Scissor,
-        span: impl FnMut(Span) -> Result<(), E>,
-    ) -> Result<(), E> {
-        fill(&self.corners, self.area > 0, scissor, span)
+    pub(crate) fn rows(&self, scissor: &Scissor) -> Rows {
+        Rows::new(&self.corners, self.area > 0, scissor)
     }
 
     /// What varies linearly over it, for inks of one's own: values 0 … 2²⁴ − 1 at its corners, in their
     /// order; larger ones count as the largest.
     pub fn plane(&self, values: [u32; 3]) -> Plane {
         Planes::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
-    }
-
-    /// Whether all its edges are shorter than 512 pixels.
-    pub(super) fn is_small(&self) -> bool {
-        self.extent() < 1 << 17
     }
 
     /// A number with as many bits as the largest difference from its first corner has, in sub-pixels.
@@ -90,52 +81,32 @@ pub fn triangle<E>(
     if area == 0 {
         return Ok(()); // R6
     }
-    fill(&vertices, area > 0, scissor, span)
+    Rows::new(&vertices, area > 0, scissor).try_for_each(span)
 }
 
-/// [`triangle`] for callers that know the winding: `front` tells whether [`area`] is positive; it
-/// is not zero.
-#[inline(always)]
-fn fill<E>(
-    corners: &[ScreenPoint; 3],
-    front: bool,
-    scissor: &Scissor,
-    mut span: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), E> {
-    let mut walk = Walk::new(corners, front, scissor);
-    while walk.stretch() {
-        let (mut left, mut right) = (walk.left, walk.right);
-        for y in walk.row..walk.until {
-            let x = left.pixel().max(scissor.left);
-            let width = right.pixel().min(scissor.right) - x;
-            if width > 0 {
-                span(Span { x, y, width, height: 1 })?;
-            }
-            left.advance();
-            right.advance();
-        }
-        (walk.left, walk.right) = (left, right);
-        walk.row = walk.until;
-    }
-    Ok(())
-}
-
-/// On the way down a triangle, in stretches of rows between the same two edges.
-struct Walk {
-    /// Down the screen.
-    corners: [ScreenPoint; 3],
-    /// Whether the middle one lies to the left of the edge between the others.
-    middle_left: bool,
-    /// The stretch, and where the triangle or the scissor ends.
-    row: i32,
-    until: i32,
-    end: i32,
+/// The spans of a triangle, on the way down in stretches of rows between the same two edges.
+pub(crate) struct Rows {
     /// At `row`.
     left: Edge,
     right: Edge,
+    /// The scissor's columns.
+    from: i32,
+    to: i32,
+    /// The next row, the end of the stretch, and that of the triangle or of the scissor.
+    row: i32,
+    until: i32,
+    end: i32,
+    /// Of the row before, its first covered pixel and how many there are.
+    x: i32,
+    width: i32,
+    /// Whether the middle corner lies to the left of the edge between the others.
+    middle_left: bool,
+    /// Down the screen.
+    corners: [ScreenPoint; 3],
 }
 
-impl Walk {
+impl Rows {
+    /// `front` tells whether [`area`] is positive; it is not zero.
     #[inline(never)]
     fn new(&[mut a, mut b, mut c]: &[ScreenPoint; 3], front: bool, scissor: &Scissor) -> Self {
         // Down the screen; each exchange turns the winding over.
@@ -149,26 +120,54 @@ impl Walk {
                 (a, b, turned) = (b, a, !turned);
             }
         }
-        let row = first_row(a).max(scissor.top);
         Self {
-            corners: [a, b, c],
-            // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
-            middle_left: !turned,
-            row,
-            until: i32::MIN,
-            end: first_row(c).min(scissor.bottom),
             left: Edge::default(),
             right: Edge::default(),
+            from: scissor.left,
+            to: scissor.right,
+            row: first_row(a).max(scissor.top),
+            until: i32::MIN,
+            end: first_row(c).min(scissor.bottom),
+            x: 0,
+            width: 0,
+            // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
+            middle_left: !turned,
+            corners: [a, b, c],
         }
     }
 
-    /// Sets up the edges for what follows; `false` when nothing does.
+    /// Whether there is no row.
+    #[inline(always)]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.row >= self.end
+    }
+
+    /// To the next row with covered pixels; `false` when there is none. Not part of the loops that draw: these
+    /// leave no registers for it, and there are many of them.
     #[inline(never)]
-    fn stretch(&mut self) -> bool {
-        let ([a, b, c], row) = (self.corners, self.row);
-        if row >= self.end {
-            return false;
+    fn advance(&mut self) -> bool {
+        loop {
+            while self.row < self.until {
+                self.x = self.left.pixel().max(self.from);
+                self.width = self.right.pixel().min(self.to) - self.x;
+                self.left.advance();
+                self.right.advance();
+                self.row += 1;
+                if self.width > 0 {
+                    return true;
+                }
+            }
+            if self.is_empty() {
+                return false;
+            }
+            self.stretch();
         }
+    }
+
+    /// Sets up the edges for the rows that follow.
+    #[inline(never)]
+    fn stretch(&mut self) {
+        let ([a, b, c], row) = (self.corners, self.row);
         let middle = first_row(b);
         let (from, to, until) = if row < middle { (a, b, middle) } else { (b, c, self.end) };
         let (short, long) = if self.middle_left {
@@ -182,6 +181,14 @@ impl Walk {
             *long = Edge::new(a, c, row);
         }
         self.until = until.min(self.end).min(row + Edge::ROWS);
-        true
+    }
+}
+
+impl Iterator for Rows {
+    type Item = Span;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Span> {
+        self.advance().then(|| Span { x: self.x, y: self.row - 1, width: self.width, height: 1 })
     }
 }
