@@ -36,13 +36,13 @@ impl<'a, C> Canvas<'a, C> {
 /// Eight pixels at a time. The hint keeps the compiler from unrolling, which costs short runs more than it saves.
 #[inline(always)]
 fn fill<C: Copy>(run: &mut [C], colour: C) {
-    let mut eights = run.chunks_exact_mut(8);
-    for pixels in &mut eights {
-        pixels.fill(colour);
+    let (few, eights) = run.split_at_mut(run.len() % 8);
+    for pixel in few {
+        *pixel = colour;
         core::hint::black_box(());
     }
-    for pixel in eights.into_remainder() {
-        *pixel = colour;
+    for pixels in eights.chunks_exact_mut(8) {
+        pixels.fill(colour);
         core::hint::black_box(());
     }
 }
@@ -50,8 +50,8 @@ fn fill<C: Copy>(run: &mut [C], colour: C) {
 impl<C: Copy> Canvas<'_, C> {
     /// What is more than a run, or not in the picture.
     #[inline(never)]
-    fn fill_rows(&mut self, area: &Rectangle, colour: C) {
-        let (left, top, right, bottom) = edges(area);
+    fn fill_rows(&mut self, top_left: Point, size: Size, colour: C) {
+        let (left, top, right, bottom) = edges(&Rectangle::new(top_left, size));
         for y in top.max(0)..bottom.min(self.size.height as i32) {
             if let Some(row) = self.row(y, left, right) {
                 fill(row, colour);
@@ -96,7 +96,7 @@ impl<C: PixelColor> DrawTarget for Canvas<'_, C> {
             || x > self.size.width
             || width > self.size.width - x
         {
-            self.fill_rows(area, colour);
+            self.fill_rows(area.top_left, area.size, colour);
             return Ok(());
         }
         // Most are a run in the picture. Its pixels have places.

@@ -1,9 +1,10 @@
 //! A frame in bands: a strip of memory in place of a framebuffer.
 
-use super::inside;
 use super::wire::{self, Wire};
 use core::convert::Infallible;
+use core::hint::black_box;
 use core::marker::PhantomData;
+use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
@@ -148,11 +149,20 @@ impl<'s, C: Wire> Band<'s, C> {
 
     /// Its pixels, row by row.
     pub fn colours(&self) -> impl Iterator<Item = C> + '_ {
-        let width = self.area.size.width as usize;
-        // Never empty: see `next_band`.
-        self.bytes
-            .chunks(self.stride.max(1))
-            .flat_map(move |row| (0..width).filter_map(|x| wire::get(row, x)))
+        let Size { width, height } = self.area.size;
+        if C::BITS >= 8 {
+            // Row after row, without bytes between them.
+            let pixels = (width as usize).wrapping_mul(height as usize);
+            Colours { bytes: self.bytes, stride: usize::MAX, width: pixels, x: 0, colour: PhantomData }
+        } else {
+            Colours {
+                bytes: self.bytes,
+                stride: self.stride,
+                width: width as usize,
+                x: 0,
+                colour: PhantomData,
+            }
+        }
     }
 
     /// Sends it to the display: one `fill_contiguous`.
@@ -170,8 +180,7 @@ impl<'s, C: Wire> Band<'s, C> {
             let pixels = (8 / C::BITS.max(1)) as usize;
             return self.bytes.chunks_exact_mut(1).for_each(|byte| wire::fill(byte, 0, pixels, colour));
         }
-        let pixels = (self.area.size.width as usize).wrapping_mul(self.area.size.height as usize);
-        wire::fill(self.bytes, 0, pixels, colour); // in memory, row after row
+        self.fill_rows(self.area.top_left, self.area.size, colour);
     }
 
     /// The column and row of a run of pixels that lies in the band.
@@ -193,15 +202,12 @@ impl<'s, C: Wire> Band<'s, C> {
 
     /// What is more than a run, or not in the band.
     #[inline(never)]
-    fn fill_rows(&mut self, area: &Rectangle, colour: C) {
-        let both = inside(area).and(&inside(&self.area));
-        let Point { x, y } = self.area.top_left;
-        if !both.is_empty() {
-            // None negative.
-            let column = both.columns().start.wrapping_sub(x) as u32;
-            for row in both.rows() {
-                self.fill_run((column, row.wrapping_sub(y) as u32), both.columns().len() as u32, colour);
-            }
+    fn fill_rows(&mut self, Point { x, y }: Point, run: Size, colour: C) {
+        let Rectangle { top_left, size } = self.area;
+        let columns = common(x, run.width, top_left.x, size.width);
+        for row in common(y, run.height, top_left.y, size.height) {
+            // The hint keeps the compiler from a loop of its own for widths of all kinds.
+            self.fill_run((columns.start, row), black_box(columns.end - columns.start), colour);
         }
     }
 
@@ -230,6 +236,39 @@ impl<'s, C: Wire> Band<'s, C> {
     }
 }
 
+/// What two runs have in common, counted from the start of the second.
+#[inline(never)]
+fn common(low: i32, extent: u32, origin: i32, all: u32) -> Range<u32> {
+    // What lies before the origin counts as there: not negative, and below 2³².
+    let from_origin = |at: i32| (at.max(origin).wrapping_sub(origin) as u32).min(all);
+    from_origin(low)..from_origin(low.saturating_add_unsigned(extent))
+}
+
+/// Pixels row by row.
+struct Colours<'b, C> {
+    /// From the row of the next pixel on.
+    bytes: &'b [u8],
+    stride: usize,
+    width: usize,
+    /// The next pixel.
+    x: usize,
+    colour: PhantomData<C>,
+}
+
+impl<C: Wire> Iterator for Colours<'_, C> {
+    type Item = C;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<C> {
+        if self.x == self.width {
+            (self.bytes, self.x) = (self.bytes.get(self.stride..)?, 0);
+        }
+        let colour = wire::get(self.bytes, self.x)?;
+        self.x += 1;
+        Some(colour)
+    }
+}
+
 impl<C: Wire> Dimensions for Band<'_, C> {
     fn bounding_box(&self) -> Rectangle {
         self.area
@@ -252,7 +291,7 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
         match self.place(area) {
             // Most are: the spans of triangles.
             Some(place) => self.fill_run(place, area.size.width, colour),
-            None => self.fill_rows(area, colour),
+            None => self.fill_rows(area.top_left, area.size, colour),
         }
         Ok(())
     }
