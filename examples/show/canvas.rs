@@ -33,8 +33,8 @@ impl<'a, C> Canvas<'a, C> {
     }
 }
 
-/// Eight pixels at a time. The hint keeps the compiler from unrolling, which costs short runs more than it saves.
-#[inline(always)]
+/// Eight pixels at a time, and not part of the loops that draw: it needs their registers. The hint keeps the compiler from unrolling, which costs short runs more than it saves.
+#[inline(never)]
 fn fill<C: Copy>(run: &mut [C], colour: C) {
     let (few, eights) = run.split_at_mut(run.len() % 8);
     for pixel in few {

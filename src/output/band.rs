@@ -2,7 +2,6 @@
 
 use super::wire::{self, Wire};
 use core::convert::Infallible;
-use core::hint::black_box;
 use core::marker::PhantomData;
 use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -175,22 +174,26 @@ impl<'s, C: Wire> Band<'s, C> {
     }
 
     fn fill(&mut self, colour: C) {
-        if C::BITS <= 8 {
+        if C::BITS < 8 {
             // Also the bits beyond the end of a row.
             let pixels = (8 / C::BITS.max(1)) as usize;
-            return self.bytes.chunks_exact_mut(1).for_each(|byte| wire::fill(byte, 0, pixels, colour));
+            wire::fill(self.bytes, 0, self.bytes.len().saturating_mul(pixels), colour);
+        } else {
+            self.fill_rows((0, 0), self.area.size, colour);
         }
-        self.fill_rows(self.area.top_left, self.area.size, colour);
     }
 
-    /// The column and row of a run of pixels that lies in the band.
+    /// The column and row of a rectangle that lies in the band.
     #[inline(always)]
-    fn place(&self, Rectangle { top_left: Point { x, y }, size: run }: &Rectangle) -> Option<(u32, u32)> {
+    fn place(
+        &self,
+        &Rectangle { top_left: Point { x, y }, size: Size { width, height } }: &Rectangle,
+    ) -> Option<(u32, u32)> {
         let Rectangle { top_left, size } = self.area;
         // Far too large to the left and above.
         let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
-        let inside = column <= size.width && run.width <= size.width - column && row < size.height;
-        (inside && run.height == 1).then_some((column, row))
+        let fits = |low: u32, extent: u32, all: u32| low <= all && extent <= all - low;
+        (fits(column, width, size.width) && fits(row, height, size.height)).then_some((column, row))
     }
 
     #[inline(always)]
@@ -200,15 +203,21 @@ impl<'s, C: Wire> Band<'s, C> {
         wire::fill(bytes, from, from.wrapping_add(width as usize), colour);
     }
 
-    /// What is more than a run, or not in the band.
     #[inline(never)]
-    fn fill_rows(&mut self, Point { x, y }: Point, run: Size, colour: C) {
-        let Rectangle { top_left, size } = self.area;
-        let columns = common(x, run.width, top_left.x, size.width);
-        for row in common(y, run.height, top_left.y, size.height) {
-            // The hint keeps the compiler from a loop of its own for widths of all kinds.
-            self.fill_run((columns.start, row), black_box(columns.end - columns.start), colour);
+    fn fill_rows(&mut self, (column, row): (u32, u32), Size { width, height }: Size, colour: C) {
+        for row in row..row.wrapping_add(height) {
+            self.fill_run((column, row), width, colour);
         }
+    }
+
+    /// Of what does not lie in the band whole.
+    #[inline(never)]
+    fn fill_part(&mut self, Point { x, y }: Point, part: Size, colour: C) {
+        let Rectangle { top_left, size } = self.area;
+        let columns = common(x, part.width, top_left.x, size.width);
+        let rows = common(y, part.height, top_left.y, size.height);
+        let part = Size::new(columns.end.wrapping_sub(columns.start), rows.end.wrapping_sub(rows.start));
+        self.fill_rows((columns.start, rows.start), part, colour);
     }
 
     /// A row, and where in it its pixels begin.
@@ -290,8 +299,9 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
         match self.place(area) {
             // Most are: the spans of triangles.
-            Some(place) => self.fill_run(place, area.size.width, colour),
-            None => self.fill_rows(area.top_left, area.size, colour),
+            Some(place) if area.size.height == 1 => self.fill_run(place, area.size.width, colour),
+            Some(place) => self.fill_rows(place, area.size, colour),
+            None => self.fill_part(area.top_left, area.size, colour),
         }
         Ok(())
     }
@@ -303,7 +313,7 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
         colours: I,
     ) -> Result<(), Infallible> {
         let mut colours = colours.into_iter();
-        if let Some((column, row)) = self.place(area) {
+        if let Some((column, row)) = self.place(area).filter(|_| area.size.height == 1) {
             let (bytes, start) = self.row(row);
             let from = start.wrapping_add(column as usize);
             wire::copy(bytes, from, from.wrapping_add(area.size.width as usize), colours);

@@ -126,17 +126,22 @@ fn fill_bytes<const N: usize, const M: usize>(
 ) {
     let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N)); // inside a row that is in memory
     if let Some(run) = row.get_mut(from..to) {
-        // Eight at a time. The hints keep the compiler from unrolling the loops, which costs short runs more than it
-        // saves.
-        let (few, eights) = run.split_at_mut(run.len() % (8 * N));
-        for bytes in few.chunks_exact_mut(N) {
-            put(bytes, pixel);
-            black_box(());
-        }
-        for eight in eights.chunks_exact_mut(8 * N) {
-            eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
-            black_box(());
-        }
+        fill_run(run, pixel, some);
+    }
+}
+
+/// Not part of the loops that draw: it needs their registers.
+#[inline(never)]
+fn fill_run<const N: usize, const M: usize>(run: &mut [u8], pixel: [u8; N], some: [u8; M]) {
+    // Eight at a time. The hints keep the compiler from unrolling the loops, which costs short runs more than it saves.
+    let (few, eights) = run.split_at_mut(run.len() % (8 * N));
+    for bytes in few.chunks_exact_mut(N) {
+        put(bytes, pixel);
+        black_box(());
+    }
+    for eight in eights.chunks_exact_mut(8 * N) {
+        eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+        black_box(());
     }
 }
 

@@ -32,7 +32,7 @@ pub(super) struct Edge {
 
 /// The first row whose centres are not above the point: `⌈y − ½⌉`.
 #[inline(always)]
-pub(super) fn first_row(p: ScreenPoint) -> i32 {
+pub(super) fn first_row(p: &ScreenPoint) -> i32 {
     (p.y + 127) >> 8
 }
 
@@ -43,10 +43,10 @@ impl Edge {
     /// How many rows there may be in a stretch: an edge is stepped through two at most, and then set up anew.
     pub(super) const ROWS: i32 = 480;
 
-    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above
+    /// Becomes the edge from `p` down to `q` at `row`, which lies at or below p's first row and above
     /// q's; so `q.y > p.y`.
     #[inline(never)]
-    pub(super) fn new(p: ScreenPoint, q: ScreenPoint, row: i32) -> Self {
+    pub(super) fn set(&mut self, p: &ScreenPoint, q: &ScreenPoint, row: i32) {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
         let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
         let first = first_row(p);
@@ -60,7 +60,7 @@ impl Edge {
         } else {
             long(i64::from(m) + i64::from(below) * i64::from(dx), dx, d) // < 2³⁷
         };
-        Self { x: (i64::from(column) << 32) + start + 0xffff_ffff, step }
+        *self = Self { x: (i64::from(column) << 32) + start + 0xffff_ffff, step };
     }
 
     /// The end of the row's span.

@@ -125,9 +125,9 @@ impl Rows {
             right: Edge::default(),
             from: scissor.left,
             to: scissor.right,
-            row: first_row(a).max(scissor.top),
+            row: first_row(&a).max(scissor.top),
             until: i32::MIN,
-            end: first_row(c).min(scissor.bottom),
+            end: first_row(&c).min(scissor.bottom),
             x: 0,
             width: 0,
             // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
@@ -148,11 +148,11 @@ impl Rows {
     fn advance(&mut self) -> bool {
         loop {
             while self.row < self.until {
+                self.row += 1;
                 self.x = self.left.pixel().max(self.from);
                 self.width = self.right.pixel().min(self.to) - self.x;
                 self.left.advance();
                 self.right.advance();
-                self.row += 1;
                 if self.width > 0 {
                     return true;
                 }
@@ -167,18 +167,14 @@ impl Rows {
     /// Sets up the edges for the rows that follow.
     #[inline(never)]
     fn stretch(&mut self) {
-        let ([a, b, c], row) = (self.corners, self.row);
-        let middle = first_row(b);
-        let (from, to, until) = if row < middle { (a, b, middle) } else { (b, c, self.end) };
-        let (short, long) = if self.middle_left {
-            (&mut self.left, &mut self.right)
-        } else {
-            (&mut self.right, &mut self.left)
-        };
-        *short = Edge::new(from, to, row);
+        let Self { left, right, corners: [a, b, c], row, .. } = self;
+        let (row, middle) = (*row, first_row(b));
+        let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
+        let (from, to, until) = if row < middle { (&*a, &*b, middle) } else { (&*b, &*c, self.end) };
+        short.set(from, to, row);
         // Where the sides bend, the long edge goes on.
         if row != middle || row != self.until {
-            *long = Edge::new(a, c, row);
+            long.set(a, c, row);
         }
         self.until = until.min(self.end).min(row + Edge::ROWS);
     }
