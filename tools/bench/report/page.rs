@@ -132,6 +132,7 @@ const ROWS: &[(&str, &str, &str)] = &[
 const MODULES: &[&str] = &[
     "math/",
     "raster/line.rs",
+    "raster/edge.rs",
     "raster/triangle.rs",
     "raster/plane.rs",
     "raster/",
