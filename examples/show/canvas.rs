@@ -33,6 +33,33 @@ impl<'a, C> Canvas<'a, C> {
     }
 }
 
+/// Eight pixels at a time, and not part of the loops that draw: it needs their registers. The hint keeps the compiler from unrolling, which costs short runs more than it saves.
+#[inline(never)]
+fn fill<C: Copy>(run: &mut [C], colour: C) {
+    let (few, eights) = run.split_at_mut(run.len() % 8);
+    for pixel in few {
+        *pixel = colour;
+        core::hint::black_box(());
+    }
+    for pixels in eights.chunks_exact_mut(8) {
+        pixels.fill(colour);
+        core::hint::black_box(());
+    }
+}
+
+impl<C: Copy> Canvas<'_, C> {
+    /// What is more than a run, or not in the picture.
+    #[inline(never)]
+    fn fill_rows(&mut self, top_left: Point, size: Size, colour: C) {
+        let (left, top, right, bottom) = edges(&Rectangle::new(top_left, size));
+        for y in top.max(0)..bottom.min(self.size.height as i32) {
+            if let Some(row) = self.row(y, left, right) {
+                fill(row, colour);
+            }
+        }
+    }
+}
+
 impl<C> OriginDimensions for Canvas<'_, C> {
     fn size(&self) -> Size {
         self.size
@@ -60,12 +87,22 @@ impl<C: PixelColor> DrawTarget for Canvas<'_, C> {
         Ok(())
     }
 
+    #[inline(always)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        let (left, top, right, bottom) = edges(area);
-        for y in top.max(0)..bottom.min(self.size.height as i32) {
-            if let Some(row) = self.row(y, left, right) {
-                row.fill(colour);
-            }
+        // To the left and above, far too large.
+        let (x, y, width) = (area.top_left.x as u32, area.top_left.y as u32, area.size.width);
+        if area.size.height != 1
+            || y >= self.size.height
+            || x > self.size.width
+            || width > self.size.width - x
+        {
+            self.fill_rows(area.top_left, area.size, colour);
+            return Ok(());
+        }
+        // Most are a run in the picture. Its pixels have places.
+        let from = (y as usize).wrapping_mul(self.size.width as usize).wrapping_add(x as usize);
+        if let Some(run) = self.pixels.get_mut(from..from.wrapping_add(width as usize)) {
+            fill(run, colour);
         }
         Ok(())
     }

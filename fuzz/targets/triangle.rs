@@ -16,7 +16,7 @@ use oracle::coverage::{centre, covers, edge, on_segment, Area, P};
 use pinhole::raster::{self, Span};
 
 const GUARD: i64 = 8192 * 256;
-/// Where edges pass from one arithmetic to the other: `raster/triangle.rs`.
+/// Where edges pass from one arithmetic to the other: `raster/edge.rs`.
 const SHORT: i64 = 1 << 17;
 
 fn clamped(p: P) -> P {

@@ -1,9 +1,9 @@
 //! A frame in bands: a strip of memory in place of a framebuffer.
 
-use super::inside;
 use super::wire::{self, Wire};
 use core::convert::Infallible;
 use core::marker::PhantomData;
+use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
@@ -148,11 +148,20 @@ impl<'s, C: Wire> Band<'s, C> {
 
     /// Its pixels, row by row.
     pub fn colours(&self) -> impl Iterator<Item = C> + '_ {
-        let width = self.area.size.width as usize;
-        // Never empty: see `next_band`.
-        self.bytes
-            .chunks(self.stride.max(1))
-            .flat_map(move |row| (0..width).filter_map(|x| wire::get(row, x)))
+        let Size { width, height } = self.area.size;
+        if C::BITS >= 8 {
+            // Row after row, without bytes between them.
+            let pixels = (width as usize).wrapping_mul(height as usize);
+            Colours { bytes: self.bytes, stride: usize::MAX, width: pixels, x: 0, colour: PhantomData }
+        } else {
+            Colours {
+                bytes: self.bytes,
+                stride: self.stride,
+                width: width as usize,
+                x: 0,
+                colour: PhantomData,
+            }
+        }
     }
 
     /// Sends it to the display: one `fill_contiguous`.
@@ -165,51 +174,107 @@ impl<'s, C: Wire> Band<'s, C> {
     }
 
     fn fill(&mut self, colour: C) {
-        let width = self.area.size.width as usize;
-        if C::BITS <= 8 {
+        if C::BITS < 8 {
             // Also the bits beyond the end of a row.
             let pixels = (8 / C::BITS.max(1)) as usize;
-            return self.bytes.chunks_exact_mut(1).for_each(|byte| wire::fill(byte, 0, pixels, colour));
-        }
-        for row in self.bytes.chunks_exact_mut(self.stride.max(1)) {
-            wire::fill(row, 0, width, colour);
+            wire::fill(self.bytes, 0, self.bytes.len().saturating_mul(pixels), colour);
+        } else {
+            self.fill_rows((0, 0), self.area.size, colour);
         }
     }
 
+    /// The column and row of a rectangle that lies in the band.
     #[inline(always)]
-    fn fill_row(&mut self, Point { x, y }: Point, width: u32, colour: C) {
-        let (from, to) = self.columns(x, width);
-        if let Some(row) = self.row(y) {
-            wire::fill(row, from, to, colour);
-        }
+    fn place(
+        &self,
+        &Rectangle { top_left: Point { x, y }, size: Size { width, height } }: &Rectangle,
+    ) -> Option<(u32, u32)> {
+        let Rectangle { top_left, size } = self.area;
+        // Far too large to the left and above.
+        let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
+        let fits = |low: u32, extent: u32, all: u32| low <= all && extent <= all - low;
+        (fits(column, width, size.width) && fits(row, height, size.height)).then_some((column, row))
+    }
+
+    #[inline(always)]
+    fn fill_run(&mut self, (column, row): (u32, u32), width: u32, colour: C) {
+        let (bytes, start) = self.row(row);
+        let from = start.wrapping_add(column as usize);
+        wire::fill(bytes, from, from.wrapping_add(width as usize), colour);
     }
 
     #[inline(never)]
-    fn fill_rows(&mut self, area: &Rectangle, colour: C) {
-        for y in inside(area).and(&inside(&self.area)).rows() {
-            self.fill_row(Point::new(area.top_left.x, y), area.size.width, colour);
+    fn fill_rows(&mut self, (column, row): (u32, u32), Size { width, height }: Size, colour: C) {
+        for row in row..row.wrapping_add(height) {
+            self.fill_run((column, row), width, colour);
         }
     }
 
-    /// Row `y` of the frame.
-    #[inline(always)]
-    fn row(&mut self, y: i32) -> Option<&mut [u8]> {
-        let row = y.wrapping_sub(self.area.top_left.y) as u32; // far too large above
-        if row >= self.area.size.height {
-            return None;
-        }
-        let start = (row as usize).wrapping_mul(self.stride); // a row inside has a place
-        self.bytes.get_mut(start..start.wrapping_add(self.stride))
-    }
-
-    /// Where columns from x on, `width` of them, begin and end in a row: at most its width.
-    #[inline(always)]
-    fn columns(&self, x: i32, width: u32) -> (usize, usize) {
+    /// Of what does not lie in the band whole.
+    #[inline(never)]
+    fn fill_part(&mut self, Point { x, y }: Point, part: Size, colour: C) {
         let Rectangle { top_left, size } = self.area;
-        // At least 0, and below 2³²: what lies left of the band counts as its first column.
-        let from_left = |x: i32| x.max(top_left.x).wrapping_sub(top_left.x) as u32;
-        let (from, to) = (from_left(x), from_left(x.saturating_add_unsigned(width)));
-        (from.min(size.width) as usize, to.min(size.width) as usize)
+        let columns = common(x, part.width, top_left.x, size.width);
+        let rows = common(y, part.height, top_left.y, size.height);
+        let part = Size::new(columns.end.wrapping_sub(columns.start), rows.end.wrapping_sub(rows.start));
+        self.fill_rows((columns.start, rows.start), part, colour);
+    }
+
+    /// A row, and where in it its pixels begin.
+    #[inline(always)]
+    fn row(&mut self, row: u32) -> (&mut [u8], usize) {
+        let row = row as usize;
+        if C::BITS >= 8 {
+            return (self.bytes, row.wrapping_mul(self.area.size.width as usize));
+            // a pixel inside has a place
+        }
+        let start = row.wrapping_mul(self.stride);
+        (self.bytes.get_mut(start..start.wrapping_add(self.stride)).unwrap_or_default(), 0)
+    }
+
+    /// A pixel, if it is there.
+    #[inline(always)]
+    fn set(&mut self, Point { x, y }: Point, colour: C) {
+        let Rectangle { top_left, size } = self.area;
+        // Far too large to the left and above.
+        let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
+        if column < size.width && row < size.height {
+            let (bytes, start) = self.row(row);
+            wire::set(bytes, start.wrapping_add(column as usize), colour);
+        }
+    }
+}
+
+/// What two runs have in common, counted from the start of the second.
+#[inline(never)]
+fn common(low: i32, extent: u32, origin: i32, all: u32) -> Range<u32> {
+    // What lies before the origin counts as there: not negative, and below 2³².
+    let from_origin = |at: i32| (at.max(origin).wrapping_sub(origin) as u32).min(all);
+    from_origin(low)..from_origin(low.saturating_add_unsigned(extent))
+}
+
+/// Pixels row by row.
+struct Colours<'b, C> {
+    /// From the row of the next pixel on.
+    bytes: &'b [u8],
+    stride: usize,
+    width: usize,
+    /// The next pixel.
+    x: usize,
+    colour: PhantomData<C>,
+}
+
+impl<C: Wire> Iterator for Colours<'_, C> {
+    type Item = C;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<C> {
+        if self.x == self.width {
+            (self.bytes, self.x) = (self.bytes.get(self.stride..)?, 0);
+        }
+        let colour = wire::get(self.bytes, self.x)?;
+        self.x += 1;
+        Some(colour)
     }
 }
 
@@ -224,48 +289,41 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
     type Error = Infallible;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        let (left, width) = (self.area.top_left.x, self.area.size.width);
-        for Pixel(Point { x, y }, colour) in pixels {
-            let column = x.wrapping_sub(left) as u32; // far too large to the left
-            if column < width {
-                if let Some(row) = self.row(y) {
-                    wire::set(row, column as usize, colour);
-                }
-            }
+        for Pixel(at, colour) in pixels {
+            self.set(at, colour);
         }
         Ok(())
     }
 
-    #[inline]
+    #[inline(always)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        if area.size.height == 1 {
+        match self.place(area) {
             // Most are: the spans of triangles.
-            self.fill_row(area.top_left, area.size.width, colour);
-        } else {
-            self.fill_rows(area, colour);
+            Some(place) if area.size.height == 1 => self.fill_run(place, area.size.width, colour),
+            Some(place) => self.fill_rows(place, area.size, colour),
+            None => self.fill_part(area.top_left, area.size, colour),
         }
         Ok(())
     }
 
+    #[inline(always)]
     fn fill_contiguous<I: IntoIterator<Item = C>>(
         &mut self,
         area: &Rectangle,
         colours: I,
     ) -> Result<(), Infallible> {
-        let Rectangle { top_left: Point { x, y }, size } = *area;
-        let (from, to) = self.columns(x, size.width);
         let mut colours = colours.into_iter();
-        if size.height == 1 && to - from == size.width as usize {
-            if let Some(row) = self.row(y) {
-                wire::copy(row, from, to, colours);
-            }
+        if let Some((column, row)) = self.place(area).filter(|_| area.size.height == 1) {
+            let (bytes, start) = self.row(row);
+            let from = start.wrapping_add(column as usize);
+            wire::copy(bytes, from, from.wrapping_add(area.size.width as usize), colours);
             return Ok(());
         }
-        for row in 0..size.height {
-            for column in 0..size.width {
+        for row in 0..area.size.height {
+            for column in 0..area.size.width {
                 let Some(colour) = colours.next() else { return Ok(()) };
-                let at = Point::new(x.wrapping_add_unsigned(column), y.wrapping_add_unsigned(row));
-                self.draw_iter([Pixel(at, colour)])?;
+                let Point { x, y } = area.top_left;
+                self.set(Point::new(x.wrapping_add_unsigned(column), y.wrapping_add_unsigned(row)), colour);
             }
         }
         Ok(())

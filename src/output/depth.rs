@@ -116,41 +116,41 @@ impl<'a> DepthBuffer<'a> {
 
     /// Keeps the span's depths where they are nearer than those held, and passes on the runs of such
     /// pixels. The span is one row inside the buffer.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn test<E>(
         &mut self,
         span: Span,
         plane: &Plane,
         mut visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
-        let Some(row) = self.row(span.y) else { return Ok(()) };
-        let from = span.x.wrapping_sub(self.area.top_left.x) as usize;
-        let to = from.wrapping_add(span.width as usize);
-        let Some(row) = self.values.get_mut(row).and_then(|row| row.get_mut(from..to)) else {
+        let Rectangle { top_left, size } = self.area;
+        // Pixels inside have places.
+        let row = (span.y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
+        let from = row.wrapping_add(span.x.wrapping_sub(top_left.x) as usize);
+        let Some(row) = self.values.get_mut(from..from.wrapping_add(span.width as usize)) else {
             return Ok(());
         };
-        let mut z = plane.at(span.x, span.y);
-        // The first pixel of the run, and the one being tested.
-        let (mut first, mut x) = (span.x, span.x);
-        let mut run = |first: i32, end: i32| {
-            if first < end {
-                visible(Span { x: first, width: end - first, ..span })
-            } else {
-                Ok(())
-            }
-        };
-        for held in row {
+        let (mut z, step) = (plane.at(span.x, span.y), plane.step());
+        let mut nearer = |held: &mut u16| {
             let depth = (z >> 16) as u16;
-            if depth < *held {
+            z = z.wrapping_add(step);
+            let nearer = depth < *held;
+            core::hint::black_box(()); // not unrolled: it would not be faster
+            if nearer {
                 *held = depth;
-            } else {
-                run(first, x)?;
-                first = x + 1;
             }
-            z = z.wrapping_add(plane.step());
-            x += 1;
+            nearer
+        };
+        let end = span.x + span.width;
+        let mut pixels = row.iter_mut();
+        // Both stop behind the first pixel that is otherwise.
+        while pixels.any(&mut nearer) {
+            let first = end - 1 - pixels.len() as i32;
+            let to_the_end = pixels.all(&mut nearer);
+            let width = end - pixels.len() as i32 - i32::from(!to_the_end) - first;
+            visible(Span { x: first, width, ..span })?;
         }
-        run(first, x)
+        Ok(())
     }
 
     /// Passes on the runs of those pixels of a line's span that `is_seen`, given their places and the

@@ -39,10 +39,10 @@ pub(crate) fn inside(area: &Rectangle) -> Scissor {
 }
 
 /// Sends one run of pixels to the target.
-#[inline]
+#[inline(always)]
 pub(crate) fn send<D: DrawTarget>(target: &mut D, span: Span, colour: D::Color) -> Result<(), D::Error> {
     // Width and height are positive.
-    let size = Size::new(span.width.unsigned_abs(), span.height.unsigned_abs());
+    let size = Size::new(span.width as u32, span.height as u32);
     target.fill_solid(&Rectangle::new(Point::new(span.x, span.y), size), colour)
 }
 
@@ -53,7 +53,7 @@ pub(crate) fn send_run<D: DrawTarget, C: Iterator<Item = D::Color>>(
     span: Span,
     colours: impl FnOnce(u32) -> C,
 ) -> Result<(), D::Error> {
-    let width = span.width.unsigned_abs(); // positive
+    let width = span.width as u32; // positive
     let area = Rectangle::new(Point::new(span.x, span.y), Size::new(width, 1));
     target.fill_contiguous(&area, colours(width))
 }

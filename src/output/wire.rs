@@ -1,5 +1,6 @@
 //! Pixels in the order in which displays take them.
 
+use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
@@ -104,37 +105,50 @@ pub(super) const fn stride<C: Wire>(width: u32) -> usize {
 #[inline(always)]
 pub(super) fn fill<C: Wire>(row: &mut [u8], from: usize, to: usize, colour: C) {
     let bits = colour.encode();
+    let [_, a, b, c] = bits.to_be_bytes();
     match C::BITS {
-        8 => fill_bytes(row, from, to, [bits as u8]),
-        16 => fill_bytes(row, from, to, (bits as u16).to_be_bytes()),
-        24 => {
-            let [_, a, b, c] = bits.to_be_bytes();
-            fill_bytes(row, from, to, [a, b, c]);
-        }
-        32 => fill_bytes(row, from, to, bits.to_be_bytes()),
+        8 => fill_bytes(row, from, to, [c], [c; 4]),
+        16 => fill_bytes(row, from, to, [b, c], [b, c, b, c]),
+        24 => fill_bytes(row, from, to, [a, b, c], [a, b, c]),
+        32 => fill_bytes(row, from, to, bits.to_be_bytes(), bits.to_be_bytes()),
         _ => fill_packed::<C>(row, from, to, bits),
     }
 }
 
+/// With pixels of `N` bytes, and a few of them in `M` bytes, which become one store.
 #[inline(always)]
-fn fill_bytes<const N: usize>(row: &mut [u8], from: usize, to: usize, bytes: [u8; N]) {
+fn fill_bytes<const N: usize, const M: usize>(
+    row: &mut [u8],
+    from: usize,
+    to: usize,
+    pixel: [u8; N],
+    some: [u8; M],
+) {
     let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N)); // inside a row that is in memory
     if let Some(run) = row.get_mut(from..to) {
-        let put = |pixels: &mut [u8]| {
-            for pixel in pixels.chunks_exact_mut(N) {
-                if let Ok(pixel) = <&mut [u8; N]>::try_from(pixel) {
-                    *pixel = bytes;
-                }
-            }
-        };
-        // Eight at a time, of known number: two stores and more become one. The hint keeps the compiler from
-        // unrolling the rest, which costs short runs more than it saves.
-        let mut eights = run.chunks_exact_mut(8 * N);
-        eights.by_ref().for_each(put);
-        for pixel in eights.into_remainder().chunks_exact_mut(N) {
-            put(pixel);
-            core::hint::black_box(());
-        }
+        fill_run(run, pixel, some);
+    }
+}
+
+/// Not part of the loops that draw: it needs their registers.
+#[inline(never)]
+fn fill_run<const N: usize, const M: usize>(run: &mut [u8], pixel: [u8; N], some: [u8; M]) {
+    // Eight at a time. The hints keep the compiler from unrolling the loops, which costs short runs more than it saves.
+    let (few, eights) = run.split_at_mut(run.len() % (8 * N));
+    for bytes in few.chunks_exact_mut(N) {
+        put(bytes, pixel);
+        black_box(());
+    }
+    for eight in eights.chunks_exact_mut(8 * N) {
+        eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+        black_box(());
+    }
+}
+
+#[inline(always)]
+fn put<const N: usize>(bytes: &mut [u8], value: [u8; N]) {
+    if let Ok(bytes) = <&mut [u8; N]>::try_from(bytes) {
+        *bytes = value;
     }
 }
 
@@ -147,6 +161,7 @@ const fn shared<C: Wire>() -> u32 {
     }
 }
 
+#[inline(never)]
 fn fill_packed<C: Wire>(row: &mut [u8], from: usize, to: usize, bits: u32) {
     let shared = shared::<C>() as usize;
     // The same pixel all over a byte: bits · 0b…0001_0001.
@@ -177,7 +192,25 @@ fn fill_packed<C: Wire>(row: &mut [u8], from: usize, to: usize, bits: u32) {
 /// Sets pixel `x` of a row, if it is there.
 #[inline(always)]
 pub(super) fn set<C: Wire>(row: &mut [u8], x: usize, colour: C) {
-    fill(row, x, x.wrapping_add(1), colour);
+    let bits = colour.encode();
+    match C::BITS {
+        8 => set_bytes(row, x, [bits as u8]),
+        16 => set_bytes(row, x, (bits as u16).to_be_bytes()),
+        24 => {
+            let [_, a, b, c] = bits.to_be_bytes();
+            set_bytes(row, x, [a, b, c]);
+        }
+        32 => set_bytes(row, x, bits.to_be_bytes()),
+        _ => fill_packed::<C>(row, x, x.wrapping_add(1), bits),
+    }
+}
+
+#[inline(always)]
+fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
+    let from = x.wrapping_mul(N);
+    if let Some(pixel) = row.get_mut(from..from.wrapping_add(N)) {
+        put(pixel, bytes);
+    }
 }
 
 /// Writes the colours to pixels `from..to` of a row, as long as both last.
@@ -195,6 +228,7 @@ pub(super) fn copy<C: Wire>(row: &mut [u8], from: usize, to: usize, colours: imp
                 [x, y, z]
             }),
         ),
+        32 => copy_bytes(row, from, to, colours.map(|c| c.encode().to_be_bytes())),
         _ => (from..to).zip(colours).for_each(|(x, colour)| set(row, x, colour)),
     }
 }
@@ -209,9 +243,7 @@ fn copy_bytes<const N: usize>(
     let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N));
     if let Some(run) = row.get_mut(from..to) {
         for (pixel, bytes) in run.chunks_exact_mut(N).zip(colours) {
-            if let Ok(pixel) = <&mut [u8; N]>::try_from(pixel) {
-                *pixel = bytes;
-            }
+            put(pixel, bytes);
         }
     }
 }
@@ -219,18 +251,20 @@ fn copy_bytes<const N: usize>(
 /// Pixel `x` of a row.
 #[inline(always)]
 pub(super) fn get<C: Wire>(row: &[u8], x: usize) -> Option<C> {
-    let byte = |index: usize| row.get(index).copied().map(u32::from);
-    let bytes =
-        |n: usize| (0..n).try_fold(0, |bits, i| Some(bits << 8 | byte(x.wrapping_mul(n).wrapping_add(i))?));
+    let bytes = |n: usize| {
+        let from = x.wrapping_mul(n);
+        let pixel = row.get(from..from.wrapping_add(n))?;
+        Some(pixel.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte)))
+    };
     let bits = match C::BITS {
-        8 => byte(x)?,
+        8 => bytes(1)?,
         16 => bytes(2)?,
         24 => bytes(3)?,
         32 => bytes(4)?,
         _ => {
             let shared = shared::<C>() as usize;
             let down = 8 - C::BITS - (x % shared) as u32 * C::BITS; // 0 … 7
-            byte(x / shared)? >> down & ((1 << C::BITS) - 1)
+            u32::from(*row.get(x / shared)?) >> down & ((1 << C::BITS) - 1)
         }
     };
     Some(C::decode(bits))

@@ -1,6 +1,6 @@
 //! Depth over a triangle: a plane in 16.16, kept below what stands for nothing.
 
-use super::{Plane, Scissor, Triangle};
+use super::{Plane, Planes, Scissor, Triangle};
 
 /// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less, so
 /// that what stepping adds to it within 512 pixels does not reach 65535, which stands for nothing.
@@ -14,16 +14,16 @@ fn farthest_of_large(viewport: &Scissor) -> i32 {
 
 impl Plane {
     /// Depths in 16.8, 0 … [`FARTHEST`], with the half that rounds: the upper 16 bits at a pixel are its
-    /// depth. In steps of depth the error of [`new`](Self::new) is `(w + h)·2⁻¹⁷`, 2⁻¹⁶ and 2⁻⁵·⁴:
+    /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 2⁻¹⁶ and 2⁻⁵·⁴:
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
-    #[inline]
-    pub(crate) fn of_depth(triangle: &Triangle, depths: [i32; 3]) -> Self {
-        let depths = if triangle.is_small() {
-            depths
-        } else {
-            depths.map(|z| z.min(farthest_of_large(&triangle.viewport)))
-        };
-        let mut plane = Self::new(triangle, depths);
+    #[inline(never)]
+    pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {
+        let planes = Planes::new(triangle);
+        if !planes.is_small() {
+            let farthest = farthest_of_large(&triangle.viewport);
+            depths = depths.map(|z| z.min(farthest));
+        }
+        let mut plane = planes.through(&depths);
         plane.origin = plane.origin.wrapping_add(1 << 15);
         plane
     }

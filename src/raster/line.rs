@@ -9,6 +9,7 @@
 
 use super::{Pixel, Scissor, Span};
 use crate::math::num::divide;
+use core::hint::black_box;
 
 /// Walks the line from `a` to `b`, both included, inside the scissor: rules L1 to L3. Runs along
 /// the major axis leave as one span each; a horizontal or vertical line is a single one.
@@ -30,93 +31,79 @@ use crate::math::num::divide;
 /// assert_eq!(runs, [(0, 0, 2), (2, 1, 1)]); // the tie at x = 1 keeps the smaller step
 /// # Ok::<(), ()>(())
 /// ```
+#[inline(always)]
 pub fn line<E>(
     a: Pixel,
     b: Pixel,
     scissor: &Scissor,
-    mut span: impl FnMut(Span) -> Result<(), E>,
+    span: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let (from, to) = if a <= b { (a, b) } else { (b, a) }; // Pixel orders by (x, y)
-    let (x, y) = (i32::from(from.x), i32::from(from.y));
-    let (dx, dy) = (i32::from(to.x) - x, i32::from(to.y) - y); // 0 ≤ dx < 2¹⁶, |dy| < 2¹⁶
-    let columns = Steps::new(x, false, scissor.left, scissor.right);
-    let rows = Steps::new(y, dy < 0, scissor.top, scissor.bottom);
-    let tall = dy.abs() > dx;
-    let (major, minor) = if tall { (rows, columns) } else { (columns, rows) };
-    let (length, rise) = if tall { (dy.abs(), dx) } else { (dx, dy.abs()) };
-    let Some(Walk { mut step, last, mut minor_step, mut error }) =
-        Walk::clipped(length, rise, &major, &minor)
-    else {
-        return Ok(());
-    };
-    // The error term is 2·m·(i + 1) − L − 2·L·k: positive means that the next pixel steps aside.
-    let (aside, along) = (2 * (rise - length), 2 * rise); // |·| < 2¹⁸
-    loop {
-        let first = step;
-        // The run ends before the next step aside.
-        while error <= 0 && step < last {
-            error += along;
-            step += 1;
-        }
-        let count = step - first + 1;
-        let start = major.at(first).min(major.at(step));
-        let across = minor.at(minor_step);
-        span(if tall {
-            Span { x: across, y: start, width: 1, height: count }
-        } else {
-            Span { x: start, y: across, width: count, height: 1 }
-        })?;
-        if step >= last {
-            return Ok(());
-        }
-        error += aside;
-        step += 1;
-        minor_step += 1;
-    }
+    Runs::new(a, b, scissor).try_for_each(span)
 }
 
-/// Steps along one axis: where they start, which way they go, and which of them are inside.
-#[derive(Clone, Copy)]
-struct Steps {
-    origin: i32,
-    down: bool,
-    /// Steps `first` to `last` lie in the scissor; |·| ≤ 2¹⁷.
-    first: i32,
-    last: i32,
-}
-
-impl Steps {
-    fn new(origin: i32, down: bool, low: i32, high: i32) -> Self {
-        let (first, last) =
-            if down { (origin - (high - 1), origin - low) } else { (low - origin, high - 1 - origin) };
-        Self { origin, down, first, last }
-    }
-
-    fn at(&self, step: i32) -> i32 {
-        if self.down {
-            self.origin - step
-        } else {
-            self.origin + step
-        }
-    }
-}
-
-/// The part of a line inside the scissor, with the error term at its first pixel.
-struct Walk {
+/// The runs of a line that are still to come.
+struct Runs {
+    /// The smaller end.
+    x: i32,
+    y: i32,
+    /// Whether the major axis is y, and whether y runs upwards.
+    tall: bool,
+    up: bool,
+    /// Along the major axis, the next one and the last one.
     step: i32,
     last: i32,
     minor_step: i32,
+    /// `2·m·(i + 1) − L − 2·L·k`: positive means that the next pixel steps aside. |·| < 2¹⁸, as of what is
+    /// added to it.
     error: i32,
+    along: i32,
+    aside: i32,
 }
 
-impl Walk {
-    /// `length` ≥ `rise` ≥ 0, both below 2¹⁶. `None` when no pixel is inside.
-    fn clipped(length: i32, rise: i32, major: &Steps, minor: &Steps) -> Option<Self> {
-        if minor.first > rise || minor.last < 0 {
-            return None;
+impl Runs {
+    #[inline(never)]
+    fn new(a: Pixel, b: Pixel, scissor: &Scissor) -> Self {
+        let (from, to) = if a <= b { (a, b) } else { (b, a) }; // Pixel orders by (x, y)
+        let (x, y) = (i32::from(from.x), i32::from(from.y));
+        let (dx, dy) = (i32::from(to.x) - x, i32::from(to.y) - y); // 0 ≤ dx < 2¹⁶, |dy| < 2¹⁶
+        let up = dy < 0;
+        // The steps that lie in the scissor, from first to last; |·| ≤ 2¹⁷.
+        let columns = (scissor.left - x, scissor.right - 1 - x);
+        let rows = if up {
+            (y - (scissor.bottom - 1), y - scissor.top)
+        } else {
+            (scissor.top - y, scissor.bottom - 1 - y)
+        };
+        let height = dy.abs();
+        let tall = height > dx;
+        let (major, minor, length, rise) =
+            if tall { (rows, columns, height, dx) } else { (columns, rows, dx, height) };
+        let (along, aside) = (2 * rise, 2 * (rise - length));
+        let mut runs = Self {
+            x,
+            y,
+            tall,
+            up,
+            step: major.0.max(0),
+            last: major.1.min(length),
+            minor_step: 0,
+            error: along - length,
+            along,
+            aside,
+        };
+        runs.clip(minor, length, rise);
+        runs
+    }
+
+    /// To the minor steps that lie in the scissor. `length` ≥ `rise` ≥ 0, both below 2¹⁶.
+    #[inline(always)]
+    fn clip(&mut self, (first, last): (i32, i32), length: i32, rise: i32) {
+        if first > rise || last < 0 {
+            self.last = -1;
         }
-        let mut step = major.first.max(0);
-        let mut last = major.last.min(length);
+        if self.step > self.last {
+            return;
+        }
         // k(i) ≥ K first holds for i = ⌊(2K − 1)·L / 2m⌋ + 1, and k(i) ≤ K last for
         // i = ⌊(2K + 1)·L / 2m⌋: here m > 0, since 0 < K ≤ m or 0 ≤ K < m.
         let invert = |odd: i32| {
@@ -124,23 +111,47 @@ impl Walk {
             let product = u64::from(odd.unsigned_abs()) * u64::from(length.unsigned_abs());
             divide(product, 2 * rise.unsigned_abs()).0.min(1 << 20) as i32
         };
-        if minor.first > 0 {
-            step = step.max(invert(2 * minor.first - 1) + 1);
+        if first > 0 {
+            self.step = self.step.max(invert(2 * first - 1) + 1);
         }
-        if minor.last < rise {
-            last = last.min(invert(2 * minor.last + 1));
+        if last < rise {
+            self.last = self.last.min(invert(2 * last + 1));
         }
-        if step > last {
+        if self.step > 0 && self.step <= self.last {
+            // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ with a remainder r, and the error term is
+            // 2m(i + 1) − L − 2Lk = r + 1 + 2m − 2L. Here length ≥ step > 0.
+            let ahead = 2 * u64::from(rise.unsigned_abs()) * u64::from(self.step.unsigned_abs());
+            let (k, r) = divide(ahead + u64::from(length.unsigned_abs()) - 1, 2 * length.unsigned_abs());
+            // k ≤ m < 2¹⁶, r < 2¹⁷.
+            (self.minor_step, self.error) = (k as i32, r as i32 + 1 + self.aside);
+        }
+    }
+}
+
+impl Iterator for Runs {
+    type Item = Span;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<Span> {
+        let (first, last, along) = (self.step, self.last, self.along);
+        if first > last {
             return None;
         }
-        if step == 0 {
-            return Some(Self { step, last, minor_step: 0, error: 2 * rise - length });
+        // The run ends before the next step aside.
+        let (mut step, mut error) = (first, self.error);
+        while error <= 0 && step < last {
+            error += along;
+            step += 1;
+            black_box(()); // not unrolled: runs are short
         }
-        // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ with a remainder r, and the error term is
-        // 2m(i + 1) − L − 2Lk = r + 1 + 2m − 2L. Here length ≥ step > 0.
-        let ahead = 2 * u64::from(rise.unsigned_abs()) * u64::from(step.unsigned_abs());
-        let (k, r) = divide(ahead + u64::from(length.unsigned_abs()) - 1, 2 * length.unsigned_abs());
-        // k ≤ m < 2¹⁶, r < 2¹⁷.
-        Some(Self { step, last, minor_step: k as i32, error: r as i32 + 1 + 2 * (rise - length) })
+        let (count, minor_step) = (step - first + 1, self.minor_step);
+        (self.step, self.minor_step, self.error) = (step + 1, minor_step + 1, error + self.aside);
+        Some(if self.tall {
+            let y = if self.up { self.y - step } else { self.y + first };
+            Span { x: self.x + minor_step, y, width: 1, height: count }
+        } else {
+            let y = if self.up { self.y - minor_step } else { self.y + minor_step };
+            Span { x: self.x + first, y, width: count, height: 1 }
+        })
     }
 }

@@ -38,6 +38,7 @@
 
 mod along;
 mod depth;
+mod edge;
 mod line;
 mod plane;
 mod triangle;
@@ -46,6 +47,7 @@ pub(crate) use along::Along;
 pub(crate) use depth::FARTHEST;
 pub use line::line;
 pub use plane::Plane;
+pub(crate) use plane::Planes;
 pub use triangle::{area, triangle, Triangle};
 
 /// The guard band: 3D geometry is cut at this many pixels from the target's origin.

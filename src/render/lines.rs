@@ -232,8 +232,9 @@ impl super::Ink for Nothing {
 fn keep(corners: &[Image; 3], area: i64, window: &Window, depth: &mut DepthBuffer<'_>) {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
     let plane = Plane::of_depth(&triangle, corners.map(|c| c.depth));
-    let Ok(()) = triangle
-        .fill(&window.scissor, |span| depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(())));
+    for span in triangle.rows(&window.scissor) {
+        let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
+    }
 }
 
 /// A line, where it is as near as what is held, or nearer.

@@ -297,8 +297,12 @@ fn fill<D: DrawTarget, I: InkFor<D::Color>>(
     target: &mut D,
 ) -> Result<(), D::Error> {
     let triangle = Triangle::new(corners, area, &window.viewport);
+    let mut rows = triangle.rows(&window.scissor);
+    if rows.is_empty() {
+        return Ok(());
+    }
     let fill = ink.over(&triangle);
-    triangle.fill(&window.scissor, |span| I::send(&fill, span, target))
+    rows.try_for_each(|span| I::send(&fill, span, target))
 }
 
 /// Step 4: a triangle of this area, not zero, where it is nearer.
@@ -312,8 +316,12 @@ fn fill_nearer<D: DrawTarget, I: InkFor<D::Color>>(
     target: &mut D,
 ) -> Result<(), D::Error> {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
+    let mut rows = triangle.rows(&window.scissor);
+    if rows.is_empty() {
+        return Ok(());
+    }
     let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
-    triangle.fill(&window.scissor, |span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
+    rows.try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
 }
 
 #[cfg(feature = "defmt")]

@@ -2,7 +2,7 @@
 
 use super::channels::levels;
 use super::{Channels, Flat};
-use crate::raster::{Plane, Triangle};
+use crate::raster::{Plane, Planes, Triangle};
 use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
@@ -61,19 +61,17 @@ impl Gouraud {
     pub(crate) fn over<C: Channels>(&self, triangle: &Triangle) -> Ramps<C> {
         let [a, b, c] = self.0.map(levels::<C>);
         let ([a, d, g], [b, e, h], [c, f, i]) = (a, b, c);
-        let first = Plane::new(triangle, [a, b, c]);
-        let planes = if C::GREY {
-            [first; 3]
-        } else {
-            [first, Plane::new(triangle, [d, e, f]), Plane::new(triangle, [g, h, i])]
-        };
+        let over = Planes::new(triangle);
+        let first = over.through(&[a, b, c]);
+        let planes =
+            if C::GREY { [first; 3] } else { [first, over.through(&[d, e, f]), over.through(&[g, h, i])] };
         Ramps { planes, colour: PhantomData }
     }
 }
 
 /// The levels of each channel over a triangle, in 2⁻²⁴: within 2⁻¹⁰ + 2⁻¹³ of the exact ones.
 ///
-/// [`Plane::new`] is off by less than `(w + h)/2 + 2¹⁰·⁶` of them w columns and h rows from its corner,
+/// [`Planes::through`] is off by less than `(w + h)/2 + 2¹⁰·⁶` of them w columns and h rows from its corner,
 /// w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128 to 127/128 that
 /// dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]

@@ -35,7 +35,7 @@ const NO_FACES: &[Part] = &[
     NO_DEPTH[0],
     NO_DEPTH[1],
     Part("raster/plane.rs", None),
-    Part("raster/triangle.rs", Some("fill")),
+    Part("raster/edge.rs", None),
     Part("shade/", None),
 ];
 

@@ -102,6 +102,7 @@ pub(crate) fn text(compiler: &str, footprint: &Footprint) -> String {
 const MODULES: &[&str] = &[
     "math/",
     "raster/line.rs",
+    "raster/edge.rs",
     "raster/triangle.rs",
     "raster/plane.rs",
     "raster/",
