@@ -69,7 +69,7 @@ impl<'m> Turntable<'m> {
     }
 
     /// The model as the camera sees it, its outside and its inside.
-    pub(crate) fn place(&self, model: &Affine<Model, World>) -> [Placed<'m>; 2] {
+    pub(crate) fn place(&self, model: &Affine<Model, World>) -> [Placed<'_>; 2] {
         [&self.outside, &self.inside].map(|mesh| self.camera.place(mesh, model))
     }
 }

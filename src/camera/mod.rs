@@ -116,10 +116,6 @@ impl Camera {
     pub const fn with_far_clip(self, far_clip: bool) -> Self {
         Self { far_clip, ..self }
     }
-
-    pub(crate) const fn area(&self) -> Rectangle {
-        self.screen.area
-    }
 }
 
 /// `row · factor · 2^exponent` for a factor of at most 23 bits.

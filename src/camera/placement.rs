@@ -10,6 +10,7 @@ use crate::math::row::{forms, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
 use crate::space::{Model, World};
+use embedded_graphics_core::primitives::Rectangle;
 
 /// A camera's view of one object: its vertices to clip space and to the screen.
 ///
@@ -94,6 +95,11 @@ impl Placement {
         let v = vertex.map(|c| c.justify(self.justify));
         let at = |form: &Form| form.at_one(&v, V::NARROW);
         Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
+    }
+
+    /// The viewport's pixels.
+    pub(crate) const fn area(&self) -> &Rectangle {
+        &self.screen.area
     }
 
     /// The vertex in clip space.

@@ -37,7 +37,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// then.
     #[inline(always)] // what it makes is large: it is made where it stays
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), inside(&self.placed.area));
+        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), inside(self.placed.area()));
         let statistics = self.record_faces(&mut bins)?;
         Ok(Faces { transformed: *self, bins, statistics })
     }
@@ -51,7 +51,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// then.
     #[inline(always)] // what it makes is large: it is made where it stays
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), inside(&self.placed.area));
+        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), inside(self.placed.area()));
         let statistics = self.record_edges(&mut bins)?;
         Ok(Edges { transformed: *self, bins, statistics })
     }
@@ -152,7 +152,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
     }
 
     pub(super) fn viewport(&self) -> &Rectangle {
-        &self.transformed.placed.area
+        self.transformed.placed.area()
     }
 
     #[inline(always)]
@@ -200,7 +200,7 @@ impl<V: Coordinate> Faces<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut D,
     ) -> Result<(), D::Error> {
-        let window = Window::new(band, &self.transformed.placed.area).with_depth(depth);
+        let window = Window::new(band, self.transformed.placed.area()).with_depth(depth);
         self.each(&window.scissor, shade, |corners, area, ink| {
             fill_nearer(corners, area, &ink, &window, depth, band)
         })
@@ -232,7 +232,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     }
 
     pub(super) fn viewport(&self) -> &Rectangle {
-        &self.transformed.placed.area
+        self.transformed.placed.area()
     }
 
     #[inline(always)]

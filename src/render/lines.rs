@@ -29,7 +29,7 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let window = Window::new(target, &self.area).with_depth(depth);
+        let window = Window::new(target, self.area()).with_depth(depth);
         let view = View::<V, true>::new(self, cache);
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
@@ -37,7 +37,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// Keeps the depth of the faces and draws nothing: what hides lines.
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
-        let window = Window::of_depth(depth, &self.area);
+        let window = Window::of_depth(depth, self.area());
         let view = View::<V, true>::new(self, cache);
         let Ok(statistics) = view.all(
             |_| Nothing,
@@ -109,7 +109,7 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let window = Window::new(target, &self.area).with_depth(depth);
+        let window = Window::new(target, self.area()).with_depth(depth);
         let view = View::<V, true>::new(self, cache);
         view.all_edges(|edge, ends| {
             let beside = view.beside(edge, &window.viewport);
@@ -176,7 +176,7 @@ impl<V: Coordinate> View<'_, V, true> {
     #[inline(never)]
     fn beside(&self, edge: usize, viewport: &Scissor) -> Vec<Beside, { 2 * (CORNERS - 2) }> {
         let mut all = Vec::new();
-        let mesh = &self.placed.mesh;
+        let mesh = self.placed.mesh;
         let beside = mesh.edge_faces().get(edge).copied().unwrap_or_default();
         if mesh.edge_faces().is_empty() {
             return all;

@@ -44,9 +44,8 @@ use embedded_graphics_core::primitives::Rectangle;
 /// A mesh placed before a camera, ready to be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'m, V = i16> {
-    mesh: Mesh<'m, V>,
+    mesh: &'m Mesh<'m, V>,
     placement: Placement,
-    area: Rectangle,
     cull: Cull,
 }
 
@@ -66,11 +65,18 @@ impl Camera {
     /// computed here, in integers.
     pub fn place<'m, V: Coordinate>(
         &self,
-        mesh: &Mesh<'m, V>,
+        mesh: &'m Mesh<'m, V>,
         model: &Affine<Model, World>,
     ) -> Placed<'m, V> {
         let placement = Placement::new(self, model, mesh.exponent().into(), mesh.justify());
-        Placed { mesh: *mesh, placement, area: self.area(), cull: Cull::Back }
+        Placed { mesh, placement, cull: Cull::Back }
+    }
+}
+
+impl<V> Placed<'_, V> {
+    /// The viewport's pixels.
+    pub(crate) const fn area(&self) -> &Rectangle {
+        self.placement.area()
     }
 }
 
@@ -131,8 +137,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     }
 
     /// The mesh that was placed.
-    pub const fn mesh(&self) -> &Mesh<'m, V> {
-        &self.mesh
+    pub const fn mesh(&self) -> &'m Mesh<'m, V> {
+        self.mesh
     }
 
     /// Where vertex `index` lies on the screen, and its depth (0 near … 65534 far). `None` when
@@ -177,7 +183,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         cache: &mut [Corner],
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let scissor = scissor(target, &self.area);
+        let scissor = scissor(target, self.area());
         View::<V, false>::new(self, cache).all_edges(|_, [from, to]| {
             raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(target, span, colour))
         })
@@ -198,7 +204,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         cache: &mut [Corner],
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let window = Window::new(target, &self.area);
+        let window = Window::new(target, self.area());
         View::<V, false>::new(self, cache)
             .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &window, target))
     }
@@ -258,7 +264,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
-        let window = Window::new(target, &self.area).with_depth(depth);
+        let window = Window::new(target, self.area()).with_depth(depth);
         View::<V, true>::new(self, cache)
             .all(shade, |corners, area, ink| fill_nearer(corners, area, &ink, &window, depth, target))
     }
@@ -327,7 +333,7 @@ fn fill_nearer<D: DrawTarget, I: InkFor<D::Color>>(
 #[cfg(feature = "defmt")]
 impl<V> defmt::Format for Placed<'_, V> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = self.area;
+        let Rectangle { top_left, size } = *self.area();
         defmt::write!(f, "{} in {} at {}, cull {}", self.mesh, size, top_left, self.cull);
     }
 }

@@ -186,7 +186,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     where
         I: Ink,
     {
-        if *self.area.get_or_insert(placed.area) != placed.area {
+        if self.area.get_or_insert(*placed.area()) != placed.area() {
             return Err(RecordError::OtherViewport);
         }
         let (old_corners, old_faces) = (self.corners.len(), self.faces.len());

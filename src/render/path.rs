@@ -15,7 +15,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// The target's own, at the first pixel that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn points<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
-        let scissor = scissor(target, &self.area);
+        let scissor = scissor(target, self.area());
         let mut statistics = Statistics::default();
         for index in 0..self.mesh.vertices().len() {
             match self.project(index) {
@@ -40,7 +40,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn polyline<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
-        let scissor = scissor(target, &self.area);
+        let scissor = scissor(target, self.area());
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.

@@ -75,9 +75,12 @@ impl Film {
     /// The objects of a frame, the farther ones first.
     pub(crate) fn frame(self, size: Size, frame: u32) -> Vec<Thing> {
         let camera = camera(size);
-        let mesh = Mesh::new(&VERTICES, 0, &FACES).expect("a mesh");
+        const MESH: &Mesh<'static> = &match Mesh::new(&VERTICES, 0, &FACES) {
+            Ok(mesh) => mesh,
+            Err(_) => panic!(),
+        };
         let thing = |model: Affine<Model, World>, colour, moves| Thing {
-            placed: camera.place(&mesh, &model),
+            placed: camera.place(MESH, &model),
             light: {
                 let (x, y, z) = LIGHT;
                 let towards = Vector3::from_f32(x, y, z).expect("in range");

@@ -87,7 +87,7 @@ impl Scene {
 
     /// The first thing in every frame.
     #[inline(always)]
-    pub fn place(&self) -> Placed<'static> {
+    pub fn place(&self) -> Placed<'_> {
         self.camera.place(&self.mesh, &self.model)
     }
 
@@ -104,7 +104,7 @@ impl Scene {
 
 /// Each face in the light that its normal has.
 #[inline(always)]
-pub fn flat<'s>(mesh: &'s Mesh<'static>, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
+pub fn flat<'s>(mesh: &'s Mesh<'s>, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
     |face| match mesh.normals().get(face) {
         Some(&normal) => FACE.dim(light.level(normal)),
         None => FACE,
@@ -113,7 +113,7 @@ pub fn flat<'s>(mesh: &'s Mesh<'static>, light: &'s Lambert) -> impl Fn(usize) -
 
 /// Each corner in a light of its own: what the light's level is for its place, as if that were a normal.
 #[inline(always)]
-pub fn smooth<'s>(mesh: &'s Mesh<'static>, light: &'s Lambert) -> impl Fn(usize) -> Gouraud + 's {
+pub fn smooth<'s>(mesh: &'s Mesh<'s>, light: &'s Lambert) -> impl Fn(usize) -> Gouraud + 's {
     |face| {
         let corners = mesh.faces().get(face).copied().unwrap_or_default();
         let place = |vertex: u16| mesh.vertices().get(usize::from(vertex)).copied().unwrap_or_default();

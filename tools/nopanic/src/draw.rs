@@ -33,9 +33,10 @@ struct Scene<'a, C> {
 
 fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut D) {
     let cull = if any() == 0 { Cull::None } else { Cull::Back };
-    let placed = scene.camera.place(&scene.mesh, &scene.model).with_cull(cull);
+    let (mesh, wide_mesh) = (scene.mesh, scene.wide_mesh);
+    let placed = scene.camera.place(&mesh, &scene.model).with_cull(cull);
     draw_placed(scene, &placed, target);
-    let placed = scene.camera.place(&scene.wide_mesh, &scene.model).with_cull(cull);
+    let placed = scene.camera.place(&wide_mesh, &scene.model).with_cull(cull);
     draw_placed(scene, &placed, target);
     match any() {
         0 => scene.painter.clear(),
@@ -49,7 +50,8 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::Wire>>(
     levels: &mut [u16],
     target: &mut D,
 ) {
-    let placed = scene.camera.place(&scene.mesh, &scene.model);
+    let mesh = scene.mesh;
+    let placed = scene.camera.place(&mesh, &scene.model);
     scene.light.levels(scene.mesh.vertex_normals(), levels);
     let (mesh, colour) = (scene.mesh, || Rgb888::new(any() as u8, any() as u8, any() as u8));
     let smooth = |face| Gouraud::lit(colour(), mesh.corners_of(face, levels));
