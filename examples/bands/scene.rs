@@ -5,10 +5,9 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
-use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, Band, BinsError, Camera, Corner, DepthBuffer, DepthBufferError, Dim, Faces, Frame,
-    Lambert, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+    Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
 };
 use std::error::Error;
 
@@ -31,8 +30,7 @@ const VERTICES: usize = teapot::VERTICES.len();
 const RECORDS: usize = 600 + teapot::FACES.len().div_ceil(16);
 
 pub(crate) struct Scene {
-    camera: Camera,
-    model: Affine<Model, World>,
+    placed: Placed<'static>,
     light: Lambert,
     corners: [Corner; VERTICES],
     records: [u16; RECORDS],
@@ -58,8 +56,7 @@ impl Scene {
             Projection::perspective(Angle::degrees(45), SIZE, Scalar::from_num(10), Scalar::from_num(60))?;
         let model = Affine::rotation_y(Angle::degrees(-25));
         Ok(Self {
-            camera: Camera::new(&viewing, &projection, &viewport),
-            model,
+            placed: Camera::new(&viewing, &projection, &viewport).place(&TEAPOT, &model),
             light: Lambert::new(&model, Vector3::from_ints(-4, 6, 5), 60)?,
             corners: [Corner::EMPTY; VERTICES],
             records: [0; RECORDS],
@@ -69,11 +66,7 @@ impl Scene {
 
     /// A frame: every vertex is transformed, every face sorted out, once.
     pub(crate) fn record(&mut self) -> Result<(Frame<Rgb565>, Recorded<'_>), BinsError> {
-        let faces = self
-            .camera
-            .place(&TEAPOT, &self.model)
-            .transform_depth(&mut self.corners)
-            .faces(&mut self.records)?;
+        let faces = self.placed.transform_depth(&mut self.corners).faces(&mut self.records)?;
         let frame = Frame::new(Rectangle::new(Point::zero(), SIZE), Rgb565::new(2, 6, 5));
         Ok((frame, Recorded { faces, light: &self.light, depth: &mut self.depth }))
     }

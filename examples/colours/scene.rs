@@ -70,8 +70,8 @@ impl Scene {
         let placed = self.camera.place(&pot, &self.model).with_cull(Cull::None);
         let projected = placed.transform_depth(&mut pot_corners);
         let mut pot_faces = projected.faces(&mut pot_records)?;
-        let projected = self.camera.place(&wall, &Affine::identity()).transform_depth(&mut wall_corners);
-        let mut wall_faces = projected.faces(&mut wall_records)?;
+        let placed = self.camera.place(&wall, &Affine::identity());
+        let mut wall_faces = placed.transform_depth(&mut wall_corners).faces(&mut wall_records)?;
 
         let width = self.area.size.width;
         let mut strip = vec![0; Frame::<C>::strip_bytes(width, rows)];

@@ -117,7 +117,8 @@ fn draw(
         *colour = Flat::lit(water::colour(height), level);
     }
 
-    let projected = camera.place(&mesh, &model).transform_depth(&mut memory.corners);
+    let placed = camera.place(&mesh, &model);
+    let projected = placed.transform_depth(&mut memory.corners);
     let mut faces = projected.faces(&mut memory.faces)?;
     let mut grid = projected.edges(&mut memory.edges)?;
     let mut frame = Frame::new(display.bounding_box(), Rgb332::from_channels([1, 1, 1]));

@@ -1,7 +1,7 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, Fan, Ink, InkFor, Statistics, Transformed, View, Window};
+use super::{fill, fill_nearer, Fan, Ink, InkFor, Statistics, Transformed, Window};
 use crate::camera::Image;
 use crate::math::Coordinate;
 use crate::output::{inside, rectangle, scissor, send, DepthBuffer};
@@ -59,7 +59,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Sorts out all faces, and then once more those that are kept.
     #[inline(never)]
     fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
-        let view = self.view();
+        let view = self;
         let list = self.placed.mesh.faces();
         let mut statistics = Statistics::default();
         let mut fan = Fan::<()>::new();
@@ -90,7 +90,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Sorts out all edges, and then once more those that are kept.
     #[inline(never)]
     fn record_edges(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
-        let view = self.view();
+        let view = self;
         let list = self.placed.mesh.edges();
         let mut statistics = Statistics::default();
         loop {
@@ -163,7 +163,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         mut draw: impl FnMut(&[Image; 3], i64, I) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { transformed, bins, .. } = self;
-        let (view, list) = (transformed.view(), transformed.placed.mesh.faces());
+        let (view, list) = (*transformed, transformed.placed.mesh.faces());
         let rows = scissor.rows();
         let mut fan = Fan::new();
         bins.band(rows.clone(), |index| {
@@ -239,10 +239,10 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     pub(super) fn each<E>(
         &mut self,
         scissor: &Scissor,
-        mut draw: impl FnMut(&View<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
+        mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { transformed, bins, .. } = self;
-        let (view, list) = (transformed.view(), transformed.placed.mesh.edges());
+        let (view, list) = (*transformed, transformed.placed.mesh.edges());
         let rows = scissor.rows();
         bins.band(rows.clone(), |index| {
             let Some((ends, _)) = list.get(index).and_then(|&edge| view.edge(edge)) else {

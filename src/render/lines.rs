@@ -1,6 +1,6 @@
 //! Lines against depth: those that are nearer, and those that faces do not hide.
 
-use super::{Edges, Fan, Placed, Statistics, View, Window};
+use super::{Edges, Fan, Placed, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::clip::CORNERS;
 use crate::math::Coordinate;
@@ -30,7 +30,7 @@ impl<V: Coordinate> Placed<'_, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, self.area()).with_depth(depth);
-        let view = View::<V, true>::new(self, cache);
+        let view = Transformed::<V, true>::new(self, cache);
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
 
@@ -38,7 +38,7 @@ impl<V: Coordinate> Placed<'_, V> {
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
         let window = Window::of_depth(depth, self.area());
-        let view = View::<V, true>::new(self, cache);
+        let view = Transformed::<V, true>::new(self, cache);
         let Ok(statistics) = view.all(
             |_| Nothing,
             |corners, area, Nothing| {
@@ -110,7 +110,7 @@ impl<V: Coordinate> Placed<'_, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, self.area()).with_depth(depth);
-        let view = View::<V, true>::new(self, cache);
+        let view = Transformed::<V, true>::new(self, cache);
         view.all_edges(|edge, ends| {
             let beside = view.beside(edge, &window.viewport);
             unhidden(&ends, &beside, colour, &window.scissor, depth, target)
@@ -171,7 +171,7 @@ impl<V: Coordinate> super::Faces<'_, V, true> {
     }
 }
 
-impl<V: Coordinate> View<'_, V, true> {
+impl<V: Coordinate> Transformed<'_, V, true> {
     /// The faces beside an edge, as their depth was kept: piece by piece where they were cut.
     #[inline(never)]
     fn beside(&self, edge: usize, viewport: &Scissor) -> Vec<Beside, { 2 * (CORNERS - 2) }> {

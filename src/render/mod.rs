@@ -29,7 +29,6 @@ pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};
 pub use statistics::Statistics;
 pub use transformed::Transformed;
-use transformed::View;
 
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
@@ -109,8 +108,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// );
     /// let model = Affine::<Model, World>::identity();
     /// let (mut corners, mut records) = ([Corner::EMPTY; 3], [0; 2]); // a face, and one for every 16
-    /// let projected = camera.place(&mesh, &model).transform(&mut corners);
-    /// let mut faces = projected.faces(&mut records)?;
+    /// let placed = camera.place(&mesh, &model);
+    /// let mut faces = placed.transform(&mut corners).faces(&mut records)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
@@ -120,19 +119,13 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn transform<'a>(&self, corners: &'a mut [Corner]) -> Transformed<'a, V>
-    where
-        'm: 'a,
-    {
+    pub fn transform<'a>(&'a self, corners: &'a mut [Corner]) -> Transformed<'a, V> {
         Transformed::new(self, corners)
     }
 
     /// The same with depth, for drawing against depth strips. Depth ends at the far plane: what lies
     /// beyond is cut off, whether or not the camera asks for that.
-    pub fn transform_depth<'a>(&self, corners: &'a mut [Corner]) -> Transformed<'a, V, true>
-    where
-        'm: 'a,
-    {
+    pub fn transform_depth<'a>(&'a self, corners: &'a mut [Corner]) -> Transformed<'a, V, true> {
         Transformed::new(self, corners)
     }
 
@@ -153,7 +146,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// far/(far − near).
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
         let index = u16::try_from(index).ok().filter(|_| index < self.mesh.vertices().len())?;
-        let image = View::<V, true>::with_corners(self, false, &[]).image(index)?;
+        let image = Transformed::<V, true>::with_corners(self, false, &[]).image(index)?;
         Some((image.point, image.step()))
     }
 
@@ -184,7 +177,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let scissor = scissor(target, self.area());
-        View::<V, false>::new(self, cache).all_edges(|_, [from, to]| {
+        Transformed::<V, false>::new(self, cache).all_edges(|_, [from, to]| {
             raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(target, span, colour))
         })
     }
@@ -205,7 +198,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, self.area());
-        View::<V, false>::new(self, cache)
+        Transformed::<V, false>::new(self, cache)
             .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &window, target))
     }
 
@@ -265,7 +258,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut D,
     ) -> Result<Statistics, D::Error> {
         let window = Window::new(target, self.area()).with_depth(depth);
-        View::<V, true>::new(self, cache)
+        Transformed::<V, true>::new(self, cache)
             .all(shade, |corners, area, ink| fill_nearer(corners, area, &ink, &window, depth, target))
     }
 }

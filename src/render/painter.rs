@@ -1,7 +1,7 @@
 //! Painter's order: from far to near, over everything recorded.
 
 use super::transformed::project;
-use super::{fill, Fan, Ink, InkFor, Outcome, Placed, Statistics, View, Window};
+use super::{fill, Fan, Ink, InkFor, Outcome, Placed, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
 use crate::raster::{self, Scissor, ScreenPoint};
@@ -202,7 +202,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         for (index, &face) in placed.mesh.faces().iter().enumerate() {
             // Corners without room are computed anew: the counting goes on.
             let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
-            let outcome = View::<V, true>::with_corners(placed, false, own).sort_out(face, &mut fan);
+            let outcome = Transformed::<V, true>::with_corners(placed, false, own).sort_out(face, &mut fan);
             statistics.count(outcome);
             if !outcome.is_drawn() {
                 continue;
@@ -225,7 +225,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         }
         // From here on only the places count; where there is none, no face asks for it.
         let own = self.corners.get_mut(old_corners..own_corners).unwrap_or_default();
-        let view = View::<V, true>::with_corners(placed, false, &[]);
+        let view = Transformed::<V, true>::with_corners(placed, false, &[]);
         for (index, corner) in own.iter_mut().enumerate() {
             let place = if corner.whole() {
                 Some(placed.placement.at(*corner))

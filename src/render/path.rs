@@ -1,6 +1,6 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
-use super::{Placed, Statistics, View};
+use super::{Placed, Statistics, Transformed};
 use crate::camera::Corner;
 use crate::math::Coordinate;
 use crate::output::{scissor, send};
@@ -44,7 +44,7 @@ impl<V: Coordinate> Placed<'_, V> {
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
-        let line = View::<V, false>::with_corners(self, false, &[]);
+        let line = Transformed::<V, false>::with_corners(self, false, &[]);
         let pixel = |corner: Corner| corner.whole().then(|| self.placement.at(corner).point.pixel());
         let corner = |index: usize| line.corner(index as u16);
         let count = vertices.len();

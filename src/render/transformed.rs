@@ -14,35 +14,23 @@ use core::hint::black_box;
 ///
 /// Vertices beyond the end of the corners lent are computed whenever a face or an edge needs them: the
 /// picture is the same, so a mesh may be larger than its storage. [`Placed::transform`] has an example.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Transformed<'a, V = i16, const DEPTH: bool = false> {
-    pub(super) placed: Placed<'a, V>,
-    corners: &'a [Corner],
-}
-
-impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
-    /// Fills the corners from the start of the vertex list.
-    pub(super) fn new(placed: &Placed<'a, V>, corners: &'a mut [Corner]) -> Self {
-        project::<V, DEPTH>(placed, DEPTH, corners);
-        Self { placed: *placed, corners }
-    }
-
-    #[inline(always)]
-    pub(super) fn view(&self) -> View<'_, V, DEPTH> {
-        View::with_corners(&self.placed, DEPTH, self.corners)
-    }
-}
-
-/// The same, with the mesh lent: what the drawing functions work on.
-#[derive(Clone, Copy)]
-pub(super) struct View<'a, V, const DEPTH: bool> {
     pub(super) placed: &'a Placed<'a, V>,
     /// Whether what lies beyond the far plane is cut off.
     far: bool,
     corners: &'a [Corner],
 }
 
-impl<'a, V: Coordinate, const DEPTH: bool> View<'a, V, DEPTH> {
+// Not derived: what is borrowed need not be Clone.
+impl<V, const DEPTH: bool> Clone for Transformed<'_, V, DEPTH> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<V, const DEPTH: bool> Copy for Transformed<'_, V, DEPTH> {}
+
+impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Fills the corners from the start of the vertex list. Depth ends at the far plane, whatever the
     /// camera says.
     pub(super) fn new(placed: &'a Placed<'_, V>, corners: &'a mut [Corner]) -> Self {

@@ -153,13 +153,13 @@ fn record<R>(
 ) -> R {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
     let (placed, mut records, mut more) = (camera.place(&mesh, &model), [0; 9], [0; 9]);
+    let placed = match way {
+        Way::Solid(cull) | Way::Depth(cull) => placed.with_cull(cull),
+        _ => placed,
+    };
     let mut recorded = match way {
-        Way::Solid(cull) => {
-            Recorded::Solid(placed.with_cull(cull).transform(corners).faces(&mut records).expect("room"))
-        }
-        Way::Depth(cull) => Recorded::Depth(
-            placed.with_cull(cull).transform_depth(corners).faces(&mut records).expect("room"),
-        ),
+        Way::Solid(_) => Recorded::Solid(placed.transform(corners).faces(&mut records).expect("room")),
+        Way::Depth(_) => Recorded::Depth(placed.transform_depth(corners).faces(&mut records).expect("room")),
         Way::Wireframe => Recorded::Wireframe(placed.transform(corners).edges(&mut records).expect("room")),
         Way::DepthLines | Way::HiddenLines => {
             let projected = placed.transform_depth(corners);
@@ -273,7 +273,8 @@ proptest! {
         let mut whole = Recorder::new(area);
         camera.place(&mesh, &model).solid(gray, &mut corners, &mut whole).expect("no error");
         let (mut records, mut display) = ([0; 9], Recorder::new(area));
-        let projected = camera.place(&mesh, &model).transform(&mut corners);
+        let placed = camera.place(&mesh, &model);
+        let projected = placed.transform(&mut corners);
         let mut faces = projected.faces(&mut records).expect("room");
         let mut frame = Frame::new(area, Gray4::BLACK);
         let mut strip = vec![0; Frame::<Gray4>::strip_bytes(WIDTH - 1, height)];

@@ -4,8 +4,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, Band, Camera, Corner, Dim, Faces, Frame, Lambert, Mesh, Point3, Projection, Scalar,
-    Vector3, Viewing, Viewport,
+    Affine, Angle, Band, Camera, Corner, Dim, Faces, Frame, Lambert, Mesh, Placed, Point3, Projection,
+    Scalar, Vector3, Viewing, Viewport,
 };
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -41,8 +41,21 @@ const CUBE: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
     Err(_) => panic!("no sound mesh"),
 };
 
+/// It stands still: the compiler makes it.
+const CAMERA: Camera = {
+    let (eye, origin, up) =
+        (Point3::from_ints(0, 3, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    let Ok(view) = Viewing::look_at(eye, origin, up) else { panic!("the direction") };
+    let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(12));
+    let Ok(lens) = Projection::perspective(Angle::degrees(35), SCREEN.size, near, far) else {
+        panic!("the lens")
+    };
+    let Ok(viewport) = Viewport::new(SCREEN.top_left, SCREEN.size) else { panic!("the screen") };
+    Camera::new(&view, &lens, &viewport)
+};
+
 pub struct Scene {
-    camera: Camera,
+    placed: Placed<'static>,
     corners: [Corner; VERTICES.len()],
     /// One for each face, and one for every 16 of them.
     records: [u16; FACES.len() + 1],
@@ -57,21 +70,17 @@ pub struct Turned<'a> {
 
 impl Scene {
     pub fn new() -> Self {
-        let [eye, origin] = [Point3::from_ints(0, 3, 6), Point3::from_ints(0, 0, 0)];
-        let view = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).unwrap();
-        let [near, far] = [1, 12].map(Scalar::from_num);
-        let lens = Projection::perspective(Angle::degrees(35), SCREEN.size, near, far).unwrap();
-        let camera = Camera::new(&view, &lens, &Viewport::new(SCREEN.top_left, SCREEN.size).unwrap());
-        Self { camera, corners: [Corner::EMPTY; VERTICES.len()], records: [0; FACES.len() + 1] }
+        let placed = CAMERA.place(&CUBE, &Affine::identity());
+        Self { placed, corners: [Corner::EMPTY; VERTICES.len()], records: [0; FACES.len() + 1] }
     }
 
     /// A frame: vertices are transformed and faces sorted out, once.
     pub fn turned(&mut self, turn: Angle) -> Turned<'_> {
         let model = Affine::rotation_y(turn);
-        let transformed = self.camera.place(&CUBE, &model).transform(&mut self.corners);
+        self.placed = CAMERA.place(&CUBE, &model);
         Turned {
             frame: Frame::new(SCREEN, Rgb565::BLACK),
-            faces: transformed.faces(&mut self.records).unwrap(),
+            faces: self.placed.transform(&mut self.corners).faces(&mut self.records).unwrap(),
             light: Lambert::new(&model, Vector3::from_ints(2, 3, 4), 40).unwrap(),
         }
     }

@@ -46,10 +46,8 @@ impl Film {
         let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("a direction");
         let shade = |face: usize| Gray8::new(teapot::NORMALS.get(face).map_or(0, |&n| light.level(n) as u8));
 
-        let mut faces = camera(40 - 4 * number as i16)
-            .place(&TEAPOT, &model)
-            .transform(&mut self.corners)
-            .faces(&mut self.records)?;
+        let placed = camera(40 - 4 * number as i16).place(&TEAPOT, &model);
+        let mut faces = placed.transform(&mut self.corners).faces(&mut self.records)?;
         let mut frame = Frame::new(AREA, Gray8::BLACK);
         let mut bands = 0;
         while let Some(mut band) = frame.next_band(&mut self.strip).expect("room for a row") {

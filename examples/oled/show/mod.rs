@@ -104,8 +104,8 @@ impl Scratch {
         let (corners, records, _) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
-        let mut faces =
-            place_ship(&model).transform_depth(corners).faces(records).expect("records for all faces");
+        let placed = place_ship(&model);
+        let mut faces = placed.transform_depth(corners).faces(records).expect("records for all faces");
         screen.mark(faces.bounds());
         screen.show(SCENES[2], |band, depth| {
             let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face), depth, band);
@@ -118,11 +118,8 @@ impl Scratch {
         let model = turn.then(&Affine::translation(Vector3::from_ints(1, 0, 0)));
         light(&model, FROM_ABOVE).levels(TEAPOT.vertex_normals(), levels);
         let camera = camera([0, 14, 38], 27);
-        let mut faces = camera
-            .place(&TEAPOT, &model)
-            .transform_depth(corners)
-            .faces(records)
-            .expect("records for all faces");
+        let placed = camera.place(&TEAPOT, &model);
+        let mut faces = placed.transform_depth(corners).faces(records).expect("records for all faces");
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
             let ink = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
@@ -160,16 +157,15 @@ impl Scratch {
         // The sun shines, most towards the eye.
         let glow = Lambert::new(&place(2), Vector3::from_ints(0, 20, 46), 150).expect("a direction");
         glow.levels(BALL.vertex_normals(), &mut sun.2);
-        let mut balls = [(sun, 2), (planet, 3), (moon, 4)].map(|((corners, records, levels), node)| {
-            let model = place(node);
-            let placed = camera.place(&BALL, &model);
+        let placed = [2, 3, 4].map(|node| camera.place(&BALL, &place(node)));
+        let [a, b, c] = &placed;
+        let mut balls = [(sun, a), (planet, b), (moon, c)].map(|((corners, records, levels), placed)| {
             let faces = placed.transform_depth(corners).faces(records).expect("records for all faces");
             (faces, &*levels)
         });
         let [far, near] = &mut self.rings;
-        let mut rings = [(far, 5), (near, 6)].map(|((corners, records), node)| {
-            let model = place(node);
-            let placed = camera.place(&RING, &model);
+        let [a, b] = &[5, 6].map(|node| camera.place(&RING, &place(node)));
+        let mut rings = [(far, a), (near, b)].map(|((corners, records), placed)| {
             placed.transform_depth(corners).edges(records).expect("records for all edges")
         });
         let [_, planet, moon] = &balls;
@@ -194,8 +190,8 @@ impl Scratch {
         let planet = Affine::<Model, Model>::scale(Scalar::from_num(16))
             .then(&Affine::translation(Vector3::from_ints(22, -4, 0)));
         light(&planet, Vector3::from_ints(-4, 2, -1)).levels(BALL.vertex_normals(), levels);
-        let mut ground =
-            camera.place(&BALL, &planet).transform_depth(corners).faces(records).expect("records");
+        let placed = camera.place(&BALL, &planet);
+        let mut ground = placed.transform_depth(corners).faces(records).expect("records");
 
         let (corners, records, _) = &mut self.ship;
         let model = Affine::<Model, Model>::scale(Scalar::from_num(7) / 10)
@@ -203,7 +199,8 @@ impl Scratch {
             .then::<Model>(&Affine::rotation_y(Angle::degrees(105)))
             .then(&Affine::translation(Vector3::from_ints(-30 + 8 * step as i16, 8 - step as i16, 20)));
         let sun = light(&model, Vector3::from_ints(-2, 4, 5));
-        let mut ship = camera.place(&SHIP, &model).transform_depth(corners).faces(records).expect("records");
+        let placed = camera.place(&SHIP, &model);
+        let mut ship = placed.transform_depth(corners).faces(records).expect("records");
         screen.mark(ship.bounds());
         screen.show(SCENES[5], |band, depth| {
             for (i, &(x, y)) in STARS.iter().enumerate() {

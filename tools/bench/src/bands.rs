@@ -75,7 +75,8 @@ pub fn wireframe(
     Storage { corners, records, strip, .. }: Storage<'_>,
     display: &mut Display,
 ) -> Option<()> {
-    let projected = scene.place().transform(corners);
+    let placed = scene.place();
+    let projected = placed.transform(corners);
     let mut edges = projected.edges(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
@@ -92,7 +93,8 @@ pub fn solid(
     Storage { corners, records, strip, .. }: Storage<'_>,
     display: &mut Display,
 ) -> Option<()> {
-    let projected = scene.place().transform(corners);
+    let placed = scene.place();
+    let projected = placed.transform(corners);
     let mut faces = projected.faces(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
@@ -109,7 +111,8 @@ pub fn depth(
     Storage { corners, records, strip, depth }: Storage<'_>,
     display: &mut Display,
 ) -> Option<()> {
-    let projected = scene.place().transform_depth(corners);
+    let placed = scene.place();
+    let projected = placed.transform_depth(corners);
     let mut faces = projected.faces(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {

@@ -13,8 +13,7 @@ firmware!(
     {
         let scene = Turntable::new();
         let (placed, light) = (scene.place(), scene.light()?);
-        let projected = placed.transform_depth(corners);
-        let mut faces = projected.faces(records).ok()?;
+        let mut faces = placed.transform_depth(corners).faces(records).ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
         while let Some(mut band) = frame.next_band(strip).ok()? {
             let mut depth = DepthBuffer::new(band.area(), storage).ok()?;

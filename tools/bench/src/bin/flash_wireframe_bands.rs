@@ -10,8 +10,8 @@ firmware!(
     records: [u16; RECORDS] = [0; RECORDS],
     strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
     {
-        let projected = Turntable::new().place().transform(corners);
-        let mut edges = projected.edges(records).ok()?;
+        let placed = Turntable::new().place();
+        let mut edges = placed.transform(corners).edges(records).ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
         while let Some(mut band) = frame.next_band(strip).ok()? {
             edges.draw(scene::LINE, &mut band).ok()?;
