@@ -181,7 +181,7 @@ fn r9_edges_that_pass_a_centre_within_one_lattice_unit() {
     near_misses(0x95, 12_000, &limits, &[1 << 12, 1 << 17, 1 << 18]);
 }
 
-/// On both sides of the 64 pixels within which edges are stepped in 32 bits.
+/// On both sides of the 32 pixels within which one digit is enough for an edge.
 #[test]
 fn r9_short_edges_that_pass_a_centre_within_one_lattice_unit() {
     let limits = [(1 << 13, 1 << 14), (1 << 13, 1 << 14), (1 << 10, 1 << 14), (1 << 14, 1 << 15)];

@@ -40,7 +40,8 @@ pub(super) fn first_row(p: &ScreenPoint) -> i32 {
 const SHORT: i32 = 1 << 17;
 
 impl Edge {
-    /// How many rows there may be in a stretch: an edge is stepped through two at most, and then set up anew.
+    /// The most rows of a stretch. An edge is stepped through two of them, down to where the sides bend and on, and then
+    /// set up anew.
     pub(super) const ROWS: i32 = 480;
 
     /// Becomes the edge from `p` down to `q` at `row`, which lies at or below p's first row and above
