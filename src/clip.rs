@@ -105,6 +105,7 @@ impl Carried for Barycentric {
 /// Puts into place `at` where the edge between two corners passes a plane. Always computed from the inner
 /// end, so that both neighbours of an edge get the same point. The parameter has 31 bits and each
 /// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.
+#[inline(never)] // rare: small is better
 fn cut(corners: &mut impl Cut, at: usize, inside: (usize, i64), outside: (usize, i64)) {
     // 0 ≤ inside.1, outside.1 < 0, both below 2⁵⁵: t in 2⁻³¹, below 1.
     let t = fraction(inside.1.unsigned_abs(), inside.1.abs_diff(outside.1), 31) as i64;

@@ -28,14 +28,11 @@ pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
     Rectangle::new(Point::new(columns.start, rows.start), size)
 }
 
-/// The pixels of a rectangle.
+/// The pixels of a rectangle: of a viewport, which lies inside the guard band, or to be intersected with one.
 pub(crate) fn inside(area: &Rectangle) -> Scissor {
-    let end = |low: i32, extent: u32| {
-        let end = i64::from(low) + i64::from(extent); // 34 bits
-        end.min(i64::from(i32::MAX)) as i32 // Scissor brings all to ±32768
-    };
-    let Rectangle { top_left, size } = *area;
-    Scissor::new(top_left.x, top_left.y, end(top_left.x, size.width), end(top_left.y, size.height))
+    let Rectangle { top_left: Point { x, y }, size } = *area;
+    let (right, bottom) = (x.saturating_add_unsigned(size.width), y.saturating_add_unsigned(size.height));
+    Scissor::as_given(x, y, right, bottom)
 }
 
 /// Sends one run of pixels to the target.

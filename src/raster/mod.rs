@@ -132,6 +132,12 @@ impl Scissor {
         Self { left: near(left), top: near(top), right: near(right), bottom: near(bottom) }
     }
 
+    /// Limits as they are: inside the guard band, or to be intersected with what is.
+    #[inline(always)]
+    pub(crate) const fn as_given(left: i32, top: i32, right: i32, bottom: i32) -> Self {
+        Self { left, top, right, bottom }
+    }
+
     pub(crate) const EMPTY: Self = Self { left: 0, top: 0, right: 0, bottom: 0 };
 
     /// The pixels whose centres lie in the bounding box of a triangle: it covers no others.

@@ -12,7 +12,8 @@ firmware!(
     storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
         let scene = Turntable::new();
-        let (placed, light) = (scene.place(), scene.light()?);
+        let placed = scene.place();
+        let light = scene.light()?;
         let mut faces = placed.transform_depth(corners).faces(records).ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
         while let Some(mut band) = frame.next_band(strip).ok()? {
