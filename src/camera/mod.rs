@@ -18,12 +18,12 @@ pub use viewing::{Side, Viewing, ViewingError};
 pub use viewport::{Viewport, ViewportError};
 pub use visibility::Visibility;
 
-use crate::math::num::{max, min, mul_translation, row_times};
+use crate::math::num::{max, min, mul_translation};
 use crate::math::Row;
 use crate::raster::GUARD_BAND;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Viewing, projection and viewport, folded into four linear forms over the world as seen from the eye.
+/// Viewing, projection and viewport, folded into four linear forms over view coordinates.
 ///
 /// x and y are measured from the viewport's centre in units of 2^`unit` sub-pixels times w, so
 /// that one reciprocal and one product a coordinate finish a vertex; depth is folded likewise.
@@ -41,7 +41,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A camera that stands still is a constant: a constant of 160 bytes, and no code for what made it. One that
+/// A camera that stands still is a constant: 192 bytes of flash, and no code for what made it. One that
 /// cannot be does not compile.
 ///
 /// ```
@@ -59,9 +59,9 @@ use embedded_graphics_core::primitives::Rectangle;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Camera {
-    /// In 2⁻³².
+    axes: [[i32; 3]; 3],
     eye: [i64; 3],
-    /// x, y, d, w over the world's axes, from the eye.
+    /// x, y, d, w.
     rows: [Row; 4],
     screen: Screen,
     far_clip: bool,
@@ -96,12 +96,13 @@ impl Camera {
         let [x_row, y_row, d_row, w_row] = projection.rows();
         // Half the viewport in units of 2^unit sub-pixels; rows count downwards, so y turns.
         let rows = [
-            turned(&stretched(x_row, area.size.width as i32 * 128, -unit), viewing),
-            turned(&stretched(y_row, area.size.height as i32 * -128, -unit), viewing),
-            turned(&stretched(d_row, 65_535, -16), viewing),
-            turned(w_row, viewing),
+            stretched(x_row, area.size.width as i32 * 128, -unit),
+            stretched(y_row, area.size.height as i32 * -128, -unit),
+            stretched(d_row, 65_535, -16),
+            *w_row,
         ];
         Self {
+            axes: viewing.rows(),
             eye: viewing.eye(),
             rows,
             screen: Screen { centre: [x, y], unit, room: room - unit, area },
@@ -117,12 +118,6 @@ impl Camera {
     }
 }
 
-/// A row over view coordinates as one over the world's axes, from the eye.
-#[inline(never)] // set-up: small is better
-const fn turned(row: &Row, viewing: &Viewing) -> Row {
-    Row::new(&row_times(&row.linear, &viewing.rows()), row.exponent - 60, row.offset)
-}
-
 /// `row · factor · 2^exponent` for a factor of at most 23 bits.
 #[inline(never)] // set-up: small is better
 const fn stretched(row: &Row, factor: i32, exponent: i32) -> Row {
@@ -135,6 +130,6 @@ const fn stretched(row: &Row, factor: i32, exponent: i32) -> Row {
 impl defmt::Format for Camera {
     fn format(&self, f: defmt::Formatter<'_>) {
         let [x, y] = self.screen.centre;
-        defmt::write!(f, "eye {}/2^32, centre ({=i32}, {=i32})/256", self.eye, x, y);
+        defmt::write!(f, "axes {}/2^30, eye {}/2^32, centre ({=i32}, {=i32})/256", self.axes, self.eye, x, y);
     }
 }

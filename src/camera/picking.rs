@@ -1,7 +1,7 @@
 //! Single points: to the screen for labels, and back for picking.
 
 use super::{Camera, Placement};
-use crate::math::num::{add, dot, excess, scale};
+use crate::math::num::{add, dot, excess, row_times, scale};
 use crate::math::unit::{cross_exact, is_zero, normalise};
 use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
@@ -109,8 +109,9 @@ impl Camera {
             return None;
         }
         let turn = if dot(&self.rows[2].linear, &along) < 0 { -1 } else { 1 };
-        // Its 2³⁰ are 2¹⁴ world units of 2⁻¹⁶.
-        let [x, y, z] = along.map(|c| Scalar::from_bits(turn * c));
+        // Rᵀ·along: 3·2⁶⁰, to 2¹⁴ world units of 2⁻¹⁶.
+        let world = row_times(&along, &self.axes).map(|sum| Scalar::from_bits(scale(turn * sum, -30) as i32));
+        let [x, y, z] = world;
         Some(Ray { origin, direction: Vector3::new(x, y, z) })
     }
 
@@ -121,19 +122,19 @@ impl Camera {
     /// Each lies within 1/512 px and what turning its axis by 2⁻²⁹ rad moves it, for fields of view
     /// from 26° to 120°.
     pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
-        [0, 1, 2].map(|axis| {
-            // The forms without their constants.
-            let at = |row: &Row| (i64::from(row.linear[axis]), row.exponent);
+        let point = |direction: [i32; 3]| {
+            // The forms without their constants: three products of at most 2⁶⁰.
+            let at = |row: &Row| (dot(&row.linear, &direction), row.exponent);
             let [x_row, y_row, _, w_row] = &self.rows;
             let (w, w_exponent) = at(w_row);
-            // A row's largest coefficient has 30 bits, so w is about 2³⁰ · cos.
-            if w.unsigned_abs() < 1 << 4 {
+            // A row's largest coefficient has 30 bits, so w is about 2⁵⁹ · cos.
+            if w.unsigned_abs() < 1 << 34 {
                 return None;
             }
             let quotient = |row: &Row| -> i64 {
                 let (v, exponent) = at(row);
                 let (v, exponent) = if w < 0 { (-v, exponent) } else { (v, exponent) };
-                // v/w in units of 2^unit sub-pixels.
+                // v/w in sub-pixels: 61 bits over 61 bits, 2^unit of them.
                 let (m, e) = super::projection::quotient(v, w.unsigned_abs());
                 scale(m, e + exponent - w_exponent + self.screen.unit + 16)
             };
@@ -153,10 +154,12 @@ impl Camera {
                 x: near(x, cx),
                 y: near(y, cy),
             })
-        })
+        };
+        let [u, v, n] = self.axes;
+        [point([u[0], v[0], n[0]]), point([u[1], v[1], n[1]]), point([u[2], v[2], n[2]])]
     }
 
-    /// The two planes through the eye that project onto the screen point's column and row.
+    /// The two planes of view space that project onto the screen point's column and row.
     fn planes_through(&self, at: ScreenPoint) -> [Row; 2] {
         let [x, y, _, w] = &self.rows;
         let [cx, cy] = self.screen.centre;
@@ -168,12 +171,16 @@ impl Camera {
         [plane(x, at.x(), cx), plane(y, at.y(), cy)]
     }
 
-    /// A point from the eye in 2⁻²⁴ as one of the world, or `None` outside.
+    /// A view point in 2⁻²⁴ to the world, or `None` outside.
     fn world_point(&self, p: [i64; 3]) -> Option<Point3<World>> {
+        let [u, v, n] = self.axes;
+        let columns = [[u[0], v[0], n[0]], [u[1], v[1], n[1]], [u[2], v[2], n[2]]];
         let mut bits = [0; 3];
-        for ((bit, p), eye) in bits.iter_mut().zip(p).zip(self.eye) {
-            // |p| < 2⁴¹.
-            *bit = i32::try_from(scale(add(p << 8, eye), -16)).ok()?;
+        for ((bit, column), eye) in bits.iter_mut().zip(columns).zip(self.eye) {
+            // |p| < 2⁴¹ times 2³⁰, three times, and the eye: in i128, rounded from 2⁻⁵⁴ to 2⁻¹⁶.
+            let sum: i128 = column.iter().zip(p).map(|(&m, c)| i128::from(m) * i128::from(c)).sum();
+            let v = (((sum + (i128::from(eye) << 22)) >> 37) + 1) >> 1;
+            *bit = i32::try_from(v).ok()?;
         }
         Some(Point3::from_bits(bits))
     }

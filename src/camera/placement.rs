@@ -6,8 +6,8 @@
 
 use super::{Camera, Corner, Image, Screen};
 use crate::math::num::{add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, scale};
-use crate::math::row::Rows;
-use crate::math::{Affine, Coordinate, Form, Homogeneous, Row};
+use crate::math::row::{forms, Rows};
+use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
 use crate::space::{Model, World};
 use embedded_graphics_core::primitives::Rectangle;
@@ -42,22 +42,24 @@ impl Placement {
     /// brings its largest coordinate to the top of 32 bits.
     #[inline(never)] // set-up: small is better
     pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, exponent: i32, justify: u32) -> Self {
-        // 1 Model to world, from the eye.
-        let (&linear, linear_exponent) = model.linear();
-        let seen = Rows { linear, exponent: linear_exponent, offset: model.offset_from(camera.eye) };
-        // 2 World to clip; a factor common to all four rows changes nothing, and where numbers are
+        // 1 Model to view, relative to the eye.
+        let (m, m_exponent) = model.linear();
+        let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
+        let offset = forms(&camera.axes, 0, &model.offset_from(camera.eye), &[0; 3]);
+        let view = Rows { linear, exponent: linear_exponent, offset };
+        // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
         //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
         //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
         let unit = exponent - justify as i32;
-        let largest = magnitude(seen.linear.as_flattened());
+        let largest = magnitude(view.linear.as_flattened());
         let around = match largest {
             0 => 0,
             _ => excess(largest.into(), 30) + linear_exponent + unit + 31 + 2 + 32,
         };
-        let bits = excess(bits_of(&seen.offset), 0).max(around) + 1;
+        let bits = excess(bits_of(&view.offset), 0).max(around) + 1;
         let [x, y, d, w] = &camera.rows;
         let shift = x.overflow(bits).max(y.overflow(bits)).max(d.overflow(bits)).max(w.overflow(bits)).max(0);
-        let (x, y, d, w) = (x.of(&seen, shift), y.of(&seen, shift), d.of(&seen, shift), w.of(&seen, shift));
+        let (x, y, d, w) = (x.of(&view, shift), y.of(&view, shift), d.of(&view, shift), w.of(&view, shift));
         // 3 Exponents from what the rows can reach over the object. A justified coordinate v
         //   stands for v·2^unit.
         let Screen { unit: screen_unit, room, .. } = camera.screen;

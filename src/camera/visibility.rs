@@ -2,8 +2,7 @@
 
 use super::Camera;
 use crate::math::num::{add, mul_translation, scale, sqrt};
-use crate::math::row::forms;
-use crate::math::{Affine, Scalar, Sphere};
+use crate::math::{product, Affine, Row, Scalar, Sphere};
 use crate::space::{Model, World};
 
 /// How much of an object the view volume holds.
@@ -28,12 +27,17 @@ impl Camera {
         if sphere.radius == Scalar::MAX {
             return Visibility::Partly;
         }
-        // The centre as seen from the eye, and what the model transform makes of the radius: at most
+        // The centre in view coordinates, and what the model transform makes of the radius: at most
         // the root of the sum of its squared coefficients.
         let centre = sphere.centre.bits().map(|c| i64::from(c) << 16);
         let (m, exponent) = model.linear();
         let away = model.offset_from(self.eye);
-        let centre = forms(m, exponent, &centre, &away);
+        let (linear, view_exponent) = product(&self.axes, 0, m, exponent);
+        let place = |i: usize| {
+            let axis = Row { linear: self.axes[i], ..Row::ZERO };
+            Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)
+        };
+        let centre = [place(0), place(1), place(2)];
         let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
                                                                                                       // Half of the root of at most 9·2⁵⁸, in 2^(exponent − 28), rounded up.
         let stretch = (sqrt(squares) >> 1) as i32 + 4;
