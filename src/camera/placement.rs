@@ -184,7 +184,7 @@ impl Placement {
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(h.x, cx), along(h.y, cy), scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 13)]
+        [along(h.x, cx), along(h.y, cy), add(scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 13), 0)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
@@ -199,10 +199,9 @@ impl Placement {
             3 | 4 => (h.y, cy),
             _ => return self.beyond_far(h),
         };
-        let up = (self.xy_over_w + self.screen.unit) & 63; // ≤ 21
-        let v = i64::from(v) << up;
-        let (v, centre) = if plane & 1 == 0 { (-v, -centre) } else { (v, centre) };
-        i64::from(crate::raster::GUARD_BAND * 256 + centre) * i64::from(h.w) + v
+        let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
+        let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
+        i64::from(crate::raster::GUARD_BAND * 256 + centre) * i64::from(h.w) + i64::from(v) * i64::from(up)
     }
 
     /// Whether the camera cuts at the far plane.
@@ -217,15 +216,15 @@ impl Placement {
         // Beyond a difference of 14 bits w gives way: 47 + 14 bits at most.
         let up = self.d_over_w.min(14);
         let down = (self.d_over_w - up).min(63);
-        ((i64::from(h.w) * 65_535) >> down) - (i64::from(h.d) << (16 + up))
+        ((i64::from(h.w) * 65_535) >> down) - i64::from(h.d) * i64::from(1 << (16 + up))
+        // 2³⁰ at most
     }
 }
 
 /// `v · mantissa · 2^shift`, rounded to nearest, and `more`; within ±2³⁰. |more| < 2²⁴.
 #[inline(never)] // rare: small is better
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
-    let sum = scale(mul_wide(v, mantissa), shift) + i64::from(more); // `scale` stays within ±2⁶²
-    sum.clamp(-(1 << 30), 1 << 30) as i32
+    add(scale(mul_wide(v, mantissa), shift), more.into()).clamp(-(1 << 30), 1 << 30) as i32
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.
@@ -252,6 +251,5 @@ fn reach(row: &Row, unit: i32) -> i32 {
 fn form(row: &Row, unit: i32, exponent: i32) -> Form {
     // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `reach`.
     let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);
-    let offset = if exponent < 0 { row.offset << (-exponent).min(63) } else { scale(row.offset, -exponent) };
-    Form::new(linear, offset)
+    Form::new(linear, scale(row.offset, -exponent))
 }

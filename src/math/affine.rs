@@ -1,7 +1,7 @@
 //! Affine transforms between the spaces a scene is set up in.
 
 use super::float;
-use super::num::{add, dot, excess, fraction, row_times, scale, sqrt, transposed};
+use super::num::{add, dot, excess, fraction, keep_rolled, row_times, scale, sqrt, transposed};
 use super::row::{block, forms, Row};
 use super::unit::{cross_exact, is_zero, normalise};
 use super::{Angle, Point3, Quaternion, Scalar, Vector3};
@@ -319,8 +319,12 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
 
     /// Where the origin goes, relative to `eye`, both in 2⁻³².
     pub(crate) fn offset_from(&self, eye: [i64; 3]) -> [i64; 3] {
-        let away = |i: usize| add(self.offset[i], -eye[i]);
-        [away(0), away(1), away(2)]
+        let mut away = self.offset;
+        for (a, eye) in away.iter_mut().zip(eye) {
+            keep_rolled();
+            *a = add(*a, -eye);
+        }
+        away
     }
 
     fn rows(&self) -> [Row; 3] {

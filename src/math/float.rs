@@ -1,6 +1,6 @@
 //! Matrices of f64 in and out: the door for hosts. Exact wherever the integers hold the number.
 
-use super::num::scale;
+use super::num::{add, scale};
 use super::row::Row;
 
 /// The parts of a finite float: `mantissa · 2^exponent`, exact, with at most 53 bits.
@@ -33,7 +33,7 @@ pub(crate) fn aligned<const N: usize>(numbers: [f64; N]) -> Option<([i64; N], i3
 /// The nearest integer to `v · 2^fraction`, saturated at ±2⁶²; `None` if v is not finite.
 pub(crate) fn fixed(v: f64, fraction: i32) -> Option<i64> {
     let (m, e) = parts(v)?;
-    Some(scale(m, (e + fraction).clamp(-63, 63)))
+    Some(add(scale(m, (e + fraction).clamp(-63, 63)), 0))
 }
 
 /// A linear form from its four coefficients, all of it times 2^`shift`.

@@ -148,15 +148,15 @@ pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
     (quotient, (n as u32).wrapping_sub((quotient as u32).wrapping_mul(d))) // below d: 31 bits tell
 }
 
-/// `v · 2^shift`, saturating to the left, rounded to nearest (ties up) to the right.
+/// `v · 2^shift`, saturating to the left at ±(2⁶³ − 1), rounded to nearest (ties up) to the right.
 #[inline(never)] // set-up: small is better
 pub(crate) const fn scale(v: i64, shift: i32) -> i64 {
     if shift >= 0 {
         let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63
         match v {
             0 => 0,
-            _ if shift < room => v << shift,
-            _ => SATURATED * v.signum(),
+            _ if shift <= room => v << shift,
+            _ => i64::MAX * v.signum(),
         }
     } else if shift > -64 {
         let floor = v >> (-shift - 1); // shifted by 0 … 62

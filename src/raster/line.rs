@@ -106,16 +106,11 @@ impl Runs {
         }
         // k(i) ≥ K first holds for i = ⌊(2K − 1)·L / 2m⌋ + 1, and k(i) ≤ K last for
         // i = ⌊(2K + 1)·L / 2m⌋: here m > 0, since 0 < K ≤ m or 0 ≤ K < m.
-        let invert = |odd: i32| {
-            // odd·L < 2¹⁷ · 2¹⁶; the quotient may pass `length` but not 2³³.
-            let product = u64::from(odd.unsigned_abs()) * u64::from(length.unsigned_abs());
-            divide(product, 2 * rise.unsigned_abs()).0.min(1 << 20) as i32
-        };
         if first > 0 {
-            self.step = self.step.max(invert(2 * first - 1) + 1);
+            self.step = self.step.max(invert(2 * first - 1, length, rise) + 1);
         }
         if last < rise {
-            self.last = self.last.min(invert(2 * last + 1));
+            self.last = self.last.min(invert(2 * last + 1, length, rise));
         }
         if self.step > 0 && self.step <= self.last {
             // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ with a remainder r, and the error term is
@@ -126,6 +121,14 @@ impl Runs {
             (self.minor_step, self.error) = (k as i32, r as i32 + 1 + self.aside);
         }
     }
+}
+
+/// `⌊odd·L / 2m⌋`, below 2²⁰ at least: all that is beyond L is alike.
+#[inline(never)] // lines that are cut: small is better
+fn invert(odd: i32, length: i32, rise: i32) -> i32 {
+    // odd·L < 2¹⁷ · 2¹⁶; the quotient may pass `length` but not 2³³.
+    let product = u64::from(odd.unsigned_abs()) * u64::from(length.unsigned_abs());
+    divide(product, 2 * rise.unsigned_abs()).0.min(1 << 20) as i32
 }
 
 impl Iterator for Runs {

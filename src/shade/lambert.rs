@@ -1,8 +1,8 @@
 //! Ambient and Lambert light, per face or per vertex.
 
-use crate::math::num::{row_times, transposed};
+use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
-use crate::math::{product, to_short, Affine, NormalMap, Vector3};
+use crate::math::{to_short, Affine, NormalMap, Vector3};
 use crate::space::{Model, World};
 
 /// One directional light and an ambient part, made ready for one object.
@@ -111,10 +111,12 @@ impl Lambert {
 
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
 /// of light.
-fn keeps_angles(m: &[[i32; 3]; 3]) -> bool {
-    // Their products with each other; all of one exponent.
-    let ([x, y, z], _) = product(m, 0, &transposed(m), 0);
-    let length = x[0];
-    let near = |value: i32, wanted: i32| (value - wanted).abs() <= length >> 10; // 2³⁰ at most, both
-    near(y[1], length) && near(z[2], length) && near(x[1], 0) && near(x[2], 0) && near(y[2], 0)
+fn keeps_angles([x, y, z]: &[[i32; 3]; 3]) -> bool {
+    let length = dot(x, x); // 3·2⁶⁰ at most, as all
+    let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
+    near(dot(y, y), length)
+        && near(dot(z, z), length)
+        && near(dot(x, y), 0)
+        && near(dot(x, z), 0)
+        && near(dot(y, z), 0)
 }

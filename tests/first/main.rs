@@ -45,6 +45,7 @@ fn on_a_microcontroller() -> String {
          panic = \"abort\"\n",
     );
     firmware.copy("memory.x");
+    firmware.copy("tools/emulate");
     firmware.copy(".cargo/config.toml");
     let mut cross = Command::new("bash");
     cross.arg(Path::new(ROOT).join("tools/cross")).arg(env!("CARGO"));
