@@ -119,7 +119,7 @@ impl Camera {
     /// parallels stay parallel (its direction lies within 2⁻²⁶ of the view plane's), as all do
     /// under a parallel projection.
     ///
-    /// Each lies within 1/512 px and what turning its axis by 2⁻²⁹ rad moves it, for fields of view
+    /// Each lies within 1/512 px and what turning its axis by 2⁻²⁸ rad moves it, for fields of view
     /// from 26° to 120°.
     pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
         let point = |direction: [i32; 3]| {

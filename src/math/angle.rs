@@ -76,28 +76,26 @@ impl Angle {
     /// Sine and cosine in 2⁻³⁰ (Q2.30): within 2⁻²⁹·⁵ of the exact values, and exact at the
     /// quarter turns; the sum of their squares is within 2⁻²⁸ of 1.
     ///
-    /// The nearest of 32 table angles a per quarter turn and the remainder δ, |δ| ≤ π/128, go
+    /// The nearest of 64 table angles a per quarter turn and the remainder δ, |δ| ≤ π/256, go
     /// through the addition theorems with `sin δ = δ − δ³/6` and `cos δ = 1 − δ²/2 + δ⁴/24`; what
-    /// the series leave out is below 2⁻³³. (Abramowitz and Stegun, 4.3.16–17, 4.3.65–66.)
+    /// the series leave out is below 2⁻³⁸. (Abramowitz and Stegun, 4.3.16–17, 4.3.65–66.)
     #[inline(never)] // set-up: small is better
     pub const fn sin_cos(self) -> (i32, i32) {
         let within = (self.0 & 0x3fff_ffff) as i32; // the place inside the quarter turn
-        let index = (within + (1 << 24)) >> 25; // 0 … 32
-        let rest = within - (index << 25); // −2²⁴ … 2²⁴ − 1
-        let (sin, cos) = (table(index), table(32 - index)); // in 2⁻³⁰
-
-        // 2π in 2⁻²⁸ times rest·2⁷: δ in 2⁻³⁵, |δ| < 2²⁹·⁷.
-        let delta = mul_high(rest << 7, 1_686_629_713);
-        let square = mul_high(delta, delta); // δ² in 2⁻³⁸, < 2²⁷·⁴
-        let fourth = mul_high(square, square); // δ⁴ in 2⁻⁴⁴, < 2²²·⁷
-        let versine = (square << 1) - mul_high(fourth, 11_184_811); // 1 − cos δ in 2⁻⁴⁰; 2³²/(16·24)
-        let cube = mul_high(delta, square); // δ³ in 2⁻⁴¹, < 2²⁵
-        let sine = delta - mul_high(cube, 11_184_811); // sin δ in 2⁻³⁵; 2³²/(64·6)
-
-        // Both corrections in 2⁻³³: |·| < 2²⁷·⁷. Rounded to nearest at the end.
-        let up = mul_high(cos, sine) - (mul_high(sin, versine) >> 5);
-        let down = mul_high(sin, sine) + (mul_high(cos, versine) >> 5);
-        let (s, c) = (sin + ((up + 4) >> 3), cos - ((down + 4) >> 3));
+        let index = (within + (1 << 23)) >> 24; // 0 … 64
+        let rest = within - (index << 24); // ±2²³
+        let (sin, cos) = (table(index), table(64 - index)); // in 2⁻³⁰
+                                                            // 2π in 2⁻²⁸ times rest·2⁸: δ in 2⁻³⁶, |δ| < 2²⁹·⁷.
+        let delta = mul_high(rest << 8, 1_686_629_713);
+        let square = mul_high(delta, delta); // δ² in 2⁻⁴⁰
+        let fourth = mul_high(square, square) >> 8; // δ⁴ in 2⁻⁴⁰, < 2¹⁵
+        let versine = (square >> 1) - ((fourth * 2731) >> 16); // 1 − cos δ in 2⁻⁴⁰; 2731/2¹⁶ = 1/24
+        let cube = mul_high(delta, square); // δ³ in 2⁻⁴⁴
+        let sine = delta - (mul_high(cube, 715_827_883) >> 8); // sin δ in 2⁻³⁶; 715827883 = 2³²/6
+                                                               // Both corrections in 2⁻³⁴: |·| < 2²⁷·⁷. Rounded to nearest at the end.
+        let up = mul_high(cos, sine) - (mul_high(sin, versine) >> 4);
+        let down = mul_high(sin, sine) + (mul_high(cos, versine) >> 4);
+        let (s, c) = (sin + ((up + 8) >> 4), cos - ((down + 8) >> 4));
         match self.0 >> 30 {
             0 => (s, c),
             1 => (c, -s),
@@ -128,7 +126,7 @@ impl core::ops::Neg for Angle {
     }
 }
 
-/// sin(index · π/64) in 2⁻³⁰ for 0 … 32.
+/// sin(index · π/128) in 2⁻³⁰ for 0 … 64.
 const fn table(index: i32) -> i32 {
     let index = index as usize;
     if index < SINE.len() {
@@ -139,13 +137,18 @@ const fn table(index: i32) -> i32 {
 }
 
 #[rustfmt::skip]
-const SINE: [i32; 33] = [
-    0, 52686014, 105245103, 157550647, 209476638, 260897982,
-    311690799, 361732726, 410903207, 459083786, 506158392, 552013618,
-    596538995, 639627258, 681174602, 721080937, 759250125, 795590213,
-    830013654, 862437520, 892783698, 920979082, 946955747, 970651112,
-    992008094, 1010975242, 1027506862, 1041563127, 1053110176, 1062120190,
-    1068571464, 1072448455, 1073741824,
+const SINE: [i32; 65] = [
+    0, 26350943, 52686014, 78989349, 105245103, 131437462,
+    157550647, 183568930, 209476638, 235258165, 260897982, 286380643,
+    311690799, 336813204, 361732726, 386434353, 410903207, 435124548,
+    459083786, 482766489, 506158392, 529245404, 552013618, 574449320,
+    596538995, 618269338, 639627258, 660599890, 681174602, 701339000,
+    721080937, 740388522, 759250125, 777654384, 795590213, 813046808,
+    830013654, 846480531, 862437520, 877875009, 892783698, 907154608,
+    920979082, 934248793, 946955747, 959092290, 970651112, 981625251,
+    992008094, 1001793390, 1010975242, 1019548121, 1027506862, 1034846671,
+    1041563127, 1047652185, 1053110176, 1057933813, 1062120190, 1065666786,
+    1068571464, 1070832474, 1072448455, 1073418433, 1073741824,
 ];
 
 #[cfg(test)]
