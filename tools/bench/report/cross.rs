@@ -2,7 +2,7 @@
 
 use crate::Result;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 
 /// This directory, and the project's.
 pub(crate) const BENCH: &str = env!("CARGO_MANIFEST_DIR");
@@ -36,12 +36,22 @@ impl Build {
 
     /// What a firmware prints.
     pub(crate) fn run(self, bin: &str) -> Result<String> {
-        let mut command = self.command("run");
-        let output = command.args(["--bin", bin]).stdin(Stdio::null()).stderr(Stdio::inherit()).output()?;
+        let output = self.output(bin, Stdio::inherit())?;
+        Ok(String::from_utf8(output.stdout)?)
+    }
+
+    /// The last line that a firmware writes to the emulator's console, letter by letter.
+    pub(crate) fn last_word(self, bin: &str) -> Result<String> {
+        let text = String::from_utf8(self.output(bin, Stdio::piped())?.stderr)?;
+        Ok(text.lines().last().unwrap_or_default().to_string())
+    }
+
+    fn output(self, bin: &str, errors: Stdio) -> Result<Output> {
+        let output = self.command("run").args(["--bin", bin]).stdin(Stdio::null()).stderr(errors).output()?;
         if !output.status.success() {
             return Err(format!("{bin} for {}: {}", self.target, output.status).into());
         }
-        Ok(String::from_utf8(output.stdout)?)
+        Ok(output)
     }
 
     fn command(self, verb: &str) -> Command {

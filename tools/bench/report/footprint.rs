@@ -20,12 +20,12 @@ pub(crate) struct Image {
     pub(crate) name: &'static str,
     /// On the page.
     pub(crate) says: &'static str,
-    /// The most flash that it may take on the M3 at level 3.
-    pub(crate) budget: Option<u64>,
+    /// What it is to come down to on the M3 at level 3.
+    pub(crate) goal: Option<u64>,
     without: &'static [Part],
 }
 
-/// The most stack that an image may take on the M3 at level 3, its own frames included.
+/// What the stack of all of them is to come down to on the M3 at level 3, the program's own frames included.
 pub(crate) const STACK: u64 = 1536;
 
 const DITHER: Part = Part("shade/dither.rs", None);
@@ -40,16 +40,16 @@ const NO_FACES: &[Part] = &[
 ];
 
 pub(crate) const IMAGES: &[Image] = &[
-    Image { name: "place", says: "a placed mesh", budget: None, without: NO_FACES },
-    Image { name: "camera", says: "and a camera made at run time", budget: None, without: NO_FACES },
-    Image { name: "wireframe", says: "wireframe", budget: Some(6 << 10), without: NO_FACES },
-    Image { name: "wireframe_bands", says: "wireframe in bands", budget: None, without: NO_FACES },
-    Image { name: "solid", says: "flat faces", budget: None, without: NO_DEPTH },
-    Image { name: "depth", says: "flat faces with depth", budget: Some(10 << 10), without: FLAT },
-    Image { name: "depth_bands", says: "flat faces with depth in bands", budget: None, without: FLAT },
-    Image { name: "gouraud", says: "smooth faces with depth in bands", budget: None, without: &[DITHER] },
-    Image { name: "dither", says: "the same, dithered", budget: None, without: &[] },
-    Image { name: "everything", says: "everything", budget: Some(20 << 10), without: &[] },
+    Image { name: "place", says: "a placed mesh", goal: None, without: NO_FACES },
+    Image { name: "camera", says: "and a camera made at run time", goal: None, without: NO_FACES },
+    Image { name: "wireframe", says: "wireframe", goal: Some(6 << 10), without: NO_FACES },
+    Image { name: "wireframe_bands", says: "wireframe in bands", goal: None, without: NO_FACES },
+    Image { name: "solid", says: "flat faces", goal: None, without: NO_DEPTH },
+    Image { name: "depth", says: "flat faces with depth", goal: Some(10 << 10), without: FLAT },
+    Image { name: "depth_bands", says: "flat faces with depth in bands", goal: None, without: FLAT },
+    Image { name: "gouraud", says: "smooth faces with depth in bands", goal: None, without: &[DITHER] },
+    Image { name: "dither", says: "the same, dithered", goal: None, without: &[] },
+    Image { name: "everything", says: "everything", goal: Some(20 << 10), without: &[] },
 ];
 
 /// Has all that others must not have.
@@ -84,10 +84,9 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footpr
         let image = |name: &str| build.image(&format!("flash_{name}"));
         let empty = elf::sizes(&image("empty"))?.flash;
         let witness = Provenance::of(&image(WITNESS))?;
-        for &Image { name, without, budget, .. } in IMAGES {
+        for &Image { name, without, .. } in IMAGES {
             let elf::Sizes { flash, statics, .. } = elf::sizes(&image(name))?;
-            // The last thing that the image prints.
-            let stack = u64::from_str_radix(build.run(&format!("flash_{name}"))?.trim(), 16)?;
+            let stack = u64::from_str_radix(&build.last_word(&format!("flash_{name}"))?, 16)?;
             let size = Size { flash: flash.saturating_sub(empty), variables: statics, stack };
             sizes.insert((name, build), size);
             let from = Provenance::of(&image(name))?;
@@ -105,12 +104,6 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footpr
             }
             if build == BUILDS[0] {
                 code.insert(name, from);
-                if let Some(budget) = budget.filter(|&budget| size.flash > budget) {
-                    failures.push(format!("{name}: {} bytes of flash, {budget} are allowed", size.flash));
-                }
-                if stack > STACK {
-                    failures.push(format!("{name}: {stack} bytes of stack, {STACK} are allowed"));
-                }
             }
         }
     }
