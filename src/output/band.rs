@@ -179,7 +179,8 @@ impl<'s, C: Wire> Band<'s, C> {
             let pixels = (8 / C::BITS.max(1)) as usize;
             wire::fill(self.bytes, 0, self.bytes.len().saturating_mul(pixels), colour);
         } else {
-            self.fill_rows((0, 0), self.area.size, colour);
+            let Size { width, height } = self.area.size; // as many as the strip has bytes for
+            wire::fill(self.bytes, 0, width.wrapping_mul(height) as usize, colour);
         }
     }
 

@@ -133,7 +133,17 @@ fn fill_bytes<const N: usize, const M: usize>(
 /// Not part of the loops that draw: it needs their registers.
 #[inline(never)]
 fn fill_run<const N: usize, const M: usize>(run: &mut [u8], pixel: [u8; N], some: [u8; M]) {
-    // Eight at a time. The hints keep the compiler from unrolling the loops, which costs short runs more than it saves.
+    // Eight at a time, and of long runs, such as a whole band, 32. The hints keep the compiler from unrolling the
+    // loops, which costs short runs more than it saves.
+    let mut run = run;
+    if run.len() >= 64 * N {
+        let (rest, many) = run.split_at_mut(run.len() % (32 * N));
+        for many in many.chunks_exact_mut(32 * N) {
+            many.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+            black_box(());
+        }
+        run = rest;
+    }
     let (few, eights) = run.split_at_mut(run.len() % (8 * N));
     for bytes in few.chunks_exact_mut(N) {
         put(bytes, pixel);

@@ -152,6 +152,21 @@ impl Scissor {
         }
     }
 
+    /// Encloses nothing, and with anything just that.
+    pub(crate) const NOTHING: Self =
+        Self { left: i32::MAX, top: i32::MAX, right: i32::MIN, bottom: i32::MIN };
+
+    /// The bounding box of both, of which neither is empty but [`NOTHING`](Self::NOTHING).
+    #[inline(always)]
+    pub(crate) fn enclosing(&self, other: &Self) -> Self {
+        Self {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+
     /// Whether there is no pixel inside.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {

@@ -1,7 +1,7 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, Fan, Ink, InkFor, Statistics, Transformed, Window};
+use super::{fill, fill_nearer, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
 use crate::camera::Image;
 use crate::math::Coordinate;
 use crate::output::{inside, rectangle, scissor, send, DepthBuffer};
@@ -59,57 +59,74 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Sorts out all faces, and then once more those that are kept.
     #[inline(never)]
     fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
-        let view = self;
         let list = self.placed.mesh.faces();
         let mut statistics = Statistics::default();
-        let mut fan = Fan::<()>::new();
-        loop {
-            for (index, &face) in list.iter().enumerate() {
-                if !bins.wants(index) {
-                    continue;
-                }
-                let outcome = view.sort_out(face, &mut fan);
-                if !bins.is_sorting() {
-                    statistics.count(outcome);
-                }
-                if outcome.is_drawn() {
-                    let mut reach = Scissor::EMPTY;
-                    while let Some((corners, _)) = fan.piece() {
-                        reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
-                        fan.next();
-                    }
-                    bins.put(index, &reach);
-                }
-            }
-            if !bins.turn(list.len())? {
-                return Ok(statistics);
+        for (index, &face) in list.iter().enumerate() {
+            let mut reach = Scissor::EMPTY;
+            let outcome = self.reach(face, true, &mut reach);
+            statistics.count(outcome);
+            if outcome.is_drawn() {
+                bins.put(index, &reach);
             }
         }
+        bins.turn(list.len())?;
+        bins.sort(|index| {
+            let mut reach = Scissor::EMPTY;
+            self.reach(list.get(index).copied().unwrap_or_default(), false, &mut reach);
+            reach
+        });
+        Ok(statistics)
+    }
+
+    /// What becomes of a face, and where it may cover pixels. `asked`: whether it is not known to be drawn.
+    #[inline(always)]
+    fn reach(&self, face: [u16; 3], asked: bool, reach: &mut Scissor) -> Outcome {
+        let corners = face.map(|i| self.corner(i));
+        let [a, b, c] = corners;
+        if !(a.whole() && b.whole() && c.whole()) {
+            return self.reach_of_cut(face, reach);
+        }
+        if asked {
+            let area = raster::area(&corners.map(|corner| corner.offset()));
+            let outcome = self.placed.cull.turned(area, Outcome::Whole);
+            if outcome != Outcome::Whole {
+                return outcome;
+            }
+        }
+        *reach = Scissor::of(&corners.map(|corner| self.placed.placement.at(corner).point));
+        Outcome::Whole
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn reach_of_cut(&self, face: [u16; 3], reach: &mut Scissor) -> Outcome {
+        let mut fan = Fan::<()>::new();
+        let outcome = self.sort_out(face, &mut fan);
+        if outcome.is_drawn() {
+            while let Some((corners, _)) = fan.piece() {
+                *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
+                fan.next();
+            }
+        }
+        outcome
     }
 
     /// Sorts out all edges, and then once more those that are kept.
     #[inline(never)]
     fn record_edges(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
-        let view = self;
         let list = self.placed.mesh.edges();
         let mut statistics = Statistics::default();
-        loop {
-            for (index, &edge) in list.iter().enumerate() {
-                if !bins.wants(index) {
-                    continue;
-                }
-                let ends = view.edge(edge);
-                if !bins.is_sorting() {
-                    statistics.count_edge(ends.map(|(_, cut)| cut));
-                }
-                if let Some((ends, _)) = ends {
-                    bins.put(index, &reach_of_line(&ends));
-                }
-            }
-            if !bins.turn(list.len())? {
-                return Ok(statistics);
-            }
+        for (index, &edge) in list.iter().enumerate() {
+            let ends = self.edge(edge);
+            statistics.count_edge(ends.map(|(_, cut)| cut));
+            bins.put(index, &ends.map_or(Scissor::EMPTY, |(ends, _)| reach_of_line(&ends)));
         }
+        bins.turn(list.len())?;
+        bins.sort(|index| {
+            let ends = list.get(index).and_then(|&edge| self.edge(edge));
+            ends.map_or(Scissor::EMPTY, |(ends, _)| reach_of_line(&ends))
+        });
+        Ok(statistics)
     }
 }
 

@@ -32,7 +32,6 @@ pub(super) struct Bins<'s> {
     row: i32,
     /// The reach of all that were kept.
     bounds: Scissor,
-    sorting: bool,
 }
 
 /// Why faces or edges were not recorded: none of them were.
@@ -69,8 +68,8 @@ impl core::fmt::Display for BinsError {
 impl core::error::Error for BinsError {}
 
 impl<'s> Bins<'s> {
-    /// For `items` items and where they may be drawn. Then, until [`turn`](Self::turn) tells that all is
-    /// done, all items that are [wanted](Self::wants) are [put](Self::put) in their order.
+    /// For `items` items and where they may be drawn. Then all of them are [put](Self::put) in their order; the
+    /// bins [turn](Self::turn), and the kept ones are [sorted](Self::sort).
     #[inline(never)] // rare, as all here: small is better
     pub(super) fn new(records: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
         let words = items.div_ceil(16);
@@ -89,59 +88,40 @@ impl<'s> Bins<'s> {
             shift,
             taken: 0,
             row: i32::MIN,
-            bounds: Scissor::EMPTY,
-            sorting: false,
+            bounds: Scissor::NOTHING,
         }
-    }
-
-    /// Whether an item is to be looked at: the first time any, then those that were kept.
-    #[inline(always)]
-    pub(super) fn wants(&self, item: usize) -> bool {
-        !self.sorting || self.open.get(item / 16).is_some_and(|bits| bits >> (item % 16) & 1 == 1)
     }
 
     /// The reach of all that were kept.
     pub(super) fn bounds(&self) -> Scissor {
-        self.bounds
+        if self.bounds.is_empty() {
+            Scissor::EMPTY
+        } else {
+            self.bounds
+        }
     }
 
-    /// Whether it is the second time.
+    /// First: keeps an item with this reach, unless none of that may be drawn, and counts it.
     #[inline(always)]
-    pub(super) fn is_sorting(&self) -> bool {
-        self.sorting
-    }
-
-    /// Keeps an item with this reach, unless none of that may be drawn.
-    #[inline(never)]
     pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
         let reach = reach.and(&self.viewport);
         if reach.is_empty() {
             return;
         }
-        self.bounds = self.bounds.or(&reach);
-        let bin = self.bin(reach.rows().start);
-        let Some(end) = self.ends.get_mut(bin) else { return };
-        if self.sorting {
-            if let Some(place) = self.order.get_mut(usize::from(*end)) {
-                *place = item as u16; // fewer than 65536
-            }
-        } else {
-            self.taken += 1; // at most all items
-            if let Some(bits) = self.open.get_mut(item / 16) {
-                *bits |= 1 << (item % 16);
-            }
+        self.bounds = self.bounds.enclosing(&reach);
+        self.taken += 1; // at most all items
+        if let Some(bits) = self.open.get_mut(item / 16) {
+            *bits |= 1 << (item % 16);
         }
-        *end = end.wrapping_add(1); // at most all items
+        let bin = self.bin(reach.rows().start);
+        if let Some(count) = self.ends.get_mut(bin) {
+            *count = count.wrapping_add(1); // at most all items
+        }
     }
 
-    /// After all of `items` were looked at: whether they are to be looked at once more.
+    /// Then, after all of `items` were looked at: whether there is room for those that were kept.
     #[inline(never)]
-    pub(super) fn turn(&mut self, items: usize) -> Result<bool, BinsError> {
-        if self.sorting {
-            self.open.fill(0);
-            (self.sorting, self.taken) = (false, 0);
-            return Ok(false);
-        }
+    pub(super) fn turn(&mut self, items: usize) -> Result<(), BinsError> {
         if items > usize::from(u16::MAX) {
             return Err(BinsError::TooMany { items });
         }
@@ -156,8 +136,27 @@ impl<'s> Bins<'s> {
             let count = core::mem::replace(end, sum);
             sum = sum.wrapping_add(count); // all that were kept, in the end
         }
-        self.sorting = true;
-        Ok(true)
+        Ok(())
+    }
+
+    /// At last: the kept items once more, to their places. `reach` is as it was.
+    #[inline(always)]
+    pub(super) fn sort(&mut self, mut reach: impl FnMut(usize) -> Scissor) {
+        for word in 0..self.open.len() {
+            let mut left = self.open.get_mut(word).map_or(0, core::mem::take);
+            while left != 0 {
+                let item = word * 16 + left.trailing_zeros() as usize;
+                left &= left.wrapping_sub(1);
+                let bin = self.bin(reach(item).rows().start);
+                if let Some(end) = self.ends.get_mut(bin) {
+                    if let Some(place) = self.order.get_mut(usize::from(*end)) {
+                        *place = item as u16; // fewer than 65536
+                    }
+                    *end = end.wrapping_add(1); // at most all items
+                }
+            }
+        }
+        self.taken = 0;
     }
 
     fn bin(&self, row: i32) -> usize {
