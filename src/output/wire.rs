@@ -139,7 +139,11 @@ fn fill_run<const N: usize, const M: usize>(run: &mut [u8], pixel: [u8; N], some
     if run.len() >= 64 * N {
         let (rest, many) = run.split_at_mut(run.len() % (32 * N));
         for many in many.chunks_exact_mut(32 * N) {
-            many.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+            let (a, b) = many.split_at_mut(16 * N);
+            let ((a, b), (c, d)) = (a.split_at_mut(8 * N), b.split_at_mut(8 * N));
+            for eight in [a, b, c, d] {
+                eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+            }
             black_box(());
         }
         run = rest;
