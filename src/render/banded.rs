@@ -274,13 +274,13 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
 #[cfg(feature = "defmt")]
 impl<V, const DEPTH: bool> defmt::Format for Faces<'_, V, DEPTH> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "faces within {}: {}", self.bounds, self.statistics);
+        defmt::write!(f, "faces within {}: {}", self.bins.bounds(), self.statistics);
     }
 }
 
 #[cfg(feature = "defmt")]
 impl<V, const DEPTH: bool> defmt::Format for Edges<'_, V, DEPTH> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "edges within {}: {}", self.bounds, self.statistics);
+        defmt::write!(f, "edges within {}: {}", self.bins.bounds(), self.statistics);
     }
 }

@@ -326,7 +326,7 @@ mod tests {
 #[cfg(feature = "defmt")]
 impl<const N: usize> defmt::Format for Dirty<N> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let (marks, last) = (self.now.parts().len(), self.last.parts().len());
+        let (marks, last) = (self.now.len(), self.last.len());
         let Rectangle { top_left, size } = self.area;
         defmt::write!(
             f,
