@@ -17,7 +17,7 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// The pixels that lie in the target and in `area`.
 pub(crate) fn scissor(target: &impl Dimensions, area: &Rectangle) -> Scissor {
-    inside(&target.bounding_box()).and(&inside(area))
+    inside(&target.bounding_box()).within(&inside(area))
 }
 
 /// As `embedded-graphics` has it.

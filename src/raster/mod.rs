@@ -201,6 +201,16 @@ impl Scissor {
         }
     }
 
+    /// What lies in both, of which the other is inside the guard band: so is that, however far this one reaches.
+    pub(crate) fn within(&self, other: &Self) -> Self {
+        let both = self.and(other);
+        if both.is_empty() {
+            Self::EMPTY
+        } else {
+            both
+        }
+    }
+
     /// What lies in both.
     #[inline(always)]
     pub(crate) fn and(&self, other: &Self) -> Self {

@@ -277,12 +277,12 @@ impl Window {
     /// What a depth buffer holds of a viewport.
     fn of_depth(depth: &DepthBuffer<'_>, viewport: &Rectangle) -> Self {
         let viewport = inside(viewport);
-        Self { scissor: viewport.and(&depth.scissor()), viewport }
+        Self { scissor: depth.scissor().within(&viewport), viewport }
     }
 
     /// Less what a depth buffer does not hold.
     fn with_depth(self, depth: &DepthBuffer<'_>) -> Self {
-        Self { scissor: self.scissor.and(&depth.scissor()), ..self }
+        Self { scissor: depth.scissor().within(&self.scissor), ..self }
     }
 }
 
