@@ -187,10 +187,22 @@ mod constant {
         top: Scalar::from_bits(55_555),
     };
 
+    /// Made where it stands, from every constructor that may stand in a constant.
     macro_rules! cameras {
-        ($viewings:expr, $projections:expr, $viewport:expr) => {{
-            let mut cameras = [None; 9];
-            let (mut i, viewings, projections, viewport) = (0, $viewings, $projections, $viewport);
+        ($eye:expr) => {{
+            let eye = $eye;
+            let viewings = [
+                Viewing::look_at(eye, Point3::from_ints(0, 1, 0), UP),
+                Viewing::look_along(eye, Vector3::from_ints(-3, 1, 4), UP),
+                Viewing::from_reference(eye, Vector3::from_ints(1, 2, 3), UP),
+            ];
+            let projections = [
+                Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
+                Projection::frustum(WINDOW, NEAR, FAR),
+                Projection::orthographic(WINDOW, NEAR, FAR),
+            ];
+            let viewport = Viewport::new(Point::new(5, -7), SIZE);
+            let (mut cameras, mut i) = ([None; 9], 0);
             while i < 9 {
                 if let (Ok(viewing), Ok(projection), Ok(viewport)) =
                     (&viewings[i / 3], &projections[i % 3], &viewport)
@@ -203,39 +215,12 @@ mod constant {
         }};
     }
 
-    const CAMERAS: [Option<Camera>; 9] = cameras!(
-        [
-            Viewing::look_at(EYE, Point3::from_ints(0, 1, 0), UP),
-            Viewing::look_along(EYE, Vector3::from_ints(-3, 1, 4), UP),
-            Viewing::from_reference(EYE, Vector3::from_ints(1, 2, 3), UP),
-        ],
-        [
-            Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
-            Projection::frustum(WINDOW, NEAR, FAR),
-            Projection::orthographic(WINDOW, NEAR, FAR),
-        ],
-        Viewport::new(Point::new(5, -7), SIZE)
-    );
+    const CAMERAS: [Option<Camera>; 9] = cameras!(EYE);
 
     #[test]
     fn is_what_the_program_makes() {
-        let hide = core::hint::black_box::<Point3<World>>;
-        let eye = hide(EYE);
-        let made = cameras!(
-            [
-                Viewing::look_at(eye, Point3::from_ints(0, 1, 0), UP),
-                Viewing::look_along(eye, Vector3::from_ints(-3, 1, 4), UP),
-                Viewing::from_reference(eye, Vector3::from_ints(1, 2, 3), UP),
-            ],
-            [
-                Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
-                Projection::frustum(WINDOW, NEAR, FAR),
-                Projection::orthographic(WINDOW, NEAR, FAR),
-            ],
-            Viewport::new(Point::new(5, -7), SIZE)
-        );
         assert!(CAMERAS.iter().all(Option::is_some));
-        assert_eq!(CAMERAS, made);
+        assert_eq!(CAMERAS, cameras!(core::hint::black_box(EYE)));
         const TURN: Affine<Model, World> = Affine::rotation_y(Angle::degrees(33));
         assert_eq!(TURN, Affine::rotation_y(core::hint::black_box(Angle::degrees(33))));
     }

@@ -111,8 +111,7 @@ impl Emulator {
     pub(crate) fn finish(mut self) -> io::Result<()> {
         let qemu = &mut self.qemu;
         let status = wait(self.patience, || qemu.try_wait())?;
-        let understood = !self.folder.said()?.contains("ssd0323");
-        if !status.success() || !understood {
+        if !status.success() || complains(&self.folder.said()?) {
             return Err(self.folder.explain(io::Error::other(status.to_string())));
         }
         Ok(())
@@ -151,6 +150,12 @@ impl Drop for Emulator {
 fn end(qemu: &mut Child) {
     let _ = qemu.kill();
     let _ = qemu.wait();
+}
+
+/// Whether the display, which speaks through QEMU, was sent what it does not know. QEMU has more to say, at good times
+/// too.
+pub(crate) fn complains(said: &str) -> bool {
+    said.contains("ssd0323")
 }
 
 /// Asks every few milliseconds, until there is something or patience ends.

@@ -1,7 +1,7 @@
 //! The show on an SPI display: every pixel of every frame, as the display shows it, is the host's.
 
 use crate::cross::{Firmware, PATIENCE};
-use crate::emulator::{Emulator, Report};
+use crate::emulator::{complains, Emulator, Report};
 use crate::picture::Picture;
 use crate::show::{caption, FRAMES, STEPS};
 use std::collections::BTreeSet;
@@ -115,4 +115,12 @@ fn an_emulator_that_does_not_start_is_an_error() {
     let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };
     let error = Emulator::start("cortex-m1000", &firmware.image("oled"), PATIENCE).err().expect("an error");
     assert!(error.to_string().contains("cortex-m1000"), "{error}");
+}
+
+/// In QEMU 7.2's words: what it says of every firmware here, and of one that sends 0x01 for a command.
+#[test]
+fn what_the_display_does_not_know_is_noticed() {
+    let always = "qemu-system-arm: Timer with period zero, disabling\n";
+    assert!(!complains(always));
+    assert!(complains(&format!("{always}ssd0323: error: Unknown command: 0x1\n")));
 }
