@@ -2,7 +2,7 @@
 
 use crate::Result;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 
 /// This directory, and the project's.
 pub(crate) const BENCH: &str = env!("CARGO_MANIFEST_DIR");
@@ -34,24 +34,16 @@ impl Build {
         Ok(())
     }
 
-    /// What a firmware prints.
-    pub(crate) fn run(self, bin: &str) -> Result<String> {
-        let output = self.output(bin, Stdio::inherit())?;
-        Ok(String::from_utf8(output.stdout)?)
-    }
-
-    /// The last line that a firmware writes to the emulator's console, letter by letter.
-    pub(crate) fn last_word(self, bin: &str) -> Result<String> {
-        let text = String::from_utf8(self.output(bin, Stdio::piped())?.stderr)?;
-        Ok(text.lines().last().unwrap_or_default().to_string())
-    }
-
-    fn output(self, bin: &str, errors: Stdio) -> Result<Output> {
-        let output = self.command("run").args(["--bin", bin]).stdin(Stdio::null()).stderr(errors).output()?;
-        if !output.status.success() {
-            return Err(format!("{bin} for {}: {}", self.target, output.status).into());
+    /// What a firmware prints, and how deep its stack was.
+    pub(crate) fn run(self, bin: &str) -> Result<(String, u64)> {
+        let output = self.command("run").args(["--bin", bin]).stdin(Stdio::null()).output()?;
+        let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8(output.stderr)?);
+        // The last thing that it writes to the emulator's console.
+        let stack = console.lines().last().and_then(|line| u64::from_str_radix(line, 16).ok());
+        match stack {
+            Some(stack) if output.status.success() => Ok((printed, stack)),
+            _ => Err(format!("{bin} for {}: {}\n{printed}{console}", self.target, output.status).into()),
         }
-        Ok(output)
     }
 
     fn command(self, verb: &str) -> Command {

@@ -86,7 +86,7 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footpr
         let witness = Provenance::of(&image(WITNESS))?;
         for &Image { name, without, .. } in IMAGES {
             let elf::Sizes { flash, statics, .. } = elf::sizes(&image(name))?;
-            let stack = u64::from_str_radix(&build.last_word(&format!("flash_{name}"))?, 16)?;
+            let (_, stack) = build.run(&format!("flash_{name}"))?;
             let size = Size { flash: flash.saturating_sub(empty), variables: statics, stack };
             sizes.insert((name, build), size);
             let from = Provenance::of(&image(name))?;

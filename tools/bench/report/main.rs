@@ -61,7 +61,7 @@ fn main() -> ExitCode {
 fn run(mode: Mode) -> Result<Vec<String>> {
     let m3 = Build { target: M3, level: "3" };
     if mode == Mode::Profile {
-        print!("{}", profile::text(&m3.run("profile")?)?);
+        print!("{}", profile::text(&m3.run("profile")?.0)?);
         return Ok(Vec::new());
     }
     let mut failures = Vec::new();

@@ -115,12 +115,12 @@ pub(crate) fn host() -> Result<Lines> {
 pub(crate) fn measure(build: Build, host: &Lines, failures: &mut Vec<String>) -> Result<Speed> {
     let mut lines = Lines::new();
     for bin in BINS {
-        parse(&build.run(bin)?, &mut lines)?;
+        parse(&build.run(bin)?.0, &mut lines)?;
     }
     let mut ram = Vec::new();
     for &(bin, scene, limit) in RAM {
-        parse(&build.run(bin)?, &mut lines)?;
-        let stack = lines.get(&format!("{scene},depth,ram")).ok_or("no line about the stack")?.0;
+        let (line, stack) = build.run(bin)?;
+        parse(&line, &mut lines)?;
         let statics = elf::sizes(&build.image(bin))?.statics;
         let ram_of_scene = Ram { scene, statics, stack, limit };
         if ram_of_scene.together() > limit {

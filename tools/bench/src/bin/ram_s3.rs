@@ -14,7 +14,7 @@ firmware!(
     strip: [u8; bytes(8)] = [0; bytes(8)],
     depth: [u16; pixels(8)] = [0; pixels(8)],
     {
-        measure::stack("S3", &scene::TORUS, &mut |scene, light, display| {
+        measure::once("S3", &scene::TORUS, &mut |scene, light, display| {
             let (corners, records) = (&mut *corners, &mut *records);
             bands::depth(scene, light, Storage { corners, records, strip, depth }, display)
         })
