@@ -254,7 +254,8 @@ impl Rows {
         let mut cut = |side: &mut Side, limit: i32, outside: bool, at: i32| {
             // Positive steps lead across from below, negative ones from above.
             let (below, step) = (side.at < limit, side.step);
-            let ahead = if below { limit.wrapping_sub(1).wrapping_sub(side.at) } else { side.at.wrapping_sub(limit) };
+            let ahead =
+                if below { limit.wrapping_sub(1).wrapping_sub(side.at) } else { side.at.wrapping_sub(limit) };
             if below == (step > 0) && step != 0 {
                 let step = NonZeroU32::new(step.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
                 // A distance in 12.20: 32 bits without a sign. There are fewer than 2¹⁶ rows.
