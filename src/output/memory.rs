@@ -1,6 +1,6 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
-use crate::raster::{Rows, Stretch};
+use crate::raster::{Rows, Scissor, ScreenPoint, Stretch};
 
 /// Pixels in memory, row by row.
 pub struct Memory<'a, Cell> {
@@ -26,12 +26,12 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 
     /// Fills a triangle's rows.
-    #[inline(always)]
-    pub(crate) fn fill(self, rows: &mut Rows, cell: Cell) {
-        while rows.advance() {
-            let mut stretch = rows.stretch;
+    #[inline(never)] // its loop needs all registers
+    pub(crate) fn fill(self, corners: &[ScreenPoint; 3], front: bool, scissor: &Scissor, cell: Cell) {
+        let mut rows = Rows::new(corners, front, scissor);
+        while let Some(mut stretch) = rows.stretch() {
             let mut start = self.start(&stretch);
-            for _ in 0..stretch.rows {
+            while stretch.rows > 0 {
                 let (left, right) = stretch.row();
                 let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
                 // None where it ends before it begins.
@@ -39,6 +39,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                     fill(run, cell);
                 }
                 start = start.wrapping_add(self.stride);
+                stretch.rows -= 1;
             }
         }
     }

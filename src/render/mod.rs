@@ -304,16 +304,12 @@ fn fill<T: Target, I: InkFor<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners, area, &window.viewport);
-    let mut rows = triangle.rows(&window.scissor);
-    if rows.is_empty() {
-        return Ok(());
-    }
     let fill = ink.over(&triangle);
     if let (Some(cell), Some(memory)) = (I::even(&fill).and_then(T::cell), target.memory()) {
-        memory.fill(&mut rows, cell);
+        memory.fill(&corners, area > 0, &window.scissor, cell);
         return Ok(());
     }
-    rows.try_for_each(|span| I::send(&fill, span, target))
+    triangle.rows(&window.scissor).into_iter().try_for_each(|span| I::send(&fill, span, target))
 }
 
 /// Step 4: a triangle of this area, not zero, where it is nearer.
@@ -327,12 +323,12 @@ fn fill_nearer<T: Target, I: InkFor<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
-    let mut rows = triangle.rows(&window.scissor);
+    let rows = triangle.rows(&window.scissor);
     if rows.is_empty() {
         return Ok(());
     }
     let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
-    rows.try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
+    rows.into_iter().try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
 }
 
 #[cfg(feature = "defmt")]
