@@ -141,7 +141,7 @@ impl<C: PixelColor> Target for Pixels<'_, C> {
     fn fill(&mut self, Span { x, y, width, height }: Span, colour: C) -> Result<(), Infallible> {
         for y in y..y.wrapping_add(height) {
             if let Some(run) = self.row(x, y, width) {
-                super::memory::fill(run, colour);
+                super::memory::fill(run, colour, [colour; 2]);
             }
         }
         Ok(())
