@@ -3,11 +3,12 @@
 //! A row's covered pixels lie between two edges, and both ends are `⌈X − ½⌉` of an edge's
 //! crossing X with the row of centres: the left end included, the right end excluded. That is
 //! the top-left rule (R2–R5), and as the end depends on the edge alone, neighbours share it (R8).
-//! [`Edge`] has it exactly, by one addition a row.
+//! [`Side`] has it exactly, by one addition a row.
 
-use super::edge::{first_row, Edge};
+use super::edge::{first_row, Side, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::mul_wide;
+use core::num::NonZeroU32;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
 /// as seen with y up, which is what faces the viewer. Exact: |area| ≤ 2⁴⁵.
@@ -85,31 +86,76 @@ pub fn triangle<E>(
     Rows::new(&vertices, area > 0, scissor).try_for_each(span)
 }
 
-/// The spans of a triangle, on the way down in stretches of rows between the same two edges.
+/// Rows that follow each other, between two sides that do not bend there and lie inside the scissor.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Stretch {
+    /// The column that the sides are counted from.
+    pub(crate) x: i32,
+    /// The next row.
+    pub(crate) y: i32,
+    /// How many.
+    pub(crate) rows: i32,
+    pub(crate) left: Side,
+    pub(crate) right: Side,
+}
+
+impl Stretch {
+    /// The covered pixels of the next row, from the column counted from; there may be none. Then to the row below.
+    #[inline(always)]
+    pub(crate) fn row(&mut self) -> (i32, i32) {
+        let Self { left, right, .. } = self;
+        let ends = (left.at >> 20, right.at >> 20);
+        left.at = left.at.wrapping_add(left.step);
+        right.at = right.at.wrapping_add(right.step);
+        ends
+    }
+}
+
+/// The rows of a triangle, on the way down, in stretches; or span by span, as an iterator.
 pub(crate) struct Rows {
+    /// The one that [`advance`](Self::advance) went to.
+    pub(crate) stretch: Stretch,
     /// At `row`.
-    left: Edge,
-    right: Edge,
+    left: Side,
+    right: Side,
+    /// The next row, the first at which a side is to be set up anew, the one at which the long side is, and the end.
+    row: i32,
+    until: i32,
+    long_until: i32,
+    end: i32,
+    /// That the sides are counted from.
+    column: i32,
     /// The scissor's columns.
     from: i32,
     to: i32,
-    /// The next row, the end of the stretch, and that of the triangle or of the scissor.
-    row: i32,
-    until: i32,
-    end: i32,
-    /// Of the row before, its first covered pixel and how many there are.
-    x: i32,
-    width: i32,
+    kind: Kind,
     /// Whether the middle corner lies to the left of the edge between the others.
     middle_left: bool,
     /// Down the screen.
     corners: [ScreenPoint; 3],
+    /// The sides of a large triangle, and the column from which a row of it goes on.
+    wide: [Wide; 2],
+    resume: i32,
 }
+
+/// How a triangle's rows are walked.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Between the scissor's left and right.
+    Inside,
+    Crossing,
+    /// Too large for [`Side`].
+    Large,
+}
+
+/// The widest piece that a stretch can hold.
+const PIECE: i32 = 2047;
 
 impl Rows {
     /// `front` tells whether [`area`] is positive; it is not zero.
     #[inline(never)]
     fn new(&[mut a, mut b, mut c]: &[ScreenPoint; 3], front: bool, scissor: &Scissor) -> Self {
+        let reach = Scissor::of(&[a, b, c]);
         // Down the screen; each exchange turns the winding over.
         let mut turned = !front;
         if b.y < a.y {
@@ -121,19 +167,30 @@ impl Rows {
                 (a, b, turned) = (b, a, !turned);
             }
         }
+        let small = c.y - a.y < Side::HEIGHT && (b.x - a.x).abs().max((c.x - a.x).abs()) < Side::WIDTH;
+        let kind = match (small, reach.left >= scissor.left && reach.right <= scissor.right) {
+            (false, _) => Kind::Large,
+            (true, true) => Kind::Inside,
+            (true, false) => Kind::Crossing,
+        };
+        let beside = reach.left >= scissor.right || reach.right <= scissor.left;
         Self {
-            left: Edge::default(),
-            right: Edge::default(),
+            stretch: Stretch::default(),
+            left: Side::default(),
+            right: Side::default(),
+            row: reach.top.max(scissor.top),
+            until: i32::MIN,
+            long_until: i32::MIN,
+            end: if beside { i32::MIN } else { reach.bottom.min(scissor.bottom) },
+            column: a.x >> 8,
             from: scissor.left,
             to: scissor.right,
-            row: first_row(&a).max(scissor.top),
-            until: i32::MIN,
-            end: first_row(&c).min(scissor.bottom),
-            x: 0,
-            width: 0,
+            kind,
             // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
             middle_left: !turned,
             corners: [a, b, c],
+            wide: [Wide::default(); 2],
+            resume: scissor.left,
         }
     }
 
@@ -143,49 +200,139 @@ impl Rows {
         self.row >= self.end
     }
 
-    /// To the next row with covered pixels; `false` when there is none. Not part of the loops that draw: these
-    /// leave no registers for it, and there are many of them.
+    /// To the next stretch; `false` when there is none. Not part of the loops that draw: these need the registers.
     #[inline(never)]
-    fn advance(&mut self) -> bool {
-        loop {
-            while self.row < self.until {
-                self.row += 1;
-                self.x = self.left.pixel().max(self.from);
-                self.width = self.right.pixel().min(self.to) - self.x;
-                self.left.advance();
-                self.right.advance();
-                if self.width > 0 {
-                    return true;
-                }
-            }
-            if self.is_empty() {
-                return false;
-            }
-            self.stretch();
+    pub(crate) fn advance(&mut self) -> bool {
+        if self.is_empty() {
+            return false;
         }
+        if self.kind == Kind::Large {
+            self.large_row();
+            return true;
+        }
+        if self.row >= self.until {
+            self.set_up();
+        }
+        let Self { left, right, row, until, column, .. } = *self;
+        self.stretch = Stretch { x: column, y: row, rows: until - row, left, right };
+        if self.kind == Kind::Crossing {
+            self.keep_inside();
+        }
+        let rows = self.stretch.rows;
+        self.row += rows;
+        for side in [&mut self.left, &mut self.right] {
+            side.at = side.at.wrapping_add(side.step.wrapping_mul(rows));
+        }
+        true
     }
 
-    /// Sets up the edges for the rows that follow.
-    #[inline(never)]
-    fn stretch(&mut self) {
-        let Self { left, right, corners: [a, b, c], row, .. } = self;
-        let (row, middle) = (*row, first_row(b));
+    /// Sets up the sides for the rows that follow.
+    #[inline(always)]
+    fn set_up(&mut self) {
+        let Self { left, right, corners: [a, b, c], row, column, .. } = self;
+        let (row, column) = (*row, *column);
         let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
-        let (from, to, until) = if row < middle { (&*a, &*b, middle) } else { (&*b, &*c, self.end) };
-        short.set(from, to, row);
-        // Where the sides bend, the long edge goes on.
-        if row != middle || row != self.until {
-            long.set(a, c, row);
+        let (from, to, end) = short_side(a, b, c, row);
+        short.set(from, to, row, column);
+        // Where the sides bend, the long one goes on.
+        let most = Side::rows(c.y - a.y);
+        if row >= self.long_until {
+            long.set(a, c, row, column);
+            self.long_until = row + most;
         }
-        self.until = until.min(self.end).min(row + Edge::ROWS);
+        self.until = end.min(self.end).min(self.long_until);
+    }
+
+    /// Cuts the stretch to the scissor: what lies outside becomes a vertical side, as far as it stays outside.
+    #[cold]
+    #[inline(never)]
+    fn keep_inside(&mut self) {
+        let Stretch { x, rows, left, right, .. } = &mut self.stretch;
+        // They overlap the triangle's columns: less than 2¹¹ from its own, so that 12 bits hold them.
+        let (from, to) = (self.from - *x, self.to - *x);
+        // The rows on which a side stays on the side of `limit` where it is, on which it does not if `outside`.
+        let mut cut = |side: &mut Side, limit: i32, outside: bool, at: i32| {
+            // Positive steps lead across from below, negative ones from above.
+            let (below, step) = (side.at < limit, side.step);
+            let ahead =
+                if below { limit.wrapping_sub(1).wrapping_sub(side.at) } else { side.at.wrapping_sub(limit) };
+            if below == (step > 0) && step != 0 {
+                let step = NonZeroU32::new(step.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
+                // A distance in 12.20: 32 bits without a sign. There are fewer than 2¹⁶ rows.
+                *rows = (*rows).min((ahead as u32 / step).min(1 << 16) as i32 + 1);
+            }
+            if below == outside {
+                *side = Side { at, step: 0 };
+            }
+        };
+        let from = from.clamp(-2047, 2047) << 20;
+        cut(left, from, true, from);
+        let to = to.clamp(-2047, 2047) << 20;
+        cut(right, to, false, to);
+    }
+
+    /// A row of a large triangle, or a piece of it.
+    #[cold]
+    #[inline(never)]
+    fn large_row(&mut self) {
+        let Self { corners: [a, b, c], row, from, to, .. } = *self;
+        if row >= self.until {
+            let [left, right] = &mut self.wide;
+            let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
+            let (p, q, end) = short_side(&a, &b, &c, row);
+            short.set(p, q, row);
+            long.set(&a, &c, row);
+            self.until = end.min(self.end).min(row + Wide::ROWS);
+        }
+        let [mut left, mut right] = self.wide;
+        let x = left.next().max(self.resume);
+        let width = right.next().min(to) - x;
+        let piece = width.clamp(0, PIECE);
+        (self.stretch.x, self.stretch.y, self.stretch.rows) = (x, row, 1);
+        (self.stretch.left, self.stretch.right) = (Side::default(), Side { at: piece << 20, step: 0 });
+        if width > PIECE {
+            self.resume = x + PIECE;
+        } else {
+            (self.resume, self.row, self.wide) = (from, row + 1, [left, right]);
+        }
+    }
+}
+
+/// The ends of the side with the middle corner at this row, and the row where it ends.
+#[inline(always)]
+fn short_side<'p>(
+    a: &'p ScreenPoint,
+    b: &'p ScreenPoint,
+    c: &'p ScreenPoint,
+    row: i32,
+) -> (&'p ScreenPoint, &'p ScreenPoint, i32) {
+    let middle = first_row(b);
+    if row < middle {
+        (a, b, middle)
+    } else {
+        (b, c, i32::MAX)
     }
 }
 
 impl Iterator for Rows {
     type Item = Span;
 
-    #[inline(always)]
+    /// Not part of the loops that draw: there are many of them.
+    #[inline(never)]
     fn next(&mut self) -> Option<Span> {
-        self.advance().then(|| Span { x: self.x, y: self.row - 1, width: self.width, height: 1 })
+        loop {
+            while self.stretch.rows > 0 {
+                let (left, right) = self.stretch.row();
+                let Stretch { x, y, .. } = self.stretch;
+                self.stretch.rows -= 1;
+                self.stretch.y += 1;
+                if right > left {
+                    return Some(Span { x: x + left, y, width: right - left, height: 1 });
+                }
+            }
+            if !self.advance() {
+                return None;
+            }
+        }
     }
 }
