@@ -4,9 +4,6 @@
 
 pub mod bands;
 pub mod board;
-#[allow(dead_code)] // shared with the examples, which use more of it
-#[path = "../../../examples/show/canvas.rs"]
-mod canvas;
 pub mod cells;
 pub mod frames;
 pub mod image;

@@ -10,7 +10,6 @@ pub use three::{s1, s2, s2_z, s3, s3_z, s4, s4_z, s8_z};
 pub use two::{s5, s6, s7};
 
 use crate::board::{println, Clock};
-use crate::canvas::Canvas;
 use crate::measure::Checksum;
 use crate::scene::{BACKGROUND, SIZE};
 use core::hint::black_box;
@@ -19,7 +18,7 @@ use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
 
 /// What is drawn on: of a size that the compiler does not know.
-pub(crate) type Picture<'p> = Canvas<'p, Rgb565>;
+pub type Picture<'p> = pinhole::Picture<'p, Rgb565>;
 
 /// What came of a cell.
 #[derive(Clone, Copy)]
@@ -66,12 +65,9 @@ pub fn empty(frame: &mut Frame) -> Option<Counted> {
 
 /// Draws two frames, each on a cleared picture, and counts the second without the clear. `draw` says whether it could.
 #[inline(never)]
-pub(crate) fn count(
-    frame: &mut Frame,
-    draw: &mut dyn FnMut(&mut Picture<'_>) -> Option<()>,
-) -> Option<Counted> {
+pub fn count(frame: &mut Frame, draw: &mut dyn FnMut(&mut Picture<'_>) -> Option<()>) -> Option<Counted> {
     let mut clock = Clock::new()?;
-    let mut picture = Canvas::new(&mut frame.0, black_box(Size::new(SIZE, SIZE)));
+    let mut picture = Picture::new(&mut frame.0, black_box(Size::new(SIZE, SIZE))).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     draw(&mut picture)?;
     let Ok(()) = picture.clear(BACKGROUND);

@@ -11,7 +11,8 @@ pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
     let scene = Scene::new(&scene::CUBE)?;
     let Plain { frame, corners } = memory;
     count(frame, &mut |picture| {
-        let Ok(statistics) = black_box(&scene).place().wireframe(black_box(LINE), corners, picture);
+        let Ok(statistics) =
+            black_box(&scene).place().wireframe(black_box(LINE), corners, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })
@@ -48,7 +49,7 @@ fn flat<const N: usize>(model: &'static Model, Plain { frame, corners }: &mut Pl
     let light = scene.light()?;
     count(frame, &mut |picture| {
         let (scene, light) = black_box((&scene, &light));
-        let Ok(statistics) = scene.place().solid(scene.shade(light), corners, picture);
+        let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })
@@ -64,7 +65,8 @@ fn flat_z<const N: usize>(
     count(frame, &mut |picture| {
         let (scene, light) = black_box((&scene, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let Ok(statistics) = scene.place().depth_tested(scene.shade(light), corners, &mut depth, picture);
+        let Ok(statistics) =
+            scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })
@@ -81,7 +83,7 @@ pub fn s8_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let placed = scene.place();
         let shade = |face| Gouraud::lit(Rgb888::WHITE, placed.mesh().corners_of(face, levels));
-        let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, picture);
+        let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })

@@ -1,25 +1,25 @@
 //! S5 to S7: lines and triangles in the picture's plane.
 
-use super::{count, Counted, Frame, Picture};
+use super::{count, Counted, Frame};
 use crate::lists::{COLOURS, LINES, SCREEN, TRIANGLES};
 use crate::scene::LINE;
-use core::convert::Infallible;
 use core::hint::black_box;
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565};
-use embedded_graphics_core::primitives::Rectangle;
-use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span};
+use pinhole::raster::{Pixel, ScreenPoint};
+use pinhole::{draw_line, fill_triangle};
 
 pub fn s5(frame: &mut Frame) -> Option<Counted> {
-    count(frame, &mut |picture| fill(corners(black_box(&SCREEN))?, black_box(LINE), picture))
+    count(frame, &mut |picture| {
+        let Ok(()) = fill_triangle(corners(black_box(&SCREEN))?, black_box(LINE), &mut picture.pixels());
+        Some(())
+    })
 }
 
 pub fn s6(frame: &mut Frame) -> Option<Counted> {
     count(frame, &mut |picture| {
-        let colour = black_box(LINE);
+        let (colour, mut pixels) = (black_box(LINE), picture.pixels());
         for &[x0, y0, x1, y1] in black_box(&LINES) {
-            draw(Pixel { x: x0, y: y0 }, Pixel { x: x1, y: y1 }, colour, picture);
+            let Ok(()) = draw_line(Pixel { x: x0, y: y0 }, Pixel { x: x1, y: y1 }, colour, &mut pixels);
         }
         Some(())
     })
@@ -27,8 +27,10 @@ pub fn s6(frame: &mut Frame) -> Option<Counted> {
 
 pub fn s7(frame: &mut Frame) -> Option<Counted> {
     count(frame, &mut |picture| {
+        let mut pixels = picture.pixels();
         for (triangle, &colour) in black_box(&TRIANGLES).iter().zip(black_box(&COLOURS)) {
-            fill(corners(triangle)?, RawU16::new(colour).into(), picture)?;
+            let colour = Rgb565::from(RawU16::new(colour));
+            let Ok(()) = fill_triangle(corners(triangle)?, colour, &mut pixels);
         }
         Some(())
     })
@@ -38,27 +40,4 @@ pub fn s7(frame: &mut Frame) -> Option<Counted> {
 fn corners(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {
     let at = |x: i16, y: i16| ScreenPoint::from_subpixels(i32::from(x) << 8, i32::from(y) << 8);
     Some([at(ax, ay)?, at(bx, by)?, at(cx, cy)?])
-}
-
-#[inline(always)]
-fn fill(corners: [ScreenPoint; 3], colour: Rgb565, picture: &mut Picture<'_>) -> Option<()> {
-    let Ok(()) = raster::triangle(corners, &scissor(picture), |span| send(span, colour, picture));
-    Some(())
-}
-
-#[inline(always)]
-fn draw(from: Pixel, to: Pixel, colour: Rgb565, picture: &mut Picture<'_>) {
-    let Ok(()) = raster::line(from, to, &scissor(picture), |span| send(span, colour, picture));
-}
-
-#[inline(always)]
-fn scissor(picture: &Picture<'_>) -> Scissor {
-    let Size { width, height } = picture.size();
-    Scissor::new(0, 0, width as i32, height as i32)
-}
-
-#[inline(always)]
-fn send(span: Span, colour: Rgb565, picture: &mut Picture<'_>) -> Result<(), Infallible> {
-    let size = Size::new(span.width as u32, span.height as u32);
-    picture.fill_solid(&Rectangle::new(Point::new(span.x, span.y), size), colour)
 }
