@@ -53,6 +53,23 @@ pub const CELLS: &[(&str, &str, Draw)] = &[
     ("S8", "z", || s8_z(&mut boxed(Smooth::NEW))),
 ];
 
+/// What a scene's data take of flash, in bytes: its mesh or list.
+#[cfg(not(target_os = "none"))]
+pub fn data(scene: &str) -> usize {
+    use crate::lists::{COLOURS, LINES, SCREEN, TORUS_NORMALS, TRIANGLES};
+    use crate::scene::{CUBE, ICO, TORUS};
+    match scene {
+        "S1" | "S2" => CUBE.bytes(),
+        "S3" => TORUS.bytes(),
+        "S4" => ICO.bytes(),
+        "S5" => size_of_val(&SCREEN),
+        "S6" => size_of_val(&LINES),
+        "S7" => size_of_val(&TRIANGLES) + size_of_val(&COLOURS),
+        "S8" => TORUS.bytes() + size_of_val(&TORUS_NORMALS),
+        _ => 0,
+    }
+}
+
 #[cfg(not(target_os = "none"))]
 fn boxed<T>(memory: T) -> Box<T> {
     Box::new(memory)
