@@ -83,7 +83,7 @@ pub fn triangle<E>(
     if area == 0 {
         return Ok(()); // R6
     }
-    Rows::new(&vertices, area > 0, scissor).into_iter().try_for_each(span)
+    Rows::new(&vertices, area > 0, scissor).spans().try_for_each(span)
 }
 
 /// Rows that follow each other, between two sides that do not bend there and lie inside the scissor.
@@ -113,8 +113,8 @@ impl Stretch {
     }
 }
 
-/// The rows of a triangle, on the way down, in stretches; or span by span, as an iterator.
-pub(crate) struct Rows {
+/// The rows of a triangle, on the way down, in stretches or span by span.
+pub struct Rows {
     /// Those above and below the middle corner, for most triangles.
     halves: [Stretch; 2],
     next: usize,
@@ -180,16 +180,23 @@ impl Rows {
         self.next == 2 && self.more.as_ref().is_none_or(|many| many.row >= many.end)
     }
 
+    /// Span by span.
+    #[inline(always)]
+    pub(crate) fn spans(&mut self) -> Spans<'_> {
+        Spans { rows: self, stretch: Stretch::NONE }
+    }
+
     /// The next stretch, which may have no rows.
     #[inline(always)]
-    pub(crate) fn stretch(&mut self) -> Option<Stretch> {
-        match self.halves.get(self.next) {
-            Some(stretch) => {
-                self.next += 1;
-                Some(*stretch)
-            }
-            None => self.more.as_mut().and_then(Many::advance),
+    pub(crate) fn stretch(&mut self) -> Option<&Stretch> {
+        let Self { halves, next, more } = self;
+        let at = *next;
+        if at < 2 {
+            *next = at + 1;
+        } else {
+            *halves.first_mut()? = more.as_mut()?.advance()?;
         }
+        halves.get(at & 1)
     }
 }
 
@@ -228,15 +235,6 @@ fn halves(
     Rows { halves: [upper, lower], next: 0, more: None }
 }
 
-impl IntoIterator for Rows {
-    type Item = Span;
-    type IntoIter = Spans;
-
-    #[inline(always)]
-    fn into_iter(self) -> Spans {
-        Spans { rows: self, stretch: Stretch::NONE }
-    }
-}
 
 /// The stretches of triangles that are high, large or cut by the scissor.
 struct Many {
@@ -396,12 +394,12 @@ fn short_side<'p>(
 }
 
 /// The spans of stretches.
-pub(crate) struct Spans {
-    rows: Rows,
+pub(crate) struct Spans<'r> {
+    rows: &'r mut Rows,
     stretch: Stretch,
 }
 
-impl Iterator for Spans {
+impl Iterator for Spans<'_> {
     type Item = Span;
 
     /// Not part of the loops that draw: there are many of them.
@@ -417,7 +415,7 @@ impl Iterator for Spans {
                     return Some(Span { x: x + left, y, width: right - left, height: 1 });
                 }
             }
-            self.stretch = self.rows.stretch()?;
+            self.stretch = *self.rows.stretch()?;
         }
     }
 }

@@ -234,7 +234,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
         let scissor = scissor(band, self.viewport());
         self.each(&scissor, |_, _, [from, to]| {
-            raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| band.fill(span, colour))
+            band.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
         })
     }
 
