@@ -180,8 +180,10 @@ impl<'a> DepthBuffer<'a> {
         for i in 0..length {
             let (x, y) = if tall { (span.x, span.y + i) } else { (span.x + i, span.y) };
             let column = x.wrapping_sub(left) as usize;
-            let held =
-                self.place_of_row(y).and_then(|row| self.values.get_mut(row)).and_then(|row| row.get_mut(column));
+            let held = self
+                .place_of_row(y)
+                .and_then(|row| self.values.get_mut(row))
+                .and_then(|row| row.get_mut(column));
             if !held.is_some_and(|held| is_seen(x, y, held)) {
                 run(first, i)?;
                 first = i + 1;

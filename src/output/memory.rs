@@ -26,11 +26,17 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     /// Fills a triangle.
     #[inline(never)] // its loop needs all registers
-    pub(super) fn triangle(&mut self, corners: &[ScreenPoint; 3], front: bool, scissor: &Scissor, cell: Cell) {
+    pub(super) fn triangle(
+        &mut self,
+        corners: &[ScreenPoint; 3],
+        front: bool,
+        scissor: &Scissor,
+        cell: Cell,
+    ) {
         let two = pair(cell);
         let mut rows = Rows::new(corners, front, scissor);
-        while let Some(&Stretch { x, y, rows, left, right }) = rows.stretch() {
-            let mut stretch = Stretch { x, y, rows, left, right };
+        while let Some(&(mut stretch)) = rows.stretch() {
+            let Stretch { x, y, .. } = stretch;
             let mut start = place(x, y, self.stride);
             while stretch.rows > 0 {
                 let (left, right) = stretch.row();
@@ -49,8 +55,8 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn nearer(&mut self, rows: &mut Rows, plane: &Plane, depth: &mut DepthBuffer<'_>, cell: Cell) {
         let step = plane.step();
-        while let Some(&Stretch { x, y, rows, left, right }) = rows.stretch() {
-            let mut stretch = Stretch { x, y, rows, left, right };
+        while let Some(&(mut stretch)) = rows.stretch() {
+            let Stretch { x, y, .. } = stretch;
             let mut start = place(x, y, self.stride);
             while stretch.rows > 0 {
                 let (left, right) = stretch.row();

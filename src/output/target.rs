@@ -65,7 +65,13 @@ pub trait Target: sealed::Sealed {
     /// Draws a line.
     #[doc(hidden)]
     #[inline(always)]
-    fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, colour: Self::Color) -> Result<(), Self::Error> {
+    fn line(
+        &mut self,
+        from: Pixel,
+        to: Pixel,
+        scissor: &Scissor,
+        colour: Self::Color,
+    ) -> Result<(), Self::Error> {
         raster::line(from, to, scissor, |span| self.fill(span, colour))
     }
 }
