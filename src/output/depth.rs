@@ -114,6 +114,12 @@ impl<'a> DepthBuffer<'a> {
         Some(start..start.wrapping_add(width))
     }
 
+    /// The depths, if they are those of a rectangle's pixels.
+    #[inline(always)]
+    pub(super) fn same_as(&mut self, area: &Rectangle) -> Option<&mut [u16]> {
+        (self.area == *area).then_some(&mut *self.values)
+    }
+
     /// What is held in a row, which lies inside.
     #[inline(always)]
     pub(super) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [u16]> {

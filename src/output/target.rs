@@ -59,7 +59,7 @@ pub trait Target: sealed::Sealed {
         depth: &mut DepthBuffer<'_>,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        rows.spans().try_for_each(|span| depth.test(span, plane, |visible| self.fill(visible, colour)))
+        spans_nearer(self, rows, plane, depth, colour)
     }
 
     /// Draws a line.
@@ -74,6 +74,18 @@ pub trait Target: sealed::Sealed {
     ) -> Result<(), Self::Error> {
         raster::line(from, to, scissor, |span| self.fill(span, colour))
     }
+}
+
+/// [`Target::nearer`] span by span.
+#[inline(always)]
+pub(super) fn spans_nearer<T: Target + ?Sized>(
+    target: &mut T,
+    rows: &mut Rows,
+    plane: &Plane,
+    depth: &mut DepthBuffer<'_>,
+    colour: T::Color,
+) -> Result<(), T::Error> {
+    rows.spans().try_for_each(|span| depth.test(span, plane, |visible| target.fill(visible, colour)))
 }
 
 mod sealed {
