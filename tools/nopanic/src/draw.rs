@@ -5,15 +5,15 @@ use crate::canvas::Canvas;
 use crate::targets::{Least, Wire};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Camera, Channels, Coordinate, Corner, Cull, DepthBuffer, Dim, Dirty, Flat, Frame, Gouraud,
-    InkFor, Lambert, Mesh, Painter, Placed, Scalar, WindowCost,
+    draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Corner, Cull, DepthBuffer, Dim, Dirty,
+    Flat, Frame, Gouraud, InkFor, Lambert, Mesh, Painter, Picture, Placed, Scalar, Target, WindowCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -223,6 +223,55 @@ entries! {
     entry_least_rgb565: Least<Rgb565>, Rgb565;
     entry_least_gray8: Least<Gray8>, Gray8;
     entry_least_binary: Least<BinaryColor>, BinaryColor;
+}
+
+/// Pixels in memory: of a picture, and of a band; one colour a face, and inks that vary.
+fn draw_pixels<T: Target<Color = Rgb565>>(
+    scene: &mut Scene<'_, Rgb565>,
+    placed: &Placed<'_>,
+    target: &mut T,
+) {
+    let Scene { light, corners, depth, .. } = scene;
+    let shade = |face: usize| Rgb565::new(face as u8, 0, 0).dim(light.level([any() as i16, 0, 0]));
+    let smooth = |_| Gouraud::new([Rgb888::new(any() as u8, 0, 0); 3]);
+    report(placed.wireframe(Rgb565::new(1, 2, 3), corners, target));
+    report(placed.solid(shade, corners, target));
+    report(placed.solid(smooth, corners, target));
+    let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    if let Ok(mut depth) = DepthBuffer::new(area, depth) {
+        report(placed.depth_tested(shade, corners, &mut depth, target));
+        report(placed.depth_tested(smooth, corners, &mut depth, target));
+        report(placed.hidden_line(Rgb565::new(3, 2, 1), corners, &mut depth, target));
+    }
+    if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
+        report(fill_triangle([corner, ScreenPoint::default(), corner], shade(any() as usize), target));
+    }
+    let ends = [0; 2].map(|_| raster::Pixel { x: any() as i16, y: any() as i16 });
+    let [from, to] = ends;
+    report(draw_line(from, to, shade(1), target));
+}
+
+#[unsafe(no_mangle)]
+fn entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565]) {
+    match Picture::new(memory, Size::new(any() as u32, any() as u32)) {
+        Ok(mut picture) => {
+            draw(scene, &mut picture);
+            report(picture.fill_solid(&picture.bounding_box(), Rgb565::new(1, 1, 1)));
+            report(picture.clear(Rgb565::new(1, 1, 1)));
+            let placed = scene.camera.place(mesh, &scene.model);
+            draw_pixels(scene, &placed, &mut picture.pixels());
+            black_box(picture.colours());
+        }
+        error => report(error.map(|_| ())),
+    }
+}
+
+#[unsafe(no_mangle)]
+fn entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) {
+    let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    let Ok(Some(mut band)) = Frame::new(area, Rgb565::new(0, 1, 0)).next_band(strip) else { return };
+    let placed = scene.camera.place(mesh, &scene.model);
+    draw_pixels(scene, &placed, &mut band.pixels());
 }
 
 fn span(span: Span) -> Result<(), i32> {
