@@ -7,8 +7,8 @@ use core::hint::black_box;
 /// Pixels in memory, row by row; the first is the pixel at the origin.
 #[derive(Debug)]
 pub(super) struct Memory<'a, Cell> {
-    cells: &'a mut [Cell],
-    stride: usize,
+    pub(super) cells: &'a mut [Cell],
+    pub(super) stride: usize,
 }
 
 impl<'a, Cell: Copy> Memory<'a, Cell> {
@@ -83,7 +83,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
 /// Where a pixel stands; one that is not inside wraps.
 #[inline(always)]
-fn place(x: i32, y: i32, stride: usize) -> usize {
+pub(super) fn place(x: i32, y: i32, stride: usize) -> usize {
     (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }
 
@@ -118,7 +118,7 @@ pub(super) fn fill<Cell: Copy>(mut run: &mut [Cell], cell: Cell, two: [Cell; 2])
 
 /// Two of them, of which the compiler does not know that they are alike: it keeps them in one register.
 #[inline(always)]
-fn pair<Cell: Copy>(cell: Cell) -> [Cell; 2] {
+pub(super) fn pair<Cell: Copy>(cell: Cell) -> [Cell; 2] {
     black_box([cell; 2])
 }
 

@@ -2,7 +2,7 @@
 
 use super::memory::{clear, fill, Memory};
 use super::{DepthBuffer, Target};
-use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Span};
+use crate::raster::{self, Plane, Rows, Scissor, ScreenPoint, Span};
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -166,6 +166,18 @@ impl<C: PixelColor> Target for Pixels<'_, C> {
         colour: C,
     ) -> Result<(), Infallible> {
         self.memory.nearer(rows, plane, depth, colour);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn line(
+        &mut self,
+        from: raster::Pixel,
+        to: raster::Pixel,
+        scissor: &Scissor,
+        colour: C,
+    ) -> Result<(), Infallible> {
+        self.memory.line(from, to, scissor, colour);
         Ok(())
     }
 }
