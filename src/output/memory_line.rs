@@ -96,7 +96,8 @@ fn down(stride: usize, up: bool) -> usize {
 
 /// More to the right than down or up. `error`: of [`raster::line`] less 1 and less 2m, at the first pixel; where it is not
 /// negative once 2m is added, the line steps aside.
-#[inline(always)]
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn flat<Cell: Copy>(
     cells: &mut [Cell],
     stride: usize,
@@ -169,7 +170,8 @@ fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32,
 }
 
 /// More down or up than to the right. `first`: the step of the first pixel.
-#[inline(always)]
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn steep<Cell: Copy>(
     cells: &mut [Cell],
     stride: usize,
