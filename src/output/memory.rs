@@ -7,11 +7,11 @@ use embedded_graphics_core::primitives::Rectangle;
 /// Pixels in memory, row by row.
 #[derive(Debug)]
 pub(super) struct Memory<'a, Cell> {
-    cells: &'a mut [Cell],
+    pub(super) cells: &'a mut [Cell],
     /// Where the first one lies.
-    left: i32,
-    top: i32,
-    stride: usize,
+    pub(super) left: i32,
+    pub(super) top: i32,
+    pub(super) stride: usize,
 }
 
 impl<'a, Cell: Copy> Memory<'a, Cell> {
@@ -25,10 +25,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(always)]
     fn places(&self) -> impl Fn(i32, i32) -> usize + use<'a, Cell> {
         let Self { left, top, stride, .. } = *self;
-        move |x, y| {
-            let (column, row) = (x.wrapping_sub(left), y.wrapping_sub(top));
-            (row as usize).wrapping_mul(stride).wrapping_add(column as usize)
-        }
+        move |x, y| place(x.wrapping_sub(left), y.wrapping_sub(top), stride)
     }
 
     /// A row's pixels. Those of a row that does not lie inside are others, or none.
@@ -97,7 +94,11 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, two: [Cell; 2]) {
     let [cell, _] = two;
     let many = run.len() & !3;
-    let ((fours, rest), (held_fours, held_rest)) = (run.split_at_mut(many), held.split_at_mut(many));
+    let (Some((fours, rest)), Some((held_fours, held_rest))) =
+        (run.split_at_mut_checked(many), held.split_at_mut_checked(many))
+    else {
+        return; // they are as long
+    };
     for (pixels, held) in fours.chunks_exact_mut(4).zip(held_fours.chunks_exact_mut(4)) {
         let ([p, q, r, s], [a, b, c, d]) = (pixels, held) else { return };
         // As pairs these are loaded at once.
@@ -128,6 +129,12 @@ fn one_nearer<Cell: Copy>(pixel: &mut Cell, held: &mut u16, z: u32, cell: Cell) 
     if z >> 16 < u32::from(*held) {
         (*held, *pixel) = ((z >> 16) as u16, cell);
     }
+}
+
+/// Where a pixel stands; one that is not inside wraps.
+#[inline(always)]
+pub(super) fn place(x: i32, y: i32, stride: usize) -> usize {
+    (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }
 
 /// In pairs, which become one store where memory takes that at any address: many at a time in long runs, then eight,
@@ -161,7 +168,7 @@ pub(super) fn fill<Cell: Copy>(mut run: &mut [Cell], cell: Cell, two: [Cell; 2])
 
 /// Two of them, of which the compiler does not know that they are alike: it keeps them in one register.
 #[inline(always)]
-fn pair<Cell: Copy>(cell: Cell) -> [Cell; 2] {
+pub(super) fn pair<Cell: Copy>(cell: Cell) -> [Cell; 2] {
     black_box([cell; 2])
 }
 

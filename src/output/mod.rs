@@ -4,6 +4,7 @@ mod band;
 mod depth;
 mod dirty;
 mod memory;
+mod memory_line;
 mod picture;
 mod pixels;
 mod target;

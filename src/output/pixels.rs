@@ -4,7 +4,7 @@ use super::depth::DepthBuffer;
 use super::memory::{fill, Memory};
 use super::target::spans_nearer;
 use super::target::Target;
-use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Span};
+use crate::raster::{Pixel, Plane, Rows, Scissor, ScreenPoint, Span};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -98,6 +98,12 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
             }
             None => spans_nearer(self, rows, plane, depth, colour),
         }
+    }
+
+    #[inline(always)]
+    fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
+        self.memory.line(from, to, scissor, colour.stored());
+        Ok(())
     }
 }
 

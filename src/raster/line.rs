@@ -38,11 +38,102 @@ pub fn line<E>(
     scissor: &Scissor,
     span: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    Runs::new(a, b, scissor).try_for_each(span)
+    Runs::new(&Course::new(a, b), scissor).try_for_each(span)
+}
+
+/// Where a line goes: from its smaller end by major steps, of which those from `first` to `last` are to be drawn.
+pub(crate) struct Course {
+    /// The smaller end.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    /// Whether the major axis is y, and whether y runs upwards.
+    pub(crate) tall: bool,
+    pub(crate) up: bool,
+    /// The major and the minor extent: `length` ≥ `rise` ≥ 0, both below 2¹⁶.
+    pub(crate) length: i32,
+    pub(crate) rise: i32,
+    /// The larger end.
+    pub(crate) end: (i32, i32),
+    /// None where it ends before it begins.
+    pub(crate) first: i32,
+    pub(crate) last: i32,
+}
+
+impl Course {
+    /// All of it.
+    #[inline(always)]
+    pub(crate) fn new(a: Pixel, b: Pixel) -> Self {
+        Self::between((a.x.into(), a.y.into()), (b.x.into(), b.y.into()))
+    }
+
+    /// The same, of 16 bits each.
+    #[inline(always)]
+    pub(crate) fn between((ax, ay): (i32, i32), (bx, by): (i32, i32)) -> Self {
+        // By x, then by y: where x is the same, either way gives the same pixels.
+        let (x, y, end) = if ax <= bx { (ax, ay, (bx, by)) } else { (bx, by, (ax, ay)) };
+        let (width, dy) = (end.0 - x, end.1 - y); // 0 ≤ width < 2¹⁶, |dy| < 2¹⁶
+        let height = dy.abs();
+        let tall = height > width;
+        let (length, rise) = if tall { (height, width) } else { (width, height) };
+        Self { x, y, tall, up: dy < 0, length, rise, end, first: 0, last: length }
+    }
+
+    /// Whether all of it lies in the scissor.
+    #[inline(always)]
+    pub(crate) fn lies_in(&self, scissor: &Scissor) -> bool {
+        let &Self { x, y, up, end, .. } = self;
+        let (top, bottom) = if up { (end.1, y) } else { (y, end.1) };
+        x >= scissor.left && end.0 < scissor.right && top >= scissor.top && bottom < scissor.bottom
+    }
+
+    /// What of it lies in the scissor.
+    #[inline(always)]
+    pub(crate) fn clipped(&self, scissor: &Scissor) -> Self {
+        let Self { x, y, tall, up, length, rise, .. } = *self;
+        // The steps that lie in the scissor, from first to last; |·| ≤ 2¹⁷.
+        let columns = (scissor.left - x, scissor.right - 1 - x);
+        let rows = if up {
+            (y - (scissor.bottom - 1), y - scissor.top)
+        } else {
+            (scissor.top - y, scissor.bottom - 1 - y)
+        };
+        let (major, minor) = if tall { (rows, columns) } else { (columns, rows) };
+        let (mut first, mut last) = (major.0.max(0), major.1.min(length));
+        if minor.0 > rise || minor.1 < 0 {
+            last = -1;
+        }
+        // k(i) ≥ K first holds for i = ⌊(2K − 1)·L / 2m⌋ + 1, and k(i) ≤ K last for
+        // i = ⌊(2K + 1)·L / 2m⌋: here m > 0, since 0 < K ≤ m or 0 ≤ K < m.
+        if first <= last && minor.0 > 0 {
+            first = first.max(invert(2 * minor.0 - 1, length, rise) + 1);
+        }
+        if first <= last && minor.1 < rise {
+            last = last.min(invert(2 * minor.1 + 1, length, rise));
+        }
+        Self { first, last, ..*self }
+    }
+
+    /// k(i), and what is left of the division there: for steps of the line, and a length that is not 0.
+    #[inline(never)] // lines that are cut: small is better
+    pub(crate) fn aside(&self, step: i32) -> (i32, i32) {
+        // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ ≤ m < 2¹⁶.
+        let (rise, length) = (self.rise.unsigned_abs(), self.length.unsigned_abs());
+        let ahead = 2 * u64::from(rise) * u64::from(step.unsigned_abs());
+        let (k, r) = divide(ahead + u64::from(length) - 1, 2 * length);
+        (k as i32, r as i32)
+    }
+}
+
+/// `⌊odd·L / 2m⌋`, below 2²⁰ at least: all that is beyond L is alike.
+#[inline(never)] // lines that are cut: small is better
+fn invert(odd: i32, length: i32, rise: i32) -> i32 {
+    // odd·L < 2¹⁷ · 2¹⁶; the quotient may pass `length` but not 2³³.
+    let product = u64::from(odd.unsigned_abs()) * u64::from(length.unsigned_abs());
+    divide(product, 2 * rise.unsigned_abs()).0.min(1 << 20) as i32
 }
 
 /// The runs of a line that are still to come.
-struct Runs {
+pub(crate) struct Runs {
     /// The smaller end.
     x: i32,
     y: i32,
@@ -62,73 +153,18 @@ struct Runs {
 
 impl Runs {
     #[inline(never)]
-    fn new(a: Pixel, b: Pixel, scissor: &Scissor) -> Self {
-        let (from, to) = if a <= b { (a, b) } else { (b, a) }; // Pixel orders by (x, y)
-        let (x, y) = (i32::from(from.x), i32::from(from.y));
-        let (dx, dy) = (i32::from(to.x) - x, i32::from(to.y) - y); // 0 ≤ dx < 2¹⁶, |dy| < 2¹⁶
-        let up = dy < 0;
-        // The steps that lie in the scissor, from first to last; |·| ≤ 2¹⁷.
-        let columns = (scissor.left - x, scissor.right - 1 - x);
-        let rows = if up {
-            (y - (scissor.bottom - 1), y - scissor.top)
-        } else {
-            (scissor.top - y, scissor.bottom - 1 - y)
-        };
-        let height = dy.abs();
-        let tall = height > dx;
-        let (major, minor, length, rise) =
-            if tall { (rows, columns, height, dx) } else { (columns, rows, dx, height) };
+    pub(crate) fn new(course: &Course, scissor: &Scissor) -> Self {
+        let course = course.clipped(scissor);
+        let Course { x, y, tall, up, length, rise, first: step, last, .. } = course;
         let (along, aside) = (2 * rise, 2 * (rise - length));
-        let mut runs = Self {
-            x,
-            y,
-            tall,
-            up,
-            step: major.0.max(0),
-            last: major.1.min(length),
-            minor_step: 0,
-            error: along - length,
-            along,
-            aside,
-        };
-        runs.clip(minor, length, rise);
-        runs
+        let (mut minor_step, mut error) = (0, along - length);
+        if step > 0 && step <= last {
+            let (k, r) = course.aside(step);
+            // 2m(i + 1) − L − 2Lk = r + 1 + 2m − 2L, with r < 2¹⁷.
+            (minor_step, error) = (k, r + 1 + aside);
+        }
+        Self { x, y, tall, up, step, last, minor_step, error, along, aside }
     }
-
-    /// To the minor steps that lie in the scissor. `length` ≥ `rise` ≥ 0, both below 2¹⁶.
-    #[inline(always)]
-    fn clip(&mut self, (first, last): (i32, i32), length: i32, rise: i32) {
-        if first > rise || last < 0 {
-            self.last = -1;
-        }
-        if self.step > self.last {
-            return;
-        }
-        // k(i) ≥ K first holds for i = ⌊(2K − 1)·L / 2m⌋ + 1, and k(i) ≤ K last for
-        // i = ⌊(2K + 1)·L / 2m⌋: here m > 0, since 0 < K ≤ m or 0 ≤ K < m.
-        if first > 0 {
-            self.step = self.step.max(invert(2 * first - 1, length, rise) + 1);
-        }
-        if last < rise {
-            self.last = self.last.min(invert(2 * last + 1, length, rise));
-        }
-        if self.step > 0 && self.step <= self.last {
-            // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ with a remainder r, and the error term is
-            // 2m(i + 1) − L − 2Lk = r + 1 + 2m − 2L. Here length ≥ step > 0.
-            let ahead = 2 * u64::from(rise.unsigned_abs()) * u64::from(self.step.unsigned_abs());
-            let (k, r) = divide(ahead + u64::from(length.unsigned_abs()) - 1, 2 * length.unsigned_abs());
-            // k ≤ m < 2¹⁶, r < 2¹⁷.
-            (self.minor_step, self.error) = (k as i32, r as i32 + 1 + self.aside);
-        }
-    }
-}
-
-/// `⌊odd·L / 2m⌋`, below 2²⁰ at least: all that is beyond L is alike.
-#[inline(never)] // lines that are cut: small is better
-fn invert(odd: i32, length: i32, rise: i32) -> i32 {
-    // odd·L < 2¹⁷ · 2¹⁶; the quotient may pass `length` but not 2³³.
-    let product = u64::from(odd.unsigned_abs()) * u64::from(length.unsigned_abs());
-    divide(product, 2 * rise.unsigned_abs()).0.min(1 << 20) as i32
 }
 
 impl Iterator for Runs {

@@ -46,6 +46,7 @@ mod triangle;
 pub(crate) use along::Along;
 pub(crate) use depth::FARTHEST;
 pub use line::line;
+pub(crate) use line::{Course, Runs};
 pub use plane::Plane;
 pub(crate) use plane::Planes;
 pub use triangle::{area, triangle, Triangle};

@@ -180,6 +180,11 @@ impl Rows {
         self.next == 2 && self.more.as_ref().is_none_or(|many| many.row >= many.end)
     }
 
+    /// Whether the last stretch was a piece of a row that goes on.
+    fn is_within_row(&self) -> bool {
+        self.more.as_ref().is_some_and(|many| many.resume != many.from)
+    }
+
     /// Span by span.
     #[inline(always)]
     pub(crate) fn spans(&mut self) -> Spans<'_> {
@@ -409,7 +414,13 @@ impl Iterator for Spans<'_> {
                 self.stretch.rows -= 1;
                 self.stretch.y += 1;
                 if right > left {
-                    return Some(Span { x: x + left, y, width: right - left, height: 1 });
+                    let mut width = right - left;
+                    while self.rows.is_within_row() {
+                        let Some(mut more) = self.rows.stretch().copied() else { break };
+                        let (_, right) = more.row(); // from where the last piece ended
+                        width += right;
+                    }
+                    return Some(Span { x: x + left, y, width, height: 1 });
                 }
             }
             self.stretch = *self.rows.stretch()?;

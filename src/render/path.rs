@@ -21,7 +21,7 @@ impl<V: Coordinate> Placed<'_, V> {
                 Some((point, _)) => {
                     statistics.drawn += 1;
                     let pixel = point.pixel();
-                    raster::line(pixel, pixel, &scissor, |span| target.fill(span, colour))?;
+                    target.line(pixel, pixel, &scissor, colour)?;
                 }
                 None => statistics.outside += 1,
             }
