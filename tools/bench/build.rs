@@ -1,14 +1,17 @@
 //! Makes the models of `scenes.json` into constants: vertices of 16 bits in a power-of-two unit, and what follows from
 //! the faces; and the lists of lines and triangles that lie in the picture's plane.
 
+#[path = "scenes.rs"]
+mod scenes;
+
+use scenes::{indices, integers, list, normal, number, torus_normal, triple, Result};
 use serde_json::Value;
 use std::fmt::{Debug, Write};
-
-type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
 fn main() -> Result<()> {
     println!("cargo::rerun-if-changed=scenes.json");
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=scenes.rs");
     let scenes: Value = serde_json::from_str(&std::fs::read_to_string("scenes.json")?)?;
     let mut text = format!("pub(crate) const LIGHT: [i32; 3] = {:?};\n", bits(&triple(&scenes["light"])?));
     for name in ["cube", "torus", "ico"] {
@@ -32,7 +35,7 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     let vertices: Vec<[f64; 3]> =
         vertices.iter().map(|v| v.map(|c| (c * f64::from(1u32 << k)).round())).collect();
     let faces = list(&model["faces"], indices::<3>)?;
-    let normals = faces.iter().map(|&face| normal(face.map(|i| vertices[usize::from(i)])));
+    let normals = faces.iter().map(|&face| unit(normal(face.map(|i| vertices[usize::from(i)]))));
     let normals: Vec<[i16; 3]> = normals.collect();
     let edges = list(&model["edges"], indices::<2>)?;
     let [x, y, z] = {
@@ -61,7 +64,7 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
 /// The torus's normals at its vertices, and what is 2D.
 fn lists(scenes: &Value) -> Result<String> {
     let normals = list(&scenes["models"]["torus"]["vertices"], triple)?.into_iter().map(torus_normal);
-    let normals = normals.collect::<Result<Vec<_>>>()?;
+    let normals: Vec<[i16; 3]> = normals.map(|normal| normal.map(unit)).collect::<Result<_>>()?;
     let lines = list(&scenes["lines"], integers::<4>)?;
     let triangles = list(&scenes["tris2d"], integers::<7>)?;
     let corners: Vec<_> = triangles.iter().map(|t| &t[..6]).collect();
@@ -77,15 +80,9 @@ fn lists(scenes: &Value) -> Result<String> {
     ))
 }
 
-/// The analytic one, in 2⁻¹⁵: away from the circle of radius 1 about z, on which the tube's centre runs.
-fn torus_normal([x, y, z]: [f64; 3]) -> Result<[i16; 3]> {
-    let from_axis = x.hypot(y);
-    let away = [x - x / from_axis, y - y / from_axis, z];
-    let length = away.iter().map(|c| c * c).sum::<f64>().sqrt();
-    if (length - 0.42).abs() > 1e-6 {
-        return Err("the torus's tube has a radius of 0.42".into());
-    }
-    Ok(away.map(|c| (c / length * 32767.0).round() as i16))
+/// In 2⁻¹⁵.
+fn unit(normal: [f64; 3]) -> [i16; 3] {
+    normal.map(|c| (c * 32767.0).round() as i16)
 }
 
 fn slice(list: &[impl Debug]) -> String {
@@ -95,35 +92,4 @@ fn slice(list: &[impl Debug]) -> String {
 /// In 2⁻¹⁶.
 fn bits(v: &[f64; 3]) -> [i32; 3] {
     v.map(|c| (c * 65536.0).round() as i32)
-}
-
-/// The unit normal of a counter-clockwise face, in 2⁻¹⁵.
-fn normal([a, b, c]: [[f64; 3]; 3]) -> [i16; 3] {
-    let side = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
-    let (u, v) = (side(b), side(c));
-    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = n.iter().map(|c| c * c).sum::<f64>().sqrt();
-    n.map(|c| (c / length * 32767.0).round() as i16)
-}
-
-fn list<T>(value: &Value, item: fn(&Value) -> Result<T>) -> Result<Vec<T>> {
-    value.as_array().ok_or("a list")?.iter().map(item).collect()
-}
-
-fn number(value: &Value) -> Result<f64> {
-    Ok(value.as_f64().ok_or("a number")?)
-}
-
-fn triple(value: &Value) -> Result<[f64; 3]> {
-    <[f64; 3]>::try_from(list(value, number)?).map_err(|_| "three numbers".into())
-}
-
-fn integers<const N: usize>(value: &Value) -> Result<[i64; N]> {
-    let integer = |value: &Value| Ok(value.as_i64().ok_or("an integer")?);
-    <[i64; N]>::try_from(list(value, integer)?).map_err(|_| "another number of integers".into())
-}
-
-fn indices<const N: usize>(value: &Value) -> Result<[u16; N]> {
-    let index = |value: &Value| Ok(u16::try_from(value.as_u64().ok_or("an index")?)?);
-    <[u16; N]>::try_from(list(value, index)?).map_err(|_| "another number of corners".into())
 }
