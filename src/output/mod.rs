@@ -11,7 +11,6 @@ mod wire;
 pub use band::{Band, BandError, Frame};
 pub use depth::{DepthBuffer, DepthBufferError};
 pub use dirty::{Dirty, WindowCost};
-pub(crate) use memory::Memory;
 pub use picture::{Picture, PictureError, Pixels};
 pub use target::Target;
 pub use wire::Wire;

@@ -1,7 +1,8 @@
 //! A picture in memory.
 
-use super::{Memory, Target};
-use crate::raster::Span;
+use super::memory::{clear, fill, Memory};
+use super::{DepthBuffer, Target};
+use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Span};
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -63,7 +64,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     /// The same as a target of its own, without a rectangle for every run.
     #[inline(always)]
     pub fn pixels(&mut self) -> Pixels<'_, C> {
-        Pixels { area: self.area, cells: self.cells }
+        Pixels { area: self.area, memory: Memory::new(self.cells, self.area.size.width as usize) }
     }
 
     /// The colours, row by row.
@@ -106,7 +107,7 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
     }
 
     fn clear(&mut self, colour: C) -> Result<(), Infallible> {
-        super::memory::clear(self.cells, colour);
+        clear(self.cells, colour);
         Ok(())
     }
 }
@@ -115,23 +116,12 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
 #[derive(Debug)]
 pub struct Pixels<'a, C> {
     area: Rectangle,
-    cells: &'a mut [C],
-}
-
-impl<C: PixelColor> Pixels<'_, C> {
-    /// A row's pixels, as far as they are there.
-    #[inline(always)]
-    fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [C]> {
-        // What is drawn lies inside; what does not has no place, or none of its own.
-        let from = (y as usize).wrapping_mul(self.area.size.width as usize).wrapping_add(x as usize);
-        self.cells.get_mut(from..from.wrapping_add(width as usize))
-    }
+    memory: Memory<'a, C>,
 }
 
 impl<C: PixelColor> Target for Pixels<'_, C> {
     type Color = C;
     type Error = Infallible;
-    type Cell = C;
 
     fn area(&self) -> Rectangle {
         self.area
@@ -140,8 +130,8 @@ impl<C: PixelColor> Target for Pixels<'_, C> {
     #[inline(always)]
     fn fill(&mut self, Span { x, y, width, height }: Span, colour: C) -> Result<(), Infallible> {
         for y in y..y.wrapping_add(height) {
-            if let Some(run) = self.row(x, y, width) {
-                super::memory::fill(run, colour);
+            if let Some(run) = self.memory.row(x, y, width) {
+                fill(run, colour, [colour; 2]);
             }
         }
         Ok(())
@@ -149,21 +139,34 @@ impl<C: PixelColor> Target for Pixels<'_, C> {
 
     #[inline(always)]
     fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = C>) -> Result<(), Infallible> {
-        if let Some(run) = self.row(span.x, span.y, span.width) {
+        if let Some(run) = self.memory.row(span.x, span.y, span.width) {
             run.iter_mut().zip(colours).for_each(|(pixel, colour)| *pixel = colour);
         }
         Ok(())
     }
 
     #[inline(always)]
-    fn memory(&mut self) -> Option<Memory<'_, C>> {
-        let Rectangle { top_left, size } = self.area;
-        Some(Memory::new(self.cells, top_left.x, top_left.y, size.width as usize))
+    fn triangle(
+        &mut self,
+        corners: &[ScreenPoint; 3],
+        front: bool,
+        scissor: &Scissor,
+        colour: C,
+    ) -> Result<(), Infallible> {
+        self.memory.triangle(corners, front, scissor, colour);
+        Ok(())
     }
 
     #[inline(always)]
-    fn cell(colour: C) -> Option<C> {
-        Some(colour)
+    fn nearer(
+        &mut self,
+        rows: &mut Rows,
+        plane: &Plane,
+        depth: &mut DepthBuffer<'_>,
+        colour: C,
+    ) -> Result<(), Infallible> {
+        self.memory.nearer(rows, plane, depth, colour);
+        Ok(())
     }
 }
 

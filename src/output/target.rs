@@ -1,7 +1,7 @@
 //! What pixels are drawn into.
 
-use super::Memory;
-use crate::raster::Span;
+use super::DepthBuffer;
+use crate::raster::{self, Pixel, Plane, Rows, Scissor, ScreenPoint, Span};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -17,10 +17,6 @@ pub trait Target: sealed::Sealed {
 
     /// What drawing may come to.
     type Error;
-
-    /// What memory holds for a pixel.
-    #[doc(hidden)]
-    type Cell: Copy;
 
     /// All pixels that there are.
     fn area(&self) -> Rectangle;
@@ -40,13 +36,38 @@ pub trait Target: sealed::Sealed {
     fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = Self::Color>)
         -> Result<(), Self::Error>;
 
-    /// Its pixels, where they lie in memory.
+    /// Draws a triangle of one colour; `front` tells whether its area is positive, and it is not zero.
     #[doc(hidden)]
-    fn memory(&mut self) -> Option<Memory<'_, Self::Cell>>;
+    #[inline(always)]
+    fn triangle(
+        &mut self,
+        corners: &[ScreenPoint; 3],
+        front: bool,
+        scissor: &Scissor,
+        colour: Self::Color,
+    ) -> Result<(), Self::Error> {
+        Rows::new(corners, front, scissor).spans().try_for_each(|span| self.fill(span, colour))
+    }
 
-    /// What memory holds for a colour.
+    /// Draws rows in one colour where they are nearer than what is held.
     #[doc(hidden)]
-    fn cell(colour: Self::Color) -> Option<Self::Cell>;
+    #[inline(always)]
+    fn nearer(
+        &mut self,
+        rows: &mut Rows,
+        plane: &Plane,
+        depth: &mut DepthBuffer<'_>,
+        colour: Self::Color,
+    ) -> Result<(), Self::Error> {
+        rows.spans().try_for_each(|span| depth.test(span, plane, |visible| self.fill(visible, colour)))
+    }
+
+    /// Draws a line.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, colour: Self::Color) -> Result<(), Self::Error> {
+        raster::line(from, to, scissor, |span| self.fill(span, colour))
+    }
 }
 
 mod sealed {
@@ -58,7 +79,6 @@ mod sealed {
 impl<D: DrawTarget> Target for D {
     type Color = D::Color;
     type Error = D::Error;
-    type Cell = ();
 
     fn area(&self) -> Rectangle {
         self.bounding_box()
@@ -72,16 +92,6 @@ impl<D: DrawTarget> Target for D {
     #[inline(always)]
     fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = D::Color>) -> Result<(), D::Error> {
         self.fill_contiguous(&rectangle(span), colours)
-    }
-
-    #[inline(always)]
-    fn memory(&mut self) -> Option<Memory<'_, ()>> {
-        None
-    }
-
-    #[inline(always)]
-    fn cell(_: D::Color) -> Option<()> {
-        None
     }
 }
 

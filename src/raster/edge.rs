@@ -29,7 +29,7 @@ pub(super) fn first_row(p: &ScreenPoint) -> i32 {
 }
 
 /// One side of a triangle at a row, in 12.20, wrapping: what leaves the range is not asked for.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Side {
     pub(crate) at: i32,
     /// Per row.
@@ -37,9 +37,13 @@ pub(crate) struct Side {
 }
 
 impl Side {
+    pub(super) const NONE: Self = Self { at: 0, step: 0 };
+
     /// The corners of a triangle with these sides are less apart: 2040 pixels across, 512 down.
     pub(super) const WIDTH: i32 = 2040 << 8;
     pub(super) const HEIGHT: i32 = 1 << 17;
+    /// Those of a [`tiny`](Self::tiny) one: 16 pixels.
+    pub(super) const TINY: i32 = 1 << 12;
 
     /// How many rows the sides of a triangle of this height, less than [`HEIGHT`](Self::HEIGHT), may be stepped through.
     ///
@@ -51,22 +55,58 @@ impl Side {
         1 << ((height as u32).leading_zeros() - 12) // 2²⁰ over the next power of two; 15 … 32 leading zeros
     }
 
-    /// Becomes the edge from `p` down to `q` at `row`, which lies at or below p's first row and above q's; so
-    /// `q.y > p.y`. Pixels are counted from `column`, which is less than [`WIDTH`](Self::WIDTH) away.
+    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above q's; so `q.y > p.y`. Pixels
+    /// are counted from `column`, which is less than [`WIDTH`](Self::WIDTH) away.
     #[inline(never)]
-    pub(super) fn set(&mut self, p: &ScreenPoint, q: &ScreenPoint, row: i32, column: i32) {
+    pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32, column: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, dy < 2¹⁷
-        let (own, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
-        let first = first_row(p);
-        let yr = first * 256 + 128 - p.y; // 0 … 255
-        let m = (xr * dy + yr * dx + 255) >> 8; // |m| ≤ 2¹⁹
+        let (own, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
         let d = NonZeroU32::new(dy.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
         // Between the columns of p and q: less than 2¹¹ pixels from `column`. |n| < 2¹¹·2¹⁷.
-        let start = ratio(m + (row - first) * dx, d);
-        self.at = ((own - column) << 20).wrapping_add(start).wrapping_add(0xf_ffff);
-        // Within a pixel's height there is one row at most. Beyond, |dx / dy| < 2¹¹.
-        self.step = if dy > 256 { ratio(dx, d) } else { 0 };
+        let start = ratio(m + (row - first_row(p)) * dx, d);
+        Self {
+            at: ((own - column) << 20).wrapping_add(start).wrapping_add(0xf_ffff),
+            // Within a pixel's height there is one row at most. Beyond, |dx / dy| < 2¹¹.
+            step: if dy > 256 { ratio(dx, d) } else { 0 },
+        }
     }
+
+    /// The same at p's first row, in a triangle less than [`TINY`](Self::TINY) high and wide.
+    ///
+    /// Rounded down to multiples of 2⁻¹⁸: in 16 rows S falls behind by less than 17·2⁻¹⁸, where 1/dy > 2⁻¹².
+    #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+    #[inline(always)]
+    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, column: i32) -> Self {
+        let (dx, dy) = (q.x - p.x, q.y - p.y); // below 2¹²
+        let Some(d) = NonZeroU32::new(dy.unsigned_abs()) else { return Self::NONE };
+        let (own, m) = first_end(p, dx, dy); // |m| < 2¹³
+        let at = quotient_of_tiny(m, d).wrapping_add((own - column) << 20).wrapping_add(0xf_ffff);
+        Self { at, step: quotient_of_tiny(dx, d) }
+    }
+
+    /// On a Cortex-M0 a division is a call.
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    #[inline(always)]
+    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, column: i32) -> Self {
+        Self::new(p, q, first_row(p), column)
+    }
+}
+
+/// c and m of the edge that leads from p by dx and dy.
+#[inline(always)]
+fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
+    let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
+    let yr = 255 - ((p.y + 127) & 255);
+    (column, (xr * dy + yr * dx + 255) >> 8) // two products of at most 255·2²²: below 2³¹
+}
+
+/// n / dy in 12.20, for |n| < 2¹³: see [`Side::tiny`].
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+#[inline(always)]
+fn quotient_of_tiny(n: i32, d: NonZeroU32) -> i32 {
+    let n = n << 18;
+    // ⌊n / d⌋ of a negative n is the complement of ⌊!n / d⌋.
+    (((n ^ (n >> 31)) as u32 / d) as i32 ^ (n >> 31)) << 2
 }
 
 /// n / d in 12.20, rounded down, or of a negative number to the one below. |n| < 2¹¹·d, d < 2¹⁷.
@@ -129,15 +169,12 @@ impl Wide {
     /// most 2⁻³² at first and in each row, 960·2⁻³² in all, where 1/dy ≥ 2⁻²².
     pub(super) const ROWS: i32 = 959;
 
-    /// As [`Side::set`]; pixels are counted from the target's origin.
+    /// As [`Side::new`]; pixels are counted from the target's origin.
     #[inline(never)]
     pub(super) fn set(&mut self, p: &ScreenPoint, q: &ScreenPoint, row: i32) {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
-        let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
-        let first = first_row(p);
-        let yr = first * 256 + 128 - p.y; // 0 … 255
-        let m = (xr * dy + yr * dx + 255) >> 8; // two products of at most 255·2²²: below 2³¹
-        let n = i64::from(m) + i64::from(row - first) * i64::from(dx); // < 2³⁷
+        let (column, m) = first_end(p, dx, dy);
+        let n = i64::from(m) + i64::from(row - first_row(p)) * i64::from(dx); // < 2³⁷
         let d = dy.unsigned_abs();
         self.at = (i64::from(column) << 32) + long(n, d) + 0xffff_ffff;
         self.step = long(dx.into(), d);
@@ -210,6 +247,31 @@ mod tests {
             assert!(dy >= 1 << 14 || rows == left, "{dy}: {rows} of {left}");
             for row in [0, 1, rows / 2, rows - 1] {
                 assert_behind(n, dx, dy, (side.0.into(), side.1.into()), row.min(rows - 1), 20);
+            }
+        }
+    }
+
+    #[test]
+    fn tiny_steps_stay_within_a_lattice_unit() {
+        let random = &mut Random(11);
+        for i in 0..100_000 {
+            let mut corner = |reach: i64| (random.within(reach), random.within(reach));
+            let (p, (dx, dy)) = (corner(100_000), corner([40, 300, 2000, 4095][i % 4]));
+            let dy = dy.abs().max(1);
+            let point = |x, y| ScreenPoint::from_subpixels(x, y).unwrap();
+            let (p, q) = (point(p.0, p.1), point(p.0 + dx, p.1 + dy));
+            let side = Side::tiny(&p, &q, 0);
+            let rows = first_row(&q) - first_row(&p);
+            // X − ½ in the row, in 2⁻⁸ / dy px, and its ceiling.
+            for row in 0..rows {
+                let below = i64::from(first_row(&p) + row) * 256 + 128 - i64::from(p.y);
+                let x = (i64::from(p.x) - 128) * i64::from(dy) + below * i64::from(dx);
+                let end = -(-x).div_euclid(256 * i64::from(dy));
+                assert_eq!(
+                    i64::from(side.at.wrapping_add(side.step.wrapping_mul(row)) >> 20),
+                    end,
+                    "{p:?} {q:?} {row}"
+                );
             }
         }
     }

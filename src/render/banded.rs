@@ -93,7 +93,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                 return outcome;
             }
         }
-        *reach = Scissor::of(&corners.map(|corner| self.placed.placement.at(corner).point));
+        *reach = Scissor::of(&corners.map(|corner| self.placed.placement.at::<DEPTH>(corner).point));
         Outcome::Whole
     }
 
@@ -101,7 +101,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[inline(never)]
     fn reach_of_cut(&self, face: [u16; 3], reach: &mut Scissor) -> Outcome {
         let mut fan = Fan::<()>::new();
-        let outcome = self.sort_out(face, &mut fan);
+        let outcome = self.sort_out(&face, &mut fan);
         if outcome.is_drawn() {
             while let Some((corners, _)) = fan.piece() {
                 *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
@@ -185,7 +185,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         let mut fan = Fan::new();
         bins.band(rows.clone(), |index| {
             let (mut end, mut shaded) = (i32::MIN, None);
-            if view.sort_out(list.get(index).copied().unwrap_or_default(), &mut fan).is_drawn() {
+            if list.get(index).is_some_and(|face| view.sort_out(face, &mut fan).is_drawn()) {
                 while let Some((corners, area)) = fan.piece() {
                     let reach = Scissor::of(&corners.map(|c| c.point));
                     end = end.max(reach.rows().end);
@@ -234,7 +234,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
         let scissor = scissor(band, self.viewport());
         self.each(&scissor, |_, _, [from, to]| {
-            raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| band.fill(span, colour))
+            band.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
         })
     }
 

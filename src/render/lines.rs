@@ -184,7 +184,7 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         let mut fan = Fan::<()>::new();
         for face in beside {
             let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };
-            if !self.sort_out(face, &mut fan).is_drawn() {
+            if !self.sort_out(&face, &mut fan).is_drawn() {
                 continue;
             }
             while let Some((corners, area)) = fan.piece() {
@@ -232,7 +232,7 @@ impl super::Ink for Nothing {
 fn keep(corners: &[Image; 3], area: i64, window: &Window, depth: &mut DepthBuffer<'_>) {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
     let plane = Plane::of_depth(&triangle, corners.map(|c| c.depth));
-    for span in triangle.rows(&window.scissor) {
+    for span in triangle.rows(&window.scissor).spans() {
         let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
     }
 }

@@ -35,7 +35,7 @@ pub use transformed::Transformed;
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
 use crate::output::{inside, scissor, DepthBuffer, Target};
-use crate::raster::{self, Plane, Scissor, ScreenPoint, Triangle};
+use crate::raster::{Plane, Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
 
@@ -179,7 +179,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     ) -> Result<Statistics, T::Error> {
         let scissor = scissor(target, self.area());
         Transformed::<V, false>::new(self, cache).all_edges(|_, [from, to]| {
-            raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| target.fill(span, colour))
+            target.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
         })
     }
 
@@ -304,16 +304,11 @@ fn fill<T: Target, I: InkFor<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners, area, &window.viewport);
-    let mut rows = triangle.rows(&window.scissor);
-    if rows.is_empty() {
-        return Ok(());
-    }
     let fill = ink.over(&triangle);
-    if let (Some(cell), Some(memory)) = (I::even(&fill).and_then(T::cell), target.memory()) {
-        memory.fill(&mut rows, cell);
-        return Ok(());
+    match I::even(&fill) {
+        Some(colour) => target.triangle(&corners, area >= 0, &window.scissor, colour),
+        None => triangle.rows(&window.scissor).spans().try_for_each(|span| I::send(&fill, span, target)),
     }
-    rows.try_for_each(|span| I::send(&fill, span, target))
 }
 
 /// Step 4: a triangle of this area, not zero, where it is nearer.
@@ -332,7 +327,12 @@ fn fill_nearer<T: Target, I: InkFor<T::Color>>(
         return Ok(());
     }
     let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
-    rows.try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
+    match I::even(&fill) {
+        Some(colour) => target.nearer(&mut rows, &plane, depth, colour),
+        None => rows
+            .spans()
+            .try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target))),
+    }
 }
 
 #[cfg(feature = "defmt")]

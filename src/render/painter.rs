@@ -203,7 +203,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         for (index, &face) in placed.mesh.faces().iter().enumerate() {
             // Corners without room are computed anew: the counting goes on.
             let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
-            let outcome = Transformed::<V, true>::with_corners(placed, false, own).sort_out(face, &mut fan);
+            let outcome = Transformed::<V, true>::with_corners(placed, false, own).sort_out(&face, &mut fan);
             statistics.count(outcome);
             if !outcome.is_drawn() {
                 continue;
@@ -229,7 +229,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         let view = Transformed::<V, true>::with_corners(placed, false, &[]);
         for (index, corner) in own.iter_mut().enumerate() {
             let place = if corner.whole() {
-                Some(placed.placement.at(*corner))
+                Some(placed.placement.at::<true>(*corner))
             } else {
                 view.image(index as u16) // fewer than 65537 vertices
             };

@@ -44,7 +44,7 @@ impl<V: Coordinate> Placed<'_, V> {
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
         let line = Transformed::<V, false>::with_corners(self, false, &[]);
-        let pixel = |corner: Corner| corner.whole().then(|| self.placement.at(corner).point.pixel());
+        let pixel = |corner: Corner| corner.whole().then(|| self.placement.at::<false>(corner).point.pixel());
         let corner = |index: usize| line.corner(index as u16);
         let count = vertices.len();
         let first = pixel(corner(0));

@@ -55,5 +55,5 @@ pub fn draw_line<T: Target>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let scissor = scissor(target, &target.area());
-    raster::line(from, to, &scissor, |span| target.fill(span, colour))
+    target.line(from, to, &scissor, colour)
 }
