@@ -13,6 +13,7 @@ mod page;
 mod pages;
 mod profile;
 mod provenance;
+mod rivals;
 mod speed_page;
 mod targets;
 

@@ -4,7 +4,7 @@ use crate::bands::{self, Speed};
 use crate::cells::{self, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
-use crate::{bands_page, footprint, footprint_page, targets, Result, M3};
+use crate::{bands_page, footprint, footprint_page, rivals, targets, Result, M3};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Page {
@@ -46,7 +46,8 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
         println!("{cell}");
         cells.push(cell);
     })?;
-    Ok(speed_page::text(compiler, &Figures { cells: &cells, targets: &targets::targets()? }))
+    let (targets, rivals) = (targets::targets()?, rivals::measure(failures)?);
+    Ok(speed_page::text(compiler, &Figures { cells: &cells, targets: &targets, rivals: &rivals }))
 }
 
 fn measure_bands(failures: &mut Vec<String>) -> Result<Speed> {
