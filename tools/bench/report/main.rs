@@ -9,6 +9,7 @@ mod cross;
 mod elf;
 mod footprint;
 mod footprint_page;
+mod guard;
 mod page;
 mod pages;
 mod profile;
@@ -29,6 +30,7 @@ const M3: &str = "thumbv7m-none-eabi";
 
 const USAGE: &str = "\
 tools/bench/run [--check | --rebase] [speed | bands | footprint ...]
+tools/bench/run guard [--rebase]
 tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]
 tools/bench/run profile";
 
@@ -38,6 +40,8 @@ enum Task {
     Write { pages: Vec<Page>, rebase: bool },
     /// Compare them.
     Check { pages: Vec<Page> },
+    /// Compare a few cells with the baseline, or make that anew.
+    Guard { rebase: bool },
     /// Print cells.
     Cells(Choice),
     /// Say where the instructions of a frame go.
@@ -49,6 +53,8 @@ impl Task {
         let (first, rest) = arguments.split_first().map_or(("", arguments), |(first, rest)| (first, rest));
         Ok(match first {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
+            "guard" if rest.is_empty() => Self::Guard { rebase: false },
+            "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
             "profile" if rest.is_empty() => Self::Profile,
             "--check" => Self::Check { pages: named(rest)? },
             "--rebase" => Self::Write { pages: named(rest)?, rebase: true },
@@ -62,6 +68,8 @@ impl Task {
         match self {
             Self::Write { pages, rebase } => write(&pages, rebase, &mut failures)?,
             Self::Check { pages } => check(&pages, &mut failures)?,
+            Self::Guard { rebase: false } => guard::check(&mut failures)?,
+            Self::Guard { rebase: true } => guard::rebase(&mut failures)?,
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
             Self::Profile => {
                 let m3 = Build { target: M3, level: "3" };

