@@ -15,6 +15,7 @@ mod pages;
 mod profile;
 mod provenance;
 mod rivals;
+mod scenes;
 mod speed_page;
 mod targets;
 

@@ -4,7 +4,7 @@ use crate::bands::{self, Speed};
 use crate::cells::{self, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
-use crate::{bands_page, footprint, footprint_page, rivals, targets, Result, M3};
+use crate::{bands_page, footprint, footprint_page, rivals, scenes, targets, Result, M3};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Page {
@@ -40,7 +40,8 @@ impl Page {
 
 /// All cells, which are printed as they come.
 fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
-    bands::compare_scenes(failures);
+    scenes::compare_models(failures);
+    scenes::compare_lists(failures);
     let mut cells = Vec::new();
     cells::measure(&Choice::default(), failures, |cell| {
         println!("{cell}");

@@ -12,6 +12,7 @@ pub mod measure;
 pub mod profile;
 pub mod scene;
 pub mod stack;
+pub mod tally;
 
 /// A program over variables, each in a static of its own: the linker says so if they do not fit, and those that start
 /// with zeros take no flash.

@@ -4,52 +4,12 @@
 use crate::board::{println, Clock};
 use crate::frames::Memory;
 use crate::measure::Named;
-use crate::scene::{Model, Scene, SIZE};
-use core::convert::Infallible;
+use crate::scene::Scene;
+use crate::tally::Tally;
 use core::hint::black_box;
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use embedded_graphics_core::Pixel;
 use pinhole::{Cull, DepthBuffer, Picture};
-
-/// Counts what is drawn on it.
-struct Tally {
-    size: Size,
-    runs: u32,
-    pixels: u32,
-}
-
-impl OriginDimensions for Tally {
-    fn size(&self) -> Size {
-        self.size
-    }
-}
-
-impl DrawTarget for Tally {
-    type Color = Rgb565;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, _: I) -> Result<(), Infallible> {
-        Ok(())
-    }
-
-    fn fill_solid(&mut self, area: &Rectangle, _: Rgb565) -> Result<(), Infallible> {
-        self.runs += 1;
-        self.pixels += area.size.width;
-        Ok(())
-    }
-}
-
-/// The faces of a scene that are drawn, and the pixels that they cover together.
-pub fn covered(model: &'static Model) -> Option<[u32; 2]> {
-    let scene = Scene::new(model)?;
-    let light = scene.light()?;
-    let mut tally = Tally { size: Size::new(SIZE, SIZE), runs: 0, pixels: 0 };
-    let Ok(statistics) = scene.place().solid(scene.shade(&light), &mut [], &mut tally);
-    Some([statistics.drawn, tally.pixels])
-}
 
 /// Lines `scene,instructions,vertices,culled,drawn,rows,tested,runs,written`.
 pub fn depth(scenes: &[Named], sizes: &[u32], memory: &mut Memory) -> Option<()> {
