@@ -7,12 +7,14 @@ mod cells;
 mod core;
 mod cross;
 mod elf;
+mod fit;
 mod footprint;
 mod footprint_page;
+mod growth;
+mod growth_page;
 mod guard;
 mod page;
 mod pages;
-mod profile;
 mod provenance;
 mod rivals;
 mod scenes;
@@ -20,7 +22,6 @@ mod speed_page;
 mod targets;
 
 use cells::Choice;
-use cross::Build;
 use pages::{Page, PAGES};
 use std::process::ExitCode;
 
@@ -30,10 +31,9 @@ const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
 
 const USAGE: &str = "\
-tools/bench/run [--check | --rebase] [speed | bands | footprint ...]
+tools/bench/run [--check | --rebase] [speed | growth | bands | footprint ...]
 tools/bench/run guard [--rebase]
-tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]
-tools/bench/run profile";
+tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]";
 
 /// What is asked for on the command line.
 enum Task {
@@ -45,8 +45,6 @@ enum Task {
     Guard { rebase: bool },
     /// Print cells.
     Cells(Choice),
-    /// Say where the instructions of a frame go.
-    Profile,
 }
 
 impl Task {
@@ -56,7 +54,6 @@ impl Task {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
             "guard" if rest.is_empty() => Self::Guard { rebase: false },
             "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
-            "profile" if rest.is_empty() => Self::Profile,
             "--check" => Self::Check { pages: named(rest)? },
             "--rebase" => Self::Write { pages: named(rest)?, rebase: true },
             _ => Self::Write { pages: named(arguments)?, rebase: false },
@@ -72,10 +69,6 @@ impl Task {
             Self::Guard { rebase: false } => guard::check(&mut failures)?,
             Self::Guard { rebase: true } => guard::rebase(&mut failures)?,
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
-            Self::Profile => {
-                let m3 = Build { target: M3, level: "3" };
-                print!("{}", profile::text(&m3.run("profile")?.0)?);
-            }
         }
         Ok(failures)
     }

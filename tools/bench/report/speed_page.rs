@@ -29,7 +29,9 @@ of the picture, and what is set up before a frame: camera, light, the place of t
 anyone would use it: the size of the picture is a variable, everything is clipped, statistics are kept; the
 compiler knows none of the numbers. Opt-level 3, fat LTO.
 
-Instructions are not cycles: a Cortex-M0 takes about 1.3 to 1.6 cycles for one, more with slow flash. They are counted
+What a vertex, a face and a pixel take, and so where the instructions of a frame go, is in [growth.md](growth.md).
+
+Instructions are not cycles: how many of these one takes depends on the core and its flash. They are counted
 by the clock of the emulator (QEMU), which advances by the same time for each, and is compared with a loop of known length
 in every run; RV32 has a counter of its own. The counts are the same in every run. Every picture is that of the same
 program on the host, compared by checksum.

@@ -12,10 +12,9 @@ use pinhole::raster::{Pixel as End, ScreenPoint};
 use pinhole::{draw_line, fill_triangle};
 
 /// Counts what is drawn on it.
-pub(crate) struct Tally {
-    pub(crate) size: Size,
-    pub(crate) runs: u32,
-    pub(crate) pixels: u32,
+struct Tally {
+    size: Size,
+    pixels: u32,
 }
 
 impl OriginDimensions for Tally {
@@ -33,14 +32,13 @@ impl DrawTarget for Tally {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, _: Rgb565) -> Result<(), Infallible> {
-        self.runs += 1;
         self.pixels += area.size.width * area.size.height;
         Ok(())
     }
 }
 
 impl Tally {
-    const NEW: Self = Self { size: Size::new(SIZE, SIZE), runs: 0, pixels: 0 };
+    const NEW: Self = Self { size: Size::new(SIZE, SIZE), pixels: 0 };
 }
 
 /// The faces of a scene that are drawn, and the pixels that they cover together.
