@@ -89,9 +89,11 @@ fn constants(text: &mut String, title: &str, cores: &[&Growth]) {
         }
         text.push('\n');
     }
-    for (says, fitted) in
-        [("error in the fit: mean, largest", true), ("in other cases: mean, largest", false)]
-    {
+    let kinds: [(&str, fn(&Drawn) -> bool); 2] = [
+        ("error in the fit: mean, largest", |drawn| drawn.case.fitted),
+        ("in other cases: mean, largest", is_check),
+    ];
+    for (says, chosen) in kinds {
         let _ = write!(text, "| {says} |");
         for core in cores {
             let [most, mean] = core.errors(chosen);
