@@ -89,7 +89,7 @@ fn constants(text: &mut String, title: &str, cores: &[&Growth]) {
         }
         text.push('\n');
     }
-    let kinds: [(&str, fn(&Drawn) -> bool); 2] = [
+    let kinds: [(&str, Chosen); 2] = [
         ("error in the fit: mean, largest", |drawn| drawn.case.fitted),
         ("in other cases: mean, largest", is_check),
     ];
@@ -102,6 +102,8 @@ fn constants(text: &mut String, title: &str, cores: &[&Growth]) {
         text.push('\n');
     }
 }
+
+type Chosen = fn(&Drawn) -> bool;
 
 /// Not used in the fit, and with something to draw: some meshes have no edges.
 fn is_check(drawn: &Drawn) -> bool {
