@@ -136,7 +136,7 @@ fn bands(placed: &Placed<'_>, light: &Lambert, size: Size, rows: u32, memory: &m
     let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.depth_tested(flat(placed.mesh(), light), &mut depth, &mut band);
+        let Ok(()) = faces.depth_tested(flat(placed.mesh(), light), &mut depth, &mut band.pixels());
         black_box(band.bytes());
     }
     black_box(faces.statistics());
