@@ -27,7 +27,8 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     let vertices = list(&model["vertices"], triple)?;
     let faces = list(&model["faces"], indices::<3>)?;
     let edges = list(&model["edges"], indices::<2>)?;
-    let normals: Vec<[f64; 3]> = faces.iter().map(|&face| normal(face.map(|i| vertices[usize::from(i)]))).collect();
+    let normals: Vec<[f64; 3]> =
+        faces.iter().map(|&face| normal(face.map(|i| vertices[usize::from(i)]))).collect();
     let vertex_normals: Vec<[f64; 3]> = match name {
         "torus" => vertices.iter().map(|&vertex| torus_normal(vertex)).collect::<Result<_>>()?,
         _ => Vec::new(),
