@@ -2,7 +2,6 @@
 
 use crate::cross::{Build, BENCH};
 use crate::{elf, Result};
-use bench::{profile, scene};
 use std::collections::BTreeMap;
 use std::process::{Command, Stdio};
 
@@ -76,20 +75,6 @@ fn parse(text: &str, lines: &mut Lines) -> Result<()> {
         lines.insert(key.to_string(), (number.parse()?, checksum.to_string()));
     }
     Ok(())
-}
-
-/// Whether these are the scenes that `scenes.json` speaks of: as many faces to the front, and pixels that they cover. Its
-/// vertices are not rounded to 16 bits, so a face on the edge may turn over, and a few pixels with it: 0.2 %.
-pub(crate) fn compare_scenes(failures: &mut Vec<String>) {
-    for (name, model) in [("S2", &scene::CUBE), ("S3", &scene::TORUS), ("S4", &scene::ICO)] {
-        let covered = profile::covered(model).unwrap_or_default();
-        for (have, want) in covered.into_iter().zip(model.reference) {
-            if have.abs_diff(want) * 500 > want {
-                failures
-                    .push(format!("{name}: {have} front faces or pixels covered, but {want} in scenes.json"));
-            }
-        }
-    }
 }
 
 /// The same programs here.

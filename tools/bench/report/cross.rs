@@ -26,7 +26,13 @@ impl std::fmt::Display for Build {
 
 impl Build {
     pub(crate) fn cargo(self, verb: &str, rest: &[String]) -> Result<()> {
+        self.cargo_in(BENCH, verb, rest)
+    }
+
+    /// In another workspace's directory.
+    pub(crate) fn cargo_in(self, directory: &str, verb: &str, rest: &[String]) -> Result<()> {
         let mut command = self.command(verb);
+        command.current_dir(directory);
         let status = command.args(rest).stdin(Stdio::null()).status()?;
         if !status.success() {
             return Err(format!("{command:?}: {status}").into());
@@ -63,7 +69,11 @@ impl Build {
 fn cross() -> Command {
     let mut command = Command::new("bash");
     // These would replace the flags by which firmware is linked.
-    command.arg("../cross").current_dir(BENCH).env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command
+        .arg(root().join("tools/cross"))
+        .current_dir(BENCH)
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
     command
 }
 

@@ -7,17 +7,21 @@ mod cells;
 mod core;
 mod cross;
 mod elf;
+mod fit;
 mod footprint;
 mod footprint_page;
+mod growth;
+mod growth_page;
+mod guard;
 mod page;
 mod pages;
-mod profile;
 mod provenance;
+mod rivals;
+mod scenes;
 mod speed_page;
 mod targets;
 
 use cells::Choice;
-use cross::Build;
 use pages::{Page, PAGES};
 use std::process::ExitCode;
 
@@ -27,9 +31,9 @@ const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
 
 const USAGE: &str = "\
-tools/bench/run [--check | --rebase] [speed | bands | footprint ...]
-tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]
-tools/bench/run profile";
+tools/bench/run [--check | --rebase] [speed | growth | bands | footprint ...]
+tools/bench/run guard [--rebase]
+tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]";
 
 /// What is asked for on the command line.
 enum Task {
@@ -37,10 +41,10 @@ enum Task {
     Write { pages: Vec<Page>, rebase: bool },
     /// Compare them.
     Check { pages: Vec<Page> },
+    /// Compare a few cells with the baseline, or make that anew.
+    Guard { rebase: bool },
     /// Print cells.
     Cells(Choice),
-    /// Say where the instructions of a frame go.
-    Profile,
 }
 
 impl Task {
@@ -48,7 +52,8 @@ impl Task {
         let (first, rest) = arguments.split_first().map_or(("", arguments), |(first, rest)| (first, rest));
         Ok(match first {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
-            "profile" if rest.is_empty() => Self::Profile,
+            "guard" if rest.is_empty() => Self::Guard { rebase: false },
+            "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
             "--check" => Self::Check { pages: named(rest)? },
             "--rebase" => Self::Write { pages: named(rest)?, rebase: true },
             _ => Self::Write { pages: named(arguments)?, rebase: false },
@@ -61,11 +66,9 @@ impl Task {
         match self {
             Self::Write { pages, rebase } => write(&pages, rebase, &mut failures)?,
             Self::Check { pages } => check(&pages, &mut failures)?,
+            Self::Guard { rebase: false } => guard::check(&mut failures)?,
+            Self::Guard { rebase: true } => guard::rebase(&mut failures)?,
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
-            Self::Profile => {
-                let m3 = Build { target: M3, level: "3" };
-                print!("{}", profile::text(&m3.run("profile")?.0)?);
-            }
         }
         Ok(failures)
     }

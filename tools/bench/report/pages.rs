@@ -4,21 +4,25 @@ use crate::bands::{self, Speed};
 use crate::cells::{self, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
-use crate::{bands_page, footprint, footprint_page, targets, Result, M3};
+use crate::{
+    bands_page, footprint, footprint_page, growth, growth_page, rivals, scenes, targets, Result, M3,
+};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Page {
     Speed,
+    Growth,
     Bands,
     Footprint,
 }
 
-pub(crate) const PAGES: [Page; 3] = [Page::Speed, Page::Bands, Page::Footprint];
+pub(crate) const PAGES: [Page; 4] = [Page::Speed, Page::Growth, Page::Bands, Page::Footprint];
 
 impl Page {
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Speed => "speed",
+            Self::Growth => "growth",
             Self::Bands => "bands",
             Self::Footprint => "footprint",
         }
@@ -32,6 +36,7 @@ impl Page {
     pub(crate) fn text(self, compiler: &str, rebase: bool, failures: &mut Vec<String>) -> Result<String> {
         Ok(match self {
             Self::Speed => speed(compiler, failures)?,
+            Self::Growth => growth_page::text(compiler, &growth::measure()?),
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
             Self::Footprint => footprint_page::text(compiler, &footprint::measure(rebase, failures)?),
         })
@@ -40,13 +45,15 @@ impl Page {
 
 /// All cells, which are printed as they come.
 fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
-    bands::compare_scenes(failures);
+    scenes::compare_models(failures);
+    scenes::compare_lists(failures);
     let mut cells = Vec::new();
     cells::measure(&Choice::default(), failures, |cell| {
         println!("{cell}");
         cells.push(cell);
     })?;
-    Ok(speed_page::text(compiler, &Figures { cells: &cells, targets: &targets::targets()? }))
+    let (targets, rivals) = (targets::targets()?, rivals::measure(failures)?);
+    Ok(speed_page::text(compiler, &Figures { cells: &cells, targets: &targets, rivals: &rivals }))
 }
 
 fn measure_bands(failures: &mut Vec<String>) -> Result<Speed> {

@@ -2,6 +2,7 @@
 
 use crate::cells::Cell;
 use crate::page::{grouped, BUILT};
+use crate::rivals::Rival;
 use crate::targets::Target;
 use bench::cells::{data, CELLS};
 use std::fmt::Write;
@@ -28,7 +29,9 @@ of the picture, and what is set up before a frame: camera, light, the place of t
 anyone would use it: the size of the picture is a variable, everything is clipped, statistics are kept; the
 compiler knows none of the numbers. Opt-level 3, fat LTO.
 
-Instructions are not cycles: a Cortex-M0 takes about 1.3 to 1.6 cycles for one, more with slow flash. They are counted
+What a vertex, a face and a pixel take, and so where the instructions of a frame go, is in [growth.md](growth.md).
+
+Instructions are not cycles: how many of these one takes depends on the core and its flash. They are counted
 by the clock of the emulator (QEMU), which advances by the same time for each, and is compared with a loop of known length
 in every run; RV32 has a counter of its own. The counts are the same in every run. Every picture is that of the same
 program on the host, compared by checksum.
@@ -54,8 +57,21 @@ const CELLS_HEAD: &str = "
 measured on the same scenes and emulator. *Of target* is below 1 where the target is beaten; *best rival / ours* says how
 many times as many instructions the best rival takes.
 
-| scene | | core | instructions | target | stretch | of target | best rival | | best rival / ours | 3DG |
-|---|---|---|--:|--:|--:|--:|---|--:|--:|--:|
+| scene | | core | instructions | target | stretch | of target | best rival | | best rival / ours |
+|---|---|---|--:|--:|--:|--:|---|--:|--:|
+";
+
+const RIVALS: &str = "
+## Rivals in the same run
+
+Published crates that build as they are: embedded-3dgfx 0.7.2 (3DG; features `row_width_240`, `depth-u16`, `lighting`) and the
+lines and filled triangles of embedded-graphics 0.8.2 (EG), at the same level of optimisation, into the same picture, counted
+by the same clock. Each is asked for the same scene, and draws as many pixels but for 8 %: both round corners to pixels and fill all edges. 3DG
+records and executes (without depth: draws what it has recorded); S1 of EG are its lines between points that we project.
+*Then* is what 3DG took when the targets were set, by another program: it may be used in more than one way.
+
+| scene | | core | ours | 3DG | then | 3DG / ours | EG | EG / ours |
+|---|---|---|--:|--:|--:|--:|--:|--:|
 ";
 
 const RISCV: &str = "
@@ -80,9 +96,20 @@ camera and light and the firmware's own frames. In bands it takes a fraction: [b
 pub(crate) struct Figures<'f> {
     pub(crate) cells: &'f [Cell],
     pub(crate) targets: &'f [Target],
+    pub(crate) rivals: &'f [Rival],
 }
 
 impl Figures<'_> {
+    fn rival(&self, name: &str, of: &Target) -> Option<u64> {
+        let same =
+            |rival: &&Rival| (rival.name, rival.core.name) == (name, of.core) && rival.scene == of.scene;
+        self.rivals
+            .iter()
+            .filter(same)
+            .find(|rival| rival.variant == of.variant)
+            .map(|rival| rival.instructions)
+    }
+
     fn cell(&self, scene: &str, variant: &str, core: &str) -> Option<&Cell> {
         self.cells.iter().find(|cell| (cell.scene, cell.variant, cell.core.name) == (scene, variant, core))
     }
@@ -91,6 +118,7 @@ impl Figures<'_> {
 pub(crate) fn text(compiler: &str, figures: &Figures<'_>) -> String {
     let mut text = format!("{HEAD}{BUILT}{compiler}.\n{COUNTED}");
     cells(&mut text, figures);
+    rivals(&mut text, figures);
     text += RISCV;
     for (scene, variant, _) in CELLS {
         let count = |core| figures.cell(scene, variant, core).map(|cell| cell.instructions);
@@ -120,11 +148,10 @@ fn cells(text: &mut String, figures: &Figures<'_>) {
     let (mut reached, mut within) = (0, 0);
     for of in figures.targets {
         let Some(cell) = figures.cell(of.scene, of.variant, of.core) else { continue };
-        let [ours, target, stretch, best, gfx] =
-            [cell.instructions, of.target, of.stretch, of.best, of.gfx].map(grouped);
+        let [ours, target, stretch, best] = [cell.instructions, of.target, of.stretch, of.best].map(grouped);
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {ours} | {target} | {stretch} | {} | {} | {best} | {} | {gfx} |",
+            "| {} | {} | {} | {ours} | {target} | {stretch} | {} | {} | {best} | {} |",
             of.scene,
             shown(of.variant),
             of.core,
@@ -140,6 +167,24 @@ fn cells(text: &mut String, figures: &Figures<'_>) {
         text,
         "\nOf {all} cells {reached} are at or below their target, and {within} within 1.12 times of it."
     );
+}
+
+fn rivals(text: &mut String, figures: &Figures<'_>) {
+    *text += RIVALS;
+    for of in figures.targets {
+        let Some(cell) = figures.cell(of.scene, of.variant, of.core) else { continue };
+        let (ours, then) = (grouped(cell.instructions), grouped(of.gfx));
+        let rival = |name| match figures.rival(name, of) {
+            Some(count) => [grouped(count), ratio(count, cell.instructions)],
+            None => ["–", "–"].map(str::to_string),
+        };
+        let ([gfx, times], [graphics, other_times]) = (rival("3DG"), rival("EG"));
+        let (scene, variant, core) = (of.scene, shown(of.variant), of.core);
+        let _ = writeln!(
+            text,
+            "| {scene} | {variant} | {core} | {ours} | {gfx} | {then} | {times} | {graphics} | {other_times} |"
+        );
+    }
 }
 
 fn shown(variant: &str) -> &str {

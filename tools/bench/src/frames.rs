@@ -14,9 +14,9 @@ const CORNERS: usize = 2892;
 
 /// Memory for a whole frame.
 pub struct Memory {
-    pub(crate) pixels: [Rgb565; PIXELS],
-    pub(crate) depth: [u16; PIXELS],
-    pub(crate) corners: [Corner; CORNERS],
+    pixels: [Rgb565; PIXELS],
+    depth: [u16; PIXELS],
+    corners: [Corner; CORNERS],
 }
 
 impl Memory {

@@ -6,12 +6,13 @@ pub mod bands;
 pub mod board;
 pub mod cells;
 pub mod frames;
+pub mod growth;
 pub mod image;
 pub mod lists;
 pub mod measure;
-pub mod profile;
 pub mod scene;
 pub mod stack;
+pub mod tally;
 
 /// A program over variables, each in a static of its own: the linker says so if they do not fit, and those that start
 /// with zeros take no flash.

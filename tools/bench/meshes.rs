@@ -1,0 +1,63 @@
+//! Meshes of any number of triangles, for what depends on it: `build.rs` makes them into constants.
+
+/// Vertices and faces, counter-clockwise from outside.
+pub(crate) type Shape = (Vec<[f64; 3]>, Vec<[u16; 3]>);
+
+/// A tube of radius 0.4 round a circle of radius 1: `2·around·across` triangles.
+pub(crate) fn torus(around: u16, across: u16) -> Shape {
+    let at = |i: u16, j: u16| {
+        let ((s, c), (t, d)) = (turn(i, around), turn(j, across));
+        [(1.0 + 0.4 * d) * c, (1.0 + 0.4 * d) * s, 0.4 * t]
+    };
+    let (vertices, index) = (grid(around, across, at), |i: u16, j: u16| i % around * across + j % across);
+    (vertices, quads(around, across, index))
+}
+
+/// Of radius 1: `2·around·(down − 1)` triangles.
+pub(crate) fn sphere(around: u16, down: u16) -> Shape {
+    let ring = |i: u16, j: u16| {
+        let ((s, c), polar) = (turn(i, around), f64::from(j + 1) / f64::from(down) * std::f64::consts::PI);
+        [polar.sin() * c, polar.sin() * s, polar.cos()]
+    };
+    let rings = down - 1;
+    let mut vertices = grid(around, rings, ring);
+    let (north, south) = (around * rings, around * rings + 1);
+    vertices.extend([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]);
+    let index = |i: u16, j: u16| i % around * rings + j;
+    // Down the ring, i × j points inwards: the other way round.
+    let mut faces: Vec<_> = quads(around, rings - 1, index).into_iter().map(|[a, b, c]| [a, c, b]).collect();
+    for i in 0..around {
+        faces.push([north, index(i, 0), index(i + 1, 0)]);
+        faces.push([south, index(i + 1, rings - 1), index(i, rings - 1)]);
+    }
+    (vertices, faces)
+}
+
+/// Land with hills, 4 by 4 and open, y up: `2·side²` triangles.
+pub(crate) fn sheet(side: u16) -> Shape {
+    let at = |i: u16, j: u16| {
+        let [x, z] = [i, j].map(|i| f64::from(i) / f64::from(side) * 4.0 - 2.0);
+        [x, 0.2 * (3.0 * x).sin() * (2.5 * z).cos() - 0.5, z]
+    };
+    let index = |i: u16, j: u16| i * (side + 1) + j;
+    let faces = quads(side, side, index).into_iter().map(|[a, b, c]| [a, c, b]).collect();
+    (grid(side + 1, side + 1, at), faces)
+}
+
+fn grid(m: u16, n: u16, at: impl Fn(u16, u16) -> [f64; 3]) -> Vec<[f64; 3]> {
+    (0..m).flat_map(|i| (0..n).map(move |j| (i, j))).map(|(i, j)| at(i, j)).collect()
+}
+
+/// Two triangles for each field, with i × j to the front.
+fn quads(m: u16, n: u16, index: impl Fn(u16, u16) -> u16) -> Vec<[u16; 3]> {
+    let field = |(i, j): (u16, u16)| {
+        let [a, b, c, d] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    (0..m).flat_map(|i| (0..n).map(move |j| (i, j))).flat_map(field).collect()
+}
+
+/// Sine and cosine of a part of a turn.
+fn turn(i: u16, of: u16) -> (f64, f64) {
+    (f64::from(i) / f64::from(of) * std::f64::consts::TAU).sin_cos()
+}

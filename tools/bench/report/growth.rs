@@ -1,0 +1,81 @@
+//! What a vertex, a face, a row and a pixel take, fitted to some cases, and what these constants foretell of others.
+
+use crate::core::{Core, CORES};
+use crate::fit::{dot, fit};
+use crate::Result;
+use bench::growth::{Case, Way, Work, CASES, WAYS};
+
+/// Ways to draw that share their constants, on one core.
+pub(crate) struct Growth {
+    pub(crate) core: Core,
+    pub(crate) ways: &'static [Way],
+    /// As `bench::growth::names` has them.
+    pub(crate) constants: Vec<f64>,
+    pub(crate) drawn: Vec<Drawn>,
+}
+
+pub(crate) struct Drawn {
+    pub(crate) case: &'static Case,
+    pub(crate) way: Way,
+    pub(crate) work: Work,
+    pub(crate) instructions: u64,
+}
+
+impl Growth {
+    /// What the constants say, over what was counted.
+    pub(crate) fn ratio(&self, drawn: &Drawn) -> f64 {
+        dot(&drawn.work.counts(drawn.way), &self.constants) / drawn.instructions as f64
+    }
+
+    /// The largest error, and that on average, of cases that `chosen` chooses.
+    pub(crate) fn errors(&self, chosen: impl Fn(&Drawn) -> bool) -> [f64; 2] {
+        let drawn = self.drawn.iter().filter(|drawn| chosen(drawn));
+        let errors: Vec<f64> = drawn.map(|drawn| (self.ratio(drawn) - 1.0).abs()).collect();
+        let most = errors.iter().fold(0.0, |most: f64, &error| most.max(error));
+        [most, errors.iter().sum::<f64>() / errors.len() as f64]
+    }
+}
+
+/// On the cores of the table, in the order of `WAYS`.
+pub(crate) fn measure() -> Result<Vec<Growth>> {
+    let works = works()?;
+    let mut all = Vec::new();
+    for core in CORES.into_iter().filter(|core| core.name != "RV32") {
+        core.build().cargo("build", &["--bin=growth".into()])?;
+        let printed = core.run(&core.build().image("growth"))?;
+        // In the same order.
+        let counts = printed.lines().map(|line| line.rsplit(',').next().unwrap_or(line).parse::<u64>());
+        let counts = counts.collect::<std::result::Result<Vec<_>, _>>()?;
+        if counts.len() != works.len() {
+            return Err(format!("growth on {}: {} cases", core.name, counts.len()).into());
+        }
+        for ways in WAYS {
+            let of_ways = works.iter().zip(&counts).filter(|((_, way, _), _)| ways.contains(way));
+            let drawn: Vec<_> = of_ways
+                .map(|(&(case, way, work), &instructions)| Drawn { case, way, work, instructions })
+                .collect();
+            all.push(Growth { core, ways, constants: constants(&drawn)?, drawn });
+        }
+    }
+    Ok(all)
+}
+
+/// What there is to do in every case and way, as the firmware goes through them.
+fn works() -> Result<Vec<(&'static Case, Way, Work)>> {
+    let all = CASES.iter().flat_map(|case| WAYS.iter().copied().flatten().map(move |&way| (case, way)));
+    all.map(|(case, way)| {
+        let work = case.work(way).ok_or_else(|| format!("{} cannot be drawn", case.name))?;
+        Ok((case, way, work))
+    })
+    .collect()
+}
+
+/// Relative errors count alike.
+fn constants(drawn: &[Drawn]) -> Result<Vec<f64>> {
+    let part = |drawn: &Drawn| -> Vec<f64> {
+        let counts = drawn.work.counts(drawn.way).into_iter();
+        counts.map(|count| count / drawn.instructions as f64).collect()
+    };
+    let cases: Vec<_> = drawn.iter().filter(|drawn| drawn.case.fitted).map(part).collect();
+    Ok(fit(&cases).ok_or("the cases do not tell all constants apart")?)
+}

@@ -1,0 +1,66 @@
+//! Whether a change has made S1, S2 or S3 slower on M0 or M3: `baseline.txt` says what they took when it was written.
+
+use crate::cells::{self, Cell, Choice};
+use crate::page::BUILT;
+use crate::{cross, Result};
+use std::fmt::Write;
+
+const BASELINE: &str = "tools/bench/baseline.txt";
+const GUARDED: [&str; 5] = ["S1", "S2", "S3", "M0", "M3"];
+/// Percent that a cell may take more.
+const MORE: f64 = 2.0;
+
+/// Prints the guarded cells and how they have changed. What takes more fails, where the compiler is the same.
+pub(crate) fn check(failures: &mut Vec<String>) -> Result<()> {
+    let path = cross::root().join(BASELINE);
+    let baseline = std::fs::read_to_string(path).map_err(|error| format!("{BASELINE}: {error}"))?;
+    let compiler = cross::compiler()?;
+    let same = baseline.contains(&built(&compiler));
+    for cell in measure(failures)? {
+        let key = key(&cell);
+        let line = baseline.lines().find_map(|line| line.strip_prefix(&key));
+        let Some(before) = line.and_then(|count| count.parse::<u64>().ok()) else {
+            failures.push(format!("{key}: not in {BASELINE}"));
+            continue;
+        };
+        let change = (cell.instructions as f64 / before as f64 - 1.0) * 100.0;
+        eprintln!("{key}{before} -> {}: {change:+.1} %", cell.instructions);
+        if same && change > MORE {
+            failures
+                .push(format!("{key}{} instructions, {change:.1} % more than {before}", cell.instructions));
+        }
+    }
+    if !same {
+        eprintln!("{BASELINE} is another compiler's than {compiler}: nothing of this fails.");
+    }
+    Ok(())
+}
+
+/// Takes today's counts.
+pub(crate) fn rebase(failures: &mut Vec<String>) -> Result<()> {
+    let mut text = format!(
+        "# Instructions a frame; {MORE} % more fail. `tools/bench/run guard --rebase` writes this.\n{}\n",
+        built(&cross::compiler()?)
+    );
+    for cell in measure(failures)? {
+        writeln!(text, "{}{}", key(&cell), cell.instructions)?;
+    }
+    Ok(std::fs::write(cross::root().join(BASELINE), text)?)
+}
+
+fn measure(failures: &mut Vec<String>) -> Result<Vec<Cell>> {
+    let mut cells = Vec::new();
+    cells::measure(&Choice::new(GUARDED.map(String::from).to_vec())?, failures, |cell| {
+        println!("{cell}");
+        cells.push(cell);
+    })?;
+    Ok(cells)
+}
+
+fn built(compiler: &str) -> String {
+    format!("# {BUILT}{compiler}.")
+}
+
+fn key(Cell { scene, variant, core, .. }: &Cell) -> String {
+    format!("{scene} {variant} {} ", core.name)
+}

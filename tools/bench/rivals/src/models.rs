@@ -1,0 +1,16 @@
+//! The models of `scenes.json`, as embedded-3dgfx takes them.
+
+pub struct Model {
+    pub vertices: &'static [[f32; 3]],
+    pub faces: &'static [[usize; 3]],
+    pub edges: &'static [[usize; 2]],
+    pub normals: &'static [[f32; 3]],
+    /// Of the torus.
+    pub vertex_normals: &'static [[f32; 3]],
+    /// Row major.
+    pub rotation: [[f32; 3]; 3],
+    /// Of the eye from the origin.
+    pub distance: f32,
+}
+
+include!(concat!(env!("OUT_DIR"), "/models.rs"));

@@ -1,0 +1,15 @@
+//! All cases in all ways, a line each: `case,way,instructions`.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+use bench::board::{println, Clock};
+use bench::firmware;
+use bench::growth::{Memory, CASES, WAYS};
+
+firmware!(memory: Memory = Memory::NEW, {
+    let mut clock = Clock::new()?;
+    for (at, case) in CASES.iter().enumerate() {
+        for &way in WAYS.iter().copied().flatten() {
+            println!("{at},{way},{}", case.count(way, memory, &mut clock)?);
+        }
+    }
+    Some(())
+});

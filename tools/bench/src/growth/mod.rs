@@ -1,0 +1,144 @@
+//! How a frame's instructions grow with vertices, triangles, pixels and bands: cases that have more of one and less of
+//! another. The firmware counts them; the host draws them too, and says what there was to do.
+
+mod cases;
+mod shapes;
+#[cfg(not(target_os = "none"))]
+mod watch;
+#[cfg(not(target_os = "none"))]
+mod work;
+
+pub use cases::{Case, CASES};
+#[cfg(not(target_os = "none"))]
+pub use work::{names, Work};
+
+use crate::board::Clock;
+use crate::scene::{flat, Scene, BACKGROUND, LINE};
+use core::hint::black_box;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::{Corner, DepthBuffer, Frame, Lambert, Picture, Placed};
+
+/// Of the largest picture.
+const PIXELS: usize = 480 * 320;
+/// Of the largest mesh: its vertices; its faces, with one for every 16.
+const CORNERS: usize = 10_000;
+const RECORDS: usize = 20_000 + 20_000 / 16;
+/// Of the highest band.
+const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
+
+pub struct Memory {
+    pixels: [Rgb565; PIXELS],
+    depth: [u16; PIXELS],
+    corners: [Corner; CORNERS],
+    records: [u16; RECORDS],
+    strip: [u8; STRIP],
+}
+
+impl Memory {
+    pub const NEW: Self = Self {
+        pixels: [BACKGROUND; PIXELS],
+        depth: [0; PIXELS],
+        corners: [Corner::EMPTY; CORNERS],
+        records: [0; RECORDS],
+        strip: [0; STRIP],
+    };
+}
+
+/// How a case is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    Lines,
+    Faces,
+    Depth,
+    /// Faces with depth, in bands of so many rows.
+    Bands(u32),
+}
+
+/// Those that share their constants together.
+pub const WAYS: [&[Way]; 4] =
+    [&[Way::Lines], &[Way::Faces], &[Way::Depth], &[Way::Bands(8), Way::Bands(16), Way::Bands(48)]];
+
+const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]];
+
+impl core::fmt::Display for Way {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Lines => f.write_str("lines"),
+            Self::Faces => f.write_str("faces"),
+            Self::Depth => f.write_str("depth"),
+            Self::Bands(rows) => write!(f, "bands of {rows} rows"),
+        }
+    }
+}
+
+impl Case {
+    fn scene(&self) -> Option<Scene> {
+        // Turned as S3's torus; what is land stays level.
+        let axes = black_box(if self.level { LEVEL } else { crate::scene::TORUS.axes });
+        let [width, height] = self.size;
+        Scene::viewed(self.what.mesh()?, axes, black_box(self.eye), black_box(Size::new(width, height)))
+    }
+
+    /// The instructions of a whole frame, its clears too.
+    pub fn count(&self, way: Way, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
+        let scene = self.scene()?;
+        let (placed, light) = (scene.place().with_cull(self.cull), scene.light()?);
+        let (placed, light, size) = black_box((&placed, &light, Size::new(self.size[0], self.size[1])));
+        let mut good = None;
+        let instructions = clock.count(&mut || {
+            good = match way {
+                Way::Lines => lines(placed, size, memory),
+                Way::Faces => faces(placed, light, size, memory),
+                Way::Depth => depth(placed, light, size, memory),
+                Way::Bands(rows) => bands(placed, light, size, rows, memory),
+            }
+        })?;
+        good.map(|()| instructions)
+    }
+}
+
+fn lines(placed: &Placed<'_>, size: Size, memory: &mut Memory) -> Option<()> {
+    let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    let Ok(statistics) = placed.wireframe(LINE, &mut memory.corners, &mut picture.pixels());
+    black_box(statistics);
+    Some(())
+}
+
+fn faces(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+    let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    let shade = flat(placed.mesh(), light);
+    let Ok(statistics) = placed.solid(shade, &mut memory.corners, &mut picture.pixels());
+    black_box(statistics);
+    Some(())
+}
+
+fn depth(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+    let Memory { pixels, depth, corners, .. } = memory;
+    let mut picture = Picture::new(pixels, size).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
+    let shade = flat(placed.mesh(), light);
+    let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+    black_box(statistics);
+    Some(())
+}
+
+fn bands(placed: &Placed<'_>, light: &Lambert, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
+    let Memory { depth, corners, records, strip, .. } = memory;
+    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))?;
+    let projected = placed.transform_depth(corners);
+    let mut faces = projected.faces(records).ok()?;
+    let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
+    while let Some(mut band) = frame.next_band(strip).ok()? {
+        let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
+        let Ok(()) = faces.depth_tested(flat(placed.mesh(), light), &mut depth, &mut band.pixels());
+        black_box(band.bytes());
+    }
+    black_box(faces.statistics());
+    Some(())
+}
