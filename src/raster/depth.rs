@@ -19,7 +19,7 @@ impl Plane {
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {
         let planes = Planes::new(triangle);
-        if !planes.is_small() {
+        if planes.are_large() {
             let farthest = farthest_of_large(&triangle.viewport);
             depths = depths.map(|z| z.min(farthest));
         }
