@@ -117,7 +117,7 @@ impl<'t> Planes<'t> {
         };
         let places = self.places + k;
         if places < FLATTEST {
-            return steep(self.triangle, values);
+            return self.steep(values, (across, along), places);
         }
         // The upper word and the rest of the places, to nearest. Sums within 128 pixels have 60 places at most, others less.
         let step = |v: i32| ((mul_high(v, self.mantissa) >> ((places - 33) & 31)) + 1) >> 1;
@@ -126,6 +126,36 @@ impl<'t> Planes<'t> {
         let way = |p: i32| 128 - (p & 255);
         let to_centre = ((right >> 5) * way(a.x) + (down >> 5) * way(a.y)) >> 3; // two products of 2³⁰
         Plane::from((za << 8).wrapping_add(to_centre), right, down, (a.x >> 8, a.y >> 8))
+    }
+
+    /// Where steps are large, from a pixel near those that are asked for: the error grows with the way. Not
+    /// nearer than the viewport, so that every band computes the same.
+    #[cold]
+    #[inline(never)]
+    fn steep(&self, &[za, zb, zc]: &[i32; 3], (across, along): (i32, i32), places: i32) -> Plane {
+        let Triangle { corners, area, viewport } = self.triangle;
+        let [a, ..] = corners;
+        let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
+        let row = (a.y >> 8).clamp(viewport.top, viewport.bottom.max(viewport.top));
+        // Per sub-pixel: 24 bits of the values, and 40 more. The products lie below 2⁶²: a step is at most
+        // 2^(62 − places), and 2⁻²⁸ of it times the extent, 2^(24 − room) pixels, less than 2⁹ for x and for y.
+        let (across, along) = if places >= 49 - self.room && places >= 24 {
+            let by_reciprocal = |v: i32| mul_wide(v, self.mantissa) >> ((places - 24) & 63);
+            (by_reciprocal(across), by_reciprocal(along))
+        } else {
+            // Turned so that they go with den's magnitude.
+            let turn = |dz: i32| if *area < 0 { dz } else { -dz };
+            let (across, along) = wide(corners, turn(zb - za), turn(zc - za));
+            (quotient(across, area.unsigned_abs()), quotient(along, area.unsigned_abs()))
+        };
+        // To that pixel's centre: up to 2²³ sub-pixels.
+        let (x, y) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
+        let at = ((za as u64) << 40)
+            .wrapping_add((across as u64).wrapping_mul(i64::from(x) as u64))
+            .wrapping_add((along as u64).wrapping_mul(i64::from(y) as u64));
+        // A pixel is 256 sub-pixels; from 24.40 to 24.8, to nearest.
+        let step = |g: i64| (g.wrapping_add(1 << 23) >> 24) as i32;
+        Plane::from((at >> 32) as i32, step(across), step(along), (column, row))
     }
 }
 
@@ -164,30 +194,6 @@ fn numerators(triangle: &Triangle, dz1: i32, dz2: i32) -> (i32, i32, i32) {
     let high = |v: i64| (v ^ (v >> 63)) as u64;
     let cut = (33 - (high(across) | high(along)).leading_zeros() as i32).max(0); // ≤ 16
     ((across >> (cut & 31)) as i32, (along >> (cut & 31)) as i32, -cut)
-}
-
-/// Over slivers and beyond 512 pixels, from a pixel near those that are asked for: the error grows with the
-/// way. Not nearer than the viewport, so that every band computes the same.
-#[cold]
-#[inline(never)]
-fn steep(triangle: &Triangle, &[za, zb, zc]: &[i32; 3]) -> Plane {
-    let Triangle { corners, area, viewport } = triangle;
-    let [a, ..] = corners;
-    // Turned so that they go with den's magnitude.
-    let turn = |dz: i32| if *area < 0 { dz } else { -dz };
-    let (across, along) = wide(corners, turn(zb - za), turn(zc - za));
-    let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
-    let row = (a.y >> 8).clamp(viewport.top, viewport.bottom.max(viewport.top));
-    // Per sub-pixel: 24 bits of the values, and 40 more.
-    let (across, along) = (quotient(across, area.unsigned_abs()), quotient(along, area.unsigned_abs()));
-    // To that pixel's centre: up to 2²³ sub-pixels.
-    let (x, y) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
-    let at = ((za as u64) << 40)
-        .wrapping_add((across as u64).wrapping_mul(i64::from(x) as u64))
-        .wrapping_add((along as u64).wrapping_mul(i64::from(y) as u64));
-    // A pixel is 256 sub-pixels; from 24.40 to 24.8, to nearest.
-    let step = |g: i64| (g.wrapping_add(1 << 23) >> 24) as i32;
-    Plane::from((at >> 32) as i32, step(across), step(along), (column, row))
 }
 
 /// `⌊v · 2⁴⁰ / area⌋` modulo 2⁶⁴ for |v| < 2⁴⁷ and 0 < area < 2⁴⁶, by long division: 87 steps, for
