@@ -12,6 +12,12 @@ fn farthest_of_large(viewport: &Scissor) -> i32 {
     FARTHEST.min(65_534 * 256 + 127 - (pixels >> 9))
 }
 
+#[cold]
+fn lowered(depths: [i32; 3], viewport: &Scissor) -> [i32; 3] {
+    let farthest = farthest_of_large(viewport);
+    depths.map(|z| z.min(farthest))
+}
+
 impl Plane {
     /// Depths in 16.8, 0 … [`FARTHEST`], with the half that rounds: the upper 16 bits at a pixel are its
     /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 2⁻¹⁶ and 2⁻⁵·⁴:
@@ -20,10 +26,9 @@ impl Plane {
     pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {
         let planes = Planes::new(triangle);
         if planes.are_large() {
-            let farthest = farthest_of_large(&triangle.viewport);
-            depths = depths.map(|z| z.min(farthest));
+            depths = lowered(depths, &triangle.viewport);
         }
-        let mut plane = planes.through(&depths);
+        let mut plane = planes.through_inline(&depths);
         plane.origin = plane.origin.wrapping_add(1 << 15);
         plane
     }

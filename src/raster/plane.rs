@@ -65,16 +65,18 @@ impl<'t> Planes<'t> {
     /// Over a triangle.
     #[inline(always)]
     pub(crate) fn new(triangle: &'t Triangle) -> Self {
-        let extent = triangle.extent();
-        // |area| < 2·2³⁰ within 128 pixels.
+        let [a, b, c] = &triangle.corners;
+        let extent = magnitude(b.x - a.x) | magnitude(b.y - a.y) | magnitude(c.x - a.x) | magnitude(c.y - a.y);
+        // |area| < 2·2³⁰ within 128 pixels: the differences are at most 2¹⁵, and 2¹⁵ itself only to one side.
+        let turn = (triangle.area >> 63) as i32;
         let (area, cut, room) = match extent >> 15 {
-            0 => ((triangle.area as i32).wrapping_abs(), 0, extent.leading_zeros() as i32),
+            0 => ((triangle.area as i32 ^ turn).wrapping_sub(turn), 0, extent.leading_zeros() as i32),
             _ => large(triangle, extent),
         };
         let r = reciprocal(area); // 1/area = mantissa · 2^(shift − 61)
         Self {
             triangle,
-            mantissa: if triangle.area < 0 { r.mantissa } else { -r.mantissa },
+            mantissa: (r.mantissa ^ !turn).wrapping_sub(!turn),
             places: 61 - 16 - r.shift as i32 + cut,
             room,
         }
@@ -96,19 +98,24 @@ impl<'t> Planes<'t> {
     /// Differences of values may lose two bits, which is as if corners had been up to 4 units lower: 2¹⁰.
     /// Within 512 pixels area and numerator are cut to 31 bits, by 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of
     /// the step: 2⁹·⁶ for x and for y.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn through(&self, values: &[i32; 3]) -> Plane {
+        self.through_inline(values)
+    }
+
+    /// The same in line.
+    #[inline(always)]
+    pub(super) fn through_inline(&self, values: &[i32; 3]) -> Plane {
         let Triangle { corners: [a, b, c], .. } = self.triangle;
         let &[za, zb, zc] = values;
         let (dz1, dz2) = (zb - za, zc - za); // 24 bits and the sign
-        let magnitude = |v: i32| (v ^ (v >> 31)) as u32;
         // 2 + k: bits of the extent and of dz, and k, are 30 in all.
         let room = self.room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
         let (across, along, k) = if room >= 0 {
             // Fewer than 32, as the extent is not 0.
             let scale = |dz: i32| (dz << (room & 31)) >> 2;
             let (dz1, dz2) = (scale(dz1), scale(dz2));
-            // The products lie below 2³⁰.
+            // The products are at most 2³⁰, not both.
             let across = (dz1 * (c.y - a.y)).wrapping_sub(dz2 * (b.y - a.y));
             let along = (dz2 * (b.x - a.x)).wrapping_sub(dz1 * (c.x - a.x));
             (across, along, room - 2)
@@ -117,7 +124,8 @@ impl<'t> Planes<'t> {
         };
         let places = self.places + k;
         if places < FLATTEST {
-            return self.steep(values, (across, along), places);
+            // A copy, so that the fast way has it in registers.
+            return Self { ..*self }.steep(values, (across, along), places);
         }
         // The upper word and the rest of the places, to nearest. Sums within 128 pixels have 60 places at most, others less.
         let step = |v: i32| ((mul_high(v, self.mantissa) >> ((places - 33) & 31)) + 1) >> 1;
@@ -125,7 +133,7 @@ impl<'t> Planes<'t> {
         // To the centre of the corner's pixel: 128 sub-pixels at most.
         let way = |p: i32| 128 - (p & 255);
         let to_centre = ((right >> 5) * way(a.x) + (down >> 5) * way(a.y)) >> 3; // two products of 2³⁰
-        Plane::from((za << 8).wrapping_add(to_centre), right, down, (a.x >> 8, a.y >> 8))
+        Plane::through_pixel((za << 8).wrapping_add(to_centre), right, down, (a.x >> 8, a.y >> 8))
     }
 
     /// Where steps are large, from a pixel near those that are asked for: the error grows with the way. Not
@@ -155,17 +163,23 @@ impl<'t> Planes<'t> {
             .wrapping_add((along as u64).wrapping_mul(i64::from(y) as u64));
         // A pixel is 256 sub-pixels; from 24.40 to 24.8, to nearest.
         let step = |g: i64| (g.wrapping_add(1 << 23) >> 24) as i32;
-        Plane::from((at >> 32) as i32, step(across), step(along), (column, row))
+        Plane::through_pixel((at >> 32) as i32, step(across), step(along), (column, row))
     }
 }
 
 impl Plane {
     /// From the value at a pixel.
     #[inline(always)]
-    fn from(at: i32, right: i32, down: i32, (column, row): (i32, i32)) -> Self {
+    fn through_pixel(at: i32, right: i32, down: i32, (column, row): (i32, i32)) -> Self {
         let origin = at.wrapping_sub(right.wrapping_mul(column)).wrapping_sub(down.wrapping_mul(row));
         Self { origin: origin as u32, right: right as u32, down: down as u32 }
     }
+}
+
+/// Has the bits of v without its sign: |v| or |v| − 1.
+#[inline(always)]
+fn magnitude(v: i32) -> u32 {
+    (v ^ (v >> 31)) as u32
 }
 
 /// The magnitude of an area beyond 128 pixels cut to 31 bits, by how many, and no room; beyond 512 pixels
