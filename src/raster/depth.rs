@@ -1,5 +1,6 @@
 //! Depth over a triangle: a plane in 16.16, kept below what stands for nothing.
 
+use super::plane::Extent;
 use super::{Plane, Planes, Scissor, Triangle};
 
 /// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less, so
@@ -24,11 +25,11 @@ impl Plane {
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {
-        let planes = Planes::new(triangle);
-        if planes.are_large() {
+        let extent = Extent::of(triangle);
+        if extent.is_large() {
             depths = lowered(depths, &triangle.viewport);
         }
-        let mut plane = planes.through_inline(&depths);
+        let mut plane = Planes::single(triangle, extent, &depths);
         plane.origin = plane.origin.wrapping_add(1 << 15);
         plane
     }

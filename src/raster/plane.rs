@@ -61,31 +61,90 @@ pub(crate) struct Planes<'t> {
 /// Below this many places a plane is too steep for its reciprocal.
 const FLATTEST: i32 = 34;
 
+/// How far apart the corners are.
+#[derive(Clone, Copy)]
+pub(super) struct Extent(u32);
+
+impl Extent {
+    #[inline(always)]
+    pub(super) fn of(Triangle { corners: [a, b, c], .. }: &Triangle) -> Self {
+        Self(magnitude(b.x - a.x) | magnitude(b.y - a.y) | magnitude(c.x - a.x) | magnitude(c.y - a.y))
+    }
+
+    /// All differences from the first corner are below 128 pixels, or 128 to one side.
+    #[inline(always)]
+    fn is_small(self) -> bool {
+        self.0 >> 15 == 0
+    }
+
+    /// Whether any of them is 512 pixels or more.
+    #[inline(always)]
+    pub(super) fn is_large(self) -> bool {
+        self.0 >> 17 != 0
+    }
+
+    #[inline(always)]
+    fn room(self) -> i32 {
+        if self.is_small() {
+            self.0.leading_zeros() as i32
+        } else {
+            -64
+        }
+    }
+}
+
+/// The numerators times 2ᵏ, with 31 bits: that of y with its sign turned.
+#[derive(Clone, Copy)]
+struct Numerators {
+    across: i32,
+    against: i32,
+    k: i32,
+}
+
+impl Numerators {
+    #[inline(always)]
+    fn new(triangle: &Triangle, room: i32, &[za, zb, zc]: &[i32; 3]) -> Self {
+        let Triangle { corners: [a, b, c], .. } = triangle;
+        let (dz1, dz2) = (zb - za, za - zc); // 24 bits and the sign
+        // 2 + k: bits of the extent and of dz, and k, are 30 in all.
+        let room = room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
+        if room < 0 {
+            return long(triangle, dz1, dz2);
+        }
+        // Fewer than 32, as the extent is not 0.
+        let scale = |dz: i32| (dz << (room & 31)) >> 2;
+        let (dz1, dz2) = (scale(dz1), scale(dz2));
+        // The products are at most 2³⁰, not both.
+        Self {
+            across: (dz1 * (c.y - a.y)).wrapping_add(dz2 * (b.y - a.y)),
+            against: (dz1 * (c.x - a.x)).wrapping_add(dz2 * (b.x - a.x)),
+            k: room - 2,
+        }
+    }
+}
+
 impl<'t> Planes<'t> {
     /// Over a triangle.
     #[inline(always)]
     pub(crate) fn new(triangle: &'t Triangle) -> Self {
-        let [a, b, c] = &triangle.corners;
-        let extent = magnitude(b.x - a.x) | magnitude(b.y - a.y) | magnitude(c.x - a.x) | magnitude(c.y - a.y);
-        // |area| < 2·2³⁰ within 128 pixels: the differences are at most 2¹⁵, and 2¹⁵ itself only to one side.
+        Self::of_extent(triangle, Extent::of(triangle))
+    }
+
+    #[inline(always)]
+    fn of_extent(triangle: &'t Triangle, extent: Extent) -> Self {
         let turn = (triangle.area >> 63) as i32;
-        let (area, cut, room) = match extent >> 15 {
-            0 => ((triangle.area as i32 ^ turn).wrapping_sub(turn), 0, extent.leading_zeros() as i32),
-            _ => large(triangle, extent),
+        // |area| < 2·2³⁰ within 128 pixels: not all differences are to the side of the 128 that they may be.
+        let (area, cut) = match extent.is_small() {
+            true => ((triangle.area as i32 ^ turn).wrapping_sub(turn), 0),
+            false => large(triangle, extent),
         };
         let r = reciprocal(area); // 1/area = mantissa · 2^(shift − 61)
         Self {
             triangle,
             mantissa: (r.mantissa ^ !turn).wrapping_sub(!turn),
             places: 61 - 16 - r.shift as i32 + cut,
-            room,
+            room: extent.room(),
         }
-    }
-
-    /// Whether any edge from the first corner is 512 pixels long or longer.
-    #[inline(always)]
-    pub(super) fn are_large(&self) -> bool {
-        self.places < 0
     }
 
     /// Through values 0 … 2²⁴ − 1 at the corners.
@@ -100,36 +159,29 @@ impl<'t> Planes<'t> {
     /// the step: 2⁹·⁶ for x and for y.
     #[inline(never)]
     pub(crate) fn through(&self, values: &[i32; 3]) -> Plane {
-        self.through_inline(values)
+        self.with(Numerators::new(self.triangle, self.room, values), values)
     }
 
-    /// The same in line.
+    /// The same for a single plane over a triangle: in this order what lives at a time nearly fits a Cortex-M's
+    /// registers.
     #[inline(always)]
-    pub(super) fn through_inline(&self, values: &[i32; 3]) -> Plane {
-        let Triangle { corners: [a, b, c], .. } = self.triangle;
-        let &[za, zb, zc] = values;
-        let (dz1, dz2) = (zb - za, zc - za); // 24 bits and the sign
-        // 2 + k: bits of the extent and of dz, and k, are 30 in all.
-        let room = self.room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
-        let (across, along, k) = if room >= 0 {
-            // Fewer than 32, as the extent is not 0.
-            let scale = |dz: i32| (dz << (room & 31)) >> 2;
-            let (dz1, dz2) = (scale(dz1), scale(dz2));
-            // The products are at most 2³⁰, not both.
-            let across = (dz1 * (c.y - a.y)).wrapping_sub(dz2 * (b.y - a.y));
-            let along = (dz2 * (b.x - a.x)).wrapping_sub(dz1 * (c.x - a.x));
-            (across, along, room - 2)
-        } else {
-            numerators(self.triangle, dz1, dz2)
-        };
+    pub(super) fn single(triangle: &'t Triangle, extent: Extent, values: &[i32; 3]) -> Plane {
+        let numerators = Numerators::new(triangle, extent.room(), values);
+        Self::of_extent(triangle, extent).with(numerators, values)
+    }
+
+    #[inline(always)]
+    fn with(&self, Numerators { across, against, k }: Numerators, values: &[i32; 3]) -> Plane {
+        let Triangle { corners: [a, ..], .. } = self.triangle;
+        let [za, ..] = values;
         let places = self.places + k;
         if places < FLATTEST {
             // A copy, so that the fast way has it in registers.
-            return Self { ..*self }.steep(values, (across, along), places);
+            return Self { ..*self }.steep(values, (across, against), places);
         }
-        // The upper word and the rest of the places, to nearest. Sums within 128 pixels have 60 places at most, others less.
-        let step = |v: i32| ((mul_high(v, self.mantissa) >> ((places - 33) & 31)) + 1) >> 1;
-        let (right, down) = (step(across), step(along)); // ≤ 2²⁸
+        // The upper word and the rest of the places, to nearest. There are 60 at most.
+        let step = |v: i32, by: i32| ((mul_high(v, by) >> ((places - 33) & 31)) + 1) >> 1;
+        let (right, down) = (step(across, self.mantissa), step(against, -self.mantissa)); // ≤ 2²⁸
         // To the centre of the corner's pixel: 128 sub-pixels at most.
         let way = |p: i32| 128 - (p & 255);
         let to_centre = ((right >> 5) * way(a.x) + (down >> 5) * way(a.y)) >> 3; // two products of 2³⁰
@@ -140,7 +192,7 @@ impl<'t> Planes<'t> {
     /// nearer than the viewport, so that every band computes the same.
     #[cold]
     #[inline(never)]
-    fn steep(&self, &[za, zb, zc]: &[i32; 3], (across, along): (i32, i32), places: i32) -> Plane {
+    fn steep(&self, &[za, zb, zc]: &[i32; 3], (across, against): (i32, i32), places: i32) -> Plane {
         let Triangle { corners, area, viewport } = self.triangle;
         let [a, ..] = corners;
         let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
@@ -149,12 +201,12 @@ impl<'t> Planes<'t> {
         // 2^(62 − places), and 2⁻²⁸ of it times the extent, 2^(24 − room) pixels, less than 2⁹ for x and for y.
         let (across, along) = if places >= 49 - self.room && places >= 24 {
             let by_reciprocal = |v: i32| mul_wide(v, self.mantissa) >> ((places - 24) & 63);
-            (by_reciprocal(across), by_reciprocal(along))
+            (by_reciprocal(across), -by_reciprocal(against))
         } else {
             // Turned so that they go with den's magnitude.
             let turn = |dz: i32| if *area < 0 { dz } else { -dz };
-            let (across, along) = wide(corners, turn(zb - za), turn(zc - za));
-            (quotient(across, area.unsigned_abs()), quotient(along, area.unsigned_abs()))
+            let (across, against) = wide(corners, turn(zb - za), turn(za - zc));
+            (quotient(across, area.unsigned_abs()), quotient(-against, area.unsigned_abs()))
         };
         // To that pixel's centre: up to 2²³ sub-pixels.
         let (x, y) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
@@ -182,32 +234,32 @@ fn magnitude(v: i32) -> u32 {
     (v ^ (v >> 31)) as u32
 }
 
-/// The magnitude of an area beyond 128 pixels cut to 31 bits, by how many, and no room; beyond 512 pixels
-/// by so many that no plane is flat enough.
+/// The magnitude of an area beyond 128 pixels cut to 31 bits, and by how many; beyond 512 pixels by so many
+/// that no plane is flat enough.
 #[inline(never)]
-fn large(triangle: &Triangle, extent: u32) -> (i32, i32, i32) {
+fn large(triangle: &Triangle, extent: Extent) -> (i32, i32) {
     let area = triangle.area.unsigned_abs();
     let cut = (33 - area.leading_zeros() as i32).max(0); // ≤ 15
-    let places = if extent >> 17 == 0 { cut } else { -64 };
-    ((area >> (cut & 31)) as i32, places, -64)
+    ((area >> (cut & 31)) as i32, if extent.is_large() { -64 } else { cut })
 }
 
-/// Both numerators without loss.
+/// Both numerators without loss, that of y with its sign turned.
 #[inline(always)]
 fn wide([a, b, c]: &[ScreenPoint; 3], dz1: i32, dz2: i32) -> (i64, i64) {
     // |dx|, |dy| ≤ 2²², |dz| < 2²⁴: below 2⁴⁷ each.
-    let across = mul_wide(dz1, c.y - a.y) - mul_wide(dz2, b.y - a.y);
-    let along = mul_wide(dz2, b.x - a.x) - mul_wide(dz1, c.x - a.x);
-    (across, along)
+    let across = mul_wide(dz1, c.y - a.y) + mul_wide(dz2, b.y - a.y);
+    let against = mul_wide(dz1, c.x - a.x) + mul_wide(dz2, b.x - a.x);
+    (across, against)
 }
 
-/// Both numerators cut to 31 bits, and by how many to the left.
+/// Cut to 31 bits.
 #[inline(never)]
-fn numerators(triangle: &Triangle, dz1: i32, dz2: i32) -> (i32, i32, i32) {
-    let (across, along) = wide(&triangle.corners, dz1, dz2);
+fn long(triangle: &Triangle, dz1: i32, dz2: i32) -> Numerators {
+    let (across, against) = wide(&triangle.corners, dz1, dz2);
     let high = |v: i64| (v ^ (v >> 63)) as u64;
-    let cut = (33 - (high(across) | high(along)).leading_zeros() as i32).max(0); // ≤ 16
-    ((across >> (cut & 31)) as i32, (along >> (cut & 31)) as i32, -cut)
+    let cut = (33 - (high(across) | high(against)).leading_zeros() as i32).max(0); // ≤ 16
+    let shift = cut & 31;
+    Numerators { across: (across >> shift) as i32, against: (against >> shift) as i32, k: -cut }
 }
 
 /// `⌊v · 2⁴⁰ / area⌋` modulo 2⁶⁴ for |v| < 2⁴⁷ and 0 < area < 2⁴⁶, by long division: 87 steps, for
