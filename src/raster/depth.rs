@@ -29,7 +29,7 @@ impl Plane {
         if extent.is_large() {
             depths = lowered(depths, &triangle.viewport);
         }
-        let mut plane = Planes::single(triangle, extent, &depths);
+        let mut plane = Planes::of_extent(triangle, extent).through(&depths);
         plane.origin = plane.origin.wrapping_add(1 << 15);
         plane
     }

@@ -106,7 +106,7 @@ impl Numerators {
     fn new(triangle: &Triangle, room: i32, &[za, zb, zc]: &[i32; 3]) -> Self {
         let Triangle { corners: [a, b, c], .. } = triangle;
         let (dz1, dz2) = (zb - za, za - zc); // 24 bits and the sign
-        // 2 + k: bits of the extent and of dz, and k, are 30 in all.
+                                             // 2 + k: bits of the extent and of dz, and k, are 30 in all.
         let room = room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
         if room < 0 {
             return long(triangle, dz1, dz2);
@@ -130,8 +130,9 @@ impl<'t> Planes<'t> {
         Self::of_extent(triangle, Extent::of(triangle))
     }
 
+    /// The same, given its extent.
     #[inline(always)]
-    fn of_extent(triangle: &'t Triangle, extent: Extent) -> Self {
+    pub(super) fn of_extent(triangle: &'t Triangle, extent: Extent) -> Self {
         let turn = (triangle.area >> 63) as i32;
         // |area| < 2·2³⁰ within 128 pixels: not all differences are to the side of the 128 that they may be.
         let (area, cut) = match extent.is_small() {
@@ -157,17 +158,9 @@ impl<'t> Planes<'t> {
     /// Differences of values may lose two bits, which is as if corners had been up to 4 units lower: 2¹⁰.
     /// Within 512 pixels area and numerator are cut to 31 bits, by 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of
     /// the step: 2⁹·⁶ for x and for y.
-    #[inline(never)]
+    // Part of its caller where there is but one.
     pub(crate) fn through(&self, values: &[i32; 3]) -> Plane {
         self.with(Numerators::new(self.triangle, self.room, values), values)
-    }
-
-    /// The same for a single plane over a triangle: in this order what lives at a time nearly fits a Cortex-M's
-    /// registers.
-    #[inline(always)]
-    pub(super) fn single(triangle: &'t Triangle, extent: Extent, values: &[i32; 3]) -> Plane {
-        let numerators = Numerators::new(triangle, extent.room(), values);
-        Self::of_extent(triangle, extent).with(numerators, values)
     }
 
     #[inline(always)]
@@ -182,7 +175,7 @@ impl<'t> Planes<'t> {
         // The upper word and the rest of the places, to nearest. There are 60 at most.
         let step = |v: i32, by: i32| ((mul_high(v, by) >> ((places - 33) & 31)) + 1) >> 1;
         let (right, down) = (step(across, self.mantissa), step(against, -self.mantissa)); // ≤ 2²⁸
-        // To the centre of the corner's pixel: 128 sub-pixels at most.
+                                                                                          // To the centre of the corner's pixel: 128 sub-pixels at most.
         let way = |p: i32| 128 - (p & 255);
         let to_centre = ((right >> 5) * way(a.x) + (down >> 5) * way(a.y)) >> 3; // two products of 2³⁰
         Plane::through_pixel((za << 8).wrapping_add(to_centre), right, down, (a.x >> 8, a.y >> 8))
@@ -244,7 +237,7 @@ fn large(triangle: &Triangle, extent: Extent) -> (i32, i32) {
 }
 
 /// Both numerators without loss, that of y with its sign turned.
-#[inline(always)]
+#[inline(never)] // on a Cortex-M0 its products are long
 fn wide([a, b, c]: &[ScreenPoint; 3], dz1: i32, dz2: i32) -> (i64, i64) {
     // |dx|, |dy| ≤ 2²², |dz| < 2²⁴: below 2⁴⁷ each.
     let across = mul_wide(dz1, c.y - a.y) + mul_wide(dz2, b.y - a.y);
