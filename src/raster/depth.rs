@@ -21,7 +21,7 @@ fn lowered(depths: [i32; 3], viewport: &Scissor) -> [i32; 3] {
 
 impl Plane {
     /// Depths in 16.8, 0 … [`FARTHEST`], with the half that rounds: the upper 16 bits at a pixel are its
-    /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 2⁻¹⁶ and 2⁻⁵·⁴:
+    /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {

@@ -58,7 +58,7 @@ pub(crate) struct Planes<'t> {
     room: i32,
 }
 
-/// Below this many places a plane is too steep for its reciprocal.
+/// Below this many places the upper word is too little of the product.
 const FLATTEST: i32 = 34;
 
 /// How far apart the corners are.
@@ -130,8 +130,7 @@ impl<'t> Planes<'t> {
         Self::of_extent(triangle, Extent::of(triangle))
     }
 
-    /// The same, given its extent.
-    #[inline(always)]
+    /// The same, given its extent. Part of its caller where there is but one.
     pub(super) fn of_extent(triangle: &'t Triangle, extent: Extent) -> Self {
         let turn = (triangle.area >> 63) as i32;
         // |area| < 2·2³⁰ within 128 pixels: not all differences are to the side of the 128 that they may be.
