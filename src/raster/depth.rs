@@ -1,5 +1,6 @@
 //! Depth over a triangle: a plane in 16.16, kept below what stands for nothing.
 
+use super::plane::Extent;
 use super::{Plane, Planes, Scissor, Triangle};
 
 /// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less, so
@@ -12,18 +13,23 @@ fn farthest_of_large(viewport: &Scissor) -> i32 {
     FARTHEST.min(65_534 * 256 + 127 - (pixels >> 9))
 }
 
+#[cold]
+fn lowered(depths: [i32; 3], viewport: &Scissor) -> [i32; 3] {
+    let farthest = farthest_of_large(viewport);
+    depths.map(|z| z.min(farthest))
+}
+
 impl Plane {
     /// Depths in 16.8, 0 … [`FARTHEST`], with the half that rounds: the upper 16 bits at a pixel are its
-    /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 2⁻¹⁶ and 2⁻⁵·⁴:
+    /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {
-        let planes = Planes::new(triangle);
-        if !planes.is_small() {
-            let farthest = farthest_of_large(&triangle.viewport);
-            depths = depths.map(|z| z.min(farthest));
+        let extent = Extent::of(triangle);
+        if extent.is_large() {
+            depths = lowered(depths, &triangle.viewport);
         }
-        let mut plane = planes.through(&depths);
+        let mut plane = Planes::of_extent(triangle, extent).through(&depths);
         plane.origin = plane.origin.wrapping_add(1 << 15);
         plane
     }

@@ -12,8 +12,8 @@
 //!
 //! (Pineda, *A parallel algorithm for polygon rasterization*, 1988, section 3.4.)
 
-use super::Triangle;
-use crate::math::num::{mul_wide, reciprocal};
+use super::{ScreenPoint, Triangle};
+use crate::math::num::{mul_high, mul_wide, reciprocal};
 use core::hint::black_box;
 
 /// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
@@ -50,103 +50,214 @@ impl Plane {
 }
 
 /// What all planes over a triangle share.
+///
+/// In 2⁻⁸ of the corners' unit and per pixel a plane climbs by `v · 2¹⁶ / den`, v the numerator for x or y. So
+/// it does by `v·2ᵏ · mantissa >> (places + k)`: the numerators are made of differences of values times 2ᵏ, so
+/// that they have 31 bits, and of the product only the upper word counts.
 pub(crate) struct Planes<'t> {
     triangle: &'t Triangle,
-    /// `den`: the area's magnitude.
-    area: u64,
-    /// The reciprocal of the area's upper 31 bits, and its exponent: see [`quick`](Self::quick).
+    /// The reciprocal of the area, with its sign turned: 2¹⁶/den = mantissa · 2^−places.
     mantissa: i32,
-    exponent: i32,
-    /// Bits of the largest difference between corners.
-    extent: i32,
+    /// Nothing like enough beyond 512 pixels: see [`Planes::through`].
+    places: i32,
+    /// 32 less the bits of the largest difference between corners; far less than nothing beyond 128 pixels.
+    room: i32,
+}
+
+/// Below this many places the upper word is too little of the product.
+const FLATTEST: i32 = 34;
+
+/// How far apart the corners are.
+#[derive(Clone, Copy)]
+pub(super) struct Extent(u32);
+
+impl Extent {
+    #[inline(always)]
+    pub(super) fn of(Triangle { corners: [a, b, c], .. }: &Triangle) -> Self {
+        Self(magnitude(b.x - a.x) | magnitude(b.y - a.y) | magnitude(c.x - a.x) | magnitude(c.y - a.y))
+    }
+
+    /// All differences from the first corner are below 128 pixels, or 128 to one side.
+    #[inline(always)]
+    fn is_small(self) -> bool {
+        self.0 >> 15 == 0
+    }
+
+    /// Whether any of them is 512 pixels or more.
+    #[inline(always)]
+    pub(super) fn is_large(self) -> bool {
+        self.0 >> 17 != 0
+    }
+
+    #[inline(always)]
+    fn room(self) -> i32 {
+        if self.is_small() {
+            self.0.leading_zeros() as i32
+        } else {
+            -64
+        }
+    }
+}
+
+/// The numerators times 2ᵏ, with 31 bits: that of y with its sign turned.
+#[derive(Clone, Copy)]
+struct Numerators {
+    across: i32,
+    against: i32,
+    k: i32,
+}
+
+impl Numerators {
+    #[inline(always)]
+    fn new(triangle: &Triangle, room: i32, &[za, zb, zc]: &[i32; 3]) -> Self {
+        let Triangle { corners: [a, b, c], .. } = triangle;
+        let (dz1, dz2) = (zb - za, za - zc); // 24 bits and the sign
+                                             // 2 + k: bits of the extent and of dz, and k, are 30 in all.
+        let room = room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
+        if room < 0 {
+            return long(triangle, dz1, dz2);
+        }
+        // Fewer than 32, as the extent is not 0.
+        let scale = |dz: i32| (dz << (room & 31)) >> 2;
+        let (dz1, dz2) = (scale(dz1), scale(dz2));
+        // The products are at most 2³⁰, not both.
+        Self {
+            across: (dz1 * (c.y - a.y)).wrapping_add(dz2 * (b.y - a.y)),
+            against: (dz1 * (c.x - a.x)).wrapping_add(dz2 * (b.x - a.x)),
+            k: room - 2,
+        }
+    }
 }
 
 impl<'t> Planes<'t> {
     /// Over a triangle.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn new(triangle: &'t Triangle) -> Self {
-        let area = triangle.area.unsigned_abs();
-        // area = m·2^down with 31 bits, or fewer where it has fewer.
-        let down = (33 - area.leading_zeros() as i32).max(0); // ≤ 16
-        let r = reciprocal((area >> (down & 31)) as i32); // 1/m = mantissa · 2^(shift − 61)
-        Self {
-            triangle,
-            area,
-            mantissa: r.mantissa,
-            exponent: r.shift as i32 - down - 21,
-            extent: 32 - triangle.extent().leading_zeros() as i32,
-        }
+        Self::of_extent(triangle, Extent::of(triangle))
     }
 
-    /// Whether all edges are shorter than 512 pixels.
-    #[inline(always)]
-    pub(super) fn is_small(&self) -> bool {
-        self.extent <= 17
+    /// The same, given its extent. Part of its caller where there is but one.
+    pub(super) fn of_extent(triangle: &'t Triangle, extent: Extent) -> Self {
+        let turn = (triangle.area >> 63) as i32;
+        // |area| < 2·2³⁰ within 128 pixels: not all differences are to the side of the 128 that they may be.
+        let (area, cut) = match extent.is_small() {
+            true => ((triangle.area as i32 ^ turn).wrapping_sub(turn), 0),
+            false => large(triangle, extent),
+        };
+        let r = reciprocal(area); // 1/area = mantissa · 2^(shift − 61)
+        Self {
+            triangle,
+            mantissa: (r.mantissa ^ !turn).wrapping_sub(!turn),
+            places: 61 - 16 - r.shift as i32 + cut,
+            room: extent.room(),
+        }
     }
 
     /// Through values 0 … 2²⁴ − 1 at the corners.
     ///
     /// **Error.** In 2⁻⁸ of the corners' unit, a pixel w columns and h rows from the corner's pixel, and
-    /// not more than they span from it, is off by less than `(w + h)·½` for the rounding of the steps, 1
-    /// for that of the origin, and, by the quick way, 2¹⁰·⁶ for the reciprocal: see [`quick`](Self::quick).
+    /// not more than they span from it, is off by less than `(w + h)·½` for the rounding of the steps, 34
+    /// for that of the origin, and, but for slivers and beyond 512 pixels, 2¹⁰·⁶ for what follows.
+    ///
+    /// No step is larger than 2²⁸. Within 128 pixels the reciprocal is off by 2⁻²⁸ of itself: 2⁸ at most.
+    /// Differences of values may lose two bits, which is as if corners had been up to 4 units lower: 2¹⁰.
+    /// Within 512 pixels area and numerator are cut to 31 bits, by 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of
+    /// the step: 2⁹·⁶ for x and for y.
+    // Part of its caller where there is but one.
+    pub(crate) fn through(&self, values: &[i32; 3]) -> Plane {
+        self.with(Numerators::new(self.triangle, self.room, values), values)
+    }
+
+    #[inline(always)]
+    fn with(&self, Numerators { across, against, k }: Numerators, values: &[i32; 3]) -> Plane {
+        let Triangle { corners: [a, ..], .. } = self.triangle;
+        let [za, ..] = values;
+        let places = self.places + k;
+        if places < FLATTEST {
+            // A copy, so that the fast way has it in registers.
+            return Self { ..*self }.steep(values, (across, against), places);
+        }
+        // The upper word and the rest of the places, to nearest. There are 60 at most.
+        let step = |v: i32, by: i32| ((mul_high(v, by) >> ((places - 33) & 31)) + 1) >> 1;
+        let (right, down) = (step(across, self.mantissa), step(against, -self.mantissa)); // ≤ 2²⁸
+                                                                                          // To the centre of the corner's pixel: 128 sub-pixels at most.
+        let way = |p: i32| 128 - (p & 255);
+        let to_centre = ((right >> 5) * way(a.x) + (down >> 5) * way(a.y)) >> 3; // two products of 2³⁰
+        Plane::through_pixel((za << 8).wrapping_add(to_centre), right, down, (a.x >> 8, a.y >> 8))
+    }
+
+    /// Where steps are large, from a pixel near those that are asked for: the error grows with the way. Not
+    /// nearer than the viewport, so that every band computes the same.
+    #[cold]
     #[inline(never)]
-    pub(crate) fn through(&self, &[za, zb, zc]: &[i32; 3]) -> Plane {
-        let Triangle { corners: [a, b, c], area, viewport } = self.triangle;
-        // |dx|, |dy| ≤ 2²², |dz| < 2²⁴, turned so that they go with den's magnitude.
-        let turn = |dz: i32| if *area < 0 { dz } else { -dz };
-        let (dz1, dz2) = (turn(zb - za), turn(zc - za));
-        // Below 2⁴⁷ each.
-        let across = mul_wide(dz1, c.y - a.y) - mul_wide(dz2, b.y - a.y);
-        let along = mul_wide(dz2, b.x - a.x) - mul_wide(dz1, c.x - a.x);
-        // Steps per sub-pixel: 24 bits of the values, and 40 more.
-        let (mut column, mut row) = (a.x >> 8, a.y >> 8);
-        let gradient = self.quick(across, along).unwrap_or_else(|| {
-            // From a pixel near those that are asked for: the error grows with the way. Not nearer
-            // than the viewport, so that every band computes the same.
-            column = column.clamp(viewport.left, viewport.right.max(viewport.left));
-            row = row.clamp(viewport.top, viewport.bottom.max(viewport.top));
-            (quotient(across, self.area), quotient(along, self.area))
-        });
+    fn steep(&self, &[za, zb, zc]: &[i32; 3], (across, against): (i32, i32), places: i32) -> Plane {
+        let Triangle { corners, area, viewport } = self.triangle;
+        let [a, ..] = corners;
+        let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
+        let row = (a.y >> 8).clamp(viewport.top, viewport.bottom.max(viewport.top));
+        // Per sub-pixel: 24 bits of the values, and 40 more. The products lie below 2⁶²: a step is at most
+        // 2^(62 − places), and 2⁻²⁸ of it times the extent, 2^(24 − room) pixels, less than 2⁹ for x and for y.
+        let (across, along) = if places >= 49 - self.room && places >= 24 {
+            let by_reciprocal = |v: i32| mul_wide(v, self.mantissa) >> ((places - 24) & 63);
+            (by_reciprocal(across), -by_reciprocal(against))
+        } else {
+            // Turned so that they go with den's magnitude.
+            let turn = |dz: i32| if *area < 0 { dz } else { -dz };
+            let (across, against) = wide(corners, turn(zb - za), turn(za - zc));
+            (quotient(across, area.unsigned_abs()), quotient(-against, area.unsigned_abs()))
+        };
         // To that pixel's centre: up to 2²³ sub-pixels.
         let (x, y) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
         let at = ((za as u64) << 40)
-            .wrapping_add((gradient.0 as u64).wrapping_mul(i64::from(x) as u64))
-            .wrapping_add((gradient.1 as u64).wrapping_mul(i64::from(y) as u64));
+            .wrapping_add((across as u64).wrapping_mul(i64::from(x) as u64))
+            .wrapping_add((along as u64).wrapping_mul(i64::from(y) as u64));
         // A pixel is 256 sub-pixels; from 24.40 to 24.8, to nearest.
-        let step = |g: i64| (g.wrapping_add(1 << 23) >> 24) as u32;
-        let (right, down) = (step(gradient.0), step(gradient.1));
-        let origin = ((at >> 32) as u32)
-            .wrapping_sub(right.wrapping_mul(column as u32))
-            .wrapping_sub(down.wrapping_mul(row as u32));
-        Plane { origin, right, down }
+        let step = |g: i64| (g.wrapping_add(1 << 23) >> 24) as i32;
+        Plane::through_pixel((at >> 32) as i32, step(across), step(along), (column, row))
     }
+}
 
-    /// Both gradients of a triangle within 512 pixels by a reciprocal, in 2⁻⁴⁰, or `None` where they are too
-    /// steep for it.
-    ///
-    /// The reciprocal of the area is off by 2⁻²⁸ of itself, and the area and the numerator, cut to 31
-    /// bits, by 2⁻³⁰ each: together less than 2⁻²⁷·⁴. Gradient times extent, at most 2²¹ steps for x and
-    /// for y, makes that 2⁻⁵·⁴ steps.
+impl Plane {
+    /// From the value at a pixel.
     #[inline(always)]
-    fn quick(&self, across: i64, along: i64) -> Option<(i64, i64)> {
-        if !self.is_small() {
-            return None;
-        }
-        let by_area = |v: i64| {
-            let cut = (33 - v.unsigned_abs().leading_zeros() as i32).max(0); // ≤ 16
-                                                                             // v/area · 2⁴⁰ = (v >> cut) · mantissa · 2^(cut − down + shift − 21): |product| < 2⁶².
-            let product = mul_wide((v >> (cut & 31)) as i32, self.mantissa);
-            // Shifted by 21 + 17 at most, as area < 2⁴⁵; not to the left: that is too steep.
-            let right = -(cut + self.exponent);
-            (right >= 0).then(|| product >> (right & 63))
-        };
-        let (x, y) = (by_area(across)?, by_area(along)?);
-        // Bits of the steepest beyond 32. Of the gradient's 40 are fractions and 8 of the extent's, and 2²¹ may be
-        // reached: 69 in all.
-        let high = |g: i64| ((g >> 32) ^ (g >> 63)) as u32;
-        let bits = 32 - (high(x) | high(y)).leading_zeros() as i32;
-        (bits + self.extent <= 69 - 32).then_some((x, y))
+    fn through_pixel(at: i32, right: i32, down: i32, (column, row): (i32, i32)) -> Self {
+        let origin = at.wrapping_sub(right.wrapping_mul(column)).wrapping_sub(down.wrapping_mul(row));
+        Self { origin: origin as u32, right: right as u32, down: down as u32 }
     }
+}
+
+/// Has the bits of v without its sign: |v| or |v| − 1.
+#[inline(always)]
+fn magnitude(v: i32) -> u32 {
+    (v ^ (v >> 31)) as u32
+}
+
+/// The magnitude of an area beyond 128 pixels cut to 31 bits, and by how many; beyond 512 pixels by so many
+/// that no plane is flat enough.
+#[inline(never)]
+fn large(triangle: &Triangle, extent: Extent) -> (i32, i32) {
+    let area = triangle.area.unsigned_abs();
+    let cut = (33 - area.leading_zeros() as i32).max(0); // ≤ 15
+    ((area >> (cut & 31)) as i32, if extent.is_large() { -64 } else { cut })
+}
+
+/// Both numerators without loss, that of y with its sign turned.
+#[inline(never)] // on a Cortex-M0 its products are long
+fn wide([a, b, c]: &[ScreenPoint; 3], dz1: i32, dz2: i32) -> (i64, i64) {
+    // |dx|, |dy| ≤ 2²², |dz| < 2²⁴: below 2⁴⁷ each.
+    let across = mul_wide(dz1, c.y - a.y) + mul_wide(dz2, b.y - a.y);
+    let against = mul_wide(dz1, c.x - a.x) + mul_wide(dz2, b.x - a.x);
+    (across, against)
+}
+
+/// Cut to 31 bits.
+#[inline(never)]
+fn long(triangle: &Triangle, dz1: i32, dz2: i32) -> Numerators {
+    let (across, against) = wide(&triangle.corners, dz1, dz2);
+    let high = |v: i64| (v ^ (v >> 63)) as u64;
+    let cut = (33 - (high(across) | high(against)).leading_zeros() as i32).max(0); // ≤ 16
+    let shift = cut & 31;
+    Numerators { across: (across >> shift) as i32, against: (against >> shift) as i32, k: -cut }
 }
 
 /// `⌊v · 2⁴⁰ / area⌋` modulo 2⁶⁴ for |v| < 2⁴⁷ and 0 < area < 2⁴⁶, by long division: 87 steps, for

@@ -45,14 +45,6 @@ impl Triangle {
     pub fn plane(&self, values: [u32; 3]) -> Plane {
         Planes::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
     }
-
-    /// A number with as many bits as the largest difference from its first corner has, in sub-pixels.
-    pub(super) fn extent(&self) -> u32 {
-        let [a, b, c] = self.corners;
-        let (dx1, dy1) = (b.x - a.x, b.y - a.y);
-        let (dx2, dy2) = (c.x - a.x, c.y - a.y);
-        (dx1.abs() | dx2.abs() | dy1.abs() | dy2.abs()).unsigned_abs()
-    }
 }
 
 /// Walks the covered pixels inside the scissor, one span a row, top to bottom: rules R1 to R9.
