@@ -5,7 +5,7 @@
 //! products. Error budget: ARCHITECTURE.md, "Numbers".
 
 use super::{Camera, Corner, Image, Screen};
-use crate::math::num::{add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, scale};
+use crate::math::num::{add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, scale, Reciprocal};
 use crate::math::row::{forms, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
@@ -28,11 +28,16 @@ pub(crate) struct Placement {
     xy_over_w: i32,
     /// e_d − e_w: never negative.
     d_over_w: i32,
-    /// Least w for which the fast path keeps all its bits.
+    /// Least w for which the fast path keeps all its bits, and surely lies behind near where that is a matter
+    /// of w alone.
     least_w: i32,
-    /// |x|, |y| < w · 2^(wide − narrow) has a place in a [`Corner`]; one of the two is 0.
-    wide: u8,
-    narrow: u8,
+    /// Depth is `origin − drop/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
+    origin: i32,
+    /// In units of w times 2^(2 − drop_down).
+    drop: i32,
+    drop_down: i32,
+    /// Whether near, and depth, ask for d.
+    by_d: bool,
     screen: Screen,
     far_clip: bool,
 }
@@ -67,12 +72,23 @@ impl Placement {
         // Finer x than w is of no use; much coarser x means an object far to the side.
         let e_w = reach(&w, unit).max(e_xy - room);
         let e_xy = e_xy.max(e_w);
+        // 4 Depth by w, where w reaches at least 2⁻⁴ so that offsets in 2⁻³² are fine enough; else by d.
+        let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
+        let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
         let e_d = reach(&d, unit).max(e_w);
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
-        // 4 The fast path shifts right by at least one: see `project`. Leading zeros of w at most:
-        let zeros = (29 - xy_over_w - screen_unit).min(13 - d_over_w);
-        // 5 Corners reach 2^18 sub-pixels, where the guard band does: −24 … 11.
-        let reach = (Corner::REACH - screen_unit).min(room) - xy_over_w;
+        // 5 The fast path shifts right by at least nothing, left by less than 32: see `project`. Leading zeros of w at most:
+        let zeros = (28 - xy_over_w - screen_unit).min(31 - d_over_w).min(9);
+        let least_w = if zeros >= 0 && screen_unit + room >= Corner::REACH { 1 << (30 - zeros) } else { i32::MAX };
+        // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰.
+        let near = by_w.map_or(0, |by_w| in_w(by_w.near, 0).saturating_add(64 << d_over_w.min(31)));
+        // The drop has 31 bits, or fewer where it is next to nothing.
+        let (mut origin, mut drop, mut drop_down) = (4, 0, 0);
+        if let Some(by_w) = by_w {
+            origin += by_w.infinity;
+            drop_down = (34 + shift + e_w - excess(by_w.drop as u64, 31)).clamp(0, 31);
+            drop = in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
+        }
         Self {
             x: form(&x, unit, e_xy),
             y: form(&y, unit, e_xy),
@@ -81,9 +97,11 @@ impl Placement {
             justify,
             xy_over_w,
             d_over_w,
-            least_w: if zeros >= 1 { 1 << (31 - zeros) } else { i32::MAX },
-            wide: reach.max(0) as u8,
-            narrow: (-reach).clamp(0, 31) as u8,
+            least_w: near.clamp(least_w.into(), i32::MAX.into()) as i32,
+            origin,
+            drop,
+            drop_down,
+            by_d: by_w.is_none(),
             screen: camera.screen,
             far_clip: camera.far_clip,
         }
@@ -110,44 +128,62 @@ impl Placement {
         Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
 
+    /// Whether [`project`](Self::project) must look at d for its answer: `far` cuts, or near is not a matter of w.
+    pub(crate) fn asks_for_d(&self, depth: bool, far: bool) -> bool {
+        self.by_d || far && !depth
+    }
+
     /// The vertex on the screen, or an empty corner when it must be clipped or lies farther out than
-    /// corners reach: in front of near, outside the guard band, beyond far if that cuts, or so near to
-    /// the eye that 32 bits do not carry it.
+    /// corners reach: in front of near or too close to it to tell, outside the guard band, beyond far if that cuts, or so
+    /// near to the eye that 32 bits do not carry it. `by_d`: what [`asks_for_d`](Self::asks_for_d) says.
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
-    /// shift by `29 − e − unit − n ≥ 1`, rounded to nearest with ties up.
+    /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
     #[inline(always)]
-    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3], far: bool) -> Corner {
-        let h = self.clip(vertex);
-        // |v| >> wide < w >> narrow implies |v| < w·2^(wide − narrow). (v ^ v >> 31 is |v|, or |v| − 1:
-        // then it may be equal, and still has a place.)
-        let limit = h.w >> self.narrow;
-        let beyond = |v: i32| ((v ^ (v >> 31)) >> self.wide) >= limit;
-        if h.d < 0 || h.w < self.least_w || beyond(h.x) || beyond(h.y) {
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3], by_d: bool, far: bool) -> Corner {
+        let v = vertex.map(|c| c.justify(self.justify));
+        let w = self.w.at(v, V::NARROW);
+        if w < self.least_w {
             return Corner::EMPTY;
         }
-        // d·2^d_over_w at most w less what d is stored short: then w − d is not negative. Rarely not so.
-        let limit = (h.w - (h.w >> 16) - 1) >> self.d_over_w.min(31);
-        if far && h.d >= limit && self.beyond_far(&h) < 0 {
-            return Corner::EMPTY;
-        }
-        let r = reciprocal(h.w);
+        let r = reciprocal(w);
         let n = r.shift as i32;
-        let right = (29 - self.xy_over_w - self.screen.unit - n - 1).clamp(0, 31); // by least_w
-        let along = |v: i32| ((mul_high(v, r.mantissa) >> right) + 1) >> 1;
-        let depth = if DEPTH {
-            let right = 37 - self.d_over_w - n; // ≥ 25 by least_w
-            let depth = if right > 32 {
-                (mul_high(h.d, r.mantissa) >> (right - 33)) + 1
-            } else {
-                // Near the eye the low word counts. Beyond far the quotient may leave 32 bits.
-                (mul_wide(h.d, r.mantissa) >> (right - 1)).min(1 << 30) as i32 + 1
-            };
-            (depth >> 1).min(FARTHEST)
-        } else {
-            0
-        };
-        Corner::new(along(h.x), along(h.y), depth)
+        let (mut numerator, mut down) = (self.drop, (self.drop_down - n) & 31);
+        if by_d {
+            let d = self.d.at(v, V::NARROW);
+            if d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w) {
+                return Corner::EMPTY;
+            }
+            numerator = -(d << ((n + self.d_over_w) & 31) >> 2); // up to w: 31 bits
+            down = 0;
+        }
+        let x = self.x.at(v, V::NARROW);
+        let y = self.y.at(v, V::NARROW);
+        let right = (28 - self.xy_over_w - self.screen.unit - n) & 31;
+        let along = |v: i32| mul_high(v, r.mantissa) >> right;
+        let mut depth = 0;
+        if DEPTH {
+            depth = (self.origin - (mul_high(numerator, r.mantissa) >> down)) >> 3;
+            if depth > SURELY_BEFORE_FAR {
+                if far && self.is_beyond_far(vertex) {
+                    return Corner::EMPTY;
+                }
+                depth = depth.min(FARTHEST);
+            }
+        }
+        Corner::new(along(x), along(y), depth)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_beyond_far<V: Coordinate>(&self, vertex: [V; 3]) -> bool {
+        self.beyond_far(&self.clip_one(vertex)) < 0
+    }
+
+    /// d·2^d_over_w at most w less what d is stored short: then w − d is not negative.
+    #[inline(always)]
+    fn may_be_beyond_far(&self, d: i32, w: i32) -> bool {
+        d >= (w - (w >> 16) - 1) >> self.d_over_w.min(31)
     }
 
     /// Where a corner that has a place lies on the screen.
@@ -165,14 +201,23 @@ impl Placement {
         let n = r.shift as i32;
         let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
         let [cx, cy] = self.screen.centre;
-        let depth = quotient(h.d, r.mantissa, n + self.d_over_w - 37, 0);
         Image {
             point: ScreenPoint::clamped(
                 quotient(h.x, r.mantissa, -right, cx),
                 quotient(h.y, r.mantissa, -right, cy),
             ),
-            depth: depth.clamp(0, FARTHEST),
+            depth: (self.depth(h, &r) >> 35).clamp(0, FARTHEST.into()) as i32,
         }
+    }
+
+    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴.
+    fn depth(&self, h: &Homogeneous, r: &Reciprocal) -> i64 {
+        let n = r.shift as i32;
+        let (numerator, down) = match self.by_d {
+            true => (-(scale(h.d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
+            false => (self.drop, (self.drop_down - n).max(0)),
+        };
+        (i64::from(self.origin) << 32) - (mul_wide(numerator, r.mantissa) >> down) // 2⁶² and 2⁶²
     }
 
     /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they
@@ -184,7 +229,7 @@ impl Placement {
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(h.x, cx), along(h.y, cy), add(scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 13), 0)]
+        [along(h.x, cx), along(h.y, cy), (self.depth(h, &r) >> 11) - (4 << 21)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
@@ -220,6 +265,9 @@ impl Placement {
         // 2³⁰ at most
     }
 }
+
+/// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
+const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
 /// `v · mantissa · 2^shift`, rounded to nearest, and `more`; within ±2³⁰. |more| < 2²⁴.
 #[inline(never)] // rare: small is better

@@ -202,9 +202,10 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     vertices: &[[V; 3]],
     corners: &mut [Corner],
 ) {
+    let by_d = placement.asks_for_d(DEPTH, far);
     for (corner, &vertex) in corners.iter_mut().zip(vertices) {
         // `black_box`: nothing of it is brought into registers, of which there are too few, before the loop.
-        *corner = black_box(placement).project::<V, DEPTH>(vertex, far);
+        *corner = black_box(placement).project::<V, DEPTH>(vertex, by_d, far);
     }
 }
 
