@@ -5,7 +5,7 @@
 //! products. Error budget: ARCHITECTURE.md, "Numbers".
 
 use super::{Camera, Corner, Image, Screen};
-use crate::math::num::{add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, scale, Reciprocal};
+use crate::math::num::{add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_positive, scale, Reciprocal};
 use crate::math::row::{forms, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
@@ -22,10 +22,12 @@ pub(crate) struct Placement {
     y: Form,
     d: Form,
     w: Form,
-    /// Left shift that justifies a vertex coordinate to 32 bits.
-    justify: u32,
+    /// Power of two that justifies a vertex coordinate to 32 bits.
+    justify: i32,
     /// e_xy − e_w: 0 … room.
     xy_over_w: i32,
+    /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
+    right: i32,
     /// e_d − e_w: never negative.
     d_over_w: i32,
     /// Least w for which the fast path keeps all its bits, and surely lies behind near where that is a matter
@@ -94,8 +96,9 @@ impl Placement {
             y: form(&y, unit, e_xy),
             d: form(&d, unit, e_d),
             w: form(&w, unit, e_w),
-            justify,
+            justify: 1 << (justify & 31),
             xy_over_w,
+            right: 28 - xy_over_w - screen_unit,
             d_over_w,
             least_w: near.clamp(least_w.into(), i32::MAX.into()) as i32,
             origin,
@@ -146,7 +149,7 @@ impl Placement {
         if w < self.least_w {
             return Corner::EMPTY;
         }
-        let r = reciprocal(w);
+        let r = reciprocal_of_positive(w);
         let n = r.shift as i32;
         let (mut numerator, mut down) = (self.drop, (self.drop_down - n) & 31);
         if by_d {
@@ -159,7 +162,7 @@ impl Placement {
         }
         let x = self.x.at(v, V::NARROW);
         let y = self.y.at(v, V::NARROW);
-        let right = (28 - self.xy_over_w - self.screen.unit - n) & 31;
+        let right = (self.right - n) & 31;
         let along = |v: i32| mul_high(v, r.mantissa) >> right;
         let mut depth = 0;
         if DEPTH {

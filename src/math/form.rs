@@ -14,24 +14,24 @@ pub(crate) struct Homogeneous {
 
 /// A vertex coordinate type: `i16`, or [`Scalar`] for meshes that need the range.
 pub trait Coordinate: Copy + sealed::Sealed {
-    /// The coordinate at the top of 32 bits.
+    /// The coordinate times a power of two that brings it to the top of 32 bits.
     #[doc(hidden)]
-    fn justify(self, shift: u32) -> i32;
+    fn justify(self, factor: i32) -> i32;
     /// Whether the justified coordinate's low 16 bits are zero.
     #[doc(hidden)]
     const NARROW: bool;
 }
 
 impl Coordinate for i16 {
-    fn justify(self, shift: u32) -> i32 {
-        i32::from(self) << (shift & 31) // 16 … 31, by Mesh's own bound no bit is lost
+    fn justify(self, factor: i32) -> i32 {
+        i32::from(self).wrapping_mul(factor) // 2¹⁶ … 2³¹, by Mesh's own bound no bit is lost
     }
     const NARROW: bool = true;
 }
 
 impl Coordinate for Scalar {
-    fn justify(self, shift: u32) -> i32 {
-        self.to_bits() << (shift & 31) // by Mesh's own bound no bit is lost
+    fn justify(self, factor: i32) -> i32 {
+        self.to_bits().wrapping_mul(factor) // by Mesh's own bound no bit is lost
     }
     const NARROW: bool = false;
 }

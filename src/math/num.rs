@@ -75,8 +75,13 @@ pub(crate) struct Reciprocal {
 /// Arithmetic, 2nd ed., section 4.7.)
 #[inline(always)]
 pub(crate) fn reciprocal(v: i32) -> Reciprocal {
-    let v = v.max(1);
-    let shift = v.leading_zeros() - 1; // v ≥ 1 has 1 … 31 leading zeros
+    reciprocal_of_positive(v.max(1))
+}
+
+/// [`reciprocal`] where `v ≥ 1` is known.
+#[inline(always)]
+pub(crate) fn reciprocal_of_positive(v: i32) -> Reciprocal {
+    let shift = v.leading_zeros().wrapping_sub(1) & 31; // v ≥ 1 has 1 … 31 leading zeros
     let m = v << shift; // 2³⁰ … 2³¹ − 1, in 2⁻³⁰
     let index = (m >> 22) as usize & 0xff;
     // The mask keeps the index inside the table; `get` says so without a panic path.

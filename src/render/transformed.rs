@@ -5,6 +5,7 @@ use super::fan::{Fan, Outcome};
 use super::{Ink, Placed, Statistics};
 use crate::camera::{Corner, Image, Placement};
 use crate::clip::{Carried, PLACES};
+use crate::math::num::keep_rolled;
 use crate::math::{Coordinate, Homogeneous};
 use crate::raster;
 use core::hint::black_box;
@@ -203,9 +204,12 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     corners: &mut [Corner],
 ) {
     let by_d = placement.asks_for_d(DEPTH, far);
+    // Somewhere, and perhaps changed in every turn: so nothing of it is brought into registers, of which there are too
+    // few, before the loop, and its numbers are loaded in pairs.
+    let placement = black_box(placement);
     for (corner, &vertex) in corners.iter_mut().zip(vertices) {
-        // `black_box`: nothing of it is brought into registers, of which there are too few, before the loop.
-        *corner = black_box(placement).project::<V, DEPTH>(vertex, by_d, far);
+        keep_rolled();
+        *corner = placement.project::<V, DEPTH>(vertex, by_d, far);
     }
 }
 
