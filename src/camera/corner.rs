@@ -35,7 +35,8 @@ impl Corner {
     /// Places have at most 2^18 sub-pixels.
     pub(crate) const REACH: i32 = 18;
 
-    const BIAS: i32 = 1 << Self::REACH;
+    /// What [`new`](Self::new) wants: brings half sub-pixels above zero, and rounds them.
+    pub(crate) const BIAS: i32 = (2 << Self::REACH) + 1;
 
     /// No place yet: for arrays in statics. All zeros, so that they take no room in flash.
     pub const EMPTY: Self = Self { right: 0, down: 0 };
@@ -43,9 +44,9 @@ impl Corner {
     /// From half sub-pixels from the viewport's centre, rounded to whole ones, ties up, and depth in
     /// 16.8, 24 bits. Out of reach it is [`EMPTY`](Self::EMPTY), as it may be right at the border.
     #[inline(always)]
-    pub(crate) fn new(right: i32, down: i32, depth: i32) -> Self {
+    pub(crate) fn new(right: i32, down: i32, bias: i32, depth: i32) -> Self {
         debug_assert!(depth >> 24 == 0);
-        let biased = |v: i32| v.wrapping_add(2 * Self::BIAS + 1) as u32;
+        let biased = |v: i32| v.wrapping_add(bias) as u32;
         let (right, down) = (biased(right), biased(down));
         if (right | down) >> (Self::REACH + 2) != 0 {
             return Self::EMPTY;
@@ -67,7 +68,7 @@ impl Corner {
     }
 
     /// Where [`offset`](Self::offset) has the viewport's centre.
-    pub(crate) const CENTRE: [i32; 2] = [Self::BIAS; 2];
+    pub(crate) const CENTRE: [i32; 2] = [Self::BIAS >> 1; 2];
 
     /// In 16.8.
     #[inline(always)]
@@ -103,7 +104,7 @@ mod tests {
             for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
                 // A half is rounded up.
                 for half in [0, -1] {
-                    let corner = Corner::new(2 * right + half, 2 * down + half, depth);
+                    let corner = Corner::new(2 * right + half, 2 * down + half, Corner::BIAS, depth);
                     assert!(corner.whole());
                     let [x, y] = Corner::CENTRE;
                     assert_eq!((corner.offset().x() - x, corner.offset().y() - y), (right, down));
@@ -118,8 +119,8 @@ mod tests {
     fn what_lies_farther_out_has_no_place() {
         assert!(!Corner::EMPTY.whole());
         for out in [1 << 19, i32::MAX, i32::MIN, -(1 << 19) - 2] {
-            assert_eq!(Corner::new(out, 0, 0), Corner::EMPTY);
-            assert_eq!(Corner::new(0, out, 0), Corner::EMPTY);
+            assert_eq!(Corner::new(out, 0, Corner::BIAS, 0), Corner::EMPTY);
+            assert_eq!(Corner::new(0, out, Corner::BIAS, 0), Corner::EMPTY);
         }
     }
 }

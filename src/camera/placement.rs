@@ -17,30 +17,33 @@ use embedded_graphics_core::primitives::Rectangle;
 /// Values are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for
 /// w. Only differences of exponents are kept.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)] // what the vertex loop loads comes first: a Cortex-M0's loads reach 124 bytes
 pub(crate) struct Placement {
+    w: Form,
     x: Form,
     y: Form,
-    d: Form,
-    w: Form,
-    /// Power of two that justifies a vertex coordinate to 32 bits.
-    justify: i32,
-    /// e_xy − e_w: 0 … room.
-    xy_over_w: i32,
-    /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
-    right: i32,
-    /// e_d − e_w: never negative.
-    d_over_w: i32,
+    /// Power of two that justifies a vertex coordinate.
+    factor: i32,
     /// Least w for which the fast path keeps all its bits, and surely lies behind near where that is a matter
     /// of w alone.
     least_w: i32,
-    /// Depth is `origin − drop/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
+    /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
+    right: i32,
+    /// [`Corner::BIAS`], here because as a constant it takes two instructions and a register.
+    bias: i32,
+    /// Depth is `origin + drop/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
     origin: i32,
-    /// In units of w times 2^(2 − drop_down).
+    /// Negative, in units of w times 2^(2 − drop_down).
     drop: i32,
     drop_down: i32,
+    /// e_d − e_w: never negative.
+    d_over_w: i32,
+    d: Form,
+    /// e_xy − e_w: 0 … room.
+    xy_over_w: i32,
+    screen: Screen,
     /// Whether near, and depth, ask for d.
     by_d: bool,
-    screen: Screen,
     far_clip: bool,
 }
 
@@ -48,7 +51,7 @@ impl Placement {
     /// `exponent`: of the mesh, coordinate = vertex · 2^exponent; `justify`: left shift that
     /// brings its largest coordinate to the top of 32 bits.
     #[inline(never)] // set-up: small is better
-    pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, exponent: i32, justify: u32) -> Self {
+    pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, exponent: i32, justify: u32, narrow: bool) -> Self {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
@@ -89,16 +92,17 @@ impl Placement {
         if let Some(by_w) = by_w {
             origin += by_w.infinity;
             drop_down = (34 + shift + e_w - excess(by_w.drop as u64, 31)).clamp(0, 31);
-            drop = in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
+            drop = -in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
         }
         Self {
             x: form(&x, unit, e_xy),
             y: form(&y, unit, e_xy),
             d: form(&d, unit, e_d),
             w: form(&w, unit, e_w),
-            justify: 1 << (justify & 31),
+            factor: Form::justify(justify, narrow),
             xy_over_w,
             right: 28 - xy_over_w - screen_unit,
+            bias: Corner::BIAS,
             d_over_w,
             least_w: near.clamp(least_w.into(), i32::MAX.into()) as i32,
             origin,
@@ -113,7 +117,7 @@ impl Placement {
     /// The vertex in clip space, where vertices are few: small is better.
     #[inline(never)]
     pub(crate) fn clip_one<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
-        let v = vertex.map(|c| c.justify(self.justify));
+        let v = vertex.map(|c| c.times(self.factor));
         let at = |form: &Form| form.at_one(&v, V::NARROW);
         Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
@@ -126,7 +130,7 @@ impl Placement {
     /// The vertex in clip space.
     #[inline(always)]
     pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
-        let v = vertex.map(|c| c.justify(self.justify));
+        let v = vertex.map(|c| c.times(self.factor));
         let at = |form: &Form| form.at(v, V::NARROW);
         Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
@@ -143,50 +147,59 @@ impl Placement {
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
     #[inline(always)]
-    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3], by_d: bool, far: bool) -> Corner {
-        let v = vertex.map(|c| c.justify(self.justify));
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: &[V; 3], by_d: bool, far: bool) -> Corner {
+        let v = vertex.map(|c| c.times(self.factor));
         let w = self.w.at(v, V::NARROW);
         if w < self.least_w {
             return Corner::EMPTY;
         }
         let r = reciprocal_of_positive(w);
         let n = r.shift as i32;
-        let (mut numerator, mut down) = (self.drop, (self.drop_down - n) & 31);
+        let right = (self.right - n) & 31;
+        let along = |form: &Form| mul_high(form.at(v, V::NARROW), r.mantissa) >> right;
+        //A
+        let x = along(&self.x);
+        //B
+        let y = along(&self.y);
+        //C
+        let mut depth = 0;
         if by_d {
-            let d = self.d.at(v, V::NARROW);
-            if d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w) {
+            let d = self.d_if_seen(vertex, w, DEPTH || far);
+            if d < 0 {
                 return Corner::EMPTY;
             }
-            numerator = -(d << ((n + self.d_over_w) & 31) >> 2); // up to w: 31 bits
-            down = 0;
-        }
-        let x = self.x.at(v, V::NARROW);
-        let y = self.y.at(v, V::NARROW);
-        let right = (self.right - n) & 31;
-        let along = |v: i32| mul_high(v, r.mantissa) >> right;
-        let mut depth = 0;
-        if DEPTH {
-            depth = (self.origin - (mul_high(numerator, r.mantissa) >> down)) >> 3;
-            if depth > SURELY_BEFORE_FAR {
-                if far && self.is_beyond_far(vertex) {
-                    return Corner::EMPTY;
-                }
-                depth = depth.min(FARTHEST);
+            if DEPTH {
+                let d = d << ((n + self.d_over_w) & 31) >> 2; // up to w: 31 bits
+                depth = (self.origin + mul_high(d, r.mantissa)) >> 3;
             }
+        } else if DEPTH {
+            depth = (self.origin + (mul_high(self.drop, r.mantissa) >> ((self.drop_down - n) & 31))) >> 3;
         }
-        Corner::new(along(x), along(y), depth)
+        if DEPTH && depth > SURELY_BEFORE_FAR {
+            if far && self.is_beyond_far(vertex) {
+                return Corner::EMPTY;
+            }
+            depth = depth.min(FARTHEST);
+        }
+        Corner::new(x, y, self.bias, depth)
+    }
+
+    /// d, or something negative in front of near, or beyond far where this cuts.
+    #[cold]
+    #[inline(never)]
+    fn d_if_seen<V: Coordinate>(&self, vertex: &[V; 3], w: i32, far: bool) -> i32 {
+        let d = self.d.at_one(&vertex.map(|c| c.times(self.factor)), V::NARROW);
+        // d·2^d_over_w at most w less what d is stored short: then w − d is not negative.
+        if far && d >= (w - (w >> 16) - 1) >> self.d_over_w.min(31) {
+            return -1;
+        }
+        d
     }
 
     #[cold]
     #[inline(never)]
-    fn is_beyond_far<V: Coordinate>(&self, vertex: [V; 3]) -> bool {
-        self.beyond_far(&self.clip_one(vertex)) < 0
-    }
-
-    /// d·2^d_over_w at most w less what d is stored short: then w − d is not negative.
-    #[inline(always)]
-    fn may_be_beyond_far(&self, d: i32, w: i32) -> bool {
-        d >= (w - (w >> 16) - 1) >> self.d_over_w.min(31)
+    fn is_beyond_far<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
+        self.beyond_far(&self.clip_one(*vertex)) < 0
     }
 
     /// Where a corner that has a place lies on the screen.
@@ -217,10 +230,10 @@ impl Placement {
     fn depth(&self, h: &Homogeneous, r: &Reciprocal) -> i64 {
         let n = r.shift as i32;
         let (numerator, down) = match self.by_d {
-            true => (-(scale(h.d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
+            true => ((scale(h.d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
             false => (self.drop, (self.drop_down - n).max(0)),
         };
-        (i64::from(self.origin) << 32) - (mul_wide(numerator, r.mantissa) >> down) // 2⁶² and 2⁶²
+        (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down) // 2⁶² and 2⁶²
     }
 
     /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they

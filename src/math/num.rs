@@ -81,8 +81,7 @@ pub(crate) fn reciprocal(v: i32) -> Reciprocal {
 /// [`reciprocal`] where `v ≥ 1` is known.
 #[inline(always)]
 pub(crate) fn reciprocal_of_positive(v: i32) -> Reciprocal {
-    let shift = v.leading_zeros().wrapping_sub(1) & 31; // v ≥ 1 has 1 … 31 leading zeros
-    let m = v << shift; // 2³⁰ … 2³¹ − 1, in 2⁻³⁰
+    let (m, shift) = normalised(v); // 2³⁰ … 2³¹ − 1, in 2⁻³⁰
     let index = (m >> 22) as usize & 0xff;
     // The mask keeps the index inside the table; `get` says so without a panic path.
     let r = 256 + i32::from(RECIPROCAL.get(index).copied().unwrap_or(0)); // in 2⁻⁹
@@ -92,6 +91,30 @@ pub(crate) fn reciprocal_of_positive(v: i32) -> Reciprocal {
     let s = (e - ((e1 * e2) >> 7)) >> 9; // e − e² + e³, in 2⁻³⁰, |s| < 2²²
     // |s·r| < 2³¹; one less, lest 1 become 2³¹.
     Reciprocal { mantissa: (r << 22) + !((s * r) >> 8), shift }
+}
+
+/// `v ≥ 1` shifted left to 2³⁰ … 2³¹ − 1, and the shift.
+#[cfg(not(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32")))]
+#[inline(always)]
+fn normalised(v: i32) -> (i32, u32) {
+    let shift = v.leading_zeros().wrapping_sub(1) & 31; // v ≥ 1 has 1 … 31 leading zeros
+    (v << shift, shift)
+}
+
+/// The same where no instruction counts leading zeros. Most have few.
+#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+#[inline(always)]
+fn normalised(mut v: i32) -> (i32, u32) {
+    let mut shift = 0;
+    while v < 1 << 22 {
+        keep_rolled();
+        (v, shift) = (v << 8, shift + 8);
+    }
+    while v < 1 << 30 {
+        keep_rolled();
+        (v, shift) = (v << 1, shift + 1);
+    }
+    (v, shift)
 }
 
 /// Stands in a loop that is to stay one: the compiler would copy its body four times and more, which

@@ -207,7 +207,7 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     // Somewhere, and perhaps changed in every turn: so nothing of it is brought into registers, of which there are too
     // few, before the loop, and its numbers are loaded in pairs.
     let placement = black_box(placement);
-    for (corner, &vertex) in corners.iter_mut().zip(vertices) {
+    for (corner, vertex) in corners.iter_mut().zip(vertices) {
         keep_rolled();
         *corner = placement.project::<V, DEPTH>(vertex, by_d, far);
     }
