@@ -64,7 +64,8 @@ impl Corner {
     /// centre lies at [`CENTRE`](Self::CENTRE).
     #[inline(always)]
     pub(crate) fn offset(self) -> ScreenPoint {
-        ScreenPoint::inside((self.right >> 13) as i32, (self.down >> 13) as i32) // 19 bits
+        ScreenPoint::inside((self.right >> 13) as i32, (self.down >> 13) as i32)
+        // 19 bits
     }
 
     /// Where [`offset`](Self::offset) has the viewport's centre.
