@@ -114,6 +114,7 @@ pub(crate) struct Halves {
 }
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[cfg_attr(test, allow(dead_code))] // the host's tests use a part of it
 impl Halves {
     /// Narrow coordinates are brought to the top of 16 bits instead, by a shift of 16 less: 0 … 15.
     pub(crate) const fn justify(shift: u32, narrow: bool) -> i32 {
