@@ -9,11 +9,11 @@ use crate::raster::ScreenPoint;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Corner {
-    /// Sub-pixels to the right of the viewport's centre, and 2¹⁹, in the upper 20 bits: never 0, which
-    /// is none. Below them the upper 12 of the depth's 24.
+    /// Half sub-pixels to the right of the viewport's centre, and 2¹⁹ + 1, in the upper 20 bits: what is left
+    /// without the last one is rounded. Below them the upper 12 of the depth's 24. Never 0, which is none.
     right: u32,
-    /// Sub-pixels below the viewport's centre, and the lower 12 bits of the depth.
-    down: i32,
+    /// The same downwards, and the lower 12 bits of the depth.
+    down: u32,
 }
 
 /// A vertex on the screen.
@@ -32,20 +32,26 @@ impl Image {
 }
 
 impl Corner {
-    /// Places have at most 2^18 sub-pixels: 20 bits with their sign.
+    /// Places have at most 2^18 sub-pixels.
     pub(crate) const REACH: i32 = 18;
 
-    const BIAS: i32 = 1 << 19;
+    /// What [`new`](Self::new) wants: brings half sub-pixels above zero, and rounds them.
+    pub(crate) const BIAS: i32 = (2 << Self::REACH) + 1;
 
     /// No place yet: for arrays in statics. All zeros, so that they take no room in flash.
     pub const EMPTY: Self = Self { right: 0, down: 0 };
 
-    /// |right|, |down| ≤ 2¹⁸ sub-pixels from the viewport's centre; depth in 16.8, 24 bits.
+    /// From half sub-pixels from the viewport's centre, rounded to whole ones, ties up, and depth in
+    /// 16.8, 24 bits. Out of reach it is [`EMPTY`](Self::EMPTY), as it may be right at the border.
     #[inline(always)]
-    pub(crate) fn new(right: i32, down: i32, depth: i32) -> Self {
-        debug_assert!(right.abs().max(down.abs()) <= 1 << Self::REACH && depth >> 24 == 0);
-        let right = (right + Self::BIAS) as u32; // 2¹⁸ … 3·2¹⁸
-        Self { right: right << 12 | depth as u32 >> 12, down: down << 12 | (depth & 0xfff) }
+    pub(crate) fn new(right: i32, down: i32, bias: i32, depth: i32) -> Self {
+        debug_assert!(depth >> 24 == 0);
+        let biased = |v: i32| v.wrapping_add(bias) as u32;
+        let (right, down) = (biased(right), biased(down));
+        if (right | down) >> (Self::REACH + 2) != 0 {
+            return Self::EMPTY;
+        }
+        Self { right: right << 12 | depth as u32 >> 12, down: down << 12 | depth as u32 & 0xfff }
     }
 
     /// Whether there is a place.
@@ -58,26 +64,27 @@ impl Corner {
     /// centre lies at [`CENTRE`](Self::CENTRE).
     #[inline(always)]
     pub(crate) fn offset(self) -> ScreenPoint {
-        ScreenPoint::inside((self.right >> 12) as i32, self.down >> 12)
+        ScreenPoint::inside((self.right >> 13) as i32, (self.down >> 13) as i32)
+        // 19 bits
     }
 
     /// Where [`offset`](Self::offset) has the viewport's centre.
-    pub(crate) const CENTRE: [i32; 2] = [Self::BIAS, 0];
+    pub(crate) const CENTRE: [i32; 2] = [Self::BIAS >> 1; 2];
 
     /// In 16.8.
     #[inline(always)]
     pub(crate) fn depth(self) -> i32 {
-        ((self.right & 0xfff) << 12) as i32 | (self.down & 0xfff)
+        ((self.right & 0xfff) << 12 | self.down & 0xfff) as i32
     }
 
     /// A place anywhere in the guard band, without depth: for those who know that it is one.
     pub(crate) fn bare(point: ScreenPoint) -> Self {
-        Self { right: point.x() as u32, down: point.y() }
+        Self { right: point.x() as u32, down: point.y() as u32 }
     }
 
     /// What [`bare`](Self::bare) holds.
     pub(crate) fn point(self) -> ScreenPoint {
-        ScreenPoint::inside(self.right as i32, self.down)
+        ScreenPoint::inside(self.right as i32, self.down as i32)
     }
 }
 
@@ -93,10 +100,12 @@ mod tests {
 
     #[test]
     fn what_goes_in_comes_out() {
-        for right in [-1 << 18, -1, 0, 1, 1 << 18] {
-            for down in [-1 << 18, -255, 0, 77, 1 << 18] {
-                for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
-                    let corner = Corner::new(right, down, depth);
+        let places = [1 - (1 << 18), -255, -1, 0, 1, 77, (1 << 18) - 1];
+        for (right, down) in places.iter().flat_map(|&right| places.map(|down| (right, down))) {
+            for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
+                // A half is rounded up.
+                for half in [0, -1] {
+                    let corner = Corner::new(2 * right + half, 2 * down + half, Corner::BIAS, depth);
                     assert!(corner.whole());
                     let [x, y] = Corner::CENTRE;
                     assert_eq!((corner.offset().x() - x, corner.offset().y() - y), (right, down));
@@ -104,7 +113,15 @@ mod tests {
                 }
             }
         }
-        assert!(!Corner::EMPTY.whole());
         assert_eq!(size_of::<Corner>(), 8);
+    }
+
+    #[test]
+    fn what_lies_farther_out_has_no_place() {
+        assert!(!Corner::EMPTY.whole());
+        for out in [1 << 19, i32::MAX, i32::MIN, -(1 << 19) - 2] {
+            assert_eq!(Corner::new(out, 0, Corner::BIAS, 0), Corner::EMPTY);
+            assert_eq!(Corner::new(0, out, Corner::BIAS, 0), Corner::EMPTY);
+        }
     }
 }

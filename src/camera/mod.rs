@@ -2,6 +2,7 @@
 //! target that goes ([`Viewport`]).
 
 mod corner;
+mod depth_by_w;
 mod picking;
 mod placement;
 mod projection;
@@ -21,6 +22,7 @@ pub use visibility::Visibility;
 use crate::math::num::{max, min, mul_translation};
 use crate::math::Row;
 use crate::raster::GUARD_BAND;
+use depth_by_w::DepthByW;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// Viewing, projection and viewport, folded into four linear forms over view coordinates.
@@ -63,6 +65,8 @@ pub struct Camera {
     eye: [i64; 3],
     /// x, y, d, w.
     rows: [Row; 4],
+    /// Where these two are parallel.
+    depth_by_w: Option<DepthByW>,
     screen: Screen,
     far_clip: bool,
 }
@@ -104,6 +108,7 @@ impl Camera {
         Self {
             axes: viewing.rows(),
             eye: viewing.eye(),
+            depth_by_w: DepthByW::new(&rows[2], w_row),
             rows,
             screen: Screen { centre: [x, y], unit, room: room - unit, area },
             far_clip: false,

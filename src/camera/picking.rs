@@ -66,7 +66,7 @@ impl Camera {
         // An object that is this point: all of its space is flattened into it.
         let model =
             Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
-        let placement = Placement::new(self, &model, 0, 16);
+        let placement = Placement::new(self, &model, 0, 16, true);
         let h = placement.clip([0i16; 3]);
         let outside = |plane: usize| placement.distance(plane, &h) < 0;
         if outside(0) || h.w <= 0 {

@@ -5,7 +5,10 @@
 //! products. Error budget: ARCHITECTURE.md, "Numbers".
 
 use super::{Camera, Corner, Image, Screen};
-use crate::math::num::{add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, scale};
+use crate::math::num::{
+    add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_positive, scale,
+    Reciprocal,
+};
 use crate::math::row::{forms, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST};
@@ -17,23 +20,33 @@ use embedded_graphics_core::primitives::Rectangle;
 /// Values are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for
 /// w. Only differences of exponents are kept.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)] // what the vertex loop loads comes first: a Cortex-M0's loads reach 124 bytes
 pub(crate) struct Placement {
+    w: Form,
     x: Form,
     y: Form,
-    d: Form,
-    w: Form,
-    /// Left shift that justifies a vertex coordinate to 32 bits.
-    justify: u32,
-    /// e_xy − e_w: 0 … room.
-    xy_over_w: i32,
+    /// Power of two that justifies a vertex coordinate.
+    factor: i32,
+    /// Least w for which the fast path keeps all its bits, and surely lies behind near where that is a matter
+    /// of w alone.
+    least_w: i32,
+    /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
+    right: i32,
+    /// [`Corner::BIAS`], here because as a constant it takes two instructions and a register.
+    bias: i32,
+    /// Depth is `origin + drop/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
+    origin: i32,
+    /// Negative, in units of w times 2^(2 − drop_down).
+    drop: i32,
+    drop_down: i32,
     /// e_d − e_w: never negative.
     d_over_w: i32,
-    /// Least w for which the fast path keeps all its bits.
-    least_w: i32,
-    /// |x|, |y| < w · 2^(wide − narrow) has a place in a [`Corner`]; one of the two is 0.
-    wide: u8,
-    narrow: u8,
+    d: Form,
+    /// e_xy − e_w: 0 … room.
+    xy_over_w: i32,
     screen: Screen,
+    /// Whether near, and depth, ask for d.
+    by_d: bool,
     far_clip: bool,
 }
 
@@ -41,7 +54,13 @@ impl Placement {
     /// `exponent`: of the mesh, coordinate = vertex · 2^exponent; `justify`: left shift that
     /// brings its largest coordinate to the top of 32 bits.
     #[inline(never)] // set-up: small is better
-    pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, exponent: i32, justify: u32) -> Self {
+    pub(crate) fn new(
+        camera: &Camera,
+        model: &Affine<Model, World>,
+        exponent: i32,
+        justify: u32,
+        narrow: bool,
+    ) -> Self {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
@@ -67,23 +86,39 @@ impl Placement {
         // Finer x than w is of no use; much coarser x means an object far to the side.
         let e_w = reach(&w, unit).max(e_xy - room);
         let e_xy = e_xy.max(e_w);
+        // 4 Depth by w, where w reaches at least 2⁻⁴ so that offsets in 2⁻³² are fine enough; else by d.
+        let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
+        let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
         let e_d = reach(&d, unit).max(e_w);
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
-        // 4 The fast path shifts right by at least one: see `project`. Leading zeros of w at most:
-        let zeros = (29 - xy_over_w - screen_unit).min(13 - d_over_w);
-        // 5 Corners reach 2^18 sub-pixels, where the guard band does: −24 … 11.
-        let reach = (Corner::REACH - screen_unit).min(room) - xy_over_w;
+        // 5 The fast path shifts right by at least nothing, left by less than 32: see `project`. Leading zeros of w at most:
+        let zeros = (28 - xy_over_w - screen_unit).min(31 - d_over_w).min(9);
+        let least_w =
+            if zeros >= 0 && screen_unit + room >= Corner::REACH { 1 << (30 - zeros) } else { i32::MAX };
+        // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰.
+        let near = by_w.map_or(0, |by_w| in_w(by_w.near, 0).saturating_add(64 << d_over_w.min(31)));
+        // The drop has 31 bits, or fewer where it is next to nothing.
+        let (mut origin, mut drop, mut drop_down) = (4, 0, 0);
+        if let Some(by_w) = by_w {
+            origin += by_w.infinity;
+            drop_down = (34 + shift + e_w - excess(by_w.drop as u64, 31)).clamp(0, 31);
+            drop = -in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
+        }
         Self {
             x: form(&x, unit, e_xy),
             y: form(&y, unit, e_xy),
             d: form(&d, unit, e_d),
             w: form(&w, unit, e_w),
-            justify,
+            factor: Form::justify(justify, narrow),
             xy_over_w,
+            right: 28 - xy_over_w - screen_unit,
+            bias: Corner::BIAS,
             d_over_w,
-            least_w: if zeros >= 1 { 1 << (31 - zeros) } else { i32::MAX },
-            wide: reach.max(0) as u8,
-            narrow: (-reach).clamp(0, 31) as u8,
+            least_w: near.clamp(least_w.into(), i32::MAX.into()) as i32,
+            origin,
+            drop,
+            drop_down,
+            by_d: by_w.is_none(),
             screen: camera.screen,
             far_clip: camera.far_clip,
         }
@@ -92,7 +127,7 @@ impl Placement {
     /// The vertex in clip space, where vertices are few: small is better.
     #[inline(never)]
     pub(crate) fn clip_one<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
-        let v = vertex.map(|c| c.justify(self.justify));
+        let v = vertex.map(|c| c.times(self.factor));
         let at = |form: &Form| form.at_one(&v, V::NARROW);
         Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
@@ -105,49 +140,70 @@ impl Placement {
     /// The vertex in clip space.
     #[inline(always)]
     pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
-        let v = vertex.map(|c| c.justify(self.justify));
+        let v = vertex.map(|c| c.times(self.factor));
         let at = |form: &Form| form.at(v, V::NARROW);
         Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
 
+    /// Whether [`project`](Self::project) must look at d for its answer: `far` cuts, or near is not a matter of w.
+    pub(crate) fn asks_for_d(&self, depth: bool, far: bool) -> bool {
+        self.by_d || far && !depth
+    }
+
     /// The vertex on the screen, or an empty corner when it must be clipped or lies farther out than
-    /// corners reach: in front of near, outside the guard band, beyond far if that cuts, or so near to
-    /// the eye that 32 bits do not carry it.
+    /// corners reach: in front of near or too close to it to tell, outside the guard band, beyond far if that cuts, or so
+    /// near to the eye that 32 bits do not carry it. `by_d`: what [`asks_for_d`](Self::asks_for_d) says.
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
-    /// shift by `29 − e − unit − n ≥ 1`, rounded to nearest with ties up.
+    /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
     #[inline(always)]
-    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(&self, vertex: [V; 3], far: bool) -> Corner {
-        let h = self.clip(vertex);
-        // |v| >> wide < w >> narrow implies |v| < w·2^(wide − narrow). (v ^ v >> 31 is |v|, or |v| − 1:
-        // then it may be equal, and still has a place.)
-        let limit = h.w >> self.narrow;
-        let beyond = |v: i32| ((v ^ (v >> 31)) >> self.wide) >= limit;
-        if h.d < 0 || h.w < self.least_w || beyond(h.x) || beyond(h.y) {
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(
+        &self,
+        vertex: &[V; 3],
+        by_d: bool,
+        far: bool,
+    ) -> Corner {
+        let v = vertex.map(|c| c.times(self.factor));
+        let w = self.w.at(v, V::NARROW);
+        if w < self.least_w {
             return Corner::EMPTY;
         }
-        // d·2^d_over_w at most w less what d is stored short: then w − d is not negative. Rarely not so.
-        let limit = (h.w - (h.w >> 16) - 1) >> self.d_over_w.min(31);
-        if far && h.d >= limit && self.beyond_far(&h) < 0 {
+        let d = if by_d { self.d.at(v, V::NARROW) } else { 0 };
+        if by_d && (d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w)) {
             return Corner::EMPTY;
         }
-        let r = reciprocal(h.w);
+        let r = reciprocal_of_positive(w);
         let n = r.shift as i32;
-        let right = (29 - self.xy_over_w - self.screen.unit - n - 1).clamp(0, 31); // by least_w
-        let along = |v: i32| ((mul_high(v, r.mantissa) >> right) + 1) >> 1;
-        let depth = if DEPTH {
-            let right = 37 - self.d_over_w - n; // ≥ 25 by least_w
-            let depth = if right > 32 {
-                (mul_high(h.d, r.mantissa) >> (right - 33)) + 1
-            } else {
-                // Near the eye the low word counts. Beyond far the quotient may leave 32 bits.
-                (mul_wide(h.d, r.mantissa) >> (right - 1)).min(1 << 30) as i32 + 1
-            };
-            (depth >> 1).min(FARTHEST)
-        } else {
-            0
-        };
-        Corner::new(along(h.x), along(h.y), depth)
+        let right = (self.right - n) & 31;
+        let along = |form: &Form| mul_high(form.at(v, V::NARROW), r.mantissa) >> right;
+        let x = along(&self.x);
+        let y = along(&self.y);
+        let mut depth = 0;
+        if DEPTH && by_d {
+            let d = d << ((n + self.d_over_w) & 31) >> 2; // up to w: 31 bits
+            depth = (self.origin + mul_high(d, r.mantissa)) >> 3;
+        } else if DEPTH {
+            depth = (self.origin + (mul_high(self.drop, r.mantissa) >> ((self.drop_down - n) & 31))) >> 3;
+        }
+        if DEPTH && depth > SURELY_BEFORE_FAR {
+            if far && self.is_beyond_far(vertex) {
+                return Corner::EMPTY;
+            }
+            depth = depth.min(FARTHEST);
+        }
+        Corner::new(x, y, self.bias, depth)
+    }
+
+    /// d·2^d_over_w at most w less what d is stored short: then w − d is not negative.
+    #[inline(always)]
+    fn may_be_beyond_far(&self, d: i32, w: i32) -> bool {
+        d >= (w - (w >> 16) - 1) >> self.d_over_w.min(31)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_beyond_far<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
+        self.beyond_far(&self.clip_one(*vertex)) < 0
     }
 
     /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
@@ -168,14 +224,24 @@ impl Placement {
         let n = r.shift as i32;
         let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
         let [cx, cy] = self.screen.centre;
-        let depth = quotient(h.d, r.mantissa, n + self.d_over_w - 37, 0);
         Image {
             point: ScreenPoint::clamped(
                 quotient(h.x, r.mantissa, -right, cx),
                 quotient(h.y, r.mantissa, -right, cy),
             ),
-            depth: depth.clamp(0, FARTHEST),
+            depth: (self.depth(h, &r) >> 35).clamp(0, FARTHEST.into()) as i32,
         }
+    }
+
+    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴.
+    fn depth(&self, h: &Homogeneous, r: &Reciprocal) -> i64 {
+        let n = r.shift as i32;
+        let (numerator, down) = match self.by_d {
+            true => ((scale(h.d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
+            false => (self.drop, (self.drop_down - n).max(0)),
+        };
+        (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
+        // 2⁶² and 2⁶²
     }
 
     /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they
@@ -187,7 +253,7 @@ impl Placement {
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(h.x, cx), along(h.y, cy), add(scale(mul_wide(h.d, r.mantissa), n + self.d_over_w - 13), 0)]
+        [along(h.x, cx), along(h.y, cy), (self.depth(h, &r) >> 11) - (4 << 21)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
@@ -224,6 +290,9 @@ impl Placement {
     }
 }
 
+/// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
+const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
+
 /// `v · mantissa · 2^shift`, rounded to nearest, and `more`; within ±2³⁰. |more| < 2²⁴.
 #[inline(never)] // rare: small is better
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
@@ -255,4 +324,61 @@ fn form(row: &Row, unit: i32, exponent: i32) -> Form {
     // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `reach`.
     let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);
     Form::new(linear, scale(row.offset, -exponent))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Angle, Point3, Projection, Scalar, Vector3, Viewing, Viewport, Window};
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    /// Vertices through the fast path against the same through the clipper's, bit by bit; how many had a place.
+    fn compare(lens: &Projection, eye: f32, seed: u64) -> usize {
+        let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
+        let at = Point3::new(Scalar::from_num(eye * 0.3), Scalar::from_num(eye * 0.2), Scalar::from_num(eye));
+        let origin = Point3::from_ints(0, 0, 0);
+        let viewing = Viewing::look_at(at, origin, Vector3::from_ints(0, 1, 0)).unwrap();
+        let camera = Camera::new(&viewing, lens, &viewport);
+        let model = Affine::rotation_y(Angle::degrees(33));
+        let placement = Placement::new(&camera, &model, -14, 16, true);
+        let (mut state, mut places) = (seed, 0);
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 48) as i16
+        };
+        for _ in 0..20_000 {
+            let vertex = [random(), random(), random()];
+            let h = placement.clip_one(vertex);
+            let plain = placement.project::<_, false>(&vertex, placement.asks_for_d(false, true), true);
+            let deep = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
+            for (corner, depth) in [(plain, false), (deep, true)] {
+                if corner.whole() {
+                    assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
+                    let (image, exact) = (placement.at(corner), placement.image(&h));
+                    assert_eq!(image.point, exact.point, "{vertex:?}");
+                    assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
+                    places += 1;
+                }
+            }
+        }
+        places
+    }
+
+    #[test]
+    fn both_ways_give_the_same_bits() {
+        let size = Size::new(240, 180);
+        let number = Scalar::from_num::<f64>;
+        let mut places = 0;
+        for (near, far) in [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)] {
+            for eye in [0.6, 1.4, 3.0, 12.0] {
+                let (near, far) = (number(near), number(far));
+                let lens = Projection::perspective(Angle::degrees(60), size, near, far).unwrap();
+                places += compare(&lens, eye, 1);
+                let side = number(1.5);
+                let window = Window { left: -side, right: side, bottom: -side, top: side };
+                places += compare(&Projection::orthographic(window, near, far).unwrap(), eye, 2);
+            }
+        }
+        assert!(places > 200_000, "{places}");
+    }
 }

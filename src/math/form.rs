@@ -14,24 +14,24 @@ pub(crate) struct Homogeneous {
 
 /// A vertex coordinate type: `i16`, or [`Scalar`] for meshes that need the range.
 pub trait Coordinate: Copy + sealed::Sealed {
-    /// The coordinate at the top of 32 bits.
+    /// The coordinate times a power of two.
     #[doc(hidden)]
-    fn justify(self, shift: u32) -> i32;
-    /// Whether the justified coordinate's low 16 bits are zero.
+    fn times(self, factor: i32) -> i32;
+    /// Whether the coordinate has 16 bits.
     #[doc(hidden)]
     const NARROW: bool;
 }
 
 impl Coordinate for i16 {
-    fn justify(self, shift: u32) -> i32 {
-        i32::from(self) << (shift & 31) // 16 … 31, by Mesh's own bound no bit is lost
+    fn times(self, factor: i32) -> i32 {
+        i32::from(self).wrapping_mul(factor) // by Mesh's own bound no bit is lost
     }
     const NARROW: bool = true;
 }
 
 impl Coordinate for Scalar {
-    fn justify(self, shift: u32) -> i32 {
-        self.to_bits() << (shift & 31) // by Mesh's own bound no bit is lost
+    fn times(self, factor: i32) -> i32 {
+        self.to_bits().wrapping_mul(factor) // by Mesh's own bound no bit is lost
     }
     const NARROW: bool = false;
 }
@@ -42,39 +42,40 @@ mod sealed {
     impl Sealed for super::Scalar {}
 }
 
-/// `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋` for justified coordinates v.
+/// `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋` for justified coordinates v, the offset cut to 15 bits below
+/// the unit. Coordinates are [justified](Form::justify) to the top of 32 bits.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+pub(crate) type Form = Wide;
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+pub(crate) type Form = Halves;
+
+/// A form for cores that multiply 32 × 32 bits to 64.
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Form {
-    /// Each below 2³⁰ − 2¹⁵ in absolute value, times 2.
-    doubled: [i32; 3],
+#[repr(C)] // in the order in which they are loaded
+pub(crate) struct Wide {
     /// In 2⁻³², the rounding half included.
     offset: i64,
-    /// The same in pieces that a 32-bit multiplier takes.
-    #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-    halves: Halves,
+    /// Each below 2³⁰ − 2¹⁵ in absolute value, times 2.
+    doubled: [i32; 3],
 }
 
-impl Form {
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+impl Wide {
+    /// What coordinates are multiplied by, for a left shift that brings the largest to the top of 32 bits.
+    pub(crate) const fn justify(shift: u32, _narrow: bool) -> i32 {
+        1 << (shift & 31)
+    }
+
     pub(crate) fn new(linear: [i32; 3], offset: i64) -> Self {
-        let offset = offset.saturating_add(1 << 31);
-        Self {
-            doubled: linear.map(|m| m << 1),
-            offset,
-            #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-            halves: Halves::new(linear, offset),
-        }
+        Self { doubled: linear.map(|m| m << 1), offset: cut(offset) }
     }
 
     /// The form at a justified vertex. One rounding, at the end; the result fits by the choice of
-    /// exponents, sums on the way may wrap. `narrow`: the low 16 bits of v are zero.
+    /// exponents, sums on the way may wrap.
     #[inline(always)]
-    pub(crate) fn at(&self, v: [i32; 3], narrow: bool) -> i32 {
-        #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-        if narrow {
-            return self.halves.at(v);
-        }
-        let _ = narrow; // all other cores multiply 32 × 32 bits to 64
-        self.at_wide(v)
+    pub(crate) fn at(&self, v: [i32; 3], _narrow: bool) -> i32 {
+        sum(self.doubled, self.offset, v)
     }
 
     /// [`at`](Self::at) where vertices are few.
@@ -82,17 +83,20 @@ impl Form {
     pub(crate) fn at_one(&self, v: &[i32; 3], narrow: bool) -> i32 {
         self.at(*v, narrow)
     }
+}
 
-    #[inline(always)]
-    fn at_wide(&self, [x, y, z]: [i32; 3]) -> i32 {
-        let [a, b, c] = self.doubled;
-        let sum = self
-            .offset
-            .wrapping_add(i64::from(a) * i64::from(x))
-            .wrapping_add(i64::from(b) * i64::from(y))
-            .wrapping_add(i64::from(c) * i64::from(z));
-        (sum >> 32) as i32
-    }
+/// The rounding half added, and bits dropped that no [`Halves`] keeps.
+fn cut(offset: i64) -> i64 {
+    offset.saturating_add(1 << 31) >> 17 << 17
+}
+
+#[inline(always)]
+fn sum([a, b, c]: [i32; 3], offset: i64, [x, y, z]: [i32; 3]) -> i32 {
+    let sum = offset
+        .wrapping_add(i64::from(a) * i64::from(x))
+        .wrapping_add(i64::from(b) * i64::from(y))
+        .wrapping_add(i64::from(c) * i64::from(z));
+    (sum >> 32) as i32
 }
 
 /// A form for 16-bit coordinates: coefficients split as `high·2¹⁵ + low`, both signed 16-bit, so
@@ -100,31 +104,54 @@ impl Form {
 /// the one rounding, so the bits are those of the wide form.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[derive(Clone, Copy, Debug)]
-struct Halves {
-    high: [i16; 3],
-    low: [i16; 3],
-    /// The offset in whole units and in 2⁻¹⁵.
-    offset: i32,
+#[repr(C)] // in the order in which they are loaded
+pub(crate) struct Halves {
+    low: [i32; 3],
+    high: [i32; 3],
+    /// The offset in 2⁻¹⁵, and in whole units.
     rest: i32,
+    offset: i32,
 }
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[cfg_attr(test, allow(dead_code))] // the host's tests use a part of it
 impl Halves {
-    fn new(linear: [i32; 3], offset: i64) -> Self {
-        let low = linear.map(|m| ((m << 17) >> 17) as i16); // −2¹⁴ … 2¹⁴ − 1
-        let high = linear.map(|m| ((m + (1 << 14)) >> 15) as i16); // |m| < 2³⁰ − 2¹⁵
+    /// Narrow coordinates are brought to the top of 16 bits instead, by a shift of 16 less: 0 … 15.
+    pub(crate) const fn justify(shift: u32, narrow: bool) -> i32 {
+        1 << (if narrow { shift & 15 } else { shift & 31 })
+    }
+
+    pub(crate) fn new(linear: [i32; 3], offset: i64) -> Self {
+        let offset = cut(offset);
+        let low = linear.map(|m| (m << 17) >> 17); // −2¹⁴ … 2¹⁴ − 1
+        let high = linear.map(|m| (m + (1 << 14)) >> 15); // 16 bits: |m| < 2³⁰ − 2¹⁵
         Self { high, low, offset: (offset >> 32) as i32, rest: (offset >> 17) as i32 & 0x7fff }
     }
 
     #[inline(always)]
-    fn at(&self, v: [i32; 3]) -> i32 {
-        let [x, y, z] = v.map(|c| c >> 16);
-        let dot = |m: [i16; 3]| {
-            let [a, b, c] = m.map(i32::from);
-            (a * x).wrapping_add(b * y).wrapping_add(c * z) // products ≤ 2³⁰
-        };
-        // Three low products of at most 2²⁹ each, and 15 bits: below 2³¹.
-        dot(self.high).wrapping_add((dot(self.low) + self.rest) >> 15).wrapping_add(self.offset)
+    pub(crate) fn at(&self, v: [i32; 3], narrow: bool) -> i32 {
+        if !narrow {
+            return self.at_wide(v);
+        }
+        let [x, y, z] = v;
+        let dot = |[a, b, c]: [i32; 3]| (a * x).wrapping_add(b * y).wrapping_add(c * z); // products ≤ 2³⁰
+                                                                                         // Three low products of at most 2²⁹ each, and 15 bits: below 2³¹.
+        ((dot(self.low) + self.rest) >> 15).wrapping_add(dot(self.high)).wrapping_add(self.offset)
+    }
+
+    /// For 32-bit coordinates, by the compiler's 64-bit product.
+    #[inline(never)]
+    fn at_wide(&self, v: [i32; 3]) -> i32 {
+        let [a, b, c] = self.high;
+        let [d, e, f] = self.low;
+        let doubled = [(a << 16) + (d << 1), (b << 16) + (e << 1), (c << 16) + (f << 1)];
+        sum(doubled, i64::from(self.offset) << 32 | i64::from(self.rest) << 17, v)
+    }
+
+    /// [`at`](Self::at) where vertices are few.
+    #[inline(never)]
+    pub(crate) fn at_one(&self, v: &[i32; 3], narrow: bool) -> i32 {
+        self.at(*v, narrow)
     }
 }
 
@@ -153,8 +180,10 @@ mod tests {
                 _ => (random() << 1) & !0xffff,
             });
             let offset = (i64::from(random()) - (1 << 30)) << (random() % 30) | i64::from(random());
-            let form = Form::new(m, offset);
-            assert_eq!(form.at_wide(v), form.halves.at(v), "{i}: {m:?} {v:?} {offset}");
+            let (wide, halves) = (Wide::new(m, offset), Halves::new(m, offset));
+            assert_eq!(wide.at(v, true), halves.at(v.map(|c| c >> 16), true), "{i}: {m:?} {v:?} {offset}");
+            let v = v.map(|c| c ^ random() >> 16);
+            assert_eq!(wide.at(v, false), halves.at(v, false), "{i}: {m:?} {v:?} {offset}");
         }
     }
 }

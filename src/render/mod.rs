@@ -68,7 +68,7 @@ impl Camera {
         mesh: &'m Mesh<'m, V>,
         model: &Affine<Model, World>,
     ) -> Placed<'m, V> {
-        let placement = Placement::new(self, model, mesh.exponent().into(), mesh.justify());
+        let placement = Placement::new(self, model, mesh.exponent().into(), mesh.justify(), V::NARROW);
         Placed { mesh, placement, cull: Cull::Back }
     }
 }

@@ -5,9 +5,9 @@ use super::fan::{Fan, Outcome};
 use super::{Cull, Ink, Placed, Statistics};
 use crate::camera::{Corner, Image, Placement};
 use crate::clip::{Carried, PLACES};
+use crate::math::num::keep_rolled;
 use crate::math::{Coordinate, Homogeneous};
 use crate::raster;
-use core::hint::black_box;
 
 /// A placed mesh with its vertices on the screen, each transformed once. `DEPTH` tells whether their
 /// depth was computed too.
@@ -269,9 +269,14 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     vertices: &[[V; 3]],
     corners: &mut [Corner],
 ) {
-    for (corner, &vertex) in corners.iter_mut().zip(vertices) {
-        // `black_box`: nothing of it is brought into registers, of which there are too few, before the loop.
-        *corner = black_box(placement).project::<V, DEPTH>(vertex, far);
+    let by_d = placement.asks_for_d(DEPTH, far);
+    // Somewhere, and perhaps changed in every turn: so nothing of it is brought into registers, of which there are too
+    // few, before the loop, and its numbers are loaded in pairs. A Cortex-M0 has no such loads.
+    #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+    let placement = core::hint::black_box(placement);
+    for (corner, vertex) in corners.iter_mut().zip(vertices) {
+        keep_rolled();
+        *corner = placement.project::<V, DEPTH>(vertex, by_d, far);
     }
 }
 

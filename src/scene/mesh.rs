@@ -404,10 +404,10 @@ impl<V: Coordinate> Mesh<'_, V> {
     pub fn bounding_sphere(&self) -> Sphere {
         let justify = self.justify();
         // In 2^unit world units.
-        let unit = i32::from(self.exponent) - justify as i32;
+        let (unit, factor) = (i32::from(self.exponent) - justify as i32, 1 << (justify & 31));
         let (mut low, mut high) = ([i64::MAX; 3], [i64::MIN; 3]);
         for &vertex in self.vertices {
-            let v = vertex.map(|c| i64::from(c.justify(justify)));
+            let v = vertex.map(|c| i64::from(c.times(factor)));
             for ((low, high), c) in low.iter_mut().zip(&mut high).zip(v) {
                 *low = c.min(*low);
                 *high = c.max(*high);
@@ -422,7 +422,7 @@ impl<V: Coordinate> Mesh<'_, V> {
         let centre = [middle(0), middle(1), middle(2)];
         let mut square = 0u64;
         for &vertex in self.vertices {
-            let v = vertex.map(|c| i64::from(c.justify(justify)));
+            let v = vertex.map(|c| i64::from(c.times(factor)));
             // Differences below 2³², halved: three squares below 2⁶².
             let part = |i: usize| (v[i] - centre[i]).unsigned_abs().div_ceil(2).pow(2);
             square = square.max(part(0) + part(1) + part(2));
