@@ -354,7 +354,7 @@ mod tests {
             for (corner, depth) in [(plain, false), (deep, true)] {
                 if corner.whole() {
                     assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
-                    let (image, exact) = (placement.at(corner), placement.image(&h));
+                    let (image, exact) = (placement.at::<true>(corner), placement.image(&h));
                     assert_eq!(image.point, exact.point, "{vertex:?}");
                     assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
                     places += 1;

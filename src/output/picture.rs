@@ -68,6 +68,14 @@ impl<'a, C: PixelColor> Picture<'a, C> {
         Pixels::new(self.cells, self.area)
     }
 
+    /// What is more than a run, or not in the picture whole.
+    #[inline(never)]
+    fn fill_part(&mut self, area: &Rectangle, colour: C) {
+        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = area.intersection(&self.area);
+        let height = height as i32; // of the picture at most
+        let Ok(()) = self.pixels().fill(Span { x, y, width: width as i32, height }, colour);
+    }
+
     /// The colours, row by row.
     pub const fn colours(&self) -> &[C] {
         self.cells
@@ -98,12 +106,15 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
         Ok(())
     }
 
+    #[inline(always)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        let part = area.intersection(&self.area);
-        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = part;
-        for y in y..y.wrapping_add_unsigned(height) {
-            let Ok(()) = self.pixels().fill(Span { x, y, width: width as i32, height: 1 }, colour);
+        let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
+        let Size { width: columns, height: rows } = self.area.size;
+        // To the left and above, far too large. Most are a run in the picture.
+        if height == 1 && (y as u32) < rows && (x as u32) <= columns && width <= columns - x as u32 {
+            return self.pixels().fill(Span { x, y, width: width as i32, height: 1 }, colour);
         }
+        self.fill_part(area, colour);
         Ok(())
     }
 

@@ -46,7 +46,7 @@ pub fn wireframe(
     display: &mut Display,
 ) -> Option<()> {
     let mut picture = picture(pixels)?;
-    let Ok(statistics) = scene.place().wireframe(LINE, corners, &mut picture.pixels());
+    let Ok(statistics) = scene.place().wireframe(LINE, corners, &mut picture);
     black_box(statistics);
     display.take_pixels(pixels);
     Some(())
@@ -59,7 +59,7 @@ pub fn solid(
     display: &mut Display,
 ) -> Option<()> {
     let mut picture = picture(pixels)?;
-    let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut picture.pixels());
+    let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut picture);
     black_box(statistics);
     display.take_pixels(pixels);
     Some(())
@@ -74,7 +74,7 @@ pub fn depth(
     let mut depth = DepthBuffer::new(area(), depth).ok()?;
     let mut picture = picture(pixels)?;
     let Ok(statistics) =
-        scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture.pixels());
+        scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture);
     black_box(statistics);
     display.take_pixels(pixels);
     Some(())
