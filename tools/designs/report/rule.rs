@@ -1,0 +1,63 @@
+//! What the tool asserts: no other integer design beats the default in both speed and error.
+
+use crate::about::Family;
+use crate::number::decimal;
+use crate::speed::CORES;
+use crate::Measured;
+
+/// The largest of so many random errors says no more than this about a design: two samples of one differ as much.
+const SAME: f64 = 1.1;
+
+/// The library with `i16` vertices.
+pub(crate) fn default(measured: &[Measured]) -> &Measured {
+    &measured[0]
+}
+
+/// Cores on which it takes fewer instructions than the default, in the order of [`CORES`].
+pub(crate) fn faster(one: &Measured, default: &Measured) -> Vec<usize> {
+    (0..CORES.len()).filter(|&core| one.speed[core] < default.speed[core]).collect()
+}
+
+pub(crate) fn broken(measured: &[Measured]) -> Vec<String> {
+    let default = default(measured);
+    let bound = default.errors.worst().before.largest * SAME;
+    let beats = |one: &&Measured| one.about.competes() && one.errors.worst().before.largest <= bound;
+    let mut broken = Vec::new();
+    for one in measured.iter().filter(beats) {
+        for core in faster(one, default) {
+            broken.push(format!(
+                "{}: {} takes {:.0} instructions a vertex, the library {:.0}, with errors up to {} and {} px",
+                CORES[core].0,
+                one.about.name,
+                one.speed[core],
+                default.speed[core],
+                decimal(one.errors.worst().before.largest),
+                decimal(default.errors.worst().before.largest),
+            ));
+        }
+    }
+    broken
+}
+
+/// Of designs in f32: where they are ahead, with figures.
+pub(crate) fn floats_ahead(measured: &[Measured]) -> Vec<String> {
+    let default = default(measured);
+    let floats = measured.iter().filter(|one| one.about.family == Family::Float);
+    floats
+        .flat_map(|one| faster(one, default).into_iter().map(move |core| (one, core)))
+        .map(|(one, core)| {
+            format!(
+                "{} on an {}: {:.0} instructions in place of {:.0}, errors up to {} px in place of {} before the snap, \
+                 and {} in place of {} for an object that the camera sees whole",
+                one.about.name,
+                CORES[core].0,
+                one.speed[core],
+                default.speed[core],
+                decimal(one.errors.worst().before.largest),
+                decimal(default.errors.worst().before.largest),
+                decimal(one.errors.classes[3].before.largest),
+                decimal(default.errors.classes[3].before.largest),
+            )
+        })
+        .collect()
+}
