@@ -20,8 +20,12 @@ pub(crate) fn faster(one: &Measured, default: &Measured) -> Vec<usize> {
 
 pub(crate) fn broken(measured: &[Measured]) -> Vec<String> {
     let default = default(measured);
-    let bound = default.errors.worst().before.largest * SAME;
-    let beats = |one: &&Measured| one.about.competes() && one.errors.worst().before.largest <= bound;
+    let no_worse = |one: &Measured| {
+        let (one, default) = (one.errors.worst(), default.errors.worst());
+        one.before.largest <= SAME * default.before.largest
+            && one.after.largest <= SAME * default.after.largest
+    };
+    let beats = |one: &&Measured| one.about.competes() && no_worse(one);
     let mut broken = Vec::new();
     for one in measured.iter().filter(beats) {
         for core in faster(one, default) {

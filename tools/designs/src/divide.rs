@@ -18,6 +18,12 @@ pub(crate) trait Reciprocal {
     fn mantissa(m: i32) -> i32;
 }
 
+/// 1/m in 2⁻¹⁶ of 2⁻³⁰, rounded: 2¹⁵ … 2¹⁶, both ends included.
+#[inline(always)]
+pub(crate) fn sixteen_bits<R: Reciprocal>(m: i32) -> i32 {
+    ((R::mantissa(m) as u32 + (1 << 14)) >> 15) as i32
+}
+
 impl<R: Reciprocal> Divide for R {
     type By = i32;
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! For objects that lie between a distance and twice that: scaled so that w needs no normalising.
 
 use crate::chain::{Corner, Design};
-use crate::divide::{OneStep, Reciprocal, TwoSteps};
+use crate::divide::{sixteen_bits, OneStep, Reciprocal, TwoSteps};
 use crate::form::{lifted, Form};
 use crate::num::{exp2, log2_above, mul_high, mul_wide, nearest32, sum_of, within};
 use crate::Object;
@@ -89,7 +89,7 @@ impl ScaledShort {
         if !within(x, limit) || !within(y, limit) {
             return None;
         }
-        let r = (OneStep::mantissa(w) + (1 << 14)) >> 15;
+        let r = sixteen_bits::<OneStep>(w);
         Some([x, y].map(|v| ((v + (1 << 15)) >> 16) * r))
     }
 }

@@ -1,7 +1,7 @@
 //! Designs whose products all fit 32 bits.
 
 use crate::chain::{Corner, Design};
-use crate::divide::{normalised, Interpolated, OneStep, Reciprocal, LEAST};
+use crate::divide::{normalised, sixteen_bits, Interpolated, OneStep, Reciprocal, LEAST};
 use crate::form::exponent;
 use crate::num::{exp2, log2_above, nearest, nearest32, sum_of, within};
 use crate::vertex::Coarse;
@@ -31,7 +31,7 @@ impl Screen {
             return None;
         }
         let (m, n) = normalised(w);
-        let r = (R::mantissa(m) + (1 << 14)) >> 15; // 2¹⁵ … 2¹⁶
+        let r = sixteen_bits::<R>(m);
         Some([x, y].map(|v| (((v << n) + (1 << 15)) >> 16) * r))
     }
 
