@@ -19,10 +19,13 @@ pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMap, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
-pub use output::{Band, BandError, DepthBuffer, DepthBufferError, Dirty, Frame, WindowCost, Wire};
+pub use output::{
+    Band, BandError, DepthBuffer, DepthBufferError, Dirty, Frame, Picture, PictureError, Pixels, Target,
+    WindowCost, Wire,
+};
 pub use render::{
-    BinsError, Cull, Edges, Faces, Ink, InkFor, Painter, PaintersOrder, Placed, RecordError, Statistics,
-    Transformed,
+    draw_line, fill_triangle, BinsError, Cull, Edges, Faces, Ink, InkFor, Painter, PaintersOrder, Placed,
+    RecordError, Statistics, Transformed,
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shade::{Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError};

@@ -150,11 +150,14 @@ impl Placement {
         Corner::new(along(h.x), along(h.y), depth)
     }
 
-    /// Where a corner that has a place lies on the screen.
+    /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
     #[inline(always)]
-    pub(crate) fn at(&self, corner: Corner) -> Image {
+    pub(crate) fn at<const DEPTH: bool>(&self, corner: Corner) -> Image {
         let ([x, y], [cx, cy], offset) = (self.screen.centre, Corner::CENTRE, corner.offset());
-        Image { point: ScreenPoint::inside(x - cx + offset.x(), y - cy + offset.y()), depth: corner.depth() }
+        Image {
+            point: ScreenPoint::inside(x - cx + offset.x(), y - cy + offset.y()),
+            depth: if DEPTH { corner.depth() } else { 0 },
+        }
     }
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the

@@ -95,7 +95,7 @@ impl<'a> DepthBuffer<'a> {
         if x >= self.area.size.width {
             return None;
         }
-        self.values.get(self.row(pixel.y)?).and_then(|row| row.get(x as usize)).copied()
+        self.values.get(self.place_of_row(pixel.y)?).and_then(|row| row.get(x as usize)).copied()
     }
 
     pub(crate) fn scissor(&self) -> Scissor {
@@ -104,7 +104,7 @@ impl<'a> DepthBuffer<'a> {
 
     /// Where a row of the target stands.
     #[inline(always)]
-    fn row(&self, y: i32) -> Option<core::ops::Range<usize>> {
+    fn place_of_row(&self, y: i32) -> Option<core::ops::Range<usize>> {
         let row = y.wrapping_sub(self.area.top_left.y) as u32; // far too large above
         if row >= self.area.size.height {
             return None;
@@ -112,6 +112,16 @@ impl<'a> DepthBuffer<'a> {
         let width = self.area.size.width as usize;
         let start = (row as usize).wrapping_mul(width); // a pixel inside has a place
         Some(start..start.wrapping_add(width))
+    }
+
+    /// What is held in a row, which lies inside.
+    #[inline(always)]
+    pub(super) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [u16]> {
+        let Rectangle { top_left, size } = self.area;
+        // Pixels inside have places.
+        let row = (y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
+        let from = row.wrapping_add(x.wrapping_sub(top_left.x) as usize);
+        self.values.get_mut(from..from.wrapping_add(width as usize))
     }
 
     /// Keeps the span's depths where they are nearer than those held, and passes on the runs of such
@@ -123,13 +133,7 @@ impl<'a> DepthBuffer<'a> {
         plane: &Plane,
         mut visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
-        let Rectangle { top_left, size } = self.area;
-        // Pixels inside have places.
-        let row = (span.y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
-        let from = row.wrapping_add(span.x.wrapping_sub(top_left.x) as usize);
-        let Some(row) = self.values.get_mut(from..from.wrapping_add(span.width as usize)) else {
-            return Ok(());
-        };
+        let Some(row) = self.row(span.x, span.y, span.width) else { return Ok(()) };
         let (mut z, step) = (plane.at(span.x, span.y), plane.step());
         let mut nearer = |held: &mut u16| {
             let depth = (z >> 16) as u16;
@@ -177,7 +181,7 @@ impl<'a> DepthBuffer<'a> {
             let (x, y) = if tall { (span.x, span.y + i) } else { (span.x + i, span.y) };
             let column = x.wrapping_sub(left) as usize;
             let held =
-                self.row(y).and_then(|row| self.values.get_mut(row)).and_then(|row| row.get_mut(column));
+                self.place_of_row(y).and_then(|row| self.values.get_mut(row)).and_then(|row| row.get_mut(column));
             if !held.is_some_and(|held| is_seen(x, y, held)) {
                 run(first, i)?;
                 first = i + 1;

@@ -14,21 +14,13 @@
 //!     T − 1/dy < S ≤ T
 //! ```
 //!
-//! Between S and T there is no other point of the lattice, and so no whole number: `⌈S⌉ = ⌈T⌉`. S is in 32.32, and what
-//! is kept is S and one whole, less 2⁻³², whose integer part that is. A row costs one addition; the bounds at [`by_division`],
-//! [`by_reciprocal`] and [`long`] say that S stays where it must.
+//! Between S and T there is no other point of the lattice, and so no whole number: `⌈S⌉ = ⌈T⌉`. S is in 12.20 for most
+//! triangles ([`Side`]) and in 32.32 for large ones ([`Wide`]). What is kept is S and one whole, less its last digit:
+//! its integer part is ⌈S⌉, and a row costs one addition.
 
 use super::ScreenPoint;
 use crate::math::num::{divide, fraction};
 use core::num::NonZeroU32;
-
-/// An edge at a row.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Edge {
-    x: i64,
-    /// Per row.
-    step: i64,
-}
 
 /// The first row whose centres are not above the point: `⌈y − ½⌉`.
 #[inline(always)]
@@ -36,110 +28,173 @@ pub(super) fn first_row(p: &ScreenPoint) -> i32 {
     (p.y + 127) >> 8
 }
 
-/// In sub-pixels, 512 pixels: what 32 bits are enough for.
-const SHORT: i32 = 1 << 17;
+/// One side of a triangle at a row, in 12.20, wrapping: what leaves the range is not asked for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Side {
+    pub(crate) at: i32,
+    /// Per row.
+    pub(crate) step: i32,
+}
 
-impl Edge {
-    /// The most rows of a stretch. An edge is stepped through two of them, down to where the sides bend and on, and then
-    /// set up anew.
-    pub(super) const ROWS: i32 = 480;
+impl Side {
+    pub(super) const NONE: Self = Self { at: 0, step: 0 };
 
-    /// Becomes the edge from `p` down to `q` at `row`, which lies at or below p's first row and above
-    /// q's; so `q.y > p.y`.
+    /// The corners of a triangle with these sides are less apart: 2040 pixels across, 512 down.
+    pub(super) const WIDTH: i32 = 2040 << 8;
+    pub(super) const HEIGHT: i32 = 1 << 17;
+    /// Those of a [`tiny`](Self::tiny) one: 16 pixels.
+    pub(super) const TINY: i32 = 1 << 12;
+
+    /// How many rows the sides of a triangle of this height, less than [`HEIGHT`](Self::HEIGHT), may be stepped through.
+    ///
+    /// Start and step are rounded down to multiples of 2⁻²⁰, or of a negative number the one below: so S falls behind by
+    /// at most 2⁻²⁰ at first and in each row. With k rows of 2⁻²⁰ the sum is less than 1/dy where k·dy < 2²⁰. All rows of
+    /// a triangle within 64 pixels, and 8 at least.
+    #[inline(always)]
+    pub(super) fn rows(height: i32) -> i32 {
+        1 << ((height as u32).leading_zeros() - 12) // 2²⁰ over the next power of two; 15 … 32 leading zeros
+    }
+
+    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above q's; so `q.y > p.y`. Pixels
+    /// are counted from `column`, which is less than [`WIDTH`](Self::WIDTH) away.
+    #[inline(never)]
+    pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32, column: i32) -> Self {
+        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, dy < 2¹⁷
+        let (own, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
+        let d = NonZeroU32::new(dy.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
+        // Between the columns of p and q: less than 2¹¹ pixels from `column`. |n| < 2¹¹·2¹⁷.
+        let start = ratio(m + (row - first_row(p)) * dx, d);
+        Self {
+            at: ((own - column) << 20).wrapping_add(start).wrapping_add(0xf_ffff),
+            // Within a pixel's height there is one row at most. Beyond, |dx / dy| < 2¹¹.
+            step: if dy > 256 { ratio(dx, d) } else { 0 },
+        }
+    }
+
+    /// The same at p's first row, in a triangle less than [`TINY`](Self::TINY) high and wide.
+    ///
+    /// Rounded down to multiples of 2⁻¹⁸: in 16 rows S falls behind by less than 17·2⁻¹⁸, where 1/dy > 2⁻¹².
+    #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+    #[inline(always)]
+    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, column: i32) -> Self {
+        let (dx, dy) = (q.x - p.x, q.y - p.y); // below 2¹²
+        let Some(d) = NonZeroU32::new(dy.unsigned_abs()) else { return Self::NONE };
+        let (own, m) = first_end(p, dx, dy); // |m| < 2¹³
+        let at = quotient_of_tiny(m, d).wrapping_add((own - column) << 20).wrapping_add(0xf_ffff);
+        Self { at, step: quotient_of_tiny(dx, d) }
+    }
+
+    /// On a Cortex-M0 a division is a call.
+    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+    #[inline(always)]
+    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, column: i32) -> Self {
+        Self::new(p, q, first_row(p), column)
+    }
+}
+
+/// c and m of the edge that leads from p by dx and dy.
+#[inline(always)]
+fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
+    let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
+    let yr = 255 - ((p.y + 127) & 255);
+    (column, (xr * dy + yr * dx + 255) >> 8) // two products of at most 255·2²²: below 2³¹
+}
+
+/// n / dy in 12.20, for |n| < 2¹³: see [`Side::tiny`].
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+#[inline(always)]
+fn quotient_of_tiny(n: i32, d: NonZeroU32) -> i32 {
+    let n = n << 18;
+    // ⌊n / d⌋ of a negative n is the complement of ⌊!n / d⌋.
+    (((n ^ (n >> 31)) as u32 / d) as i32 ^ (n >> 31)) << 2
+}
+
+/// n / d in 12.20, rounded down, or of a negative number to the one below. |n| < 2¹¹·d, d < 2¹⁷.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+fn ratio(n: i32, d: NonZeroU32) -> i32 {
+    let sign = n >> 31;
+    let n = n.unsigned_abs();
+    let (whole, rest) = (n / d, n % d);
+    // Digits whose shifts keep the rest, which is below d, in 32 bits.
+    let fraction = if d.get() < 1 << 12 {
+        (rest << 20) / d
+    } else {
+        let (digit, rest) = ((rest << 15) / d, (rest << 15) % d);
+        (digit << 5) | ((rest << 5) / d)
+    };
+    // The complement is the one below the negative.
+    ((whole << 20) | fraction) as i32 ^ sign
+}
+
+/// The same bits for a Cortex-M0, where a division is a call.
+///
+/// With the reciprocal's relative error of 2⁻²⁸ the quotient, below 2³¹, is off by less than 8 before it is cut: what is left
+/// of n then tells by how much.
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(never)]
+fn ratio_by_reciprocal(n: i32, d: NonZeroU32) -> i32 {
+    use crate::math::num::{mul_wide, reciprocal};
+    let sign = n >> 31;
+    let n = n.unsigned_abs(); // < 2²⁸
+    let d = d.get();
+    let r = reciprocal(d as i32); // 1/d = mantissa · 2^(shift − 61), 13 ≤ shift ≤ 30
+    let mut quotient = (mul_wide(n as i32, r.mantissa) >> ((41 - r.shift) & 63)) as u32;
+    // Of n·2²⁰: less than 9·d either way, so 32 bits tell.
+    let mut rest = (n << 20).wrapping_sub(quotient.wrapping_mul(d)) as i32;
+    while rest < 0 {
+        quotient = quotient.wrapping_sub(1);
+        rest += d as i32;
+    }
+    while rest >= d as i32 {
+        quotient = quotient.wrapping_add(1);
+        rest -= d as i32;
+    }
+    quotient as i32 ^ sign
+}
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+use ratio_by_reciprocal as ratio;
+
+/// One side of any triangle inside the guard band, in 32.32.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Wide {
+    at: i64,
+    step: i64,
+}
+
+impl Wide {
+    /// The most rows that it may be stepped through.
+    ///
+    /// Start and step are rounded down to multiples of 2⁻³², or of a negative number the one below: S falls behind by at
+    /// most 2⁻³² at first and in each row, 960·2⁻³² in all, where 1/dy ≥ 2⁻²².
+    pub(super) const ROWS: i32 = 959;
+
+    /// As [`Side::new`]; pixels are counted from the target's origin.
     #[inline(never)]
     pub(super) fn set(&mut self, p: &ScreenPoint, q: &ScreenPoint, row: i32) {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
-        let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
-        let first = first_row(p);
-        let yr = first * 256 + 128 - p.y; // 0 … 255
-        let m = (xr * dy + yr * dx + 255) >> 8; // two products of at most 255·2²²: below 2³¹
-        let below = row - first; // 0 … 2¹⁴ rows
-        let d = NonZeroU32::new(dy.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
-        let (start, step) = if dx.abs() < SHORT && dy < SHORT {
-            // |m| ≤ 2¹⁸ and below ≤ 512: the sum stays below 2²⁷.
-            short(m + below * dx, dx, d)
-        } else {
-            long(i64::from(m) + i64::from(below) * i64::from(dx), dx, d) // < 2³⁷
-        };
-        *self = Self { x: (i64::from(column) << 32) + start + 0xffff_ffff, step };
+        let (column, m) = first_end(p, dx, dy);
+        let n = i64::from(m) + i64::from(row - first_row(p)) * i64::from(dx); // < 2³⁷
+        let d = dy.unsigned_abs();
+        self.at = (i64::from(column) << 32) + long(n, d) + 0xffff_ffff;
+        self.step = long(dx.into(), d);
     }
 
-    /// The end of the row's span.
+    /// The end of the row's span; then to the next row.
     #[inline(always)]
-    pub(super) fn pixel(&self) -> i32 {
-        (self.x >> 32) as i32
-    }
-
-    /// To the next row.
-    #[inline(always)]
-    pub(super) fn advance(&mut self) {
-        self.x = self.x.wrapping_add(self.step);
+    pub(super) fn next(&mut self) -> i32 {
+        let pixel = (self.at >> 32) as i32;
+        self.at = self.at.wrapping_add(self.step);
+        pixel
     }
 }
 
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-use by_division as short;
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-use by_reciprocal as short;
-
-/// S at a row, n / d of it, and its step, dx / d: for cores that divide.
-///
-/// Both are rounded down to multiples of 2^−f, or of a negative number the one below. So S falls behind by at
-/// most 2^−f at first and in each row: below 32 pixels by 33·2⁻¹⁹ in all, where 1/dy > 2⁻¹³, below 512 by
-/// 514·2⁻³⁰, where 1/dy > 2⁻¹⁷.
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-#[inline(always)]
-fn by_division(n: i32, dx: i32, d: NonZeroU32) -> (i64, i64) {
-    let ratio = |n: i32| {
-        let (sign, n) = (n >> 31, n.unsigned_abs());
-        let (whole, rest) = (n / d, n % d);
-        // Digits whose shifts keep the rest, which is below d, in 32 bits.
-        let (fraction, least) = if d.get() < 1 << 13 {
-            (((rest << 19) / d) << 13, 13)
-        } else {
-            let (digit, rest) = ((rest << 15) / d, (rest << 15) % d);
-            ((digit << 17) | (((rest << 15) / d) << 2), 2)
-        };
-        // The complement of a negative one's magnitude, in units of 2^−f.
-        let (high, low) = (whole ^ sign as u32, fraction ^ ((sign as u32) << least));
-        ((u64::from(high) << 32) | u64::from(low)) as i64
-    };
-    (ratio(n), ratio(dx))
-}
-
-/// The same for a Cortex-M0, where a division is a call.
-///
-/// With the reciprocal's relative error of 2⁻²⁸ and one rounding each, the start is off by less than
-/// `|m|/dy · 2⁴ + 1` and the step by less than `|dx|/dy · 2⁴ + 1`, in 2⁻³². After n ≤ 513 rows the sum is
-/// off by less than `((|m| + n·|dx|) · 2⁴ + (n + 1)·dy) / dy`, where |m| ≤ 2¹⁸, n·|dx| < 2²⁶·⁰¹ and
-/// (n + 1)·dy < 2²⁶·⁰¹: less than `2³⁰·² / dy`. Half a lattice unit, `2³¹ / dy`, is held back, and its own
-/// rounding takes less than `(2³ + dy) / dy` of it.
-#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-fn by_reciprocal(n: i32, dx: i32, d: NonZeroU32) -> (i64, i64) {
-    use crate::math::num::{mul_wide, reciprocal};
-    let r = reciprocal(d.get() as i32); // 1/dy = mantissa · 2^(shift − 61), 13 ≤ shift ≤ 30
-    let right = 30 - r.shift.min(30);
-    // 1/dy in 2⁻³² is mantissa · 2^(shift − 29); products of 28 + 31 bits.
-    let by_dy = |v: i32| (mul_wide(v, r.mantissa) << 1) >> (right & 31);
-    let half = i64::from(r.mantissa >> right);
-    (by_dy(n) - half, by_dy(dx))
-}
-
-/// The same for any edge inside the guard band, |n| < 2³⁸, by long division: they are rare.
-///
-/// Rounded down to multiples of 2⁻³²: S falls behind by at most 2⁻³² at first and in each row, 960 · 2⁻³² in
-/// all, where 1/dy ≥ 2⁻²².
-#[cold]
+/// n / d in 32.32, rounded as above, for |n| < 2³⁸, by long division.
 #[inline(never)]
-fn long(n: i64, dx: i32, d: NonZeroU32) -> (i64, i64) {
-    let d = d.get();
-    let ratio = |n: i64| {
-        let (whole, rest) = divide(n.unsigned_abs(), d);
-        let magnitude = (whole << 32) | fraction(rest.into(), d.into(), 32); // |T| < 2¹⁵, |dx / dy| < 2²³
-        magnitude as i64 ^ (n >> 63)
-    };
-    (ratio(n), ratio(i64::from(dx)))
+fn long(n: i64, d: u32) -> i64 {
+    let (whole, rest) = divide(n.unsigned_abs(), d);
+    let magnitude = (whole << 32) | fraction(rest.into(), d.into(), 32); // |T| < 2¹⁵, |dx / dy| < 2²³
+    magnitude as i64 ^ (n >> 63)
 }
 
 #[cfg(test)]
@@ -155,31 +210,84 @@ mod tests {
         }
     }
 
-    /// `T − 1/dy < S ≤ T` in the rows that are stepped, by whole numbers.
+    /// A numerator at a row, dx and dy of edges within `width` and `height`, and how many rows are left.
+    fn edge(random: &mut Random, i: i64, width: i64, height: i64) -> (i64, i32, i32, i32) {
+        let dy = if i % 3 == 0 { height as i32 } else { random.within(height - 1).abs() + 1 };
+        let dx = if i % 5 == 0 { width as i32 } else { random.within(width) };
+        let yr = random.within(255).abs().min(dy - 1);
+        let rows = (dy - yr - 1) / 256 + 1;
+        let below = random.within(i64::from(rows) - 1).abs();
+        let m = (random.within(255).abs() * dy + yr * dx + 255) >> 8;
+        (i64::from(m) + i64::from(below) * i64::from(dx), dx, dy, rows - below)
+    }
+
+    /// T·dy − S·dy, in units of 2^−digits: from 0 to one lattice unit.
+    fn assert_behind(n: i64, dx: i32, dy: i32, (start, step): (i64, i64), row: i32, digits: u32) {
+        let s = i128::from(start) + i128::from(step) * i128::from(row);
+        let t = (i128::from(n) + i128::from(dx) * i128::from(row)) << digits;
+        let behind = t - s * i128::from(dy);
+        assert!((0..1 << digits).contains(&behind), "{n} {dx} / {dy}, row {row}: {behind}");
+    }
+
     #[test]
     fn steps_stay_within_a_lattice_unit() {
         let random = &mut Random(9);
-        let extents = [40, 300, 8191, 8192, 40_000, 131_071, 131_072, 1 << 22];
+        let heights = [40, 300, 4095, 4096, 8191, 8192, 40_000, 131_071];
+        let widths = [200, 3000, 60_000, i64::from(Side::WIDTH) - 1];
         for i in 0..40_000 {
-            let extent = extents[i % 8];
-            let dy = if i % 3 == 0 { extent as i32 } else { random.within(extent).abs().max(1) };
-            let dx = if i % 5 == 0 { extent as i32 } else { random.within(extent) };
+            let (width, height) = (widths[i % 4], heights[i % 8]);
+            let (n, dx, dy, left) = edge(random, i as i64, width, height);
             let d = NonZeroU32::new(dy.unsigned_abs()).unwrap();
-            let rows = (dy >> 8) + 1;
-            let below = random.within(rows.into()).abs().min(rows - 1);
-            let m = (random.within(255).abs() * dy + random.within(255).abs() * dx) >> 8;
-            let n = i64::from(m) + i64::from(below) * i64::from(dx);
-            let is_short = dx.abs() < SHORT && dy < SHORT;
-            let ways = [long(n, dx, d)].into_iter();
-            let short = [by_division, by_reciprocal].into_iter().take(if is_short { 2 } else { 0 });
-            for (start, step) in ways.chain(short.map(|way| way(n as i32, dx, d))) {
-                let last = (rows - below).min(2 * Edge::ROWS) - 1;
-                for row in [0, 1, last / 2, last] {
-                    let s = i128::from(start) + i128::from(step) * i128::from(row);
-                    let t = (i128::from(n) + i128::from(dx) * i128::from(row)) << 32;
-                    let behind = t - s * i128::from(dy); // over 2³²·dy
-                    assert!((0..1 << 32).contains(&behind), "{n} {dx} / {dy}, row {row}: {behind}");
-                }
+            let step = if dy > 256 { dx } else { 0 };
+            let side = (ratio(n as i32, d), ratio(step, d));
+            // On a Cortex-M0 the same.
+            assert_eq!(side, (ratio_by_reciprocal(n as i32, d), ratio_by_reciprocal(step, d)));
+            // The height is that of all the triangle.
+            let rows = Side::rows(dy).min(left);
+            assert!(dy >= 1 << 14 || rows == left, "{dy}: {rows} of {left}");
+            for row in [0, 1, rows / 2, rows - 1] {
+                assert_behind(n, dx, dy, (side.0.into(), side.1.into()), row.min(rows - 1), 20);
+            }
+        }
+    }
+
+    #[test]
+    fn tiny_steps_stay_within_a_lattice_unit() {
+        let random = &mut Random(11);
+        for i in 0..100_000 {
+            let mut corner = |reach: i64| (random.within(reach), random.within(reach));
+            let (p, (dx, dy)) = (corner(100_000), corner([40, 300, 2000, 4095][i % 4]));
+            let dy = dy.abs().max(1);
+            let point = |x, y| ScreenPoint::from_subpixels(x, y).unwrap();
+            let (p, q) = (point(p.0, p.1), point(p.0 + dx, p.1 + dy));
+            let side = Side::tiny(&p, &q, 0);
+            let rows = first_row(&q) - first_row(&p);
+            // X − ½ in the row, in 2⁻⁸ / dy px, and its ceiling.
+            for row in 0..rows {
+                let below = i64::from(first_row(&p) + row) * 256 + 128 - i64::from(p.y);
+                let x = (i64::from(p.x) - 128) * i64::from(dy) + below * i64::from(dx);
+                let end = -(-x).div_euclid(256 * i64::from(dy));
+                assert_eq!(
+                    i64::from(side.at.wrapping_add(side.step.wrapping_mul(row)) >> 20),
+                    end,
+                    "{p:?} {q:?} {row}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn wide_steps_stay_within_a_lattice_unit() {
+        let random = &mut Random(10);
+        let extents = [40, 8192, 131_071, 131_072, 1 << 20, 1 << 22];
+        for i in 0..30_000 {
+            let extent = extents[i % 6];
+            let (n, dx, dy, left) = edge(random, i as i64, extents[i / 6 % 6], extent);
+            let d = dy.unsigned_abs();
+            let wide = (long(n, d), long(dx.into(), d));
+            let rows = left.min(Wide::ROWS);
+            for row in [0, 1, rows / 2, rows - 1] {
+                assert_behind(n, dx, dy, wide, row.min(rows - 1), 32);
             }
         }
     }

@@ -49,6 +49,7 @@ pub use line::line;
 pub use plane::Plane;
 pub(crate) use plane::Planes;
 pub use triangle::{area, triangle, Triangle};
+pub(crate) use triangle::{Rows, Stretch};
 
 /// The guard band: 3D geometry is cut at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;

@@ -3,11 +3,12 @@
 //! A row's covered pixels lie between two edges, and both ends are `⌈X − ½⌉` of an edge's
 //! crossing X with the row of centres: the left end included, the right end excluded. That is
 //! the top-left rule (R2–R5), and as the end depends on the edge alone, neighbours share it (R8).
-//! [`Edge`] has it exactly, by one addition a row.
+//! [`Side`] has it exactly, by one addition a row.
 
-use super::edge::{first_row, Edge};
+use super::edge::{first_row, Side, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::mul_wide;
+use core::num::NonZeroU32;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
 /// as seen with y up, which is what faces the viewer. Exact: |area| ≤ 2⁴⁵.
@@ -82,34 +83,50 @@ pub fn triangle<E>(
     if area == 0 {
         return Ok(()); // R6
     }
-    Rows::new(&vertices, area > 0, scissor).try_for_each(span)
+    Rows::new(&vertices, area > 0, scissor).spans().try_for_each(span)
 }
 
-/// The spans of a triangle, on the way down in stretches of rows between the same two edges.
-pub(crate) struct Rows {
-    /// At `row`.
-    left: Edge,
-    right: Edge,
-    /// The scissor's columns.
-    from: i32,
-    to: i32,
-    /// The next row, the end of the stretch, and that of the triangle or of the scissor.
-    row: i32,
-    until: i32,
-    end: i32,
-    /// Of the row before, its first covered pixel and how many there are.
-    x: i32,
-    width: i32,
-    /// Whether the middle corner lies to the left of the edge between the others.
-    middle_left: bool,
-    /// Down the screen.
-    corners: [ScreenPoint; 3],
+/// Rows that follow each other, between two sides that do not bend there and lie inside the scissor.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stretch {
+    /// The column that the sides are counted from.
+    pub(crate) x: i32,
+    /// The next row.
+    pub(crate) y: i32,
+    /// How many: may be none, or less.
+    pub(crate) rows: i32,
+    pub(crate) left: Side,
+    pub(crate) right: Side,
+}
+
+impl Stretch {
+    const NONE: Self = Self { x: 0, y: 0, rows: 0, left: Side::NONE, right: Side::NONE };
+
+    /// The covered pixels of the next row, from the column counted from; there may be none. Then to the row below.
+    #[inline(always)]
+    pub(crate) fn row(&mut self) -> (i32, i32) {
+        let Self { left, right, .. } = self;
+        let ends = (left.at >> 20, right.at >> 20);
+        left.at = left.at.wrapping_add(left.step);
+        right.at = right.at.wrapping_add(right.step);
+        ends
+    }
+}
+
+/// The rows of a triangle, on the way down, in stretches or span by span.
+pub struct Rows {
+    /// Those above and below the middle corner, for most triangles.
+    halves: [Stretch; 2],
+    next: usize,
+    /// What other triangles take.
+    more: Option<Many>,
 }
 
 impl Rows {
     /// `front` tells whether [`area`] is positive; it is not zero.
     #[inline(never)]
-    fn new(&[mut a, mut b, mut c]: &[ScreenPoint; 3], front: bool, scissor: &Scissor) -> Self {
+    pub(crate) fn new(&[mut a, mut b, mut c]: &[ScreenPoint; 3], front: bool, scissor: &Scissor) -> Self {
+        let (left, right) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
         // Down the screen; each exchange turns the winding over.
         let mut turned = !front;
         if b.y < a.y {
@@ -121,71 +138,284 @@ impl Rows {
                 (a, b, turned) = (b, a, !turned);
             }
         }
-        Self {
-            left: Edge::default(),
-            right: Edge::default(),
-            from: scissor.left,
-            to: scissor.right,
-            row: first_row(&a).max(scissor.top),
-            until: i32::MIN,
-            end: first_row(&c).min(scissor.bottom),
-            x: 0,
-            width: 0,
-            // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
-            middle_left: !turned,
-            corners: [a, b, c],
+        // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
+        let middle_left = !turned;
+        // Ends lie within a column of the corners.
+        let inside = left >= scissor.left * 256 && right <= scissor.right * 256;
+        let (width, height) = (right - left, c.y - a.y);
+        // All rows of these may be stepped through.
+        if !(inside && height < 1 << 14 && width < Side::WIDTH) {
+            return Self::of(Some(Many::new([a, b, c], middle_left, scissor)));
         }
+        let column = (a.x - 128) >> 8;
+        let (first, middle) = (first_row(&a), first_row(&b));
+        let (row, end) = (first.max(scissor.top), first_row(&c).min(scissor.bottom));
+        if row >= end {
+            return Self::of(None);
+        }
+        if width.max(height) < Side::TINY && row == first {
+            halves(row, middle, end, column, middle_left, |side, _| match side {
+                Corners::Long => Side::tiny(&a, &c, column),
+                Corners::Upper => Side::tiny(&a, &b, column),
+                Corners::Lower => Side::tiny(&b, &c, column),
+            })
+        } else {
+            halves(row, middle, end, column, middle_left, |side, row| match side {
+                Corners::Long => Side::new(&a, &c, row, column),
+                Corners::Upper => Side::new(&a, &b, row, column),
+                Corners::Lower => Side::new(&b, &c, row, column),
+            })
+        }
+    }
+
+    /// Without halves.
+    #[cold]
+    fn of(more: Option<Many>) -> Self {
+        Self { halves: [Stretch::NONE; 2], next: 2, more }
     }
 
     /// Whether there is no row.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
-        self.row >= self.end
+        self.next == 2 && self.more.as_ref().is_none_or(|many| many.row >= many.end)
     }
 
-    /// To the next row with covered pixels; `false` when there is none. Not part of the loops that draw: these
-    /// leave no registers for it, and there are many of them.
-    #[inline(never)]
-    fn advance(&mut self) -> bool {
-        loop {
-            while self.row < self.until {
-                self.row += 1;
-                self.x = self.left.pixel().max(self.from);
-                self.width = self.right.pixel().min(self.to) - self.x;
-                self.left.advance();
-                self.right.advance();
-                if self.width > 0 {
-                    return true;
-                }
-            }
-            if self.is_empty() {
-                return false;
-            }
-            self.stretch();
-        }
+    /// Span by span.
+    #[inline(always)]
+    pub(crate) fn spans(&mut self) -> Spans<'_> {
+        Spans { rows: self, stretch: Stretch::NONE }
     }
 
-    /// Sets up the edges for the rows that follow.
-    #[inline(never)]
-    fn stretch(&mut self) {
-        let Self { left, right, corners: [a, b, c], row, .. } = self;
-        let (row, middle) = (*row, first_row(b));
-        let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
-        let (from, to, until) = if row < middle { (&*a, &*b, middle) } else { (&*b, &*c, self.end) };
-        short.set(from, to, row);
-        // Where the sides bend, the long edge goes on.
-        if row != middle || row != self.until {
-            long.set(a, c, row);
+    /// The next stretch, which may have no rows.
+    #[inline(always)]
+    pub(crate) fn stretch(&mut self) -> Option<&Stretch> {
+        let Self { halves, next, more } = self;
+        let at = *next;
+        if at < 2 {
+            *next = at + 1;
+        } else {
+            *halves.first_mut()? = more.as_mut()?.advance()?;
         }
-        self.until = until.min(self.end).min(row + Edge::ROWS);
+        halves.get(at & 1)
     }
 }
 
-impl Iterator for Rows {
+/// Which corners a side connects: the first and the last down the screen, or one of these and the middle one.
+enum Corners {
+    Long,
+    Upper,
+    Lower,
+}
+
+/// The rows above the middle corner's, and those below.
+#[inline(always)]
+fn halves(
+    mut row: i32,
+    middle: i32,
+    end: i32,
+    x: i32,
+    middle_left: bool,
+    side: impl Fn(Corners, i32) -> Side,
+) -> Rows {
+    let mut long = side(Corners::Long, row);
+    let mut half = |row: i32, until: i32, short: Side| {
+        let rows = until - row;
+        let (left, right) = if middle_left { (short, long) } else { (long, short) };
+        long.at = long.at.wrapping_add(long.step.wrapping_mul(rows));
+        Stretch { x, y: row, rows, left, right }
+    };
+    let upper = if row < middle {
+        half(row, middle.min(end), side(Corners::Upper, row))
+    } else {
+        half(row, row, Side::NONE)
+    };
+    row = row.max(middle);
+    let lower =
+        if row < end { half(row, end, side(Corners::Lower, row)) } else { half(row, row, Side::NONE) };
+    Rows { halves: [upper, lower], next: 0, more: None }
+}
+
+
+/// The stretches of triangles that are high, large or cut by the scissor.
+struct Many {
+    /// At `row`.
+    left: Side,
+    right: Side,
+    /// The next row, the first at which a side is to be set up anew, the one at which the long side is, and the end.
+    row: i32,
+    until: i32,
+    long_until: i32,
+    end: i32,
+    /// That the sides are counted from.
+    column: i32,
+    /// The scissor's columns.
+    from: i32,
+    to: i32,
+    /// Too large for [`Side`].
+    large: bool,
+    /// Whether the middle corner lies to the left of the edge between the others.
+    middle_left: bool,
+    /// Down the screen.
+    corners: [ScreenPoint; 3],
+    /// The sides of a large triangle, and the column from which a row of it goes on.
+    wide: [Wide; 2],
+    resume: i32,
+}
+
+/// The widest piece that a stretch can hold.
+const PIECE: i32 = 2047;
+
+impl Many {
+    #[inline(never)]
+    fn new(corners: [ScreenPoint; 3], middle_left: bool, scissor: &Scissor) -> Self {
+        let reach = Scissor::of(&corners);
+        let [a, b, c] = &corners;
+        let small = c.y - a.y < Side::HEIGHT && (b.x - a.x).abs().max((c.x - a.x).abs()) < Side::WIDTH;
+        let beside = reach.left >= scissor.right || reach.right <= scissor.left;
+        Self {
+            left: Side::NONE,
+            right: Side::NONE,
+            row: reach.top.max(scissor.top),
+            until: i32::MIN,
+            long_until: i32::MIN,
+            end: if beside { i32::MIN } else { reach.bottom.min(scissor.bottom) },
+            column: (a.x - 128) >> 8,
+            from: scissor.left,
+            to: scissor.right,
+            large: !small,
+            middle_left,
+            corners,
+            wide: [Wide::default(); 2],
+            resume: scissor.left,
+        }
+    }
+
+    #[inline(never)]
+    fn advance(&mut self) -> Option<Stretch> {
+        if self.row >= self.end {
+            return None;
+        }
+        if self.large {
+            return Some(self.large_row());
+        }
+        if self.row >= self.until {
+            self.set_up();
+        }
+        let Self { left, right, row, until, column, .. } = *self;
+        let stretch = self.inside(Stretch { x: column, y: row, rows: until - row, left, right });
+        let rows = stretch.rows;
+        self.row += rows;
+        for side in [&mut self.left, &mut self.right] {
+            side.at = side.at.wrapping_add(side.step.wrapping_mul(rows));
+        }
+        Some(stretch)
+    }
+
+    /// Sets up the sides for the rows that follow.
+    fn set_up(&mut self) {
+        let Self { left, right, corners: [a, b, c], row, column, .. } = self;
+        let (row, column) = (*row, *column);
+        let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
+        let (from, to, end) = short_side(a, b, c, row);
+        *short = Side::new(from, to, row, column);
+        // Where the sides bend, the long one goes on.
+        if row >= self.long_until {
+            *long = Side::new(a, c, row, column);
+            self.long_until = row + Side::rows(c.y - a.y);
+        }
+        self.until = end.min(self.end).min(self.long_until);
+    }
+
+    /// The stretch cut to the scissor: what lies outside becomes a vertical side, as far as it stays outside.
+    #[inline(never)]
+    fn inside(&self, mut stretch: Stretch) -> Stretch {
+        let Stretch { x, rows, left, right, .. } = &mut stretch;
+        // They overlap the triangle's columns: less than 2¹¹ from its own, so that 12 bits hold what counts.
+        let fixed = |column: i32| (column - *x).clamp(-PIECE, PIECE) << 20;
+        let (from, to) = (fixed(self.from), fixed(self.to));
+        // The rows on which a side stays on the side of `limit` where it is; there, if that is `outside`, it is the limit.
+        let mut cut = |side: &mut Side, limit: i32, outside: bool| {
+            let (below, step) = (side.at < limit, side.step);
+            let ahead =
+                if below { limit.wrapping_sub(1).wrapping_sub(side.at) } else { side.at.wrapping_sub(limit) };
+            if step != 0 && below == (step > 0) {
+                let step = NonZeroU32::new(step.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
+                // A distance in 12.20: 32 bits without a sign. There are fewer than 2¹⁶ rows.
+                *rows = (*rows).min((ahead as u32 / step).min(1 << 16) as i32 + 1);
+            }
+            if below == outside {
+                *side = Side { at: limit, step: 0 };
+            }
+        };
+        cut(left, from, true);
+        cut(right, to, false);
+        stretch
+    }
+
+    /// A row of a large triangle, or a piece of it.
+    #[inline(never)]
+    fn large_row(&mut self) -> Stretch {
+        let Self { corners: [a, b, c], row, from, to, .. } = *self;
+        if row >= self.until {
+            let [left, right] = &mut self.wide;
+            let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
+            let (p, q, end) = short_side(&a, &b, &c, row);
+            short.set(p, q, row);
+            long.set(&a, &c, row);
+            self.until = end.min(self.end).min(row + Wide::ROWS);
+        }
+        let [mut left, mut right] = self.wide;
+        let x = left.next().max(self.resume);
+        let width = right.next().min(to) - x;
+        if width > PIECE {
+            self.resume = x + PIECE;
+        } else {
+            (self.resume, self.row, self.wide) = (from, row + 1, [left, right]);
+        }
+        let (left, right) = (Side::NONE, Side { at: width.clamp(0, PIECE) << 20, step: 0 });
+        Stretch { x, y: row, rows: 1, left, right }
+    }
+}
+
+/// The ends of the side with the middle corner at this row, and the row where it ends.
+#[inline(always)]
+fn short_side<'p>(
+    a: &'p ScreenPoint,
+    b: &'p ScreenPoint,
+    c: &'p ScreenPoint,
+    row: i32,
+) -> (&'p ScreenPoint, &'p ScreenPoint, i32) {
+    let middle = first_row(b);
+    if row < middle {
+        (a, b, middle)
+    } else {
+        (b, c, i32::MAX)
+    }
+}
+
+/// The spans of stretches.
+pub(crate) struct Spans<'r> {
+    rows: &'r mut Rows,
+    stretch: Stretch,
+}
+
+impl Iterator for Spans<'_> {
     type Item = Span;
 
-    #[inline(always)]
+    /// Not part of the loops that draw: there are many of them.
+    #[inline(never)]
     fn next(&mut self) -> Option<Span> {
-        self.advance().then(|| Span { x: self.x, y: self.row - 1, width: self.width, height: 1 })
+        loop {
+            while self.stretch.rows > 0 {
+                let (left, right) = self.stretch.row();
+                let Stretch { x, y, .. } = self.stretch;
+                self.stretch.rows -= 1;
+                self.stretch.y += 1;
+                if right > left {
+                    return Some(Span { x: x + left, y, width: right - left, height: 1 });
+                }
+            }
+            self.stretch = *self.rows.stretch()?;
+        }
     }
 }

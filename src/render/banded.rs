@@ -4,9 +4,9 @@ use super::bins::{Bins, BinsError};
 use super::{fill, fill_nearer, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
 use crate::camera::Image;
 use crate::math::Coordinate;
-use crate::output::{inside, rectangle, scissor, send, DepthBuffer};
+use crate::output::{inside, rectangle, scissor, DepthBuffer, Target};
 use crate::raster::{self, Scissor};
-use embedded_graphics_core::draw_target::DrawTarget;
+
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible faces of a mesh, ready to be drawn band by band, or into any target whose pixels are part
@@ -93,7 +93,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                 return outcome;
             }
         }
-        *reach = Scissor::of(&corners.map(|corner| self.placed.placement.at(corner).point));
+        *reach = Scissor::of(&corners.map(|corner| self.placed.placement.at::<DEPTH>(corner).point));
         Outcome::Whole
     }
 
@@ -101,7 +101,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[inline(never)]
     fn reach_of_cut(&self, face: [u16; 3], reach: &mut Scissor) -> Outcome {
         let mut fan = Fan::<()>::new();
-        let outcome = self.sort_out(face, &mut fan);
+        let outcome = self.sort_out(&face, &mut fan);
         if outcome.is_drawn() {
             while let Some((corners, _)) = fan.piece() {
                 *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
@@ -147,11 +147,11 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
+    pub fn solid<T: Target, I: InkFor<T::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
-        band: &mut D,
-    ) -> Result<(), D::Error> {
+        band: &mut T,
+    ) -> Result<(), T::Error> {
         let window = Window::new(band, self.viewport());
         self.each(&window.scissor, shade, |corners, area, ink| {
             fill(corners.map(|c| c.point), area, &ink, &window, band)
@@ -185,7 +185,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         let mut fan = Fan::new();
         bins.band(rows.clone(), |index| {
             let (mut end, mut shaded) = (i32::MIN, None);
-            if view.sort_out(list.get(index).copied().unwrap_or_default(), &mut fan).is_drawn() {
+            if list.get(index).is_some_and(|face| view.sort_out(face, &mut fan).is_drawn()) {
                 while let Some((corners, area)) = fan.piece() {
                     let reach = Scissor::of(&corners.map(|c| c.point));
                     end = end.max(reach.rows().end);
@@ -211,12 +211,12 @@ impl<V: Coordinate> Faces<'_, V, true> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
+    pub fn depth_tested<T: Target, I: InkFor<T::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
         depth: &mut DepthBuffer<'_>,
-        band: &mut D,
-    ) -> Result<(), D::Error> {
+        band: &mut T,
+    ) -> Result<(), T::Error> {
         let window = Window::new(band, self.transformed.placed.area()).with_depth(depth);
         self.each(&window.scissor, shade, |corners, area, ink| {
             fill_nearer(corners, area, &ink, &window, depth, band)
@@ -231,10 +231,10 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn draw<D: DrawTarget>(&mut self, colour: D::Color, band: &mut D) -> Result<(), D::Error> {
+    pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
         let scissor = scissor(band, self.viewport());
         self.each(&scissor, |_, _, [from, to]| {
-            raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(band, span, colour))
+            band.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
         })
     }
 

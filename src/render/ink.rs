@@ -1,9 +1,8 @@
 //! What a face is filled with.
 
 use crate::clip::Carried;
-use crate::output::send;
+use crate::output::Target;
 use crate::raster::{Span, Triangle};
-use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a face is filled with: a colour, or something that varies over the face. The closures that
@@ -45,13 +44,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// // The mesh in one colour.
 /// # let mut target = display();
-/// placed.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
+/// placed.solid(|_| Rgb565::CYAN, &mut cache, target)?;
 /// # assert_eq!(colours(&target), 1);
 ///
 /// // A colour for each face, at the light of its normal.
 /// # let mut target = display();
 /// let paint = [Rgb565::RED, Rgb565::WHITE];
-/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
+/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, target)?;
 /// # assert_eq!(colours(&target), 2);
 ///
 /// // The light at each vertex, worked out once; smooth in between.
@@ -59,13 +58,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// let mut levels = [0; VERTICES.len()];
 /// light.levels(mesh.vertex_normals(), &mut levels);
 /// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
-/// placed.solid(smooth, &mut cache, &mut target)?;
+/// placed.solid(smooth, &mut cache, target)?;
 /// # assert!(colours(&target) > 8);
 ///
 /// // A colour for each vertex.
 /// # let mut target = display();
 /// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
-/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
+/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, target)?;
 /// # assert!(colours(&target) > 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -82,7 +81,6 @@ pub trait Ink: Copy {
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
-/// use embedded_graphics::{draw_target::DrawTarget, primitives::Rectangle};
 /// use pinhole::{clip::Barycentric, raster::{Plane, Span, Triangle}, Ink, InkFor};
 /// # use pinhole::*;
 /// #[derive(Clone, Copy)]
@@ -103,10 +101,9 @@ pub trait Ink: Copy {
 ///     fn over(&self, triangle: &Triangle) -> Plane {
 ///         triangle.plane(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
 ///     }
-///     fn send<D: DrawTarget<Color = Gray8>>(plane: &Plane, span: Span, target: &mut D) -> Result<(), D::Error> {
-///         let row = Rectangle::new(Point::new(span.x, span.y), Size::new(span.width as u32, 1));
+///     fn send<T: Target<Color = Gray8>>(plane: &Plane, span: Span, target: &mut T) -> Result<(), T::Error> {
 ///         let colours = (span.x..span.x + span.width).map(|x| Gray8::new((plane.at(x, span.y) >> 24) as u8));
-///         target.fill_contiguous(&row, colours)
+///         target.fill_run(span, colours)
 ///     }
 /// }
 /// # const VERTICES: [[i16; 3]; 3] = [[-3, -3, 0], [3, -3, 0], [0, 3, 0]];
@@ -137,7 +134,13 @@ pub trait InkFor<C: PixelColor>: Ink {
     /// # Errors
     ///
     /// The target's own.
-    fn send<D: DrawTarget<Color = C>>(fill: &Self::Fill, span: Span, target: &mut D) -> Result<(), D::Error>;
+    fn send<T: Target<Color = C>>(fill: &Self::Fill, span: Span, target: &mut T) -> Result<(), T::Error>;
+
+    /// The colour, where there is but one: then it is filled with that, and nothing is [sent](Self::send).
+    #[inline(always)]
+    fn even(_fill: &Self::Fill) -> Option<C> {
+        None
+    }
 }
 
 impl<C: PixelColor> Ink for C {
@@ -157,7 +160,12 @@ impl<C: PixelColor> InkFor<C> for C {
     }
 
     #[inline(always)]
-    fn send<D: DrawTarget<Color = C>>(fill: &C, span: Span, target: &mut D) -> Result<(), D::Error> {
-        send(target, span, *fill)
+    fn send<T: Target<Color = C>>(fill: &C, span: Span, target: &mut T) -> Result<(), T::Error> {
+        target.fill(span, *fill)
+    }
+
+    #[inline(always)]
+    fn even(fill: &C) -> Option<C> {
+        Some(*fill)
     }
 }

@@ -4,9 +4,9 @@ use super::{Edges, Fan, Placed, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::clip::CORNERS;
 use crate::math::Coordinate;
-use crate::output::{send, DepthBuffer};
+use crate::output::{DepthBuffer, Target};
 use crate::raster::{self, Along, Plane, Scissor, ScreenPoint, Span, Triangle};
-use embedded_graphics_core::draw_target::DrawTarget;
+
 use heapless::Vec;
 
 impl<V: Coordinate> Placed<'_, V> {
@@ -22,13 +22,13 @@ impl<V: Coordinate> Placed<'_, V> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn wireframe_depth_tested<D: DrawTarget>(
+    pub fn wireframe_depth_tested<T: Target>(
         &self,
-        colour: D::Color,
+        colour: T::Color,
         cache: &mut [Corner],
         depth: &mut DepthBuffer<'_>,
-        target: &mut D,
-    ) -> Result<Statistics, D::Error> {
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
         let window = Window::new(target, self.area()).with_depth(depth);
         let view = Transformed::<V, true>::new(self, cache);
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
@@ -102,13 +102,13 @@ impl<V: Coordinate> Placed<'_, V> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn hidden_line<D: DrawTarget>(
+    pub fn hidden_line<T: Target>(
         &self,
-        colour: D::Color,
+        colour: T::Color,
         cache: &mut [Corner],
         depth: &mut DepthBuffer<'_>,
-        target: &mut D,
-    ) -> Result<Statistics, D::Error> {
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
         let window = Window::new(target, self.area()).with_depth(depth);
         let view = Transformed::<V, true>::new(self, cache);
         view.all_edges(|edge, ends| {
@@ -125,12 +125,12 @@ impl<V: Coordinate> Edges<'_, V, true> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn depth_tested<D: DrawTarget>(
+    pub fn depth_tested<T: Target>(
         &mut self,
-        colour: D::Color,
+        colour: T::Color,
         depth: &mut DepthBuffer<'_>,
-        band: &mut D,
-    ) -> Result<(), D::Error> {
+        band: &mut T,
+    ) -> Result<(), T::Error> {
         let window = Window::new(band, self.viewport()).with_depth(depth);
         self.each(&window.scissor, |_, _, ends| nearer(&ends, colour, &window.scissor, depth, band))
     }
@@ -141,12 +141,12 @@ impl<V: Coordinate> Edges<'_, V, true> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn hidden_line<D: DrawTarget>(
+    pub fn hidden_line<T: Target>(
         &mut self,
-        colour: D::Color,
+        colour: T::Color,
         depth: &mut DepthBuffer<'_>,
-        band: &mut D,
-    ) -> Result<(), D::Error> {
+        band: &mut T,
+    ) -> Result<(), T::Error> {
         let window = Window::new(band, self.viewport()).with_depth(depth);
         self.each(&window.scissor, |view, edge, ends| {
             let beside = view.beside(edge, &window.viewport);
@@ -184,7 +184,7 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         let mut fan = Fan::<()>::new();
         for face in beside {
             let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };
-            if !self.sort_out(face, &mut fan).is_drawn() {
+            if !self.sort_out(&face, &mut fan).is_drawn() {
                 continue;
             }
             while let Some((corners, area)) = fan.piece() {
@@ -232,19 +232,19 @@ impl super::Ink for Nothing {
 fn keep(corners: &[Image; 3], area: i64, window: &Window, depth: &mut DepthBuffer<'_>) {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
     let plane = Plane::of_depth(&triangle, corners.map(|c| c.depth));
-    for span in triangle.rows(&window.scissor) {
+    for span in triangle.rows(&window.scissor).spans() {
         let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
     }
 }
 
 /// A line, where it is as near as what is held, or nearer.
-fn nearer<D: DrawTarget>(
+fn nearer<T: Target>(
     ends: &[Image; 2],
-    colour: D::Color,
+    colour: T::Color,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
-    target: &mut D,
-) -> Result<(), D::Error> {
+    target: &mut T,
+) -> Result<(), T::Error> {
     trace(ends, scissor, |span, along| {
         let is_seen = |x, y, held: &mut u16| {
             let own = along.depth(x, y);
@@ -254,24 +254,24 @@ fn nearer<D: DrawTarget>(
             }
             is_seen
         };
-        depth.along(span, is_seen, |visible| send(target, visible, colour))
+        depth.along(span, is_seen, |visible| target.fill(visible, colour))
     })
 }
 
 /// A line, where it is as near as what is held, or a face beside it is what is held.
-fn unhidden<D: DrawTarget>(
+fn unhidden<T: Target>(
     ends: &[Image; 2],
     beside: &[Beside],
-    colour: D::Color,
+    colour: T::Color,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
-    target: &mut D,
-) -> Result<(), D::Error> {
+    target: &mut T,
+) -> Result<(), T::Error> {
     trace(ends, scissor, |span, along| {
         let is_seen = |x, y, held: &mut u16| {
             along.depth(x, y) <= *held || beside.iter().any(|face| face.is(*held, x, y))
         };
-        depth.along(span, is_seen, |visible| send(target, visible, colour))
+        depth.along(span, is_seen, |visible| target.fill(visible, colour))
     })
 }
 

@@ -18,6 +18,7 @@ mod ink;
 mod lines;
 mod painter;
 mod path;
+mod plain;
 mod smooth;
 mod statistics;
 mod transformed;
@@ -27,17 +28,17 @@ pub use bins::BinsError;
 use fan::{Fan, Outcome};
 pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};
+pub use plain::{draw_line, fill_triangle};
 pub use statistics::Statistics;
 pub use transformed::Transformed;
 
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
-use crate::output::{inside, scissor, send, DepthBuffer};
-use crate::raster::{self, Plane, Scissor, ScreenPoint, Triangle};
+use crate::output::{inside, scissor, DepthBuffer, Target};
+use crate::raster::{Plane, Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::Dimensions;
+
 use embedded_graphics_core::primitives::Rectangle;
 
 /// A mesh placed before a camera, ready to be drawn.
@@ -113,7 +114,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
-    ///     faces.solid(|_face| Gray8::WHITE, &mut band)?;
+    ///     faces.solid(|_face| Gray8::WHITE, band)?;
     ///     band.send(&mut display)?;
     /// }
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
@@ -170,15 +171,15 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn wireframe<D: DrawTarget>(
+    pub fn wireframe<T: Target>(
         &self,
-        colour: D::Color,
+        colour: T::Color,
         cache: &mut [Corner],
-        target: &mut D,
-    ) -> Result<Statistics, D::Error> {
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
         let scissor = scissor(target, self.area());
         Transformed::<V, false>::new(self, cache).all_edges(|_, [from, to]| {
-            raster::line(from.point.pixel(), to.point.pixel(), &scissor, |span| send(target, span, colour))
+            target.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
         })
     }
 
@@ -191,12 +192,12 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn solid<D: DrawTarget, I: InkFor<D::Color>>(
+    pub fn solid<T: Target, I: InkFor<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> I,
         cache: &mut [Corner],
-        target: &mut D,
-    ) -> Result<Statistics, D::Error> {
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
         let window = Window::new(target, self.area());
         Transformed::<V, false>::new(self, cache)
             .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &window, target))
@@ -250,13 +251,13 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn depth_tested<D: DrawTarget, I: InkFor<D::Color>>(
+    pub fn depth_tested<T: Target, I: InkFor<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> I,
         cache: &mut [Corner],
         depth: &mut DepthBuffer<'_>,
-        target: &mut D,
-    ) -> Result<Statistics, D::Error> {
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
         let window = Window::new(target, self.area()).with_depth(depth);
         Transformed::<V, true>::new(self, cache)
             .all(shade, |corners, area, ink| fill_nearer(corners, area, &ink, &window, depth, target))
@@ -270,7 +271,14 @@ struct Window {
 }
 
 impl Window {
-    fn new(target: &impl Dimensions, viewport: &Rectangle) -> Self {
+    /// All of a target.
+    fn of(target: &impl Target) -> Self {
+        let all = target.area();
+        let scissor = scissor(target, &all);
+        Self { scissor, viewport: scissor }
+    }
+
+    fn new(target: &impl Target, viewport: &Rectangle) -> Self {
         Self { scissor: scissor(target, viewport), viewport: inside(viewport) }
     }
 
@@ -288,39 +296,43 @@ impl Window {
 
 /// Step 4: a triangle of this area, not zero, over all that is there.
 #[inline(always)]
-fn fill<D: DrawTarget, I: InkFor<D::Color>>(
+fn fill<T: Target, I: InkFor<T::Color>>(
     corners: [ScreenPoint; 3],
     area: i64,
     ink: &I,
     window: &Window,
-    target: &mut D,
-) -> Result<(), D::Error> {
+    target: &mut T,
+) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners, area, &window.viewport);
-    let mut rows = triangle.rows(&window.scissor);
-    if rows.is_empty() {
-        return Ok(());
-    }
     let fill = ink.over(&triangle);
-    rows.try_for_each(|span| I::send(&fill, span, target))
+    match I::even(&fill) {
+        Some(colour) => target.triangle(&corners, area >= 0, &window.scissor, colour),
+        None => triangle.rows(&window.scissor).spans().try_for_each(|span| I::send(&fill, span, target)),
+    }
 }
 
 /// Step 4: a triangle of this area, not zero, where it is nearer.
 #[inline(always)]
-fn fill_nearer<D: DrawTarget, I: InkFor<D::Color>>(
+fn fill_nearer<T: Target, I: InkFor<T::Color>>(
     corners: &[Image; 3],
     area: i64,
     ink: &I,
     window: &Window,
     depth: &mut DepthBuffer<'_>,
-    target: &mut D,
-) -> Result<(), D::Error> {
+    target: &mut T,
+) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
     let mut rows = triangle.rows(&window.scissor);
     if rows.is_empty() {
         return Ok(());
     }
     let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
-    rows.try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
+    match I::even(&fill) {
+        Some(colour) => target.nearer(&mut rows, &plane, depth, colour),
+        None => rows
+            .spans()
+            .try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target))),
+    }
 }
 
 #[cfg(feature = "defmt")]

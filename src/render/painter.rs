@@ -4,8 +4,9 @@ use super::transformed::project;
 use super::{fill, Fan, Ink, InkFor, Outcome, Placed, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
+use crate::output::Target;
 use crate::raster::{self, Scissor, ScreenPoint};
-use embedded_graphics_core::draw_target::DrawTarget;
+
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
@@ -128,9 +129,9 @@ impl<I: Copy> PaintersOrder<'_, I> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn draw<D: DrawTarget>(&self, target: &mut D) -> Result<(), D::Error>
+    pub fn draw<T: Target>(&self, target: &mut T) -> Result<(), T::Error>
     where
-        I: InkFor<D::Color>,
+        I: InkFor<T::Color>,
     {
         let Some(area) = &self.area else { return Ok(()) };
         let window = Window::new(target, area);
@@ -202,7 +203,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         for (index, &face) in placed.mesh.faces().iter().enumerate() {
             // Corners without room are computed anew: the counting goes on.
             let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
-            let outcome = Transformed::<V, true>::with_corners(placed, false, own).sort_out(face, &mut fan);
+            let outcome = Transformed::<V, true>::with_corners(placed, false, own).sort_out(&face, &mut fan);
             statistics.count(outcome);
             if !outcome.is_drawn() {
                 continue;
@@ -228,7 +229,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         let view = Transformed::<V, true>::with_corners(placed, false, &[]);
         for (index, corner) in own.iter_mut().enumerate() {
             let place = if corner.whole() {
-                Some(placed.placement.at(*corner))
+                Some(placed.placement.at::<true>(*corner))
             } else {
                 view.image(index as u16) // fewer than 65537 vertices
             };
@@ -274,9 +275,9 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn draw<D: DrawTarget>(&mut self, target: &mut D) -> Result<Statistics, D::Error>
+    pub fn draw<T: Target>(&mut self, target: &mut T) -> Result<Statistics, T::Error>
     where
-        I: InkFor<D::Color>,
+        I: InkFor<T::Color>,
     {
         let order = self.order();
         let statistics = order.statistics();

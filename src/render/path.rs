@@ -3,9 +3,8 @@
 use super::{Placed, Statistics, Transformed};
 use crate::camera::Corner;
 use crate::math::Coordinate;
-use crate::output::{scissor, send};
+use crate::output::{scissor, Target};
 use crate::raster::{self, Pixel, Span};
-use embedded_graphics_core::draw_target::DrawTarget;
 
 impl<V: Coordinate> Placed<'_, V> {
     /// Draws each vertex as the pixel that it lies in.
@@ -14,7 +13,7 @@ impl<V: Coordinate> Placed<'_, V> {
     ///
     /// The target's own, at the first pixel that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn points<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
+    pub fn points<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let scissor = scissor(target, self.area());
         let mut statistics = Statistics::default();
         for index in 0..self.mesh.vertices().len() {
@@ -22,7 +21,7 @@ impl<V: Coordinate> Placed<'_, V> {
                 Some((point, _)) => {
                     statistics.drawn += 1;
                     let pixel = point.pixel();
-                    raster::line(pixel, pixel, &scissor, |span| send(target, span, colour))?;
+                    raster::line(pixel, pixel, &scissor, |span| target.fill(span, colour))?;
                 }
                 None => statistics.outside += 1,
             }
@@ -39,13 +38,13 @@ impl<V: Coordinate> Placed<'_, V> {
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn polyline<D: DrawTarget>(&self, colour: D::Color, target: &mut D) -> Result<Statistics, D::Error> {
+    pub fn polyline<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let scissor = scissor(target, self.area());
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
         let line = Transformed::<V, false>::with_corners(self, false, &[]);
-        let pixel = |corner: Corner| corner.whole().then(|| self.placement.at(corner).point.pixel());
+        let pixel = |corner: Corner| corner.whole().then(|| self.placement.at::<false>(corner).point.pixel());
         let corner = |index: usize| line.corner(index as u16);
         let count = vertices.len();
         let first = pixel(corner(0));
@@ -63,7 +62,7 @@ impl<V: Coordinate> Placed<'_, V> {
                 Some(([a, b], _)) => {
                     let (a, b) = (a.point.pixel(), b.point.pixel());
                     raster::line(a, b, &scissor, |span| match without(span, joint) {
-                        Some(span) => send(target, span, colour),
+                        Some(span) => target.fill(span, colour),
                         None => Ok(()),
                     })?;
                     joint = Some(b).filter(|_| to.whole());

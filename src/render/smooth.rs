@@ -2,10 +2,9 @@
 
 use super::{Ink, InkFor};
 use crate::clip::Barycentric;
-use crate::output::{send, send_run};
+use crate::output::Target;
 use crate::raster::{Span, Triangle};
 use crate::shade::{Bayer, Channels, Dithered, Even, Flat, Gouraud, Nearest, Ramps};
-use embedded_graphics_core::draw_target::DrawTarget;
 
 impl Ink for Flat {
     type Carried = ();
@@ -23,8 +22,13 @@ impl<C: Channels> InkFor<C> for Flat {
     }
 
     #[inline(always)]
-    fn send<D: DrawTarget<Color = C>>(fill: &C, span: Span, target: &mut D) -> Result<(), D::Error> {
-        send(target, span, *fill)
+    fn send<T: Target<Color = C>>(fill: &C, span: Span, target: &mut T) -> Result<(), T::Error> {
+        target.fill(span, *fill)
+    }
+
+    #[inline(always)]
+    fn even(fill: &C) -> Option<C> {
+        Some(*fill)
     }
 }
 
@@ -45,8 +49,8 @@ impl<C: Channels> InkFor<C> for Gouraud {
     }
 
     #[inline(always)]
-    fn send<D: DrawTarget<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut D) -> Result<(), D::Error> {
-        send_run(target, span, |width| fill.run::<Nearest>(span.x, span.y, width))
+    fn send<T: Target<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut T) -> Result<(), T::Error> {
+        target.fill_run(span, fill.run::<Nearest>(span.x, span.y, span.width as u32))
     }
 }
 
@@ -66,8 +70,8 @@ impl<C: Channels> InkFor<C> for Dithered<Flat> {
     }
 
     #[inline(always)]
-    fn send<D: DrawTarget<Color = C>>(fill: &Even<C>, span: Span, target: &mut D) -> Result<(), D::Error> {
-        send_run(target, span, |width| fill.run(span.x, span.y, width))
+    fn send<T: Target<Color = C>>(fill: &Even<C>, span: Span, target: &mut T) -> Result<(), T::Error> {
+        target.fill_run(span, fill.run(span.x, span.y, span.width as u32))
     }
 }
 
@@ -80,7 +84,7 @@ impl<C: Channels> InkFor<C> for Dithered<Gouraud> {
     }
 
     #[inline(always)]
-    fn send<D: DrawTarget<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut D) -> Result<(), D::Error> {
-        send_run(target, span, |width| fill.run::<Bayer>(span.x, span.y, width))
+    fn send<T: Target<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut T) -> Result<(), T::Error> {
+        target.fill_run(span, fill.run::<Bayer>(span.x, span.y, span.width as u32))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::before_planes::{BeforePlanes, Carry};
 use super::fan::{Fan, Outcome};
-use super::{Ink, Placed, Statistics};
+use super::{Cull, Ink, Placed, Statistics};
 use crate::camera::{Corner, Image, Placement};
 use crate::clip::{Carried, PLACES};
 use crate::math::{Coordinate, Homogeneous};
@@ -82,7 +82,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     pub(super) fn image(&self, index: u16) -> Option<Image> {
         let corner = self.corner(index);
         if corner.whole() {
-            return Some(self.placed.placement.at(corner));
+            return Some(self.placed.placement.at::<DEPTH>(corner));
         }
         let mut places = [Homogeneous::ZERO];
         self.before_planes(&[index], &mut places, &mut |_, _, _, _| {}).point()
@@ -95,7 +95,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         let [from, to] = edge.map(|i| self.corner(i));
         if from.whole() && to.whole() {
             let placement = &self.placed.placement;
-            Some(([placement.at(from), placement.at(to)], false))
+            Some(([placement.at::<DEPTH>(from), placement.at::<DEPTH>(to)], false))
         } else {
             self.cut_edge(edge)
         }
@@ -125,24 +125,52 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         Ok(statistics)
     }
 
+    /// A face's corners, if all of them were kept and lie on the screen.
+    #[inline(always)]
+    pub(super) fn whole(&self, &[a, b, c]: &[u16; 3]) -> Option<[Corner; 3]> {
+        let corner = |index: u16| self.corners.get(usize::from(index)).copied();
+        let corners = [corner(a)?, corner(b)?, corner(c)?];
+        corners.iter().all(|corner| corner.whole()).then_some(corners)
+    }
+
+    /// Where the corners lie on the screen.
+    #[inline(always)]
+    pub(super) fn images(&self, corners: [Corner; 3]) -> [Image; 3] {
+        corners.map(|corner| self.placed.placement.at::<DEPTH>(corner))
+    }
+
     /// Step 3 of the pipeline, for one face. What is drawn of it is the fan's.
     #[inline(always)]
-    pub(super) fn sort_out<K: Carried>(&self, face: [u16; 3], fan: &mut Fan<K>) -> Outcome {
-        let corners = face.map(|i| self.corner(i));
-        let [a, b, c] = corners;
-        if !(a.whole() && b.whole() && c.whole()) {
-            return self.cut_face(face, fan);
+    pub(super) fn sort_out<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
+        match self.whole(face) {
+            Some(corners) => self.turned(corners, fan),
+            None => self.sort_out_any(face, fan),
         }
-        let area = raster::area(&[a.offset(), b.offset(), c.offset()]);
+    }
+
+    /// The same for corners that have a place.
+    #[inline(always)]
+    fn turned<K: Carried>(&self, corners: [Corner; 3], fan: &mut Fan<K>) -> Outcome {
+        let area = raster::area(&corners.map(|corner| corner.offset()));
         let outcome = self.placed.cull.turned(area, Outcome::Whole);
         if outcome == Outcome::Whole {
-            fan.pieces.whole(corners.map(|corner| self.placed.placement.at(corner)), area);
+            fan.pieces.whole(self.images(corners), area);
         }
         outcome
     }
 
+    /// The same for corners that are not kept, or must be clipped.
     #[cold]
     #[inline(never)]
+    fn sort_out_any<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
+        let corners = face.map(|index| self.corner(index));
+        if corners.iter().all(|corner| corner.whole()) {
+            self.turned(corners, fan)
+        } else {
+            self.cut_face(*face, fan)
+        }
+    }
+
     fn cut_face<K: Carried>(&self, face: [u16; 3], fan: &mut Fan<K>) -> Outcome {
         let mut places = [Homogeneous::ZERO; PLACES];
         let Fan { pieces, carried } = fan;
@@ -170,17 +198,42 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ) -> Result<Statistics, E> {
         let mut statistics = Statistics::default();
         let mut fan = Fan::new();
-        for (index, &face) in self.placed.mesh.faces().iter().enumerate() {
-            let outcome = self.sort_out(face, &mut fan);
-            statistics.count(outcome);
-            if outcome.is_drawn() {
-                let ink = shade(index);
-                while let Some((corners, area)) = fan.piece() {
-                    draw(corners, area, fan.ink(&ink))?;
-                    fan.next();
+        let (faces, both_sides) = (self.placed.mesh.faces(), self.placed.cull == Cull::None);
+        for (index, face) in faces.iter().enumerate() {
+            let (mut corners, mut area, whole);
+            if let Some(kept) = self.whole(face) {
+                // Most faces: the shortest way.
+                area = raster::area(&kept.map(|corner| corner.offset()));
+                if area <= 0 && !(both_sides && area < 0) {
+                    statistics.degenerate += u32::from(area == 0);
+                    continue;
+                }
+                (corners, whole) = (self.images(kept), true);
+                statistics.drawn += 1;
+            } else {
+                let outcome = self.sort_out_any(face, &mut fan);
+                statistics.count(outcome);
+                match fan.piece().filter(|_| outcome.is_drawn()) {
+                    Some(piece) => (corners, area, whole) = (*piece.0, piece.1, false),
+                    None => continue,
+                }
+            }
+            let ink = shade(index);
+            loop {
+                draw(&corners, area, if whole { ink } else { fan.ink(&ink) })?;
+                if whole {
+                    break;
+                }
+                fan.next();
+                match fan.piece() {
+                    Some(piece) => (corners, area) = (*piece.0, piece.1),
+                    None => break,
                 }
             }
         }
+        // All others were turned away.
+        let Statistics { drawn, outside, degenerate, .. } = statistics;
+        statistics.culled = faces.len() as u32 - (drawn + outside + degenerate);
         Ok(statistics)
     }
 }

@@ -1,5 +1,5 @@
 //! Makes the models of `scenes.json` into constants: vertices of 16 bits in a power-of-two unit, and what follows from
-//! the faces.
+//! the faces; and the lists of lines and triangles that lie in the picture's plane.
 
 use serde_json::Value;
 use std::fmt::{Debug, Write};
@@ -16,6 +16,11 @@ fn main() -> Result<()> {
     }
     let out = std::env::var("OUT_DIR")?;
     std::fs::write(format!("{out}/models.rs"), text)?;
+    std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
+    // Of RISC-V's board; the flag that names it is in the root's configuration.
+    let root =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).ok_or("the project's root")?;
+    println!("cargo::rustc-link-search={}", root.display());
     Ok(())
 }
 
@@ -53,6 +58,36 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     Ok(())
 }
 
+/// The torus's normals at its vertices, and what is 2D.
+fn lists(scenes: &Value) -> Result<String> {
+    let normals = list(&scenes["models"]["torus"]["vertices"], triple)?.into_iter().map(torus_normal);
+    let normals = normals.collect::<Result<Vec<_>>>()?;
+    let lines = list(&scenes["lines"], integers::<4>)?;
+    let triangles = list(&scenes["tris2d"], integers::<7>)?;
+    let corners: Vec<_> = triangles.iter().map(|t| &t[..6]).collect();
+    let colours: Vec<_> = triangles.iter().map(|t| t[6]).collect();
+    let screen = integers::<6>(&scenes["full_screen_triangle"])?;
+    let (normal_count, line_count, triangle_count) = (normals.len(), lines.len(), triangles.len());
+    Ok(format!(
+        "pub static TORUS_NORMALS: [[i16; 3]; {normal_count}] = {normals:?};\n\
+         pub static LINES: [[i16; 4]; {line_count}] = {lines:?};\n\
+         pub static TRIANGLES: [[i16; 6]; {triangle_count}] = {corners:?};\n\
+         pub static COLOURS: [u16; {triangle_count}] = {colours:?};\n\
+         pub static SCREEN: [i16; 6] = {screen:?};\n"
+    ))
+}
+
+/// The analytic one, in 2⁻¹⁵: away from the circle of radius 1 about z, on which the tube's centre runs.
+fn torus_normal([x, y, z]: [f64; 3]) -> Result<[i16; 3]> {
+    let from_axis = x.hypot(y);
+    let away = [x - x / from_axis, y - y / from_axis, z];
+    let length = away.iter().map(|c| c * c).sum::<f64>().sqrt();
+    if (length - 0.42).abs() > 1e-6 {
+        return Err("the torus's tube has a radius of 0.42".into());
+    }
+    Ok(away.map(|c| (c / length * 32767.0).round() as i16))
+}
+
 fn slice(list: &[impl Debug]) -> String {
     format!("&{list:?}")
 }
@@ -81,6 +116,11 @@ fn number(value: &Value) -> Result<f64> {
 
 fn triple(value: &Value) -> Result<[f64; 3]> {
     <[f64; 3]>::try_from(list(value, number)?).map_err(|_| "three numbers".into())
+}
+
+fn integers<const N: usize>(value: &Value) -> Result<[i64; N]> {
+    let integer = |value: &Value| Ok(value.as_i64().ok_or("an integer")?);
+    <[i64; N]>::try_from(list(value, integer)?).map_err(|_| "another number of integers".into())
 }
 
 fn indices<const N: usize>(value: &Value) -> Result<[u16; N]> {

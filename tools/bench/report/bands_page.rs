@@ -1,7 +1,7 @@
 //! `docs/bands.md`.
 
+use crate::bands::Speed;
 use crate::page::{grouped, BUILT};
-use crate::speed::Speed;
 use std::fmt::Write;
 
 const HEAD: &str = "\

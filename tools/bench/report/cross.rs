@@ -69,7 +69,9 @@ fn cross() -> Command {
 
 /// The compiler that the firmware is built with.
 pub(crate) fn compiler() -> Result<String> {
-    let output = cross().args(["bash", "-c", "\"${RUSTC:-rustc}\" --version"]).output()?;
+    // Named, the target makes `tools/cross` choose.
+    let output =
+        cross().args(["bash", "-c", "\"${RUSTC:-rustc}\" --version", "--target", crate::M3]).output()?;
     let text = String::from_utf8(output.stdout)?;
     // Without the date and what the distributor adds.
     Ok(text.split_whitespace().take(2).collect::<Vec<_>>().join(" "))

@@ -24,12 +24,18 @@ pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
     let word = |at: usize| Some(half(at)? | half(at + 2)? << 16);
     let header = || {
         let (table, size, count) = (word(32)?, half(46)?, half(48)?);
+        let names = word(table + half(50)? * size + 16)?;
         let mut sizes = Sizes { flash: 0, statics: 0, code: 0..0 };
         for section in 0..count {
             let at = table + section * size;
             let (kind, flags) = (word(at + 4)?, word(at + 8)?);
             let (from, bytes) = (word(at + 12)? as u64, word(at + 20)? as u64);
             let (allocated, writable, empty) = (flags & 2 != 0, flags & 1 != 0, kind == 8);
+            // What riscv-rt leaves of RAM.
+            let name = file.get(names + word(at)?..)?;
+            if name.starts_with(b".stack\0") || name.starts_with(b".heap\0") {
+                continue;
+            }
             if flags & 4 != 0 && bytes > 0 {
                 sizes.code = from..from + bytes; // one section, of link.x
             }

@@ -1,17 +1,24 @@
-//! Measures what bands cost, in instructions and RAM, and what each feature takes of flash and stack; writes
-//! `docs/bands.md` and `docs/footprint.md`. `tools/bench/run` starts it.
+//! Measures instructions of whole frames, what bands cost of these and of RAM, and what each feature takes of flash and
+//! stack; writes `docs/speed.md`, `docs/bands.md` and `docs/footprint.md`. `tools/bench/run` starts it.
 
+mod bands;
 mod bands_page;
+mod cells;
+mod core;
 mod cross;
 mod elf;
 mod footprint;
 mod footprint_page;
 mod page;
+mod pages;
 mod profile;
 mod provenance;
-mod speed;
+mod speed_page;
+mod targets;
 
+use cells::Choice;
 use cross::Build;
+use pages::{Page, PAGES};
 use std::process::ExitCode;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
@@ -19,32 +26,83 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
 
+const USAGE: &str = "\
+tools/bench/run [--check | --rebase] [speed | bands | footprint ...]
+tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]
+tools/bench/run profile";
+
 /// What is asked for on the command line.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Mode {
-    /// Write the page.
-    Write,
-    /// Compare it.
-    Check,
-    /// Take today's sizes for the limits.
-    Rebase,
-    /// Say where the instructions of a frame go, and nothing else.
+enum Task {
+    /// Write pages.
+    Write { pages: Vec<Page>, rebase: bool },
+    /// Compare them.
+    Check { pages: Vec<Page> },
+    /// Print cells.
+    Cells(Choice),
+    /// Say where the instructions of a frame go.
     Profile,
+}
+
+impl Task {
+    fn new(arguments: &[String]) -> Result<Self> {
+        let (first, rest) = arguments.split_first().map_or(("", arguments), |(first, rest)| (first, rest));
+        Ok(match first {
+            "cells" => Self::Cells(Choice::new(rest.to_vec())?),
+            "profile" if rest.is_empty() => Self::Profile,
+            "--check" => Self::Check { pages: named(rest)? },
+            "--rebase" => Self::Write { pages: named(rest)?, rebase: true },
+            _ => Self::Write { pages: named(arguments)?, rebase: false },
+        })
+    }
+
+    /// What does not hold.
+    fn run(self) -> Result<Vec<String>> {
+        let mut failures = Vec::new();
+        match self {
+            Self::Write { pages, rebase } => write(&pages, rebase, &mut failures)?,
+            Self::Check { pages } => check(&pages, &mut failures)?,
+            Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
+            Self::Profile => {
+                let m3 = Build { target: M3, level: "3" };
+                print!("{}", profile::text(&m3.run("profile")?.0)?);
+            }
+        }
+        Ok(failures)
+    }
+}
+
+/// All pages, if none is named.
+fn named(names: &[String]) -> Result<Vec<Page>> {
+    if names.is_empty() {
+        return Ok(PAGES.to_vec());
+    }
+    let page = |name: &String| PAGES.into_iter().find(|page| page.name() == name).ok_or(USAGE.into());
+    names.iter().map(page).collect()
+}
+
+fn write(pages: &[Page], rebase: bool, failures: &mut Vec<String>) -> Result<()> {
+    let compiler = cross::compiler()?;
+    for page in pages {
+        let text = page.text(&compiler, rebase, failures)?;
+        std::fs::write(cross::root().join(page.file()), text)?;
+        eprintln!("written: {}", page.file());
+    }
+    Ok(())
+}
+
+fn check(pages: &[Page], failures: &mut Vec<String>) -> Result<()> {
+    let compiler = cross::compiler()?;
+    for page in pages {
+        let (file, text) = (page.file(), page.text(&compiler, false, failures)?);
+        let old = std::fs::read_to_string(cross::root().join(&file));
+        page::compare(&file, &old.map_err(|error| format!("{file}: {error}"))?, &text, &compiler, failures);
+    }
+    Ok(())
 }
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let mode = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => Mode::Write,
-        ["--check"] => Mode::Check,
-        ["--rebase"] => Mode::Rebase,
-        ["--profile"] => Mode::Profile,
-        _ => {
-            eprintln!("tools/bench/run [--check | --rebase | --profile]");
-            return ExitCode::from(2);
-        }
-    };
-    match run(mode) {
+    match Task::new(&arguments).and_then(Task::run) {
         Ok(failures) if failures.is_empty() => ExitCode::SUCCESS,
         Ok(failures) => {
             failures.iter().for_each(|failure| eprintln!("bench: {failure}"));
@@ -55,35 +113,4 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// What does not hold.
-fn run(mode: Mode) -> Result<Vec<String>> {
-    let m3 = Build { target: M3, level: "3" };
-    if mode == Mode::Profile {
-        print!("{}", profile::text(&m3.run("profile")?.0)?);
-        return Ok(Vec::new());
-    }
-    let mut failures = Vec::new();
-    let compiler = cross::compiler()?;
-    speed::compare_scenes(&mut failures);
-    let host = speed::host()?;
-    // Both at once, for two cores.
-    m3.cargo("build", &[speed::bins(), footprint::bins()].concat())?;
-    let speed = speed::measure(m3, &host, &mut failures)?;
-    let footprint = footprint::measure(mode == Mode::Rebase, &mut failures)?;
-    for (page, text) in [
-        ("docs/bands.md", bands_page::text(&compiler, &speed)),
-        ("docs/footprint.md", footprint_page::text(&compiler, &footprint)),
-    ] {
-        println!("{text}");
-        let path = cross::root().join(page);
-        if mode == Mode::Check {
-            let old = std::fs::read_to_string(&path).map_err(|error| format!("{page}: {error}"))?;
-            page::compare(page, &old, &text, &compiler, &mut failures);
-        } else {
-            std::fs::write(&path, text)?;
-        }
-    }
-    Ok(failures)
 }

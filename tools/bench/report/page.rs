@@ -24,7 +24,7 @@ const BYTES: f64 = 64.0;
 /// The same words, and numbers within 2 %.
 pub(crate) fn compare(page: &str, old: &str, new: &str, compiler: &str, failures: &mut Vec<String>) {
     if !old.contains(&format!("{BUILT}{compiler}.")) {
-        println!("{page} is another compiler's: nothing is compared with it.");
+        eprintln!("{page} is another compiler's: nothing is compared with it.");
         return;
     }
     if old.lines().count() != new.lines().count() {

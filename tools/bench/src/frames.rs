@@ -1,13 +1,12 @@
 //! Whole frames, drawn at once: into memory, with depth for every pixel.
 
-use crate::canvas::Canvas;
 use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Corner, DepthBuffer, Lambert};
+use pinhole::{Corner, DepthBuffer, Lambert, Picture};
 
 const PIXELS: usize = (SIZE * SIZE) as usize;
 /// The most vertices of a scene.
@@ -26,16 +25,18 @@ impl Memory {
 }
 
 /// What a frame costs before anything is drawn.
-pub fn empty(Memory { pixels, .. }: &mut Memory, display: &mut Display) {
-    canvas(pixels);
+pub fn empty(Memory { pixels, .. }: &mut Memory, display: &mut Display) -> Option<()> {
+    picture(pixels)?;
     display.take_pixels(pixels);
+    Some(())
 }
 
 /// The same, with depth.
-pub fn empty_depth(Memory { pixels, depth, .. }: &mut Memory, display: &mut Display) {
-    canvas(pixels);
-    black_box(DepthBuffer::new(area(), depth)).ok();
+pub fn empty_depth(Memory { pixels, depth, .. }: &mut Memory, display: &mut Display) -> Option<()> {
+    picture(pixels)?;
+    black_box(DepthBuffer::new(area(), depth).ok()?);
     display.take_pixels(pixels);
+    Some(())
 }
 
 pub fn wireframe(
@@ -43,10 +44,12 @@ pub fn wireframe(
     _: &Lambert,
     Memory { pixels, corners, .. }: &mut Memory,
     display: &mut Display,
-) {
-    let Ok(statistics) = scene.place().wireframe(LINE, corners, &mut canvas(pixels));
+) -> Option<()> {
+    let mut picture = picture(pixels)?;
+    let Ok(statistics) = scene.place().wireframe(LINE, corners, &mut picture.pixels());
     black_box(statistics);
     display.take_pixels(pixels);
+    Some(())
 }
 
 pub fn solid(
@@ -54,10 +57,12 @@ pub fn solid(
     light: &Lambert,
     Memory { pixels, corners, .. }: &mut Memory,
     display: &mut Display,
-) {
-    let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut canvas(pixels));
+) -> Option<()> {
+    let mut picture = picture(pixels)?;
+    let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut picture.pixels());
     black_box(statistics);
     display.take_pixels(pixels);
+    Some(())
 }
 
 pub fn depth(
@@ -65,17 +70,19 @@ pub fn depth(
     light: &Lambert,
     Memory { pixels, depth, corners }: &mut Memory,
     display: &mut Display,
-) {
-    let Ok(mut depth) = DepthBuffer::new(area(), depth) else { return };
+) -> Option<()> {
+    let mut depth = DepthBuffer::new(area(), depth).ok()?;
+    let mut picture = picture(pixels)?;
     let Ok(statistics) =
-        scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut canvas(pixels));
+        scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture.pixels());
     black_box(statistics);
     display.take_pixels(pixels);
+    Some(())
 }
 
 /// Cleared.
-fn canvas(pixels: &mut [Rgb565]) -> Canvas<'_, Rgb565> {
-    let mut canvas = Canvas::new(pixels, Size::new(SIZE, SIZE));
-    let Ok(()) = canvas.clear(BACKGROUND);
-    canvas
+fn picture(pixels: &mut [Rgb565]) -> Option<Picture<'_, Rgb565>> {
+    let mut picture = Picture::new(pixels, Size::new(SIZE, SIZE)).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    Some(picture)
 }

@@ -4,11 +4,10 @@
 
 pub mod bands;
 pub mod board;
-#[allow(dead_code)] // shared with the examples, which use more of it
-#[path = "../../../examples/show/canvas.rs"]
-mod canvas;
+pub mod cells;
 pub mod frames;
 pub mod image;
+pub mod lists;
 pub mod measure;
 pub mod profile;
 pub mod scene;

@@ -46,9 +46,16 @@ impl Display {
 }
 
 /// CRC-32 as in zip and PNG. Bit by bit: a table would be larger than the code.
-struct Checksum(u32);
+pub(crate) struct Checksum(u32);
 
 impl Checksum {
+    /// Of pixels as little-endian numbers.
+    pub(crate) fn of(pixels: &[Rgb565]) -> u32 {
+        let mut checksum = Self(!0);
+        pixels.iter().flat_map(|p| p.into_storage().to_le_bytes()).for_each(|b| checksum.add(b));
+        !checksum.0
+    }
+
     fn add(&mut self, byte: u8) {
         self.0 = (0..8)
             .fold(self.0 ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 & (crc & 1).wrapping_neg()));

@@ -2,7 +2,6 @@
 //! holds the instructions of a draw, clears excluded, and what it was asked to do: `report` fits the one to the other.
 
 use crate::board::{println, Clock};
-use crate::canvas::Canvas;
 use crate::frames::Memory;
 use crate::measure::Named;
 use crate::scene::{Model, Scene, SIZE};
@@ -13,7 +12,7 @@ use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::{Cull, DepthBuffer};
+use pinhole::{Cull, DepthBuffer, Picture};
 
 /// Counts what is drawn on it.
 struct Tally {
@@ -78,12 +77,13 @@ fn case(
     let Memory { pixels, depth, corners } = memory;
     let size = Size::new(size, size);
     let area = Rectangle::new(Point::zero(), size);
-    let mut canvas = Canvas::new(pixels, size);
+    let mut picture = Picture::new(pixels, size).ok()?;
     let mut buffer = DepthBuffer::new(area, depth).ok()?;
     let mut statistics = Default::default();
     let instructions = clock.count(&mut || {
         let placed = black_box(scene).place().with_cull(cull);
-        let Ok(counts) = placed.depth_tested(scene.shade(&light), corners, &mut buffer, &mut canvas);
+        let Ok(counts) =
+            placed.depth_tested(scene.shade(&light), corners, &mut buffer, &mut picture.pixels());
         statistics = counts;
     })?;
     let placed = scene.place().with_cull(cull);

@@ -34,6 +34,16 @@ pub struct Model {
     pub reference: [u32; 2],
 }
 
+impl Model {
+    /// What its lists take of flash.
+    pub const fn bytes(&self) -> usize {
+        size_of_val(self.mesh.vertices())
+            + size_of_val(self.mesh.faces())
+            + size_of_val(self.mesh.normals())
+            + size_of_val(self.mesh.edges())
+    }
+}
+
 include!(concat!(env!("OUT_DIR"), "/models.rs"));
 
 /// At compile time.

@@ -9,7 +9,6 @@ const SCENES: &[Named] = &[("S2", &scene::CUBE), ("S3", &scene::TORUS), ("S4", &
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
     measure("depth", "full", SCENES, &mut clock, &mut |scene, light, display| {
-        frames::depth(scene, light, memory, display);
-        Some(())
+        frames::depth(scene, light, memory, display)
     })
 });

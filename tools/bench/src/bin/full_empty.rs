@@ -9,11 +9,9 @@ const SCENES: &[Named] = &[("empty", &scene::CUBE)];
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
     measure("solid", "full", SCENES, &mut clock, &mut |_, _, display| {
-        frames::empty(memory, display);
-        Some(())
+        frames::empty(memory, display)
     })?;
     measure("depth", "full", SCENES, &mut clock, &mut |_, _, display| {
-        frames::empty_depth(memory, display);
-        Some(())
+        frames::empty_depth(memory, display)
     })
 });

@@ -9,7 +9,6 @@ const SCENES: &[Named] = &[("S1", &scene::CUBE)];
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = board::Clock::new()?;
     measure("wireframe", "full", SCENES, &mut clock, &mut |scene, light, display| {
-        frames::wireframe(scene, light, memory, display);
-        Some(())
+        frames::wireframe(scene, light, memory, display)
     })
 });

@@ -1,0 +1,102 @@
+//! What pixels are drawn into.
+
+use super::DepthBuffer;
+use crate::raster::{self, Pixel, Plane, Rows, Scissor, ScreenPoint, Span};
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// What pixels are drawn into: any `embedded-graphics` DrawTarget, or [`Pixels`](crate::Pixels), which lie in memory: the
+/// same picture in a fraction of the instructions.
+///
+/// A DrawTarget gets a `fill_solid` or a `fill_contiguous` for every run of pixels.
+pub trait Target: sealed::Sealed {
+    /// Of its pixels.
+    type Color: PixelColor;
+
+    /// What drawing may come to.
+    type Error;
+
+    /// All pixels that there are.
+    fn area(&self) -> Rectangle;
+
+    /// Draws a run of pixels in one colour.
+    ///
+    /// # Errors
+    ///
+    /// The target's own.
+    fn fill(&mut self, span: Span, colour: Self::Color) -> Result<(), Self::Error>;
+
+    /// Draws a run of pixels in a row, each in a colour of its own, of which there are as many.
+    ///
+    /// # Errors
+    ///
+    /// The target's own.
+    fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = Self::Color>)
+        -> Result<(), Self::Error>;
+
+    /// Draws a triangle of one colour; `front` tells whether its area is positive, and it is not zero.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn triangle(
+        &mut self,
+        corners: &[ScreenPoint; 3],
+        front: bool,
+        scissor: &Scissor,
+        colour: Self::Color,
+    ) -> Result<(), Self::Error> {
+        Rows::new(corners, front, scissor).spans().try_for_each(|span| self.fill(span, colour))
+    }
+
+    /// Draws rows in one colour where they are nearer than what is held.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn nearer(
+        &mut self,
+        rows: &mut Rows,
+        plane: &Plane,
+        depth: &mut DepthBuffer<'_>,
+        colour: Self::Color,
+    ) -> Result<(), Self::Error> {
+        rows.spans().try_for_each(|span| depth.test(span, plane, |visible| self.fill(visible, colour)))
+    }
+
+    /// Draws a line.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, colour: Self::Color) -> Result<(), Self::Error> {
+        raster::line(from, to, scissor, |span| self.fill(span, colour))
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl<D: embedded_graphics_core::draw_target::DrawTarget> Sealed for D {}
+    impl<C> Sealed for crate::Pixels<'_, C> {}
+}
+
+impl<D: DrawTarget> Target for D {
+    type Color = D::Color;
+    type Error = D::Error;
+
+    fn area(&self) -> Rectangle {
+        self.bounding_box()
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, span: Span, colour: D::Color) -> Result<(), D::Error> {
+        self.fill_solid(&rectangle(span), colour)
+    }
+
+    #[inline(always)]
+    fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = D::Color>) -> Result<(), D::Error> {
+        self.fill_contiguous(&rectangle(span), colours)
+    }
+}
+
+/// As `embedded-graphics` has it.
+#[inline(always)]
+fn rectangle(Span { x, y, width, height }: Span) -> Rectangle {
+    Rectangle::new(Point::new(x, y), Size::new(width as u32, height as u32)) // both positive
+}

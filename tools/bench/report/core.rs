@@ -1,0 +1,39 @@
+//! The emulated cores, and the images that are built for them.
+
+use crate::cross::Build;
+use crate::{Result, M0, M3};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// At opt-level 3, as those who want speed build.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Core {
+    pub(crate) name: &'static str,
+    target: &'static str,
+}
+
+pub(crate) const CORES: [Core; 4] = [
+    Core { name: "M0", target: M0 },
+    Core { name: "M3", target: M3 },
+    Core { name: "M4F", target: "thumbv7em-none-eabihf" },
+    Core { name: "RV32", target: "riscv32imc-unknown-none-elf" },
+];
+
+impl Core {
+    pub(crate) const fn build(self) -> Build {
+        Build { target: self.target, level: "3" }
+    }
+
+    /// What a firmware prints.
+    pub(crate) fn run(self, image: &Path) -> Result<String> {
+        let mut command = Command::new("bash");
+        command.arg("emulate").arg(self.name).arg(image).current_dir(crate::cross::BENCH);
+        let output = command.stdin(Stdio::null()).output()?;
+        let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8_lossy(&output.stderr));
+        if !output.status.success() {
+            let image = image.display();
+            return Err(format!("{image} on {}: {}\n{printed}{console}", self.name, output.status).into());
+        }
+        Ok(printed)
+    }
+}

@@ -1,0 +1,57 @@
+//! The pages in `docs/`, each with what it takes to measure it.
+
+use crate::bands::{self, Speed};
+use crate::cells::{self, Choice};
+use crate::cross::Build;
+use crate::speed_page::{self, Figures};
+use crate::{bands_page, footprint, footprint_page, targets, Result, M3};
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Page {
+    Speed,
+    Bands,
+    Footprint,
+}
+
+pub(crate) const PAGES: [Page; 3] = [Page::Speed, Page::Bands, Page::Footprint];
+
+impl Page {
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Speed => "speed",
+            Self::Bands => "bands",
+            Self::Footprint => "footprint",
+        }
+    }
+
+    pub(crate) fn file(self) -> String {
+        format!("docs/{}.md", self.name())
+    }
+
+    /// Measures what stands on it. `rebase` takes today's sizes for limits.
+    pub(crate) fn text(self, compiler: &str, rebase: bool, failures: &mut Vec<String>) -> Result<String> {
+        Ok(match self {
+            Self::Speed => speed(compiler, failures)?,
+            Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
+            Self::Footprint => footprint_page::text(compiler, &footprint::measure(rebase, failures)?),
+        })
+    }
+}
+
+/// All cells, which are printed as they come.
+fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
+    bands::compare_scenes(failures);
+    let mut cells = Vec::new();
+    cells::measure(&Choice::default(), failures, |cell| {
+        println!("{cell}");
+        cells.push(cell);
+    })?;
+    Ok(speed_page::text(compiler, &Figures { cells: &cells, targets: &targets::targets()? }))
+}
+
+fn measure_bands(failures: &mut Vec<String>) -> Result<Speed> {
+    let m3 = Build { target: M3, level: "3" };
+    let host = bands::host()?;
+    m3.cargo("build", &bands::bins())?;
+    bands::measure(m3, &host, failures)
+}

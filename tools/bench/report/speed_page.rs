@@ -1,0 +1,155 @@
+//! `docs/speed.md`.
+
+use crate::cells::Cell;
+use crate::page::{grouped, BUILT};
+use crate::targets::Target;
+use bench::cells::{data, CELLS};
+use std::fmt::Write;
+
+const HEAD: &str = "\
+# How fast it is
+
+Instructions a frame on emulated microcontrollers, against what was aimed at and against other libraries. This page is
+written by
+
+```sh
+tools/bench/run
+```
+
+which prints the cells too, a line each: `scene,variant,core,instructions,flash,ram,stack,crc`.
+`tools/bench/run cells S3 M0` measures some of them. ";
+
+const COUNTED: &str = "
+## What is counted
+
+One frame of 240 × 240 pixels of Rgb565 in RAM, the second of two, from the mesh in flash to the last pixel: vertices, faces, the
+light on each face (S8: at each vertex), pixels; with *z* the clearing of the depth buffer too. Not counted: the clearing
+of the picture, and what is set up before a frame: camera, light, the place of the model. The library is used as
+anyone would use it: the size of the picture is a variable, everything is clipped, statistics are kept; the
+compiler knows none of the numbers. Opt-level 3, fat LTO.
+
+Instructions are not cycles: a Cortex-M0 takes about 1.3 to 1.6 cycles for one, more with slow flash. They are counted
+by the clock of the emulator (QEMU), which advances by the same time for each, and is compared with a loop of known length
+in every run; RV32 has a counter of its own. The counts are the same in every run. Every picture is that of the same
+program on the host, compared by checksum.
+
+M0: thumbv6m. M3: thumbv7m. M4F: thumbv7em with FPU, which the library does not use. RV32: rv32imc.
+
+| scene | |
+|---|---|
+| S1 | cube, wireframe |
+| S2 | cube, flat Lambert |
+| S3 | torus of 1000 triangles, flat Lambert |
+| S4 | icosphere of 5780 triangles, flat Lambert |
+| S5 | one triangle over the whole picture, 2D |
+| S6 | 1000 lines, 2D |
+| S7 | 1000 triangles of about 98 pixels, 2D |
+| S8 | torus, Gouraud, a light level at each vertex |
+";
+
+const CELLS_HEAD: &str = "
+## The cells
+
+*Best rival* is the fastest other library on that scene and core: S3L small3dlib, TGX tgx, 3DG embedded-3dgfx 0.7.2, each
+measured on the same scenes and emulator. *Of target* is below 1 where the target is beaten; *best rival / ours* says how
+many times as many instructions the best rival takes.
+
+| scene | | core | instructions | target | stretch | of target | best rival | | best rival / ours | 3DG |
+|---|---|---|--:|--:|--:|--:|---|--:|--:|--:|
+";
+
+const RISCV: &str = "
+## RISC-V
+
+| scene | | RV32 | of the M3's |
+|---|---|--:|--:|
+";
+
+const MEMORY: &str = "
+## Memory
+
+On the M3, in bytes. Flash: code and constants, more than a firmware has that counts a frame with nothing in it; the mesh or
+list is in it. RAM: the picture (115 200), the depth buffer (115 200), 8 a vertex. Stack: at its deepest, with the set-up of
+camera and light and the firmware's own frames. In bands it takes a fraction: [bands.md](bands.md).
+
+| scene | | flash | of that, data | RAM | stack |
+|---|---|--:|--:|--:|--:|
+";
+
+/// All numbers of the page.
+pub(crate) struct Figures<'f> {
+    pub(crate) cells: &'f [Cell],
+    pub(crate) targets: &'f [Target],
+}
+
+impl Figures<'_> {
+    fn cell(&self, scene: &str, variant: &str, core: &str) -> Option<&Cell> {
+        self.cells.iter().find(|cell| (cell.scene, cell.variant, cell.core.name) == (scene, variant, core))
+    }
+}
+
+pub(crate) fn text(compiler: &str, figures: &Figures<'_>) -> String {
+    let mut text = format!("{HEAD}{BUILT}{compiler}.\n{COUNTED}");
+    cells(&mut text, figures);
+    text += RISCV;
+    for (scene, variant, _) in CELLS {
+        let count = |core| figures.cell(scene, variant, core).map(|cell| cell.instructions);
+        if let (Some(riscv), Some(m3)) = (count("RV32"), count("M3")) {
+            let _ = writeln!(
+                text,
+                "| {scene} | {} | {} | {} |",
+                shown(variant),
+                grouped(riscv),
+                ratio(riscv, m3)
+            );
+        }
+    }
+    text += MEMORY;
+    for (scene, variant, _) in CELLS {
+        if let Some(cell) = figures.cell(scene, variant, "M3") {
+            let [flash, data, ram, stack] =
+                [cell.flash, data(scene) as u64, cell.ram, cell.stack].map(grouped);
+            let _ = writeln!(text, "| {scene} | {} | {flash} | {data} | {ram} | {stack} |", shown(variant));
+        }
+    }
+    text
+}
+
+fn cells(text: &mut String, figures: &Figures<'_>) {
+    *text += CELLS_HEAD;
+    let (mut reached, mut within) = (0, 0);
+    for of in figures.targets {
+        let Some(cell) = figures.cell(of.scene, of.variant, of.core) else { continue };
+        let [ours, target, stretch, best, gfx] =
+            [cell.instructions, of.target, of.stretch, of.best, of.gfx].map(grouped);
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {ours} | {target} | {stretch} | {} | {} | {best} | {} | {gfx} |",
+            of.scene,
+            shown(of.variant),
+            of.core,
+            ratio(cell.instructions, of.target),
+            of.rival,
+            ratio(of.best, cell.instructions),
+        );
+        reached += usize::from(cell.instructions <= of.target);
+        within += usize::from(cell.instructions * 100 <= of.target * 112);
+    }
+    let all = figures.targets.len();
+    let _ = writeln!(
+        text,
+        "\nOf {all} cells {reached} are at or below their target, and {within} within 1.12 times of it."
+    );
+}
+
+fn shown(variant: &str) -> &str {
+    if variant == "plain" {
+        ""
+    } else {
+        variant
+    }
+}
+
+fn ratio(a: u64, b: u64) -> String {
+    format!("{:.2}", a as f64 / b as f64)
+}

@@ -1,0 +1,33 @@
+//! `targets.txt`: what each cell is measured against.
+
+use crate::Result;
+
+const TARGETS: &str = include_str!("../targets.txt");
+
+/// In instructions a frame.
+pub(crate) struct Target {
+    pub(crate) scene: &'static str,
+    pub(crate) variant: &'static str,
+    pub(crate) core: &'static str,
+    pub(crate) target: u64,
+    pub(crate) stretch: u64,
+    /// The best rival.
+    pub(crate) rival: &'static str,
+    pub(crate) best: u64,
+    /// Of embedded-3dgfx.
+    pub(crate) gfx: u64,
+}
+
+/// One for each of the 33 cells.
+pub(crate) fn targets() -> Result<Vec<Target>> {
+    let lines = TARGETS.lines().filter(|line| !line.starts_with('#'));
+    let target = |line: &'static str| {
+        let fields: Vec<&'static str> = line.split(' ').collect();
+        let [scene, variant, core, target, stretch, rival, best, gfx] = fields[..] else {
+            return Err(format!("targets.txt: {line}").into());
+        };
+        let (target, stretch) = (target.parse()?, stretch.parse()?);
+        Ok(Target { scene, variant, core, target, stretch, rival, best: best.parse()?, gfx: gfx.parse()? })
+    };
+    lines.map(target).collect()
+}

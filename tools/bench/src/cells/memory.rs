@@ -1,0 +1,49 @@
+//! What cells are lent.
+
+use crate::scene::{BACKGROUND, SIZE};
+use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::Corner;
+
+const PIXELS: usize = (SIZE * SIZE) as usize;
+
+/// A whole picture, at the start of a word: as a DMA controller would have it.
+#[repr(C, align(4))]
+pub struct Frame(pub(crate) [Rgb565; PIXELS]);
+
+impl Frame {
+    pub const NEW: Self = Self([BACKGROUND; PIXELS]);
+}
+
+/// A picture, and a mesh of so many vertices.
+pub struct Plain<const N: usize> {
+    pub(crate) frame: Frame,
+    pub(crate) corners: [Corner; N],
+}
+
+impl<const N: usize> Plain<N> {
+    pub const NEW: Self = Self { frame: Frame::NEW, corners: [Corner::EMPTY; N] };
+}
+
+/// The same with depth.
+pub struct Deep<const N: usize> {
+    pub(crate) frame: Frame,
+    pub(crate) depth: Depth,
+    pub(crate) corners: [Corner; N],
+}
+
+#[repr(C, align(4))]
+pub(crate) struct Depth(pub(crate) [u16; PIXELS]);
+
+impl<const N: usize> Deep<N> {
+    pub const NEW: Self = Self { frame: Frame::NEW, depth: Depth([0; PIXELS]), corners: [Corner::EMPTY; N] };
+}
+
+/// The same, and the light at each vertex.
+pub struct Smooth<const N: usize> {
+    pub(crate) deep: Deep<N>,
+    pub(crate) levels: [u16; N],
+}
+
+impl<const N: usize> Smooth<N> {
+    pub const NEW: Self = Self { deep: Deep::NEW, levels: [0; N] };
+}

@@ -1,0 +1,131 @@
+//! The cells of `docs/speed.md`: scenes drawn at once into memory, each by a firmware of its own with no more memory than
+//! the scene takes.
+
+mod memory;
+mod three;
+mod two;
+
+pub use memory::{Deep, Frame, Plain, Smooth};
+pub use three::{s1, s2, s2_z, s3, s3_z, s4, s4_z, s8_z};
+pub use two::{s5, s6, s7};
+
+use crate::board::{println, Clock};
+use crate::measure::Checksum;
+use crate::scene::{BACKGROUND, SIZE};
+use core::hint::black_box;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::Rgb565;
+
+/// What is drawn on: of a size that the compiler does not know.
+pub type Picture<'p> = pinhole::Picture<'p, Rgb565>;
+
+/// What came of a cell.
+#[derive(Clone, Copy)]
+pub struct Counted {
+    pub instructions: u32,
+    /// CRC-32 of the pixels as little-endian numbers.
+    pub crc: u32,
+}
+
+/// The most vertices of a scene: of the cube, of the torus and of the icosphere.
+pub const CUBE: usize = 8;
+pub const TORUS: usize = 500;
+pub const ICO: usize = 2892;
+
+/// A way to draw a cell, on memory of its own.
+#[cfg(not(target_os = "none"))]
+type Draw = fn() -> Option<Counted>;
+
+/// Scene, variant, and how it is drawn on the host.
+#[cfg(not(target_os = "none"))]
+pub const CELLS: &[(&str, &str, Draw)] = &[
+    ("S1", "plain", || s1(&mut boxed(Plain::NEW))),
+    ("S2", "plain", || s2(&mut boxed(Plain::NEW))),
+    ("S2", "z", || s2_z(&mut boxed(Deep::NEW))),
+    ("S3", "plain", || s3(&mut boxed(Plain::NEW))),
+    ("S3", "z", || s3_z(&mut boxed(Deep::NEW))),
+    ("S4", "plain", || s4(&mut boxed(Plain::NEW))),
+    ("S4", "z", || s4_z(&mut boxed(Deep::NEW))),
+    ("S5", "plain", || s5(&mut boxed(Frame::NEW))),
+    ("S6", "plain", || s6(&mut boxed(Frame::NEW))),
+    ("S7", "plain", || s7(&mut boxed(Frame::NEW))),
+    ("S8", "z", || s8_z(&mut boxed(Smooth::NEW))),
+];
+
+/// What a scene's data take of flash, in bytes: its mesh or list.
+#[cfg(not(target_os = "none"))]
+pub fn data(scene: &str) -> usize {
+    use crate::lists::{COLOURS, LINES, SCREEN, TORUS_NORMALS, TRIANGLES};
+    use crate::scene::{CUBE, ICO, TORUS};
+    match scene {
+        "S1" | "S2" => CUBE.bytes(),
+        "S3" => TORUS.bytes(),
+        "S4" => ICO.bytes(),
+        "S5" => size_of_val(&SCREEN),
+        "S6" => size_of_val(&LINES),
+        "S7" => size_of_val(&TRIANGLES) + size_of_val(&COLOURS),
+        "S8" => TORUS.bytes() + size_of_val(&TORUS_NORMALS),
+        _ => 0,
+    }
+}
+
+#[cfg(not(target_os = "none"))]
+fn boxed<T>(memory: T) -> Box<T> {
+    Box::new(memory)
+}
+
+/// A frame in which nothing is drawn.
+pub fn empty(frame: &mut Frame) -> Option<Counted> {
+    count(frame, &mut |_| Some(()))
+}
+
+/// Draws two frames, each on a cleared picture, and counts the second without the clear. `draw` says whether it could.
+#[inline(never)]
+pub fn count(frame: &mut Frame, draw: &mut dyn FnMut(&mut Picture<'_>) -> Option<()>) -> Option<Counted> {
+    let mut clock = Clock::new()?;
+    let mut picture = Picture::new(&mut frame.0, black_box(Size::new(SIZE, SIZE))).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    draw(&mut picture)?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    let mut good = None;
+    let instructions = clock.count(&mut || good = draw(&mut picture))?;
+    good.map(|()| Counted { instructions, crc: Checksum::of(black_box(&frame.0)) })
+}
+
+/// The line that `report` reads: `instructions,stack,crc`.
+pub fn print(Counted { instructions, crc }: Counted, stack: usize) {
+    println!("{instructions},{stack},{crc:08x}");
+}
+
+/// A firmware that draws one cell: its memory, and how.
+#[macro_export]
+macro_rules! cell {
+    ($memory:ty, $draw:path) => {
+        #[cfg(target_os = "none")]
+        #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+        #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+        fn main() -> ! {
+            use core::cell::RefCell;
+            use critical_section::Mutex;
+            // Not on the stack.
+            static MEMORY: Mutex<RefCell<$memory>> = Mutex::new(RefCell::new(<$memory>::NEW));
+            $crate::stack::paint();
+            let counted = critical_section::with(|token| $draw(&mut MEMORY.borrow_ref_mut(token)));
+            let stack = $crate::stack::deepest();
+            if let Some(counted) = counted {
+                $crate::cells::print(counted, stack);
+            }
+            $crate::board::end(counted.is_some())
+        }
+
+        #[cfg(not(target_os = "none"))]
+        fn main() {
+            let counted = $draw(&mut *Box::<$memory>::new(<$memory>::NEW));
+            if let Some(counted) = counted {
+                $crate::cells::print(counted, 0);
+            }
+            $crate::board::end(counted.is_some())
+        }
+    };
+}

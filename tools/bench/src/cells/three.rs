@@ -1,0 +1,90 @@
+//! S1 to S4 and S8: models before a camera. Camera, place, light and lens are set up before the frame.
+
+use super::{count, Counted, Deep, Plain, Smooth, CUBE, ICO, TORUS};
+use crate::lists::TORUS_NORMALS;
+use crate::scene::{self, area, Model, Scene, LINE};
+use core::hint::black_box;
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+use pinhole::{DepthBuffer, Gouraud};
+
+pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
+    let scene = Scene::new(&scene::CUBE)?;
+    let Plain { frame, corners } = memory;
+    count(frame, &mut |picture| {
+        let Ok(statistics) =
+            black_box(&scene).place().wireframe(black_box(LINE), corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn s2(memory: &mut Plain<CUBE>) -> Option<Counted> {
+    flat(&scene::CUBE, memory)
+}
+
+pub fn s3(memory: &mut Plain<TORUS>) -> Option<Counted> {
+    flat(&scene::TORUS, memory)
+}
+
+pub fn s4(memory: &mut Plain<ICO>) -> Option<Counted> {
+    flat(&scene::ICO, memory)
+}
+
+pub fn s2_z(memory: &mut Deep<CUBE>) -> Option<Counted> {
+    flat_z(&scene::CUBE, memory)
+}
+
+pub fn s3_z(memory: &mut Deep<TORUS>) -> Option<Counted> {
+    flat_z(&scene::TORUS, memory)
+}
+
+pub fn s4_z(memory: &mut Deep<ICO>) -> Option<Counted> {
+    flat_z(&scene::ICO, memory)
+}
+
+/// A level of light for each face.
+#[inline(always)]
+fn flat<const N: usize>(model: &'static Model, Plain { frame, corners }: &mut Plain<N>) -> Option<Counted> {
+    let scene = Scene::new(model)?;
+    let light = scene.light()?;
+    count(frame, &mut |picture| {
+        let (scene, light) = black_box((&scene, &light));
+        let Ok(statistics) = scene.place().solid(scene.shade(light), corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+#[inline(always)]
+fn flat_z<const N: usize>(
+    model: &'static Model,
+    Deep { frame, depth, corners }: &mut Deep<N>,
+) -> Option<Counted> {
+    let scene = Scene::new(model)?;
+    let light = scene.light()?;
+    count(frame, &mut |picture| {
+        let (scene, light) = black_box((&scene, &light));
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let Ok(statistics) =
+            scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+/// The light at each vertex, and between them smoothly.
+pub fn s8_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
+    let Deep { frame, depth, corners } = deep;
+    let scene = Scene::new(&scene::TORUS)?;
+    let light = scene.light()?;
+    count(frame, &mut |picture| {
+        let (scene, light) = black_box((&scene, &light));
+        light.levels(black_box(&TORUS_NORMALS), levels);
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let placed = scene.place();
+        let shade = |face| Gouraud::lit(Rgb888::WHITE, placed.mesh().corners_of(face, levels));
+        let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
