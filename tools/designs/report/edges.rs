@@ -58,7 +58,7 @@ fn library<V: Coordinate>(case: &Case, mesh: &Mesh<'_, V>, shift: Option<&mut f6
     let corners: Option<Vec<_>> = (0..VERTICES.len())
         .map(|index| placed.project(index).map(|(p, _)| (p.x().into(), p.y().into())))
         .collect();
-    let exact: Vec<_> = VERTICES.iter().map(|v| image(&case.object, v.from_eye(&case.object))).collect();
+    let exact: Vec<_> = VERTICES.iter().map(|v| image(&case.object, v.relative(&case.object))).collect();
     if let Some(shift) = shift {
         *shift = shift.max(picture(&exact, &corners.ok_or("a vertex has no place")?));
     }
@@ -81,7 +81,7 @@ impl<'s, I: Iterator<Item = &'s mut f64>> Visit for Painter<'_, I> {
         let Some(shift) = self.shifts.next() else { return };
         let Some(design) = D::new(self.object) else { return };
         let vertices = VERTICES.map(|v| D::Vertex::of(self.object, v));
-        let exact = vertices.map(|v| image(self.object, v.from_eye(self.object)));
+        let exact = vertices.map(|v| image(self.object, v.relative(self.object)));
         let centre = if D::FROM_CENTRE { i64::from(SIZE) * 128 } else { 0 };
         let corners = vertices.map(|v| {
             let corner = design.corner(v);

@@ -43,7 +43,8 @@ pub(crate) fn text(compiler: &str, measured: &[Measured]) -> String {
         .replace("{classes}", &classes(measured))
         .replace("{designs}", &designs())
         .replace("{rule}", &verdict(measured))
-        .replace("{floats}", &floats(measured));
+        .replace("{floats}", &list(&rule::floats_ahead(measured)))
+        .replace("{cheap}", &list(&rule::cheap_on_m0(measured)));
     text.truncate(text.trim_end().len());
     text.push('\n');
     text
@@ -102,15 +103,10 @@ fn designs() -> String {
 fn verdict(measured: &[Measured]) -> String {
     match rule::broken(measured)[..] {
         [] => "It holds.".to_string(),
-        ref broken => format!("It does **not** hold yet:\n\n* {}", broken.join("\n* ")),
+        ref broken => format!("It does **not** hold yet:\n\n{}", list(broken)),
     }
 }
 
-fn floats(measured: &[Measured]) -> String {
-    match rule::floats_ahead(measured)[..] {
-        [] => "f32 is ahead nowhere.".to_string(),
-        ref ahead => {
-            format!("Where f32 takes fewer instructions than the default:\n\n* {}", ahead.join("\n* "))
-        }
-    }
+fn list(items: &[String]) -> String {
+    items.iter().map(|item| format!("* {item}")).collect::<Vec<_>>().join("\n")
 }

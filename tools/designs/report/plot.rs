@@ -17,7 +17,7 @@ const TICKS: [f64; 8] = [20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0
 /// What the snap to 1/256 px alone costs.
 const SNAP: f64 = 1.0 / 512.0;
 /// Dots of one family nearer than this share a label: as factors of instructions and error.
-const NEAR: (f64, f64) = (1.15, 2.0);
+const NEAR: (f64, f64) = (1.3, 2.0);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<
@@ -65,7 +65,8 @@ fn draw(panel: &Area<'_>, core: usize, measured: &[Measured]) -> Result<()> {
         .light_line_style(RGBColor(246, 246, 246))
         .bold_line_style(RGBColor(225, 225, 225))
         .disable_x_mesh()
-        .x_labels(0)
+        .x_labels(1)
+        .x_label_formatter(&|_| String::new())
         .x_desc("instructions a vertex")
         .y_desc("largest error, px")
         .y_label_formatter(&|v| format!("{v:.0e}"))

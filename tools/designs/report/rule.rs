@@ -65,3 +65,28 @@ pub(crate) fn floats_ahead(measured: &[Measured]) -> Vec<String> {
         })
         .collect()
 }
+
+/// An error that one may want to have: pixels.
+const WORTH: f64 = 0.05;
+
+/// Designs of fewer bits, with small errors, that are faster on an M0, with figures.
+pub(crate) fn cheap_on_m0(measured: &[Measured]) -> Vec<String> {
+    let default = default(measured);
+    let (m0, seen_whole) = (0, 3);
+    let error = |one: &Measured| one.errors.classes[seen_whole].before.largest;
+    let cheap = |one: &&Measured| {
+        let narrow = matches!(one.about.family, Family::Short | Family::Scaled);
+        narrow && one.speed[m0] < 0.9 * default.speed[m0] && error(one) <= WORTH
+    };
+    let sentence = |one: &Measured| {
+        format!(
+            "{}: {:.0} instructions in place of {:.0}; errors up to {} px for an object that the camera sees whole, {} px in all",
+            one.about.name,
+            one.speed[m0],
+            default.speed[m0],
+            decimal(error(one)),
+            decimal(one.errors.worst().before.largest),
+        )
+    };
+    measured.iter().filter(cheap).map(sentence).collect()
+}

@@ -1,5 +1,6 @@
 //! Random vertices before random cameras through every design, against f64 of the same inputs.
 
+use crate::about::Family;
 use crate::errors::{Errors, Figures, Pair};
 use crate::exact::Case;
 use crate::oracle::rng::Rng;
@@ -52,6 +53,8 @@ struct Raw {
     after: Vec<f32>,
     /// Vertices in the picture that the design takes for ones before the near plane.
     lost: usize,
+    /// The largest distance of a corner from the place that it was rounded from, in sub-pixels.
+    snap: f64,
 }
 
 impl Raw {
@@ -78,7 +81,7 @@ fn sweep(class: &Class) -> Result<Vec<Pair>> {
         let Some(o) = population.object(&mut rng, design, &exact.view, at) else { continue };
         let case = Case::new(&bits, &o.model, o.exponent);
         let visible = |v: &[i16; 3]| {
-            let from_eye = v.from_eye(&case.object);
+            let from_eye = v.relative(&case.object);
             let [.., z] = case.object.image(from_eye);
             let world = core::array::from_fn(|i| from_eye[i] + case.object.eye[i]);
             is_seen(&case.object, from_eye) && o.half_extent / z <= ratio.1 && population.inside(world)
@@ -101,6 +104,13 @@ fn sweep(class: &Class) -> Result<Vec<Pair>> {
         // Where depth is off by more than a vertex's distance from the near plane, that happens; elsewhere it is a fault.
         if raw.lost > 0 && about.exact_depth() {
             return Err(format!("{} has no place for {} vertices in the picture", about.id, raw.lost).into());
+        }
+    }
+    for (about, raw) in about::ALL.iter().zip(&raw) {
+        // Half a sub-pixel, and what was dropped before the rounding; f32 is cut, which left of the picture is no rounding.
+        let most = if about.family == Family::Float { 1.5 } else { 0.6 };
+        if raw.snap > most {
+            return Err(format!("{} snaps by {} sub-pixels", about.id, raw.snap).into());
         }
     }
     let pair =
@@ -134,7 +144,7 @@ fn library<V: Coordinate>(
     let placed: Placed<'_, V> = case.camera.place(mesh, &case.model);
     for (index, v) in vertices.iter().enumerate() {
         let [cx, cy] = case.object.centre;
-        let [x, y, _] = case.object.image(v.from_eye(&case.object));
+        let [x, y, _] = case.object.image(v.relative(&case.object));
         let (Some([bx, by, _]), Some((p, _))) = (placed.project_unsnapped(index), placed.project(index))
         else {
             return Err(format!("the library has no place for {v:?}").into());
@@ -158,7 +168,7 @@ impl Visit for Meter<'_> {
         let origin = if D::FROM_CENTRE { [0.0; 2] } else { self.object.centre };
         for &v in self.vertices {
             let v = D::Vertex::of(self.object, v);
-            let from_eye = v.from_eye(self.object);
+            let from_eye = v.relative(self.object);
             // A coarser type may have moved it out.
             if !is_seen(self.object, from_eye) {
                 continue;
@@ -171,7 +181,11 @@ impl Visit for Meter<'_> {
             }
             let subpixels = f64::from(1 << D::BITS);
             let after = [f64::from(corner.x) / subpixels, f64::from(corner.y) / subpixels];
-            raw.add([x + origin[0], y + origin[1]], design.before_snap(v), after);
+            let before = design.before_snap(v);
+            for i in 0..2 {
+                raw.snap = raw.snap.max((after[i] - before[i]).abs() * subpixels);
+            }
+            raw.add([x + origin[0], y + origin[1]], before, after);
         }
     }
 }

@@ -69,7 +69,7 @@ const TABLE: [u8; 256] = {
     let mut table = [0; 256];
     let mut i = 0;
     while i < 256 {
-        table[i] = (((1 << 19) / (513 + 2 * i) + 1) / 2 - 256) as u8; // 2⁹/(1 + (i + ½)/256), rounded
+        table[i] = (((1usize << 19) / (513 + 2 * i)).div_ceil(2) - 256) as u8; // 2⁹/(1 + (i + ½)/256), rounded
         i += 1;
     }
     table

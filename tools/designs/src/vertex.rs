@@ -7,7 +7,7 @@ pub trait Vertex: Copy {
     /// The mesh's vertex, rounded to what this type holds.
     fn of(object: &Object, vertex: [i16; 3]) -> Self;
     /// Exactly where that is in the world, from the eye.
-    fn from_eye(self, object: &Object) -> [f64; 3];
+    fn relative(self, object: &Object) -> [f64; 3];
 }
 
 fn in_world(object: &Object, vertex: [f64; 3]) -> [f64; 3] {
@@ -19,7 +19,7 @@ impl Vertex for [i16; 3] {
     fn of(_: &Object, vertex: [i16; 3]) -> Self {
         vertex
     }
-    fn from_eye(self, object: &Object) -> [f64; 3] {
+    fn relative(self, object: &Object) -> [f64; 3] {
         in_world(object, self.map(f64::from))
     }
 }
@@ -29,7 +29,7 @@ impl Vertex for [f32; 3] {
     fn of(_: &Object, vertex: [i16; 3]) -> Self {
         vertex.map(f32::from)
     }
-    fn from_eye(self, object: &Object) -> [f64; 3] {
+    fn relative(self, object: &Object) -> [f64; 3] {
         in_world(object, self.map(f64::from))
     }
 }
@@ -50,7 +50,7 @@ impl<const KEPT: u32, T: Copy + Into<i32> + TryFrom<i16> + Default> Vertex for C
     fn of(_: &Object, vertex: [i16; 3]) -> Self {
         Self(vertex.map(|c| T::try_from(c >> Self::DROPPED).unwrap_or_default()))
     }
-    fn from_eye(self, object: &Object) -> [f64; 3] {
+    fn relative(self, object: &Object) -> [f64; 3] {
         in_world(object, self.integers().map(|c| f64::from(c << Self::DROPPED)))
     }
 }
@@ -64,7 +64,7 @@ impl Vertex for InWorld {
         let vertex = vertex.map(f64::from);
         Self([0, 1, 2].map(|i| nearest32((dot(object.model[i], vertex) + object.place[i]) * 65536.0)))
     }
-    fn from_eye(self, object: &Object) -> [f64; 3] {
+    fn relative(self, object: &Object) -> [f64; 3] {
         [0, 1, 2].map(|i| f64::from(self.0[i]) / 65536.0 - object.eye[i])
     }
 }
