@@ -71,6 +71,11 @@ pub(crate) const ALL: &[About] = about! {
          32 bits."
     "i10" Short "10-bit vertices × Q20": "The same code; what the vertex has fewer, the coefficient has more."
     "i8" Short "`i8` vertices × Q22": "The same, 3 bytes a vertex."
+    "i16-wide" Short "`i16` × Q14, wide quotient":
+        "As line {i16-q14}, but two Newton steps, rounded to 16 bits, and 32 × 16 bits for x/w: a few instructions more \
+         for each coordinate."
+    "i10-wide" Short "10-bit vertices × Q20, wide quotient": "The same."
+    "i8-wide" Short "`i8` vertices × Q22, wide quotient": "The same."
     "i16-split" Short "`i16` × (15 + 14 bits)":
         "Rows of 29 bits in two pieces, 257-entry table with interpolation, 16 × 16 bits for x/w."
     "i16-table" Thirty "30-bit rows, table alone": "The default's numbers in a bare loop; 1/w from a table of 256 bytes."

@@ -45,6 +45,10 @@ pub(crate) fn text(compiler: &str, measured: &[Measured]) -> String {
         .replace("{rule}", &verdict(measured))
         .replace("{floats}", &list(&rule::floats_ahead(measured)))
         .replace("{cheap}", &list(&rule::cheap_on_m0(measured)));
+    // The table's lines, by name.
+    for (number, about) in ALL.iter().enumerate() {
+        text = text.replace(&format!("{{{}}}", about.id), &(number + 1).to_string());
+    }
     text.truncate(text.trim_end().len());
     text.push('\n');
     text

@@ -17,7 +17,7 @@ const TICKS: [f64; 8] = [20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0
 /// What the snap to 1/256 px alone costs.
 const SNAP: f64 = 1.0 / 512.0;
 /// Dots of one family nearer than this share a label: as factors of instructions and error.
-const NEAR: (f64, f64) = (1.3, 2.0);
+const NEAR: (f64, f64) = (1.5, 2.0);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<
@@ -106,7 +106,6 @@ fn draw(panel: &Area<'_>, core: usize, measured: &[Measured]) -> Result<()> {
             Some((_, (x, _), text)) => {
                 *x = match family {
                     Family::Thirty | Family::Scaled => x.min(at.0),
-                    Family::Short => (*x * at.0).sqrt(),
                     _ => x.max(at.0),
                 };
                 text.push_str(&format!(", {}", number + 1));
@@ -117,7 +116,6 @@ fn draw(panel: &Area<'_>, core: usize, measured: &[Measured]) -> Result<()> {
     for (family, at, text) in labels {
         let (side, height, away) = match family {
             Family::Thirty | Family::Scaled => (HPos::Right, VPos::Center, (-9, 0)),
-            Family::Short => (HPos::Center, VPos::Top, (0, 8)),
             _ => (HPos::Left, VPos::Center, (9, 0)),
         };
         let style = (FONT, 13).into_font().color(&colour(family)).pos(Pos::new(side, height));

@@ -8,6 +8,12 @@ use crate::Measured;
 /// The largest of so many random errors says no more than this about a design: two samples of one differ as much.
 const SAME: f64 = 1.1;
 
+/// The class of objects that the camera sees whole.
+const SEEN_WHOLE: usize = 3;
+
+/// What the library promises for a vertex, and what the page says that 8-bit vertices would keep for these: pixels.
+const PROMISE: f64 = 1.0 / 256.0;
+
 /// The library with `i16` vertices.
 pub(crate) fn default(measured: &[Measured]) -> &Measured {
     &measured[0]
@@ -40,6 +46,12 @@ pub(crate) fn broken(measured: &[Measured]) -> Vec<String> {
             ));
         }
     }
+    for id in ["default", "i8-wide"] {
+        let after = |one: &Measured| one.errors.classes[SEEN_WHOLE].after.largest;
+        if !measured.iter().any(|one| one.about.id == id && after(one) <= PROMISE) {
+            broken.push(format!("{id} is off by more than 1/256 px"));
+        }
+    }
     broken
 }
 
@@ -59,8 +71,8 @@ pub(crate) fn floats_ahead(measured: &[Measured]) -> Vec<String> {
                 default.speed[core],
                 decimal(one.errors.worst().before.largest),
                 decimal(default.errors.worst().before.largest),
-                decimal(one.errors.classes[3].before.largest),
-                decimal(default.errors.classes[3].before.largest),
+                decimal(one.errors.classes[SEEN_WHOLE].before.largest),
+                decimal(default.errors.classes[SEEN_WHOLE].before.largest),
             )
         })
         .collect()
@@ -72,19 +84,21 @@ const WORTH: f64 = 0.05;
 /// Designs of fewer bits, with small errors, that are faster on an M0, with figures.
 pub(crate) fn cheap_on_m0(measured: &[Measured]) -> Vec<String> {
     let default = default(measured);
-    let (m0, seen_whole) = (0, 3);
-    let error = |one: &Measured| one.errors.classes[seen_whole].before.largest;
+    let m0 = 0;
+    let error = |one: &Measured| one.errors.classes[SEEN_WHOLE].before.largest;
     let cheap = |one: &&Measured| {
         let narrow = matches!(one.about.family, Family::Short | Family::Scaled);
         narrow && one.speed[m0] < 0.9 * default.speed[m0] && error(one) <= WORTH
     };
     let sentence = |one: &Measured| {
         format!(
-            "{}: {:.0} instructions in place of {:.0}; errors up to {} px for an object that the camera sees whole, {} px in all",
+            "{}: {:.0} instructions in place of {:.0}; at most {} px off for an object that the camera sees whole ({} px with \
+             the snap), {} px for any",
             one.about.name,
             one.speed[m0],
             default.speed[m0],
             decimal(error(one)),
+            decimal(one.errors.classes[SEEN_WHOLE].after.largest),
             decimal(one.errors.worst().before.largest),
         )
     };

@@ -21,9 +21,12 @@ pub fn all(visitor: &mut impl Visit) {
     visitor.visit::<Mismatched>("q16-mismatch");
     visitor.visit::<EyeFirst<16>>("q16-eye");
     visitor.visit::<EyeFirst<30>>("q30-view16");
-    visitor.visit::<OneProduct<16, i16>>("i16-q14");
-    visitor.visit::<OneProduct<10, i16>>("i10");
-    visitor.visit::<OneProduct<8, i8>>("i8");
+    visitor.visit::<OneProduct<16, i16, false>>("i16-q14");
+    visitor.visit::<OneProduct<10, i16, false>>("i10");
+    visitor.visit::<OneProduct<8, i8, false>>("i8");
+    visitor.visit::<OneProduct<16, i16, true>>("i16-wide");
+    visitor.visit::<OneProduct<10, i16, true>>("i10-wide");
+    visitor.visit::<OneProduct<8, i8, true>>("i8-wide");
     visitor.visit::<TwoProducts>("i16-split");
     visitor.visit::<Thirty<Table, 8>>("i16-table");
     visitor.visit::<Thirty<OneStep, 8>>("i16-newton1");

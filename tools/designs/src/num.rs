@@ -24,6 +24,17 @@ pub(crate) fn mul_high(a: i32, b: i32) -> i32 {
     (mul_wide(a, b) >> 32) as i32
 }
 
+/// `⌊a · b / 2¹⁶⌋` for 0 ≤ b ≤ 2¹⁶.
+#[inline(always)]
+pub(crate) fn mul_middle(a: i32, b: i32) -> i32 {
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        let low = (a as u32 & 0xffff) * b as u32; // below 2³²
+        (a >> 16) * b + (low >> 16) as i32
+    } else {
+        ((i64::from(a) * i64::from(b)) >> 16) as i32
+    }
+}
+
 /// Whether `|v| < limit`, for a limit of at least 0.
 #[inline(always)]
 pub(crate) fn within(v: i32, limit: i32) -> bool {

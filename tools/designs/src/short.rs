@@ -1,30 +1,34 @@
 //! Designs whose products all fit 32 bits.
 
 use crate::chain::{Corner, Design};
-use crate::divide::{normalised, sixteen_bits, Interpolated, OneStep, Reciprocal, LEAST};
+use crate::divide::{normalised, sixteen_bits, Interpolated, OneStep, Reciprocal, TwoSteps, LEAST};
 use crate::form::exponent;
-use crate::num::{exp2, log2_above, nearest, nearest32, sum_of, within};
+use crate::num::{exp2, log2_above, mul_middle, nearest, nearest32, sum_of, within};
 use crate::vertex::Coarse;
 use crate::{Object, Vertex};
 
-/// What both designs have in common once x, y and w are there.
-struct Screen {
+/// What these designs have in common once x, y and w are there. `WIDE`: quotients by products of 32 × 16 bits instead of
+/// 16 × 16.
+struct Screen<const WIDE: bool> {
     near: i32,
     narrow: u32,
     /// x/w · 2^beyond is in pixels.
     beyond: i32,
 }
 
-impl Screen {
+/// x/w and y/w in 2^(n − 30), and n.
+type Quotients = ([i32; 2], u32);
+
+impl<const WIDE: bool> Screen<WIDE> {
     fn new(object: &Object, e_xy: i32, e_w: i32) -> Self {
         let beyond = e_xy - e_w;
-        let near = nearest32(object.near * exp2(-e_w)).max(LEAST);
+        let least = LEAST.max(1 << (30 - (20 - beyond).clamp(0, 15))); // for the shift of `corner`
+        let near = nearest32(object.near * exp2(-e_w)).max(least);
         Self { near, narrow: (beyond - 10).max(0) as u32, beyond }
     }
 
-    /// x/w and y/w in 2⁻³⁰, by one product of 16 × 16 bits each.
     #[inline(always)]
-    fn quotients<R: Reciprocal>(&self, [x, y, w]: [i32; 3]) -> Option<[i32; 2]> {
+    fn quotients<R: Reciprocal>(&self, [x, y, w]: [i32; 3]) -> Option<Quotients> {
         // A little less, so that rounding to 16 bits stays inside.
         let limit = (w - (w >> 12)) >> (self.narrow & 31);
         if w < self.near || !within(x, limit) || !within(y, limit) {
@@ -32,19 +36,24 @@ impl Screen {
         }
         let (m, n) = normalised(w);
         let r = sixteen_bits::<R>(m);
-        Some([x, y].map(|v| (((v << n) + (1 << 15)) >> 16) * r))
+        Some(if WIDE {
+            ([x, y].map(|v| mul_middle(v, r)), n)
+        } else {
+            ([x, y].map(|v| (((v << n) + (1 << 15)) >> 16) * r), 0)
+        })
     }
 
     #[inline(always)]
-    fn corner(&self, quotients: Option<[i32; 2]>) -> Corner {
-        let Some(quotients) = quotients else { return Corner::EMPTY };
-        let right = (21 - self.beyond) & 31;
+    fn corner(&self, quotients: Option<Quotients>) -> Corner {
+        let Some((quotients, n)) = quotients else { return Corner::EMPTY };
+        let right = (21 - self.beyond - n as i32) & 31; // by `near`
         let [x, y] = quotients.map(|q| ((q >> right) + 1) >> 1);
         Corner { x, y }
     }
 
-    fn before_snap(&self, quotients: Option<[i32; 2]>) -> [f64; 2] {
-        quotients.unwrap_or_default().map(|q| f64::from(q) * exp2(self.beyond - 30))
+    fn before_snap(&self, quotients: Option<Quotients>) -> [f64; 2] {
+        let (quotients, n) = quotients.unwrap_or_default();
+        quotients.map(|q| f64::from(q) * exp2(self.beyond + n as i32 - 30))
     }
 }
 
@@ -61,26 +70,31 @@ fn rows(object: &Object, exponent: impl Fn([f64; 3], f64) -> i32) -> ([[f64; 3];
 }
 
 /// One 32-bit product for each coefficient: what the vertex has fewer of 16 bits, the coefficient has more.
-pub(crate) struct OneProduct<const KEPT: u32, T> {
+pub(crate) struct OneProduct<const KEPT: u32, T, const WIDE: bool> {
     rows: [[i32; 3]; 3],
     offsets: [i32; 3],
-    screen: Screen,
+    screen: Screen<WIDE>,
     vertex: core::marker::PhantomData<T>,
 }
 
-impl<const KEPT: u32, T: Copy + Into<i32>> OneProduct<KEPT, T> {
+impl<const KEPT: u32, T: Copy + Into<i32>, const WIDE: bool> OneProduct<KEPT, T, WIDE> {
     #[inline(always)]
-    fn quotients(&self, v: Coarse<KEPT, T>) -> Option<[i32; 2]> {
+    fn quotients(&self, v: Coarse<KEPT, T>) -> Option<Quotients> {
         let v = v.integers();
         let at = |i: usize| {
             let ([a, b, c], [x, y, z]) = (self.rows[i], v);
             self.offsets[i].wrapping_add(a * x).wrapping_add(b * y).wrapping_add(c * z)
         };
-        self.screen.quotients::<OneStep>([at(0), at(1), at(2)])
+        let clip = [at(0), at(1), at(2)];
+        if WIDE {
+            self.screen.quotients::<TwoSteps>(clip)
+        } else {
+            self.screen.quotients::<OneStep>(clip)
+        }
     }
 }
 
-impl<const KEPT: u32, T> Design for OneProduct<KEPT, T>
+impl<const KEPT: u32, T, const WIDE: bool> Design for OneProduct<KEPT, T, WIDE>
 where
     T: Copy + Into<i32>,
     Coarse<KEPT, T>: Vertex,
@@ -118,12 +132,12 @@ pub(crate) struct TwoProducts {
     whole: [i32; 3],
     /// In 2⁻¹⁴.
     rest: [i32; 3],
-    screen: Screen,
+    screen: Screen<false>,
 }
 
 impl TwoProducts {
     #[inline(always)]
-    fn quotients(&self, v: [i16; 3]) -> Option<[i32; 2]> {
+    fn quotients(&self, v: [i16; 3]) -> Option<Quotients> {
         let [x, y, z] = v.map(i32::from);
         let at = |i: usize| {
             let dot = |start: i32, [a, b, c]: [i32; 3]| {
