@@ -114,6 +114,12 @@ impl<'a> DepthBuffer<'a> {
         Some(start..start.wrapping_add(width))
     }
 
+    /// The depths, if they are those of a rectangle's pixels.
+    #[inline(always)]
+    pub(super) fn same_as(&mut self, area: &Rectangle) -> Option<&mut [u16]> {
+        (self.area == *area).then_some(&mut *self.values)
+    }
+
     /// What is held in a row, which lies inside.
     #[inline(always)]
     pub(super) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [u16]> {
@@ -180,8 +186,10 @@ impl<'a> DepthBuffer<'a> {
         for i in 0..length {
             let (x, y) = if tall { (span.x, span.y + i) } else { (span.x + i, span.y) };
             let column = x.wrapping_sub(left) as usize;
-            let held =
-                self.place_of_row(y).and_then(|row| self.values.get_mut(row)).and_then(|row| row.get_mut(column));
+            let held = self
+                .place_of_row(y)
+                .and_then(|row| self.values.get_mut(row))
+                .and_then(|row| row.get_mut(column));
             if !held.is_some_and(|held| is_seen(x, y, held)) {
                 run(first, i)?;
                 first = i + 1;

@@ -1,6 +1,5 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
-use super::DepthBuffer;
 use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Stretch};
 use core::hint::black_box;
 
@@ -26,11 +25,17 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     /// Fills a triangle.
     #[inline(never)] // its loop needs all registers
-    pub(super) fn triangle(&mut self, corners: &[ScreenPoint; 3], front: bool, scissor: &Scissor, cell: Cell) {
+    pub(super) fn triangle(
+        &mut self,
+        corners: &[ScreenPoint; 3],
+        front: bool,
+        scissor: &Scissor,
+        cell: Cell,
+    ) {
         let two = pair(cell);
         let mut rows = Rows::new(corners, front, scissor);
-        while let Some(&Stretch { x, y, rows, left, right }) = rows.stretch() {
-            let mut stretch = Stretch { x, y, rows, left, right };
+        while let Some(&(mut stretch)) = rows.stretch() {
+            let Stretch { x, y, .. } = stretch;
             let mut start = place(x, y, self.stride);
             while stretch.rows > 0 {
                 let (left, right) = stretch.row();
@@ -45,33 +50,67 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         }
     }
 
-    /// Fills rows where they are nearer than what is held.
+    /// Fills rows where they are nearer than what is held for the same pixels.
     #[inline(never)] // its loop needs all registers
-    pub(super) fn nearer(&mut self, rows: &mut Rows, plane: &Plane, depth: &mut DepthBuffer<'_>, cell: Cell) {
-        let step = plane.step();
-        while let Some(&Stretch { x, y, rows, left, right }) = rows.stretch() {
-            let mut stretch = Stretch { x, y, rows, left, right };
-            let mut start = place(x, y, self.stride);
+    pub(super) fn nearer(&mut self, rows: &mut Rows, plane: &Plane, held: &mut [u16], cell: Cell) {
+        let (two, step, stride) = (pair(cell), plane.step(), self.stride);
+        // One length for both.
+        let length = self.cells.len().min(held.len());
+        let (cells, held) =
+            (self.cells.get_mut(..length).unwrap_or_default(), held.get_mut(..length).unwrap_or_default());
+        while let Some(&(mut stretch)) = rows.stretch() {
+            let Stretch { x, y, .. } = stretch;
+            let mut start = place(x, y, stride);
+            let mut z = plane.at(x, y);
             while stretch.rows > 0 {
                 let (left, right) = stretch.row();
                 let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
-                let held = depth.row(x + left, stretch.y, right - left);
-                if let (Some(run), Some(held)) = (self.cells.get_mut(from..to), held) {
-                    let mut z = plane.at(x + left, stretch.y);
-                    for (pixel, held) in run.iter_mut().zip(held) {
-                        if z >> 16 < u32::from(*held) {
-                            *held = (z >> 16) as u16;
-                            *pixel = cell;
-                        }
-                        z = z.wrapping_add(step);
-                        black_box(()); // not unrolled: it would not be faster
-                    }
+                if let (Some(run), Some(held)) = (cells.get_mut(from..to), held.get_mut(from..to)) {
+                    fill_nearer(run, held, z.wrapping_add(step.wrapping_mul(left as u32)), step, two);
                 }
-                start = start.wrapping_add(self.stride);
-                stretch.y += 1;
+                z = z.wrapping_add(plane.down());
+                start = start.wrapping_add(stride);
                 stretch.rows -= 1;
             }
         }
+    }
+}
+
+/// Four pixels at a time where nothing is held yet, as is so of most.
+#[inline(never)] // its loop needs all registers
+fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, two: [Cell; 2]) {
+    let [cell, _] = two;
+    let many = run.len() & !3;
+    let ((fours, rest), (held_fours, held_rest)) = (run.split_at_mut(many), held.split_at_mut(many));
+    for (pixels, held) in fours.chunks_exact_mut(4).zip(held_fours.chunks_exact_mut(4)) {
+        let ([p, q, r, s], [a, b, c, d]) = (pixels, held) else { return };
+        // As pairs these are loaded at once.
+        let pair = |a: u16, b: u16| u32::from(a) | u32::from(b) << 16;
+        if pair(*a, *b) & pair(*c, *d) == u32::MAX {
+            [[*p, *q], [*r, *s]] = [two; 2];
+            for held in [a, b, c, d] {
+                *held = (z >> 16) as u16;
+                z = z.wrapping_add(step);
+            }
+        } else {
+            for (pixel, held) in [(p, a), (q, b), (r, c), (s, d)] {
+                one_nearer(pixel, held, z, cell);
+                z = z.wrapping_add(step);
+            }
+        }
+        black_box(()); // not unrolled
+    }
+    for (pixel, held) in rest.iter_mut().zip(held_rest) {
+        one_nearer(pixel, held, z, cell);
+        z = z.wrapping_add(step);
+        black_box(());
+    }
+}
+
+#[inline(always)]
+fn one_nearer<Cell: Copy>(pixel: &mut Cell, held: &mut u16, z: u32, cell: Cell) {
+    if z >> 16 < u32::from(*held) {
+        (*held, *pixel) = ((z >> 16) as u16, cell);
     }
 }
 

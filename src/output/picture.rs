@@ -1,6 +1,7 @@
 //! A picture in memory.
 
 use super::memory::{clear, fill, Memory};
+use super::target::spans_nearer;
 use super::{DepthBuffer, Target};
 use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Span};
 use core::convert::Infallible;
@@ -165,8 +166,13 @@ impl<C: PixelColor> Target for Pixels<'_, C> {
         depth: &mut DepthBuffer<'_>,
         colour: C,
     ) -> Result<(), Infallible> {
-        self.memory.nearer(rows, plane, depth, colour);
-        Ok(())
+        match depth.same_as(&self.area) {
+            Some(held) => {
+                self.memory.nearer(rows, plane, held, colour);
+                Ok(())
+            }
+            None => spans_nearer(self, rows, plane, depth, colour),
+        }
     }
 }
 

@@ -59,15 +59,33 @@ pub trait Target: sealed::Sealed {
         depth: &mut DepthBuffer<'_>,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        rows.spans().try_for_each(|span| depth.test(span, plane, |visible| self.fill(visible, colour)))
+        spans_nearer(self, rows, plane, depth, colour)
     }
 
     /// Draws a line.
     #[doc(hidden)]
     #[inline(always)]
-    fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, colour: Self::Color) -> Result<(), Self::Error> {
+    fn line(
+        &mut self,
+        from: Pixel,
+        to: Pixel,
+        scissor: &Scissor,
+        colour: Self::Color,
+    ) -> Result<(), Self::Error> {
         raster::line(from, to, scissor, |span| self.fill(span, colour))
     }
+}
+
+/// [`Target::nearer`] span by span.
+#[inline(always)]
+pub(super) fn spans_nearer<T: Target + ?Sized>(
+    target: &mut T,
+    rows: &mut Rows,
+    plane: &Plane,
+    depth: &mut DepthBuffer<'_>,
+    colour: T::Color,
+) -> Result<(), T::Error> {
+    rows.spans().try_for_each(|span| depth.test(span, plane, |visible| target.fill(visible, colour)))
 }
 
 mod sealed {

@@ -15,8 +15,8 @@
 //! ```
 //!
 //! Between S and T there is no other point of the lattice, and so no whole number: `⌈S⌉ = ⌈T⌉`. S is in 12.20 for most
-//! triangles ([`Side`]) and in 32.32 for large ones ([`Wide`]). What is kept is S and one whole, less its last digit:
-//! its integer part is ⌈S⌉, and a row costs one addition.
+//! triangles ([`Side`]) and in 32.32 for large ones ([`Wide`]). What is kept is S less its last digit, whose integer part
+//! is ⌈S⌉ − 1: a row costs one addition.
 
 use super::ScreenPoint;
 use crate::math::num::{divide, fraction};
@@ -61,41 +61,49 @@ impl Side {
     pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32, column: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, dy < 2¹⁷
         let (own, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
-        let d = NonZeroU32::new(dy.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
-        // Between the columns of p and q: less than 2¹¹ pixels from `column`. |n| < 2¹¹·2¹⁷.
+        let d = NonZeroU32::new(dy as u32).unwrap_or(NonZeroU32::MIN); // dy > 0
+                                                                       // Between the columns of p and q: less than 2¹¹ pixels from `column`. |n| < 2¹¹·2¹⁷.
         let start = ratio(m + (row - first_row(p)) * dx, d);
         Self {
-            at: ((own - column) << 20).wrapping_add(start).wrapping_add(0xf_ffff),
+            at: ((own - column) << 20).wrapping_add(start).wrapping_sub(1),
             // Within a pixel's height there is one row at most. Beyond, |dx / dy| < 2¹¹.
             step: if dy > 256 { ratio(dx, d) } else { 0 },
         }
     }
 
-    /// The same at p's first row, in a triangle less than [`TINY`](Self::TINY) high and wide.
+    /// The same at p's first row, in a triangle less than [`TINY`](Self::TINY) high and wide; p's column is `from`.
     ///
     /// Rounded down to multiples of 2⁻¹⁸: in 16 rows S falls behind by less than 17·2⁻¹⁸, where 1/dy > 2⁻¹².
     #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
     #[inline(always)]
-    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, column: i32) -> Self {
-        let (dx, dy) = (q.x - p.x, q.y - p.y); // below 2¹²
-        let Some(d) = NonZeroU32::new(dy.unsigned_abs()) else { return Self::NONE };
-        let (own, m) = first_end(p, dx, dy); // |m| < 2¹³
-        let at = quotient_of_tiny(m, d).wrapping_add((own - column) << 20).wrapping_add(0xf_ffff);
-        Self { at, step: quotient_of_tiny(dx, d) }
+    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
+        let (dx, dy) = (q.x - p.x, q.y - p.y); // below 2¹², and dy > 0
+        let Some(d) = NonZeroU32::new(dy as u32) else { return Self::NONE };
+        let (_, m) = first_end(p, dx, dy); // |m| < 2¹³
+        Self {
+            at: (from << 20).wrapping_add(quotient_of_tiny(m, d)).wrapping_sub(1),
+            step: quotient_of_tiny(dx, d),
+        }
     }
 
     /// On a Cortex-M0 a division is a call.
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
     #[inline(always)]
-    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, column: i32) -> Self {
-        Self::new(p, q, first_row(p), column)
+    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
+        Self::new(p, q, first_row(p), column(p) - from)
     }
+}
+
+/// c: the column whose centre is not to the right of the point, or the next.
+#[inline(always)]
+pub(super) fn column(p: &ScreenPoint) -> i32 {
+    (p.x - 128) >> 8
 }
 
 /// c and m of the edge that leads from p by dx and dy.
 #[inline(always)]
 fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
-    let (column, xr) = ((p.x - 128) >> 8, (p.x - 128) & 255);
+    let (column, xr) = (column(p), (p.x - 128) & 255);
     let yr = 255 - ((p.y + 127) & 255);
     (column, (xr * dy + yr * dx + 255) >> 8) // two products of at most 255·2²²: below 2³¹
 }
@@ -267,11 +275,8 @@ mod tests {
                 let below = i64::from(first_row(&p) + row) * 256 + 128 - i64::from(p.y);
                 let x = (i64::from(p.x) - 128) * i64::from(dy) + below * i64::from(dx);
                 let end = -(-x).div_euclid(256 * i64::from(dy));
-                assert_eq!(
-                    i64::from(side.at.wrapping_add(side.step.wrapping_mul(row)) >> 20),
-                    end,
-                    "{p:?} {q:?} {row}"
-                );
+                let at = side.at.wrapping_add(side.step.wrapping_mul(row));
+                assert_eq!(i64::from(at >> 20) + 1 + i64::from(column(&p)), end, "{p:?} {q:?} {row}");
             }
         }
     }

@@ -36,6 +36,12 @@ impl Plane {
             .wrapping_add(self.down.wrapping_mul(y as u32))
     }
 
+    /// From a pixel to the one below, to be added wrapping.
+    #[inline(always)]
+    pub(crate) fn down(&self) -> u32 {
+        self.down
+    }
+
     /// From a pixel to its right neighbour, to be added wrapping.
     #[inline(always)]
     pub fn step(&self) -> u32 {

@@ -5,7 +5,7 @@
 //! the top-left rule (R2–R5), and as the end depends on the edge alone, neighbours share it (R8).
 //! [`Side`] has it exactly, by one addition a row.
 
-use super::edge::{first_row, Side, Wide};
+use super::edge::{column, first_row, Side, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::mul_wide;
 use core::num::NonZeroU32;
@@ -95,17 +95,17 @@ pub(crate) struct Stretch {
     pub(crate) y: i32,
     /// How many: may be none, or less.
     pub(crate) rows: i32,
-    pub(crate) left: Side,
-    pub(crate) right: Side,
+    /// Left and right.
+    pub(crate) sides: [Side; 2],
 }
 
 impl Stretch {
-    const NONE: Self = Self { x: 0, y: 0, rows: 0, left: Side::NONE, right: Side::NONE };
+    const NONE: Self = Self { x: 0, y: 0, rows: 0, sides: [Side::NONE; 2] };
 
     /// The covered pixels of the next row, from the column counted from; there may be none. Then to the row below.
     #[inline(always)]
     pub(crate) fn row(&mut self) -> (i32, i32) {
-        let Self { left, right, .. } = self;
+        let [left, right] = &mut self.sides;
         let ends = (left.at >> 20, right.at >> 20);
         left.at = left.at.wrapping_add(left.step);
         right.at = right.at.wrapping_add(right.step);
@@ -147,23 +147,23 @@ impl Rows {
         if !(inside && height < 1 << 14 && width < Side::WIDTH) {
             return Self::of(Some(Many::new([a, b, c], middle_left, scissor)));
         }
-        let column = (a.x - 128) >> 8;
         let (first, middle) = (first_row(&a), first_row(&b));
         let (row, end) = (first.max(scissor.top), first_row(&c).min(scissor.bottom));
         if row >= end {
             return Self::of(None);
         }
+        let origin = column(&a);
         if width.max(height) < Side::TINY && row == first {
-            halves(row, middle, end, column, middle_left, |side, _| match side {
-                Corners::Long => Side::tiny(&a, &c, column),
-                Corners::Upper => Side::tiny(&a, &b, column),
-                Corners::Lower => Side::tiny(&b, &c, column),
+            halves(row, middle, end, origin, middle_left, |side, _| match side {
+                Corners::Long => Side::tiny(&a, &c, 0),
+                Corners::Upper => Side::tiny(&a, &b, 0),
+                Corners::Lower => Side::tiny(&b, &c, column(&b) - origin),
             })
         } else {
-            halves(row, middle, end, column, middle_left, |side, row| match side {
-                Corners::Long => Side::new(&a, &c, row, column),
-                Corners::Upper => Side::new(&a, &b, row, column),
-                Corners::Lower => Side::new(&b, &c, row, column),
+            halves(row, middle, end, origin, middle_left, |side, row| match side {
+                Corners::Long => Side::new(&a, &c, row, origin),
+                Corners::Upper => Side::new(&a, &b, row, origin),
+                Corners::Lower => Side::new(&b, &c, row, origin),
             })
         }
     }
@@ -210,31 +210,28 @@ enum Corners {
 /// The rows above the middle corner's, and those below.
 #[inline(always)]
 fn halves(
-    mut row: i32,
+    row: i32,
     middle: i32,
     end: i32,
-    x: i32,
+    origin: i32,
     middle_left: bool,
     side: impl Fn(Corners, i32) -> Side,
 ) -> Rows {
     let mut long = side(Corners::Long, row);
-    let mut half = |row: i32, until: i32, short: Side| {
+    let short_index = usize::from(!middle_left);
+    let mut half = |row: i32, until: i32, corners: Corners| {
         let rows = until - row;
-        let (left, right) = if middle_left { (short, long) } else { (long, short) };
-        long.at = long.at.wrapping_add(long.step.wrapping_mul(rows));
-        Stretch { x, y: row, rows, left, right }
+        let mut sides = [long; 2];
+        if rows > 0 {
+            sides[short_index & 1] = side(corners, row);
+            long.at = long.at.wrapping_add(long.step.wrapping_mul(rows));
+        }
+        Stretch { x: origin + 1, y: row, rows, sides }
     };
-    let upper = if row < middle {
-        half(row, middle.min(end), side(Corners::Upper, row))
-    } else {
-        half(row, row, Side::NONE)
-    };
-    row = row.max(middle);
-    let lower =
-        if row < end { half(row, end, side(Corners::Lower, row)) } else { half(row, row, Side::NONE) };
+    let upper = half(row, middle.min(end), Corners::Upper);
+    let lower = half(row.max(middle), end, Corners::Lower);
     Rows { halves: [upper, lower], next: 0, more: None }
 }
-
 
 /// The stretches of triangles that are high, large or cut by the scissor.
 struct Many {
@@ -279,7 +276,7 @@ impl Many {
             until: i32::MIN,
             long_until: i32::MIN,
             end: if beside { i32::MIN } else { reach.bottom.min(scissor.bottom) },
-            column: (a.x - 128) >> 8,
+            column: column(a),
             from: scissor.left,
             to: scissor.right,
             large: !small,
@@ -302,7 +299,7 @@ impl Many {
             self.set_up();
         }
         let Self { left, right, row, until, column, .. } = *self;
-        let stretch = self.inside(Stretch { x: column, y: row, rows: until - row, left, right });
+        let stretch = self.inside(Stretch { x: column + 1, y: row, rows: until - row, sides: [left, right] });
         let rows = stretch.rows;
         self.row += rows;
         for side in [&mut self.left, &mut self.right] {
@@ -329,7 +326,7 @@ impl Many {
     /// The stretch cut to the scissor: what lies outside becomes a vertical side, as far as it stays outside.
     #[inline(never)]
     fn inside(&self, mut stretch: Stretch) -> Stretch {
-        let Stretch { x, rows, left, right, .. } = &mut stretch;
+        let Stretch { x, rows, sides: [left, right], .. } = &mut stretch;
         // They overlap the triangle's columns: less than 2¹¹ from its own, so that 12 bits hold what counts.
         let fixed = |column: i32| (column - *x).clamp(-PIECE, PIECE) << 20;
         let (from, to) = (fixed(self.from), fixed(self.to));
@@ -372,8 +369,8 @@ impl Many {
         } else {
             (self.resume, self.row, self.wide) = (from, row + 1, [left, right]);
         }
-        let (left, right) = (Side::NONE, Side { at: width.clamp(0, PIECE) << 20, step: 0 });
-        Stretch { x, y: row, rows: 1, left, right }
+        let right = Side { at: width.clamp(0, PIECE) << 20, step: 0 };
+        Stretch { x, y: row, rows: 1, sides: [Side::NONE, right] }
     }
 }
 

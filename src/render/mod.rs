@@ -178,9 +178,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let scissor = scissor(target, self.area());
-        Transformed::<V, false>::new(self, cache).all_edges(|_, [from, to]| {
-            target.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
-        })
+        Transformed::<V, false>::new(self, cache)
+            .all_edges(|_, [from, to]| target.line(from.point.pixel(), to.point.pixel(), &scissor, colour))
     }
 
     /// Draws the faces in the mesh's order, one colour each: right for convex meshes, where front

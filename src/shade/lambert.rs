@@ -76,10 +76,11 @@ impl Lambert {
 
     /// The light on a face, or at a vertex, with this unit normal (model space, 2⁻¹⁵), 0 … 256: within 1 of
     /// `ambient + (256 − ambient) · max(0, cos)`.
+    #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
         let normal = match &self.bend {
             None => normal,
-            Some(bend) => bend.apply(normal),
+            Some(bend) => bent(bend, normal),
         };
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
         let dot = |[a, b, c]: [i16; 3], [x, y, z]: [i16; 3]| {
@@ -107,6 +108,12 @@ impl Lambert {
             *level = self.level(normal);
         }
     }
+}
+
+#[cold]
+#[inline(never)]
+fn bent(bend: &NormalMap<Model, World>, normal: [i16; 3]) -> [i16; 3] {
+    bend.apply(normal)
 }
 
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
