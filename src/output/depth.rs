@@ -69,6 +69,10 @@ impl<'a> DepthBuffer<'a> {
 
     /// Nothing is seen any more: for the next frame.
     pub fn clear(&mut self) {
+        // On a Cortex-M0 the library's `memset`, which the blocks become, is far slower.
+        if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+            return super::memory::clear(self.values, Self::NOTHING);
+        }
         // In blocks that become wide stores. The hint keeps the loop from being taken for the library's
         // `memset`, which costs up to three times as much on a Cortex-M.
         let mut blocks = self.values.chunks_exact_mut(16);

@@ -20,6 +20,7 @@
 
 use super::ScreenPoint;
 use crate::math::num::{divide, fraction};
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 use core::num::NonZeroU32;
 
 /// The first row whose centres are not above the point: `⌈y − ½⌉`.
@@ -61,13 +62,13 @@ impl Side {
     pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32, column: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, dy < 2¹⁷
         let (own, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
-        let d = NonZeroU32::new(dy as u32).unwrap_or(NonZeroU32::MIN); // dy > 0
-                                                                       // Between the columns of p and q: less than 2¹¹ pixels from `column`. |n| < 2¹¹·2¹⁷.
-        let start = ratio(m + (row - first_row(p)) * dx, d);
+        let by = Divisor::new(dy);
+        // Between the columns of p and q: less than 2¹¹ pixels from `column`. |n| < 2¹¹·2¹⁷.
+        let start = by.divide(m + (row - first_row(p)) * dx);
         Self {
             at: ((own - column) << 20).wrapping_add(start).wrapping_sub(1),
             // Within a pixel's height there is one row at most. Beyond, |dx / dy| < 2¹¹.
-            step: if dy > 256 { ratio(dx, d) } else { 0 },
+            step: if dy > 256 { by.divide(dx) } else { 0 },
         }
     }
 
@@ -118,21 +119,30 @@ fn quotient_of_tiny(n: i32, d: NonZeroU32) -> i32 {
 }
 
 /// n / d in 12.20, rounded down, or of a negative number to the one below. |n| < 2¹¹·d, d < 2¹⁷.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-fn ratio(n: i32, d: NonZeroU32) -> i32 {
-    let sign = n >> 31;
-    let n = n.unsigned_abs();
-    let (whole, rest) = (n / d, n % d);
-    // Digits whose shifts keep the rest, which is below d, in 32 bits.
-    let fraction = if d.get() < 1 << 12 {
-        (rest << 20) / d
-    } else {
-        let (digit, rest) = ((rest << 15) / d, (rest << 15) % d);
-        (digit << 5) | ((rest << 5) / d)
-    };
-    // The complement is the one below the negative.
-    ((whole << 20) | fraction) as i32 ^ sign
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+struct ByDivision(NonZeroU32);
+
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+impl ByDivision {
+    #[inline(always)]
+    fn new(d: i32) -> Self {
+        Self(NonZeroU32::new(d as u32).unwrap_or(NonZeroU32::MIN)) // d > 0
+    }
+
+    #[inline(always)]
+    fn divide(&self, n: i32) -> i32 {
+        let (sign, n, d) = (n >> 31, n.unsigned_abs(), self.0);
+        let (whole, rest) = (n / d, n % d);
+        // Digits whose shifts keep the rest, which is below d, in 32 bits.
+        let fraction = if d.get() < 1 << 12 {
+            (rest << 20) / d
+        } else {
+            let (digit, rest) = ((rest << 15) / d, (rest << 15) % d);
+            (digit << 5) | ((rest << 5) / d)
+        };
+        // The complement is the one below the negative.
+        ((whole << 20) | fraction) as i32 ^ sign
+    }
 }
 
 /// The same bits for a Cortex-M0, where a division is a call.
@@ -140,28 +150,46 @@ fn ratio(n: i32, d: NonZeroU32) -> i32 {
 /// With the reciprocal's relative error of 2⁻²⁸ the quotient, below 2³¹, is off by less than 8 before it is cut: what is left
 /// of n then tells by how much.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(never)]
-fn ratio_by_reciprocal(n: i32, d: NonZeroU32) -> i32 {
-    use crate::math::num::{mul_wide, reciprocal};
-    let sign = n >> 31;
-    let n = n.unsigned_abs(); // < 2²⁸
-    let d = d.get();
-    let r = reciprocal(d as i32); // 1/d = mantissa · 2^(shift − 61), 13 ≤ shift ≤ 30
-    let mut quotient = (mul_wide(n as i32, r.mantissa) >> ((41 - r.shift) & 63)) as u32;
-    // Of n·2²⁰: less than 9·d either way, so 32 bits tell.
-    let mut rest = (n << 20).wrapping_sub(quotient.wrapping_mul(d)) as i32;
-    while rest < 0 {
-        quotient = quotient.wrapping_sub(1);
-        rest += d as i32;
-    }
-    while rest >= d as i32 {
-        quotient = quotient.wrapping_add(1);
-        rest -= d as i32;
-    }
-    quotient as i32 ^ sign
+struct ByReciprocal {
+    d: i32,
+    mantissa: i32,
+    /// 2²⁰/d = mantissa · 2^−down: 11 … 28.
+    down: u32,
 }
+
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+impl ByReciprocal {
+    #[inline(never)]
+    fn new(d: i32) -> Self {
+        let r = crate::math::num::reciprocal(d); // 1/d = mantissa · 2^(shift − 61), 13 ≤ shift ≤ 30
+        Self { d, mantissa: r.mantissa, down: (41 - r.shift) & 31 }
+    }
+
+    #[inline(never)]
+    fn divide(&self, n: i32) -> i32 {
+        let Self { d, mantissa, down } = *self;
+        let (sign, n) = (n >> 31, n.unsigned_abs()); // < 2²⁸
+        let product = crate::math::num::mul_wide(n as i32, mantissa) as u64; // < 2⁵⁹
+                                                                             // The quotient has 32 bits: those shifted out above count for nothing.
+        let mut quotient = ((product >> 32) as u32) << (32 - down) | (product as u32) >> down;
+        // Of n·2²⁰: less than 9·d either way, so 32 bits tell.
+        let mut rest = (n << 20).wrapping_sub(quotient.wrapping_mul(d as u32)) as i32;
+        while rest < 0 {
+            quotient = quotient.wrapping_sub(1);
+            rest += d;
+        }
+        while rest >= d {
+            quotient = quotient.wrapping_add(1);
+            rest -= d;
+        }
+        quotient as i32 ^ sign
+    }
+}
+
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+use ByDivision as Divisor;
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-use ratio_by_reciprocal as ratio;
+use ByReciprocal as Divisor;
 
 /// One side of any triangle inside the guard band, in 32.32.
 #[derive(Clone, Copy, Debug, Default)]
@@ -245,11 +273,11 @@ mod tests {
         for i in 0..40_000 {
             let (width, height) = (widths[i % 4], heights[i % 8]);
             let (n, dx, dy, left) = edge(random, i as i64, width, height);
-            let d = NonZeroU32::new(dy.unsigned_abs()).unwrap();
             let step = if dy > 256 { dx } else { 0 };
-            let side = (ratio(n as i32, d), ratio(step, d));
+            let (by, reciprocal) = (ByDivision::new(dy), ByReciprocal::new(dy));
+            let side = (by.divide(n as i32), by.divide(step));
             // On a Cortex-M0 the same.
-            assert_eq!(side, (ratio_by_reciprocal(n as i32, d), ratio_by_reciprocal(step, d)));
+            assert_eq!(side, (reciprocal.divide(n as i32), reciprocal.divide(step)));
             // The height is that of all the triangle.
             let rows = Side::rows(dy).min(left);
             assert!(dy >= 1 << 14 || rows == left, "{dy}: {rows} of {left}");
