@@ -116,6 +116,7 @@ fn draw(panel: &Area<'_>, core: usize, measured: &[Measured]) -> Result<()> {
     for (family, at, text) in labels {
         let (side, height, away) = match family {
             Family::Thirty | Family::Scaled => (HPos::Right, VPos::Center, (-9, 0)),
+            Family::Short => (HPos::Left, VPos::Center, (8, 8)),
             _ => (HPos::Left, VPos::Center, (9, 0)),
         };
         let style = (FONT, 13).into_font().color(&colour(family)).pos(Pos::new(side, height));

@@ -131,7 +131,7 @@ const KNOTS: [u16; 257] = {
     let mut knots = [0; 257];
     let mut i = 0;
     while i <= 256 {
-        // 2¹⁷/(1 + i/256) − 2¹⁶, less a quarter of what the line lies above the curve in the middle; 2¹⁶ itself is 1 less.
+        // 2¹⁷/(1 + i/256) − 2¹⁶, rounded; the first would be 2¹⁶, and is one less.
         let knot = ((1u64 << 26) / (256 + i as u64)).div_ceil(2) - (1 << 16);
         knots[i] = if knot > 0xffff { 0xffff } else { knot as u16 };
         i += 1;
@@ -165,5 +165,41 @@ impl Divide for Exact {
     }
     fn before(x: i32, w: i32) -> f64 {
         f64::from(Self::high(x, w))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest relative error met, as a power of two.
+    fn error<R: Reciprocal>() -> f64 {
+        let ends = [1 << 30, (1 << 30) + 1, i32::MAX];
+        let all = ends.into_iter().chain((1 << 30..i32::MAX - 1000).step_by(977));
+        let off = |m: i32| (f64::from(R::mantissa(m)) * f64::from(m) / 2f64.powi(61) - 1.0).abs();
+        all.map(off).fold(0.0, f64::max).log2()
+    }
+
+    #[test]
+    fn reciprocals_have_their_bits() {
+        for (name, error, bound) in [
+            ("table", error::<Table>(), -8.4),
+            ("one step", error::<OneStep>(), -16.8),
+            ("two steps", error::<TwoSteps>(), -28.0),
+            ("divided", error::<Divided>(), -28.0),
+            ("interpolated", error::<Interpolated>(), -16.0),
+        ] {
+            assert!(error <= bound && bound <= error + 1.0, "{name}: 2^{error}");
+        }
+    }
+
+    #[test]
+    fn w_is_normalised() {
+        for k in 15..31 {
+            for w in [1 << k, (1 << k) + 1, i32::MAX >> (30 - k)] {
+                let (m, n) = normalised(w);
+                assert!(m >> 30 == 1 && m >> n == w);
+            }
+        }
     }
 }
