@@ -20,8 +20,8 @@ pub use math::{
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use output::{
-    Band, BandError, DepthBuffer, DepthBufferError, Dirty, Frame, Picture, PictureError, Pixels, Target,
-    WindowCost, Wire,
+    Band, BandError, DepthBuffer, DepthBufferError, Dirty, Frame, Picture, PictureError, Pixels, Stored,
+    Target, WindowCost, Wire,
 };
 pub use render::{
     draw_line, fill_triangle, BinsError, Cull, Edges, Faces, Ink, InkFor, Painter, PaintersOrder, Placed,

@@ -1,6 +1,7 @@
 //! A frame in bands: a strip of memory in place of a framebuffer.
 
 use super::wire::{self, Wire};
+use super::pixels::{Pixels, Stored};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -139,6 +140,27 @@ impl<'s, C: Wire> Band<'s, C> {
     /// [`area`](Self::area).
     pub const fn bytes(&self) -> &[u8] {
         self.bytes
+    }
+
+    /// Its pixels to draw into, without a rectangle for every run: where a pixel has whole bytes, `N` of them.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use pinhole::{draw_line, raster::Pixel, Frame};
+    /// let mut strip = [0; Frame::<Rgb565>::strip_bytes(8, 2)];
+    /// let mut frame = Frame::new(Rectangle::new(Point::zero(), Size::new(8, 2)), Rgb565::BLACK);
+    /// let mut band = frame.next_band(&mut strip)?.ok_or("no rows")?;
+    /// draw_line(Pixel { x: 0, y: 1 }, Pixel { x: 7, y: 1 }, Rgb565::RED, &mut band.pixels())?;
+    /// assert_eq!(band.bytes()[14..18], [0, 0, 0xf8, 0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline(always)]
+    pub fn pixels<const N: usize>(&mut self) -> Pixels<'_, C, [u8; N]>
+    where
+        C: Stored<[u8; N]>,
+    {
+        let (cells, _) = self.bytes.as_chunks_mut();
+        Pixels::new(cells, self.area)
     }
 
     /// The same, no longer a band: for transfers that own their buffer.

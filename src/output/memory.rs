@@ -2,24 +2,39 @@
 
 use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Stretch};
 use core::hint::black_box;
+use embedded_graphics_core::primitives::Rectangle;
 
-/// Pixels in memory, row by row; the first is the pixel at the origin.
+/// Pixels in memory, row by row.
 #[derive(Debug)]
 pub(super) struct Memory<'a, Cell> {
     cells: &'a mut [Cell],
+    /// Where the first one lies.
+    left: i32,
+    top: i32,
     stride: usize,
 }
 
 impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(always)]
-    pub(super) fn new(cells: &'a mut [Cell], stride: usize) -> Self {
-        Self { cells, stride }
+    pub(super) fn new(cells: &'a mut [Cell], area: &Rectangle) -> Self {
+        let Rectangle { top_left, size } = *area;
+        Self { cells, left: top_left.x, top: top_left.y, stride: size.width as usize }
+    }
+
+    /// Where pixels stand; those that are not inside wrap.
+    #[inline(always)]
+    fn places(&self) -> impl Fn(i32, i32) -> usize + use<'a, Cell> {
+        let Self { left, top, stride, .. } = *self;
+        move |x, y| {
+            let (column, row) = (x.wrapping_sub(left), y.wrapping_sub(top));
+            (row as usize).wrapping_mul(stride).wrapping_add(column as usize)
+        }
     }
 
     /// A row's pixels. Those of a row that does not lie inside are others, or none.
     #[inline(always)]
     pub(super) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [Cell]> {
-        let from = place(x, y, self.stride);
+        let from = self.places()(x, y);
         self.cells.get_mut(from..from.wrapping_add(width as usize))
     }
 
@@ -32,11 +47,11 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         scissor: &Scissor,
         cell: Cell,
     ) {
-        let two = pair(cell);
+        let (two, place) = (pair(cell), self.places());
         let mut rows = Rows::new(corners, front, scissor);
         while let Some(&(mut stretch)) = rows.stretch() {
             let Stretch { x, y, .. } = stretch;
-            let mut start = place(x, y, self.stride);
+            let mut start = place(x, y);
             while stretch.rows > 0 {
                 let (left, right) = stretch.row();
                 let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
@@ -54,13 +69,14 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn nearer(&mut self, rows: &mut Rows, plane: &Plane, held: &mut [u16], cell: Cell) {
         let (two, step, stride) = (pair(cell), plane.step(), self.stride);
+        let place = self.places();
         // One length for both.
         let length = self.cells.len().min(held.len());
-        let (cells, held) =
-            (self.cells.get_mut(..length).unwrap_or_default(), held.get_mut(..length).unwrap_or_default());
+        let cells = self.cells.get_mut(..length).unwrap_or_default();
+        let held = held.get_mut(..length).unwrap_or_default();
         while let Some(&(mut stretch)) = rows.stretch() {
             let Stretch { x, y, .. } = stretch;
-            let mut start = place(x, y, stride);
+            let mut start = place(x, y);
             let mut z = plane.at(x, y);
             while stretch.rows > 0 {
                 let (left, right) = stretch.row();
@@ -112,12 +128,6 @@ fn one_nearer<Cell: Copy>(pixel: &mut Cell, held: &mut u16, z: u32, cell: Cell) 
     if z >> 16 < u32::from(*held) {
         (*held, *pixel) = ((z >> 16) as u16, cell);
     }
-}
-
-/// Where a pixel stands; one that is not inside wraps.
-#[inline(always)]
-fn place(x: i32, y: i32, stride: usize) -> usize {
-    (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }
 
 /// In pairs, which become one store where memory takes that at any address: many at a time in long runs, then eight,

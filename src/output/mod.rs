@@ -5,13 +5,15 @@ mod depth;
 mod dirty;
 mod memory;
 mod picture;
+mod pixels;
 mod target;
 mod wire;
 
 pub use band::{Band, BandError, Frame};
 pub use depth::{DepthBuffer, DepthBufferError};
 pub use dirty::{Dirty, WindowCost};
-pub use picture::{Picture, PictureError, Pixels};
+pub use picture::{Picture, PictureError};
+pub use pixels::{Pixels, Stored};
 pub use target::Target;
 pub use wire::Wire;
 

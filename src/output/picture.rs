@@ -1,9 +1,9 @@
 //! A picture in memory.
 
-use super::memory::{clear, fill, Memory};
-use super::target::spans_nearer;
-use super::{DepthBuffer, Target};
-use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Span};
+use super::memory::clear;
+use super::pixels::Pixels;
+use super::target::Target;
+use crate::raster::Span;
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -65,7 +65,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     /// The same as a target of its own, without a rectangle for every run.
     #[inline(always)]
     pub fn pixels(&mut self) -> Pixels<'_, C> {
-        Pixels { area: self.area, memory: Memory::new(self.cells, self.area.size.width as usize) }
+        Pixels::new(self.cells, self.area)
     }
 
     /// The colours, row by row.
@@ -113,80 +113,10 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
     }
 }
 
-/// Pixels in memory as a [`Target`]: of a [`Picture`].
-#[derive(Debug)]
-pub struct Pixels<'a, C> {
-    area: Rectangle,
-    memory: Memory<'a, C>,
-}
-
-impl<C: PixelColor> Target for Pixels<'_, C> {
-    type Color = C;
-    type Error = Infallible;
-
-    fn area(&self) -> Rectangle {
-        self.area
-    }
-
-    #[inline(always)]
-    fn fill(&mut self, Span { x, y, width, height }: Span, colour: C) -> Result<(), Infallible> {
-        for y in y..y.wrapping_add(height) {
-            if let Some(run) = self.memory.row(x, y, width) {
-                fill(run, colour, [colour; 2]);
-            }
-        }
-        Ok(())
-    }
-
-    #[inline(always)]
-    fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = C>) -> Result<(), Infallible> {
-        if let Some(run) = self.memory.row(span.x, span.y, span.width) {
-            run.iter_mut().zip(colours).for_each(|(pixel, colour)| *pixel = colour);
-        }
-        Ok(())
-    }
-
-    #[inline(always)]
-    fn triangle(
-        &mut self,
-        corners: &[ScreenPoint; 3],
-        front: bool,
-        scissor: &Scissor,
-        colour: C,
-    ) -> Result<(), Infallible> {
-        self.memory.triangle(corners, front, scissor, colour);
-        Ok(())
-    }
-
-    #[inline(always)]
-    fn nearer(
-        &mut self,
-        rows: &mut Rows,
-        plane: &Plane,
-        depth: &mut DepthBuffer<'_>,
-        colour: C,
-    ) -> Result<(), Infallible> {
-        match depth.same_as(&self.area) {
-            Some(held) => {
-                self.memory.nearer(rows, plane, held, colour);
-                Ok(())
-            }
-            None => spans_nearer(self, rows, plane, depth, colour),
-        }
-    }
-}
-
 // Of colours nothing is said: a colour need not have a Format.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for Picture<'_, C> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "picture of {}", self.area.size);
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<C> defmt::Format for Pixels<'_, C> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "pixels of {}", self.area);
     }
 }

@@ -1,6 +1,6 @@
 //! What pixels are drawn into.
 
-use super::DepthBuffer;
+use super::depth::DepthBuffer;
 use crate::raster::{self, Pixel, Plane, Rows, Scissor, ScreenPoint, Span};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -91,7 +91,7 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
 mod sealed {
     pub trait Sealed {}
     impl<D: embedded_graphics_core::draw_target::DrawTarget> Sealed for D {}
-    impl<C> Sealed for crate::Pixels<'_, C> {}
+    impl<C, Cell> Sealed for super::super::pixels::Pixels<'_, C, Cell> {}
 }
 
 impl<D: DrawTarget> Target for D {

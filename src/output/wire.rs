@@ -1,5 +1,6 @@
 //! Pixels in the order in which displays take them.
 
+use super::pixels::Stored;
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
 use embedded_graphics_core::pixelcolor::{
@@ -26,6 +27,27 @@ pub trait Wire: PixelColor {
 
     /// The colour of such bits.
     fn decode(bits: u32) -> Self;
+}
+
+/// Colours of whole bytes are [`Stored`] as the wire takes them.
+macro_rules! stored {
+    ($($bytes:literal: $($colour:ty),*;)*) => {$($(
+        impl Stored<[u8; $bytes]> for $colour {
+            #[inline(always)]
+            fn stored(self) -> [u8; $bytes] {
+                let mut bytes = [0; $bytes];
+                // The last ones of four.
+                bytes.iter_mut().rev().zip(self.encode().to_le_bytes()).for_each(|(byte, bits)| *byte = bits);
+                bytes
+            }
+        }
+    )*)*};
+}
+
+stored! {
+    1: Gray8;
+    2: Rgb555, Bgr555, Rgb565, Bgr565;
+    3: Rgb666, Bgr666, Rgb888, Bgr888;
 }
 
 macro_rules! wire_raw {

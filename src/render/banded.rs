@@ -2,10 +2,10 @@
 
 use super::bins::{Bins, BinsError};
 use super::{fill, fill_nearer, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
-use crate::camera::Image;
+use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
 use crate::output::{inside, rectangle, scissor, DepthBuffer, Target};
-use crate::raster::{self, Scissor};
+use crate::raster::Scissor;
 
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -61,47 +61,52 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
         let list = self.placed.mesh.faces();
         let mut statistics = Statistics::default();
-        for (index, &face) in list.iter().enumerate() {
-            let mut reach = Scissor::EMPTY;
-            let outcome = self.reach(face, true, &mut reach);
-            statistics.count(outcome);
-            if outcome.is_drawn() {
-                bins.put(index, &reach);
+        for (index, face) in list.iter().enumerate() {
+            if let Some(corners) = self.whole(face) {
+                if self.front(&corners, &mut statistics).is_some() {
+                    bins.put(index, &self.reach(corners));
+                }
+            } else {
+                let mut reach = Scissor::EMPTY;
+                let outcome = self.reach_of_cut(face, &mut reach);
+                statistics.count(outcome);
+                if outcome.is_drawn() {
+                    bins.put(index, &reach);
+                }
             }
         }
         bins.turn(list.len())?;
         bins.sort(|index| {
-            let mut reach = Scissor::EMPTY;
-            self.reach(list.get(index).copied().unwrap_or_default(), false, &mut reach);
-            reach
+            let Some(face) = list.get(index) else { return 0 };
+            match self.whole(face) {
+                Some(corners) => self.top(corners),
+                None => {
+                    let mut reach = Scissor::EMPTY;
+                    self.reach_of_cut(face, &mut reach);
+                    reach.rows().start
+                }
+            }
         });
-        Ok(statistics)
+        Ok(statistics.with_the_rest_culled(list.len()))
     }
 
-    /// What becomes of a face, and where it may cover pixels. `asked`: whether it is not known to be drawn.
+    /// Where a face with these corners may cover pixels.
     #[inline(always)]
-    fn reach(&self, face: [u16; 3], asked: bool, reach: &mut Scissor) -> Outcome {
-        let corners = face.map(|i| self.corner(i));
-        let [a, b, c] = corners;
-        if !(a.whole() && b.whole() && c.whole()) {
-            return self.reach_of_cut(face, reach);
-        }
-        if asked {
-            let area = raster::area(&corners.map(|corner| corner.offset()));
-            let outcome = self.placed.cull.turned(area, Outcome::Whole);
-            if outcome != Outcome::Whole {
-                return outcome;
-            }
-        }
-        *reach = Scissor::of(&corners.map(|corner| self.placed.placement.at::<DEPTH>(corner).point));
-        Outcome::Whole
+    fn reach(&self, corners: [Corner; 3]) -> Scissor {
+        Scissor::of(&self.images(corners).map(|image| image.point))
+    }
+
+    /// The first row of that.
+    #[inline(always)]
+    fn top(&self, corners: [Corner; 3]) -> i32 {
+        self.reach(corners).rows().start
     }
 
     #[cold]
     #[inline(never)]
-    fn reach_of_cut(&self, face: [u16; 3], reach: &mut Scissor) -> Outcome {
+    fn reach_of_cut(&self, face: &[u16; 3], reach: &mut Scissor) -> Outcome {
         let mut fan = Fan::<()>::new();
-        let outcome = self.sort_out(&face, &mut fan);
+        let outcome = self.sort_out(face, &mut fan);
         if outcome.is_drawn() {
             while let Some((corners, _)) = fan.piece() {
                 *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
@@ -124,7 +129,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         bins.turn(list.len())?;
         bins.sort(|index| {
             let ends = list.get(index).and_then(|&edge| self.edge(edge));
-            ends.map_or(Scissor::EMPTY, |(ends, _)| reach_of_line(&ends))
+            ends.map_or(0, |(ends, _)| reach_of_line(&ends).rows().start)
         });
         Ok(statistics)
     }
@@ -184,16 +189,32 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         let rows = scissor.rows();
         let mut fan = Fan::new();
         bins.band(rows.clone(), |index| {
+            let Some(face) = list.get(index) else { return Ok(true) };
+            let (mut corners, mut area, whole);
+            if let Some(kept) = view.whole(face) {
+                (corners, area, whole) = (view.images(kept), view.area(&kept), true);
+            } else {
+                let outcome = view.sort_out(face, &mut fan);
+                match fan.piece().filter(|_| outcome.is_drawn()) {
+                    Some(piece) => (corners, area, whole) = (*piece.0, piece.1, false),
+                    None => return Ok(true),
+                }
+            }
             let (mut end, mut shaded) = (i32::MIN, None);
-            if list.get(index).is_some_and(|face| view.sort_out(face, &mut fan).is_drawn()) {
-                while let Some((corners, area)) = fan.piece() {
-                    let reach = Scissor::of(&corners.map(|c| c.point));
-                    end = end.max(reach.rows().end);
-                    if !reach.and(scissor).is_empty() {
-                        let ink = *shaded.get_or_insert_with(|| shade(index));
-                        draw(corners, area, fan.ink(&ink))?;
-                    }
-                    fan.next();
+            loop {
+                let reach = Scissor::of(&corners.map(|c| c.point));
+                end = end.max(reach.rows().end);
+                if !reach.and(scissor).is_empty() {
+                    let ink = *shaded.get_or_insert_with(|| shade(index));
+                    draw(&corners, area, if whole { ink } else { fan.ink(&ink) })?;
+                }
+                if whole {
+                    break;
+                }
+                fan.next();
+                match fan.piece() {
+                    Some(piece) => (corners, area) = (*piece.0, piece.1),
+                    None => break,
                 }
             }
             Ok(end <= rows.end)

@@ -94,21 +94,17 @@ impl<'s> Bins<'s> {
 
     /// The reach of all that were kept.
     pub(super) fn bounds(&self) -> Scissor {
-        if self.bounds.is_empty() {
-            Scissor::EMPTY
-        } else {
-            self.bounds
-        }
+        // Of what lies in the viewport, as each of them does in part.
+        self.bounds.within(&self.viewport)
     }
 
     /// First: keeps an item with this reach, unless none of that may be drawn, and counts it.
     #[inline(always)]
     pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
-        let reach = reach.and(&self.viewport);
-        if reach.is_empty() {
+        if reach.is_empty() || reach.and(&self.viewport).is_empty() {
             return;
         }
-        self.bounds = self.bounds.enclosing(&reach);
+        self.bounds = self.bounds.enclosing(reach);
         self.taken += 1; // at most all items
         if let Some(bits) = self.open.get_mut(item / 16) {
             *bits |= 1 << (item % 16);
@@ -139,15 +135,15 @@ impl<'s> Bins<'s> {
         Ok(())
     }
 
-    /// At last: the kept items once more, to their places. `reach` is as it was.
+    /// At last: the kept items once more, to their places, by the first rows of their reaches.
     #[inline(always)]
-    pub(super) fn sort(&mut self, mut reach: impl FnMut(usize) -> Scissor) {
+    pub(super) fn sort(&mut self, mut first_row: impl FnMut(usize) -> i32) {
         for word in 0..self.open.len() {
             let mut left = self.open.get_mut(word).map_or(0, core::mem::take);
             while left != 0 {
                 let item = word * 16 + left.trailing_zeros() as usize;
                 left &= left.wrapping_sub(1);
-                let bin = self.bin(reach(item).rows().start);
+                let bin = self.bin(first_row(item));
                 if let Some(end) = self.ends.get_mut(bin) {
                     if let Some(place) = self.order.get_mut(usize::from(*end)) {
                         *place = item as u16; // fewer than 65536
@@ -230,7 +226,7 @@ mod tests {
         let reach = |item: usize| Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1);
         (0..3).for_each(|item| bins.put(item, &reach(item)));
         assert_eq!(bins.turn(3), Ok(()));
-        bins.sort(reach);
+        bins.sort(|item| reach(item).rows().start);
         for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
             let mut met = [false; 3];
             let Ok(()) = bins.band(from..to, |item| {

@@ -54,6 +54,13 @@ impl Statistics {
         *field = field.wrapping_add(1);
     }
 
+    /// Of so many faces, those that were not counted were turned away.
+    pub(super) fn with_the_rest_culled(self, faces: usize) -> Self {
+        // All of them are below 2³², and these among them.
+        let rest = (faces as u32).wrapping_sub(self.drawn + self.outside + self.degenerate);
+        Self { culled: rest, ..self }
+    }
+
     /// An edge: whether it was cut, or `None` when nothing is left.
     #[inline(always)]
     pub(super) fn count_edge(&mut self, cut: Option<bool>) {

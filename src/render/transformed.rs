@@ -198,18 +198,16 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ) -> Result<Statistics, E> {
         let mut statistics = Statistics::default();
         let mut fan = Fan::new();
-        let (faces, both_sides) = (self.placed.mesh.faces(), self.placed.cull == Cull::None);
+        let faces = self.placed.mesh.faces();
         for (index, face) in faces.iter().enumerate() {
             let (mut corners, mut area, whole);
             if let Some(kept) = self.whole(face) {
                 // Most faces: the shortest way.
-                area = raster::area(&kept.map(|corner| corner.offset()));
-                if area <= 0 && !(both_sides && area < 0) {
-                    statistics.degenerate += u32::from(area == 0);
-                    continue;
+                match self.front(&kept, &mut statistics) {
+                    Some(front) => area = front,
+                    None => continue,
                 }
                 (corners, whole) = (self.images(kept), true);
-                statistics.drawn += 1;
             } else {
                 let outcome = self.sort_out_any(face, &mut fan);
                 statistics.count(outcome);
@@ -231,10 +229,26 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                 }
             }
         }
-        // All others were turned away.
-        let Statistics { drawn, outside, degenerate, .. } = statistics;
-        statistics.culled = faces.len() as u32 - (drawn + outside + degenerate);
-        Ok(statistics)
+        Ok(statistics.with_the_rest_culled(faces.len()))
+    }
+
+    /// Twice the area of a face with these corners, if it is to be drawn, and counts it if it is, or has none: those that
+    /// are turned away are [the others](Statistics::with_the_rest_culled).
+    #[inline(always)]
+    pub(super) fn front(&self, corners: &[Corner; 3], statistics: &mut Statistics) -> Option<i64> {
+        let area = self.area(corners);
+        if area <= 0 && !(area < 0 && self.placed.cull == Cull::None) {
+            statistics.degenerate += u32::from(area == 0);
+            return None;
+        }
+        statistics.drawn += 1;
+        Some(area)
+    }
+
+    /// Twice the area of a face with these corners.
+    #[inline(always)]
+    pub(super) fn area(&self, corners: &[Corner; 3]) -> i64 {
+        raster::area(&corners.map(|corner| corner.offset()))
     }
 }
 

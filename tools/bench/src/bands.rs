@@ -80,7 +80,7 @@ pub fn wireframe(
     let mut edges = projected.edges(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = edges.draw(LINE, &mut band);
+        let Ok(()) = edges.draw(LINE, &mut band.pixels());
         display.take_bytes(band.bytes());
     }
     black_box(edges.statistics());
@@ -98,7 +98,7 @@ pub fn solid(
     let mut faces = projected.faces(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
-        let Ok(()) = faces.solid(scene.shade(light), &mut band);
+        let Ok(()) = faces.solid(scene.shade(light), &mut band.pixels());
         display.take_bytes(band.bytes());
     }
     black_box(faces.statistics());
@@ -117,7 +117,7 @@ pub fn depth(
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.depth_tested(scene.shade(light), &mut depth, &mut band);
+        let Ok(()) = faces.depth_tested(scene.shade(light), &mut depth, &mut band.pixels());
         display.take_bytes(band.bytes());
     }
     black_box(faces.statistics());

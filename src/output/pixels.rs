@@ -1,0 +1,110 @@
+//! Pixels in memory, to draw into.
+
+use super::memory::{fill, Memory};
+use super::target::spans_nearer;
+use super::depth::DepthBuffer;
+use super::target::Target;
+use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Span};
+use core::convert::Infallible;
+use core::marker::PhantomData;
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// Pixels in memory as a [`Target`]: of a [`Picture`](crate::Picture), or of a [`Band`](crate::Band).
+#[derive(Debug)]
+pub struct Pixels<'a, C, Cell = C> {
+    area: Rectangle,
+    memory: Memory<'a, Cell>,
+    colour: PhantomData<C>,
+}
+
+/// A colour as memory holds it: as it is, or in bytes as the wire takes them.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use pinhole::Stored;
+/// assert_eq!((Rgb565::RED.stored(), Rgb565::RED.stored()), (Rgb565::RED, [0xf8, 0x00]));
+/// ```
+pub trait Stored<Cell>: PixelColor {
+    /// What stands for it.
+    fn stored(self) -> Cell;
+}
+
+impl<C: PixelColor> Stored<C> for C {
+    #[inline(always)]
+    fn stored(self) -> C {
+        self
+    }
+}
+
+impl<'a, C, Cell: Copy> Pixels<'a, C, Cell> {
+    /// Of `area`, a cell each.
+    #[inline(always)]
+    pub(super) fn new(cells: &'a mut [Cell], area: Rectangle) -> Self {
+        Self { area, memory: Memory::new(cells, &area), colour: PhantomData }
+    }
+}
+
+impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, Span { x, y, width, height }: Span, colour: C) -> Result<(), Infallible> {
+        for y in y..y.wrapping_add(height) {
+            if let Some(run) = self.memory.row(x, y, width) {
+                fill(run, colour.stored(), [colour.stored(); 2]);
+            }
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = C>) -> Result<(), Infallible> {
+        if let Some(run) = self.memory.row(span.x, span.y, span.width) {
+            run.iter_mut().zip(colours).for_each(|(pixel, colour)| *pixel = colour.stored());
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn triangle(
+        &mut self,
+        corners: &[ScreenPoint; 3],
+        front: bool,
+        scissor: &Scissor,
+        colour: C,
+    ) -> Result<(), Infallible> {
+        self.memory.triangle(corners, front, scissor, colour.stored());
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn nearer(
+        &mut self,
+        rows: &mut Rows,
+        plane: &Plane,
+        depth: &mut DepthBuffer<'_>,
+        colour: C,
+    ) -> Result<(), Infallible> {
+        match depth.same_as(&self.area) {
+            Some(held) => {
+                self.memory.nearer(rows, plane, held, colour.stored());
+                Ok(())
+            }
+            None => spans_nearer(self, rows, plane, depth, colour),
+        }
+    }
+}
+
+// Of colours nothing is said: a colour need not have a Format.
+#[cfg(feature = "defmt")]
+impl<C, Cell> defmt::Format for Pixels<'_, C, Cell> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "pixels of {}", self.area);
+    }
+}
