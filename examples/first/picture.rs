@@ -21,7 +21,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(display: &mut D, turn: Angle) -> Resu
     let mut faces = placed.transform(&mut corners).faces(&mut records).expect("room for the faces");
     let mut frame = Frame::new(screen, Rgb565::BLACK);
     while let Some(mut band) = frame.next_band(&mut strip).expect("room for a row") {
-        let Ok(_) = faces.solid(|face| Rgb565::CSS_GOLD.dim(256 - 40 * face as u16), &mut band);
+        let Ok(_) = faces.solid(|face| Rgb565::CSS_GOLD.dim(256 - 40 * face as u16), &mut band.pixels());
         band.send(display)?;
     }
     Ok(())

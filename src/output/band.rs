@@ -1,7 +1,7 @@
 //! A frame in bands: a strip of memory in place of a framebuffer.
 
-use super::wire::{self, Wire};
 use super::pixels::{Pixels, Stored};
+use super::wire::{self, Wire};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use core::ops::Range;

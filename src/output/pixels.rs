@@ -1,8 +1,8 @@
 //! Pixels in memory, to draw into.
 
+use super::depth::DepthBuffer;
 use super::memory::{fill, Memory};
 use super::target::spans_nearer;
-use super::depth::DepthBuffer;
 use super::target::Target;
 use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Span};
 use core::convert::Infallible;

@@ -202,9 +202,9 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
             }
             let (mut end, mut shaded) = (i32::MIN, None);
             loop {
-                let reach = Scissor::of(&corners.map(|c| c.point));
-                end = end.max(reach.rows().end);
-                if !reach.and(scissor).is_empty() {
+                let reach = Scissor::of(&corners.map(|c| c.point)).rows();
+                end = end.max(reach.end);
+                if reach.start < rows.end && reach.end > rows.start {
                     let ink = *shaded.get_or_insert_with(|| shade(index));
                     draw(&corners, area, if whole { ink } else { fan.ink(&ink) })?;
                 }

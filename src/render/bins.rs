@@ -101,7 +101,10 @@ impl<'s> Bins<'s> {
     /// First: keeps an item with this reach, unless none of that may be drawn, and counts it.
     #[inline(always)]
     pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
-        if reach.is_empty() || reach.and(&self.viewport).is_empty() {
+        let (rows, columns) = (reach.rows(), reach.columns());
+        let (all_rows, all_columns) = (self.viewport.rows(), self.viewport.columns());
+        let meets = |own: &Range<i32>, all: &Range<i32>| own.start < all.end && own.end > all.start;
+        if reach.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
             return;
         }
         self.bounds = self.bounds.enclosing(reach);

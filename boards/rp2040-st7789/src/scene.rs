@@ -91,7 +91,7 @@ impl Turned<'_> {
     pub fn next_band<'s>(&mut self, strip: &'s mut [u8]) -> Band<'s, Rgb565> {
         let mut band = self.frame.next_band(strip).unwrap().expect("one of BANDS");
         let shade = |face: usize| Rgb565::CSS_GOLD.dim(self.light.level(NORMALS[face / 2]));
-        let Ok(_) = self.faces.solid(shade, &mut band);
+        let Ok(_) = self.faces.solid(shade, &mut band.pixels());
         band
     }
 }
