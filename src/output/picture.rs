@@ -71,7 +71,8 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     /// What is more than a run, or not in the picture whole.
     #[inline(never)]
     fn fill_part(&mut self, area: &Rectangle, colour: C) {
-        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } = area.intersection(&self.area);
+        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } =
+            area.intersection(&self.area);
         let height = height as i32; // of the picture at most
         let Ok(()) = self.pixels().fill(Span { x, y, width: width as i32, height }, colour);
     }

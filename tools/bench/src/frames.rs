@@ -73,8 +73,7 @@ pub fn depth(
 ) -> Option<()> {
     let mut depth = DepthBuffer::new(area(), depth).ok()?;
     let mut picture = picture(pixels)?;
-    let Ok(statistics) =
-        scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture);
+    let Ok(statistics) = scene.place().depth_tested(scene.shade(light), corners, &mut depth, &mut picture);
     black_box(statistics);
     display.take_pixels(pixels);
     Some(())
