@@ -61,7 +61,10 @@ public_types![
     Outcode,
     Painter<Plain, 4, 4>,
     PaintersOrder<'static, Plain>,
+    Picture<'static, Plain>,
+    PictureError,
     Pixel,
+    Pixels<'static, Plain>,
     Placed<'static, Plain>,
     PlanarProjection,
     Plane,
@@ -94,8 +97,8 @@ public_types![
     World,
 ];
 
-/// Public by its keyword only: an ink's own type, which no path leads to.
-const NOT_NAMED: [&str; 2] = ["Even", "Ramps"];
+/// Public by their keyword only: what inks and targets have of their own, which no path leads to.
+const NOT_NAMED: [&str; 3] = ["Even", "Ramps", "Rows"];
 
 #[test]
 fn no_public_type_is_missing() {

@@ -329,7 +329,8 @@ fn form(row: &Row, unit: i32, exponent: i32) -> Form {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Angle, Point3, Projection, Scalar, Vector3, Viewing, Viewport, Window};
+    use crate::camera::{Projection, Viewing, Viewport, Window};
+    use crate::math::{Angle, Point3, Scalar, Vector3};
     use embedded_graphics_core::geometry::{Point, Size};
 
     /// Vertices through the fast path against the same through the clipper's, bit by bit; how many had a place.

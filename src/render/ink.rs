@@ -44,13 +44,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// // The mesh in one colour.
 /// # let mut target = display();
-/// placed.solid(|_| Rgb565::CYAN, &mut cache, target)?;
+/// placed.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
 /// # assert_eq!(colours(&target), 1);
 ///
 /// // A colour for each face, at the light of its normal.
 /// # let mut target = display();
 /// let paint = [Rgb565::RED, Rgb565::WHITE];
-/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, target)?;
+/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
 /// # assert_eq!(colours(&target), 2);
 ///
 /// // The light at each vertex, worked out once; smooth in between.
@@ -58,13 +58,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// let mut levels = [0; VERTICES.len()];
 /// light.levels(mesh.vertex_normals(), &mut levels);
 /// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
-/// placed.solid(smooth, &mut cache, target)?;
+/// placed.solid(smooth, &mut cache, &mut target)?;
 /// # assert!(colours(&target) > 8);
 ///
 /// // A colour for each vertex.
 /// # let mut target = display();
 /// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
-/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, target)?;
+/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
 /// # assert!(colours(&target) > 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

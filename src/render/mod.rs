@@ -114,7 +114,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
-    ///     faces.solid(|_face| Gray8::WHITE, band)?;
+    ///     faces.solid(|_face| Gray8::WHITE, &mut band)?;
     ///     band.send(&mut display)?;
     /// }
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));

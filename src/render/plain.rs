@@ -16,7 +16,7 @@ use crate::raster::{self, Pixel, ScreenPoint};
 /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
 /// let mut display = MockDisplay::new();
 /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], BinaryColor::On, &mut display)?;
-/// display.assert_pattern(&["###", "##", "#"]); // the slanted edge passes through centres, and is a right edge
+/// display.assert_pattern(&["###", "## ", "#  "]); // the slanted edge passes through centres, and is a right edge
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
@@ -44,7 +44,7 @@ pub fn fill_triangle<T: Target, I: InkFor<T::Color>>(
 /// use pinhole::{draw_line, raster::Pixel};
 /// let mut display = MockDisplay::new();
 /// draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 5, y: 2 }, BinaryColor::On, &mut display)?;
-/// display.assert_pattern(&["##", "  ##", "    ##"]);
+/// display.assert_pattern(&["##    ", "  ##  ", "    ##"]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
