@@ -71,7 +71,7 @@ impl Gouraud {
 
 /// The levels of each channel over a triangle, in 2⁻²⁴: within 2⁻¹⁰ + 2⁻¹³ of the exact ones.
 ///
-/// [`Planes::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` of them w columns and h rows from its corner,
+/// [`Planes::through`] is off by less than `(w + h)/2 + 2¹⁰·⁶` of them w columns and h rows from its corner,
 /// w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128 to 127/128 that
 /// dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]
@@ -223,8 +223,8 @@ mod tests {
         let small = [600, 20_000, 65_000].map(|reach| worst(state, reach, 600, 30_000));
         let large = [300_000, 2_000_000].map(|reach| worst(state, reach, 8192, 1_000));
         let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
-        // In 2⁻²⁴: 1024 rows and columns by ½, 34 and the reciprocal; 2¹⁵ by ½.
-        assert!(small <= 512 + 34 + 1552 && large <= (1 << 14) + 34 + 1552, "{small} {large}");
+        // In 2⁻²⁴: 1024 rows and columns by ½, 2 and the reciprocal; 2¹⁵ by ½.
+        assert!(small <= 512 + 2 + 1552 && large <= (1 << 14) + 2 + 1552, "{small} {large}");
         assert!(small > 256 && large > 1 << 13, "{small} {large}");
     }
 }
