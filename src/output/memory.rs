@@ -1,6 +1,7 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
-use crate::raster::{Plane, Rows, Scissor, ScreenPoint, Stretch};
+use crate::math::num::keep_rolled;
+use crate::raster::{Halves, Many, Plane, Scissor, Stretch, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -37,54 +38,106 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     /// Fills a triangle.
     #[inline(never)] // its loop needs all registers
-    pub(super) fn triangle(
-        &mut self,
-        corners: &[ScreenPoint; 3],
-        front: bool,
-        scissor: &Scissor,
-        cell: Cell,
-    ) {
-        let (two, place) = (pair(cell), self.places());
-        let mut rows = Rows::new(corners, front, scissor);
-        while let Some(&(mut stretch)) = rows.stretch() {
-            let Stretch { x, y, .. } = stretch;
-            let mut start = place(x, y);
-            while stretch.rows > 0 {
-                let (left, right) = stretch.row();
-                let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
-                // None where it ends before it begins.
-                if let Some(run) = self.cells.get_mut(from..to) {
-                    fill(run, cell, two);
+    pub(super) fn triangle(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
+        let two = pair(cell);
+        match Halves::new(triangle, scissor) {
+            Some(mut halves) => {
+                for _ in 0..2 {
+                    keep_rolled();
+                    self.stretch(halves.stretch(), cell, two);
                 }
-                start = start.wrapping_add(self.stride);
-                stretch.rows -= 1;
             }
+            None => self.many(triangle, scissor, cell),
         }
     }
 
-    /// Fills rows where they are nearer than what is held for the same pixels.
-    #[inline(never)] // its loop needs all registers
-    pub(super) fn nearer(&mut self, rows: &mut Rows, plane: &Plane, held: &mut [u16], cell: Cell) {
-        let (two, step, stride) = (pair(cell), plane.step(), self.stride);
-        let place = self.places();
+    #[inline(never)] // rare, and most of it a row's pixels
+    fn many(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
+        let (two, mut many) = (pair(cell), Many::new(triangle, scissor));
+        while let Some(stretch) = many.stretch() {
+            self.stretch(stretch, cell, two);
+        }
+    }
+
+    #[inline(always)]
+    fn stretch(&mut self, mut stretch: Stretch, cell: Cell, two: [Cell; 2]) {
+        let mut start = self.places()(stretch.x, stretch.y);
+        while stretch.rows > 0 {
+            let (left, right) = stretch.row();
+            let from = start.wrapping_add(left as usize);
+            // More than there are where it ends before it begins.
+            let width = right.wrapping_sub(left) as usize;
+            if let Some(run) = self.cells.get_mut(from..).and_then(|run| run.get_mut(..width)) {
+                fill(run, cell, two);
+            }
+            start = start.wrapping_add(self.stride);
+            stretch.rows -= 1;
+        }
+    }
+
+    /// Fills a triangle where it is nearer than what is held for the same pixels.
+    #[inline(always)]
+    pub(super) fn nearer(
+        &mut self,
+        triangle: &Triangle,
+        depth_of_it: impl FnOnce() -> Plane,
+        scissor: &Scissor,
+        held: &mut [u16],
+        cell: Cell,
+    ) {
         // One length for both.
         let length = self.cells.len().min(held.len());
-        let cells = self.cells.get_mut(..length).unwrap_or_default();
-        let held = held.get_mut(..length).unwrap_or_default();
-        while let Some(&(mut stretch)) = rows.stretch() {
-            let Stretch { x, y, .. } = stretch;
-            let mut start = place(x, y);
-            let mut z = plane.at(x, y);
-            while stretch.rows > 0 {
-                let (left, right) = stretch.row();
-                let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
-                if let (Some(run), Some(held)) = (cells.get_mut(from..to), held.get_mut(from..to)) {
-                    fill_nearer(run, held, z.wrapping_add(step.wrapping_mul(left as u32)), step, two);
+        let (places, stride) = (self.places(), self.stride);
+        let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) else {
+            return;
+        };
+        let mut nearer = Nearer { cells, held, stride, cell };
+        match Halves::new(triangle, scissor) {
+            Some(halves) if halves.is_empty() => {}
+            Some(mut halves) => {
+                let plane = depth_of_it();
+                for _ in 0..2 {
+                    keep_rolled();
+                    let stretch = halves.stretch();
+                    nearer.stretch(stretch, places(stretch.x, stretch.y), &plane);
                 }
-                z = z.wrapping_add(plane.down());
-                start = start.wrapping_add(stride);
-                stretch.rows -= 1;
             }
+            None => {
+                let mut many = Many::new(triangle, scissor);
+                if many.is_empty() {
+                    return;
+                }
+                let plane = depth_of_it();
+                while let Some(stretch) = many.stretch() {
+                    nearer.stretch(stretch, places(stretch.x, stretch.y), &plane);
+                }
+            }
+        }
+    }
+}
+
+/// Pixels and their depths, as many.
+struct Nearer<'a, Cell> {
+    cells: &'a mut [Cell],
+    held: &'a mut [u16],
+    stride: usize,
+    cell: Cell,
+}
+
+impl<Cell: Copy> Nearer<'_, Cell> {
+    #[inline(never)] // its loop needs all registers
+    fn stretch(&mut self, mut stretch: Stretch, mut start: usize, plane: &Plane) {
+        let (two, step, down) = (pair(self.cell), plane.step(), plane.down());
+        let mut z = plane.at(stretch.x, stretch.y);
+        while stretch.rows > 0 {
+            let (left, right) = stretch.row();
+            let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
+            if let (Some(run), Some(held)) = (self.cells.get_mut(from..to), self.held.get_mut(from..to)) {
+                fill_nearer(run, held, z.wrapping_add(step.wrapping_mul(left as u32)), step, two);
+            }
+            z = z.wrapping_add(down);
+            start = start.wrapping_add(self.stride);
+            stretch.rows -= 1;
         }
     }
 }
@@ -141,18 +194,20 @@ pub(super) fn place(x: i32, y: i32, stride: usize) -> usize {
 /// and the rest at one go.
 #[inline(always)]
 pub(super) fn fill<Cell: Copy>(mut run: &mut [Cell], cell: Cell, two: [Cell; 2]) {
-    if run.len() >= 64 {
-        let (many, rest) = run.split_at_mut(run.len() & !31);
-        for some in many.chunks_exact_mut(32) {
-            some.chunks_exact_mut(2).for_each(|pixels| pixels.copy_from_slice(&two));
+    if run.len() >= 8 {
+        if run.len() >= 64 {
+            let (many, rest) = run.split_at_mut(run.len() & !31);
+            for some in many.chunks_exact_mut(32) {
+                some.chunks_exact_mut(2).for_each(|pixels| pixels.copy_from_slice(&two));
+                black_box(()); // not unrolled
+            }
+            run = rest;
+        }
+        while let [a, b, c, d, e, f, g, h, rest @ ..] = run {
+            [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [two; 4];
+            run = rest;
             black_box(()); // not unrolled
         }
-        run = rest;
-    }
-    while let [a, b, c, d, e, f, g, h, rest @ ..] = run {
-        [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [two; 4];
-        run = rest;
-        black_box(()); // not unrolled
     }
     match run {
         [] => {}

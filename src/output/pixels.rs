@@ -4,7 +4,7 @@ use super::depth::DepthBuffer;
 use super::memory::{fill, Memory};
 use super::target::spans_nearer;
 use super::target::Target;
-use crate::raster::{Pixel, Plane, Rows, Scissor, ScreenPoint, Span};
+use crate::raster::{Pixel, Plane, Scissor, Span, Triangle};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -72,31 +72,26 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     }
 
     #[inline(always)]
-    fn triangle(
-        &mut self,
-        corners: &[ScreenPoint; 3],
-        front: bool,
-        scissor: &Scissor,
-        colour: C,
-    ) -> Result<(), Infallible> {
-        self.memory.triangle(corners, front, scissor, colour.stored());
+    fn triangle(&mut self, triangle: &Triangle, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
+        self.memory.triangle(triangle, scissor, colour.stored());
         Ok(())
     }
 
     #[inline(always)]
     fn nearer(
         &mut self,
-        rows: &mut Rows,
-        plane: &Plane,
+        triangle: &Triangle,
+        depth_of_it: impl FnOnce() -> Plane,
+        scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
         colour: C,
     ) -> Result<(), Infallible> {
         match depth.same_as(&self.area) {
             Some(held) => {
-                self.memory.nearer(rows, plane, held, colour.stored());
+                self.memory.nearer(triangle, depth_of_it, scissor, held, colour.stored());
                 Ok(())
             }
-            None => spans_nearer(self, rows, plane, depth, colour),
+            None => spans_nearer(self, triangle, depth_of_it, scissor, depth, colour),
         }
     }
 

@@ -1,7 +1,7 @@
 //! What pixels are drawn into.
 
 use super::depth::DepthBuffer;
-use crate::raster::{self, Pixel, Plane, Rows, Scissor, ScreenPoint, Span};
+use crate::raster::{self, Pixel, Plane, Scissor, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -36,30 +36,30 @@ pub trait Target: sealed::Sealed {
     fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = Self::Color>)
         -> Result<(), Self::Error>;
 
-    /// Draws a triangle of one colour; `front` tells whether its area is positive, and it is not zero.
+    /// Draws a triangle of one colour.
     #[doc(hidden)]
     #[inline(always)]
     fn triangle(
         &mut self,
-        corners: &[ScreenPoint; 3],
-        front: bool,
+        triangle: &Triangle,
         scissor: &Scissor,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        Rows::new(corners, front, scissor).spans().try_for_each(|span| self.fill(span, colour))
+        triangle.spans(scissor).try_for_each(|span| self.fill(span, colour))
     }
 
-    /// Draws rows in one colour where they are nearer than what is held.
+    /// Draws it where it is nearer than what is held. `depth_of_it` is asked if it has pixels there.
     #[doc(hidden)]
     #[inline(always)]
     fn nearer(
         &mut self,
-        rows: &mut Rows,
-        plane: &Plane,
+        triangle: &Triangle,
+        depth_of_it: impl FnOnce() -> Plane,
+        scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        spans_nearer(self, rows, plane, depth, colour)
+        spans_nearer(self, triangle, depth_of_it, scissor, depth, colour)
     }
 
     /// Draws a line.
@@ -80,12 +80,18 @@ pub trait Target: sealed::Sealed {
 #[inline(always)]
 pub(super) fn spans_nearer<T: Target + ?Sized>(
     target: &mut T,
-    rows: &mut Rows,
-    plane: &Plane,
+    triangle: &Triangle,
+    depth_of_it: impl FnOnce() -> Plane,
+    scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
     colour: T::Color,
 ) -> Result<(), T::Error> {
-    rows.spans().try_for_each(|span| depth.test(span, plane, |visible| target.fill(visible, colour)))
+    let mut spans = triangle.spans(scissor);
+    if spans.is_empty() {
+        return Ok(());
+    }
+    let plane = depth_of_it();
+    spans.try_for_each(|span| depth.test(span, &plane, |visible| target.fill(visible, colour)))
 }
 
 mod sealed {

@@ -43,8 +43,8 @@ impl Side {
     /// The corners of a triangle with these sides are less apart: 2040 pixels across, 512 down.
     pub(super) const WIDTH: i32 = 2040 << 8;
     pub(super) const HEIGHT: i32 = 1 << 17;
-    /// Those of a [`tiny`](Self::tiny) one: 16 pixels.
-    pub(super) const TINY: i32 = 1 << 12;
+    /// Those of a [`small`](Self::small) one: 32 pixels down.
+    pub(super) const SMALL: i32 = 1 << 13;
 
     /// How many rows the sides of a triangle of this height, less than [`HEIGHT`](Self::HEIGHT), may be stepped through.
     ///
@@ -72,25 +72,25 @@ impl Side {
         }
     }
 
-    /// The same at p's first row, in a triangle less than [`TINY`](Self::TINY) high and wide; p's column is `from`.
+    /// The same at p's first row, in a triangle less than [`SMALL`](Self::SMALL) high; p's column is `from`.
     ///
-    /// Rounded down to multiples of 2⁻¹⁸: in 16 rows S falls behind by less than 17·2⁻¹⁸, where 1/dy > 2⁻¹².
+    /// Start and step are rounded to multiples of 2⁻¹⁸: S falls behind by at most 2⁻¹⁸ at first and in each of the 31 rows
+    /// that may follow, 2⁻¹³ in all, which is less than 1/dy.
     #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
     #[inline(always)]
-    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
-        let (dx, dy) = (q.x - p.x, q.y - p.y); // below 2¹², and dy > 0
-        let Some(d) = NonZeroU32::new(dy as u32) else { return Self::NONE };
-        let (_, m) = first_end(p, dx, dy); // |m| < 2¹³
+    pub(super) fn small(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
+        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, 0 < dy < 2¹³
+        let (_, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
         Self {
-            at: (from << 20).wrapping_add(quotient_of_tiny(m, d)).wrapping_sub(1),
-            step: quotient_of_tiny(dx, d),
+            at: (from << 20).wrapping_add(quotient_of_small(m, dy)).wrapping_sub(1),
+            step: quotient_of_small(dx, dy),
         }
     }
 
     /// On a Cortex-M0 a division is a call.
     #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
     #[inline(always)]
-    pub(super) fn tiny(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
+    pub(super) fn small(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
         Self::new(p, q, first_row(p), column(p) - from)
     }
 }
@@ -109,13 +109,17 @@ fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
     (column, (xr * dy + yr * dx + 255) >> 8) // two products of at most 255·2²²: below 2³¹
 }
 
-/// n / dy in 12.20, for |n| < 2¹³: see [`Side::tiny`].
+/// n / d in 12.20, for 0 < d < 2¹³: see [`Side::small`]. Where the edge meets no row of centres, digits above are lost.
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 #[inline(always)]
-fn quotient_of_tiny(n: i32, d: NonZeroU32) -> i32 {
-    let n = n << 18;
-    // ⌊n / d⌋ of a negative n is the complement of ⌊!n / d⌋.
-    (((n ^ (n >> 31)) as u32 / d) as i32 ^ (n >> 31)) << 2
+fn quotient_of_small(n: i32, d: i32) -> i32 {
+    if d <= 0 {
+        return 0;
+    }
+    // Both to zero, and a negative number to the one below. The rest is less than 2¹³.
+    let whole = n / d;
+    let fraction = ((n - whole * d) << 18) / d;
+    ((whole << 18).wrapping_add(fraction).wrapping_add(n >> 31)) << 2
 }
 
 /// n / d in 12.20, rounded down, or of a negative number to the one below. |n| < 2¹¹·d, d < 2¹⁷.
@@ -288,15 +292,16 @@ mod tests {
     }
 
     #[test]
-    fn tiny_steps_stay_within_a_lattice_unit() {
+    fn small_steps_stay_within_a_lattice_unit() {
         let random = &mut Random(11);
         for i in 0..100_000 {
             let mut corner = |reach: i64| (random.within(reach), random.within(reach));
-            let (p, (dx, dy)) = (corner(100_000), corner([40, 300, 2000, 4095][i % 4]));
+            let (p, (dx, dy)) = (corner(100_000), corner([40, 300, 4095, 8191][i % 4]));
+            let dx = if i % 5 == 0 { dx * 63 } else { dx };
             let dy = dy.abs().max(1);
             let point = |x, y| ScreenPoint::from_subpixels(x, y).unwrap();
             let (p, q) = (point(p.0, p.1), point(p.0 + dx, p.1 + dy));
-            let side = Side::tiny(&p, &q, 0);
+            let side = Side::small(&p, &q, 0);
             let rows = first_row(&q) - first_row(&p);
             // X − ½ in the row, in 2⁻⁸ / dy px, and its ceiling.
             for row in 0..rows {

@@ -36,8 +36,8 @@ impl Triangle {
 
     /// Its covered pixels inside the scissor, row by row.
     #[inline(always)]
-    pub(crate) fn rows(&self, scissor: &Scissor) -> Rows {
-        Rows::new(&self.corners, self.area > 0, scissor)
+    pub(crate) fn spans(&self, scissor: &Scissor) -> Spans {
+        Spans::new(self, scissor)
     }
 
     /// What varies linearly over it, for inks of one's own: values 0 … 2²⁴ − 1 at its corners, in their
@@ -71,11 +71,10 @@ pub fn triangle<E>(
     scissor: &Scissor,
     span: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    let area = area(&vertices);
-    if area == 0 {
-        return Ok(()); // R6
+    match area(&vertices) {
+        0 => Ok(()), // R6
+        area => Triangle::new(vertices, area, scissor).spans(scissor).try_for_each(span),
     }
-    Rows::new(&vertices, area > 0, scissor).spans().try_for_each(span)
 }
 
 /// Rows that follow each other, between two sides that do not bend there and lie inside the scissor.
@@ -105,133 +104,82 @@ impl Stretch {
     }
 }
 
-/// The rows of a triangle, on the way down, in stretches or span by span.
-pub struct Rows {
-    /// Those above and below the middle corner, for most triangles.
-    halves: [Stretch; 2],
-    next: usize,
-    /// What other triangles take.
-    more: Option<Many>,
+/// The two stretches of a small triangle inside the scissor, above and below the middle corner: most triangles are that,
+/// and their way is short, to be part of the loops that draw.
+pub(crate) struct Halves {
+    /// The ends of the side, or of two sides, with the middle corner, from the stretch on that is next.
+    ends: [ScreenPoint; 3],
+    /// The next row, and there the side between the first and the last corner.
+    row: i32,
+    long: Side,
+    /// That the sides are counted from.
+    column: i32,
+    middle_left: bool,
 }
 
-impl Rows {
-    /// `front` tells whether [`area`] is positive; it is not zero.
-    #[inline(never)]
-    pub(crate) fn new(&[mut a, mut b, mut c]: &[ScreenPoint; 3], front: bool, scissor: &Scissor) -> Self {
-        let (left, right) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-        // Down the screen; each exchange turns the winding over.
-        let mut turned = !front;
-        if b.y < a.y {
-            (a, b, turned) = (b, a, !turned);
-        }
-        if c.y < b.y {
-            (b, c, turned) = (c, b, !turned);
-            if b.y < a.y {
-                (a, b, turned) = (b, a, !turned);
-            }
-        }
-        // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c.
-        let middle_left = !turned;
+impl Halves {
+    /// `None` for all other triangles.
+    #[inline(always)]
+    pub(crate) fn new(triangle: &Triangle, scissor: &Scissor) -> Option<Self> {
+        let [p, q, r] = &triangle.corners;
+        let (left, right) = (p.x.min(q.x).min(r.x), p.x.max(q.x).max(r.x));
+        let (ends, middle_left) = down(triangle);
+        let [a, _, c] = &ends;
         // Ends lie within a column of the corners.
-        let inside = left >= scissor.left * 256 && right <= scissor.right * 256;
-        let (width, height) = (right - left, c.y - a.y);
-        // All rows of these may be stepped through.
-        if !(inside && height < 1 << 14 && width < Side::WIDTH) {
-            return Self::of(Some(Many::new([a, b, c], middle_left, scissor)));
+        let inside = left >= scissor.left * 256
+            && right <= scissor.right * 256
+            && a.y >= scissor.top * 256
+            && c.y <= scissor.bottom * 256;
+        let small = c.y - a.y < Side::SMALL && right - left < Side::WIDTH;
+        if !(inside && small) {
+            return None;
         }
-        let (first, middle) = (first_row(&a), first_row(&b));
-        let (row, end) = (first.max(scissor.top), first_row(&c).min(scissor.bottom));
-        if row >= end {
-            return Self::of(None);
-        }
-        let origin = column(&a);
-        if width.max(height) < Side::TINY && row == first {
-            halves(row, middle, end, origin, middle_left, |side, _| match side {
-                Corners::Long => Side::tiny(&a, &c, 0),
-                Corners::Upper => Side::tiny(&a, &b, 0),
-                Corners::Lower => Side::tiny(&b, &c, column(&b) - origin),
-            })
-        } else {
-            halves(row, middle, end, origin, middle_left, |side, row| match side {
-                Corners::Long => Side::new(&a, &c, row, origin),
-                Corners::Upper => Side::new(&a, &b, row, origin),
-                Corners::Lower => Side::new(&b, &c, row, origin),
-            })
-        }
-    }
-
-    /// Without halves.
-    #[cold]
-    fn of(more: Option<Many>) -> Self {
-        Self { halves: [Stretch::NONE; 2], next: 2, more }
+        Some(Self { ends, row: first_row(a), long: Side::small(a, c, 0), column: column(a), middle_left })
     }
 
     /// Whether there is no row.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
-        self.next == 2 && self.more.as_ref().is_none_or(|many| many.row >= many.end)
+        let [_, _, last] = &self.ends;
+        self.row >= first_row(last)
     }
 
-    /// Whether the last stretch was a piece of a row that goes on.
-    fn is_within_row(&self) -> bool {
-        self.more.as_ref().is_some_and(|many| many.resume != many.from)
-    }
-
-    /// Span by span.
+    /// The next stretch, which may have no rows: to be asked for twice.
     #[inline(always)]
-    pub(crate) fn spans(&mut self) -> Spans<'_> {
-        Spans { rows: self, stretch: Stretch::NONE }
-    }
-
-    /// The next stretch, which may have no rows.
-    #[inline(always)]
-    pub(crate) fn stretch(&mut self) -> Option<&Stretch> {
-        let Self { halves, next, more } = self;
-        let at = *next;
-        if at < 2 {
-            *next = at + 1;
-        } else {
-            *halves.first_mut()? = more.as_mut()?.advance()?;
-        }
-        halves.get(at & 1)
-    }
-}
-
-/// Which corners a side connects: the first and the last down the screen, or one of these and the middle one.
-enum Corners {
-    Long,
-    Upper,
-    Lower,
-}
-
-/// The rows above the middle corner's, and those below.
-#[inline(always)]
-fn halves(
-    row: i32,
-    middle: i32,
-    end: i32,
-    origin: i32,
-    middle_left: bool,
-    side: impl Fn(Corners, i32) -> Side,
-) -> Rows {
-    let mut long = side(Corners::Long, row);
-    let short_index = usize::from(!middle_left);
-    let mut half = |row: i32, until: i32, corners: Corners| {
-        let rows = until - row;
+    pub(crate) fn stretch(&mut self) -> Stretch {
+        let Self { ends: [p, q, last], row: y, long, column: origin, .. } = *self;
+        let rows = first_row(&q) - y;
         let mut sides = [long; 2];
         if rows > 0 {
-            sides[short_index & 1] = side(corners, row);
-            long.at = long.at.wrapping_add(long.step.wrapping_mul(rows));
+            let short = Side::small(&p, &q, column(&p) - origin);
+            sides = if self.middle_left { [short, long] } else { [long, short] };
+            self.long.at = long.at.wrapping_add(long.step.wrapping_mul(rows));
         }
-        Stretch { x: origin + 1, y: row, rows, sides }
-    };
-    let upper = half(row, middle.min(end), Corners::Upper);
-    let lower = half(row.max(middle), end, Corners::Lower);
-    Rows { halves: [upper, lower], next: 0, more: None }
+        (self.ends, self.row) = ([q, last, last], y + rows);
+        Stretch { x: origin + 1, y, rows, sides }
+    }
+}
+
+/// The corners down the screen, and whether the middle one lies to the left of the edge between the others.
+#[inline(always)]
+fn down(triangle: &Triangle) -> ([ScreenPoint; 3], bool) {
+    let [mut a, mut b, mut c] = triangle.corners;
+    // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c. Each exchange turns that over.
+    let mut middle_left = triangle.area >= 0;
+    if b.y < a.y {
+        (a, b, middle_left) = (b, a, !middle_left);
+    }
+    if c.y < b.y {
+        (b, c, middle_left) = (c, b, !middle_left);
+        if b.y < a.y {
+            (a, b, middle_left) = (b, a, !middle_left);
+        }
+    }
+    ([a, b, c], middle_left)
 }
 
 /// The stretches of triangles that are high, large or cut by the scissor.
-struct Many {
+pub(crate) struct Many {
     /// At `row`.
     left: Side,
     right: Side,
@@ -261,8 +209,9 @@ const PIECE: i32 = 2047;
 
 impl Many {
     #[inline(never)]
-    fn new(corners: [ScreenPoint; 3], middle_left: bool, scissor: &Scissor) -> Self {
-        let reach = Scissor::of(&corners);
+    pub(crate) fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
+        let reach = Scissor::of(&triangle.corners);
+        let (corners, middle_left) = down(triangle);
         let [a, b, c] = &corners;
         let small = c.y - a.y < Side::HEIGHT && (b.x - a.x).abs().max((c.x - a.x).abs()) < Side::WIDTH;
         let beside = reach.left >= scissor.right || reach.right <= scissor.left;
@@ -284,9 +233,15 @@ impl Many {
         }
     }
 
+    /// Whether there is no row left.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.row >= self.end
+    }
+
+    /// The next stretch.
     #[inline(never)]
-    fn advance(&mut self) -> Option<Stretch> {
-        if self.row >= self.end {
+    pub(crate) fn stretch(&mut self) -> Option<Stretch> {
+        if self.is_empty() {
             return None;
         }
         if self.large {
@@ -303,6 +258,11 @@ impl Many {
             side.at = side.at.wrapping_add(side.step.wrapping_mul(rows));
         }
         Some(stretch)
+    }
+
+    /// Whether the last stretch was a piece of a row that goes on.
+    fn is_within_row(&self) -> bool {
+        self.resume != self.from
     }
 
     /// Sets up the sides for the rows that follow.
@@ -387,13 +347,33 @@ fn short_side<'p>(
     }
 }
 
-/// The spans of stretches.
-pub(crate) struct Spans<'r> {
-    rows: &'r mut Rows,
+/// The rows of a triangle, span by span, on the way down.
+pub(crate) struct Spans {
     stretch: Stretch,
+    /// The lower one of two, if there are two.
+    lower: Stretch,
+    more: Option<Many>,
 }
 
-impl Iterator for Spans<'_> {
+impl Spans {
+    #[inline(never)]
+    fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
+        match Halves::new(triangle, scissor) {
+            Some(mut halves) => Self { stretch: halves.stretch(), lower: halves.stretch(), more: None },
+            None => {
+                let more = Some(Many::new(triangle, scissor));
+                Self { stretch: Stretch::NONE, lower: Stretch::NONE, more }
+            }
+        }
+    }
+
+    /// Whether there is no span, before any was asked for.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.stretch.rows <= 0 && self.lower.rows <= 0 && self.more.as_ref().is_none_or(Many::is_empty)
+    }
+}
+
+impl Iterator for Spans {
     type Item = Span;
 
     /// Not part of the loops that draw: there are many of them.
@@ -407,15 +387,21 @@ impl Iterator for Spans<'_> {
                 self.stretch.y += 1;
                 if right > left {
                     let mut width = right - left;
-                    while self.rows.is_within_row() {
-                        let Some(mut more) = self.rows.stretch().copied() else { break };
-                        let (_, right) = more.row(); // from where the last piece ended
-                        width += right;
+                    if let Some(many) = &mut self.more {
+                        while many.is_within_row() {
+                            let Some(mut more) = many.stretch() else { break };
+                            let (_, right) = more.row(); // from where the last piece ended
+                            width += right;
+                        }
                     }
                     return Some(Span { x: x + left, y, width, height: 1 });
                 }
             }
-            self.stretch = *self.rows.stretch()?;
+            self.stretch = match &mut self.more {
+                Some(many) => many.stretch()?,
+                None if self.lower.rows > 0 => core::mem::replace(&mut self.lower, Stretch::NONE),
+                None => return None,
+            };
         }
     }
 }

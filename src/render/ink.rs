@@ -136,9 +136,10 @@ pub trait InkFor<C: PixelColor>: Ink {
     /// The target's own.
     fn send<T: Target<Color = C>>(fill: &Self::Fill, span: Span, target: &mut T) -> Result<(), T::Error>;
 
-    /// The colour, where there is but one: then it is filled with that, and nothing is [sent](Self::send).
+    /// The colour, where there is but one: then triangles are filled with that, without [`over`](Self::over) and
+    /// [`send`](Self::send).
     #[inline(always)]
-    fn even(_fill: &Self::Fill) -> Option<C> {
+    fn even(&self) -> Option<C> {
         None
     }
 }
@@ -165,7 +166,7 @@ impl<C: PixelColor> InkFor<C> for C {
     }
 
     #[inline(always)]
-    fn even(fill: &C) -> Option<C> {
-        Some(*fill)
+    fn even(&self) -> Option<C> {
+        Some(*self)
     }
 }

@@ -232,7 +232,7 @@ impl super::Ink for Nothing {
 fn keep(corners: &[Image; 3], area: i64, window: &Window, depth: &mut DepthBuffer<'_>) {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
     let plane = Plane::of_depth(&triangle, corners.map(|c| c.depth));
-    for span in triangle.rows(&window.scissor).spans() {
+    for span in triangle.spans(&window.scissor) {
         let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
     }
 }

@@ -303,10 +303,12 @@ fn fill<T: Target, I: InkFor<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners, area, &window.viewport);
-    let fill = ink.over(&triangle);
-    match I::even(&fill) {
-        Some(colour) => target.triangle(&corners, area >= 0, &window.scissor, colour),
-        None => triangle.rows(&window.scissor).spans().try_for_each(|span| I::send(&fill, span, target)),
+    match ink.even() {
+        Some(colour) => target.triangle(&triangle, &window.scissor, colour),
+        None => {
+            let fill = ink.over(&triangle);
+            triangle.spans(&window.scissor).try_for_each(|span| I::send(&fill, span, target))
+        }
     }
 }
 
@@ -321,17 +323,17 @@ fn fill_nearer<T: Target, I: InkFor<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
-    let mut rows = triangle.rows(&window.scissor);
-    if rows.is_empty() {
+    let plane = || Plane::of_depth(&triangle, corners.map(|c| c.depth));
+    if let Some(colour) = ink.even() {
+        return target.nearer(&triangle, plane, &window.scissor, depth, colour);
+    }
+    let spans = triangle.spans(&window.scissor);
+    if spans.is_empty() {
         return Ok(());
     }
-    let (fill, plane) = (ink.over(&triangle), Plane::of_depth(&triangle, corners.map(|c| c.depth)));
-    match I::even(&fill) {
-        Some(colour) => target.nearer(&mut rows, &plane, depth, colour),
-        None => rows
-            .spans()
-            .try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target))),
-    }
+    let (fill, plane) = (ink.over(&triangle), plane());
+    let mut spans = spans;
+    spans.try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
 }
 
 #[cfg(feature = "defmt")]

@@ -27,8 +27,8 @@ impl<C: Channels> InkFor<C> for Flat {
     }
 
     #[inline(always)]
-    fn even(fill: &C) -> Option<C> {
-        Some(*fill)
+    fn even(&self) -> Option<C> {
+        Some(self.nearest())
     }
 }
 
