@@ -76,7 +76,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 
     /// Fills a triangle where it is nearer than what is held for the same pixels.
-    #[inline(always)]
+    #[inline(never)] // its loop needs all registers
     pub(super) fn nearer(
         &mut self,
         triangle: &Triangle,
@@ -85,60 +85,67 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         held: &mut [u16],
         cell: Cell,
     ) {
-        // One length for both.
-        let length = self.cells.len().min(held.len());
-        let (places, stride) = (self.places(), self.stride);
-        let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) else {
-            return;
-        };
-        let mut nearer = Nearer { cells, held, stride, cell };
+        let two = pair(cell);
         match Halves::new(triangle, scissor) {
             Some(halves) if halves.is_empty() => {}
             Some(mut halves) => {
                 let plane = depth_of_it();
                 for _ in 0..2 {
                     keep_rolled();
-                    let stretch = halves.stretch();
-                    nearer.stretch(stretch, places(stretch.x, stretch.y), &plane);
+                    self.stretch_nearer(halves.stretch(), &plane, held, two);
                 }
             }
             None => {
-                let mut many = Many::new(triangle, scissor);
-                if many.is_empty() {
-                    return;
-                }
-                let plane = depth_of_it();
-                while let Some(stretch) = many.stretch() {
-                    nearer.stretch(stretch, places(stretch.x, stretch.y), &plane);
+                let many = Many::new(triangle, scissor);
+                if !many.is_empty() {
+                    self.many_nearer(many, &depth_of_it(), held, cell);
                 }
             }
         }
     }
-}
 
-/// Pixels and their depths, as many.
-struct Nearer<'a, Cell> {
-    cells: &'a mut [Cell],
-    held: &'a mut [u16],
-    stride: usize,
-    cell: Cell,
-}
+    #[inline(never)] // rare, and most of it a row's pixels
+    fn many_nearer(&mut self, mut many: Many, plane: &Plane, held: &mut [u16], cell: Cell) {
+        let two = pair(cell);
+        while let Some(stretch) = many.stretch() {
+            self.stretch_nearer(stretch, plane, held, two);
+        }
+    }
 
-impl<Cell: Copy> Nearer<'_, Cell> {
-    #[inline(never)] // its loop needs all registers
-    fn stretch(&mut self, mut stretch: Stretch, mut start: usize, plane: &Plane) {
-        let (two, step, down) = (pair(self.cell), plane.step(), plane.down());
-        let mut z = plane.at(stretch.x, stretch.y);
+    #[inline(always)]
+    fn stretch_nearer(&mut self, mut stretch: Stretch, plane: &Plane, held: &mut [u16], two: [Cell; 2]) {
+        // One length for both.
+        let length = self.cells.len().min(held.len());
+        let mut start = self.places()(stretch.x, stretch.y);
+        let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) else { return };
+        let (step, mut z) = (plane.step(), plane.at(stretch.x, stretch.y));
         while stretch.rows > 0 {
             let (left, right) = stretch.row();
             let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
-            if let (Some(run), Some(held)) = (self.cells.get_mut(from..to), self.held.get_mut(from..to)) {
-                fill_nearer(run, held, z.wrapping_add(step.wrapping_mul(left as u32)), step, two);
+            if let (Some(run), Some(held)) = (cells.get_mut(from..to), held.get_mut(from..to)) {
+                let z = z.wrapping_add(step.wrapping_mul(left as u32));
+                if run.len() >= LONG {
+                    fill_nearer(run, held, z, step, two);
+                } else {
+                    fill_short_nearer(run, held, z, step, two);
+                }
             }
-            z = z.wrapping_add(down);
+            z = z.wrapping_add(plane.down());
             start = start.wrapping_add(self.stride);
             stretch.rows -= 1;
         }
+    }
+}
+
+/// From as many pixels on four at a time are faster than one by one.
+const LONG: usize = 8;
+
+#[inline(always)]
+fn fill_short_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, [cell, _]: [Cell; 2]) {
+    for (pixel, held) in run.iter_mut().zip(held) {
+        one_nearer(pixel, held, z, cell);
+        z = z.wrapping_add(step);
+        black_box(()); // not unrolled
     }
 }
 

@@ -14,9 +14,9 @@ const CORNERS: usize = 2892;
 
 /// Memory for a whole frame.
 pub struct Memory {
-    pixels: [Rgb565; PIXELS],
-    depth: [u16; PIXELS],
-    corners: [Corner; CORNERS],
+    pub pixels: [Rgb565; PIXELS],
+    pub depth: [u16; PIXELS],
+    pub corners: [Corner; CORNERS],
 }
 
 impl Memory {
