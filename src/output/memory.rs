@@ -1,7 +1,7 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
 use crate::math::num::keep_rolled;
-use crate::raster::{Halves, Many, Plane, Scissor, Stretch, Triangle};
+use crate::raster::{Halves, Large, Plane, Scissor, Stretch, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -47,15 +47,17 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                     self.stretch(halves.stretch(), cell, two);
                 }
             }
-            None => self.many(triangle, scissor, cell),
+            None => self.large(triangle, scissor, cell),
         }
     }
 
     #[inline(never)] // rare, and most of it a row's pixels
-    fn many(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
-        let (two, mut many) = (pair(cell), Many::new(triangle, scissor));
-        while let Some(stretch) = many.stretch() {
-            self.stretch(stretch, cell, two);
+    fn large(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
+        let (two, mut rows) = (pair(cell), Large::new(triangle, scissor));
+        while let Some((y, x, width)) = rows.row() {
+            if let Some(run) = self.row(x, y, width) {
+                fill(run, cell, two);
+            }
         }
     }
 
@@ -96,19 +98,23 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                 }
             }
             None => {
-                let many = Many::new(triangle, scissor);
-                if !many.is_empty() {
-                    self.many_nearer(many, &depth_of_it(), held, cell);
+                let large = Large::new(triangle, scissor);
+                if !large.is_empty() {
+                    self.large_nearer(large, &depth_of_it(), held, cell);
                 }
             }
         }
     }
 
     #[inline(never)] // rare, and most of it a row's pixels
-    fn many_nearer(&mut self, mut many: Many, plane: &Plane, held: &mut [u16], cell: Cell) {
-        let two = pair(cell);
-        while let Some(stretch) = many.stretch() {
-            self.stretch_nearer(stretch, plane, held, two);
+    fn large_nearer(&mut self, mut rows: Large, plane: &Plane, held: &mut [u16], cell: Cell) {
+        let (two, places) = (pair(cell), self.places());
+        while let Some((y, x, width)) = rows.row() {
+            let from = places(x, y);
+            let to = from.wrapping_add(width as usize);
+            if let (Some(run), Some(held)) = (self.cells.get_mut(from..to), held.get_mut(from..to)) {
+                fill_nearer(run, held, plane.at(x, y), plane.step(), two);
+            }
         }
     }
 

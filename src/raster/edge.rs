@@ -14,14 +14,12 @@
 //!     T − 1/dy < S ≤ T
 //! ```
 //!
-//! Between S and T there is no other point of the lattice, and so no whole number: `⌈S⌉ = ⌈T⌉`. S is in 12.20 for most
-//! triangles ([`Side`]) and in 32.32 for large ones ([`Wide`]). What is kept is S less its last digit, whose integer part
+//! Between S and T there is no other point of the lattice, and so no whole number: `⌈S⌉ = ⌈T⌉`. S is in 12.20 for small
+//! triangles ([`Side`]) and in 32.32 for all others ([`Wide`]). What is kept is S less its last digit, whose integer part
 //! is ⌈S⌉ − 1: a row costs one addition.
 
 use super::ScreenPoint;
-use crate::math::num::{divide, fraction};
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-use core::num::NonZeroU32;
+use crate::math::num::{keep_rolled, mul_wide, reciprocal};
 
 /// The first row whose centres are not above the point: `⌈y − ½⌉`.
 #[inline(always)]
@@ -40,58 +38,21 @@ pub(crate) struct Side {
 impl Side {
     pub(super) const NONE: Self = Self { at: 0, step: 0 };
 
-    /// The corners of a triangle with these sides are less apart: 2040 pixels across, 512 down.
+    /// The corners of a triangle with these sides are less apart: 2040 pixels across, 32 down.
     pub(super) const WIDTH: i32 = 2040 << 8;
-    pub(super) const HEIGHT: i32 = 1 << 17;
-    /// Those of a [`small`](Self::small) one: 32 pixels down.
-    pub(super) const SMALL: i32 = 1 << 13;
+    pub(super) const HEIGHT: i32 = 1 << 13;
 
-    /// How many rows the sides of a triangle of this height, less than [`HEIGHT`](Self::HEIGHT), may be stepped through.
-    ///
-    /// Start and step are rounded down to multiples of 2⁻²⁰, or of a negative number the one below: so S falls behind by
-    /// at most 2⁻²⁰ at first and in each row. With k rows of 2⁻²⁰ the sum is less than 1/dy where k·dy < 2²⁰. All rows of
-    /// a triangle within 64 pixels, and 8 at least.
-    #[inline(always)]
-    pub(super) fn rows(height: i32) -> i32 {
-        1 << ((height as u32).leading_zeros() - 12) // 2²⁰ over the next power of two; 15 … 32 leading zeros
-    }
-
-    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above q's; so `q.y > p.y`. Pixels
-    /// are counted from `column`, which is less than [`WIDTH`](Self::WIDTH) away.
-    #[inline(never)]
-    pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32, column: i32) -> Self {
-        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, dy < 2¹⁷
-        let (own, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
-        let by = Divisor::new(dy);
-        // Between the columns of p and q: less than 2¹¹ pixels from `column`. |n| < 2¹¹·2¹⁷.
-        let start = by.divide(m + (row - first_row(p)) * dx);
-        Self {
-            at: ((own - column) << 20).wrapping_add(start).wrapping_sub(1),
-            // Within a pixel's height there is one row at most. Beyond, |dx / dy| < 2¹¹.
-            step: if dy > 256 { by.divide(dx) } else { 0 },
-        }
-    }
-
-    /// The same at p's first row, in a triangle less than [`SMALL`](Self::SMALL) high; p's column is `from`.
+    /// The edge from `p` down to `q` at p's first row, which lies above q's. Pixels are counted from the column `from`
+    /// columns to the left of p's.
     ///
     /// Start and step are rounded to multiples of 2⁻¹⁸: S falls behind by at most 2⁻¹⁸ at first and in each of the 31 rows
     /// that may follow, 2⁻¹³ in all, which is less than 1/dy.
-    #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
     #[inline(always)]
-    pub(super) fn small(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
+    pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, 0 < dy < 2¹³
         let (_, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
-        Self {
-            at: (from << 20).wrapping_add(quotient_of_small(m, dy)).wrapping_sub(1),
-            step: quotient_of_small(dx, dy),
-        }
-    }
-
-    /// On a Cortex-M0 a division is a call.
-    #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-    #[inline(always)]
-    pub(super) fn small(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
-        Self::new(p, q, first_row(p), column(p) - from)
+        let by = Divisor::new(dy);
+        Self { at: (from << 20).wrapping_add(by.divide(m)).wrapping_sub(1), step: by.divide(dx) }
     }
 }
 
@@ -109,50 +70,35 @@ fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
     (column, (xr * dy + yr * dx + 255) >> 8) // two products of at most 255·2²²: below 2³¹
 }
 
-/// n / d in 12.20, for 0 < d < 2¹³: see [`Side::small`]. Where the edge meets no row of centres, digits above are lost.
+/// n / d in 12.20, rounded as [`Side::new`] says, for |n| ≤ 2¹⁹, 0 < d < 2¹³. Where the edge meets no row of centres, digits
+/// above are lost.
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-#[inline(always)]
-fn quotient_of_small(n: i32, d: i32) -> i32 {
-    if d <= 0 {
-        return 0;
-    }
-    // Both to zero, and a negative number to the one below. The rest is less than 2¹³.
-    let whole = n / d;
-    let fraction = ((n - whole * d) << 18) / d;
-    ((whole << 18).wrapping_add(fraction).wrapping_add(n >> 31)) << 2
-}
-
-/// n / d in 12.20, rounded down, or of a negative number to the one below. |n| < 2¹¹·d, d < 2¹⁷.
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-struct ByDivision(NonZeroU32);
+struct ByDivision(i32);
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 impl ByDivision {
     #[inline(always)]
     fn new(d: i32) -> Self {
-        Self(NonZeroU32::new(d as u32).unwrap_or(NonZeroU32::MIN)) // d > 0
+        Self(d)
     }
 
     #[inline(always)]
     fn divide(&self, n: i32) -> i32 {
-        let (sign, n, d) = (n >> 31, n.unsigned_abs(), self.0);
-        let (whole, rest) = (n / d, n % d);
-        // Digits whose shifts keep the rest, which is below d, in 32 bits.
-        let fraction = if d.get() < 1 << 12 {
-            (rest << 20) / d
-        } else {
-            let (digit, rest) = ((rest << 15) / d, (rest << 15) % d);
-            (digit << 5) | ((rest << 5) / d)
-        };
-        // The complement is the one below the negative.
-        ((whole << 20) | fraction) as i32 ^ sign
+        let Self(d) = *self;
+        if d <= 0 {
+            return 0;
+        }
+        // Both to zero, and a negative number to the one below. The rest is less than 2¹³.
+        let whole = n / d;
+        let fraction = ((n - whole * d) << 18) / d;
+        ((whole << 18).wrapping_add(fraction).wrapping_add(n >> 31)) << 2
     }
 }
 
-/// The same bits for a Cortex-M0, where a division is a call.
+/// The same for a Cortex-M0, where a division is a call, with two digits more.
 ///
-/// With the reciprocal's relative error of 2⁻²⁸ the quotient, below 2³¹, is off by less than 8 before it is cut: what is left
-/// of n then tells by how much.
+/// With the reciprocal's relative error of 2⁻²⁹ the quotient, below 2³¹ where it is asked for, is off by less than 5 before
+/// it is cut: what is left of n then tells by how much.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 struct ByReciprocal {
     d: i32,
@@ -165,27 +111,20 @@ struct ByReciprocal {
 impl ByReciprocal {
     #[inline(never)]
     fn new(d: i32) -> Self {
-        let r = crate::math::num::reciprocal(d); // 1/d = mantissa · 2^(shift − 61), 13 ≤ shift ≤ 30
+        let r = reciprocal(d); // 1/d = mantissa · 2^(shift − 61), 13 ≤ shift ≤ 30
         Self { d, mantissa: r.mantissa, down: (41 - r.shift) & 31 }
     }
 
     #[inline(never)]
     fn divide(&self, n: i32) -> i32 {
         let Self { d, mantissa, down } = *self;
-        let (sign, n) = (n >> 31, n.unsigned_abs()); // < 2²⁸
-        let product = crate::math::num::mul_wide(n as i32, mantissa) as u64; // < 2⁵⁹
-                                                                             // The quotient has 32 bits: those shifted out above count for nothing.
+        let (sign, n) = (n >> 31, n.unsigned_abs()); // ≤ 2¹⁹
+        let product = mul_wide(n as i32, mantissa) as u64;
+        // The quotient has 32 bits: those shifted out above count for nothing.
         let mut quotient = ((product >> 32) as u32) << (32 - down) | (product as u32) >> down;
-        // Of n·2²⁰: less than 9·d either way, so 32 bits tell.
-        let mut rest = (n << 20).wrapping_sub(quotient.wrapping_mul(d as u32)) as i32;
-        while rest < 0 {
-            quotient = quotient.wrapping_sub(1);
-            rest += d;
-        }
-        while rest >= d {
-            quotient = quotient.wrapping_add(1);
-            rest -= d;
-        }
+        // Of n·2²⁰: less than 6·d either way, so 32 bits tell.
+        let rest = (n << 20).wrapping_sub(quotient.wrapping_mul(d as u32)) as i32;
+        quotient = quotient.wrapping_add(excess(rest, d));
         quotient as i32 ^ sign
     }
 }
@@ -194,6 +133,21 @@ impl ByReciprocal {
 use ByDivision as Divisor;
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 use ByReciprocal as Divisor;
+
+/// `⌊rest / d⌋` modulo 2³², for small ones.
+#[inline(always)]
+fn excess(mut rest: i32, d: i32) -> u32 {
+    let mut excess = 0u32;
+    while rest < 0 {
+        keep_rolled();
+        (excess, rest) = (excess.wrapping_sub(1), rest.wrapping_add(d));
+    }
+    while rest >= d {
+        keep_rolled();
+        (excess, rest) = (excess.wrapping_add(1), rest.wrapping_sub(d));
+    }
+    excess
+}
 
 /// One side of any triangle inside the guard band, in 32.32.
 #[derive(Clone, Copy, Debug, Default)]
@@ -209,15 +163,16 @@ impl Wide {
     /// most 2⁻³² at first and in each row, 960·2⁻³² in all, where 1/dy ≥ 2⁻²².
     pub(super) const ROWS: i32 = 959;
 
-    /// As [`Side::new`]; pixels are counted from the target's origin.
+    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above q's; so `q.y > p.y`. Pixels
+    /// are counted from the target's origin.
     #[inline(never)]
-    pub(super) fn set(&mut self, p: &ScreenPoint, q: &ScreenPoint, row: i32) {
+    pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
         let (column, m) = first_end(p, dx, dy);
-        let n = i64::from(m) + i64::from(row - first_row(p)) * i64::from(dx); // < 2³⁷
-        let d = dy.unsigned_abs();
-        self.at = (i64::from(column) << 32) + long(n, d) + 0xffff_ffff;
-        self.step = long(dx.into(), d);
+        let by = Long::new(dy);
+        // Between the columns of p and q: |n| < 2¹⁵·dy.
+        let n = i64::from(m) + mul_wide(row - first_row(p), dx);
+        Self { at: (i64::from(column) << 32) + by.divide(n) + 0xffff_ffff, step: by.divide(dx.into()) }
     }
 
     /// The end of the row's span; then to the next row.
@@ -229,12 +184,44 @@ impl Wide {
     }
 }
 
-/// n / d in 32.32, rounded as above, for |n| < 2³⁸, by long division.
-#[inline(never)]
-fn long(n: i64, d: u32) -> i64 {
-    let (whole, rest) = divide(n.unsigned_abs(), d);
-    let magnitude = (whole << 32) | fraction(rest.into(), d.into(), 32); // |T| < 2¹⁵, |dx / dy| < 2²³
-    magnitude as i64 ^ (n >> 63)
+/// n / d in 32.32, rounded as above, for 0 < d ≤ 2²².
+///
+/// With the reciprocal's relative error of 2⁻²⁹ the fraction is off by less than 9 before it is cut: what is left of n then
+/// tells by how much.
+struct Long {
+    d: i32,
+    mantissa: i32,
+    /// 1/d = mantissa · 2^(shift − 61): 8 … 30.
+    shift: u32,
+}
+
+impl Long {
+    #[inline(always)]
+    fn new(d: i32) -> Self {
+        let r = reciprocal(d);
+        Self { d, mantissa: r.mantissa, shift: r.shift }
+    }
+
+    /// For |n| < 2³⁸, and |n / d| < 2²³.
+    #[inline(never)]
+    fn divide(&self, n: i64) -> i64 {
+        let Self { d, mantissa, shift } = *self;
+        let (sign, n) = (n >> 63, n.unsigned_abs());
+        // 31 bits of it. Those dropped are less than d: only of a large one are there so many.
+        let dropped = if n >> 31 == 0 { 0 } else { 7 };
+        let estimate = mul_wide((n >> dropped) as i32, mantissa) >> ((61 - shift - dropped) & 63);
+        let mut whole = estimate as u32; // less than 2 off
+        let rest = (n as u32).wrapping_sub(whole.wrapping_mul(d as u32)) as i32;
+        let more = excess(rest, d);
+        whole = whole.wrapping_add(more);
+        let rest = rest.wrapping_sub(more.wrapping_mul(d as u32) as i32); // 0 … d − 1, and 0 where d is 1
+        let mut fraction = (mul_wide(rest, mantissa) >> (29u32.wrapping_sub(shift) & 63)) as u32;
+        // Of rest·2³²: less than 10·d either way, so 32 bits tell. It may have been rounded up to the next whole.
+        let left = 0u32.wrapping_sub(fraction.wrapping_mul(d as u32)) as i32;
+        let more = excess(left, d);
+        fraction = fraction.wrapping_add(more);
+        ((i64::from(whole) << 32) | i64::from(fraction)) ^ sign
+    }
 }
 
 #[cfg(test)]
@@ -272,21 +259,23 @@ mod tests {
     #[test]
     fn steps_stay_within_a_lattice_unit() {
         let random = &mut Random(9);
-        let heights = [40, 300, 4095, 4096, 8191, 8192, 40_000, 131_071];
+        let heights = [40, 300, 4095, 4096, 8191];
         let widths = [200, 3000, 60_000, i64::from(Side::WIDTH) - 1];
         for i in 0..40_000 {
-            let (width, height) = (widths[i % 4], heights[i % 8]);
-            let (n, dx, dy, left) = edge(random, i as i64, width, height);
-            let step = if dy > 256 { dx } else { 0 };
+            let (n, dx, dy, rows) = edge(random, i as i64, widths[i % 4], heights[i % 5]);
+            if n.abs() > 1 << 19 {
+                continue; // not at the first row
+            }
+            // The second for a Cortex-M0.
             let (by, reciprocal) = (ByDivision::new(dy), ByReciprocal::new(dy));
-            let side = (by.divide(n as i32), by.divide(step));
-            // On a Cortex-M0 the same.
-            assert_eq!(side, (reciprocal.divide(n as i32), reciprocal.divide(step)));
-            // The height is that of all the triangle.
-            let rows = Side::rows(dy).min(left);
-            assert!(dy >= 1 << 14 || rows == left, "{dy}: {rows} of {left}");
-            for row in [0, 1, rows / 2, rows - 1] {
-                assert_behind(n, dx, dy, (side.0.into(), side.1.into()), row.min(rows - 1), 20);
+            for (start, step) in [
+                (by.divide(n as i32), by.divide(dx)),
+                (reciprocal.divide(n as i32), reciprocal.divide(dx)),
+            ] {
+                let step = if dy > 256 { step } else { 0 }; // one row at most
+                for row in [0, 1, rows / 2, rows - 1] {
+                    assert_behind(n, dx, dy, (start.into(), step.into()), row.min(rows - 1), 20);
+                }
             }
         }
     }
@@ -301,7 +290,7 @@ mod tests {
             let dy = dy.abs().max(1);
             let point = |x, y| ScreenPoint::from_subpixels(x, y).unwrap();
             let (p, q) = (point(p.0, p.1), point(p.0 + dx, p.1 + dy));
-            let side = Side::small(&p, &q, 0);
+            let side = Side::new(&p, &q, 0);
             let rows = first_row(&q) - first_row(&p);
             // X − ½ in the row, in 2⁻⁸ / dy px, and its ceiling.
             for row in 0..rows {
@@ -321,8 +310,8 @@ mod tests {
         for i in 0..30_000 {
             let extent = extents[i % 6];
             let (n, dx, dy, left) = edge(random, i as i64, extents[i / 6 % 6], extent);
-            let d = dy.unsigned_abs();
-            let wide = (long(n, d), long(dx.into(), d));
+            let by = Long::new(dy);
+            let wide = (by.divide(n), by.divide(dx.into()));
             let rows = left.min(Wide::ROWS);
             for row in [0, 1, rows / 2, rows - 1] {
                 assert_behind(n, dx, dy, wide, row.min(rows - 1), 32);

@@ -50,7 +50,7 @@ pub(crate) use line::{Course, Runs};
 pub use plane::Plane;
 pub(crate) use plane::Planes;
 pub use triangle::{area, triangle, Triangle};
-pub(crate) use triangle::{Halves, Many, Stretch};
+pub(crate) use triangle::{Halves, Large, Stretch};
 
 /// The guard band: 3D geometry is cut at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;

@@ -8,7 +8,6 @@
 use super::edge::{column, first_row, Side, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::mul_wide;
-use core::num::NonZeroU32;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
 /// as seen with y up, which is what faces the viewer. Exact: |area| ≤ 2⁴⁵.
@@ -130,11 +129,11 @@ impl Halves {
             && right <= scissor.right * 256
             && a.y >= scissor.top * 256
             && c.y <= scissor.bottom * 256;
-        let small = c.y - a.y < Side::SMALL && right - left < Side::WIDTH;
+        let small = c.y - a.y < Side::HEIGHT && right - left < Side::WIDTH;
         if !(inside && small) {
             return None;
         }
-        Some(Self { ends, row: first_row(a), long: Side::small(a, c, 0), column: column(a), middle_left })
+        Some(Self { ends, row: first_row(a), long: Side::new(a, c, 0), column: column(a), middle_left })
     }
 
     /// Whether there is no row.
@@ -151,7 +150,7 @@ impl Halves {
         let rows = first_row(&q) - y;
         let mut sides = [long; 2];
         if rows > 0 {
-            let short = Side::small(&p, &q, column(&p) - origin);
+            let short = Side::new(&p, &q, column(&p) - origin);
             sides = if self.middle_left { [short, long] } else { [long, short] };
             self.long.at = long.at.wrapping_add(long.step.wrapping_mul(rows));
         }
@@ -178,58 +177,41 @@ fn down(triangle: &Triangle) -> ([ScreenPoint; 3], bool) {
     ([a, b, c], middle_left)
 }
 
-/// The stretches of triangles that are high, large or cut by the scissor.
-pub(crate) struct Many {
-    /// At `row`.
-    left: Side,
-    right: Side,
+/// The rows of all other triangles, cut to the scissor.
+pub(crate) struct Large {
+    left: Wide,
+    right: Wide,
     /// The next row, the first at which a side is to be set up anew, the one at which the long side is, and the end.
     row: i32,
     until: i32,
     long_until: i32,
     end: i32,
-    /// That the sides are counted from.
-    column: i32,
     /// The scissor's columns.
     from: i32,
     to: i32,
-    /// Too large for [`Side`].
-    large: bool,
     /// Whether the middle corner lies to the left of the edge between the others.
     middle_left: bool,
     /// Down the screen.
     corners: [ScreenPoint; 3],
-    /// The sides of a large triangle, and the column from which a row of it goes on.
-    wide: [Wide; 2],
-    resume: i32,
 }
 
-/// The widest piece that a stretch can hold.
-const PIECE: i32 = 2047;
-
-impl Many {
+impl Large {
     #[inline(never)]
     pub(crate) fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
         let reach = Scissor::of(&triangle.corners);
         let (corners, middle_left) = down(triangle);
-        let [a, b, c] = &corners;
-        let small = c.y - a.y < Side::HEIGHT && (b.x - a.x).abs().max((c.x - a.x).abs()) < Side::WIDTH;
         let beside = reach.left >= scissor.right || reach.right <= scissor.left;
         Self {
-            left: Side::NONE,
-            right: Side::NONE,
+            left: Wide::default(),
+            right: Wide::default(),
             row: reach.top.max(scissor.top),
             until: i32::MIN,
             long_until: i32::MIN,
             end: if beside { i32::MIN } else { reach.bottom.min(scissor.bottom) },
-            column: column(a),
             from: scissor.left,
             to: scissor.right,
-            large: !small,
             middle_left,
             corners,
-            wide: [Wide::default(); 2],
-            resume: scissor.left,
         }
     }
 
@@ -238,112 +220,36 @@ impl Many {
         self.row >= self.end
     }
 
-    /// The next stretch.
-    #[inline(never)]
-    pub(crate) fn stretch(&mut self) -> Option<Stretch> {
-        if self.is_empty() {
-            return None;
-        }
-        if self.large {
-            return Some(self.large_row());
-        }
+    /// The next row, where its covered pixels begin, and how many there are: there may be none, or less.
+    #[inline(always)]
+    pub(crate) fn row(&mut self) -> Option<(i32, i32, i32)> {
         if self.row >= self.until {
+            if self.is_empty() {
+                return None;
+            }
             self.set_up();
         }
-        let Self { left, right, row, until, column, .. } = *self;
-        let stretch = self.inside(Stretch { x: column + 1, y: row, rows: until - row, sides: [left, right] });
-        let rows = stretch.rows;
-        self.row += rows;
-        for side in [&mut self.left, &mut self.right] {
-            side.at = side.at.wrapping_add(side.step.wrapping_mul(rows));
-        }
-        Some(stretch)
-    }
-
-    /// Whether the last stretch was a piece of a row that goes on.
-    fn is_within_row(&self) -> bool {
-        self.resume != self.from
+        let y = self.row;
+        self.row = y + 1;
+        let x = self.left.next().max(self.from);
+        Some((y, x, self.right.next().min(self.to) - x))
     }
 
     /// Sets up the sides for the rows that follow.
+    #[inline(never)]
     fn set_up(&mut self) {
-        let Self { left, right, corners: [a, b, c], row, column, .. } = self;
-        let (row, column) = (*row, *column);
-        let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
-        let (from, to, end) = short_side(a, b, c, row);
-        *short = Side::new(from, to, row, column);
+        let Self { left, right, corners: [a, b, c], row, .. } = *self;
+        let mut long = if self.middle_left { right } else { left };
+        let middle = first_row(&b);
+        let (from, to, end) = if row < middle { (a, b, middle) } else { (b, c, self.end) };
+        let short = Wide::new(&from, &to, row);
         // Where the sides bend, the long one goes on.
         if row >= self.long_until {
-            *long = Side::new(a, c, row, column);
-            self.long_until = row + Side::rows(c.y - a.y);
+            long = Wide::new(&a, &c, row);
+            self.long_until = row + Wide::ROWS;
         }
+        (self.left, self.right) = if self.middle_left { (short, long) } else { (long, short) };
         self.until = end.min(self.end).min(self.long_until);
-    }
-
-    /// The stretch cut to the scissor: what lies outside becomes a vertical side, as far as it stays outside.
-    #[inline(never)]
-    fn inside(&self, mut stretch: Stretch) -> Stretch {
-        let Stretch { x, rows, sides: [left, right], .. } = &mut stretch;
-        // They overlap the triangle's columns: less than 2¹¹ from its own, so that 12 bits hold what counts.
-        let fixed = |column: i32| (column - *x).clamp(-PIECE, PIECE) << 20;
-        let (from, to) = (fixed(self.from), fixed(self.to));
-        // The rows on which a side stays on the side of `limit` where it is; there, if that is `outside`, it is the limit.
-        let mut cut = |side: &mut Side, limit: i32, outside: bool| {
-            let (below, step) = (side.at < limit, side.step);
-            let ahead =
-                if below { limit.wrapping_sub(1).wrapping_sub(side.at) } else { side.at.wrapping_sub(limit) };
-            if step != 0 && below == (step > 0) {
-                let step = NonZeroU32::new(step.unsigned_abs()).unwrap_or(NonZeroU32::MIN);
-                // A distance in 12.20: 32 bits without a sign. There are fewer than 2¹⁶ rows.
-                *rows = (*rows).min((ahead as u32 / step).min(1 << 16) as i32 + 1);
-            }
-            if below == outside {
-                *side = Side { at: limit, step: 0 };
-            }
-        };
-        cut(left, from, true);
-        cut(right, to, false);
-        stretch
-    }
-
-    /// A row of a large triangle, or a piece of it.
-    #[inline(never)]
-    fn large_row(&mut self) -> Stretch {
-        let Self { corners: [a, b, c], row, from, to, .. } = *self;
-        if row >= self.until {
-            let [left, right] = &mut self.wide;
-            let (short, long) = if self.middle_left { (left, right) } else { (right, left) };
-            let (p, q, end) = short_side(&a, &b, &c, row);
-            short.set(p, q, row);
-            long.set(&a, &c, row);
-            self.until = end.min(self.end).min(row + Wide::ROWS);
-        }
-        let [mut left, mut right] = self.wide;
-        let x = left.next().max(self.resume);
-        let width = right.next().min(to) - x;
-        if width > PIECE {
-            self.resume = x + PIECE;
-        } else {
-            (self.resume, self.row, self.wide) = (from, row + 1, [left, right]);
-        }
-        let right = Side { at: width.clamp(0, PIECE) << 20, step: 0 };
-        Stretch { x, y: row, rows: 1, sides: [Side::NONE, right] }
-    }
-}
-
-/// The ends of the side with the middle corner at this row, and the row where it ends.
-#[inline(always)]
-fn short_side<'p>(
-    a: &'p ScreenPoint,
-    b: &'p ScreenPoint,
-    c: &'p ScreenPoint,
-    row: i32,
-) -> (&'p ScreenPoint, &'p ScreenPoint, i32) {
-    let middle = first_row(b);
-    if row < middle {
-        (a, b, middle)
-    } else {
-        (b, c, i32::MAX)
     }
 }
 
@@ -352,24 +258,43 @@ pub(crate) struct Spans {
     stretch: Stretch,
     /// The lower one of two, if there are two.
     lower: Stretch,
-    more: Option<Many>,
+    large: Option<Large>,
 }
 
 impl Spans {
     #[inline(never)]
     fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
         match Halves::new(triangle, scissor) {
-            Some(mut halves) => Self { stretch: halves.stretch(), lower: halves.stretch(), more: None },
+            Some(mut halves) => Self { stretch: halves.stretch(), lower: halves.stretch(), large: None },
             None => {
-                let more = Some(Many::new(triangle, scissor));
-                Self { stretch: Stretch::NONE, lower: Stretch::NONE, more }
+                let large = Some(Large::new(triangle, scissor));
+                Self { stretch: Stretch::NONE, lower: Stretch::NONE, large }
             }
         }
     }
 
     /// Whether there is no span, before any was asked for.
     pub(crate) fn is_empty(&self) -> bool {
-        self.stretch.rows <= 0 && self.lower.rows <= 0 && self.more.as_ref().is_none_or(Many::is_empty)
+        self.stretch.rows <= 0 && self.lower.rows <= 0 && self.large.as_ref().is_none_or(Large::is_empty)
+    }
+
+    /// The next row, where its pixels begin, and how many there are.
+    #[inline(always)]
+    fn row(&mut self) -> Option<(i32, i32, i32)> {
+        if let Some(large) = &mut self.large {
+            return large.row();
+        }
+        if self.stretch.rows <= 0 {
+            self.stretch = core::mem::replace(&mut self.lower, Stretch::NONE);
+            if self.stretch.rows <= 0 {
+                return None;
+            }
+        }
+        let Stretch { x, y, .. } = self.stretch;
+        let (left, right) = self.stretch.row();
+        self.stretch.rows -= 1;
+        self.stretch.y += 1;
+        Some((y, x + left, right - left))
     }
 }
 
@@ -380,28 +305,10 @@ impl Iterator for Spans {
     #[inline(never)]
     fn next(&mut self) -> Option<Span> {
         loop {
-            while self.stretch.rows > 0 {
-                let (left, right) = self.stretch.row();
-                let Stretch { x, y, .. } = self.stretch;
-                self.stretch.rows -= 1;
-                self.stretch.y += 1;
-                if right > left {
-                    let mut width = right - left;
-                    if let Some(many) = &mut self.more {
-                        while many.is_within_row() {
-                            let Some(mut more) = many.stretch() else { break };
-                            let (_, right) = more.row(); // from where the last piece ended
-                            width += right;
-                        }
-                    }
-                    return Some(Span { x: x + left, y, width, height: 1 });
-                }
+            let (y, x, width) = self.row()?;
+            if width > 0 {
+                return Some(Span { x, y, width, height: 1 });
             }
-            self.stretch = match &mut self.more {
-                Some(many) => many.stretch()?,
-                None if self.lower.rows > 0 => core::mem::replace(&mut self.lower, Stretch::NONE),
-                None => return None,
-            };
         }
     }
 }
