@@ -1,7 +1,7 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
 use crate::math::num::keep_rolled;
-use crate::raster::{Halves, Large, Plane, Scissor, Stretch, Triangle};
+use crate::raster::{Halves, Large, Plane, Scissor, Step, Stretch, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -53,16 +53,14 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     #[inline(never)] // rare, and most of it a row's pixels
     fn large(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
-        let (two, mut rows) = (pair(cell), Large::new(triangle, scissor));
-        while let Some((y, x, width)) = rows.row() {
-            if let Some(run) = self.row(x, y, width) {
-                fill(run, cell, two);
-            }
+        let (two, mut large) = (pair(cell), Large::new(triangle, scissor));
+        while let Some(stretch) = large.stretch() {
+            self.stretch(stretch, cell, two);
         }
     }
 
     #[inline(always)]
-    fn stretch(&mut self, mut stretch: Stretch, cell: Cell, two: [Cell; 2]) {
+    fn stretch<S: Step>(&mut self, mut stretch: Stretch<S>, cell: Cell, two: [Cell; 2]) {
         let mut start = self.places()(stretch.x, stretch.y);
         while stretch.rows > 0 {
             let (left, right) = stretch.row();
@@ -107,23 +105,27 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 
     #[inline(never)] // rare, and most of it a row's pixels
-    fn large_nearer(&mut self, mut rows: Large, plane: &Plane, held: &mut [u16], cell: Cell) {
-        let (two, places) = (pair(cell), self.places());
-        while let Some((y, x, width)) = rows.row() {
-            let from = places(x, y);
-            let to = from.wrapping_add(width as usize);
-            if let (Some(run), Some(held)) = (self.cells.get_mut(from..to), held.get_mut(from..to)) {
-                fill_nearer(run, held, plane.at(x, y), plane.step(), two);
-            }
+    fn large_nearer(&mut self, mut large: Large, plane: &Plane, held: &mut [u16], cell: Cell) {
+        let two = pair(cell);
+        while let Some(stretch) = large.stretch() {
+            self.stretch_nearer(stretch, plane, held, two);
         }
     }
 
     #[inline(always)]
-    fn stretch_nearer(&mut self, mut stretch: Stretch, plane: &Plane, held: &mut [u16], two: [Cell; 2]) {
+    fn stretch_nearer<S: Step>(
+        &mut self,
+        mut stretch: Stretch<S>,
+        plane: &Plane,
+        held: &mut [u16],
+        two: [Cell; 2],
+    ) {
         // One length for both.
         let length = self.cells.len().min(held.len());
         let mut start = self.places()(stretch.x, stretch.y);
-        let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) else { return };
+        let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) else {
+            return;
+        };
         let (step, mut z) = (plane.step(), plane.at(stretch.x, stretch.y));
         while stretch.rows > 0 {
             let (left, right) = stretch.row();
@@ -147,7 +149,13 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 const LONG: usize = 8;
 
 #[inline(always)]
-fn fill_short_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, [cell, _]: [Cell; 2]) {
+fn fill_short_nearer<Cell: Copy>(
+    run: &mut [Cell],
+    held: &mut [u16],
+    mut z: u32,
+    step: u32,
+    [cell, _]: [Cell; 2],
+) {
     for (pixel, held) in run.iter_mut().zip(held) {
         one_nearer(pixel, held, z, cell);
         z = z.wrapping_add(step);

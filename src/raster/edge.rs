@@ -27,6 +27,12 @@ pub(super) fn first_row(p: &ScreenPoint) -> i32 {
     (p.y + 127) >> 8
 }
 
+/// A side of a triangle, row by row.
+pub(crate) trait Step {
+    /// The end of the row's span; then to the next row.
+    fn next(&mut self) -> i32;
+}
+
 /// One side of a triangle at a row, in 12.20, wrapping: what leaves the range is not asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Side {
@@ -36,8 +42,6 @@ pub(crate) struct Side {
 }
 
 impl Side {
-    pub(super) const NONE: Self = Self { at: 0, step: 0 };
-
     /// The corners of a triangle with these sides are less apart: 2040 pixels across, 32 down.
     pub(super) const WIDTH: i32 = 2040 << 8;
     pub(super) const HEIGHT: i32 = 1 << 13;
@@ -53,6 +57,15 @@ impl Side {
         let (_, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
         let by = Divisor::new(dy);
         Self { at: (from << 20).wrapping_add(by.divide(m)).wrapping_sub(1), step: by.divide(dx) }
+    }
+}
+
+impl Step for Side {
+    #[inline(always)]
+    fn next(&mut self) -> i32 {
+        let pixel = self.at >> 20;
+        self.at = self.at.wrapping_add(self.step);
+        pixel
     }
 }
 
@@ -151,7 +164,7 @@ fn excess(mut rest: i32, d: i32) -> u32 {
 
 /// One side of any triangle inside the guard band, in 32.32.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Wide {
+pub(crate) struct Wide {
     at: i64,
     step: i64,
 }
@@ -175,9 +188,27 @@ impl Wide {
         Self { at: (i64::from(column) << 32) + by.divide(n) + 0xffff_ffff, step: by.divide(dx.into()) }
     }
 
-    /// The end of the row's span; then to the next row.
+    /// A vertical one.
+    pub(super) fn vertical(column: i32) -> Self {
+        Self { at: i64::from(column) << 32, step: 0 }
+    }
+
+    /// By as many rows.
+    pub(super) fn skip(&mut self, rows: i32) {
+        self.at = self.at.wrapping_add(self.step.wrapping_mul(rows.into()));
+    }
+
+    /// The end of the span so many rows below.
+    pub(super) fn pixel(&self, below: i32) -> i32 {
+        let mut side = *self;
+        side.skip(below);
+        side.next()
+    }
+}
+
+impl Step for Wide {
     #[inline(always)]
-    pub(super) fn next(&mut self) -> i32 {
+    fn next(&mut self) -> i32 {
         let pixel = (self.at >> 32) as i32;
         self.at = self.at.wrapping_add(self.step);
         pixel
@@ -268,10 +299,9 @@ mod tests {
             }
             // The second for a Cortex-M0.
             let (by, reciprocal) = (ByDivision::new(dy), ByReciprocal::new(dy));
-            for (start, step) in [
-                (by.divide(n as i32), by.divide(dx)),
-                (reciprocal.divide(n as i32), reciprocal.divide(dx)),
-            ] {
+            for (start, step) in
+                [(by.divide(n as i32), by.divide(dx)), (reciprocal.divide(n as i32), reciprocal.divide(dx))]
+            {
                 let step = if dy > 256 { step } else { 0 }; // one row at most
                 for row in [0, 1, rows / 2, rows - 1] {
                     assert_behind(n, dx, dy, (start.into(), step.into()), row.min(rows - 1), 20);

@@ -45,6 +45,7 @@ mod triangle;
 
 pub(crate) use along::Along;
 pub(crate) use depth::FARTHEST;
+pub(crate) use edge::Step;
 pub use line::line;
 pub(crate) use line::{Course, Runs};
 pub use plane::Plane;

@@ -5,7 +5,7 @@
 //! the top-left rule (R2–R5), and as the end depends on the edge alone, neighbours share it (R8).
 //! [`Side`] has it exactly, by one addition a row.
 
-use super::edge::{column, first_row, Side, Wide};
+use super::edge::{column, first_row, Side, Step, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::mul_wide;
 
@@ -78,7 +78,7 @@ pub fn triangle<E>(
 
 /// Rows that follow each other, between two sides that do not bend there and lie inside the scissor.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stretch {
+pub(crate) struct Stretch<S = Side> {
     /// The column that the sides are counted from.
     pub(crate) x: i32,
     /// The next row.
@@ -86,20 +86,15 @@ pub(crate) struct Stretch {
     /// How many: may be none, or less.
     pub(crate) rows: i32,
     /// Left and right.
-    pub(crate) sides: [Side; 2],
+    pub(crate) sides: [S; 2],
 }
 
-impl Stretch {
-    const NONE: Self = Self { x: 0, y: 0, rows: 0, sides: [Side::NONE; 2] };
-
+impl<S: Step> Stretch<S> {
     /// The covered pixels of the next row, from the column counted from; there may be none. Then to the row below.
     #[inline(always)]
     pub(crate) fn row(&mut self) -> (i32, i32) {
         let [left, right] = &mut self.sides;
-        let ends = (left.at >> 20, right.at >> 20);
-        left.at = left.at.wrapping_add(left.step);
-        right.at = right.at.wrapping_add(right.step);
-        ends
+        (left.next(), right.next())
     }
 }
 
@@ -177,15 +172,16 @@ fn down(triangle: &Triangle) -> ([ScreenPoint; 3], bool) {
     ([a, b, c], middle_left)
 }
 
-/// The rows of all other triangles, cut to the scissor.
+/// The stretches of all other triangles, inside the scissor.
 pub(crate) struct Large {
-    left: Wide,
-    right: Wide,
-    /// The next row, the first at which a side is to be set up anew, the one at which the long side is, and the end.
+    /// The next row, and the end.
     row: i32,
-    until: i32,
-    long_until: i32,
     end: i32,
+    /// The side or the two sides with the middle corner, and the one from the first corner to the last, at the next row;
+    /// and the rows from which on they are to be set up anew.
+    short: Wide,
+    long: Wide,
+    until: [i32; 2],
     /// The scissor's columns.
     from: i32,
     to: i32,
@@ -202,12 +198,11 @@ impl Large {
         let (corners, middle_left) = down(triangle);
         let beside = reach.left >= scissor.right || reach.right <= scissor.left;
         Self {
-            left: Wide::default(),
-            right: Wide::default(),
             row: reach.top.max(scissor.top),
-            until: i32::MIN,
-            long_until: i32::MIN,
             end: if beside { i32::MIN } else { reach.bottom.min(scissor.bottom) },
+            short: Wide::default(),
+            long: Wide::default(),
+            until: [i32::MIN; 2],
             from: scissor.left,
             to: scissor.right,
             middle_left,
@@ -220,81 +215,107 @@ impl Large {
         self.row >= self.end
     }
 
-    /// The next row, where its covered pixels begin, and how many there are: there may be none, or less.
-    #[inline(always)]
-    pub(crate) fn row(&mut self) -> Option<(i32, i32, i32)> {
-        if self.row >= self.until {
-            if self.is_empty() {
-                return None;
-            }
-            self.set_up();
+    /// The next stretch, of one row at least.
+    #[inline(never)]
+    pub(crate) fn stretch(&mut self) -> Option<Stretch<Wide>> {
+        if self.is_empty() {
+            return None;
         }
-        let y = self.row;
-        self.row = y + 1;
-        let x = self.left.next().max(self.from);
-        Some((y, x, self.right.next().min(self.to) - x))
+        self.set_up();
+        let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
+        let rows = self.end.min(short_until).min(long_until) - y;
+        let sides = if self.middle_left { [short, long] } else { [long, short] };
+        let stretch = Stretch { x: 0, y, rows, sides }.between(self.from, self.to);
+        self.short.skip(stretch.rows);
+        self.long.skip(stretch.rows);
+        self.row += stretch.rows;
+        Some(stretch)
     }
 
-    /// Sets up the sides for the rows that follow.
-    #[inline(never)]
+    /// Sets up the sides that end here.
     fn set_up(&mut self) {
-        let Self { left, right, corners: [a, b, c], row, .. } = *self;
-        let mut long = if self.middle_left { right } else { left };
-        let middle = first_row(&b);
-        let (from, to, end) = if row < middle { (a, b, middle) } else { (b, c, self.end) };
-        let short = Wide::new(&from, &to, row);
-        // Where the sides bend, the long one goes on.
-        if row >= self.long_until {
-            long = Wide::new(&a, &c, row);
-            self.long_until = row + Wide::ROWS;
+        let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;
+        let further = row + Wide::ROWS;
+        if row >= short_until {
+            let middle = first_row(&b);
+            let (p, q, end) = if row < middle { (a, b, middle.min(further)) } else { (b, c, further) };
+            self.short = Wide::new(&p, &q, row);
+            self.until = [end, long_until];
         }
-        (self.left, self.right) = if self.middle_left { (short, long) } else { (long, short) };
-        self.until = end.min(self.end).min(self.long_until);
+        if row >= long_until {
+            self.long = Wide::new(&a, &c, row);
+            let [short_until, _] = self.until;
+            self.until = [short_until, further];
+        }
+    }
+}
+
+impl Stretch<Wide> {
+    /// Cut to these columns: what of a side lies outside becomes vertical, and the stretch is as long as either does.
+    #[inline(always)]
+    fn between(mut self, from: i32, to: i32) -> Self {
+        let Self { rows, sides: [left, right], .. } = &mut self;
+        let mut cut = |side: &mut Wide, limit: i32, is_outside: fn(i32, i32) -> bool| {
+            let outside = |row: i32| is_outside(side.pixel(row), limit);
+            let begins_outside = outside(0);
+            if outside(*rows - 1) != begins_outside {
+                // By bisection: the first row is as at the beginning, the last one is not.
+                let (mut same, mut other) = (0, *rows - 1);
+                while other - same > 1 {
+                    let middle = (same + other) >> 1;
+                    *(if outside(middle) == begins_outside { &mut same } else { &mut other }) = middle;
+                }
+                *rows = other;
+            }
+            if begins_outside {
+                *side = Wide::vertical(limit);
+            }
+        };
+        cut(left, from, |x, limit| x < limit);
+        cut(right, to, |x, limit| x > limit);
+        self
     }
 }
 
 /// The rows of a triangle, span by span, on the way down.
-pub(crate) struct Spans {
-    stretch: Stretch,
-    /// The lower one of two, if there are two.
-    lower: Stretch,
-    large: Option<Large>,
+pub(crate) enum Spans {
+    /// The next stretch, and the one below, without rows if there is none.
+    Small([Stretch; 2]),
+    /// The rows left of a stretch, and what is below.
+    Large(Option<Stretch<Wide>>, Large),
 }
 
 impl Spans {
     #[inline(never)]
     fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
         match Halves::new(triangle, scissor) {
-            Some(mut halves) => Self { stretch: halves.stretch(), lower: halves.stretch(), large: None },
-            None => {
-                let large = Some(Large::new(triangle, scissor));
-                Self { stretch: Stretch::NONE, lower: Stretch::NONE, large }
-            }
+            Some(mut halves) => Self::Small([halves.stretch(), halves.stretch()]),
+            None => Self::Large(None, Large::new(triangle, scissor)),
         }
     }
 
-    /// Whether there is no span, before any was asked for.
+    /// Whether there is no row, before any was asked for.
     pub(crate) fn is_empty(&self) -> bool {
-        self.stretch.rows <= 0 && self.lower.rows <= 0 && self.large.as_ref().is_none_or(Large::is_empty)
-    }
-
-    /// The next row, where its pixels begin, and how many there are.
-    #[inline(always)]
-    fn row(&mut self) -> Option<(i32, i32, i32)> {
-        if let Some(large) = &mut self.large {
-            return large.row();
+        match self {
+            Self::Small(stretches) => stretches.iter().all(|stretch| stretch.rows <= 0),
+            Self::Large(_, large) => large.is_empty(),
         }
-        if self.stretch.rows <= 0 {
-            self.stretch = core::mem::replace(&mut self.lower, Stretch::NONE);
-            if self.stretch.rows <= 0 {
-                return None;
+    }
+}
+
+impl<S: Step> Stretch<S> {
+    /// The next row that has pixels.
+    #[inline(always)]
+    fn span(&mut self) -> Option<Span> {
+        while self.rows > 0 {
+            let (x, y, (left, right)) = (self.x, self.y, self.row());
+            self.y += 1;
+            self.rows -= 1;
+            if left < right {
+                return Some(Span { x: x + left, y, width: right - left, height: 1 });
             }
         }
-        let Stretch { x, y, .. } = self.stretch;
-        let (left, right) = self.stretch.row();
-        self.stretch.rows -= 1;
-        self.stretch.y += 1;
-        Some((y, x + left, right - left))
+        None
     }
 }
 
@@ -304,11 +325,14 @@ impl Iterator for Spans {
     /// Not part of the loops that draw: there are many of them.
     #[inline(never)]
     fn next(&mut self) -> Option<Span> {
-        loop {
-            let (y, x, width) = self.row()?;
-            if width > 0 {
-                return Some(Span { x, y, width, height: 1 });
-            }
+        match self {
+            Self::Small([upper, lower]) => upper.span().or_else(|| lower.span()),
+            Self::Large(stretch, large) => loop {
+                if let Some(span) = stretch.as_mut().and_then(Stretch::span) {
+                    return Some(span);
+                }
+                *stretch = Some(large.stretch()?);
+            },
         }
     }
 }
