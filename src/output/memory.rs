@@ -1,7 +1,7 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
 use crate::math::num::keep_rolled;
-use crate::raster::{Halves, Large, Plane, Scissor, Step, Stretch, Triangle};
+use crate::raster::{Halves, Large, Plane, Scissor, Span, Step, Stretch, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -142,6 +142,48 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             start = start.wrapping_add(self.stride);
             stretch.rows -= 1;
         }
+    }
+}
+
+impl<Cell: Copy> Memory<'_, Cell> {
+    /// Fills a triangle with cells of its own.
+    #[inline(never)] // its loop needs all registers
+    pub(super) fn shaded<R: Iterator<Item = Cell>>(
+        &mut self,
+        triangle: &Triangle,
+        scissor: &Scissor,
+        run: impl Fn(Span) -> R,
+    ) {
+        triangle.each_span(scissor, |span| {
+            if let Some(cells) = self.row(span.x, span.y, span.width) {
+                cells.iter_mut().zip(run(span)).for_each(|(pixel, cell)| *pixel = cell);
+            }
+        });
+    }
+
+    /// The same where it is nearer than what is held for the same pixels.
+    #[inline(never)] // its loop needs all registers
+    pub(super) fn shaded_nearer<R: Iterator<Item = Cell>>(
+        &mut self,
+        triangle: &Triangle,
+        plane: &Plane,
+        scissor: &Scissor,
+        held: &mut [u16],
+        run: impl Fn(Span) -> R,
+    ) {
+        let (places, step) = (self.places(), plane.step());
+        triangle.each_span(scissor, |span| {
+            let from = places(span.x, span.y);
+            let to = from.wrapping_add(span.width as usize);
+            if let (Some(cells), Some(held)) = (self.cells.get_mut(from..to), held.get_mut(from..to)) {
+                let mut z = plane.at(span.x, span.y);
+                for ((pixel, held), cell) in cells.iter_mut().zip(held).zip(run(span)) {
+                    one_nearer(pixel, held, z, cell);
+                    z = z.wrapping_add(step);
+                    black_box(()); // not unrolled
+                }
+            }
+        });
     }
 }
 

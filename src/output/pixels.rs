@@ -2,8 +2,7 @@
 
 use super::depth::DepthBuffer;
 use super::memory::{fill, Memory};
-use super::target::spans_nearer;
-use super::target::Target;
+use super::target::{spans_nearer, spans_shaded_nearer, Target};
 use crate::raster::{Pixel, Plane, Scissor, Span, Triangle};
 use core::convert::Infallible;
 use core::marker::PhantomData;
@@ -92,6 +91,36 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
                 Ok(())
             }
             None => spans_nearer(self, triangle, depth_of_it, scissor, depth, colour),
+        }
+    }
+
+    #[inline(always)]
+    fn shaded<R: Iterator<Item = C>>(
+        &mut self,
+        triangle: &Triangle,
+        scissor: &Scissor,
+        run: impl Fn(Span) -> R,
+    ) -> Result<(), Infallible> {
+        self.memory.shaded(triangle, scissor, |span| run(span).map(Stored::stored));
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn shaded_nearer<R: Iterator<Item = C>>(
+        &mut self,
+        triangle: &Triangle,
+        plane: &Plane,
+        scissor: &Scissor,
+        depth: &mut DepthBuffer<'_>,
+        run: impl Fn(Span) -> R,
+    ) -> Result<(), Infallible> {
+        match depth.same_as(&self.area) {
+            Some(held) => {
+                self.memory
+                    .shaded_nearer(triangle, plane, scissor, held, |span| run(span).map(Stored::stored));
+                Ok(())
+            }
+            None => spans_shaded_nearer(self, triangle, plane, scissor, depth, run),
         }
     }
 

@@ -28,7 +28,7 @@ pub trait Target: sealed::Sealed {
     /// The target's own.
     fn fill(&mut self, span: Span, colour: Self::Color) -> Result<(), Self::Error>;
 
-    /// Draws a run of pixels in a row, each in a colour of its own, of which there are as many.
+    /// Draws a run of pixels in a row, each in a colour of its own, of which there are as many or more.
     ///
     /// # Errors
     ///
@@ -60,6 +60,32 @@ pub trait Target: sealed::Sealed {
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
         spans_nearer(self, triangle, depth_of_it, scissor, depth, colour)
+    }
+
+    /// Draws a triangle whose pixels have colours of their own.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn shaded<R: Iterator<Item = Self::Color>>(
+        &mut self,
+        triangle: &Triangle,
+        scissor: &Scissor,
+        run: impl Fn(Span) -> R,
+    ) -> Result<(), Self::Error> {
+        triangle.spans(scissor).try_for_each(|span| self.fill_run(span, run(span)))
+    }
+
+    /// Draws it where it is nearer than what is held.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn shaded_nearer<R: Iterator<Item = Self::Color>>(
+        &mut self,
+        triangle: &Triangle,
+        plane: &Plane,
+        scissor: &Scissor,
+        depth: &mut DepthBuffer<'_>,
+        run: impl Fn(Span) -> R,
+    ) -> Result<(), Self::Error> {
+        spans_shaded_nearer(self, triangle, plane, scissor, depth, run)
     }
 
     /// Draws a line.
@@ -94,6 +120,21 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
     spans.try_for_each(|span| depth.test(span, &plane, |visible| target.fill(visible, colour)))
 }
 
+/// [`Target::shaded_nearer`] span by span.
+#[inline(always)]
+pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
+    target: &mut T,
+    triangle: &Triangle,
+    plane: &Plane,
+    scissor: &Scissor,
+    depth: &mut DepthBuffer<'_>,
+    run: impl Fn(Span) -> R,
+) -> Result<(), T::Error> {
+    triangle
+        .spans(scissor)
+        .try_for_each(|span| depth.test(span, plane, |visible| target.fill_run(visible, run(visible))))
+}
+
 mod sealed {
     pub trait Sealed {}
     impl<D: embedded_graphics_core::draw_target::DrawTarget> Sealed for D {}
@@ -115,7 +156,7 @@ impl<D: DrawTarget> Target for D {
 
     #[inline(always)]
     fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = D::Color>) -> Result<(), D::Error> {
-        self.fill_contiguous(&rectangle(span), colours)
+        self.fill_contiguous(&rectangle(span), colours.take(span.width as usize))
     }
 }
 

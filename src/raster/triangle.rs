@@ -8,6 +8,7 @@
 use super::edge::{column, first_row, Side, Step, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::mul_wide;
+use core::hint::black_box;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
 /// as seen with y up, which is what faces the viewer. Exact: |area| ≤ 2⁴⁵.
@@ -37,6 +38,27 @@ impl Triangle {
     #[inline(always)]
     pub(crate) fn spans(&self, scissor: &Scissor) -> Spans {
         Spans::new(self, scissor)
+    }
+
+    /// The same where the loop is to be part of what draws.
+    #[inline(always)]
+    pub(crate) fn each_span(&self, scissor: &Scissor, mut draw: impl FnMut(Span)) {
+        match Halves::new(self, scissor) {
+            Some(mut halves) => {
+                for _ in 0..black_box(2) {
+                    let mut stretch = halves.stretch();
+                    while let Some(span) = stretch.span() {
+                        draw(span);
+                    }
+                }
+            }
+            None => self.large_spans(scissor).for_each(draw),
+        }
+    }
+
+    #[inline(never)]
+    fn large_spans(&self, scissor: &Scissor) -> Spans {
+        Spans::Large(None, Large::new(self, scissor))
     }
 
     /// What varies linearly over it, for inks of one's own: values 0 … 2²⁴ − 1 at its corners, in their

@@ -1,8 +1,8 @@
 //! What a face is filled with.
 
 use crate::clip::Carried;
-use crate::output::Target;
 use crate::raster::{Span, Triangle};
+use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a face is filled with: a colour, or something that varies over the face. The closures that
@@ -101,9 +101,8 @@ pub trait Ink: Copy {
 ///     fn over(&self, triangle: &Triangle) -> Plane {
 ///         triangle.plane(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
 ///     }
-///     fn send<T: Target<Color = Gray8>>(plane: &Plane, span: Span, target: &mut T) -> Result<(), T::Error> {
-///         let colours = (span.x..span.x + span.width).map(|x| Gray8::new((plane.at(x, span.y) >> 24) as u8));
-///         target.fill_run(span, colours)
+///     fn run(plane: &Plane, span: Span) -> impl Iterator<Item = Gray8> {
+///         (span.x..).map(move |x| Gray8::new((plane.at(x, span.y) >> 24) as u8))
 ///     }
 /// }
 /// # const VERTICES: [[i16; 3]; 3] = [[-3, -3, 0], [3, -3, 0], [0, 3, 0]];
@@ -129,15 +128,11 @@ pub trait InkFor<C: PixelColor>: Ink {
     /// Made ready for a triangle, whose corners are in the order of the face's.
     fn over(&self, triangle: &Triangle) -> Self::Fill;
 
-    /// Sends one run of covered pixels: a row, one pixel high.
-    ///
-    /// # Errors
-    ///
-    /// The target's own.
-    fn send<T: Target<Color = C>>(fill: &Self::Fill, span: Span, target: &mut T) -> Result<(), T::Error>;
+    /// The colours of one run of covered pixels, a row, one pixel high: as many as it has, or more.
+    fn run(fill: &Self::Fill, span: Span) -> impl Iterator<Item = C>;
 
     /// The colour, where there is but one: then triangles are filled with that, without [`over`](Self::over) and
-    /// [`send`](Self::send).
+    /// [`run`](Self::run).
     #[inline(always)]
     fn even(&self) -> Option<C> {
         None
@@ -161,8 +156,8 @@ impl<C: PixelColor> InkFor<C> for C {
     }
 
     #[inline(always)]
-    fn send<T: Target<Color = C>>(fill: &C, span: Span, target: &mut T) -> Result<(), T::Error> {
-        target.fill(span, *fill)
+    fn run(fill: &C, _: Span) -> impl Iterator<Item = C> {
+        repeat(*fill)
     }
 
     #[inline(always)]

@@ -307,7 +307,7 @@ fn fill<T: Target, I: InkFor<T::Color>>(
         Some(colour) => target.triangle(&triangle, &window.scissor, colour),
         None => {
             let fill = ink.over(&triangle);
-            triangle.spans(&window.scissor).try_for_each(|span| I::send(&fill, span, target))
+            target.shaded(&triangle, &window.scissor, |span| I::run(&fill, span))
         }
     }
 }
@@ -324,16 +324,13 @@ fn fill_nearer<T: Target, I: InkFor<T::Color>>(
 ) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
     let plane = || Plane::of_depth(&triangle, corners.map(|c| c.depth));
-    if let Some(colour) = ink.even() {
-        return target.nearer(&triangle, plane, &window.scissor, depth, colour);
+    match ink.even() {
+        Some(colour) => target.nearer(&triangle, plane, &window.scissor, depth, colour),
+        None => {
+            let fill = ink.over(&triangle);
+            target.shaded_nearer(&triangle, &plane(), &window.scissor, depth, |span| I::run(&fill, span))
+        }
     }
-    let spans = triangle.spans(&window.scissor);
-    if spans.is_empty() {
-        return Ok(());
-    }
-    let (fill, plane) = (ink.over(&triangle), plane());
-    let mut spans = spans;
-    spans.try_for_each(|span| depth.test(span, &plane, |visible| I::send(&fill, visible, target)))
 }
 
 #[cfg(feature = "defmt")]

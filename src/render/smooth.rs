@@ -2,9 +2,9 @@
 
 use super::{Ink, InkFor};
 use crate::clip::Barycentric;
-use crate::output::Target;
 use crate::raster::{Span, Triangle};
 use crate::shade::{Bayer, Channels, Dithered, Even, Flat, Gouraud, Nearest, Ramps};
+use core::iter::repeat;
 
 impl Ink for Flat {
     type Carried = ();
@@ -22,8 +22,8 @@ impl<C: Channels> InkFor<C> for Flat {
     }
 
     #[inline(always)]
-    fn send<T: Target<Color = C>>(fill: &C, span: Span, target: &mut T) -> Result<(), T::Error> {
-        target.fill(span, *fill)
+    fn run(fill: &C, _: Span) -> impl Iterator<Item = C> {
+        repeat(*fill)
     }
 
     #[inline(always)]
@@ -49,8 +49,8 @@ impl<C: Channels> InkFor<C> for Gouraud {
     }
 
     #[inline(always)]
-    fn send<T: Target<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut T) -> Result<(), T::Error> {
-        target.fill_run(span, fill.run::<Nearest>(span.x, span.y, span.width as u32))
+    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run::<Nearest>(span.x, span.y)
     }
 }
 
@@ -70,8 +70,8 @@ impl<C: Channels> InkFor<C> for Dithered<Flat> {
     }
 
     #[inline(always)]
-    fn send<T: Target<Color = C>>(fill: &Even<C>, span: Span, target: &mut T) -> Result<(), T::Error> {
-        target.fill_run(span, fill.run(span.x, span.y, span.width as u32))
+    fn run(fill: &Even<C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run(span.x, span.y)
     }
 }
 
@@ -84,7 +84,7 @@ impl<C: Channels> InkFor<C> for Dithered<Gouraud> {
     }
 
     #[inline(always)]
-    fn send<T: Target<Color = C>>(fill: &Ramps<C>, span: Span, target: &mut T) -> Result<(), T::Error> {
-        target.fill_run(span, fill.run::<Bayer>(span.x, span.y, span.width as u32))
+    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run::<Bayer>(span.x, span.y)
     }
 }

@@ -85,8 +85,8 @@ impl<C: Channels> Even<C> {
 
     /// The colours of a row from a pixel on.
     #[inline(always)]
-    pub(crate) fn run(&self, x: i32, y: i32, width: u32) -> Run<C, Bayer> {
-        Run::new(self.levels, [0; 3], (x, y), width)
+    pub(crate) fn run(&self, x: i32, y: i32) -> Run<C, Bayer> {
+        Run::new(self.levels, [0; 3], (x, y))
     }
 }
 

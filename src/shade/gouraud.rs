@@ -83,8 +83,8 @@ pub struct Ramps<C> {
 impl<C: Channels> Ramps<C> {
     /// The colours of a row from a covered pixel on.
     #[inline(always)]
-    pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32, width: u32) -> Run<C, R> {
-        Run::new(self.planes.map(|p| p.at(x, y)), self.planes.map(|p| p.step()), (x, y), width)
+    pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32) -> Run<C, R> {
+        Run::new(self.planes.map(|p| p.at(x, y)), self.planes.map(|p| p.step()), (x, y))
     }
 }
 
@@ -117,20 +117,19 @@ impl Rounding for Nearest {
     }
 }
 
-/// Colours of pixels from left to right.
+/// Colours of pixels from left to right, without end.
 pub(crate) struct Run<C, R> {
     levels: [u32; 3],
     steps: [u32; 3],
     rounding: R,
-    left: u32,
     colour: PhantomData<C>,
 }
 
 impl<C: Channels, R: Rounding> Run<C, R> {
     #[inline(always)]
-    pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32), width: u32) -> Self {
+    pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
         let levels = levels.map(|level| level.wrapping_add(R::FIRST));
-        Self { levels, steps, rounding: R::from(x, y), left: width, colour: PhantomData }
+        Self { levels, steps, rounding: R::from(x, y), colour: PhantomData }
     }
 }
 
@@ -139,7 +138,6 @@ impl<C: Channels, R: Rounding> Iterator for Run<C, R> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<C> {
-        self.left = self.left.checked_sub(1)?;
         let offset = self.rounding.next();
         let whole = |level: u32| (level.wrapping_add(offset) >> 24) as u8;
         let ([r, g, b], [x, y, z]) = (self.levels, self.steps);
@@ -149,11 +147,6 @@ impl<C: Channels, R: Rounding> Iterator for Run<C, R> {
         }
         self.levels = [r.wrapping_add(x), g.wrapping_add(y), b.wrapping_add(z)];
         Some(C::from_channels([whole(r), whole(g), whole(b)]))
-    }
-
-    #[inline(always)]
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        (self.left as usize, Some(self.left as usize))
     }
 }
 
