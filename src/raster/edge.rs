@@ -20,6 +20,8 @@
 
 use super::ScreenPoint;
 use crate::math::num::{keep_rolled, mul_wide, reciprocal};
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+use crate::math::num::{short_reciprocal, Reciprocal};
 
 /// The first row whose centres are not above the point: `⌈y − ½⌉`.
 #[inline(always)]
@@ -108,37 +110,35 @@ impl ByDivision {
     }
 }
 
-/// The same for a Cortex-M0, where a division is a call, with two digits more.
+/// The same for a Cortex-M0, where a division is a call.
 ///
-/// With the reciprocal's relative error of 2⁻²⁹ the quotient, below 2³¹ where it is asked for, is off by less than 5 before
-/// it is cut: what is left of n then tells by how much.
+/// A reciprocal of 18 bits leaves a quotient that is a little off: what is left of n then tells by how much.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 struct ByReciprocal {
     d: i32,
-    mantissa: i32,
-    /// 2²⁰/d = mantissa · 2^−down: 11 … 28.
-    down: u32,
+    by: Reciprocal,
 }
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 impl ByReciprocal {
-    #[inline(never)]
+    #[inline(always)]
     fn new(d: i32) -> Self {
-        let r = reciprocal(d); // 1/d = mantissa · 2^(shift − 61), 13 ≤ shift ≤ 30
-        Self { d, mantissa: r.mantissa, down: (41 - r.shift) & 31 }
+        Self { d, by: short_reciprocal(d) }
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn divide(&self, n: i32) -> i32 {
-        let Self { d, mantissa, down } = *self;
-        let (sign, n) = (n >> 31, n.unsigned_abs()); // ≤ 2¹⁹
-        let product = mul_wide(n as i32, mantissa) as u64;
-        // The quotient has 32 bits: those shifted out above count for nothing.
-        let mut quotient = ((product >> 32) as u32) << (32 - down) | (product as u32) >> down;
-        // Of n·2²⁰: less than 6·d either way, so 32 bits tell.
-        let rest = (n << 20).wrapping_sub(quotient.wrapping_mul(d as u32)) as i32;
-        quotient = quotient.wrapping_add(excess(rest, d));
-        quotient as i32 ^ sign
+        let Self { d, by } = self;
+        if n.unsigned_abs() >> 4 >= (*d).min(1 << 10) as u32 {
+            return (Long::new(*d).divide(n.into()) >> 12) as i32; // steep: too far off
+        }
+        let (sign, n) = (n >> 31, n.unsigned_abs()); // < 2¹⁴
+                                                     // n · 2¹⁸ / d, below 2²²: off by less than 2⁻¹⁶·⁹ of itself, and 1.
+        let mut quotient = n.wrapping_mul(by.mantissa as u32) >> ((12 - by.shift) & 31);
+        // Less than 36·d either way, so 32 bits tell.
+        let rest = (n << 18).wrapping_sub(quotient.wrapping_mul(*d as u32)) as i32;
+        quotient = quotient.wrapping_add(excess(rest, *d));
+        (quotient as i32 ^ sign) << 2
     }
 }
 
