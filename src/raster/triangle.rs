@@ -12,9 +12,18 @@ use core::hint::black_box;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
 /// as seen with y up, which is what faces the viewer. Exact: |area| ≤ 2⁴⁵.
+#[inline(always)]
 pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     // Differences below 2²³, products below 2⁴⁵.
-    mul_wide(c.x - a.x, b.y - a.y) - mul_wide(b.x - a.x, c.y - a.y)
+    let (x1, y1, x2, y2) = (b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
+    // On a Cortex-M0 wide products are long. Of −2¹⁵ … 2¹⁵ − 1 they are at most 2³⁰, not both with the same sign.
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        let above = |v: i32| (v + (1 << 15)) as u32;
+        if (above(x1) | above(y1) | above(x2) | above(y2)) >> 16 == 0 {
+            return (x2 * y1).wrapping_sub(x1 * y2).into();
+        }
+    }
+    mul_wide(x2, y1) - mul_wide(x1, y2)
 }
 
 /// A triangle ready to be drawn.
