@@ -78,16 +78,14 @@ impl Lambert {
     /// `ambient + (256 − ambient) · max(0, cos)`.
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
-        let normal = match &self.bend {
-            None => normal,
-            Some(bend) => bent(bend, normal),
+        let [a, b, c] = match &self.bend {
+            None => normal.map(i32::from),
+            Some(bend) => bent(bend, normal).map(i32::from),
         };
+        let [x, y, z] = self.towards.map(i32::from);
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
-        let dot = |[a, b, c]: [i16; 3], [x, y, z]: [i16; 3]| {
-            let product = |a: i16, b: i16| i32::from(a) * i32::from(b);
-            product(a, x).wrapping_add(product(b, y)).wrapping_add(product(c, z))
-        };
-        let cosine = (dot(normal, self.towards) >> 15).clamp(0, 1 << 15) as u32;
+        let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
+        let cosine = (dot >> 15).clamp(0, 1 << 15) as u32;
         let rest = u32::from(256 - self.ambient.min(256)); // ≤ 2⁸
         self.ambient + ((rest * cosine + (1 << 14)) >> 15) as u16
     }
