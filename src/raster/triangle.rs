@@ -120,6 +120,10 @@ pub(crate) struct Stretch<S = Side> {
     pub(crate) sides: [S; 2],
 }
 
+impl Stretch {
+    const NONE: Self = Self { x: 0, y: 0, rows: 0, sides: [Side { at: 0, step: 0 }; 2] };
+}
+
 impl<S: Step> Stretch<S> {
     /// The covered pixels of the next row, from the column counted from; there may be none. Then to the row below.
     #[inline(always)]
@@ -320,7 +324,13 @@ impl Spans {
     #[inline(never)]
     fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
         match Halves::new(triangle, scissor) {
-            Some(mut halves) => Self::Small([halves.stretch(), halves.stretch()]),
+            Some(mut halves) => {
+                let mut stretches = [Stretch::NONE; 2];
+                for stretch in stretches.iter_mut().take(black_box(2)) {
+                    *stretch = halves.stretch(); // not unrolled: small is better
+                }
+                Self::Small(stretches)
+            }
             None => Self::Large(None, Large::new(triangle, scissor)),
         }
     }
