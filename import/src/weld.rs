@@ -8,12 +8,16 @@ use std::hash::Hash;
 pub(crate) struct Welded {
     pub(crate) vertices: Vec<usize>,
     pub(crate) faces: Vec<[usize; 3]>,
+    /// For each face its place among those given.
+    pub(crate) sources: Vec<usize>,
     /// Vertices at the position of an earlier one.
     pub(crate) welded: usize,
     /// Vertices (after welding) that no face names.
     pub(crate) unused: usize,
-    pub(crate) degenerate: usize,
-    pub(crate) duplicate: usize,
+    /// The places of the faces that were dropped because they have no area.
+    pub(crate) degenerate: Vec<usize>,
+    /// The places of the faces that were dropped because they are there already.
+    pub(crate) duplicate: Vec<usize>,
 }
 
 /// Welds vertices of equal keys. `is_flat` says of three different vertices whether they lie on one line.
@@ -31,19 +35,21 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
     let mut out = Welded {
         vertices: Vec::new(),
         faces: Vec::with_capacity(faces.len()),
+        sources: Vec::with_capacity(faces.len()),
         welded: keys.len() - first_with.len(),
         unused: 0,
-        degenerate: 0,
-        duplicate: 0,
+        degenerate: Vec::new(),
+        duplicate: Vec::new(),
     };
-    for face in faces {
+    for (place, face) in faces.iter().enumerate() {
         let face = face.map(|vertex| representative[vertex]);
         let [a, b, c] = face;
         if a == b || b == c || c == a || is_flat(face.map(|vertex| keys[vertex])) {
-            out.degenerate += 1;
+            out.degenerate.push(place);
         } else if !seen.insert(smallest_first(face)) {
-            out.duplicate += 1;
+            out.duplicate.push(place);
         } else {
+            out.sources.push(place);
             out.faces.push(face.map(|vertex| {
                 *new_index.entry(vertex).or_insert_with(|| {
                     out.vertices.push(vertex);

@@ -253,14 +253,12 @@ fn a_broken_line_is_named() {
 #[test]
 fn a_model_without_faces_is_an_error() {
     let none = |p: &Problem| matches!(p, Problem::NoFaces);
-    for text in [
-        "",
-        "\0\u{1}PNG\n",
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
-        "v 1 1 1\nf 1 1 1\n",
-        "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",
-    ] {
+    for text in ["", "\u{1}PNG\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "o a\nl 1 2\n"] {
         assert_error(text, None, none, "model.obj: has no faces");
+    }
+    let flat = |p: &Problem| matches!(p, Problem::NoArea(1));
+    for text in ["v 1 1 1\nf 1 1 1\n", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nf 1 2\n"] {
+        assert_error(text, None, flat, "model.obj: has no face with an area: all 1 are points or lines");
     }
 }
 
@@ -276,7 +274,10 @@ fn a_mesh_has_at_most_65536_vertices() {
     assert!(full.mesh().is_ok());
     let problem = quantise(&strip((1 << 16) + 1)).unwrap_err();
     assert!(matches!(problem, Problem::TooManyVertices(65537)), "{problem:?}");
-    assert_eq!(problem.to_string(), "has 65537 vertices, more than the 65536 of a mesh");
+    assert_eq!(
+        problem.to_string(),
+        "has 65537 vertices, more than the 65536 of a mesh: split or decimate it"
+    );
 }
 
 #[test]

@@ -73,18 +73,3 @@ fn a_file_cut_short_names_the_first_byte_missing() {
         assert!(error.to_string().contains(&format!("before byte {length}:")), "{error}");
     }
 }
-
-#[test]
-fn what_is_no_stl_is_refused() {
-    for text in ["solid a\nfacet normal 0 0 0\nouter loop\nvertex 1 2 x\n", "solid a\nfacet\n"] {
-        let error = read(&file("wrong.stl", text.as_bytes())).unwrap_err();
-        assert!(matches!(error.problem, Problem::Format(_)), "{error}");
-        assert_eq!(error.to_string().lines().count(), 1);
-    }
-    let error = read(&file("two.stl", &[ascii(), ascii()].concat())).unwrap_err();
-    assert!(error.to_string().contains("has 8 facets, of which 4 could be read"), "{error}");
-    let mut nan = binary(b"");
-    nan[100..104].copy_from_slice(&f32::NAN.to_le_bytes());
-    let error = read(&file("nan.stl", &nan)).unwrap_err();
-    assert!(matches!(error.problem, Problem::NotFinite), "{error}");
-}

@@ -1,0 +1,120 @@
+//! The edges of a mesh, and how the faces hang together along them.
+
+use crate::normals::cosine;
+use crate::{Edges, Problem, Topology};
+
+/// One side of a face: an edge, the lower vertex first, the face, and whether the face runs along it upwards.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Side {
+    edge: [u16; 2],
+    face: usize,
+    up: bool,
+}
+
+/// How the faces of an edge meet.
+enum Meeting {
+    /// Two faces, in opposite directions.
+    Surface,
+    Open,
+    Twisted,
+    Crowded,
+}
+
+/// The sides of all faces, sorted: those of an edge together, in the order of the faces.
+pub(crate) struct Sides(Vec<Side>);
+
+/// The first face beside each kind of fault.
+#[derive(Default)]
+pub(crate) struct Faults {
+    pub(crate) open: Option<usize>,
+    pub(crate) twisted: Option<usize>,
+    pub(crate) crowded: Option<usize>,
+}
+
+impl Sides {
+    pub(crate) fn of(faces: &[[u16; 3]]) -> Self {
+        let mut sides = Vec::with_capacity(faces.len() * 3);
+        for (face, &[a, b, c]) in faces.iter().enumerate() {
+            for [from, to] in [[a, b], [b, c], [c, a]] {
+                sides.push(Side { edge: [from.min(to), from.max(to)], face, up: from < to });
+            }
+        }
+        sides.sort_unstable();
+        Sides(sides)
+    }
+
+    fn edges(&self) -> impl Iterator<Item = &[Side]> {
+        self.0.chunk_by(|a, b| a.edge == b.edge)
+    }
+
+    /// How often the surface is not closed or not oriented, and where first. In a crowded edge that is the third face.
+    pub(crate) fn topology(&self) -> (Topology, Faults) {
+        let (mut topology, mut first) = (Topology::default(), Faults::default());
+        for sides in self.edges() {
+            let (count, place) = match meeting(sides) {
+                Meeting::Surface => continue,
+                Meeting::Open => (&mut topology.open, &mut first.open),
+                Meeting::Twisted => (&mut topology.twisted, &mut first.twisted),
+                Meeting::Crowded => (&mut topology.crowded, &mut first.crowded),
+            };
+            *count += 1;
+            let face = sides[(sides.len() - 1).min(2)].face;
+            *place = Some(place.map_or(face, |earlier| earlier.min(face)));
+        }
+        (topology, first)
+    }
+
+    /// The edges that are wanted, in ascending order, and with `beside` the faces beside each.
+    ///
+    /// # Errors
+    ///
+    /// With `beside`, [`Problem::TooManyFaces`]: 65535 stands for no face.
+    pub(crate) fn select(
+        &self,
+        edges: Edges,
+        beside: bool,
+        crosses: &[[i64; 3]],
+    ) -> Result<Selected, Problem> {
+        let mut selected = Selected::default();
+        if beside && crosses.len() > usize::from(u16::MAX) {
+            return Err(Problem::TooManyFaces(crosses.len()));
+        }
+        for sides in self.edges() {
+            let wanted = match edges {
+                Edges::All => true,
+                Edges::None => false,
+                Edges::Feature { degrees } => match (meeting(sides), sides) {
+                    (Meeting::Surface, [a, b]) => {
+                        cosine(crosses[a.face], crosses[b.face]) < degrees.to_radians().cos()
+                    }
+                    _ => true,
+                },
+            };
+            if wanted && beside {
+                for pair in sides.chunks(2) {
+                    let face = |i: usize| pair.get(i).map_or(u16::MAX, |side| side.face as u16);
+                    selected.edges.push(sides[0].edge);
+                    selected.beside.push([face(0), face(1)]);
+                }
+            } else if wanted {
+                selected.edges.push(sides[0].edge);
+            }
+        }
+        Ok(selected)
+    }
+}
+
+#[derive(Default)]
+pub(crate) struct Selected {
+    pub(crate) edges: Vec<[u16; 2]>,
+    pub(crate) beside: Vec<[u16; 2]>,
+}
+
+fn meeting(sides: &[Side]) -> Meeting {
+    match sides {
+        [_] => Meeting::Open,
+        [a, b] if a.up == b.up => Meeting::Twisted,
+        [_, _] => Meeting::Surface,
+        _ => Meeting::Crowded,
+    }
+}
