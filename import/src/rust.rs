@@ -37,8 +37,9 @@ impl ImportedMesh {
             "/// `{file}`: {} vertices, {} faces, {} edges; {} bytes of flash.\n\
              ///\n\
              /// A position in model units is vertex · 2^{}{}; the longest side is {}, the largest error of a\n\
-             /// coordinate by quantising {:.3e}.\n\
+             /// coordinate by quantising {}.\n\
              #[rustfmt::skip]\n\
+             #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n\
              pub const {name}: pinhole::Mesh<'static> = {{\n",
             self.vertices.len(),
             self.faces.len(),
@@ -47,7 +48,7 @@ impl ImportedMesh {
             self.exponent,
             if self.offset_bits().is_some() { format!(" + [`{name}_OFFSET`]") } else { String::new() },
             self.report.extent,
-            self.report.error,
+            short(self.report.error),
         );
         // Statics, so that each list is in flash once, wherever the constant is used.
         nested(&mut out, "VERTICES: [[i16; 3]", &self.vertices);
@@ -69,7 +70,7 @@ impl ImportedMesh {
                 out,
                 "\n/// What was subtracted from the vertices of [`{name}`], in model units: bits of `I16F16`.\n\
                  #[rustfmt::skip]\n\
-                 #[allow(dead_code)] // not every scene puts it back\n\
+                 #[allow(dead_code, unreachable_pub)] // not every scene puts it back\n\
                  pub const {name}_OFFSET: [i32; 3] = [{x}, {y}, {z}];\n"
             );
         }
@@ -134,6 +135,14 @@ impl ImportedMesh {
     fn offset_bits(&self) -> Option<[i32; 3]> {
         let bits = self.offset.map(|c| (c * 65536.0).round());
         bits.iter().all(|c| c.abs() < 2_147_483_648.0).then(|| bits.map(|c| c as i32))
+    }
+}
+
+/// An error, to three digits.
+fn short(error: f64) -> String {
+    match error {
+        0.0 => "0".into(),
+        _ => format!("{error:.2e}"),
     }
 }
 
