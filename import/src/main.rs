@@ -4,6 +4,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
 use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Step};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -20,7 +21,7 @@ const AXES: [(&str, Axis); 6] = [
 fn main() -> ExitCode {
     match run(&command().get_matches()) {
         Ok(report) => {
-            println!("{report}");
+            let _ = writeln!(std::io::stdout(), "{report}"); // who closes it does not want it
             ExitCode::SUCCESS
         }
         Err(problem) => {

@@ -44,13 +44,14 @@ fn facet(words: &mut Words<'_>, out: &mut String) -> Result<(), Refusal> {
     out.push_str("facet normal 0 0 0\nouter loop\n");
     for _ in 0..3 {
         words.expect_next("vertex", "a facet has three vertices, each `vertex x y z`")?;
+        let line = Some(words.line); // where a number is missing, its word is of the next line
         out.push_str("vertex");
         for _ in 0..3 {
             let Some(word) = words.next() else { return Err(words.ended()) };
             match word.parse::<f32>() {
                 Ok(number) if number.is_finite() => {}
-                Ok(_) => return Err((Problem::NotFinite, Some(words.line))),
-                Err(_) => return Err(words.refuse("a vertex needs three numbers")),
+                Ok(_) => return Err((Problem::NotFinite, line)),
+                Err(_) => return Err((Problem::Syntax("a vertex needs three numbers"), line)),
             }
             out.push(' ');
             out.push_str(word);
