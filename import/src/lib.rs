@@ -48,6 +48,11 @@ pub use quantise::quantise;
 pub use rust::is_constant_name;
 pub use script::build;
 
+/// The code of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 use model::Model;
 use std::io::Read;
 use std::path::Path;

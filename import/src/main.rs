@@ -215,7 +215,7 @@ fn report(mesh: &ImportedMesh) -> String {
     if report.decimated > 0 {
         let moved = report.decimation_error;
         text += &format!(
-            "\ndecimation took {} faces away, and moved the surface by about {moved:.3e} at most",
+            "\ndecimation took {} faces away, and moved the surface by about {moved:.1e}",
             report.decimated
         );
     }

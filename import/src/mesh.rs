@@ -55,7 +55,7 @@ pub struct Report {
     pub unused: usize,
     /// Faces taken away by decimation.
     pub decimated: usize,
-    /// How far decimation moved the surface at most, in model units, as its crate estimates it.
+    /// How far decimation moved the surface, in model units, as `meshopt` estimates it.
     pub decimation_error: f64,
     /// By what the file's units were multiplied.
     pub scale: f64,
@@ -64,7 +64,7 @@ pub struct Report {
     /// The largest error of a coordinate by quantising, in model units; at most `extent / 65000` about the centre.
     pub error: f64,
     /// Vertices that a face fetches on average through a first-in-first-out cache of 16 (3 at worst, about ½ at best):
-    /// in the file's order, and in that of the mesh.
+    /// in the file's order (or as decimation left it), and in that of the mesh.
     pub fetches: [f64; 2],
 }
 

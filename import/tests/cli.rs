@@ -111,3 +111,21 @@ fn broken_input_is_one_line_exit_code_2_and_no_output() {
         assert!(!output.exists());
     }
 }
+
+#[test]
+fn the_readme_has_the_options_of_the_help() {
+    let help = Command::new(env!("CARGO_BIN_EXE_pinhole-import")).arg("--help").output().unwrap();
+    let help = String::from_utf8(help.stdout).unwrap();
+    let readme = include_str!("../README.md");
+    let options = |text: &str, start: &str| -> Vec<String> {
+        let rows = text.lines().filter_map(|line| line.trim_start().strip_prefix(start));
+        let name = |row: &str| row.chars().take_while(|c| c.is_ascii_lowercase() || *c == '-').collect();
+        let mut names: Vec<String> = rows.map(name).collect();
+        names.sort();
+        names
+    };
+    let mut known = options(&help, "--");
+    known.retain(|name| !["help", "version"].contains(&name.as_str()));
+    assert_eq!(options(readme, "| `--"), known);
+    assert!(known.len() == 12, "{help}");
+}

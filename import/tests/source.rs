@@ -24,8 +24,8 @@ fn the_documentation_says_what_it_is() {
         "\n/// `sheet.obj`: 4 vertices, 2 faces, 5 edges; 68 bytes of flash.\n",
         // Half of 3 in 15 bits: 1.5 · 2^14 = 24576.
         "/// A position in model units is vertex · 2^-14 + [`SHEET_OFFSET`]; the longest side is 3, the largest error of a\n",
-        // Of heights ±0.05, by 0.05 · 2^14 = 819.2, rounded to 819: 0.2 · 2^-14; the centre itself was rounded to 2^-16.
-        "/// coordinate by quantising ",
+        // The centre's height, 0.05, is 3277 of 65536ths; from there to 0 are 819.25 of 16384ths: a quarter is lost.
+        "/// coordinate by quantising 1.53e-5.\n",
         "\npub const SHEET: pinhole::Mesh<'static> = {\n    static VERTICES: [[i16; 3]; 4] = [\n        [-24576,-16384,",
         // 11.5, 1, and 0.05 in 2^-16, rounded: 3277.
         "\npub const SHEET_OFFSET: [i32; 3] = [753664, 65536, 3277];\n",
