@@ -3,12 +3,28 @@
 use crate::normals::cosine;
 use crate::{Edges, Problem, Topology};
 
-/// One side of a face: an edge, the lower vertex first, the face, and whether the face runs along it upwards.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
-    edge: [u16; 2],
-    face: usize,
-    up: bool,
+/// One side of a face: an edge, the lower vertex first, the face, and whether the face runs along it upwards. In one
+/// number, from the top, which is sorted fast in a build script too: 16 + 16 + 31 + 1 bits. No file has 2³¹ faces.
+#[derive(Clone, Copy)]
+struct Side(u64);
+
+impl Side {
+    fn new([from, to]: [u16; 2], face: usize) -> Self {
+        let (low, high) = (u64::from(from.min(to)), u64::from(from.max(to)));
+        Side(low << 48 | high << 32 | (face as u64) << 1 | u64::from(from < to))
+    }
+
+    fn edge(self) -> [u16; 2] {
+        [(self.0 >> 48) as u16, (self.0 >> 32) as u16]
+    }
+
+    fn face(self) -> usize {
+        (self.0 as u32 >> 1) as usize
+    }
+
+    fn up(self) -> bool {
+        self.0 & 1 == 1
+    }
 }
 
 /// How the faces of an edge meet.
@@ -36,15 +52,15 @@ impl Sides {
         let mut sides = Vec::with_capacity(faces.len() * 3);
         for (face, &[a, b, c]) in faces.iter().enumerate() {
             for [from, to] in [[a, b], [b, c], [c, a]] {
-                sides.push(Side { edge: [from.min(to), from.max(to)], face, up: from < to });
+                sides.push(Side::new([from, to], face));
             }
         }
-        sides.sort_unstable();
+        sides.sort_unstable_by_key(|side: &Side| side.0);
         Sides(sides)
     }
 
     fn edges(&self) -> impl Iterator<Item = &[Side]> {
-        self.0.chunk_by(|a, b| a.edge == b.edge)
+        self.0.chunk_by(|a, b| a.edge() == b.edge())
     }
 
     /// How often the surface is not closed or not oriented, and where first. In a crowded edge that is the third face.
@@ -58,7 +74,7 @@ impl Sides {
                 Meeting::Crowded => (&mut topology.crowded, &mut first.crowded),
             };
             *count += 1;
-            let face = sides[(sides.len() - 1).min(2)].face;
+            let face = sides[(sides.len() - 1).min(2)].face();
             *place = Some(place.map_or(face, |earlier| earlier.min(face)));
         }
         (topology, first)
@@ -85,19 +101,19 @@ impl Sides {
                 Edges::None => false,
                 Edges::Feature { degrees } => match (meeting(sides), sides) {
                     (Meeting::Surface, [a, b]) => {
-                        cosine(crosses[a.face], crosses[b.face]) < degrees.to_radians().cos()
+                        cosine(crosses[a.face()], crosses[b.face()]) < degrees.to_radians().cos()
                     }
                     _ => true,
                 },
             };
             if wanted && beside {
                 for pair in sides.chunks(2) {
-                    let face = |i: usize| pair.get(i).map_or(u16::MAX, |side| side.face as u16);
-                    selected.edges.push(sides[0].edge);
+                    let face = |i: usize| pair.get(i).map_or(u16::MAX, |side| side.face() as u16);
+                    selected.edges.push(sides[0].edge());
                     selected.beside.push([face(0), face(1)]);
                 }
             } else if wanted {
-                selected.edges.push(sides[0].edge);
+                selected.edges.push(sides[0].edge());
             }
         }
         Ok(selected)
@@ -113,7 +129,7 @@ pub(crate) struct Selected {
 fn meeting(sides: &[Side]) -> Meeting {
     match sides {
         [_] => Meeting::Open,
-        [a, b] if a.up == b.up => Meeting::Twisted,
+        [a, b] if a.up() == b.up() => Meeting::Twisted,
         [_, _] => Meeting::Surface,
         _ => Meeting::Crowded,
     }

@@ -183,15 +183,20 @@ fn nested_step<T: Display, const N: usize>(
 /// Writes elements, with a comma after each, as many to a line as fit in 120 columns.
 fn elements<T: Display, const N: usize>(out: &mut String, indent: &str, rows: &[[T; N]]) {
     let mut column = usize::MAX;
+    let mut element = String::new();
     for row in rows {
-        let numbers: Vec<String> = row.iter().map(T::to_string).collect();
-        let element = format!("[{}],", numbers.join(","));
+        element.clear();
+        for (i, number) in row.iter().enumerate() {
+            let _ = write!(element, "{}{number}", if i == 0 { '[' } else { ',' });
+        }
+        element.push_str("],");
         if column.saturating_add(element.len()) > 120 {
             out.push('\n');
             out.push_str(indent);
             column = indent.len();
         }
-        let _ = write!(out, " {element}");
+        out.push(' ');
+        out.push_str(&element);
         column += element.len() + 1;
     }
 }

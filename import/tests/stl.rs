@@ -210,3 +210,37 @@ fn doubtful_triangles_are_named_by_line_or_number() {
     assert_eq!(mesh.warnings.len(), 1);
     assert_eq!((mesh.warnings[0].line, mesh.warnings[0].message.as_str()), (None, open));
 }
+
+/// Against `stl_io`'s own reader of text, which this crate does not use, as it knows no lines.
+#[test]
+fn text_has_the_numbers_that_stl_io_reads() {
+    let mut bits = 1u32;
+    let mut number = || loop {
+        // A linear congruence (Knuth, "The Art of Computer Programming" 2, section 3.3.4, table 1, line 16), as a float.
+        bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let number = f32::from_bits(bits);
+        if number.is_finite() {
+            break number;
+        }
+    };
+    let mut text = String::from("solid random\n");
+    for facet in 0..500 {
+        text += "facet normal 0 0 1\nouter loop\n";
+        for _ in 0..3 {
+            let [x, y, z] = [number(), number(), number()];
+            text += &if facet % 2 == 0 {
+                format!("vertex {x} {y} {z}\n")
+            } else {
+                format!("vertex {x:e} {y:E} {z}\n")
+            };
+        }
+        text += "endloop\nendfacet\n";
+    }
+    text += "endsolid random\n";
+    let expected = stl_io::read_stl(&mut std::io::Cursor::new(&text)).unwrap();
+    let read = read_triangles(&file("random.stl", text.as_bytes())).unwrap();
+    let positions: Vec<_> = expected.vertices.iter().map(|v| v.0.map(f64::from)).collect();
+    assert_eq!(read.positions, positions);
+    assert_eq!(read.faces, expected.faces.iter().map(|f| f.vertices).collect::<Vec<_>>());
+    assert_eq!(read.faces.len(), 500);
+}

@@ -1,13 +1,14 @@
-//! ASCII STL as people write it to ASCII STL as `stl_io` reads it, and what is wrong with it by lines.
+//! ASCII STL as people write it to binary STL, and what is wrong with it by lines, which `stl_io` does not name.
 //!
 //! Taken are key words in any case, any number of words in a line, several solids (they become one), facets without a sound
 //! normal (which exporters write for slivers), and an end without `endsolid`.
 
+use super::{COUNT, HEADER};
 use crate::Problem;
 
-/// The text for `stl_io`, and the line in which each facet begins.
+/// The same as a binary file, and the line in which each facet begins.
 pub(super) struct Text {
-    pub(super) canonical: String,
+    pub(super) binary: Vec<u8>,
     pub(super) lines: Vec<u32>,
 }
 
@@ -15,23 +16,28 @@ pub(super) struct Text {
 type Refusal = (Problem, Option<usize>);
 
 /// Reads it all.
-pub(super) fn canonical(text: &str) -> Result<Text, Refusal> {
-    let mut words = Words { line: 0, words: Vec::new().into_iter(), lines: text.lines() };
-    let mut out = Text { canonical: String::from("solid \n"), lines: Vec::new() };
+pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
+    let mut words = Words {
+        line: 0,
+        words: "".split_ascii_whitespace(),
+        lines: text.trim_start_matches('\u{feff}').lines(),
+    };
+    let mut out = Text { binary: vec![0; HEADER + COUNT], lines: Vec::new() };
     while let Some(word) = words.next() {
         if is(word, "facet") {
             out.lines.push(words.line as u32);
-            facet(&mut words, &mut out.canonical)?;
+            facet(&mut words, &mut out.binary)?;
         } else if !is(word, "solid") && !is(word, "endsolid") {
             return Err(words.refuse("neither `facet` nor `endsolid` stands here"));
         }
     }
-    out.canonical.push_str("endsolid\n");
+    // Files are short enough that 32 bits hold the count.
+    out.binary[HEADER..HEADER + COUNT].copy_from_slice(&(out.lines.len() as u32).to_le_bytes());
     Ok(out)
 }
 
 /// What stands between `facet` and `endfacet`.
-fn facet(words: &mut Words<'_>, out: &mut String) -> Result<(), Refusal> {
+fn facet(words: &mut Words<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     // The normal may be anything, and may be missing: it is not used.
     let mut word = words.next();
     for _ in 0..4 {
@@ -41,27 +47,22 @@ fn facet(words: &mut Words<'_>, out: &mut String) -> Result<(), Refusal> {
     }
     words.expect(word, "outer", "after the facet's normal should stand `outer loop`")?;
     words.expect_next("loop", "after `outer` should stand `loop`")?;
-    out.push_str("facet normal 0 0 0\nouter loop\n");
+    out.extend([0; 12]);
     for _ in 0..3 {
         words.expect_next("vertex", "a facet has three vertices, each `vertex x y z`")?;
         let line = Some(words.line); // where a number is missing, its word is of the next line
-        out.push_str("vertex");
         for _ in 0..3 {
             let Some(word) = words.next() else { return Err(words.ended()) };
             match word.parse::<f32>() {
-                Ok(number) if number.is_finite() => {}
+                Ok(number) if number.is_finite() => out.extend(number.to_le_bytes()),
                 Ok(_) => return Err((Problem::NotFinite, line)),
                 Err(_) => return Err((Problem::Syntax("a vertex needs three numbers"), line)),
             }
-            out.push(' ');
-            out.push_str(word);
         }
-        out.push('\n');
     }
+    out.extend([0; 2]);
     words.expect_next("endloop", "after three vertices should stand `endloop`: a facet is a triangle")?;
-    words.expect_next("endfacet", "after `endloop` should stand `endfacet`")?;
-    out.push_str("endloop\nendfacet\n");
-    Ok(())
+    words.expect_next("endfacet", "after `endloop` should stand `endfacet`")
 }
 
 fn is(word: &str, wanted: &str) -> bool {
@@ -72,7 +73,7 @@ fn is(word: &str, wanted: &str) -> bool {
 struct Words<'t> {
     /// The number of the last word's line.
     line: usize,
-    words: std::vec::IntoIter<&'t str>,
+    words: std::str::SplitAsciiWhitespace<'t>,
     lines: std::str::Lines<'t>,
 }
 
@@ -82,13 +83,14 @@ impl<'t> Words<'t> {
             if let Some(word) = self.words.next() {
                 return Some(word);
             }
-            let line = self.lines.next()?;
+            self.words = self.lines.next()?.split_ascii_whitespace();
             self.line += 1;
-            let mut words: Vec<_> = line.trim_start_matches('\u{feff}').split_whitespace().collect();
-            if words.first().is_some_and(|&first| is(first, "solid") || is(first, "endsolid")) {
-                words.truncate(1); // a name may be any words
+            if let Some(first) = self.words.next() {
+                if is(first, "solid") || is(first, "endsolid") {
+                    self.words = "".split_ascii_whitespace(); // a name may be any words
+                }
+                return Some(first);
             }
-            self.words = words.into_iter();
         }
     }
 

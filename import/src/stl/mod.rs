@@ -1,8 +1,9 @@
-//! STL to triangles, binary or ASCII, by `stl_io`. Its normals are passed over.
+//! STL to triangles, by `stl_io`; ASCII is turned into binary first. Normals are passed over.
 
 mod ascii;
 
 use crate::model::{Model, Places, Warning};
+use crate::weld::Numbered;
 use crate::{ImportError, Problem, Triangles};
 use std::io::Cursor;
 use std::path::Path;
@@ -16,9 +17,9 @@ const TRIANGLE: usize = 50;
 pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
     let as_it_is = |problem: Problem| problem.at(file, None);
     if is_text(&bytes) {
-        let ascii::Text { canonical, lines } = ascii::canonical(&String::from_utf8_lossy(&bytes))
+        let ascii::Text { binary, lines } = ascii::to_binary(&String::from_utf8_lossy(&bytes))
             .map_err(|(problem, line)| problem.at(file, line))?;
-        let triangles = triangles(canonical.into_bytes()).map_err(as_it_is)?;
+        let triangles = triangles(binary).map_err(as_it_is)?;
         return Ok(Model { triangles, places: Places::Lines(lines), warnings: Vec::new() });
     }
     let given = bytes.len() as u64;
@@ -66,9 +67,18 @@ fn first_not_finite(bytes: &[u8]) -> Option<usize> {
     })
 }
 
-/// The triangles by `stl_io`.
+/// The triangles of a binary file by `stl_io`, whose own way to find equal vertices is slow in build scripts.
 fn triangles(stl: Vec<u8>) -> Result<Triangles, Problem> {
-    let mesh = stl_io::read_stl(&mut Cursor::new(stl)).map_err(|e| Problem::Format(e.to_string()))?;
-    let positions = mesh.vertices.iter().map(|v| v.0.map(f64::from)).collect();
-    Ok(Triangles { positions, faces: mesh.faces.iter().map(|f| f.vertices).collect() })
+    let mut stl = Cursor::new(stl);
+    let wrong = |e: std::io::Error| Problem::Format(e.to_string());
+    let (mut numbers, mut out) = (Numbered::default(), Triangles::default());
+    for triangle in stl_io::create_stl_reader(&mut stl).map_err(wrong)? {
+        out.faces.push(triangle.map_err(wrong)?.vertices.map(|vertex| {
+            *numbers.entry(vertex.0.map(f32::to_bits)).or_insert_with(|| {
+                out.positions.push(vertex.0.map(f64::from));
+                out.positions.len() - 1
+            })
+        }));
+    }
+    Ok(out)
 }
