@@ -39,7 +39,7 @@ enum Meeting {
 /// The sides of all faces, sorted: those of an edge together, in the order of the faces.
 pub(crate) struct Sides(Vec<Side>);
 
-/// The first face beside each kind of fault.
+/// The place of the first face at each kind of fault.
 #[derive(Default)]
 pub(crate) struct Faults {
     pub(crate) open: Option<usize>,
@@ -63,19 +63,22 @@ impl Sides {
         self.0.chunk_by(|a, b| a.edge() == b.edge())
     }
 
-    /// How often the surface is not closed or not oriented, and where first. In a crowded edge that is the third face.
-    pub(crate) fn topology(&self) -> (Topology, Faults) {
+    /// How often the surface is not closed or not oriented, and where first, by the faces' places in the file: a crowded
+    /// edge is so from its third face on, a twisted one from its second.
+    pub(crate) fn topology(&self, place: impl Fn(usize) -> usize) -> (Topology, Faults) {
         let (mut topology, mut first) = (Topology::default(), Faults::default());
         for sides in self.edges() {
-            let (count, place) = match meeting(sides) {
+            let (count, fault) = match meeting(sides) {
                 Meeting::Surface => continue,
                 Meeting::Open => (&mut topology.open, &mut first.open),
                 Meeting::Twisted => (&mut topology.twisted, &mut first.twisted),
                 Meeting::Crowded => (&mut topology.crowded, &mut first.crowded),
             };
             *count += 1;
-            let face = sides[(sides.len() - 1).min(2)].face();
-            *place = Some(place.map_or(face, |earlier| earlier.min(face)));
+            let mut places: Vec<usize> = sides.iter().map(|side| place(side.face())).collect();
+            places.sort_unstable();
+            let here = places[(places.len() - 1).min(2)];
+            *fault = Some(fault.map_or(here, |earlier| earlier.min(here)));
         }
         (topology, first)
     }

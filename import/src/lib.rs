@@ -131,7 +131,6 @@ pub fn import_with(
     options: &Options,
     mut begins: impl FnMut(Step),
 ) -> Result<ImportedMesh, ImportError> {
-    options.check().map_err(|problem| problem.at(file, None))?;
     begins(Step::Read);
     let mesh = finish(read_model(file)?, file, options, &mut begins)?;
     match mesh.mesh() {
@@ -166,8 +165,8 @@ pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
 /// # Errors
 ///
 /// As [`read`].
-pub fn read_stl(bytes: Vec<u8>, file: &Path) -> Result<ImportedMesh, ImportError> {
-    finish(stl::read(bytes, file)?, file, &Options::default(), &mut |_| ())
+pub fn read_stl(bytes: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
+    finish(stl::read(bytes.to_vec(), file)?, file, &Options::default(), &mut |_| ())
 }
 
 fn read_model(file: &Path) -> Result<Model, ImportError> {

@@ -113,7 +113,7 @@ impl ImportedMesh {
 
     /// Counts the edges at which the surface is not closed or not oriented.
     pub fn topology(&self) -> Topology {
-        Sides::of(&self.faces).topology().0
+        Sides::of(&self.faces).topology(|face| face).0
     }
 
     /// The volume that the faces enclose, in model units: positive if a closed surface is counter-clockwise seen from

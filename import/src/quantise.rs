@@ -165,11 +165,10 @@ pub(crate) fn make(
     let least = |places: &[usize]| places.iter().min().copied();
     warn(degenerate.len(), "faces without area dropped", least(&degenerate));
     warn(duplicate.len(), "faces dropped that were there already", least(&duplicate));
-    let (topology, faults) = sides.topology();
-    let source = |face: Option<usize>| face.map(|face| sources[face]);
-    warn(topology.open, "edges of one face only (the surface is not closed)", source(faults.open));
-    warn(topology.crowded, "edges of three or more faces (not a surface)", source(faults.crowded));
-    warn(topology.twisted, "edges between faces of opposite winding", source(faults.twisted));
+    let (topology, faults) = sides.topology(|face| sources[face]);
+    warn(topology.open, "edges of one face only (the surface is not closed)", faults.open);
+    warn(topology.crowded, "edges of three or more faces (not a surface)", faults.crowded);
+    warn(topology.twisted, "edges between faces of opposite winding", faults.twisted);
     if topology == Topology::default() && mesh.volume() < 0.0 {
         let message =
             "the surface is inside out: its faces run clockwise seen from outside (flip turns them)";

@@ -345,6 +345,20 @@ fn lines_are_right_after_faces_were_ordered() {
 }
 
 #[test]
+fn the_third_face_of_an_edge_is_that_of_the_file() {
+    // The ball, and a fin on the first edge of its first face.
+    let text = ball(10, 12);
+    let face = text.lines().find(|line| line.starts_with('f')).unwrap();
+    let corners: Vec<&str> = face.split_whitespace().collect();
+    let text = format!("{text}v 5 9 9\nf {} {} -1\n", corners[1], corners[2]);
+    let options = Options { reorder: true, ..Options::default() };
+    let mesh = import(&file("fin.obj", &text), &options).unwrap();
+    let crowded =
+        mesh.warnings.iter().find(|w| w.message.starts_with("edges of three or more faces")).unwrap();
+    assert_eq!(crowded.line, Some(text.lines().count()));
+}
+
+#[test]
 fn what_a_mesh_cannot_hold_says_what_to_do() {
     let path = file("tiny.obj", "v 0 0 0\nv 1e-20 0 0\nv 0 1e-20 0\nf 1 2 3\n");
     let error = import(&path, &Options::default()).unwrap_err();

@@ -68,7 +68,7 @@ proptest! {
     #[test]
     fn any_bytes_are_a_mesh_or_refused(bytes in vec(any::<u8>(), 0..600)) {
         check(read_obj(&bytes, Path::new("a.obj")));
-        check(read_stl(bytes, Path::new("a.stl")));
+        check(read_stl(&bytes, Path::new("a.stl")));
     }
 
     #[test]
@@ -80,7 +80,7 @@ proptest! {
 
     #[test]
     fn any_words_of_stl_are_a_mesh_or_refused(text in words(STL)) {
-        check(read_stl(format!("solid a{text}").into(), Path::new("a.stl")));
+        check(read_stl(format!("solid a{text}").as_bytes(), Path::new("a.stl")));
     }
 
     #[test]
@@ -97,7 +97,7 @@ proptest! {
             bytes.extend([0, 0]);
         }
         bytes.resize(bytes.len().saturating_add_signed(more as isize), 0);
-        check(read_stl(bytes, Path::new("a.stl")));
+        check(read_stl(&bytes, Path::new("a.stl")));
     }
 
     /// Against `f64`: each position is where a vertex is, within the error that is reported, and that is within bounds.

@@ -74,8 +74,8 @@ fn a_file_cut_short_names_the_first_byte_missing() {
     }
 }
 
-fn import(bytes: impl Into<Vec<u8>>) -> Result<ImportedMesh, ImportError> {
-    read_stl(bytes.into(), Path::new("model.stl"))
+fn import(bytes: impl AsRef<[u8]>) -> Result<ImportedMesh, ImportError> {
+    read_stl(bytes.as_ref(), Path::new("model.stl"))
 }
 
 /// A facet whose first corner lies at this z.
@@ -105,7 +105,6 @@ fn text_is_read_as_people_write_it() {
     let same = [
         ("upper case", tetrahedron.to_uppercase()),
         ("no name", tetrahedron.replace(" tetrahedron", "")),
-        ("no end", tetrahedron.replace("endsolid tetrahedron\n", "")),
         ("a name like a facet", tetrahedron.replace("tetrahedron", "facet normal")),
         ("carriage returns and indents", tetrahedron.replace('\n', "\r\n\t  ")),
         ("a mark of UTF-8", format!("\u{feff}{tetrahedron}")),
@@ -119,6 +118,12 @@ fn text_is_read_as_people_write_it() {
         let mesh = import(text).unwrap_or_else(|error| panic!("{what}: {error}"));
         assert_eq!(mesh, good, "{what}");
     }
+    // An end that does not say so is taken, and doubted.
+    let mesh = import(tetrahedron.replace("endsolid tetrahedron\n", "")).unwrap();
+    let last = 1 + 4 * 7;
+    let doubt = format!("no `endsolid` after line {last}: perhaps the file was cut short");
+    assert_eq!(mesh.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(), [doubt]);
+    assert_eq!((mesh.warnings[0].line, &mesh.faces), (Some(last), &good.faces));
     // Several solids are one model.
     let (first, second) = (facet(0), facet(1));
     let two = import(format!("solid a\n{first}endsolid a\nsolid b\n{second}endsolid b\n")).unwrap();

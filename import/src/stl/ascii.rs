@@ -10,6 +10,8 @@ use crate::Problem;
 pub(super) struct Text {
     pub(super) binary: Vec<u8>,
     pub(super) lines: Vec<u32>,
+    /// The last line, if no `endsolid` says that it is meant to be that.
+    pub(super) unended: Option<usize>,
 }
 
 /// What is wrong, and in which line.
@@ -22,15 +24,18 @@ pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
         words: "".split_ascii_whitespace(),
         lines: text.trim_start_matches('\u{feff}').lines(),
     };
-    let mut out = Text { binary: vec![0; HEADER + COUNT], lines: Vec::new() };
+    let mut out = Text { binary: vec![0; HEADER + COUNT], lines: Vec::new(), unended: None };
+    let mut ended = false;
     while let Some(word) = words.next() {
+        ended = is(word, "endsolid");
         if is(word, "facet") {
             out.lines.push(words.line as u32);
             facet(&mut words, &mut out.binary)?;
-        } else if !is(word, "solid") && !is(word, "endsolid") {
+        } else if !is(word, "solid") && !ended {
             return Err(words.refuse("neither `facet` nor `endsolid` stands here"));
         }
     }
+    out.unended = (!ended).then_some(words.line);
     // Files are short enough that 32 bits hold the count.
     out.binary[HEADER..HEADER + COUNT].copy_from_slice(&(out.lines.len() as u32).to_le_bytes());
     Ok(out)

@@ -17,10 +17,15 @@ const TRIANGLE: usize = 50;
 pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
     let as_it_is = |problem: Problem| problem.at(file, None);
     if is_text(&bytes) {
-        let ascii::Text { binary, lines } = ascii::to_binary(&String::from_utf8_lossy(&bytes))
+        let ascii::Text { binary, lines, unended } = ascii::to_binary(&String::from_utf8_lossy(&bytes))
             .map_err(|(problem, line)| problem.at(file, line))?;
         let triangles = triangles(binary).map_err(as_it_is)?;
-        return Ok(Model { triangles, places: Places::Lines(lines), warnings: Vec::new() });
+        let cut = |line| Warning {
+            line: Some(line),
+            message: format!("no `endsolid` after line {line}: perhaps the file was cut short"),
+        };
+        let warnings = unended.map(cut).into_iter().collect();
+        return Ok(Model { triangles, places: Places::Lines(lines), warnings });
     }
     let given = bytes.len() as u64;
     let needed = declared_length(&bytes).unwrap_or((HEADER + COUNT) as u64);
