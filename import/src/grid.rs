@@ -25,7 +25,7 @@ impl Grid {
             Centre::Origin => [0.0; 3],
         };
         if extent >= 1.0 / 64.0 && middle.iter().all(|c| c.abs() < 32767.0) {
-            middle = middle.map(|c| (c * 65536.0).round() / 65536.0);
+            middle = middle.map(|c| (c * 65536.0).round() / 65536.0 + 0.0); // no -0
         }
         let half =
             (0..3).map(|axis| (high[axis] - middle[axis]).max(middle[axis] - low[axis])).fold(0.0, f64::max);

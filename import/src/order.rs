@@ -5,12 +5,35 @@
 //! a prefetcher), a corner used a moment ago costs nothing.
 
 /// Corners that the orders are judged and made for: 128 bytes of them, a few lines of a small cache.
-pub(crate) const CACHE: usize = 16;
+const CACHE: usize = 16;
+
+/// Orders faces, what is known of each, and vertices, if fewer are fetched then. Gives how many are.
+pub(crate) fn reorder<S: Copy>(
+    faces: &mut Vec<[u16; 3]>,
+    sources: &mut Vec<S>,
+    vertices: &mut Vec<[i16; 3]>,
+) -> f64 {
+    let places = by_neighbours(faces, vertices.len());
+    let ordered: Vec<[u16; 3]> = places.iter().map(|&place| faces[place]).collect();
+    let (before, after) = (fetches(faces, vertices.len()), fetches(&ordered, vertices.len()));
+    if after >= before {
+        return before;
+    }
+    let new = by_first_use(&ordered, vertices.len());
+    *faces = ordered.into_iter().map(|face| face.map(|v| new[usize::from(v)])).collect();
+    *sources = places.iter().map(|&place| sources[place]).collect();
+    let mut moved = vec![[0; 3]; vertices.len()];
+    for (vertex, &place) in vertices.iter().zip(&new) {
+        moved[usize::from(place)] = *vertex;
+    }
+    *vertices = moved;
+    after
+}
 
 /// The places of the faces in their new order: the fan about one vertex after the other, where the next vertex is one
 /// of those just used that will still be in a cache of [`CACHE`] corners when all its faces are drawn, the one that has been
 /// there longest; else the last used that has faces left; else the first (Sander, Nehab and Barczak 2007, section 3).
-pub(crate) fn by_neighbours(faces: &[[u16; 3]], vertices: usize) -> Vec<usize> {
+fn by_neighbours(faces: &[[u16; 3]], vertices: usize) -> Vec<usize> {
     let around = Around::new(faces, vertices);
     let mut left: Vec<usize> = (0..vertices).map(|v| around.faces(v).len()).collect();
     let mut drawn = vec![false; faces.len()];
@@ -103,7 +126,7 @@ pub(crate) fn fetches(faces: &[[u16; 3]], vertices: usize) -> f64 {
 }
 
 /// For each vertex its place by first use. All vertices are used.
-pub(crate) fn by_first_use(faces: &[[u16; 3]], vertices: usize) -> Vec<u16> {
+fn by_first_use(faces: &[[u16; 3]], vertices: usize) -> Vec<u16> {
     let mut places = vec![None; vertices];
     let mut next = 0u16;
     for &vertex in faces.iter().flatten() {

@@ -57,15 +57,9 @@ pub(crate) fn make(
     if exact.faces.is_empty() {
         return Err(Problem::NoArea(faces.len()));
     }
-    let mut positions: Vec<[f64; 3]> = exact.vertices.iter().map(|&v| options.up.to_y(read[v])).collect();
+    let used = exact.vertices.iter().map(|&v| read[v]).collect();
     drop(read);
-    let scale = options.fit.map_or(1.0, |side| side / extent(&positions));
-    for c in positions.iter_mut().flatten() {
-        *c *= scale;
-    }
-    if positions.iter().flatten().any(|c| !c.is_finite()) || scale == 0.0 {
-        return Err(Problem::Options("the length to fit and the model's are too far apart"));
-    }
+    let (mut positions, scale) = placed(used, options)?;
     if options.flip {
         for [_, b, c] in &mut exact.faces {
             std::mem::swap(b, c);
@@ -100,40 +94,27 @@ pub(crate) fn make(
     let duplicate = merged(&exact.duplicate, &last.duplicate);
     let mut vertices: Vec<[i16; 3]> = last.vertices.iter().map(|&v| rounded[v]).collect();
     // In range: there are at most 65536 vertices.
-    let mut faces_now: Vec<[u16; 3]> = last.faces.iter().map(|f| f.map(|i| i as u16)).collect();
+    let mut corners: Vec<[u16; 3]> = last.faces.iter().map(|f| f.map(|i| i as u16)).collect();
     let mut sources: Vec<usize> = last.sources.iter().map(source).collect();
 
-    let mut fetches = [order::fetches(&faces_now, vertices.len()); 2];
+    let mut fetches = [order::fetches(&corners, vertices.len()); 2];
     if options.reorder {
         begins(Step::Order);
-        let places = order::by_neighbours(&faces_now, vertices.len());
-        let better: Vec<[u16; 3]> = places.iter().map(|&place| faces_now[place]).collect();
-        let then = order::fetches(&better, vertices.len());
-        if then < fetches[0] {
-            (faces_now, fetches[1]) = (better, then);
-            sources = places.iter().map(|&place| sources[place]).collect();
-            let new = order::by_first_use(&faces_now, vertices.len());
-            faces_now = faces_now.into_iter().map(|face| face.map(|v| new[usize::from(v)])).collect();
-            let old = std::mem::take(&mut vertices);
-            vertices = vec![[0; 3]; old.len()];
-            for (vertex, &place) in old.into_iter().zip(&new) {
-                vertices[usize::from(place)] = vertex;
-            }
-        }
+        fetches[1] = order::reorder(&mut corners, &mut sources, &mut vertices);
     }
 
     begins(Step::Derive);
-    let crosses: Vec<_> = faces_now.iter().map(|f| cross(f.map(|i| vertices[usize::from(i)]))).collect();
-    let sides = Sides::of(&faces_now);
+    let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[usize::from(i)]))).collect();
+    let sides = Sides::of(&corners);
     let selected =
         sides.select(options.edges, options.edge_faces && options.edges != Edges::None, &crosses)?;
     let normals = if options.normals { crosses.iter().map(|&c| unit(c)).collect() } else { Vec::new() };
     let vertex_normals =
-        if options.vertex_normals { of_vertices(&vertices, &faces_now, &crosses) } else { Vec::new() };
+        if options.vertex_normals { of_vertices(&vertices, &corners, &crosses) } else { Vec::new() };
     let mesh = ImportedMesh {
         vertices,
         exponent: grid.exponent,
-        faces: faces_now,
+        faces: corners,
         edges: selected.edges,
         edge_faces: selected.beside,
         normals,
@@ -175,4 +156,16 @@ pub(crate) fn make(
         warnings.push(Warning { line: None, message: message.into() });
     }
     Ok(ImportedMesh { warnings, ..mesh })
+}
+
+/// The positions turned and scaled, and by what they were scaled.
+fn placed(mut positions: Vec<[f64; 3]>, options: &Options) -> Result<(Vec<[f64; 3]>, f64), Problem> {
+    let scale = options.fit.map_or(1.0, |side| side / extent(&positions));
+    for position in &mut positions {
+        *position = options.up.to_y(*position).map(|c| c * scale);
+    }
+    if scale == 0.0 || positions.iter().flatten().any(|c| !c.is_finite()) {
+        return Err(Problem::Options("the length to fit and the model's are too far apart"));
+    }
+    Ok((positions, scale))
 }
