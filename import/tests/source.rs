@@ -1,6 +1,6 @@
 //! The Rust source: what it says, and that it is formatted as it stays.
 
-use pinhole_import::{import, is_constant_name, read_obj, ImportedMesh, Options};
+use pinhole_import::{import, is_constant_name, read_obj, Axis, ImportedMesh, Options};
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -85,6 +85,32 @@ fn it_is_formatted_as_it_stays() {
         assert!(done.status.success() && done.stdout.is_empty(), "{}", String::from_utf8_lossy(&done.stdout));
         assert!(text.lines().all(|line| line.chars().count() <= 121), "lines are of a readable length");
     }
+}
+
+include!("generated/block.rs");
+
+/// That `generated/block.rs` compiles, and what it then is.
+#[test]
+fn it_compiles_to_the_mesh() {
+    let stl = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/build-rs/block.stl");
+    let options = Options { up: Axis::Z, edge_faces: true, vertex_normals: true, ..Options::default() };
+    let mesh = import(&stl, &options).unwrap();
+    let command =
+        "pinhole-import block.stl -o block.rs --name BLOCK --up z --edge-faces --normals both --keep-order";
+    let text = mesh.to_rust_mesh("BLOCK", &stl, command).unwrap();
+    let there = include_str!("generated/block.rs");
+    assert!(
+        text == there,
+        "is not what this makes: (cd import/examples/build-rs && {command}), in tests/generated"
+    );
+    assert_eq!(BLOCK, mesh.mesh().unwrap());
+    assert_eq!(BLOCK_OFFSET, mesh.offset.map(|c| (c * 65536.0) as i32));
+    // 40 wide, 10 high, 20 deep: half of each in 2^-10, the finest step in which 20 is below 32767.
+    assert_eq!(BLOCK.exponent(), -10);
+    assert!(BLOCK.vertices().iter().all(|v| v.map(|c| c.abs()) == [20480, 5120, 10240]));
+    let counts =
+        (BLOCK.edges().len(), BLOCK.edge_faces().len(), BLOCK.normals().len(), BLOCK.vertex_normals().len());
+    assert_eq!(counts, (18, 18, 12, 8));
 }
 
 #[test]
