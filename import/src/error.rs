@@ -21,12 +21,21 @@ pub struct ImportError {
 pub enum Problem {
     /// The file cannot be opened or read.
     Read(std::io::Error),
+    /// The Rust file cannot be written.
+    Write(std::io::Error),
     /// The file's extension is none that this crate reads.
     UnknownFormat,
+    /// The file has more bytes than this crate reads, 2³⁰.
+    TooLarge,
     /// A line cannot be understood; the text says what was expected.
     Syntax(&'static str),
     /// The file cannot be understood; the text is its parser's.
     Format(String),
+    /// The file should be text, but is binary.
+    NotText {
+        /// The place, counted from 0, of the first byte that is zero.
+        byte: usize,
+    },
     /// The file ends too soon.
     Truncated {
         /// How many bytes it says it has.
@@ -38,12 +47,27 @@ pub enum Problem {
     NoSuchVertex,
     /// A coordinate is NaN or infinite, or becomes so when it is divided by its `w`.
     NotFinite,
-    /// The model has no face with an area.
+    /// A coordinate of a binary file is NaN or infinite.
+    NotFiniteAt {
+        /// Where its first byte is, counted from 0.
+        byte: usize,
+    },
+    /// The model has no face.
     NoFaces,
+    /// None of the model's faces, as many as this, has an area.
+    NoArea(usize),
     /// More vertices than `u16` indices can name (65 536), after welding.
     TooManyVertices(usize),
+    /// More faces than can be named beside an edge (65 535).
+    TooManyFaces(usize),
     /// The largest extent (in model units) is beyond what an exponent of `i8` can scale.
     Extent(f64),
+    /// The step of the grid, 2 to this power, is beyond what a mesh may have.
+    Exponent(i8),
+    /// An option has a value that makes no sense; the text says which.
+    Options(&'static str),
+    /// Decimation is wanted of a build without it.
+    NoDecimation,
 }
 
 impl Problem {
@@ -57,19 +81,39 @@ impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Problem::Read(error) => write!(f, "cannot be read: {error}"),
+            Problem::Write(error) => write!(f, "cannot be written: {error}"),
             Problem::UnknownFormat => f.write_str("is not a model this program reads (.obj, .stl)"),
+            Problem::TooLarge => f.write_str("has more than 1 GiB: reduce it in a modelling program"),
             Problem::Syntax(what) => f.write_str(what),
             Problem::Format(what) => f.write_str(what),
+            Problem::NotText { byte } => write!(f, "is binary, not text: byte {byte} is zero"),
             Problem::Truncated { needed, given } => {
                 write!(f, "ends before byte {given}: it should have {needed} bytes")
             }
             Problem::NoSuchVertex => f.write_str("the face names a vertex that does not exist"),
             Problem::NotFinite => f.write_str("a coordinate is not a finite number"),
+            Problem::NotFiniteAt { byte } => {
+                write!(f, "the coordinate at byte {byte} is not a finite number")
+            }
             Problem::NoFaces => f.write_str("has no faces"),
+            Problem::NoArea(faces) => write!(f, "has no face with an area: all {faces} are points or lines"),
             Problem::TooManyVertices(n) => {
-                write!(f, "has {n} vertices, more than the 65536 of a mesh")
+                write!(f, "has {n} vertices, more than the 65536 of a mesh: split or decimate it")
+            }
+            Problem::TooManyFaces(n) => {
+                write!(f, "has {n} faces, more than the 65535 that can be named beside edges")
             }
             Problem::Extent(extent) => write!(f, "has an extent of {extent:e}, out of range"),
+            Problem::Exponent(exponent) => {
+                write!(
+                    f,
+                    "needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: scale the model to fit"
+                )
+            }
+            Problem::Options(what) => f.write_str(what),
+            Problem::NoDecimation => f.write_str(
+                "cannot be decimated by this build: it lacks the feature `decimate`, which needs C++",
+            ),
         }
     }
 }
@@ -87,7 +131,7 @@ impl fmt::Display for ImportError {
 impl Error for Problem {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
-            Problem::Read(error) => Some(error),
+            Problem::Read(error) | Problem::Write(error) => Some(error),
             _ => None,
         }
     }

@@ -10,25 +10,51 @@
 //! # Ok::<(), pinhole_import::ImportError>(())
 //! ```
 //!
-//! A reader gives [`Triangles`]; everything after that is the same for all formats:
+//! A reader gives [`Triangles`]; everything after that is the same for all formats, and most of it can be chosen by
+//! [`Options`]:
 //!
 //! 1. equal positions are welded, degenerate and duplicate faces dropped, vertices that no face uses left out;
-//! 2. the centre of the bounding box is subtracted ([`ImportedMesh::offset`]; give it back in the model transform);
-//! 3. coordinates are rounded to the finest power-of-two grid on which they fit ±32767, so each lies within 1/65000 of
+//! 2. the model is turned, scaled and decimated, if that is asked for;
+//! 3. the centre of the bounding box is subtracted ([`ImportedMesh::offset`]; give it back in the model transform);
+//! 4. coordinates are rounded to the finest power-of-two grid on which they fit ±32767, so each lies within 1/65000 of
 //!    the largest extent ([`quantise`] has the derivation);
-//! 4. positions that fell together are welded as in 1;
-//! 5. edges and face normals are derived from what is left.
+//! 5. positions that fell together are welded as in 1;
+//! 6. faces and vertices are put in an order in which neighbours follow each other, if that is asked for;
+//! 7. edges, the faces beside them, and normals are derived from what is left.
+//!
+//! What is refused is an [`ImportError`]; what is only doubtful stands in [`ImportedMesh::warnings`].
 
+mod decimate;
+mod edges;
 mod error;
+mod grid;
 mod mesh;
+mod model;
+mod normals;
 mod obj;
+mod options;
+mod order;
+mod quantise;
 mod rust;
+mod script;
 mod stl;
 mod weld;
 
 pub use error::{ImportError, Problem};
-pub use mesh::{quantise, ImportedMesh, Report, Topology};
+pub use mesh::{ImportedMesh, Report, Topology};
+pub use model::Warning;
+pub use options::{Axis, Centre, Edges, Options};
+pub use quantise::quantise;
+pub use rust::is_constant_name;
+pub use script::build;
 
+/// The code of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+use model::Model;
+use std::io::Read;
 use std::path::Path;
 
 /// A model as a reader delivers it: positions in model units and triangles of indices into them, counter-clockwise seen
@@ -41,13 +67,76 @@ pub struct Triangles {
     pub faces: Vec<[usize; 3]>,
 }
 
-/// Reads a model and makes a mesh of it; the extension of the file says its format (`.obj`, `.stl`).
+/// What [`import_with`] is about to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Step {
+    /// Read and understand the file.
+    Read,
+    /// Weld equal positions.
+    Weld,
+    /// Take triangles away.
+    Decimate,
+    /// Round to the grid, and weld again.
+    Quantise,
+    /// Order faces and vertices.
+    Order,
+    /// Derive edges and normals.
+    Derive,
+}
+
+/// The most bytes a file may have.
+const LARGEST_FILE: u64 = 1 << 30;
+
+/// Reads a model and makes a mesh of it, by the default [`Options`]; the extension of the file says its format (`.obj`,
+/// `.stl`).
 ///
 /// # Errors
 ///
 /// [`ImportError`] names the file, the line if there is one, and what is wrong.
 pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
-    quantise(&read_triangles(file)?).map_err(|problem| problem.at(file, None))
+    finish(read_model(file)?, file, &Options::default(), &mut |_| ())
+}
+
+/// Reads a model and makes a mesh of it that [`pinhole::Mesh`] takes, as the options say.
+///
+/// ```
+/// use pinhole_import::{import, Edges, Options};
+/// # let file = std::env::temp_dir().join(format!("pinhole-import-doc-{}.obj", std::process::id()));
+/// std::fs::write(&file, "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n")?;
+/// let options = Options { fit: Some(1.0), edges: Edges::Feature { degrees: 30.0 }, ..Options::default() };
+/// let sheet = import(&file, &options)?;
+/// assert_eq!(sheet.report.extent, 1.0);
+/// assert_eq!(sheet.edges.len(), 4, "the diagonal is no feature");
+/// assert!(sheet.warnings[0].message.contains("not closed"));
+/// # std::fs::remove_file(&file)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`read`]; and [`Problem::Exponent`] where the model's unit is too large or too small for a mesh,
+/// [`Problem::Options`], [`Problem::TooManyFaces`], [`Problem::NoDecimation`].
+pub fn import(file: &Path, options: &Options) -> Result<ImportedMesh, ImportError> {
+    import_with(file, options, |_| ())
+}
+
+/// As [`import`], and says what begins, for a progress bar.
+///
+/// # Errors
+///
+/// As [`import`].
+pub fn import_with(
+    file: &Path,
+    options: &Options,
+    mut begins: impl FnMut(Step),
+) -> Result<ImportedMesh, ImportError> {
+    begins(Step::Read);
+    let mesh = finish(read_model(file)?, file, options, &mut begins)?;
+    match mesh.mesh() {
+        Ok(_) => Ok(mesh),
+        Err(_) => Err(Problem::Exponent(mesh.exponent).at(file, None)), // the only thing left to go wrong
+    }
 }
 
 /// Reads a model as it is: all triangles in the file's order, nothing welded, dropped or rounded.
@@ -56,13 +145,7 @@ pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
 ///
 /// As [`read`].
 pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
-    let reader = match file.extension().and_then(|e| e.to_str()) {
-        Some(e) if e.eq_ignore_ascii_case("obj") => obj::read,
-        Some(e) if e.eq_ignore_ascii_case("stl") => stl::read,
-        _ => return Err(Problem::UnknownFormat.at(file, None)),
-    };
-    let bytes = std::fs::read(file).map_err(|e| Problem::Read(e).at(file, None))?;
-    reader(&bytes, file)
+    Ok(read_model(file)?.triangles)
 }
 
 /// Reads the text of an OBJ file; `file` is only named in errors.
@@ -74,5 +157,48 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 ///
 /// As [`read`].
 pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
-    quantise(&obj::read(text, file)?).map_err(|problem| problem.at(file, None))
+    finish(obj::read(text, file)?, file, &Options::default(), &mut |_| ())
+}
+
+/// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn read_stl(bytes: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
+    finish(stl::read(bytes.to_vec(), file)?, file, &Options::default(), &mut |_| ())
+}
+
+fn read_model(file: &Path) -> Result<Model, ImportError> {
+    let extension = file.extension().and_then(|e| e.to_str()).unwrap_or_default();
+    if extension.eq_ignore_ascii_case("obj") {
+        obj::read(&bytes(file)?, file)
+    } else if extension.eq_ignore_ascii_case("stl") {
+        stl::read(bytes(file)?, file)
+    } else {
+        Err(Problem::UnknownFormat.at(file, None))
+    }
+}
+
+/// All of a file, if it is not too large.
+fn bytes(file: &Path) -> Result<Vec<u8>, ImportError> {
+    let problem = |e| Problem::Read(e).at(file, None);
+    let opened = std::fs::File::open(file).map_err(problem)?;
+    let mut bytes = Vec::new();
+    if opened.metadata().map_err(problem)?.len() <= LARGEST_FILE {
+        opened.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(problem)?;
+        if bytes.len() as u64 <= LARGEST_FILE {
+            return Ok(bytes);
+        }
+    }
+    Err(Problem::TooLarge.at(file, None))
+}
+
+fn finish(
+    model: Model,
+    file: &Path,
+    options: &Options,
+    begins: &mut dyn FnMut(Step),
+) -> Result<ImportedMesh, ImportError> {
+    quantise::make(model, options, begins).map_err(|problem| problem.at(file, None))
 }

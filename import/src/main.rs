@@ -1,22 +1,27 @@
 //! `pinhole-import MODEL -o OUT.rs`: a model as Rust source.
 
-use clap::{value_parser, Arg, Command};
+use clap::builder::PossibleValuesParser;
+use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
+use indicatif::{ProgressBar, ProgressStyle};
+use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Step};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
+
+const AXES: [(&str, Axis); 6] = [
+    ("x", Axis::X),
+    ("y", Axis::Y),
+    ("z", Axis::Z),
+    ("-x", Axis::MinusX),
+    ("-y", Axis::MinusY),
+    ("-z", Axis::MinusZ),
+];
 
 fn main() -> ExitCode {
-    let path = |name: &'static str| Arg::new(name).required(true).value_parser(value_parser!(PathBuf));
-    let mut given = Command::new("pinhole-import")
-        .about("Turns a model into Rust source for pinhole")
-        .version(env!("CARGO_PKG_VERSION"))
-        .arg(path("MODEL").help("The model to read (.obj, .stl)"))
-        .arg(path("output").short('o').long("output").value_name("OUT.rs").help("The Rust file to write"))
-        .get_matches();
-    let [model, output] =
-        ["MODEL", "output"].map(|name| given.remove_one::<PathBuf>(name).unwrap_or_default());
-    match run(&model, &output) {
+    match run(&command().get_matches()) {
         Ok(report) => {
-            println!("{report}");
+            let _ = writeln!(std::io::stdout(), "{report}"); // who closes it does not want it
             ExitCode::SUCCESS
         }
         Err(problem) => {
@@ -26,22 +31,169 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(model: &Path, output: &Path) -> Result<String, String> {
-    let mesh = pinhole_import::read(model).map_err(|e| e.to_string())?;
-    mesh.mesh().map_err(|e| format!("{}: {e}", model.display()))?;
-    let command = format!("pinhole-import {} -o {}", model.display(), output.display());
-    std::fs::write(output, mesh.to_rust(&command))
-        .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
+fn command() -> Command {
+    let path = |name: &'static str| Arg::new(name).required(true).value_parser(value_parser!(PathBuf));
+    let flag = |name: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue);
+    let choice = |name: &'static str, values: &[&'static str]| {
+        Arg::new(name).long(name).value_parser(PossibleValuesParser::new(values.to_vec()))
+    };
+    let number = |name: &'static str| Arg::new(name).long(name).value_parser(value_parser!(f64));
+    Command::new("pinhole-import")
+        .about("Turns a model into Rust source for pinhole")
+        .version(env!("CARGO_PKG_VERSION"))
+        .arg(path("MODEL").help("The model to read: .obj, or .stl, binary or ASCII"))
+        .arg(path("output").short('o').long("output").value_name("OUT.rs").help("The Rust file to write"))
+        .arg(
+            Arg::new("name")
+                .long("name")
+                .value_name("NAME")
+                .default_value("MESH")
+                .help("The constant's name"),
+        )
+        .arg(
+            choice("edges", &["all", "feature", "none"])
+                .default_value("all")
+                .help("Which edges: all of all triangles, or those where the surface turns or ends"),
+        )
+        .arg(
+            number("feature-angle")
+                .value_name("DEGREES")
+                .default_value("30")
+                .help("How far the surface turns at a feature edge, 0 to 180"),
+        )
+        .arg(flag("edge-faces").help("The two faces beside each edge, for hidden lines: 4 bytes an edge"))
+        .arg(
+            choice("normals", &["face", "vertex", "both", "none"])
+                .default_value("face")
+                .help("For light by faces, or smooth by vertices: 6 bytes each"),
+        )
+        .arg(
+            choice("up", &AXES.map(|(name, _)| name))
+                .default_value("y")
+                .allow_hyphen_values(true)
+                .help("The file's axis that points upwards; it is turned to +y. CAD programs mostly have z"),
+        )
+        .arg(
+            choice("centre", &["box", "origin"])
+                .default_value("box")
+                .help("What becomes the origin: the centre of the bounding box, or the file's origin"),
+        )
+        .arg(number("fit").value_name("LENGTH").help("Scale so that the longest side has this length"))
+        .arg(flag("flip").help("Turn the faces over, for a model that is inside out"))
+        .arg(flag("keep-order").help("Leave faces and vertices in the file's order"))
+        .arg(
+            Arg::new("decimate")
+                .long("decimate")
+                .value_name("N")
+                .value_parser(value_parser!(usize))
+                .help(DECIMATE),
+        )
+        .arg(
+            flag("arrays").help(
+                "Write VERTICES, FACES and so on as constants of their own, for code that reads the lists",
+            ),
+        )
+}
+
+const DECIMATE: &str = if cfg!(feature = "decimate") {
+    "Reduce to at most N triangles"
+} else {
+    "Reduce to at most N triangles. Not in this build: install with --features decimate, which needs a C++ compiler"
+};
+
+fn options(given: &ArgMatches) -> Options {
+    let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
+    Options {
+        up: AXES.iter().find(|(name, _)| *name == word("up")).map_or(Axis::Y, |&(_, axis)| axis),
+        flip: given.get_flag("flip"),
+        fit: given.get_one("fit").copied(),
+        decimate: given.get_one("decimate").copied(),
+        centre: if word("centre") == "origin" { Centre::Origin } else { Centre::Box },
+        reorder: !given.get_flag("keep-order"),
+        edges: match word("edges") {
+            "feature" => Edges::Feature { degrees: given.get_one("feature-angle").copied().unwrap_or(30.0) },
+            "none" => Edges::None,
+            _ => Edges::All,
+        },
+        edge_faces: given.get_flag("edge-faces"),
+        normals: matches!(word("normals"), "face" | "both"),
+        vertex_normals: matches!(word("normals"), "vertex" | "both"),
+    }
+}
+
+fn run(given: &ArgMatches) -> Result<String, String> {
+    let path = |name: &str| given.get_one::<PathBuf>(name).cloned().unwrap_or_default();
+    let (model, output) = (path("MODEL"), path("output"));
+    let name = given.get_one::<String>("name").map_or("MESH", String::as_str);
+
+    let bar = progress();
+    let mesh = pinhole_import::import_with(&model, &options(given), |step| {
+        bar.set_message(doing(step));
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    let mesh = mesh.map_err(|e| e.to_string())?;
+    for warning in &mesh.warnings {
+        eprintln!("{}: warning: {warning}", model.display());
+    }
+
+    let command = command_line([&model, &output]);
+    let source = if given.get_flag("arrays") {
+        mesh.to_rust(&command)
+    } else {
+        mesh.to_rust_mesh(name, &model, &command)
+            .ok_or_else(|| format!("--name {name}: is not a constant's: capital letters, digits and _"))?
+    };
+    std::fs::write(&output, source).map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
+    Ok(format!("{}: {}", output.display(), report(&mesh)))
+}
+
+/// On standard error, and only where that is a terminal.
+fn progress() -> ProgressBar {
+    let bar = ProgressBar::new(6);
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {bar:20} {msg}, {elapsed}") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}
+
+fn doing(step: Step) -> &'static str {
+    match step {
+        Step::Read => "reading",
+        Step::Weld => "welding vertices",
+        Step::Decimate => "taking triangles away",
+        Step::Quantise => "rounding to the grid",
+        Step::Order => "ordering faces",
+        Step::Derive => "finding edges and normals",
+        _ => "working",
+    }
+}
+
+/// What was typed, for the file's header, but of paths only the files' names: the same on every machine.
+fn command_line(paths: [&Path; 2]) -> String {
+    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    std::env::args_os().skip(1).fold("pinhole-import".to_string(), |line, word| {
+        let mut word = word.to_string_lossy().into_owned();
+        for path in paths {
+            word = word.replace(&*path.to_string_lossy(), &name(path));
+        }
+        line + " " + &word
+    })
+}
+
+fn report(mesh: &ImportedMesh) -> String {
     let (report, topology) = (mesh.report, mesh.topology());
-    Ok(format!(
-        "{}: {} vertices, {} faces, {} edges\n\
+    let mut text = format!(
+        "{} vertices, {} faces, {} edges; {} bytes of flash\n\
          read {} vertices and {} triangles; welded {} (and {} by quantising); dropped {} degenerate and {} duplicate faces, {} unused vertices\n\
          step 2^{}; extent {}, largest error of a coordinate {:.3e}; centre {:?}; volume {:.6}\n\
-         edges: {} open, {} in more than two faces, {} between faces of opposite winding",
-        output.display(),
+         edges: {} open, {} in more than two faces, {} between faces of opposite winding\n\
+         vertices fetched for a face, with a cache of 16: {:.2} in the file's order, {:.2} in the mesh's",
         mesh.vertices.len(),
         mesh.faces.len(),
         mesh.edges.len(),
+        mesh.flash_bytes(),
         report.vertices_read,
         report.faces_read,
         report.welded,
@@ -57,5 +209,15 @@ fn run(model: &Path, output: &Path) -> Result<String, String> {
         topology.open,
         topology.crowded,
         topology.twisted,
-    ))
+        report.fetches[0],
+        report.fetches[1],
+    );
+    if report.decimated > 0 {
+        let moved = report.decimation_error;
+        text += &format!(
+            "\ndecimation took {} faces away, and moved the surface by about {moved:.1e}",
+            report.decimated
+        );
+    }
+    text
 }

@@ -1,84 +1,146 @@
 //! OBJ text to triangles, by `tobj`. Only positions and faces are read.
 
-use crate::{ImportError, Problem, Triangles};
+use crate::model::{Model, Places, Warning};
+use crate::{ImportError, Problem};
 use std::path::Path;
 
 /// Reads OBJ text; `file` is only named in errors.
-pub(crate) fn read(text: &[u8], file: &Path) -> Result<Triangles, ImportError> {
-    let text = String::from_utf8_lossy(text);
-    let text = text.trim_start_matches('\u{feff}');
-    let kept = positions_and_faces(text);
-    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
-    let mut rest = kept.as_bytes();
-    let loaded = tobj::load_obj_buf(&mut rest, &options, |_| Err(tobj::LoadError::OpenFileFailed));
-    let models = match loaded {
-        Ok((models, _)) => models,
-        Err(error) => {
-            // tobj reads line by line and stops at the one it does not understand.
-            let read = kept[..kept.len() - rest.len()].lines().count();
-            let (problem, line) = match error {
-                tobj::LoadError::PositionParseError => {
-                    (Problem::Syntax("a vertex needs three numbers"), Some(read))
-                }
-                tobj::LoadError::ScalingByZeroError => {
-                    (Problem::Syntax("the w of the vertex is zero"), Some(read))
-                }
-                tobj::LoadError::ColorParseError => {
-                    (Problem::Syntax("a vertex is x y z, x y z w or x y z r g b"), Some(read))
-                }
-                tobj::LoadError::FaceParseError => {
-                    (Problem::Syntax("a face is a list of indices v, v/vt, v//vn or v/vt/vn"), Some(read))
-                }
-                tobj::LoadError::InvalidPolygon => (
-                    Problem::Syntax("the face has no corners"),
-                    line_of(text, |words, _| words.len() == 1 && words[0] == "f"),
-                ),
-                tobj::LoadError::FaceVertexOutOfBounds => (Problem::NoSuchVertex, line_of_stray_index(text)),
-                _ => (Problem::Syntax("is not an OBJ file"), None),
-            };
-            return Err(problem.at(file, line));
-        }
-    };
-    let mut triangles = Triangles::default();
-    for model in models {
-        let first = triangles.positions.len();
-        let positions = model.mesh.positions.chunks_exact(3);
-        let faces = model.mesh.indices.chunks_exact(3);
-        triangles.positions.extend(positions.map(|p| [p[0], p[1], p[2]]));
-        triangles.faces.extend(faces.map(|f| [f[0], f[1], f[2]].map(|i| first + i as usize)));
+pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
+    if let Some(byte) = bytes.iter().position(|&byte| byte == 0) {
+        return Err(Problem::NotText { byte }.at(file, None));
     }
-    if triangles.positions.iter().flatten().any(|c| !c.is_finite()) {
+    let text = String::from_utf8_lossy(bytes);
+    let Kept { text, face_lines } = positions_and_faces(text.trim_start_matches('\u{feff}'));
+    let models = load(&text).map_err(|(problem, line)| problem.at(file, line))?;
+    let mut model = Model::default();
+    let mut lines = Vec::new();
+    let mut faces_of_lines = face_lines.into_iter();
+    let mut concave = Vec::new();
+    for tobj::Model { mesh, .. } in models {
+        let first = model.triangles.positions.len();
+        model.triangles.positions.extend(mesh.positions.chunks_exact(3).map(|p| [p[0], p[1], p[2]]));
+        let mut indices = mesh.indices.iter().map(|&i| first + i as usize);
+        // Where all faces are triangles, tobj does not say of each that it is one.
+        let triangles =
+            std::iter::repeat_n(3, mesh.indices.len() / 3 * usize::from(mesh.face_arities.is_empty()));
+        for corners in mesh.face_arities.iter().copied().chain(triangles) {
+            let line = faces_of_lines.next().unwrap_or_default();
+            let polygon: Vec<usize> = indices.by_ref().take(corners as usize).collect();
+            let before = model.triangles.faces.len();
+            match polygon[..] {
+                [] => {
+                    let problem = Problem::Syntax("the face has no corners");
+                    return Err(problem.at(file, Some(line as usize)));
+                }
+                // No area: dropped, and counted, as such.
+                [a] => model.triangles.faces.push([a; 3]),
+                [a, b] => model.triangles.faces.push([a, b, b]),
+                [a, ..] => {
+                    model.triangles.faces.extend(polygon[1..].windows(2).map(|side| [a, side[0], side[1]]));
+                }
+            }
+            let fan = &model.triangles.faces[before..];
+            if fan.len() > 1 && overlaps(fan, &model.triangles.positions) {
+                concave.push(line);
+            }
+            lines.extend(std::iter::repeat_n(line, fan.len()));
+        }
+    }
+    if model.triangles.positions.iter().flatten().any(|c| !c.is_finite()) {
         let line =
-            line_of(text, |words, _| words[0] == "v" && words[1..].iter().take(3).any(|w| !is_finite(w)));
+            line_of(&text, |words, _| words[0] == "v" && words[1..].iter().take(3).any(|w| !is_finite(w)));
         return Err(Problem::NotFinite.at(file, line));
     }
-    Ok(triangles)
+    if let Some(&line) = concave.iter().min() {
+        let count = concave.len();
+        let message = format!(
+            "concave faces, whose triangles overlap: {count}, the first at line {line}; export triangles"
+        );
+        model.warnings.push(Warning { line: Some(line as usize), message });
+    }
+    model.places = Places::Lines(lines);
+    Ok(model)
 }
 
-/// The text with all lines emptied but vertices and faces, and vertices without colours.
+/// The polygons of the text, or what is wrong with it and in which line.
+fn load(text: &str) -> Result<Vec<tobj::Model>, (Problem, Option<usize>)> {
+    let mut rest = text.as_bytes();
+    let options = tobj::LoadOptions::default();
+    let loaded = tobj::load_obj_buf(&mut rest, &options, |_| Err(tobj::LoadError::OpenFileFailed));
+    loaded.map(|(models, _)| models).map_err(|error| {
+        // tobj reads line by line and stops at the one it does not understand.
+        let read = Some(text[..text.len() - rest.len()].lines().count());
+        match error {
+            tobj::LoadError::PositionParseError => (Problem::Syntax("a vertex needs three numbers"), read),
+            tobj::LoadError::ScalingByZeroError => (Problem::Syntax("the w of the vertex is zero"), read),
+            tobj::LoadError::ColorParseError => {
+                (Problem::Syntax("a vertex is x y z, x y z w or x y z r g b"), read)
+            }
+            tobj::LoadError::FaceParseError => {
+                (Problem::Syntax("a face is a list of indices v, v/vt, v//vn or v/vt/vn"), read)
+            }
+            tobj::LoadError::FaceVertexOutOfBounds => (Problem::NoSuchVertex, line_of_stray_index(text)),
+            _ => (Problem::Syntax("is not an OBJ file"), None),
+        }
+    })
+}
+
+/// What a mesh is made of.
+struct Kept {
+    text: String,
+    /// The number of each face's line.
+    face_lines: Vec<u32>,
+}
+
+/// The text with all lines emptied but vertices and faces, and vertices without colours; what a line continues on the
+/// next, by a backslash at its end, stands in the first.
 ///
 /// What a mesh does not use cannot be wrong then (a missing material library, a colour on some vertices only, a texture
 /// index out of range), and the objects and groups of a file are one mesh.
-fn positions_and_faces(text: &str) -> String {
-    let mut kept = String::with_capacity(text.len() + 1);
-    for line in text.lines() {
+fn positions_and_faces(text: &str) -> Kept {
+    let mut kept = Kept { text: String::with_capacity(text.len() + 1), face_lines: Vec::new() };
+    let mut lines = (1..).zip(text.lines());
+    while let Some((number, line)) = lines.next() {
         let line = line.split('#').next().unwrap_or_default(); // without what is a comment
-        let mut words = line.split_whitespace();
-        match words.next() {
-            Some("f") => kept.push_str(line),
-            Some("v") if words.clone().count() == 6 => {
-                kept.push('v');
-                for word in words.take(3) {
-                    kept.push(' ');
-                    kept.push_str(word);
-                }
+        let is_face = line.split_whitespace().next() == Some("f");
+        let mut added = 0;
+        if is_face || line.split_whitespace().next() == Some("v") {
+            let mut whole = line.trim_end().to_string();
+            while whole.ends_with('\\') {
+                whole.pop();
+                let Some((_, next)) = lines.next() else { break };
+                whole.push(' ');
+                whole.push_str(next.split('#').next().unwrap_or_default().trim());
+                added += 1;
             }
-            Some("v") => kept.push_str(line),
-            _ => {}
+            if is_face {
+                kept.face_lines.push(number);
+                kept.text.push_str(&whole);
+            } else if whole.split_whitespace().count() == 7 {
+                let position: Vec<&str> = whole.split_whitespace().take(4).collect();
+                kept.text.push_str(&position.join(" "));
+            } else {
+                kept.text.push_str(&whole);
+            }
         }
-        kept.push('\n');
+        kept.text.extend(std::iter::repeat_n('\n', 1 + added));
     }
     kept
+}
+
+/// Whether a triangle of a polygon's fan lies against the whole, by its area vector (Newell's normal is their sum): so it
+/// overlaps others. A concave polygon whose fan does not is cut rightly.
+fn overlaps(fan: &[[usize; 3]], positions: &[[f64; 3]]) -> bool {
+    let area = |&[a, b, c]: &[usize; 3]| {
+        let side = |to: usize| [0, 1, 2].map(|axis| positions[to][axis] - positions[a][axis]);
+        let (p, q) = (side(b), side(c));
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| p[i] * q[j] - p[j] * q[i])
+    };
+    let areas: Vec<[f64; 3]> = fan.iter().map(area).collect();
+    let whole = [0, 1, 2].map(|axis| areas.iter().map(|a| a[axis]).sum::<f64>());
+    let dot = |a: &[f64; 3]| a[0] * whole[0] + a[1] * whole[1] + a[2] * whole[2];
+    // A corner on a straight side makes a triangle of nothing but rounding.
+    areas.iter().any(|a| dot(a) < -1e-9 * dot(&whole))
 }
 
 /// The number of the first line whose words (at least one), with the number of vertices before it, meet the condition.

@@ -253,14 +253,12 @@ fn a_broken_line_is_named() {
 #[test]
 fn a_model_without_faces_is_an_error() {
     let none = |p: &Problem| matches!(p, Problem::NoFaces);
-    for text in [
-        "",
-        "\0\u{1}PNG\n",
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
-        "v 1 1 1\nf 1 1 1\n",
-        "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",
-    ] {
+    for text in ["", "\u{1}PNG\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "o a\nl 1 2\n"] {
         assert_error(text, None, none, "model.obj: has no faces");
+    }
+    let flat = |p: &Problem| matches!(p, Problem::NoArea(1));
+    for text in ["v 1 1 1\nf 1 1 1\n", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nf 1 2\n"] {
+        assert_error(text, None, flat, "model.obj: has no face with an area: all 1 are points or lines");
     }
 }
 
@@ -276,7 +274,10 @@ fn a_mesh_has_at_most_65536_vertices() {
     assert!(full.mesh().is_ok());
     let problem = quantise(&strip((1 << 16) + 1)).unwrap_err();
     assert!(matches!(problem, Problem::TooManyVertices(65537)), "{problem:?}");
-    assert_eq!(problem.to_string(), "has 65537 vertices, more than the 65536 of a mesh");
+    assert_eq!(
+        problem.to_string(),
+        "has 65537 vertices, more than the 65536 of a mesh: split or decimate it"
+    );
 }
 
 #[test]
@@ -309,4 +310,91 @@ fn files_that_cannot_be_read_are_named() {
 fn indices_out_of_range_are_an_error_from_any_reader() {
     let model = Triangles { positions: vec![[0.0; 3]; 3], faces: vec![[0, 1, 3]] };
     assert!(matches!(quantise(&model), Err(Problem::NoSuchVertex)));
+}
+
+/// What is doubtful about a text.
+fn warnings(text: &str) -> Vec<(Option<usize>, String)> {
+    import(text).unwrap().warnings.into_iter().map(|w| (w.line, w.message)).collect()
+}
+
+#[test]
+fn lines_go_on_after_a_backslash() {
+    let whole = import(CUBE).unwrap();
+    let broken = CUBE.replace("f 4 3 2 1", "f 4 \\\n3 2\\ \n 1").replace("v -1 -1 -1", "v -1\\\n-1 -1 # \\");
+    assert_eq!(import(&broken).unwrap(), whole);
+    // The line of an error is the one where the statement begins.
+    let text = "v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 \\\n2 \\\n3\nf 1 2 \\\n 9\n";
+    assert_error(
+        text,
+        Some(8),
+        |p| matches!(p, Problem::NoSuchVertex),
+        "model.obj:8: the face names a vertex that does not exist",
+    );
+    // A comment does not go on, nor does what a mesh does not use; nothing follows the last line.
+    let three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let text = format!("# C:\\models\\\nmtllib C:\\models\\\n{three}f 1 2 3 \\");
+    assert_eq!(import(&text).unwrap(), import(&format!("\n\n{three}f 1 2 3")).unwrap());
+}
+
+#[test]
+fn polygons_are_fans_and_those_that_overlap_are_named() {
+    // An L of six corners: from corner 1 the fan covers each point once, from corner 2 not.
+    let l = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
+    let good = import(&format!("{l}f 1 2 3 4 5 6\n")).unwrap();
+    assert_eq!(good.faces.len(), 4);
+    assert_eq!(good.warnings.len(), 1, "{:?}", good.warnings); // it is open, no more
+    let doubt = warnings(&format!("{l}f 1 2 3 4 5 6\nf 6 5 4 3 2 1\n"));
+    assert_eq!(doubt.len(), 1, "{doubt:?}");
+    assert_eq!(
+        doubt[0],
+        (Some(8), "concave faces, whose triangles overlap: 1, the first at line 8; export triangles".into())
+    );
+    // A convex one, one with a corner on a side, a bent one.
+    let convex = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0.1\nv 0 2 0\n";
+    assert!(warnings(&format!("{convex}f 1 2 3 4 5\nf 5 4 3 2 1\n"))
+        .iter()
+        .all(|w| !w.1.contains("concave")));
+}
+
+#[test]
+fn faces_of_one_and_two_corners_have_no_area_and_are_named() {
+    let doubt = warnings("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 3\nf 3 2 1\n");
+    assert_eq!(doubt, [(Some(5), "faces without area dropped: 2, the first at line 5".into())]);
+}
+
+#[test]
+fn what_is_no_surface_is_named_with_its_line() {
+    let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\n";
+    let fan = warnings(&format!("{vertices}f 1 2 3\nf 2 1 4\nf 1 2 5\n"));
+    let crowded = "edges of three or more faces (not a surface): 1, the first at line 8";
+    assert!(fan.contains(&(Some(8), crowded.into())), "{fan:?}");
+    let twisted = warnings(&format!("{vertices}f 1 2 3\n\nf 1 2 4\n"));
+    let opposite = "edges between faces of opposite winding: 1, the first at line 8";
+    assert!(twisted.contains(&(Some(8), opposite.into())), "{twisted:?}");
+    assert_eq!(warnings(CUBE), []);
+    let inside_out = CUBE.lines().map(|line| match line.strip_prefix("f ") {
+        Some(corners) => format!("f {}\n", corners.split(' ').rev().collect::<Vec<_>>().join(" ")),
+        None => format!("{line}\n"),
+    });
+    let doubt = warnings(&inside_out.collect::<String>());
+    assert!(doubt.len() == 1 && doubt[0].1.contains("inside out"), "{doubt:?}");
+}
+
+#[test]
+fn binary_files_are_no_obj() {
+    let error = read_obj(b"\x7fELF\x02\x01\x01\0\0\0", Path::new("model.obj")).unwrap_err();
+    assert_eq!(error.to_string(), "model.obj: is binary, not text: byte 7 is zero");
+    // Latin-1 in a comment is none of our business.
+    assert!(read_obj(b"# \xe9t\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", Path::new("a.obj")).is_ok());
+}
+
+#[test]
+fn files_beyond_a_gibibyte_are_not_even_read() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("huge.obj");
+    // Sparse: it takes no room.
+    std::fs::File::create(&path).unwrap().set_len((1 << 30) + 1).unwrap();
+    let error = read(&path).unwrap_err();
+    std::fs::remove_file(&path).unwrap();
+    assert!(matches!(error.problem, Problem::TooLarge), "{error}");
+    assert!(error.to_string().contains("has more than 1 GiB"), "{error}");
 }

@@ -1,7 +1,7 @@
 //! STL files, both kinds.
 
-use pinhole_import::{read, read_triangles, Problem};
-use std::path::PathBuf;
+use pinhole_import::{read, read_stl, read_triangles, ImportError, ImportedMesh, Problem};
+use std::path::{Path, PathBuf};
 
 /// Of a tetrahedron, counter-clockwise from outside.
 const FACES: [[[f32; 3]; 3]; 4] = [
@@ -74,17 +74,178 @@ fn a_file_cut_short_names_the_first_byte_missing() {
     }
 }
 
+fn import(bytes: impl AsRef<[u8]>) -> Result<ImportedMesh, ImportError> {
+    read_stl(bytes.as_ref(), Path::new("model.stl"))
+}
+
+/// A facet whose first corner lies at this z.
+fn facet(z: u32) -> String {
+    format!(
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 {z}\nvertex 1 0 {z}\nvertex 0 1 {z}\nendloop\nendfacet\n"
+    )
+}
+
 #[test]
-fn what_is_no_stl_is_refused() {
-    for text in ["solid a\nfacet normal 0 0 0\nouter loop\nvertex 1 2 x\n", "solid a\nfacet\n"] {
-        let error = read(&file("wrong.stl", text.as_bytes())).unwrap_err();
-        assert!(matches!(error.problem, Problem::Format(_)), "{error}");
-        assert_eq!(error.to_string().lines().count(), 1);
+fn a_binary_file_cut_short_is_so_even_if_it_begins_as_text() {
+    let whole = binary(b"solid made by a program");
+    for length in [whole.len() - 1, 200, 84] {
+        let error = import(&whole[..length]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!("model.stl: ends before byte {length}: it should have 284 bytes")
+        );
     }
-    let error = read(&file("two.stl", &[ascii(), ascii()].concat())).unwrap_err();
-    assert!(error.to_string().contains("has 8 facets, of which 4 could be read"), "{error}");
-    let mut nan = binary(b"");
-    nan[100..104].copy_from_slice(&f32::NAN.to_le_bytes());
-    let error = read(&file("nan.stl", &nan)).unwrap_err();
-    assert!(matches!(error.problem, Problem::NotFinite), "{error}");
+}
+
+#[test]
+fn text_is_read_as_people_write_it() {
+    let tetrahedron = String::from_utf8(ascii()).unwrap();
+    let good = import(tetrahedron.as_str()).unwrap();
+    assert!(good.warnings.is_empty(), "closed, and outside out: {:?}", good.warnings);
+    let same = [
+        ("upper case", tetrahedron.to_uppercase()),
+        ("no name", tetrahedron.replace(" tetrahedron", "")),
+        ("a name like a facet", tetrahedron.replace("tetrahedron", "facet normal")),
+        ("carriage returns and indents", tetrahedron.replace('\n', "\r\n\t  ")),
+        ("a mark of UTF-8", format!("\u{feff}{tetrahedron}")),
+        ("a line before", format!("\n  {tetrahedron}")),
+        ("normals that are none", tetrahedron.replace("0 0 0\nouter", "nan -nan(ind) 1,5\nouter")),
+        ("no normals", tetrahedron.replace(" normal 0 0 0", "")),
+        ("facets in a line", tetrahedron.replace("\nouter", " outer").replace("\nvertex", "  vertex")),
+        ("exponents", tetrahedron.replace("vertex 1 ", "vertex +10.0E-1 ")),
+    ];
+    for (what, text) in same {
+        let mesh = import(text).unwrap_or_else(|error| panic!("{what}: {error}"));
+        assert_eq!(mesh, good, "{what}");
+    }
+    // An end that does not say so is taken, and doubted.
+    let mesh = import(tetrahedron.replace("endsolid tetrahedron\n", "")).unwrap();
+    let last = 1 + 4 * 7;
+    let doubt = format!("no `endsolid` after line {last}: perhaps the file was cut short");
+    assert_eq!(mesh.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(), [doubt]);
+    assert_eq!((mesh.warnings[0].line, &mesh.faces), (Some(last), &good.faces));
+    // Several solids are one model.
+    let (first, second) = (facet(0), facet(1));
+    let two = import(format!("solid a\n{first}endsolid a\nsolid b\n{second}endsolid b\n")).unwrap();
+    assert_eq!((two.faces.len(), two.vertices.len()), (2, 6));
+    let unended = import(format!("solid a\n{first}solid b\n{second}")).unwrap();
+    assert_eq!(unended, ImportedMesh { warnings: unended.warnings.clone(), ..two });
+}
+
+#[test]
+fn what_is_wrong_with_text_is_named_with_its_line() {
+    let good = format!("solid a\n{}endsolid a\n", facet(0));
+    let cases = [
+        (good.replace("vertex 1 0 0", "vertex 1 0 x"), 5, "a vertex needs three numbers"),
+        (good.replace("vertex 1 0 0", "vertex 1,5 0 0"), 5, "a vertex needs three numbers"),
+        (good.replace("vertex 1 0 0", "vertex 1 0"), 5, "a vertex needs three numbers"),
+        (good.replace("vertex 1 0 0", "vertex NaN 0 0"), 5, "a coordinate is not a finite number"),
+        (good.replace("vertex 1 0 0", "vertex 1e39 0 0"), 5, "a coordinate is not a finite number"),
+        (good.replace("vertex 1 0 0\n", ""), 6, "a facet has three vertices, each `vertex x y z`"),
+        (
+            good.replace("endloop", "vertex 5 5 5\nendloop"),
+            7,
+            "after three vertices should stand `endloop`: a facet is a triangle",
+        ),
+        (good.replace("outer loop\n", ""), 3, "after the facet's normal should stand `outer loop`"),
+        (good.replace("outer loop", "outer ring"), 3, "after `outer` should stand `loop`"),
+        (good.replace("endfacet\n", ""), 8, "after `endloop` should stand `endfacet`"),
+        (good.replace("facet normal", "face normal"), 2, "neither `facet` nor `endsolid` stands here"),
+        (good.replace("endfacet\nendsolid a\n", ""), 7, "the file ends within a facet"),
+        (format!("{good}solid b\nfacet\n"), 11, "the file ends within a facet"),
+    ];
+    for (text, line, message) in cases {
+        let error = import(text.as_str()).unwrap_err();
+        assert_eq!(error.to_string(), format!("model.stl:{line}: {message}"), "{text}");
+    }
+    for text in ["solid", "solid nothing in it\nendsolid\n"] {
+        assert_eq!(import(text).unwrap_err().to_string(), "model.stl: has no faces");
+    }
+    // Text that is not STL is read as binary, and has not its length.
+    let error = import("Dear reader, ".repeat(20)).unwrap_err();
+    assert!(matches!(error.problem, Problem::Truncated { given: 260, .. }), "{error}");
+}
+
+#[test]
+fn binary_numbers_that_are_none_are_named_by_their_byte() {
+    for (byte, number) in [(100, f32::NAN), (84 + 50 + 44, f32::NEG_INFINITY)] {
+        let mut bytes = binary(b"");
+        bytes[byte..byte + 4].copy_from_slice(&number.to_le_bytes());
+        let error = import(bytes).unwrap_err();
+        let message = format!("model.stl: the coordinate at byte {byte} is not a finite number");
+        assert_eq!(error.to_string(), message);
+    }
+    // Nobody needs the normal.
+    let mut bytes = binary(b"");
+    bytes[84..88].copy_from_slice(&f32::NAN.to_le_bytes());
+    assert_eq!(import(bytes).unwrap(), import(binary(b"")).unwrap());
+}
+
+#[test]
+fn an_empty_binary_file_has_no_faces_and_a_long_one_is_doubted() {
+    let mut empty = vec![b' '; 80];
+    empty.extend([0; 4]);
+    assert_eq!(import(empty).unwrap_err().to_string(), "model.stl: has no faces");
+    let mut long = binary(b"");
+    long.extend([7; 5]);
+    let mesh = import(long).unwrap();
+    assert_eq!(mesh.faces.len(), 4);
+    let warnings: Vec<_> = mesh.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(warnings, ["5 bytes after the last triangle are passed over"]);
+}
+
+#[test]
+fn doubtful_triangles_are_named_by_line_or_number() {
+    let sliver = facet(0).replace("vertex 0 1 0", "vertex 2 0 0");
+    let text = format!("solid a\n{}{sliver}{}{}endsolid\n", facet(0), facet(0), facet(1));
+    let mesh = import(text).unwrap();
+    let expected = [
+        (Some(9), "faces without area dropped: 1, the first at line 9"),
+        (Some(16), "faces dropped that were there already: 1, the first at line 16"),
+        (Some(2), "edges of one face only (the surface is not closed): 6, the first at line 2"),
+    ];
+    let warnings: Vec<_> = mesh.warnings.iter().map(|w| (w.line, w.message.as_str())).collect();
+    assert_eq!(warnings, expected);
+
+    let mut bytes = binary(b"");
+    bytes.drain(84..134); // the first face
+    bytes[80] = 3;
+    let mesh = import(bytes).unwrap();
+    let open = "edges of one face only (the surface is not closed): 3, the first at triangle 1";
+    assert_eq!(mesh.warnings.len(), 1);
+    assert_eq!((mesh.warnings[0].line, mesh.warnings[0].message.as_str()), (None, open));
+}
+
+/// Against `stl_io`'s own reader of text, which this crate does not use, as it knows no lines.
+#[test]
+fn text_has_the_numbers_that_stl_io_reads() {
+    let mut bits = 1u32;
+    let mut number = || loop {
+        // A linear congruence (Knuth, "The Art of Computer Programming" 2, section 3.3.4, table 1, line 16), as a float.
+        bits = bits.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let number = f32::from_bits(bits);
+        if number.is_finite() {
+            break number;
+        }
+    };
+    let mut text = String::from("solid random\n");
+    for facet in 0..500 {
+        text += "facet normal 0 0 1\nouter loop\n";
+        for _ in 0..3 {
+            let [x, y, z] = [number(), number(), number()];
+            text += &if facet % 2 == 0 {
+                format!("vertex {x} {y} {z}\n")
+            } else {
+                format!("vertex {x:e} {y:E} {z}\n")
+            };
+        }
+        text += "endloop\nendfacet\n";
+    }
+    text += "endsolid random\n";
+    let expected = stl_io::read_stl(&mut std::io::Cursor::new(&text)).unwrap();
+    let read = read_triangles(&file("random.stl", text.as_bytes())).unwrap();
+    let positions: Vec<_> = expected.vertices.iter().map(|v| v.0.map(f64::from)).collect();
+    assert_eq!(read.positions, positions);
+    assert_eq!(read.faces, expected.faces.iter().map(|f| f.vertices).collect::<Vec<_>>());
+    assert_eq!(read.faces.len(), 500);
 }

@@ -30,11 +30,11 @@ fn is_as_documented() {
 
 #[test]
 fn generated_source_is_current() {
-    let command = "pinhole-import assets/teapot.obj -o assets/teapot.rs";
+    let command = "pinhole-import teapot.obj -o teapot.rs --arrays --keep-order";
     let source = include_str!("../../assets/teapot.rs");
     assert!(
         teapot().to_rust(command) == source,
-        "assets/teapot.rs is not what this makes: cargo run -p pinhole-import -- assets/teapot.obj -o assets/teapot.rs"
+        "assets/teapot.rs is not what this makes: cargo run -p pinhole-import -- assets/teapot.obj -o assets/teapot.rs --arrays --keep-order"
     );
 }
 

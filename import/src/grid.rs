@@ -1,0 +1,74 @@
+//! The grid onto which a model is rounded.
+
+use crate::{Centre, Problem};
+
+pub(crate) struct Grid {
+    /// The longest side of the bounding box.
+    pub(crate) extent: f64,
+    /// What is subtracted.
+    pub(crate) centre: [f64; 3],
+    pub(crate) exponent: i8,
+    /// `2^exponent`.
+    step: f64,
+}
+
+impl Grid {
+    /// The finest power-of-two grid that holds all positions within ±32767: see [`quantise`](crate::quantise).
+    pub(crate) fn around(positions: &[[f64; 3]], centre: Centre) -> Result<Grid, Problem> {
+        let (low, high) = bounds(positions);
+        let extent = extent(positions);
+        if extent == 0.0 {
+            return Err(Problem::NoFaces);
+        }
+        let mut middle = match centre {
+            Centre::Box => [0, 1, 2].map(|axis| low[axis] / 2.0 + high[axis] / 2.0),
+            Centre::Origin => [0.0; 3],
+        };
+        if extent >= 1.0 / 64.0 && middle.iter().all(|c| c.abs() < 32767.0) {
+            middle = middle.map(|c| (c * 65536.0).round() / 65536.0 + 0.0); // no -0
+        }
+        let half =
+            (0..3).map(|axis| (high[axis] - middle[axis]).max(middle[axis] - low[axis])).fold(0.0, f64::max);
+        let exponent = (i8::MIN..=i8::MAX)
+            .find(|&e| (half / power_of_two(e)).round() <= 32767.0)
+            .filter(|&e| e > i8::MIN)
+            .ok_or(Problem::Extent(extent))?;
+        Ok(Grid { extent, centre: middle, exponent, step: power_of_two(exponent) })
+    }
+
+    /// The nearest grid point. Every difference fits ±32767 by the choice of the exponent.
+    pub(crate) fn round(&self, position: &[f64; 3]) -> [i16; 3] {
+        [0, 1, 2].map(|axis| ((position[axis] - self.centre[axis]) / self.step).round() as i16)
+    }
+
+    /// The largest distance along an axis between a position and its grid point.
+    pub(crate) fn error(&self, position: &[f64; 3], rounded: &[i16; 3]) -> f64 {
+        (0..3)
+            .map(|axis| position[axis] - self.centre[axis] - f64::from(rounded[axis]) * self.step)
+            .fold(0.0, |largest, e| e.abs().max(largest))
+    }
+}
+
+/// The corners of the bounding box.
+fn bounds(positions: &[[f64; 3]]) -> ([f64; 3], [f64; 3]) {
+    let mut low = [f64::INFINITY; 3];
+    let mut high = [f64::NEG_INFINITY; 3];
+    for p in positions {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(p[axis]);
+            high[axis] = high[axis].max(p[axis]);
+        }
+    }
+    (low, high)
+}
+
+/// The longest side of the bounding box; 0 where there is none.
+pub(crate) fn extent(positions: &[[f64; 3]]) -> f64 {
+    let (low, high) = bounds(positions);
+    (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max)
+}
+
+/// `2^exponent`, exactly.
+pub(crate) fn power_of_two(exponent: i8) -> f64 {
+    2f64.powi(i32::from(exponent))
+}

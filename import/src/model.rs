@@ -1,0 +1,68 @@
+//! What a reader delivers: triangles, where each stands in the file, and what is doubtful.
+
+use crate::Triangles;
+use std::fmt;
+
+/// A model as it stands in its file.
+#[derive(Debug, Default)]
+pub(crate) struct Model {
+    pub(crate) triangles: Triangles,
+    pub(crate) places: Places,
+    pub(crate) warnings: Vec<Warning>,
+}
+
+/// Where the triangles stand.
+#[derive(Debug, Default)]
+pub(crate) enum Places {
+    /// Nowhere: they come from a program.
+    #[default]
+    Unknown,
+    /// In the lines with these numbers, from 1.
+    Lines(Vec<u32>),
+    /// In a binary file, one after the other.
+    Records,
+}
+
+impl Places {
+    /// A triangle's place in words, if it is known, and its line.
+    fn of(&self, triangle: usize) -> (Option<String>, Option<usize>) {
+        match self {
+            Places::Unknown => (None, None),
+            Places::Lines(lines) => {
+                let line = lines.get(triangle).map(|&line| line as usize);
+                (line.map(|line| format!("line {line}")), line)
+            }
+            Places::Records if triangle == NOWHERE => (None, None),
+            Places::Records => (Some(format!("triangle {}", triangle + 1)), None),
+        }
+    }
+}
+
+/// The place of a triangle that is none of the file's.
+pub(crate) const NOWHERE: usize = usize::MAX;
+
+/// Something doubtful about a model that could be read. Its `Display` is one line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Warning {
+    /// The line of the file, counted from 1, where it is seen first, if that is known.
+    pub line: Option<usize>,
+    /// What it is.
+    pub message: String,
+}
+
+impl Warning {
+    /// A warning about several triangles, of which the place of the first is named.
+    pub(crate) fn at(message: String, places: &Places, first: usize) -> Self {
+        let (place, line) = places.of(first);
+        Warning {
+            line,
+            message: message + &place.map_or_else(String::new, |at| format!(", the first at {at}")),
+        }
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}

@@ -1,0 +1,60 @@
+//! Normals of faces and vertices, from vertices on the grid.
+
+/// `(b − a) × (c − a)`, exactly: differences have 17 bits, products 34.
+pub(crate) fn cross([a, b, c]: [[i16; 3]; 3]) -> [i64; 3] {
+    let d = |p: [i16; 3], axis: usize| i64::from(p[axis]) - i64::from(a[axis]);
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| d(b, i) * d(c, j) - d(b, j) * d(c, i))
+}
+
+/// The cosine of the angle between two vectors that are not zero.
+pub(crate) fn cosine(a: [i64; 3], b: [i64; 3]) -> f64 {
+    let (a, b) = (direction(a), direction(b));
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The direction of a vector that is not zero, 32767 = 1.
+pub(crate) fn unit(vector: [i64; 3]) -> [i16; 3] {
+    rounded(direction(vector))
+}
+
+/// For each vertex the mean of its faces' normals, weighted by the angle of the face there (Thürmer and Wüthrich 1998).
+/// Where they cancel, as on both sides of a sheet, the normal of the first face.
+pub(crate) fn of_vertices(vertices: &[[i16; 3]], faces: &[[u16; 3]], crosses: &[[i64; 3]]) -> Vec<[i16; 3]> {
+    let mut sums = vec![[0.0; 3]; vertices.len()];
+    let mut first = vec![None; vertices.len()];
+    for (face, &cross) in faces.iter().zip(crosses) {
+        let normal = direction(cross);
+        let at = face.map(|i| vertices[usize::from(i)].map(i64::from));
+        for corner in 0..3 {
+            let vertex = usize::from(face[corner]);
+            let [here, one, other] = [at[corner], at[(corner + 1) % 3], at[(corner + 2) % 3]];
+            let side = |to: [i64; 3]| [0, 1, 2].map(|axis| to[axis] - here[axis]);
+            // acos loses half the digits at small angles; that is a weight's error of 1e-8.
+            let angle = cosine(side(one), side(other)).clamp(-1.0, 1.0).acos();
+            for axis in 0..3 {
+                sums[vertex][axis] += angle * normal[axis];
+            }
+            first[vertex].get_or_insert(normal);
+        }
+    }
+    let mean = |(sum, first): (&[f64; 3], &Option<[f64; 3]>)| {
+        // Angles add up to a few radians: less than this is what rounding left of nothing.
+        let sum = if length(*sum) > 1e-6 { *sum } else { first.unwrap_or([0.0, 1.0, 0.0]) };
+        rounded(sum.map(|c| c / length(sum)))
+    };
+    sums.iter().zip(&first).map(mean).collect()
+}
+
+fn direction(vector: [i64; 3]) -> [f64; 3] {
+    let vector = vector.map(|c| c as f64);
+    let length = length(vector);
+    vector.map(|c| c / length)
+}
+
+fn length(vector: [f64; 3]) -> f64 {
+    vector.iter().map(|c| c * c).sum::<f64>().sqrt()
+}
+
+fn rounded(direction: [f64; 3]) -> [i16; 3] {
+    direction.map(|c| (c * 32767.0).round() as i16)
+}

@@ -1,0 +1,137 @@
+//! What the user may choose.
+
+use crate::Problem;
+
+/// How a model becomes a mesh. The default is what [`read`](crate::read) does: turned, scaled and ordered as in the file,
+/// centred, with all edges and face normals.
+///
+/// ```
+/// use pinhole_import::{Axis, Edges, Options};
+/// // A part from a CAD program, which has z upwards, for hidden lines: one unit long, with the edges one sees.
+/// let options = Options {
+///     up: Axis::Z,
+///     fit: Some(1.0),
+///     edges: Edges::Feature { degrees: 30.0 },
+///     edge_faces: true,
+///     ..Options::default()
+/// };
+/// assert!(!options.vertex_normals);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The axis of the file that points upwards: the model is turned so that it becomes +y.
+    pub up: Axis,
+    /// Turns the faces over, for a file that has them clockwise.
+    pub flip: bool,
+    /// Scales the model so that the longest side of its bounding box has this length.
+    pub fit: Option<f64>,
+    /// The most triangles there may be, after an edge-collapse simplification by
+    /// [meshopt](https://docs.rs/meshopt) (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics",
+    /// 1997). Only with the feature `decimate`, which needs a C++ compiler.
+    pub decimate: Option<usize>,
+    /// What becomes the mesh's origin.
+    pub centre: Centre,
+    /// Orders faces so that neighbours follow each other (Sander, Nehab and Barczak, "Fast Triangle Reordering for Vertex
+    /// Locality and Reduced Overdraw", 2007, section 3), unless the file's order is better, and vertices by first use.
+    pub reorder: bool,
+    /// Which edges the mesh gets.
+    pub edges: Edges,
+    /// The two faces beside each edge, which hidden lines need. An edge of more faces is then listed once for every two.
+    pub edge_faces: bool,
+    /// A normal for each face.
+    pub normals: bool,
+    /// A normal for each vertex: the mean of its faces' normals, each weighted by the face's angle there (Thürmer and
+    /// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that it does not depend on how a surface was
+    /// cut into triangles.
+    pub vertex_normals: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            up: Axis::Y,
+            flip: false,
+            fit: None,
+            decimate: None,
+            centre: Centre::Box,
+            reorder: false,
+            edges: Edges::All,
+            edge_faces: false,
+            normals: true,
+            vertex_normals: false,
+        }
+    }
+}
+
+impl Options {
+    /// What is wrong with the numbers.
+    pub(crate) fn check(&self) -> Result<(), Problem> {
+        if self.fit.is_some_and(|side| !(side.is_finite() && side > 0.0)) {
+            return Err(Problem::Options("the length to fit is not a positive number"));
+        }
+        if let Edges::Feature { degrees } = self.edges {
+            if !(0.0..=180.0).contains(&degrees) {
+                return Err(Problem::Options("the feature angle is not between 0 and 180 degrees"));
+            }
+        }
+        if self.decimate == Some(0) {
+            return Err(Problem::Options("no triangles would be left"));
+        }
+        Ok(())
+    }
+}
+
+/// An axis of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// +x.
+    X,
+    /// +y.
+    Y,
+    /// +z.
+    Z,
+    /// −x.
+    MinusX,
+    /// −y.
+    MinusY,
+    /// −z.
+    MinusZ,
+}
+
+impl Axis {
+    /// Turns a point so that this axis becomes +y: about z if it is ±x, about x otherwise. Exact.
+    pub(crate) fn to_y(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        match self {
+            Axis::X => [-y, x, z],
+            Axis::Y => [x, y, z],
+            Axis::Z => [x, z, -y],
+            Axis::MinusX => [y, -x, z],
+            Axis::MinusY => [x, -y, -z],
+            Axis::MinusZ => [x, -z, y],
+        }
+    }
+}
+
+/// The point of a model that becomes the origin of its mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Centre {
+    /// The centre of the bounding box: the finest grid.
+    Box,
+    /// The origin of the file: a model far from it gets a coarser grid.
+    Origin,
+}
+
+/// Which edges a mesh gets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Edges {
+    /// Each edge of each face.
+    All,
+    /// Those at which the surface turns by more than this angle between normals, ends, or is not a surface (three faces,
+    /// or two of opposite winding). Angles are those of the mesh, after quantising.
+    Feature {
+        /// 0 … 180.
+        degrees: f64,
+    },
+    /// None.
+    None,
+}

@@ -1,0 +1,40 @@
+//! For build scripts.
+
+use crate::{import, rust, ImportError, Options, Problem};
+use std::path::{Path, PathBuf};
+
+/// Imports a model in a `build.rs`: writes `$OUT_DIR/NAME.rs`, with the name in lower case, which has the constant `NAME`,
+/// a `pinhole::Mesh<'static>`; asks cargo to run the script again when the model changes; and passes on what is doubtful as
+/// cargo's warnings.
+///
+/// ```no_run
+/// // build.rs
+/// # use std::path::Path;
+/// use pinhole_import::{build, Options};
+/// fn main() -> Result<(), Box<dyn std::error::Error>> {
+///     build(Path::new("bracket.stl"), "BRACKET", &Options::default())?;
+///     Ok(())
+/// }
+/// // and in main.rs: include!(concat!(env!("OUT_DIR"), "/bracket.rs"));
+/// ```
+///
+/// # Errors
+///
+/// As [`import`]; [`Problem::Options`] where the name is none of a constant ([`is_constant_name`](crate::is_constant_name));
+/// [`Problem::Write`], also where there is no `OUT_DIR`.
+pub fn build(model: &Path, name: &str, options: &Options) -> Result<(), ImportError> {
+    println!("cargo::rerun-if-changed={}", model.display());
+    let mesh = import(model, options)?;
+    let source = mesh
+        .to_rust_mesh(name, model, "pinhole_import::build")
+        .ok_or_else(|| Problem::Options(rust::NOT_A_NAME).at(model, None))?;
+    for warning in &mesh.warnings {
+        println!("cargo::warning={}: {}", model.display(), rust::one_line(&warning.message));
+    }
+    let folder = std::env::var_os("OUT_DIR").map(PathBuf::from).ok_or_else(|| {
+        let missing = std::io::Error::new(std::io::ErrorKind::NotFound, "no OUT_DIR: this is for build.rs");
+        Problem::Write(missing).at(model, None)
+    })?;
+    let file = folder.join(format!("{}.rs", name.to_lowercase()));
+    std::fs::write(&file, source).map_err(|e| Problem::Write(e).at(&file, None))
+}

@@ -1,0 +1,122 @@
+//! ASCII STL as people write it to binary STL, and what is wrong with it by lines, which `stl_io` does not name.
+//!
+//! Taken are key words in any case, any number of words in a line, several solids (they become one), facets without a sound
+//! normal (which exporters write for slivers), and an end without `endsolid`.
+
+use super::{COUNT, HEADER};
+use crate::Problem;
+
+/// The same as a binary file, and the line in which each facet begins.
+pub(super) struct Text {
+    pub(super) binary: Vec<u8>,
+    pub(super) lines: Vec<u32>,
+    /// The last line, if no `endsolid` says that it is meant to be that.
+    pub(super) unended: Option<usize>,
+}
+
+/// What is wrong, and in which line.
+type Refusal = (Problem, Option<usize>);
+
+/// Reads it all.
+pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
+    let mut words = Words {
+        line: 0,
+        words: "".split_ascii_whitespace(),
+        lines: text.trim_start_matches('\u{feff}').lines(),
+    };
+    let mut out = Text { binary: vec![0; HEADER + COUNT], lines: Vec::new(), unended: None };
+    let mut ended = false;
+    while let Some(word) = words.next() {
+        ended = is(word, "endsolid");
+        if is(word, "facet") {
+            out.lines.push(words.line as u32);
+            facet(&mut words, &mut out.binary)?;
+        } else if !is(word, "solid") && !ended {
+            return Err(words.refuse("neither `facet` nor `endsolid` stands here"));
+        }
+    }
+    out.unended = (!ended).then_some(words.line);
+    // Files are short enough that 32 bits hold the count.
+    out.binary[HEADER..HEADER + COUNT].copy_from_slice(&(out.lines.len() as u32).to_le_bytes());
+    Ok(out)
+}
+
+/// What stands between `facet` and `endfacet`.
+fn facet(words: &mut Words<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
+    // The normal may be anything, and may be missing: it is not used.
+    let mut word = words.next();
+    for _ in 0..4 {
+        if word.is_some_and(|word| !is(word, "outer")) {
+            word = words.next();
+        }
+    }
+    words.expect(word, "outer", "after the facet's normal should stand `outer loop`")?;
+    words.expect_next("loop", "after `outer` should stand `loop`")?;
+    out.extend([0; 12]);
+    for _ in 0..3 {
+        words.expect_next("vertex", "a facet has three vertices, each `vertex x y z`")?;
+        let line = Some(words.line); // where a number is missing, its word is of the next line
+        for _ in 0..3 {
+            let Some(word) = words.next() else { return Err(words.ended()) };
+            match word.parse::<f32>() {
+                Ok(number) if number.is_finite() => out.extend(number.to_le_bytes()),
+                Ok(_) => return Err((Problem::NotFinite, line)),
+                Err(_) => return Err((Problem::Syntax("a vertex needs three numbers"), line)),
+            }
+        }
+    }
+    out.extend([0; 2]);
+    words.expect_next("endloop", "after three vertices should stand `endloop`: a facet is a triangle")?;
+    words.expect_next("endfacet", "after `endloop` should stand `endfacet`")
+}
+
+fn is(word: &str, wanted: &str) -> bool {
+    word.eq_ignore_ascii_case(wanted)
+}
+
+/// The words of a text, without the names of solids.
+struct Words<'t> {
+    /// The number of the last word's line.
+    line: usize,
+    words: std::str::SplitAsciiWhitespace<'t>,
+    lines: std::str::Lines<'t>,
+}
+
+impl<'t> Words<'t> {
+    fn next(&mut self) -> Option<&'t str> {
+        loop {
+            if let Some(word) = self.words.next() {
+                return Some(word);
+            }
+            self.words = self.lines.next()?.split_ascii_whitespace();
+            self.line += 1;
+            if let Some(first) = self.words.next() {
+                if is(first, "solid") || is(first, "endsolid") {
+                    self.words = "".split_ascii_whitespace(); // a name may be any words
+                }
+                return Some(first);
+            }
+        }
+    }
+
+    fn expect_next(&mut self, wanted: &str, what: &'static str) -> Result<(), Refusal> {
+        let word = self.next();
+        self.expect(word, wanted, what)
+    }
+
+    fn expect(&self, word: Option<&str>, wanted: &str, what: &'static str) -> Result<(), Refusal> {
+        match word {
+            Some(word) if is(word, wanted) => Ok(()),
+            Some(_) => Err(self.refuse(what)),
+            None => Err(self.ended()),
+        }
+    }
+
+    fn refuse(&self, what: &'static str) -> Refusal {
+        (Problem::Syntax(what), Some(self.line))
+    }
+
+    fn ended(&self) -> Refusal {
+        self.refuse("the file ends within a facet")
+    }
+}

@@ -1,0 +1,89 @@
+//! STL to triangles, by `stl_io`; ASCII is turned into binary first. Normals are passed over.
+
+mod ascii;
+
+use crate::model::{Model, Places, Warning};
+use crate::weld::Numbered;
+use crate::{ImportError, Problem, Triangles};
+use std::io::Cursor;
+use std::path::Path;
+
+/// Header, count and triangles of a binary file.
+const HEADER: usize = 80;
+const COUNT: usize = 4;
+const TRIANGLE: usize = 50;
+
+/// Reads STL; `file` is only named in errors. Vertices with the same bits are one.
+pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
+    let as_it_is = |problem: Problem| problem.at(file, None);
+    if is_text(&bytes) {
+        let ascii::Text { binary, lines, unended } = ascii::to_binary(&String::from_utf8_lossy(&bytes))
+            .map_err(|(problem, line)| problem.at(file, line))?;
+        let triangles = triangles(binary).map_err(as_it_is)?;
+        let cut = |line| Warning {
+            line: Some(line),
+            message: format!("no `endsolid` after line {line}: perhaps the file was cut short"),
+        };
+        let warnings = unended.map(cut).into_iter().collect();
+        return Ok(Model { triangles, places: Places::Lines(lines), warnings });
+    }
+    let given = bytes.len() as u64;
+    let needed = declared_length(&bytes).unwrap_or((HEADER + COUNT) as u64);
+    if given < needed {
+        return Err(as_it_is(Problem::Truncated { needed, given }));
+    }
+    let mut warnings = Vec::new();
+    if given > needed {
+        let message = format!("{} bytes after the last triangle are passed over", given - needed);
+        warnings.push(Warning { line: None, message });
+    }
+    if let Some(byte) = first_not_finite(&bytes[..needed as usize]) {
+        return Err(as_it_is(Problem::NotFiniteAt { byte }));
+    }
+    // Many binary headers begin with "solid", by which stl_io takes them for text.
+    bytes[0] = b' ';
+    let triangles = triangles(bytes).map_err(as_it_is)?;
+    Ok(Model { triangles, places: Places::Records, warnings })
+}
+
+/// Whether the file is one of text. A binary one may begin with "solid" too, but then it has its length, or a zero in its
+/// header or its count.
+fn is_text(bytes: &[u8]) -> bool {
+    let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let solid = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let head = &bytes[..bytes.len().min(HEADER + COUNT)];
+    solid && declared_length(bytes) != Some(bytes.len() as u64) && !head.contains(&0)
+}
+
+/// How long a binary file with this start must be.
+fn declared_length(bytes: &[u8]) -> Option<u64> {
+    let count = bytes.get(HEADER..HEADER + COUNT)?;
+    let count = u32::from_le_bytes(count.try_into().ok()?);
+    Some((HEADER + COUNT) as u64 + u64::from(count) * TRIANGLE as u64)
+}
+
+/// The place of the first coordinate of a binary file that is not a finite number. Normals are not looked at.
+fn first_not_finite(bytes: &[u8]) -> Option<usize> {
+    (HEADER + COUNT..bytes.len()).step_by(TRIANGLE).find_map(|triangle| {
+        (triangle + 12..triangle + 48).step_by(4).find(|&at| {
+            let number = bytes.get(at..at + 4).and_then(|bytes| bytes.try_into().ok());
+            !number.is_some_and(|number| f32::from_le_bytes(number).is_finite())
+        })
+    })
+}
+
+/// The triangles of a binary file by `stl_io`, whose own way to find equal vertices is slow in build scripts.
+fn triangles(stl: Vec<u8>) -> Result<Triangles, Problem> {
+    let mut stl = Cursor::new(stl);
+    let wrong = |e: std::io::Error| Problem::Format(e.to_string());
+    let (mut numbers, mut out) = (Numbered::default(), Triangles::default());
+    for triangle in stl_io::create_stl_reader(&mut stl).map_err(wrong)? {
+        out.faces.push(triangle.map_err(wrong)?.vertices.map(|vertex| {
+            *numbers.entry(vertex.0.map(f32::to_bits)).or_insert_with(|| {
+                out.positions.push(vertex.0.map(f64::from));
+                out.positions.len() - 1
+            })
+        }));
+    }
+    Ok(out)
+}
