@@ -1,6 +1,10 @@
 #![no_std]
+// Before the README's own definitions, so that its links lead somewhere and its pictures show on docs.rs too.
+#![doc = include_str!("book/links.md")]
 #![doc = include_str!("../README.md")]
 
+#[cfg(doc)]
+pub mod book;
 mod camera;
 pub mod clip;
 mod math;
