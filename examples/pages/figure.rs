@@ -110,11 +110,13 @@ fn world(svg: &mut String) -> Result<()> {
             y + 4.0
         );
     }
-    let [x, y] = at(volume[0])?;
-    text(svg, [x - 2.0, y + 16.0], "middle", "near");
-    let [x, y] = at(volume[4])?;
-    text(svg, [x - 6.0, y + 14.0], "middle", "far");
-    text(svg, [150.0, 262.0], "middle", "view: world units");
+    for (corner, name) in [(volume[1], "near"), (volume[5], "far")] {
+        let [x, y] = at(corner)?;
+        text(svg, [x, y + 15.0], "middle", name);
+    }
+    let [x, y] = at([0.0; 3])?;
+    text(svg, [x - 2.0, y + 18.0], "end", "eye");
+    text(svg, [150.0, 262.0], "middle", "view: world units, along −n");
     Ok(())
 }
 

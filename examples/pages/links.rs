@@ -16,12 +16,16 @@ pub(crate) fn definitions() -> Result<String, String> {
         if path.contains("://") {
             continue;
         }
-        match path.ends_with(".png") {
-            true => {
+        // A file of the package, a picture, or the book itself.
+        match path.rsplit_once('.') {
+            _ if path == "src/book/mod.rs" => {
+                let _ = writeln!(text, "[{name}]: crate::book");
+            }
+            Some((_, "png")) => {
                 let file = std::fs::read(super::root().join(path)).map_err(|e| format!("{path}: {e}"))?;
                 let _ = writeln!(text, "[{name}]: data:image/png;base64,{}", base64(&file));
             }
-            false => {
+            _ => {
                 let _ = writeln!(text, "[{name}]: {SOURCE}/{path}");
             }
         }

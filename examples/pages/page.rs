@@ -81,9 +81,12 @@ fn cells(line: &str) -> Vec<String> {
     line.trim_matches('|').split('|').map(|cell| cell.trim().to_string()).collect()
 }
 
-/// A count as the pages write it, with spaces between thousands.
+/// Between thousands: one that does not break.
+const SPACE: char = '\u{a0}';
+
+/// A count as the pages write it.
 pub(crate) fn number(text: &str) -> Result<u64, String> {
-    text.replace(' ', "").parse().map_err(|_| format!("{text} is no count"))
+    text.replace(SPACE, "").parse().map_err(|_| format!("{text} is no count"))
 }
 
 /// The same back.
@@ -92,7 +95,7 @@ pub(crate) fn spaced(value: u64) -> String {
     let mut spaced = String::new();
     for (i, digit) in digits.chars().enumerate() {
         if i > 0 && (digits.len() - i) % 3 == 0 {
-            spaced.push(' ');
+            spaced.push(SPACE);
         }
         spaced.push(digit);
     }
