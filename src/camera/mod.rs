@@ -43,7 +43,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A camera that stands still is a constant: 192 bytes of flash, and no code for what made it. One that
+/// A camera that stands still is a constant: 224 bytes of flash, and no code for what made it. One that
 /// cannot be does not compile.
 ///
 /// ```
