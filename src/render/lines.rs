@@ -34,7 +34,8 @@ impl<V: Coordinate> Placed<'_, V> {
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
 
-    /// Keeps the depth of the faces and draws nothing: what hides lines.
+    /// Keeps the depth of the faces and draws nothing: what hides lines. The depth is that of
+    /// [`depth_tested`](Self::depth_tested), to the bit. [`hidden_line`](Self::hidden_line) has an example.
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
         let window = Window::of_depth(depth, self.area());
