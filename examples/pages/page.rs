@@ -94,7 +94,7 @@ pub(crate) fn spaced(value: u64) -> String {
     let digits = value.to_string();
     let mut spaced = String::new();
     for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
             spaced.push(SPACE);
         }
         spaced.push(digit);
