@@ -50,7 +50,7 @@ fn the_library_is_whole_and_alone() {
         for rest in text.split("include_str!(\"").skip(1) {
             let file = folder.join(rest.split('"').next().expect("a path"));
             let file = file.to_string_lossy().replace("src/../", "");
-            assert!(names.iter().any(|name| *name == file), "{source} takes in {file}");
+            assert!(names.contains(&file), "{source} takes in {file}");
             included += 1;
         }
     }
