@@ -63,12 +63,19 @@ impl Homogeneous {
     }
 }
 
-/// What a corner of a face carries through the cut.
+/// What a corner of a face carries through the cut: what varies over a face in space, such as a colour. For
+/// [`Ink`](crate::Ink)s of one's own, which mostly take [`Barycentric`].
+///
+/// ```
+/// use pinhole::clip::{Barycentric, Carried};
+/// let (a, b) = (Barycentric::of(0), Barycentric::of(1));
+/// assert_eq!(a.towards(&b, 1 << 29).weights(), [3 << 28, 1 << 28, 0]); // a quarter of the way
+/// ```
 pub trait Carried: Copy {
     /// What corner 0, 1 or 2 of the whole face carries.
     fn of(corner: usize) -> Self;
 
-    /// `t`·2⁻³¹ of the way to `other`.
+    /// What the point carries that lies `t`·2⁻³¹ of the way to `other`, 0 ≤ t < 2³¹.
     #[must_use]
     fn towards(&self, other: &Self, t: i64) -> Self;
 }
@@ -79,13 +86,14 @@ impl Carried for () {
     fn towards(&self, (): &(), _: i64) {}
 }
 
-/// How much of each of a face's corners a point of it is, in 2⁻³⁰.
+/// How much of each of a face's corners a point of it is, in 2⁻³⁰: linear in space, not on the screen. Each
+/// cut rounds to nearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Barycentric(pub(crate) [i32; 3]);
 
 impl Barycentric {
-    /// Of each corner, in 2⁻³⁰: 2³⁰ together, but for rounding.
+    /// Of each corner, 0 … 2³⁰ in 2⁻³⁰: 2³⁰ together, but for the rounding of each to nearest.
     pub const fn weights(self) -> [i32; 3] {
         self.0
     }
@@ -185,13 +193,14 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> Order {
     polygon
 }
 
-/// A corner in clip space with what varies over a face: colours, texture coordinates, ….
+/// A corner in clip space with what varies over a face: colours, texture coordinates, …. For [`triangle`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipVertex<const A: usize> {
     /// Where it is.
     pub point: ClipPoint,
-    /// What it carries; interpolated linearly in clip space, rounded to nearest.
+    /// What it carries, in any unit: all of an `i32`. Interpolated linearly in clip space, which is in space, and
+    /// rounded to nearest.
     pub attributes: [i32; A],
 }
 
@@ -257,6 +266,24 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// corners in the triangle's order, empty where nothing is inside. New corners are within 2⁻²⁷ of
 /// the largest corner's coordinates but where edges run nearly along planes, and neighbours that share an edge get the same ones.
 /// (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
+///
+/// ```
+/// use pinhole::{clip::{self, ClipVertex}, space::View, Point3, Projection, Scalar, Window};
+/// let one = Scalar::from_num(1);
+/// let window = Window { left: -one, right: one, bottom: -one, top: one };
+/// let view = Projection::orthographic(window, one, Scalar::from_num(3))?;
+/// // Twice as wide as the window, and what it carries runs from 0 to 200.
+/// let corner = |x, y, light| {
+///     ClipVertex { point: view.apply(Point3::<View>::from_ints(x, y, -2)), attributes: [light] }
+/// };
+/// let part = clip::triangle([corner(-2, 0, 0), corner(2, 0, 200), corner(0, 1, 100)]);
+/// // Its sharp ends are gone, at heights of ½.
+/// let corners: Vec<_> = part.iter().map(|c| (c.point.ndc().unwrap(), c.attributes[0])).collect();
+/// assert_eq!(corners.len(), 5);
+/// assert!(corners.contains(&(Point3::from_ints(-1, 0, 0), 50)));
+/// assert!(corners.contains(&(Point3::from_f32(1.0, 0.5, 0.0).unwrap(), 150)));
+/// # Ok::<(), pinhole::ProjectionError>(())
+/// ```
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);
     let [a, b, c] = corners.map(|c| Aligned::new(&c.point, exponent, c.attributes));

@@ -1,6 +1,12 @@
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+// docs.rs shows what needs a feature
+// Before the README's own definitions, so that its links lead somewhere and its pictures show on docs.rs too.
+#![doc = include_str!("book/links.md")]
 #![doc = include_str!("../README.md")]
 
+#[cfg(doc)]
+pub mod book;
 mod camera;
 pub mod clip;
 mod math;

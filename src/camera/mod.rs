@@ -25,7 +25,8 @@ use crate::raster::GUARD_BAND;
 use depth_by_w::DepthByW;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Viewing, projection and viewport, folded into four linear forms over view coordinates.
+/// Viewing, projection and viewport, folded into four linear forms over view coordinates: what a mesh is
+/// [placed](Self::place) before. Where vertices land is bounded at [`Placed::project`](crate::Placed::project).
 ///
 /// x and y are measured from the viewport's centre in units of 2^`unit` sub-pixels times w, so
 /// that one reciprocal and one product a coordinate finish a vertex; depth is folded likewise.
@@ -43,7 +44,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A camera that stands still is a constant: 192 bytes of flash, and no code for what made it. One that
+/// A camera that stands still is a constant: 224 bytes of flash, and no code for what made it. One that
 /// cannot be does not compile.
 ///
 /// ```
@@ -115,8 +116,8 @@ impl Camera {
         }
     }
 
-    /// Whether the far plane cuts. Without it, what lies beyond is drawn and its depth is the
-    /// largest one.
+    /// Whether the far plane cuts: at first it does not. Without it, what lies beyond is drawn and its depth is the
+    /// largest one, 65534; what is drawn against a depth buffer ends there in any case.
     #[must_use]
     pub const fn with_far_clip(self, far_clip: bool) -> Self {
         Self { far_clip, ..self }

@@ -58,9 +58,29 @@ impl Camera {
     /// 65534 far, within 1 where far is at least twice near; or why it lies nowhere. A point outside
     /// the viewport has a place too. (The bounds are those of [`Placed::project`](crate::Placed::project).)
     ///
+    /// ```
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+    /// # let (eye, origin, up) = (Point3::from_ints(0, 3, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
+    /// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// // Where a label goes, ...
+    /// let (at, depth) = camera.project(Point3::from_ints(1, 0, 1))?;
+    /// // ... what was touched there, ...
+    /// let back = camera.unproject(at, depth).ok_or("outside the world")?;
+    /// let close = |a: Scalar, b: i16| (a - Scalar::from_num(b)).abs() < Scalar::from_num(0.01);
+    /// assert!(close(back.x(), 1) && close(back.y(), 0) && close(back.z(), 1));
+    /// // ... and the line on which it lies, whatever its depth: from the near plane into the picture.
+    /// let ray = camera.ray(at).ok_or("too flat a view")?;
+    /// assert!(ray.direction.y() < 0 && ray.direction.z() < 0 && ray.origin.y() < eye.y());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
-    /// [`Hidden`].
+    /// [`Hidden`] says behind which plane it lies.
     pub fn project(&self, p: Point3<World>) -> Result<(ScreenPoint, u16), Hidden> {
         let [x, y, z] = [p.x(), p.y(), p.z()];
         // An object that is this point: all of its space is flattened into it.
@@ -120,7 +140,22 @@ impl Camera {
     /// under a parallel projection.
     ///
     /// Each lies within 1/512 px and what turning its axis by 2⁻²⁸ rad moves it, for fields of view
-    /// from 26° to 120°.
+    /// from 26° to 120°. (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
+    ///
+    /// ```
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
+    /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+    /// let lens = Projection::perspective(Angle::degrees(90), viewport.size(), near, far)?;
+    /// // From (5, 0, 5): parallels to x and to z meet at 45° to the gaze, on the borders; those to y stay parallel.
+    /// let eye = Point3::from_ints(5, 0, 5);
+    /// let view = Viewing::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
+    /// let [x, y, z] = Camera::new(&view, &lens, &viewport).vanishing_points();
+    /// let (x, z) = (x.ok_or("parallel")?, z.ok_or("parallel")?);
+    /// assert!(x.x.abs() <= 1 && (z.x - 240 * 256).abs() <= 1 && y.is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
         let point = |direction: [i32; 3]| {
             // The forms without their constants: three products of at most 2⁶⁰.

@@ -365,6 +365,70 @@ mod tests {
         places
     }
 
+    /// How far a corner's depth is from `d/w`, or from `A − B/w`, of the very integers that it is computed from: in its
+    /// own units, 2⁻⁸ of a step, by long division.
+    fn depth_error(placement: &Placement, vertex: [i16; 3]) -> Option<f64> {
+        let corner = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
+        let h = placement.clip_one(vertex);
+        let depth = corner.depth();
+        if !corner.whole() || depth == FARTHEST {
+            return None;
+        }
+        // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + drop·2^(2 − drop_down)` where drop is 2⁻²⁷ · 2^29.
+        let w = i128::from(h.w);
+        let exact = match placement.by_d {
+            true => i128::from(h.d) << (27 + placement.d_over_w),
+            false => {
+                let drop = i128::from(placement.drop) << 29 >> placement.drop_down;
+                i128::from(placement.origin - 4) * w + drop
+            }
+        };
+        let off = (i128::from(depth) << 3) * w - exact; // 2⁻²⁷ · w
+        Some((off as f64 / w as f64 / 8.0).abs())
+    }
+
+    /// ARCHITECTURE.md, "Numbers": half a unit from rounding, and what is dropped before.
+    #[test]
+    fn depth_of_a_corner_is_within_0_7_of_its_unit() {
+        let number = Scalar::from_num::<f64>;
+        let viewport = Viewport::new(Point::zero(), Size::new(240, 180)).unwrap();
+        let (mut state, mut largest, mut counts) = (7_u64, [0.0_f64; 2], [0; 2]);
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 48) as i16
+        };
+        for (near, far) in
+            [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 1.4), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)]
+        {
+            for eye in [0.6, 1.4, 3.0, 12.0] {
+                let (near, far) = (number(near), number(far));
+                let at = Point3::new(Scalar::ZERO, Scalar::ZERO, number(eye));
+                let origin = Point3::from_ints(0, 0, 0);
+                let viewing = Viewing::look_at(at, origin, Vector3::from_ints(0, 1, 0)).unwrap();
+                let side = number(1.5);
+                let window = Window { left: -side, right: side, bottom: -side, top: side };
+                let lenses = [
+                    Projection::perspective(Angle::degrees(60), viewport.size(), near, far).unwrap(),
+                    Projection::orthographic(window, near, far).unwrap(),
+                ];
+                for lens in lenses {
+                    let camera = Camera::new(&viewing, &lens, &viewport);
+                    let placement =
+                        Placement::new(&camera, &Affine::rotation_y(Angle::degrees(33)), -14, 16, true);
+                    let way = usize::from(placement.by_d);
+                    for _ in 0..20_000 {
+                        if let Some(error) = depth_error(&placement, [random(), random(), random()]) {
+                            largest[way] = largest[way].max(error);
+                            counts[way] += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(counts.iter().all(|&count| count > 50_000), "{counts:?}");
+        assert!(largest.iter().all(|&error| error <= 0.7), "{largest:?}"); // 0.56 is met
+    }
+
     #[test]
     fn both_ways_give_the_same_bits() {
         let size = Size::new(240, 180);

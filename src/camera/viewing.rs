@@ -92,11 +92,13 @@ impl core::fmt::Display for ViewingError {
 impl core::error::Error for ViewingError {}
 
 impl Viewing {
-    /// From `eye` towards `target`, with `up` upwards in the picture.
+    /// From `eye` towards `target`, with `up` upwards in the picture. Both vectors are of any length; the
+    /// coefficients' bound is that of the [type](Self).
     ///
     /// # Errors
     ///
-    /// [`ViewingError`] when the target is the eye, or `up` is zero or along the gaze.
+    /// [`ViewingError::ZeroDirection`] when the target is the eye, [`ZeroUp`](ViewingError::ZeroUp), and
+    /// [`ParallelUp`](ViewingError::ParallelUp) when `up` is within 2⁻¹² rad of the gaze's line.
     pub const fn look_at(
         eye: Point3<World>,
         target: Point3<World>,
@@ -115,7 +117,7 @@ impl Viewing {
     ///
     /// # Errors
     ///
-    /// [`ViewingError`] when `gaze` or `up` is zero or they are parallel.
+    /// As [`look_at`](Self::look_at).
     pub const fn look_along(
         eye: Point3<World>,
         gaze: Vector3<World>,
@@ -129,7 +131,7 @@ impl Viewing {
     ///
     /// # Errors
     ///
-    /// [`ViewingError`] when `vpn` or `vup` is zero or they are parallel.
+    /// As [`look_at`](Self::look_at).
     pub const fn from_reference(
         vrp: Point3<World>,
         vpn: Vector3<World>,
@@ -156,6 +158,23 @@ impl Viewing {
 
     /// The isometric view, VPN (1, 1, 1) and y up: with an orthographic projection all three axes
     /// are foreshortened by √(2/3). Coefficients within 2⁻³².
+    /// (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
+    ///
+    /// ```
+    /// use pinhole::{Point3, Scalar, Side, Vector3, Viewing, ViewingError};
+    /// let (origin, up) = (Point3::from_ints(0, 0, 0), Scalar::from_num(2));
+    /// let views = [
+    ///     Viewing::multiview(origin, Side::Top),
+    ///     Viewing::isometric(origin),
+    ///     Viewing::dimetric(origin, Scalar::from_num(1), up)?, // VPN (1, 2, 1)
+    ///     Viewing::trimetric(origin, Vector3::from_ints(1, 2, 3))?,
+    /// ];
+    /// // How long a unit of each axis is in the picture: √(1 − its part of n squared).
+    /// let n = views.map(|view| view.rows()[2].map(|c| f64::from(c) / f64::from(1 << 30)));
+    /// let lengths = n.map(|n| n.map(|c| (100.0 * (1.0 - c * c).sqrt()).round()));
+    /// assert_eq!(lengths, [[100.0, 0.0, 100.0], [82.0; 3], [91.0, 58.0, 91.0], [96.0, 85.0, 60.0]]);
+    /// # Ok::<(), ViewingError>(())
+    /// ```
     pub const fn isometric(vrp: Point3<World>) -> Self {
         // 1/√2, 1/√6, 2/√6 and 1/√3 in 2⁻³⁰.
         const H: i32 = 759_250_125;
@@ -171,7 +190,7 @@ impl Viewing {
     /// # Errors
     ///
     /// [`ViewingError::NotAxonometric`] where a component is zero or both are equal, and
-    /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹² of `up`.
+    /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹² of `up`. [`isometric`](Self::isometric) has an example.
     pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewingError> {
         if side.to_bits() == 0
             || up.to_bits() == 0
@@ -207,6 +226,16 @@ impl Viewing {
     /// [`ViewingError::NotRigid`] where the last row is not (0, 0, 0, 1), a number is not finite,
     /// or the rows are left-handed, or a row's square is not 1 or its product with another not 0, to
     /// 4·10⁻⁶: numbers rounded to six decimals pass; [`ViewingError::EyeOutside`] where the eye leaves the world.
+    ///
+    /// ```
+    /// use pinhole::{Point3, Viewing, ViewingError};
+    /// let from_5 = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -5.0], [0.0, 0.0, 0.0, 1.0]];
+    /// let view = Viewing::from_matrix(&from_5)?;
+    /// assert_eq!(view.eye(), [0, 0, 5 << 32]);
+    /// assert_eq!(view.apply(Point3::from_ints(0, 0, 0)), Point3::from_ints(0, 0, -5));
+    /// assert_eq!(view.to_matrix(), from_5);
+    /// # Ok::<(), ViewingError>(())
+    /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ViewingError> {
         let [u, v, n, last] = *matrix;
         if last != [0.0, 0.0, 0.0, 1.0] {
@@ -277,7 +306,7 @@ impl Viewing {
         Ok(Self { rows: [u, cross_units(&n, &u), n], eye: wide(eye) })
     }
 
-    /// The axes u, v, n as rows, in 2⁻³⁰.
+    /// The axes u, v, n as rows, in 2⁻³⁰: from −2³⁰ to 2³⁰. Their bound is that of the constructor.
     pub const fn rows(&self) -> [[i32; 3]; 3] {
         self.rows
     }
@@ -298,7 +327,7 @@ impl Viewing {
         Point3::from_bits(image.map(crate::math::to_scalar))
     }
 
-    /// The eye in 2⁻³² world units.
+    /// The eye in 2⁻³² world units, exact: ±2⁴⁷ but for rounding.
     pub const fn eye(&self) -> [i64; 3] {
         self.eye
     }

@@ -52,7 +52,7 @@ impl Viewport {
     ///
     /// # Errors
     ///
-    /// [`ViewportError`] when it is empty or leaves the guard band.
+    /// [`ViewportError::Empty`], and [`OutsideGuardBand`](ViewportError::OutsideGuardBand) beyond ±8192 pixels.
     pub const fn new(top_left: Point, size: Size) -> Result<Self, ViewportError> {
         if size.width == 0 || size.height == 0 {
             return Err(ViewportError::Empty);

@@ -111,7 +111,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     ///
     /// # Errors
     ///
-    /// [`AxisError::ZeroAxis`].
+    /// [`AxisError::ZeroAxis`] for an axis of length zero.
     pub fn rotation(through: Point3<B>, axis: Vector3<B>, angle: Angle) -> Result<Self, AxisError> {
         let axis = normalise(&axis.bits().map(i64::from));
         if is_zero(&axis) {
@@ -217,6 +217,19 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     ///
     /// [`InverseError::Singular`] where the axes lie in a plane: the determinant, relative to the
     /// product of the rows' lengths, is below 2⁻²⁴.
+    ///
+    /// ```
+    /// use pinhole::{space::{Model, World}, Affine, Angle, InverseError, Point3, Scalar, Vector3};
+    /// let place = Affine::<Model, Model>::rotation_y(Angle::degrees(90))
+    ///     .then(&Affine::<Model, World>::translation(Vector3::from_ints(3, 0, 0)));
+    /// let there = place.apply(Point3::from_ints(0, 1, 2));
+    /// assert_eq!(there, Point3::from_ints(5, 1, 0)); // z goes to x
+    /// assert_eq!(place.inverse()?.apply(there), Point3::from_ints(0, 1, 2));
+    /// assert_eq!(place.rigid_inverse()?.apply(there), Point3::from_ints(0, 1, 2));
+    /// let flat = Affine::<Model, World>::scale(Scalar::ZERO);
+    /// assert_eq!(flat.inverse(), Err(InverseError::Singular));
+    /// # Ok::<(), InverseError>(())
+    /// ```
     pub fn inverse(&self) -> Result<Affine<B, A>, InverseError> {
         let (cofactors, c_exponent) = cofactors(&self.linear);
         let (determinant, d_exponent) = determinant(&self.linear);

@@ -39,7 +39,7 @@ impl ClipPoint {
         Self { x, y, z, w, exponent: shift + exponent }
     }
 
-    /// x, y, z, w in units of 2^[`exponent`](Self::exponent).
+    /// x, y, z, w in units of 2^[`exponent`](Self::exponent): 30 bits each, the largest of them in use.
     pub const fn xyzw(&self) -> [i32; 4] {
         [self.x, self.y, self.z, self.w]
     }

@@ -12,7 +12,8 @@ pub(crate) struct Homogeneous {
     pub(crate) w: i32,
 }
 
-/// A vertex coordinate type: `i16`, or [`Scalar`] for meshes that need the range.
+/// A vertex coordinate type: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`] for meshes that need the range: ±32768
+/// in steps of 2⁻¹⁶. Sealed: there are no others.
 pub trait Coordinate: Copy + sealed::Sealed {
     /// The coordinate times a power of two.
     #[doc(hidden)]

@@ -35,7 +35,7 @@ impl<A, B> Clone for NormalMap<A, B> {
 impl<A, B> Copy for NormalMap<A, B> {}
 
 impl<A: SetUp, B: SetUp> Affine<A, B> {
-    /// The map for normals.
+    /// The map for normals: [`NormalMap`] has an example. For light, [`Lambert`](crate::Lambert) takes it itself.
     pub fn normals(&self) -> NormalMap<A, B> {
         let (linear, _) = self.linear();
         let (rows, _) = cofactors(linear);

@@ -45,7 +45,7 @@ impl Quaternion {
     ///
     /// # Errors
     ///
-    /// [`QuaternionError::Zero`].
+    /// [`QuaternionError::Zero`] where all parts are zero.
     pub fn new(w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Result<Self, QuaternionError> {
         Self::normalised([w, x, y, z].map(|c| i64::from(c.to_bits())))
     }

@@ -168,7 +168,7 @@ impl<'s, C: Wire> Band<'s, C> {
         self.bytes
     }
 
-    /// Its pixels, row by row.
+    /// Its pixels, row by row, decoded from the strip's bytes: as many as the [`area`](Self::area) has.
     pub fn colours(&self) -> impl Iterator<Item = C> + '_ {
         let Size { width, height } = self.area.size;
         if C::BITS >= 8 {
@@ -190,7 +190,7 @@ impl<'s, C: Wire> Band<'s, C> {
     ///
     /// # Errors
     ///
-    /// The display's own.
+    /// The display's own; the band is as it was, and may be sent again.
     pub fn send<D: DrawTarget<Color = C>>(&self, display: &mut D) -> Result<(), D::Error> {
         display.fill_contiguous(&self.area, self.colours())
     }

@@ -67,7 +67,7 @@ impl<'a> DepthBuffer<'a> {
         Ok(buffer)
     }
 
-    /// Nothing is seen any more: for the next frame.
+    /// Nothing is seen any more: for the next frame. [`new`](Self::new) has done it for the first.
     pub fn clear(&mut self) {
         // On a Cortex-M0 the library's `memset`, which the blocks become, is far slower.
         if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {

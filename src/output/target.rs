@@ -21,7 +21,7 @@ pub trait Target: sealed::Sealed {
     /// All pixels that there are.
     fn area(&self) -> Rectangle;
 
-    /// Draws a run of pixels in one colour.
+    /// Draws a run of pixels in one colour; it lies in the [`area`](Self::area).
     ///
     /// # Errors
     ///

@@ -68,7 +68,7 @@ pub struct ScreenPoint {
 impl ScreenPoint {
     pub(crate) const ORIGIN: Self = Self { x: 0, y: 0 };
 
-    /// The door for 2D work: `None` beyond ±8192 pixels.
+    /// The door for 2D work: 1/256 pixel, exact; `None` beyond ±8192 pixels.
     pub const fn from_subpixels(x: i32, y: i32) -> Option<Self> {
         const LIMIT: i32 = GUARD_BAND * 256;
         if x < -LIMIT || x > LIMIT || y < -LIMIT || y > LIMIT {
@@ -129,7 +129,7 @@ pub struct Scissor {
 }
 
 impl Scissor {
-    /// Limits beyond ±32768 are brought there: nothing is drawn outside.
+    /// From limits in pixels; those beyond ±32768 are brought there: nothing is drawn outside.
     pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         let near = |v: i32| v.clamp(-32_768, 32_768);
         Self { left: near(left), top: near(top), right: near(right), bottom: near(bottom) }

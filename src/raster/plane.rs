@@ -17,7 +17,8 @@ use crate::math::num::{mul_high, mul_wide, reciprocal};
 use core::hint::black_box;
 
 /// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
-/// depth, or a channel of colour. Values are 24 bits at the corners, 32 bits at the pixels.
+/// depth, or a channel of colour. Values are 24 bits at the corners, 32 bits at the pixels: in 2⁻⁸ of the corners' unit.
+/// [`InkFor`](crate::InkFor) has an example.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane {
@@ -28,7 +29,8 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// At the centre of a covered pixel.
+    /// At the centre of a covered pixel, column `x` and row `y`, in 2⁻⁸ of the corners' unit: between their values, and
+    /// within `(w + h)/2 + 2¹⁰·⁶` of these units, w columns and h rows from a corner. Elsewhere it wraps.
     #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> u32 {
         self.origin

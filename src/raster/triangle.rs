@@ -26,7 +26,7 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     mul_wide(x2, y1) - mul_wide(x1, y2)
 }
 
-/// A triangle ready to be drawn.
+/// A triangle ready to be drawn: what an [`InkFor`](crate::InkFor) of one's own is made ready for.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle {

@@ -45,6 +45,31 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Sorts out the edges, and the visible ones by the rows where they begin. `records` are numbers
     /// lent for the frame: one for each visible edge, and one for every 16 edges of the mesh.
     ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{Affine, Angle, Camera, Corner, Frame, Mesh, Painter, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
+    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// # let view = Viewing::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// let placed = camera.place(&mesh, &Affine::identity());
+    /// let (mut corners, mut records) = ([Corner::EMPTY; 3], [0; 3 + 1]);
+    /// let mut edges = placed.transform(&mut corners).edges(&mut records)?;
+    /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
+    /// while let Some(mut band) = frame.next_band(&mut strip)? {
+    ///     edges.draw(Gray8::WHITE, &mut band.pixels())?;
+    ///     band.send(&mut display)?;
+    /// }
+    /// let (corner, _) = placed.project(0).ok_or("out of sight")?;
+    /// let at = Point::new(corner.pixel().x.into(), corner.pixel().y.into());
+    /// assert_eq!((edges.statistics().drawn, display.get_pixel(at)), (3, Some(Gray8::WHITE)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
@@ -163,7 +188,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         })
     }
 
-    /// What became of the faces. A face is drawn though it may cover no pixel.
+    /// What became of the faces, of all bands together. A face is drawn though it may cover no pixel.
     pub const fn statistics(&self) -> Statistics {
         self.statistics
     }

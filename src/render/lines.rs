@@ -16,7 +16,8 @@ impl<V: Coordinate> Placed<'_, V> {
     ///
     /// A pixel's depth is that of the line at the pixel's centre along the major axis, within 0.51 of a step for
     /// lines within 512 pixels, beyond within ½ and 2⁻¹⁷ for every pixel. A line that lies in a face
-    /// fights with it: [`hidden_line`](Self::hidden_line) is for the edges of solid meshes.
+    /// fights with it: [`hidden_line`](Self::hidden_line) is for the edges of solid meshes. It is called like that, after
+    /// what is solid was drawn [`depth_tested`](Self::depth_tested) into the same depth.
     ///
     /// # Errors
     ///
@@ -34,7 +35,8 @@ impl<V: Coordinate> Placed<'_, V> {
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
 
-    /// Keeps the depth of the faces and draws nothing: what hides lines.
+    /// Keeps the depth of the faces and draws nothing: what hides lines. The depth is that of
+    /// [`depth_tested`](Self::depth_tested), to the bit. [`hidden_line`](Self::hidden_line) has an example.
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
         let window = Window::of_depth(depth, self.area());

@@ -41,7 +41,9 @@ use crate::space::{Model, World};
 
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A mesh placed before a camera, ready to be drawn.
+/// A mesh placed before a camera, ready to be drawn: [`Camera::place`] makes it, once per object and frame.
+///
+/// Each way to draw is a method. [The book](crate::book::ch4_visibility) says which to choose.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'m, V = i16> {
     mesh: &'m Mesh<'m, V>,
@@ -81,7 +83,7 @@ impl<V> Placed<'_, V> {
 }
 
 impl<'m, V: Coordinate> Placed<'m, V> {
-    /// Draws other faces than the front ones.
+    /// Draws other faces than the front ones; at first it is [`Cull::Back`].
     #[must_use]
     pub fn with_cull(self, cull: Cull) -> Self {
         Self { cull, ..self }

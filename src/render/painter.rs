@@ -288,6 +288,29 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
 
     /// Puts all that was recorded in order, to be drawn more than once: band by band. What was
     /// recorded stays until it is [cleared](Self::clear).
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{Affine, Angle, Camera, Corner, Frame, Mesh, Painter, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?.with_edges(&[[0, 1], [1, 2], [2, 0]])?;
+    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// # let view = Viewing::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// let mut painter = Painter::<Gray8, 3, 1>::new();
+    /// painter.add(&camera.place(&mesh, &Affine::identity()), |_| Gray8::WHITE)?;
+    /// let order = painter.order();
+    /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
+    /// while let Some(mut band) = frame.next_band(&mut strip)? {
+    ///     order.draw(&mut band.pixels())?;
+    ///     band.send(&mut display)?;
+    /// }
+    /// assert_eq!((order.statistics().drawn, display.get_pixel(Point::new(32, 32))), (1, Some(Gray8::WHITE)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn order(&mut self) -> PaintersOrder<'_, I> {
         let first = self.sort();
         let (corners, faces) = (self.corners.as_slice(), self.faces.as_slice());

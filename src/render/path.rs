@@ -7,7 +7,7 @@ use crate::output::{scissor, Target};
 use crate::raster::{self, Pixel, Span};
 
 impl<V: Coordinate> Placed<'_, V> {
-    /// Draws each vertex as the pixel that it lies in.
+    /// Draws each vertex as the pixel that it lies in: [`polyline`](Self::polyline) has an example.
     ///
     /// # Errors
     ///
@@ -33,6 +33,26 @@ impl<V: Coordinate> Placed<'_, V> {
     /// repeats the first. A pixel where two of its lines join is drawn once: it belongs to the
     /// first of them, or to the last line where that closes the figure. Lines are clipped as those of
     /// [`wireframe`](Self::wireframe).
+    ///
+    /// ```
+    /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use pinhole::{Affine, Camera, Mesh, Point3, Projection, Scalar, Side, Viewing, Viewport, Window};
+    /// // A plot: a mesh without faces is a list of points.
+    /// let mesh = Mesh::new(&[[0, 0, 0], [2, 3, 0], [4, 1, 0]], 0, &[])?;
+    /// let [zero, one, four, five] = [0, 1, 4, 5].map(Scalar::from_num);
+    /// let viewport = Viewport::new(Point::zero(), Size::new(5, 4))?;
+    /// let window = Window { left: zero, right: five, bottom: zero, top: four };
+    /// let view = Viewing::multiview(Point3::from_f32(-0.5, -0.5, 0.0)?, Side::Front); // to pixel centres
+    /// let camera = Camera::new(&view, &Projection::orthographic(window, -one, one)?, &viewport);
+    /// let placed = camera.place(&mesh, &Affine::identity());
+    /// let mut display = MockDisplay::new(); // which refuses a pixel that is drawn twice
+    /// placed.polyline(BinaryColor::On, &mut display)?;
+    /// display.assert_pattern(&["  #  ", " # # ", " #  #", "#    "]); // up by 3 in 2 columns, and down by 2 in 2
+    /// let mut display = MockDisplay::new();
+    /// placed.points(BinaryColor::On, &mut display)?;
+    /// display.assert_pattern(&["  #  ", "     ", "    #", "#    "]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -8,6 +8,13 @@ use super::fan::Outcome;
 ///
 /// Drawn means handed to the rasteriser: a face between four pixel centres, or beside the target,
 /// is drawn and covers none.
+///
+/// ```
+/// use pinhole::Statistics;
+/// let [cube, ball] = [4, 9].map(|drawn| Statistics { drawn, culled: 2 * drawn, ..Statistics::default() });
+/// let both = cube.and(ball);
+/// assert_eq!((both.drawn, both.culled, both.outside), (13, 26, 0));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Statistics {

@@ -16,7 +16,7 @@ pub struct Node {
 }
 
 impl Node {
-    /// A node of the world itself.
+    /// A node of the world itself, as if the world were its parent's model space.
     pub const fn root(local: Affine<Model, Model>) -> Self {
         Self { parent: None, local, world: Affine::identity() }
     }
@@ -108,7 +108,8 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// World transform = parent's world · local, for all nodes in order.
+    /// World transform = parent's world · local, for all nodes in order. Each level adds the rounding of
+    /// [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 3·2⁻³³.
     pub fn update(&mut self) {
         for i in 0..self.nodes.len() {
             let (before, rest) = self.nodes.split_at_mut(i); // i < len: never panics

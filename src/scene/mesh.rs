@@ -201,7 +201,8 @@ const fn justify(magnitude: u32) -> u8 {
 }
 
 impl<'a> Mesh<'a, i16> {
-    /// From vertices in units of 2^`exponent` and faces.
+    /// From vertices in units of 2^`exponent`, exact, and faces, counter-clockwise from outside. Reads all of them once: in a
+    /// `const` that is at compile time.
     ///
     /// # Errors
     ///
@@ -276,7 +277,7 @@ impl<'a> Mesh<'a, Scalar> {
 }
 
 impl<'a, V> Mesh<'a, V> {
-    /// With the edges that a wireframe draws, each once.
+    /// With the edges that a wireframe draws, each once: two vertices each, in any order.
     ///
     /// # Errors
     ///

@@ -33,12 +33,12 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 pub struct Gouraud([Flat; 3]);
 
 impl Gouraud {
-    /// From a colour for each corner, of `Rgb888` or [`Flat`].
+    /// From a colour for each corner, of `Rgb888` or [`Flat`], exactly.
     pub fn new(corners: [impl Into<Flat>; 3]) -> Self {
         Self(corners.map(Into::into))
     }
 
-    /// From one colour and the light at each corner, of 256.
+    /// From one colour and the light at each corner, 0 … 256 (more counts as 256), exactly.
     pub fn lit(colour: Rgb888, levels: [u16; 3]) -> Self {
         Self(levels.map(|level| Flat::lit(colour, level)))
     }

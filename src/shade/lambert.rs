@@ -53,7 +53,7 @@ impl Lambert {
     ///
     /// # Errors
     ///
-    /// [`LightError::ZeroDirection`].
+    /// [`LightError::ZeroDirection`] where `towards_light` has length zero.
     pub fn new(
         model: &Affine<Model, World>,
         towards_light: Vector3<World>,

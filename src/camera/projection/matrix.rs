@@ -19,6 +19,18 @@ impl Projection {
     /// # Errors
     ///
     /// [`ProjectionError::Matrix`] for NaN and infinities, and where all is zero.
+    ///
+    /// ```
+    /// use pinhole::{space::View, Point3, Projection, ProjectionError};
+    /// // A reverse perspective: what is farther away is larger. w = 1 + z/8.
+    /// let reverse =
+    ///     [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, -0.25, -1.0], [0.0, 0.0, 0.125, 1.0]];
+    /// let lens = Projection::from_matrix(&reverse)?;
+    /// let across = |z| lens.apply(Point3::<View>::from_ints(1, 0, z)).ndc().map(|ndc| ndc.x().to_num::<f32>());
+    /// assert_eq!((across(0), across(-4)), (Some(0.5), Some(1.0)));
+    /// assert_eq!(lens.to_matrix(), reverse.map(|row| row.map(|c| 0.5 * c))); // the same for any positive factor
+    /// # Ok::<(), ProjectionError>(())
+    /// ```
     pub fn from_matrix(matrix: &[[f64; 4]; 4]) -> Result<Self, ProjectionError> {
         // The exponents of the largest coefficient and of the largest constant.
         let (mut linear, mut constant) = (None, None);

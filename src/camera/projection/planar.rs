@@ -167,7 +167,7 @@ impl PlanarProjection {
         })))
     }
 
-    /// The homogeneous image (x, y, z, w) before the division, each rounded and saturated.
+    /// The homogeneous image (x, y, z, w) before the division, each rounded to nearest in 2⁻¹⁶ and saturated.
     pub fn homogeneous(&self, p: Point3<View>) -> [Scalar; 4] {
         let p = p.bits().map(|c| i64::from(c) << 16);
         self.rows.map(|row| Scalar::from_bits(to_scalar(row.apply(&p))))
@@ -192,6 +192,17 @@ impl Projection {
     ///
     /// x and y are the planar image's, mapped from the window to −1 … 1; depth is linear on the
     /// screen, `d = (w at far)/(far − near) · (−z − near)`.
+    ///
+    /// ```
+    /// use pinhole::{PlanarProjection, Projection, ProjectionError, Scalar, Vector3, Window};
+    /// let [one, two] = [1, 2].map(Scalar::from_num);
+    /// let window = Window { left: -two, right: two, bottom: -two, top: two };
+    /// // Parallel, along (0, -1, 1): what is parallel to the plane z = 0 keeps its shape.
+    /// let planar = PlanarProjection::general(Scalar::ZERO, None, Vector3::from_ints(0, -1, 1))?;
+    /// let lens = Projection::from_planar(&planar, window, -one, two)?;
+    /// # let _ = lens;
+    /// # Ok::<(), ProjectionError>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -72,6 +72,17 @@ impl Projection {
     ///
     /// (OpenGL 1.x, `glFrustum`; *OpenGL Programming Guide*, appendix on homogeneous coordinates.)
     ///
+    /// ```
+    /// use pinhole::{space::View, Point3, Projection, ProjectionError, Scalar, Window};
+    /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_num);
+    /// // The right half of a picture, for the second of two displays.
+    /// let right = Window { left: zero, right: one, bottom: -one, top: one };
+    /// let lens = Projection::frustum(right, one, two)?;
+    /// assert_eq!(lens.apply(Point3::<View>::from_ints(0, 0, -2)).ndc(), Some(Point3::from_ints(-1, 0, 1)));
+    /// assert_eq!(lens.apply(Point3::<View>::from_ints(1, 0, -1)).ndc(), Some(Point3::from_ints(1, 0, -1)));
+    /// # Ok::<(), ProjectionError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`ProjectionError::EmptyWindow`], [`NearNotPositive`](ProjectionError::NearNotPositive),

@@ -1,0 +1,60 @@
+//! What the documentation shows of other files: the README's table, the book's tables of constants, pictures and links of
+//! the crate's page, and the book's figure. Run it after a page or picture in `docs` has changed:
+//!
+//! ```text
+//! cargo run --release --example pages -- --help
+//! ```
+
+#[path = "../common/command.rs"]
+mod command;
+mod constants;
+mod figure;
+mod links;
+mod page;
+mod readme;
+
+use clap::{Arg, ArgAction, Command};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// A file, and what makes its content.
+type Part = (&'static str, fn() -> Result<String, String>);
+
+const PARTS: [Part; 4] = [
+    ("README.md", readme::with_table),
+    ("src/book/constants.md", constants::tables),
+    ("src/book/links.md", links::definitions),
+    ("src/book/coordinates.svg", figure::svg),
+];
+
+fn main() -> ExitCode {
+    command::run(|| {
+        let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
+        let command = Command::new("pages")
+            .about("Writes what the documentation shows of other files")
+            .arg(check.help("Write nothing; exit code 1 if a file is not what would be written"));
+        let check = command::matches(command)?.get_flag("check");
+        let mut current = true;
+        for (path, content) in PARTS {
+            let content = content()?;
+            let file = root().join(path);
+            if !check {
+                std::fs::write(&file, content).map_err(|e| format!("{path}: cannot be written: {e}"))?;
+                println!("{path}");
+            } else if read(path).as_ref() != Ok(&content) {
+                eprintln!("{path}: not current: run cargo run --release --example pages");
+                current = false;
+            }
+        }
+        Ok::<_, String>(if current { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    })
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A text of the repository.
+fn read(path: &str) -> Result<String, String> {
+    std::fs::read_to_string(root().join(path)).map_err(|e| format!("{path}: cannot be read: {e}"))
+}

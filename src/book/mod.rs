@@ -1,0 +1,45 @@
+//! The book: what one needs to know beyond the single item.
+//!
+//! 1. [The pipeline, type by type](ch1_tour)
+//! 2. [Spaces, axes and signs](ch2_coordinates), with a figure
+//! 3. [Choosing a projection](ch3_projections), with the gallery
+//! 4. [What hides what](ch4_visibility): the mesh's order, painter's order, a depth buffer, hidden lines
+//! 5. [Bands and DMA](ch5_bands)
+//! 6. [RAM, flash and time before it is written](ch6_budget)
+//! 7. [Number formats and errors](ch7_numbers)
+//! 8. [From embedded-gfx and embedded-3dgfx](ch8_porting)
+//!
+//! It exists in the documentation only: there is nothing in here to import.
+
+#[doc = include_str!("ch1_tour.md")]
+pub mod ch1_tour {}
+
+#[doc = include_str!("ch2_coordinates.md")]
+#[doc = ""] // an empty line ends what stands before, and the figure
+#[doc = include_str!("coordinates.svg")]
+#[doc = ""]
+#[doc = include_str!("ch2_signs.md")]
+pub mod ch2_coordinates {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("ch3_projections.md")]
+pub mod ch3_projections {}
+
+#[doc = include_str!("ch4_visibility.md")]
+pub mod ch4_visibility {}
+
+#[doc = include_str!("ch5_bands.md")]
+pub mod ch5_bands {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("ch6_budget.md")]
+#[doc = include_str!("constants.md")]
+pub mod ch6_budget {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("ch7_numbers.md")]
+pub mod ch7_numbers {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("ch8_porting.md")]
+pub mod ch8_porting {}

@@ -1,0 +1,144 @@
+//! No dead links: every relative link of every tracked page leads to a file, and its anchor to a heading there; and where
+//! the README is the crate's page, each of its links to a file has a definition that leads elsewhere.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+use std::process::Command;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The tracked pages. The book's chapters are rustdoc's to check; a template's links are those of the page made from it.
+fn pages() -> Vec<PathBuf> {
+    let done = Command::new("git").args(["ls-files", "*.md"]).current_dir(root()).output().expect("git");
+    let list = String::from_utf8(done.stdout).expect("names");
+    let is_page = |path: &&str| !path.starts_with("src/") && *path != "tools/designs/report/page.md";
+    list.lines().filter(is_page).map(PathBuf::from).collect()
+}
+
+/// The lines that are no code, and without code in them.
+fn prose(text: &str) -> Vec<String> {
+    let mut fenced = false;
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        if line.trim_start().starts_with("```") {
+            fenced = !fenced;
+        } else if !fenced && !line.starts_with("    ") {
+            lines.push(line.split('`').step_by(2).collect());
+        }
+    }
+    lines
+}
+
+/// `[name]: target` at the start of a line.
+fn definition(line: &str) -> Option<(&str, &str)> {
+    line.strip_prefix('[')?.split_once("]: ")
+}
+
+/// Where links lead: of `[text](target)`, and of definitions.
+fn targets(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for line in prose(text) {
+        let inline = line.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+        found.extend(inline.map(str::to_string));
+        found.extend(definition(&line).map(|(_, target)| target.to_string()));
+    }
+    found
+}
+
+/// As GitHub makes them: small letters, digits, - and _; spaces become -.
+fn anchors(text: &str) -> BTreeSet<String> {
+    let kept = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
+    let headings = text.lines().filter(|line| line.starts_with('#'));
+    let titles = headings.map(|line| line.trim_start_matches('#').trim().to_lowercase());
+    titles.map(|title| title.replace(' ', "-").chars().filter(|&c| kept(c)).collect()).collect()
+}
+
+/// Without `..`, which leads out of no folder of the repository.
+fn plain(path: &Path) -> Option<PathBuf> {
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => plain.pop().then_some(())?,
+            Component::CurDir => {}
+            other => plain.push(other),
+        }
+    }
+    Some(plain)
+}
+
+/// What is wrong with the links of a page.
+fn dead(page: &Path, text: &str) -> Vec<String> {
+    let is_dead = |target: &str| {
+        if target.contains("://") {
+            return false;
+        }
+        let (path, anchor) =
+            target.split_once('#').map_or((target, None), |(path, anchor)| (path, Some(anchor)));
+        let folder = page.parent().unwrap_or(Path::new(""));
+        let file = if path.is_empty() { Some(page.to_path_buf()) } else { plain(&folder.join(path)) };
+        let Some(file) = file.map(|file| root().join(file)).filter(|file| file.exists()) else { return true };
+        anchor.is_some_and(|anchor| !anchors(&fs::read_to_string(file).unwrap_or_default()).contains(anchor))
+    };
+    let dead = targets(text).into_iter().filter(|target| is_dead(target));
+    dead.map(|target| format!("{}: {target}", page.display())).collect()
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let (mut links, mut found) = (0, Vec::new());
+    for page in pages() {
+        let text = fs::read_to_string(root().join(&page)).expect("a page");
+        links += targets(&text).len();
+        found.extend(dead(&page, &text));
+    }
+    assert!(links > 40, "{links} links: the reader of links has gone blind");
+    assert!(found.is_empty(), "dead links:\n{}", found.join("\n"));
+}
+
+#[test]
+fn a_dead_link_is_seen() {
+    let page = Path::new("docs/page.md");
+    let good = "# A title, `b`\n[text](../README.md), `[code](gone.md)`\n```\n[code](gone.md)\n```\n[name]: ../src/lib.rs\n";
+    assert_eq!(dead(page, good), [""; 0]);
+    for bad in [
+        "[text](gone.md)",
+        "[name]: gone.md",
+        "[a](../README.md#gone)",
+        "![p](../../README.md)",
+        "[a](https://b) [c](d.md)",
+    ] {
+        assert_eq!(dead(page, bad).len(), 1, "{bad}");
+    }
+    assert!(anchors("## A title, `b`").contains("a-title-b"));
+}
+
+/// The crate's page has the README without the repository about it.
+#[test]
+fn the_readme_has_no_dead_link_as_the_crates_page() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("README.md");
+    let links = fs::read_to_string(root().join("src/book/links.md")).expect("links.md");
+    let defined: BTreeMap<&str, &str> = links.lines().filter_map(definition).collect();
+    for line in prose(&readme) {
+        for target in line.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            assert!(
+                target.contains("://"),
+                "write {target} by a definition, which the crate's page replaces"
+            );
+        }
+        if let Some((name, _)) = definition(&line).filter(|(_, target)| !target.contains("://")) {
+            let there = defined.get(name).unwrap_or_else(|| panic!("{name} is not in src/book/links.md"));
+            // Source that docs.rs shows is of what is published.
+            if let Some((_, file)) = there.split_once("/source/") {
+                let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("Cargo.toml");
+                let list = manifest.lines().find(|line| line.starts_with("include = ")).expect("a list");
+                let folder = file.rsplit_once('/').map_or("", |(folder, _)| folder);
+                let pages =
+                    if folder.is_empty() { "\"/*.md\"".to_string() } else { format!("\"/{folder}/*.md\"") };
+                assert!(file.ends_with(".md") && list.contains(&pages), "{file} is not published");
+            }
+        }
+    }
+}

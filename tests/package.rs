@@ -1,0 +1,62 @@
+//! What is published: the library and its documentation, nothing large, nothing missing.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The largest file, and all of them, in bytes: pictures within the documentation are most of it.
+const FILE: u64 = 160 << 10;
+const ALL: u64 = 1 << 20;
+
+/// The files of a package of the workspace that are in its folder, with their sizes; cargo adds some of its own.
+fn files(package: &str, folder: &str) -> Vec<(String, u64)> {
+    let mut list = Command::new(env!("CARGO"));
+    list.args(["package", "--list", "--allow-dirty", "--offline", "--package", package]).current_dir(ROOT);
+    let done = list.output().expect("cargo");
+    let (names, problem) = (String::from_utf8_lossy(&done.stdout), String::from_utf8_lossy(&done.stderr));
+    assert!(done.status.success(), "{problem}");
+    let folder = Path::new(ROOT).join(folder);
+    let size = |name: &str| fs::metadata(folder.join(name)).map(|file| file.len()).ok();
+    names.lines().filter_map(|name| Some((name.to_string(), size(name)?))).collect()
+}
+
+#[test]
+fn packages_are_small() {
+    for (package, folder) in [("pinhole", ""), ("pinhole-import", "import")] {
+        let files = files(package, folder);
+        assert!(files.len() > 5, "{package}: {files:?}");
+        for (name, size) in &files {
+            assert!(*size <= FILE, "{package}: {name} has {size} bytes");
+        }
+        let all: u64 = files.iter().map(|(_, size)| size).sum();
+        println!("{package}: {} files, {all} bytes", files.len());
+        assert!(all <= ALL, "{package}: {all} bytes");
+    }
+}
+
+#[test]
+fn the_library_is_whole_and_alone() {
+    let names: Vec<String> = files("pinhole", "").into_iter().map(|(name, _)| name).collect();
+    for name in ["Cargo.toml", "README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE", "src/lib.rs"] {
+        assert!(names.iter().any(|n| n == name), "{name} is missing");
+    }
+    // Every file that the sources take in.
+    let mut included = 0;
+    for source in names.iter().filter(|name| name.ends_with(".rs")) {
+        let folder = Path::new(source).parent().expect("a folder");
+        let text = fs::read_to_string(Path::new(ROOT).join(source)).expect("source");
+        for rest in text.split("include_str!(\"").skip(1) {
+            let file = folder.join(rest.split('"').next().expect("a path"));
+            let file = file.to_string_lossy().replace("src/../", "");
+            assert!(names.contains(&file), "{source} takes in {file}");
+            included += 1;
+        }
+    }
+    assert!(included > 5, "the reader of sources has gone blind");
+    let others = ["tests/", "tools/", "examples/", "boards/", "import/", "fuzz/", "assets/", ".ci"];
+    for name in &names {
+        assert!(!others.iter().any(|other| name.starts_with(other)), "{name} is not the library's");
+    }
+}
