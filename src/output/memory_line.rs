@@ -16,10 +16,15 @@ impl<Cell: Copy> Memory<'_, Cell> {
     pub(super) fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, cell: Cell) {
         // From where the first pixel lies.
         let Self { left, top, stride, .. } = *self;
-        let moved = |p: Pixel| (i32::from(p.x) - left, i32::from(p.y) - top);
+        // These wrap where the area begins so far away that no pixel of it is in the scissor.
+        let (right, down) = (|x: i32| x.wrapping_sub(left), |y: i32| y.wrapping_sub(top));
+        let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
         let (rows, columns) = (scissor.rows(), scissor.columns());
+        if rows.is_empty() || columns.is_empty() {
+            return;
+        }
         let scissor =
-            Scissor::as_given(columns.start - left, rows.start - top, columns.end - left, rows.end - top);
+            Scissor::as_given(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
         line(self.cells, stride, moved(from), moved(to), &scissor, cell);
     }
 }

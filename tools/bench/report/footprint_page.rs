@@ -22,7 +22,7 @@ const FLASH: &str = "
 
 Code, constants and start values of a firmware with one purpose, less those of one that does nothing: it has the same
 mesh, start and end. Fat LTO. The display is a stub. Each turns a cube by an angle and places it before a
-camera, which is a constant of 192 bytes; the second row makes it at run time (`look_at` and `perspective`), which
+camera, which is a constant of 224 bytes; the second row makes it at run time (`look_at` and `perspective`), which
 costs the difference, once, in any other. *Everything* draws wireframes, hidden and depth-tested lines, flat faces,
 smooth faces with dither and depth, painter's order and points, in bands and dirty rectangles, from two cameras, one of them made at run
 time. The goals are those of thumbv7m at opt-level 3; where a figure is above its goal, it is not reached yet. Inks and colours are type parameters: each way to draw is linked for each ink that a firmware uses it with.
