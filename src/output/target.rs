@@ -28,7 +28,8 @@ pub trait Target: sealed::Sealed {
     /// The target's own.
     fn fill(&mut self, span: Span, colour: Self::Color) -> Result<(), Self::Error>;
 
-    /// Draws a run of pixels in a row, which lie inside the [`area`](Self::area), each in a colour of its own, of which there are as many or more.
+    /// Draws a run of pixels in a row, each in a colour of its own, of which there are as many or more; it lies in the
+    /// [`area`](Self::area).
     ///
     /// # Errors
     ///
