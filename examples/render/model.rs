@@ -32,6 +32,8 @@ pub(crate) enum Up {
 pub(crate) enum Fit {
     /// What is seen: right for one picture.
     Outline,
+    /// What is seen while the mesh turns about its upright axis, which stays in the middle.
+    Turn,
     /// The sphere about the mesh, magnified: as large from all sides, and about the picture's middle.
     Sphere { zoom: f64 },
 }
@@ -44,13 +46,14 @@ const Z_UP: Matrix =
 /// Of the picture's half width and height, what the mesh may fill.
 const FILL: f64 = 0.92;
 
-/// What has to be seen, in the view plane's axes, sheared so that projectors do not lean; and half its
-/// largest extent.
+/// Where the picture's middle is and what it shows there, in the view plane's axes, sheared so that
+/// projectors do not lean.
 struct Seen {
     middle: [f64; 3],
+    /// How far it goes towards the eye and away from it.
     radius: f64,
-    /// In units of the picture's half height, for each unit of distance where it is a perspective.
     distance: f64,
+    /// Half of the picture's, for each unit of distance where it is a perspective.
     height: f64,
 }
 
@@ -63,9 +66,18 @@ pub(crate) fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
     })?;
     let axes = axes(yaw, pitch);
     let model = if look.up == Up::Z { Z_UP } else { IDENTITY };
+    let turned = |p: &[f64; 3]| turned(upright(p, &model), &axes, lean);
     let seen = match look.fit {
-        Fit::Outline => outline(&vertices, &model, &axes, lean, look),
-        Fit::Sphere { zoom } => sphere(&vertices, &model, &axes, lean, look, zoom),
+        Fit::Outline => outline(vertices.iter().map(turned).collect(), None, look),
+        Fit::Turn => {
+            let (centre, rings) = rings(&vertices, &model);
+            // What turns looks the same from all sides.
+            let axes = self::axes(0.0, pitch);
+            let points = rings.map(|p| self::turned(p, &axes, lean)).collect();
+            let (seen, centre) = (outline(points, Some([0.0; 3]), look), turned(&centre));
+            Seen { middle: [0, 1, 2].map(|i| seen.middle[i] + centre[i]), ..seen }
+        }
+        Fit::Sphere { zoom } => sphere(&vertices, turned, lean, look, zoom),
     };
     let Seen { middle, radius, distance, height } = seen;
     let deep = 1.05 * radius;
@@ -121,62 +133,90 @@ fn aspect(look: &Look) -> f64 {
     f64::from(look.width) / f64::from(look.height)
 }
 
-/// A point of the file in the view plane's axes, sheared.
-fn turned(p: &[f64; 3], model: &Matrix, axes: &[[f64; 3]; 3], lean: [f64; 2]) -> [f64; 3] {
-    let [a, b, c] = [0, 1, 2].map(|i| (0..3).map(|k| model[i][k] * p[k]).sum::<f64>());
-    let [x, y, z] = axes.map(|axis| axis[0] * a + axis[1] * b + axis[2] * c);
+/// A point of the file where y is up.
+fn upright(p: &[f64; 3], model: &Matrix) -> [f64; 3] {
+    [0, 1, 2].map(|i| (0..3).map(|k| model[i][k] * p[k]).sum())
+}
+
+/// In the view plane's axes, sheared.
+fn turned(p: [f64; 3], axes: &[[f64; 3]; 3], lean: [f64; 2]) -> [f64; 3] {
+    let [x, y, z] = axes.map(|axis| axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]);
     [x - lean[0] * z, y - lean[1] * z, z]
 }
 
-fn outline(vertices: &[[f64; 3]], model: &Matrix, axes: &[[f64; 3]; 3], lean: [f64; 2], look: &Look) -> Seen {
-    let turned: Vec<_> = vertices.iter().map(|p| turned(p, model, axes, lean)).collect();
-    let (low, high) = bounds(&turned);
-    let middle = [0, 1, 2].map(|i| f64::midpoint(low[i], high[i]));
+fn middle_of(vertices: &[[f64; 3]]) -> [f64; 3] {
+    let (low, high) = bounds(vertices);
+    [0, 1, 2].map(|i| f64::midpoint(low[i], high[i]))
+}
+
+/// The middle of the mesh, and from there points on the ways of the vertices about its upright axis.
+fn rings<'a>(vertices: &'a [[f64; 3]], model: &'a Matrix) -> ([f64; 3], impl Iterator<Item = [f64; 3]> + 'a) {
+    const STEPS: u32 = 48; // between two of them a ring reaches 0.2 % farther
+    let centre = middle_of(vertices);
+    let ring = move |p: &[f64; 3]| {
+        let [x, y, z] = upright(&[0, 1, 2].map(|i| p[i] - centre[i]), model);
+        let radius = x.hypot(z);
+        (0..STEPS).map(move |step| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(STEPS)).sin_cos();
+            [radius * cos, y, radius * sin]
+        })
+    };
+    (centre, vertices.iter().flat_map(ring))
+}
+
+/// What shows all the points; about `axis`, where it is given, as far as left and right go.
+fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
+    let (low, high) = bounds(&points);
+    let mut middle = axis.unwrap_or([0, 1, 2].map(|i| f64::midpoint(low[i], high[i])));
     // A point, too, can be looked at.
-    let radius = (0..3).map(|i| (high[i] - low[i]) / 2.0).fold(0.0, f64::max);
-    let radius = if radius > 0.0 { radius } else { 1.0 };
-    let from_middle = turned.iter().map(|p| [p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]);
+    let extent = (0..3).map(|i| (high[i] - middle[i]).max(middle[i] - low[i])).fold(0.0, f64::max);
+    let radius = if extent > 0.0 { extent } else { 1.0 };
+    let from_middle = || points.iter().map(|p| [0, 1, 2].map(|i| p[i] - middle[i]));
+    let farthest = |f: &dyn Fn([f64; 3]) -> f64| from_middle().map(f).fold(f64::MIN, f64::max);
     let aspect = aspect(look);
     if look.projection.kind.meets_in_the_eye() {
         let height = (look.field_of_view / 2.0).to_radians().tan();
-        let [x, y] = [aspect * height * FILL, height * FILL];
-        let nearest = from_middle.map(|p| p[2] + (p[0].abs() / x).max(p[1].abs() / y)).fold(0.0, f64::max);
-        return Seen { middle, radius, distance: nearest.max(1.1 * radius), height };
+        // At the distance D, |x - c| <= h (D - z) for all points: c is midway between what both sides ask for.
+        let (x, y) = (aspect * height * FILL, height * FILL);
+        let sides = |i: usize, h: f64| (farthest(&|p| p[i] + h * p[2]), farthest(&|p| -p[i] + h * p[2]));
+        let ((a, b), (c, d)) = (sides(0, x), sides(1, y));
+        let distance = ((a + b) / (2.0 * x)).max((c + d) / (2.0 * y)).max(1.1 * radius);
+        middle[0] += if axis.is_some() { 0.0 } else { (a - b) / 2.0 };
+        middle[1] += (c - d) / 2.0;
+        return Seen { middle, radius, distance, height };
     }
     let weight = |z: f64| match look.projection.kind {
         Kind::Reverse => 1.0 + z / (2.1 * radius),
         _ => 1.0,
     };
-    let largest =
-        from_middle.map(|p| (p[0].abs() / aspect).max(p[1].abs()) / weight(p[2])).fold(0.0, f64::max);
+    let largest = farthest(&|p| (p[0].abs() / aspect).max(p[1].abs()) / weight(p[2]));
     let height = if largest > 0.0 { largest / FILL } else { radius };
     Seen { middle, radius, distance: 2.0 * radius, height }
 }
 
+/// What shows the sphere about the mesh, whatever turns it.
 fn sphere(
     vertices: &[[f64; 3]],
-    model: &Matrix,
-    axes: &[[f64; 3]; 3],
+    turned: impl Fn(&[f64; 3]) -> [f64; 3],
     lean: [f64; 2],
     look: &Look,
     zoom: f64,
 ) -> Seen {
-    let (low, high) = bounds(vertices);
-    let middle = [0, 1, 2].map(|i| f64::midpoint(low[i], high[i]));
+    let middle = middle_of(vertices);
     let away = |p: &[f64; 3]| (0..3).map(|i| (p[i] - middle[i]).powi(2)).sum::<f64>().sqrt();
     let radius = vertices.iter().map(away).fold(0.0, f64::max);
     let radius = if radius > 0.0 { radius } else { 1.0 };
-    let middle = turned(&middle, model, axes, lean);
+    let middle = turned(&middle);
     let aspect = aspect(look);
     let fitting = |along: [f64; 2]| along[0].max(along[1]) * radius;
     if look.projection.kind.meets_in_the_eye() {
         let height = (look.field_of_view / 2.0).to_radians().tan();
-        // The largest z + (x − lean·z)/h over the sphere, for either sign of x.
+        // The largest z + (x - lean z)/h over the sphere, for either sign of x.
         let half = [aspect * height * FILL, height * FILL];
         let least = [0, 1].map(|i| (1.0 + lean[i].abs() / half[i]).hypot(1.0 / half[i]));
         return Seen { middle, radius, distance: fitting(least), height: height / zoom };
     }
-    // The largest x − lean·z; and of a reverse perspective, of √(1 − u²)/(1 + u/2).
+    // The largest x - lean z; and of a reverse perspective, of x/(1 + u/2) where x² + u² = 1.
     let grown = if look.projection.kind == Kind::Reverse { (4.0f64 / 3.0).sqrt() } else { 1.0 };
     let extents = [0, 1].map(|i| grown * lean[i].hypot(1.0) / [aspect, 1.0][i]);
     Seen { middle, radius, distance: 2.0 * radius, height: fitting(extents) / FILL / zoom }

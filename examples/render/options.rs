@@ -9,7 +9,7 @@ use crate::picture::Format;
 use crate::projections::Named;
 use crate::scene::LARGEST;
 use clap::ArgMatches;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Options {
@@ -33,7 +33,7 @@ pub(crate) struct Options {
 const PAPER: Rgb888 = Rgb888::new(236, 235, 230);
 const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
 const INK: Rgb888 = Rgb888::new(34, 48, 72);
-const CHALK: Rgb888 = Rgb888::new(200, 236, 248);
+const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
 
 /// What is asked for; the error is one line.
 pub(crate) fn read() -> Result<Options, String> {
@@ -98,12 +98,14 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
         None => Ok(None),
         Some(text) => colours::parse(&text).map(Some).map_err(|e| format!("--{option}: {e}")),
     };
-    let (colour, background) = (colour("colour")?, colour("background")?.unwrap_or(PAPER));
-    let usual = match mode.of_lines() {
-        false => CLAY,
+    let (colour, background) = (colour("colour")?, colour("background")?);
+    let background = background.unwrap_or(if format.is_grey() { Rgb888::BLACK } else { PAPER });
+    let usual = match (mode.of_lines(), colours::luma(background) > 127) {
         // What one sees before it.
-        true if colours::luma(background) > 127 => INK,
-        true => CHALK,
+        (true, true) => INK,
+        (true, false) => CHALK,
+        (false, _) if format.is_grey() => Rgb888::WHITE,
+        (false, _) => CLAY,
     };
     let dither = format.wants_dither() && !given.get_flag("no-dither");
     Ok((Style { mode, colour: colour.unwrap_or(usual), background, dither }, format))

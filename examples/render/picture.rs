@@ -34,6 +34,11 @@ impl Format {
         Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, format)| *format)
     }
 
+    /// Whether it has no colours: such displays are mostly dark.
+    pub(crate) const fn is_grey(self) -> bool {
+        matches!(self, Self::Gray8 | Self::Gray4 | Self::Gray2 | Self::Mono)
+    }
+
     /// Whether its steps are so coarse that one sees them.
     pub(crate) const fn wants_dither(self) -> bool {
         !matches!(self, Self::Rgb888 | Self::Gray8)

@@ -22,7 +22,7 @@ pub(crate) fn gif(
     for frame in 0..frames {
         // To the right the mesh turns as the camera goes to the left.
         let yaw = look.yaw - 360.0 * f64::from(frame) / f64::from(frames);
-        let look = Look { yaw, fit: Fit::Sphere { zoom: 1.0 }, ..*look };
+        let look = Look { yaw, fit: Fit::Turn, ..*look };
         let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), &look)?)?;
         let subject = subject.get_or_insert_with(|| Subject::new(&used, style.mode));
         pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
