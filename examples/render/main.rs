@@ -31,6 +31,7 @@ mod quantised;
 mod scene;
 #[path = "../common/still.rs"]
 mod still;
+mod style;
 mod turntable;
 mod used;
 

@@ -8,8 +8,8 @@ use crate::paint::{Mode, Style};
 use crate::picture::Format;
 use crate::projections::Named;
 use crate::scene::LARGEST;
+use crate::style;
 use clap::ArgMatches;
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Options {
@@ -29,11 +29,6 @@ pub(crate) struct Options {
     /// Whether the picture goes where nobody said.
     pub(crate) unasked: bool,
 }
-
-const PAPER: Rgb888 = Rgb888::new(236, 235, 230);
-const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
-const INK: Rgb888 = Rgb888::new(34, 48, 72);
-const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
 
 /// What is asked for; the error is one line.
 pub(crate) fn read() -> Result<Options, String> {
@@ -99,16 +94,8 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
         Some(text) => colours::parse(&text).map(Some).map_err(|e| format!("--{option}: {e}")),
     };
     let (colour, background) = (colour("colour")?, colour("background")?);
-    let background = background.unwrap_or(if format.is_grey() { Rgb888::BLACK } else { PAPER });
-    let usual = match (mode.of_lines(), colours::luma(background) > 127) {
-        // What one sees before it.
-        (true, true) => INK,
-        (true, false) => CHALK,
-        (false, _) if format.is_grey() => Rgb888::WHITE,
-        (false, _) => CLAY,
-    };
     let dither = format.wants_dither() && !given.get_flag("no-dither");
-    Ok((Style { mode, colour: colour.unwrap_or(usual), background, dither }, format))
+    Ok((style::chosen(mode, format, colour, background, dither), format))
 }
 
 /// The options for a mesh, which a scene must not have.

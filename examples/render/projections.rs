@@ -88,15 +88,22 @@ impl Kind {
         matches!(self, Self::Perspective | Self::Upright | Self::Frontal)
     }
 
+    /// From how far above or below it can be seen, in degrees.
+    pub(crate) const fn steepest(self) -> f64 {
+        match self {
+            Self::Upright | Self::Frontal => 70.0,
+            _ => 90.0,
+        }
+    }
+
     /// Seen from there, in degrees. `None` where an upright plane would be seen from too far above or below.
     pub(crate) fn stance(self, yaw: f64, pitch: f64) -> Option<Stance> {
-        const STEEPEST: f64 = 70.0;
         let radians = f64::to_radians;
         match self {
             Self::Perspective | Self::Parallel | Self::Reverse => {
                 Some(Stance { yaw: radians(yaw), pitch: radians(pitch), lean: [0.0; 2] })
             }
-            Self::Upright | Self::Frontal if pitch.abs() > STEEPEST => None,
+            Self::Upright | Self::Frontal if pitch.abs() > self.steepest() => None,
             Self::Upright => {
                 Some(Stance { yaw: radians(yaw), pitch: 0.0, lean: [0.0, radians(pitch).tan()] })
             }
