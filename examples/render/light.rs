@@ -15,7 +15,7 @@ const AMBIENT: u32 = 60;
 pub(crate) struct Light {
     /// None where the model flattens the mesh.
     lamps: Option<[Lambert; 2]>,
-    /// Which triangles show the side from which their corners run counter-clockwise.
+    /// Which triangles show the side to which their normals point.
     fronts: Vec<bool>,
 }
 
@@ -31,9 +31,12 @@ impl Light {
         let points: Vec<_> = scene.vertices.iter().map(|&v| scene.clip(v)).collect();
         // Of x, y and w: positive where they run counter-clockwise as seen, for any w.
         let front = |t: &[usize; 3]| {
-            let [[a, b, _, c], [d, e, _, f], [g, h, _, i]] = t.map(|corner| points[corner]);
-            a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) > 0.0
+            let [a, b, c] = t.map(|corner| points[corner]).map(|[x, y, _, w]| [x, y, w]);
+            determinant([a, b, c]) > 0.0
         };
+        // Where the model mirrors, corners turn round and normals do not.
+        let mirrors = determinant([0, 1, 2].map(|i| [0, 1, 2].map(|k| scene.model[i][k]))) < 0.0;
+        let front = |t: &[usize; 3]| front(t) != mirrors;
         Self { lamps, fronts: scene.triangles.iter().map(front).collect() }
     }
 
@@ -47,4 +50,8 @@ impl Light {
             (AMBIENT + ((KEY_LEVEL * key + FILL_LEVEL * fill) >> 8)).min(256) as u16
         })
     }
+}
+
+fn determinant([[a, b, c], [d, e, f], [g, h, i]]: [[f64; 3]; 3]) -> f64 {
+    a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 }

@@ -21,6 +21,7 @@ const PACE: u32 = 8;
 #[derive(Default)]
 pub(crate) struct Sent {
     pub(crate) areas: Vec<Rectangle>,
+    pub(crate) pixels: usize,
     pub(crate) bytes: usize,
 }
 
@@ -80,6 +81,7 @@ impl Display for Panel<'_> {
             self.picture.fill_solid(&Rectangle::new(place(at), Size::new_equal(scale)), colour.into())?;
         }
         self.sent.areas.push(Rectangle::new(place(area.top_left), area.size * scale));
+        self.sent.pixels += (area.size.width * area.size.height) as usize;
         self.sent.bytes += pixels.len();
         Ok(())
     }
@@ -121,7 +123,9 @@ impl DrawTarget for Colours<'_> {
         colours: I,
     ) -> Result<(), Infallible> {
         self.sent.areas.push(*area);
-        self.sent.bytes += (area.size.width * area.size.height * Rgb565::BITS / 8) as usize;
+        let pixels = (area.size.width * area.size.height) as usize;
+        self.sent.pixels += pixels;
+        self.sent.bytes += pixels * 2;
         self.draw_iter(area.points().zip(colours).map(|(at, colour)| Pixel(at, colour)))
     }
 }

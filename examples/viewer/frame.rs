@@ -143,11 +143,10 @@ impl Viewer {
             let Ok(()) = self.display.fill_solid(&all, Rgb888::new(24, 26, 30));
             self.oled.forget();
         }
-        let Sent { areas, bytes } = match state.thing {
+        let Sent { areas, pixels, bytes } = match state.thing {
             Thing::First => firmware::first(state.step, &mut self.display),
             _ => self.oled.draw(state.step, state.rows.unwrap_or(u32::MAX), &mut self.display),
         };
-        let pixels = areas.iter().map(|area| (area.size.width * area.size.height) as usize).sum();
         Shown { statistics: Statistics::default(), bands: areas.len(), pixels, bytes, areas }
     }
 }

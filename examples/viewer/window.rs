@@ -26,9 +26,16 @@ fn main() -> ExitCode {
         };
         let size = size(&mut given, &source)?;
         let mut state = source.state();
-        let mut script = Script::from(&mut given, &mut state)?;
+        let mut viewer = Viewer::new(source, size);
+        viewer.draw(&state)?;
+        for action in actions(&mut given)? {
+            state.apply(action);
+            viewer.draw(&state)?; // so that what changes is what the last key changed
+        }
+        let stay = Duration::from_millis(given.remove_one("stay").unwrap_or_default());
+        let script = Script { screenshot: given.remove_one("screenshot"), stay };
         let scale = given.remove_one::<u32>("scale").unwrap_or(2);
-        run(Viewer::new(source, size), state, size, scale, &mut script)?;
+        run(viewer, state, size, scale, &script)?;
         Ok(ExitCode::SUCCESS)
     })
 }
@@ -76,26 +83,13 @@ struct Script {
     stay: Duration,
 }
 
-impl Script {
-    fn from(given: &mut ArgMatches, state: &mut State) -> Result<Self, String> {
-        let keys: String = given.remove_one("keys").unwrap_or_default();
-        for name in keys.split_whitespace() {
-            let action = State::key(name)
-                .ok_or_else(|| format!("--keys: {name} is no key: see the keys by pressing h"))?;
-            state.apply(action);
-        }
-        let stay = Duration::from_millis(given.remove_one("stay").unwrap_or_default());
-        Ok(Self { screenshot: given.remove_one("screenshot"), stay })
-    }
+fn actions(given: &mut ArgMatches) -> Result<Vec<Action>, String> {
+    let keys: String = given.remove_one("keys").unwrap_or_default();
+    let action = |name| State::key(name).ok_or_else(|| format!("--keys: {name} is no key: h shows them"));
+    keys.split_whitespace().map(action).collect()
 }
 
-fn run(
-    mut viewer: Viewer,
-    mut state: State,
-    size: Size,
-    scale: u32,
-    script: &mut Script,
-) -> Result<(), String> {
+fn run(mut viewer: Viewer, mut state: State, size: Size, scale: u32, script: &Script) -> Result<(), String> {
     let mut display = SimulatorDisplay::<Rgb888>::new(size);
     let settings = OutputSettingsBuilder::new().scale(scale).build();
     let mut window = Window::new("pinhole: h for the keys", &settings);

@@ -41,9 +41,12 @@ impl DrawTarget for Picture {
 fn expected(keys: &str) -> Vec<[u8; 3]> {
     let source = Source::built_in();
     let mut state = source.state();
-    keys.split(' ').for_each(|name| state.apply(State::key(name).unwrap()));
     let mut viewer = Viewer::new(source, SIZE);
     viewer.draw(&state).unwrap();
+    for name in keys.split(' ') {
+        state.apply(State::key(name).unwrap());
+        viewer.draw(&state).unwrap();
+    }
     let mut picture = Picture(vec![Rgb888::BLACK; (SIZE.width * SIZE.height) as usize]);
     let Ok(()) = viewer.show(&state, None, &mut picture);
     picture.0.iter().map(|c| [c.r(), c.g(), c.b()]).collect()
@@ -133,7 +136,7 @@ fn the_window_shows_what_the_host_renders() {
     let _ = fs::remove_dir_all(&folder); // from an earlier run
     fs::create_dir_all(&folder).unwrap();
     let Some((_server, display)) = server(&folder) else { return };
-    for (number, keys) in ["s right r", "l p p c h", "c c c c d up b", "m b"].into_iter().enumerate() {
+    for (number, keys) in ["s - - - - r left", "l p p c h", "c c c c d up b", "m b"].into_iter().enumerate() {
         let png = folder.join(format!("{number}.png"));
         let viewer = Command::new(&program)
             .args(["--scale", "1", "--stay", "60000", "--keys", keys, "--screenshot"])
