@@ -29,6 +29,7 @@ pub(crate) enum Up {
 
 /// What is as large as fits.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)] // not every user fits to all of them
 pub(crate) enum Fit {
     /// What is seen: right for one picture.
     Outline,
@@ -55,6 +56,9 @@ struct Seen {
     distance: f64,
     /// Half of the picture's, for each unit of distance where it is a perspective.
     height: f64,
+    /// How far the window's middle is from where the eye looks, in the same units: what is near is large, so
+    /// that a mesh's middle is not that of its picture.
+    window: [f64; 2],
 }
 
 /// The mesh in the middle of the picture, as large as fits. The error names the option.
@@ -79,7 +83,7 @@ pub(crate) fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
         }
         Fit::Sphere { zoom } => sphere(&vertices, turned, lean, look, zoom),
     };
-    let Seen { middle, radius, distance, height } = seen;
+    let Seen { middle, radius, distance, height, window } = seen;
     let deep = 1.05 * radius;
     let (near, far) = ((distance - deep).max(distance / 64.0), distance + deep);
     let [across, up] = lean;
@@ -91,7 +95,12 @@ pub(crate) fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
         away[0] += across * distance;
         away[1] += up * distance;
         let depth = [0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)];
-        [[x, 0.0, -across * x, 0.0], [0.0, y, -up * y, 0.0], depth, [0.0, 0.0, -1.0, 0.0]]
+        [
+            [x, 0.0, (window[0] - across) * x, 0.0],
+            [0.0, y, (window[1] - up) * y, 0.0],
+            depth,
+            [0.0, 0.0, -1.0, 0.0],
+        ]
     } else if kind == Kind::Reverse {
         // w = 1 + u/2 and z = −u − 1/2, where u runs over the mesh from −1 (far) to 1 (near).
         let u = |factor: f64, more: f64| [0.0, 0.0, factor / deep, factor * distance / deep + more];
@@ -167,7 +176,7 @@ fn rings<'a>(vertices: &'a [[f64; 3]], model: &'a Matrix) -> ([f64; 3], impl Ite
 /// What shows all the points; about `axis`, where it is given, as far as left and right go.
 fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     let (low, high) = bounds(&points);
-    let mut middle = axis.unwrap_or([0, 1, 2].map(|i| f64::midpoint(low[i], high[i])));
+    let middle = axis.unwrap_or([0, 1, 2].map(|i| f64::midpoint(low[i], high[i])));
     // A point, too, can be looked at.
     let extent = (0..3).map(|i| (high[i] - middle[i]).max(middle[i] - low[i])).fold(0.0, f64::max);
     let radius = if extent > 0.0 { extent } else { 1.0 };
@@ -176,14 +185,26 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     let aspect = aspect(look);
     if look.projection.kind.meets_in_the_eye() {
         let height = (look.field_of_view / 2.0).to_radians().tan();
-        // At the distance D, |x - c| <= h (D - z) for all points: c is midway between what both sides ask for.
-        let (x, y) = (aspect * height * FILL, height * FILL);
-        let sides = |i: usize, h: f64| (farthest(&|p| p[i] + h * p[2]), farthest(&|p| -p[i] + h * p[2]));
-        let ((a, b), (c, d)) = (sides(0, x), sides(1, y));
-        let distance = ((a + b) / (2.0 * x)).max((c + d) / (2.0 * y)).max(1.1 * radius);
-        middle[0] += if axis.is_some() { 0.0 } else { (a - b) / 2.0 };
-        middle[1] += (c - d) / 2.0;
-        return Seen { middle, radius, distance, height };
+        let half = [aspect * height, height];
+        // From a distance, the middle of what is seen along an axis, and what fills how much of the window.
+        let seen = |distance: f64, i: usize| {
+            let high = farthest(&|p| p[i] / (distance - p[2]));
+            let low = -farthest(&|p| -p[i] / (distance - p[2]));
+            let middle = if i == 0 && axis.is_some() { 0.0 } else { f64::midpoint(low, high) };
+            (middle, (high - middle).max(middle - low) / half[i])
+        };
+        let fits = |distance: f64| (0..2).all(|i| seen(distance, i).1 <= FILL);
+        let mut near = 1.1 * radius;
+        let mut far = near;
+        while !fits(far) {
+            (near, far) = (far, 2.0 * far);
+        }
+        for _ in 0..32 {
+            let between = f64::midpoint(near, far);
+            *(if fits(between) { &mut far } else { &mut near }) = between;
+        }
+        let window = [0, 1].map(|i| seen(far, i).0);
+        return Seen { middle, radius, distance: far, height, window };
     }
     let weight = |z: f64| match look.projection.kind {
         Kind::Reverse => 1.0 + z / (2.1 * radius),
@@ -191,7 +212,7 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     };
     let largest = farthest(&|p| (p[0].abs() / aspect).max(p[1].abs()) / weight(p[2]));
     let height = if largest > 0.0 { largest / FILL } else { radius };
-    Seen { middle, radius, distance: 2.0 * radius, height }
+    Seen { middle, radius, distance: 2.0 * radius, height, window: [0.0; 2] }
 }
 
 /// What shows the sphere about the mesh, whatever turns it.
@@ -214,10 +235,10 @@ fn sphere(
         // The largest z + (x - lean z)/h over the sphere, for either sign of x.
         let half = [aspect * height * FILL, height * FILL];
         let least = [0, 1].map(|i| (1.0 + lean[i].abs() / half[i]).hypot(1.0 / half[i]));
-        return Seen { middle, radius, distance: fitting(least), height: height / zoom };
+        return Seen { middle, radius, distance: fitting(least), height: height / zoom, window: [0.0; 2] };
     }
     // The largest x - lean z; and of a reverse perspective, of x/(1 + u/2) where x² + u² = 1.
     let grown = if look.projection.kind == Kind::Reverse { (4.0f64 / 3.0).sqrt() } else { 1.0 };
     let extents = [0, 1].map(|i| grown * lean[i].hypot(1.0) / [aspect, 1.0][i]);
-    Seen { middle, radius, distance: 2.0 * radius, height: fitting(extents) / FILL / zoom }
+    Seen { middle, radius, distance: 2.0 * radius, height: fitting(extents) / FILL / zoom, window: [0.0; 2] }
 }
