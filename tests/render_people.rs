@@ -305,6 +305,23 @@ fn modes_are_what_they_say() {
 }
 
 #[test]
+fn lines_of_large_meshes_are_all_there() {
+    // A grid of 150 × 150 squares has 45 000 triangles and more edges than 16 bits count: about one each pixel.
+    let n = 150;
+    let vertices = (0..=n).flat_map(|j| (0..=n).map(move |i| format!("v {i} {j} 0\n")));
+    let faces = (0..n).flat_map(|j| (0..n).map(move |i| j * (n + 1) + i + 1));
+    let faces = faces.map(|a| format!("f {} {} {} {}\n", a, a + 1, a + n + 2, a + n + 1));
+    let grid: String = vertices.chain(faces).collect();
+    let file = write(&folder("people", "grid"), "grid.obj", grid);
+    for mode in ["wireframe", "hidden-line"] {
+        let picture = Picture::of(mode, &file, &["--projection", "front", "--size", "80x80", "--mode", mode]);
+        // 92 of 100 columns and rows, and each of their pixels has an edge.
+        let drawn = picture.drawn().iter().filter(|drawn| **drawn).count();
+        assert!(drawn.abs_diff(80 * 80 * 92 * 92 / 10_000) < 160, "{mode}: {drawn}");
+    }
+}
+
+#[test]
 fn light_falls_on_the_side_that_is_seen() {
     // The same world twice: a box, and its mirror image that the model mirrors back.
     let to = folder("people", "light");
@@ -325,8 +342,11 @@ fn light_falls_on_the_side_that_is_seen() {
     assert!(plain.pixels == mirrored.pixels);
 }
 
-/// The frames of a film: their delays in 1/100 s, and colours.
-fn film(name: &str, file: &Path, options: &[&str]) -> (usize, Vec<(u16, Vec<[u8; 3]>)>) {
+/// How long it stays, in 1/100 s, and its colours.
+type Frame = (u16, Vec<[u8; 3]>);
+
+/// The width and the frames of a film.
+fn film(name: &str, file: &Path, options: &[&str]) -> (usize, Vec<Frame>) {
     let gif = folder("people", name).join("film.gif");
     let done = example("render", &[&[text(file), "--gif", text(&gif)], options].concat());
     assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");

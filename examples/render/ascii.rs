@@ -47,7 +47,11 @@ pub(crate) fn text(
         for left in (0..width).step_by(across) {
             let light = |x: usize, y: usize| {
                 let inside = left + x < width && top + y < height;
-                inside.then(|| luma(pixels[(top + y) * width + left + x])).unwrap_or_default()
+                if inside {
+                    luma(pixels[(top + y) * width + left + x])
+                } else {
+                    0
+                }
             };
             let cell = (0..down).flat_map(|y| (0..across).map(move |x| (x, y)));
             if braille {

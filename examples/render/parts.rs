@@ -17,7 +17,8 @@ pub(crate) struct Part {
 }
 
 const MOST: usize = 65_536;
-const MOST_FACES: usize = 65_535;
+/// Each with three edges of its own: [`pinhole::Transformed::edges`] records as many as 16 bits count.
+const MOST_FACES: usize = 65_535 / 3;
 
 /// The triangles, in their order. Vertices at one place are one, so that faces meet in files that
 /// have corners of their own for each.

@@ -8,6 +8,8 @@ use pinhole::{Angle, Wire};
 use show::{Display, Scratch, Screen, FRAMES, SIZE};
 use std::convert::Infallible;
 
+pub(crate) use show::teapot;
+
 #[allow(dead_code, unreachable_pub)]
 #[path = "../first/picture.rs"]
 mod picture;

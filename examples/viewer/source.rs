@@ -1,15 +1,12 @@
 //! What is looked at: a file, or the mesh of the firmware examples.
 
+use crate::firmware;
 use crate::model::{self, Fit, Look, Up};
 use crate::scene::{self, Matrix, Scene};
 use crate::state::State;
 use embedded_graphics::geometry::Size;
 use pinhole_import::Triangles;
 use std::path::Path;
-
-#[allow(dead_code, unreachable_pub)]
-#[path = "../../assets/teapot.rs"]
-mod teapot;
 
 /// A mesh, and a camera where its file has one.
 pub struct Source {
@@ -38,13 +35,11 @@ impl Source {
 
     /// The teapot of the firmware examples.
     pub fn built_in() -> Self {
-        let step = f64::from(teapot::EXPONENT).exp2();
-        let position = |v: &[i16; 3]| {
-            [0, 1, 2].map(|i| f64::from(v[i]) * step + f64::from(teapot::OFFSET[i]) / 65_536.0)
-        };
+        let teapot = firmware::teapot();
+        let step = f64::from(teapot.exponent()).exp2();
         let mesh = Triangles {
-            positions: teapot::VERTICES.iter().map(position).collect(),
-            faces: teapot::FACES.iter().map(|face| face.map(usize::from)).collect(),
+            positions: teapot.vertices().iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
+            faces: teapot.faces().iter().map(|face| face.map(usize::from)).collect(),
         };
         Self { mesh, up: Up::Y, own: None }
     }

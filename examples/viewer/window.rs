@@ -159,8 +159,8 @@ fn write(file: &Path, size: Size, viewer: &Viewer, state: &State) -> Result<(), 
 
 /// A file that is not there yet.
 fn free_name() -> PathBuf {
-    let names = (1..).map(|number| PathBuf::from(format!("viewer-{number}.png")));
-    names.skip_while(|file| file.exists()).next().unwrap_or_default()
+    let mut names = (1..).map(|number| PathBuf::from(format!("viewer-{number}.png")));
+    names.find(|file| !file.exists()).unwrap_or_default()
 }
 
 /// The name that [`State::key`] knows.
