@@ -6,6 +6,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Angle, Wire};
 use show::{Display, Scratch, Screen, FRAMES, SIZE};
+use std::cell::Cell;
 use std::convert::Infallible;
 
 pub(crate) use show::teapot;
@@ -39,22 +40,28 @@ impl Oled {
         Self { scratch: Box::new(Scratch::new()), shown: None }
     }
 
-    /// The frame of a moment; those before it in its scene are drawn first, if the panel does not show them.
-    pub(crate) fn draw(&mut self, step: u32, rows: u32, picture: &mut Canvas<Rgb888>) -> Sent {
+    /// The frame of a moment, if the panel does not show it: after the one before it only what differs, as the firmware
+    /// sends it; else all of it.
+    pub(crate) fn draw(&mut self, step: u32, rows: u32, picture: &mut Canvas<Rgb888>) -> Option<Sent> {
         let frame = step / PACE % FRAMES;
-        let mut sent = Sent::default();
         if self.shown == Some(frame) {
-            return sent;
+            return None;
         }
-        // A frame alone is right too where nothing is known of the panel.
-        let mut panel = Panel { picture, sent: &mut sent };
+        let mut sent = Sent::default();
+        let on = Cell::new(false);
+        let mut panel = Panel { picture, sent: &mut sent, on: &on };
         let rows = rows.min(SIZE.height) as usize;
         let mut colours = vec![0; SIZE.width as usize / 2 * rows];
         let mut depths = vec![0; SIZE.width as usize * rows];
         let mut screen = Screen::new(&mut panel, &mut colours, &mut depths);
+        if let Some(before) = frame.checked_sub(1).filter(|before| self.shown == Some(*before)) {
+            // What is on the panel already, so that the screen knows it.
+            let Ok(()) = self.scratch.draw(before, &mut screen);
+        }
+        on.set(true);
         let Ok(()) = self.scratch.draw(frame, &mut screen);
         self.shown = Some(frame);
-        sent
+        Some(sent)
     }
 
     /// Something else was shown since.
@@ -66,12 +73,17 @@ impl Oled {
 struct Panel<'a> {
     picture: &'a mut Canvas<Rgb888>,
     sent: &'a mut Sent,
+    /// Whether what is sent arrives.
+    on: &'a Cell<bool>,
 }
 
 impl Display for Panel<'_> {
     type Error = Infallible;
 
     fn write(&mut self, area: &Rectangle, pixels: &[u8]) -> Result<(), Infallible> {
+        if !self.on.get() {
+            return Ok(());
+        }
         let size = self.picture.size();
         let scale = (size.width / SIZE.width).min(size.height / SIZE.height).max(1);
         let left = size.width.saturating_sub(SIZE.width * scale) / 2;

@@ -143,10 +143,12 @@ impl Viewer {
             let Ok(()) = self.display.fill_solid(&all, Rgb888::new(24, 26, 30));
             self.oled.forget();
         }
-        let Sent { areas, pixels, bytes } = match state.thing {
-            Thing::First => firmware::first(state.step, &mut self.display),
+        let sent = match state.thing {
+            Thing::First => Some(firmware::first(state.step, &mut self.display)),
             _ => self.oled.draw(state.step, state.rows.unwrap_or(u32::MAX), &mut self.display),
         };
+        // The panel's frames stay for some of the window's.
+        let Some(Sent { areas, pixels, bytes }) = sent else { return self.shown.clone() };
         Shown { statistics: Statistics::default(), bands: areas.len(), pixels, bytes, areas }
     }
 }

@@ -303,8 +303,14 @@ fn the_firmware_s_scenes_are_its_pictures() {
     let mut viewer = Viewer::new(Source::built_in(), size);
     let mut state = pressed("m space");
     let mut pictures = BTreeSet::new();
-    for _ in 0..24 {
-        let shown = viewer.draw(&state).unwrap();
+    for frame in 0..24 {
+        let shown = viewer.draw(&state).unwrap().clone();
+        // All of it, two pixels a byte, where a scene of eight frames begins; then what differs.
+        assert_eq!(shown.bytes == 128 * 64 / 2, frame % 8 == 0, "{frame}");
+        assert_eq!(shown.pixels, 2 * shown.bytes);
+        let mut other = Viewer::new(Source::built_in(), size);
+        other.draw(&state).unwrap();
+        assert!(viewer.pixels() == other.pixels(), "{frame}");
         assert!(shown.areas.iter().all(|a| a.top_left.x % 2 == 0 && a.size.width % 2 == 0));
         let rows: Vec<_> = viewer.pixels().chunks(256).collect();
         for (y, row) in rows.iter().enumerate() {
