@@ -1,12 +1,16 @@
-//! Draws a scene or a mesh, depth-tested, through the public interface: pictures for people, and raw
+//! Draws a model or a scene, depth-tested, through the public interface: pictures for people, and raw
 //! numbers for other programs.
 //!
 //! ```text
+//! cargo run --release --example render -- MODEL.stl
 //! cargo run --release --example render -- --help
 //! ```
 
+mod arguments;
+mod ascii;
 #[path = "../common/canvas.rs"]
 mod canvas;
+mod colours;
 #[path = "../common/command.rs"]
 mod command;
 mod draw;
@@ -14,17 +18,26 @@ mod draw;
 mod files;
 #[path = "../common/json.rs"]
 mod json;
+mod light;
 mod model;
+mod normals;
 mod options;
+mod paint;
+mod palette;
+mod parts;
+mod picture;
+mod projections;
 mod quantised;
 mod scene;
 #[path = "../common/still.rs"]
 mod still;
+mod style;
+mod turntable;
 mod used;
 
 use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::Rgb888;
-use options::{Mode, Options};
+use options::Options;
+use paint::Subject;
 use pinhole::Statistics;
 use quantised::Quantised;
 use scene::Scene;
@@ -39,47 +52,63 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
+    let named = |e: String| format!("{}: {e}", options.scene.display());
+    let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
     let scene = match &options.look {
-        Some(look) => model::scene(scene::read_mesh(&options.scene)?, look),
+        Some(look) => {
+            let mesh = scene::read_mesh(&options.scene)?;
+            if let Some(path) = &options.gif {
+                let film = turntable::gif(&mesh, look, &options.style, options.format, options.frames);
+                outputs.push((path, film.map_err(named)?));
+            }
+            model::scene(mesh, look)?
+        }
         None => Scene::read(&options.scene)?,
     };
-    let named = |e: String| format!("{}: {e}", options.scene.display());
     let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
-    let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
-    let statistics = match options.mode {
-        Mode::Solid => {
-            let solid = draw::solid(&used, &quantised).map_err(named)?;
-            let ids = solid.ids.pixels();
-            if let Some(path) = &options.ids {
-                outputs.push((path, ids.iter().flat_map(|seen| seen.index().to_le_bytes()).collect()));
-            }
-            if let Some(path) = &options.depth {
-                outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
-            }
-            if let Some(path) = &options.png {
-                outputs.push((path, png(&used, &draw::shaded(&used, &quantised, ids))?));
-            }
-            solid.statistics
+    let mut statistics = None;
+    if !options.style.mode.of_lines() {
+        let solid = draw::solid(&used, &quantised).map_err(named)?;
+        if let Some(path) = &options.ids {
+            outputs.push((
+                path,
+                solid.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes()).collect(),
+            ));
         }
-        Mode::Wireframe | Mode::HiddenLine => {
-            let hidden = options.mode == Mode::HiddenLine;
-            let (picture, statistics) = draw::edges(&used, &quantised, hidden).map_err(named)?;
-            if let Some(path) = &options.png {
-                outputs.push((path, png(&used, &picture)?));
-            }
-            statistics
+        if let Some(path) = &options.depth {
+            outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
         }
-    };
+        statistics = Some(solid.statistics);
+    }
+    let mut text = None;
+    if options.png.is_some() || options.ascii.is_some() || statistics.is_none() {
+        let subject = Subject::new(&used, options.style.mode);
+        let from = (&used, &quantised);
+        let (pixels, drawn) =
+            picture::picture(&subject, from, &options.style, options.format).map_err(named)?;
+        statistics = Some(drawn);
+        if let Some(path) = &options.png {
+            let size = Size::new(used.width, used.height);
+            outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
+        }
+        if let Some(characters) = options.ascii {
+            text = Some(ascii::text(&subject, from, &options.style, characters).map_err(named)?);
+        }
+    }
     if let Some(path) = &options.used {
         outputs.push((path, used::json(&used).into()));
     }
+    if let Some(folder) = options.png.as_deref().and_then(Path::parent).filter(|_| options.unasked) {
+        std::fs::create_dir_all(folder).map_err(|e| format!("{}: cannot be made: {e}", folder.display()))?;
+    }
     files::write(&outputs)?;
-    tell(options, &scene, &used, &statistics, &outputs);
+    if let Some(text) = &text {
+        print!("{text}");
+    }
+    if text.is_none() || options.stats || !outputs.is_empty() {
+        tell(options, &scene, &used, &statistics.unwrap_or_default(), &outputs);
+    }
     Ok(())
-}
-
-fn png(scene: &Scene, pixels: &[Rgb888]) -> Result<Vec<u8>, String> {
-    still::png(Size::new(scene.width, scene.height), pixels).map_err(|e| e.to_string())
 }
 
 fn tell(
@@ -89,11 +118,11 @@ fn tell(
     statistics: &Statistics,
     outputs: &[(&Path, Vec<u8>)],
 ) {
-    if outputs.is_empty() || options.stats {
+    if outputs.is_empty() || options.stats || options.unasked {
         let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
-        let (what, count) = match options.mode {
-            Mode::Solid => ("triangles", scene.triangles.len()),
-            Mode::Wireframe | Mode::HiddenLine => ("edges", (drawn + outside) as usize),
+        let (what, count) = match options.style.mode.of_lines() {
+            false => ("triangles", scene.triangles.len()),
+            true => ("edges", (drawn + outside) as usize),
         };
         println!(
             "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them cut), \
@@ -114,7 +143,7 @@ fn tell(
     for (path, bytes) in outputs {
         println!("{}: {} bytes", path.display(), bytes.len());
     }
-    if outputs.is_empty() {
+    if outputs.is_empty() && options.ascii.is_none() {
         println!("nothing was written: give --png, --ids, --depth or --used");
     }
 }

@@ -1,66 +1,70 @@
-//! The command line.
+//! What is asked for.
 
-use crate::command;
-use crate::model::{Look, Named};
+use crate::arguments::{command, names};
+use crate::ascii::Characters;
+use crate::colours;
+use crate::model::{Fit, Look, Up};
+use crate::paint::{Mode, Style};
+use crate::picture::Format;
+use crate::projections::Named;
 use crate::scene::LARGEST;
-use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
+use crate::style;
+use clap::ArgMatches;
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Options {
     pub(crate) scene: PathBuf,
     pub(crate) png: Option<PathBuf>,
+    pub(crate) gif: Option<PathBuf>,
+    pub(crate) frames: u32,
     pub(crate) ids: Option<PathBuf>,
     pub(crate) depth: Option<PathBuf>,
     pub(crate) used: Option<PathBuf>,
-    pub(crate) mode: Mode,
+    pub(crate) ascii: Option<Characters>,
+    pub(crate) style: Style,
+    pub(crate) format: Format,
     pub(crate) stats: bool,
     /// For a mesh; `None` where the scene has a camera.
     pub(crate) look: Option<Look>,
+    /// Whether the picture goes where nobody said.
+    pub(crate) unasked: bool,
 }
-
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Mode {
-    Solid,
-    Wireframe,
-    HiddenLine,
-}
-
-const FORMATS: &str = r#"SCENE.json:
-  {"mesh": "file.obj" | ".stl" | ".json" (relative to the scene),  or  "vertices": [[x, y, z], ...], "triangles": [[a, b, c], ...],
-   "model": 4x4 affine, "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) where it is seen,
-   "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (all, if missing), "cull": "none" | "back"}
-Matrices are row-major, vectors columns. A .json mesh is {"vertices": ..., "triangles": ...}.
-
---ids: little-endian i32, row by row from the top: the triangle seen, -1 for none.
---depth: little-endian u16: 0 near to 65534 far, linear on the screen, 65535 for nothing.
---used: the scene in numbers as it was drawn; drawn again, it gives the same bits.
-
-Bad input: one line on stderr, exit code 2, and no file touched."#;
 
 /// What is asked for; the error is one line.
 pub(crate) fn read() -> Result<Options, String> {
-    let mut given = command::matches(command())?;
+    let mut given = crate::command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
-    let mode = match given.remove_one::<String>("mode").as_deref() {
-        None | Some("solid") => Mode::Solid,
-        Some("wireframe") => Mode::Wireframe,
-        Some("hidden-line") => Mode::HiddenLine,
-        Some(other) => return Err(format!("--mode: {other} is not solid, wireframe or hidden-line")),
+    let ascii = match given.remove_one::<String>("ascii") {
+        None => None,
+        Some(name) => Some(Characters::find(&name).ok_or_else(|| unknown("ascii", &name, &Characters::ALL))?),
     };
-    let look = look(&mut given, &scene)?;
+    let (style, format) = style(&mut given)?;
+    let look = look(&mut given, &scene, ascii.is_some())?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
-    let [png, ids, depth, used] = ["png", "ids", "depth", "used"].map(&mut file);
-    let files = [("--png", &png), ("--ids", &ids), ("--depth", &depth), ("--used", &used)];
-    for (place, (flag, file)) in files.iter().enumerate() {
+    let [mut png, gif, ids, depth, used] = ["png", "gif", "ids", "depth", "used"].map(&mut file);
+    let frames = given.remove_one("frames");
+    if frames.is_some() && gif.is_none() {
+        return Err("--frames: are those of a film: give --gif FILE, too".into());
+    }
+    let stats = given.get_flag("stats");
+    let outputs = [("--png", &png), ("--gif", &gif), ("--ids", &ids), ("--depth", &depth), ("--used", &used)];
+    for (place, (flag, file)) in outputs.iter().enumerate() {
         let same = |earlier: &Option<PathBuf>| file.is_some() && place_of(earlier) == place_of(file);
-        if let Some((other, _)) = files[..place].iter().find(|(_, earlier)| same(earlier)) {
+        if let Some((other, _)) = outputs[..place].iter().find(|(_, earlier)| same(earlier)) {
             return Err(format!("{flag}: names the same file as {other}"));
         }
-        if mode != Mode::Solid && file.is_some() && matches!(*flag, "--ids" | "--depth") {
+        if style.mode.of_lines() && file.is_some() && matches!(*flag, "--ids" | "--depth") {
             return Err(format!("{flag}: needs --mode solid"));
         }
     }
-    Ok(Options { scene, png, ids, depth, used, mode, stats: given.get_flag("stats"), look })
+    let nothing = outputs.iter().all(|(_, file)| file.is_none()) && ascii.is_none() && !stats;
+    let unasked = nothing && look.is_some();
+    if unasked {
+        let name = scene.file_stem().unwrap_or_default();
+        png = Some(Path::new("target/render").join(name).with_extension("png"));
+    }
+    let frames = frames.unwrap_or(36);
+    Ok(Options { scene, png, gif, frames, ids, depth, used, ascii, style, format, stats, look, unasked })
 }
 
 /// Where a file is or would be, whatever links and dots its name has.
@@ -71,56 +75,34 @@ fn place_of(file: &Option<PathBuf>) -> Option<PathBuf> {
     file.canonicalize().ok().or_else(beside).or_else(|| Some(file.clone()))
 }
 
-fn command() -> Command {
-    let file = |name: &'static str, help| {
-        Arg::new(name).long(name).value_name("FILE").help(help).value_parser(value_parser!(PathBuf))
+/// A name that is not on the list: says those that are.
+fn unknown<T>(option: &str, name: &str, known: &[(&str, T)]) -> String {
+    format!("--{option}: {name} is not one of {}", names(known.iter().map(|(name, _)| *name)))
+}
+
+fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
+    let mode = match given.remove_one::<String>("mode") {
+        None => Mode::Solid,
+        Some(name) => Mode::find(&name).ok_or_else(|| unknown("mode", &name, &Mode::ALL))?,
     };
-    let angle = |name: &'static str, help| {
-        Arg::new(name)
-            .long(name)
-            .value_name("DEGREES")
-            .help(help)
-            .allow_negative_numbers(true)
-            .value_parser(value_parser!(f64))
+    let format = match given.remove_one::<String>("format") {
+        None => Format::Rgb888,
+        Some(name) => Format::find(&name).ok_or_else(|| unknown("format", &name, &Format::ALL))?,
     };
-    let text = |name: &'static str, value, help| Arg::new(name).long(name).value_name(value).help(help);
-    Command::new("render")
-        .about("Draws a scene, depth-tested, as on a microcontroller")
-        .arg(
-            Arg::new("SCENE")
-                .required(true)
-                .help("A scene (.json), or a mesh (.obj, .stl)")
-                .value_parser(value_parser!(PathBuf)),
-        )
-        .arg(file("png", "The picture"))
-        .arg(file("ids", "The triangle seen in each pixel"))
-        .arg(file("depth", "The depth of each pixel"))
-        .arg(file("used", "The scene as it was drawn, rounded to the crate's numbers"))
-        .arg(text("mode", "MODE", "solid (the usual), wireframe or hidden-line"))
-        .arg(
-            Arg::new("stats")
-                .long("stats")
-                .action(ArgAction::SetTrue)
-                .help("Says what became of the triangles"),
-        )
-        .next_help_heading("For a mesh")
-        .arg(text(
-            "projection",
-            "NAME",
-            "perspective (the usual), orthographic, isometric, cavalier or cabinet",
-        ))
-        .arg(angle("yaw", "The camera's way round the mesh from +z towards +x [default: 30]"))
-        .arg(angle("pitch", "The camera's height over the horizon [default: 20]"))
-        .arg(angle("fov", "The field of view of a perspective, upright [default: 40]"))
-        .arg(text("size", "WxH", "Of the picture in pixels [default: 320x240]"))
-        .after_help(FORMATS)
+    let mut colour = |option: &str| match given.remove_one::<String>(option) {
+        None => Ok(None),
+        Some(text) => colours::parse(&text).map(Some).map_err(|e| format!("--{option}: {e}")),
+    };
+    let (colour, background) = (colour("colour")?, colour("background")?);
+    let dither = format.wants_dither() && !given.get_flag("no-dither");
+    Ok((style::chosen(mode, format, colour, background, dither), format))
 }
 
 /// The options for a mesh, which a scene must not have.
-fn look(given: &mut ArgMatches, scene: &Path) -> Result<Option<Look>, String> {
+fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look>, String> {
     let is = |extension: &str| scene.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
     if !(is("obj") || is("stl")) {
-        for name in ["projection", "yaw", "pitch", "fov", "size"] {
+        for name in ["projection", "from", "yaw", "pitch", "fov", "size", "up", "gif", "frames"] {
             if given.contains_id(name) {
                 return Err(format!("--{name}: a scene has its own camera; this is for .obj and .stl"));
             }
@@ -131,33 +113,54 @@ fn look(given: &mut ArgMatches, scene: &Path) -> Result<Option<Look>, String> {
         };
     }
     let projection = match given.remove_one::<String>("projection") {
-        None => Named::Perspective,
-        Some(name) => match Named::ALL.iter().find(|(known, _)| *known == name) {
-            Some((_, projection)) => *projection,
-            None => {
-                let names: Vec<_> = Named::ALL.iter().map(|(name, _)| *name).collect();
-                return Err(format!("--projection: {name} is none of {}", names.join(", ")));
-            }
-        },
+        None => Named::ALL[0],
+        Some(name) => Named::find(&name)
+            .ok_or_else(|| unknown("projection", &name, &Named::ALL.map(|p| (p.name, ()))))?,
     };
-    let mut angle = |name: &str, usual: f64, low: f64, high: f64| {
-        let value = given.remove_one::<f64>(name).unwrap_or(usual);
+    let from = match given.remove_one::<String>("from") {
+        None => [None; 2],
+        Some(_) if given.contains_id("yaw") || given.contains_id("pitch") => {
+            return Err("--from: gives yaw and pitch: leave --yaw and --pitch out".into())
+        }
+        Some(text) => {
+            let [yaw, pitch] = pair(&text, ',')
+                .ok_or_else(|| format!("--from: {text} is not YAW,PITCH in degrees, such as 30,20"))?;
+            [Some(yaw), Some(pitch)]
+        }
+    };
+    let mut angle = |name: &str, from: Option<f64>, usual: f64, low: f64, high: f64| {
+        let value = given.remove_one::<f64>(name).or(from).unwrap_or(usual);
         if !(low..=high).contains(&value) {
-            return Err(format!("--{name}: {value} is not from {low} to {high}"));
+            let option = if from.is_some() { format!("from: {name}") } else { name.into() };
+            return Err(format!("--{option}: {value} is not from {low} to {high}"));
         }
         Ok(value)
     };
-    let (yaw, pitch) = projection.usual();
-    let (yaw, pitch) = (angle("yaw", yaw, -360.0, 360.0)?, angle("pitch", pitch, -90.0, 90.0)?);
-    let field_of_view = angle("fov", 40.0, 1.0, 170.0)?;
-    let size = given.remove_one::<String>("size").unwrap_or("320x240".into());
-    let (width, height) = parse_size(&size)
+    let yaw = angle("yaw", from[0], projection.yaw, -360.0, 360.0)?;
+    let pitch = angle("pitch", from[1], projection.pitch, -90.0, 90.0)?;
+    let field_of_view = angle("fov", None, projection.field_of_view(), 1.0, 170.0)?;
+    // Other programs read these, and know the defaults.
+    let raw = ["ids", "depth", "used"].iter().any(|name| given.contains_id(name));
+    let usual = match (ascii, raw || given.contains_id("gif")) {
+        (true, _) => "160x120",
+        (false, true) => "320x240",
+        (false, false) => "640x480",
+    };
+    let size = given.remove_one::<String>("size").unwrap_or(usual.into());
+    let [width, height] = pair(&size, 'x')
+        .filter(|size| size.iter().all(|v| (1..=LARGEST).contains(&i64::from(*v))))
         .ok_or_else(|| format!("--size: {size} is not WxH, each from 1 to {LARGEST}, such as 320x240"))?;
-    Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height }))
+    let up = match given.remove_one::<String>("up").as_deref() {
+        None if is("stl") && !raw => Up::Z,
+        None | Some("y") => Up::Y,
+        Some("z") => Up::Z,
+        Some(other) => return Err(format!("--up: {other} is not one of y, z")),
+    };
+    Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height, up, fit: Fit::Outline }))
 }
 
-fn parse_size(text: &str) -> Option<(u32, u32)> {
-    let (width, height) = text.split_once('x')?;
-    let extent = |text: &str| text.parse().ok().filter(|v| (1..=LARGEST).contains(&i64::from(*v)));
-    Some((extent(width)?, extent(height)?))
+/// Two values, and what stands between them.
+fn pair<T: std::str::FromStr>(text: &str, between: char) -> Option<[T; 2]> {
+    let (first, second) = text.split_once(between)?;
+    Some([first.parse().ok()?, second.parse().ok()?])
 }

@@ -7,11 +7,16 @@ use std::process::{Command, Output};
 
 /// Runs an example, which `cargo test` has built beside the tests.
 pub(crate) fn example<S: AsRef<OsStr>>(name: &str, arguments: &[S]) -> Output {
+    example_in(Path::new("."), name, arguments)
+}
+
+/// The same in a folder.
+pub(crate) fn example_in<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S]) -> Output {
     let tests = std::env::current_exe().unwrap();
     let program =
         tests.with_file_name("../examples").join(name).with_extension(std::env::consts::EXE_EXTENSION);
     assert!(program.exists(), "cargo test builds {name}, cargo test --test does not");
-    Command::new(program).args(arguments).output().unwrap()
+    Command::new(program).args(arguments).current_dir(folder).output().unwrap()
 }
 
 /// An empty folder of a test's own.

@@ -247,6 +247,12 @@ impl Scratch {
     }
 }
 
+/// Without firmware there is something to look at, too.
+pub(crate) const fn teapot() -> &'static Mesh<'static> {
+    const MESH: &Mesh<'static> = &TEAPOT;
+    MESH
+}
+
 const FROM_ABOVE: Vector3<World> = Vector3::from_ints(-4, 4, 3);
 
 const STARS: [(i32, i32); 12] = [

@@ -1,0 +1,159 @@
+//! The window itself, under a virtual display: the pixels that X shows are those of the host's own render of the same
+//! state. `cargo test --features viewer --package pinhole-viewer`; it needs SDL2 and Xvfb, and without Xvfb it says so and
+//! tests nothing (with CI set it fails).
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::prelude::*;
+use pinhole_viewer::{Source, State, Viewer};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+const SIZE: Size = Size::new(320, 240);
+const SCREEN: Size = Size::new(400, 300);
+
+/// A picture in memory.
+struct Picture(Vec<Rgb888>);
+
+impl OriginDimensions for Picture {
+    fn size(&self) -> Size {
+        SIZE
+    }
+}
+
+impl DrawTarget for Picture {
+    type Color = Rgb888;
+    type Error = std::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        for Pixel(at, colour) in pixels {
+            if self.bounding_box().contains(at) {
+                self.0[(at.y as u32 * SIZE.width + at.x as u32) as usize] = colour;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What a window should show after these keys.
+fn expected(keys: &str) -> Vec<[u8; 3]> {
+    let source = Source::built_in();
+    let mut state = source.state();
+    let mut viewer = Viewer::new(source, SIZE);
+    viewer.draw(&state).unwrap();
+    for name in keys.split(' ') {
+        state.apply(State::key(name).unwrap());
+        viewer.draw(&state).unwrap();
+    }
+    let mut picture = Picture(vec![Rgb888::BLACK; (SIZE.width * SIZE.height) as usize]);
+    let Ok(()) = viewer.show(&state, None, &mut picture);
+    picture.0.iter().map(|c| [c.r(), c.g(), c.b()]).collect()
+}
+
+/// Ends what it started, whatever becomes of the test.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+fn wait_for<T>(what: &str, look: impl Fn() -> Option<T>) -> T {
+    for _ in 0..600 {
+        if let Some(found) = look() {
+            return found;
+        }
+        sleep(Duration::from_millis(50));
+    }
+    panic!("no {what} in half a minute")
+}
+
+/// An X server on a display that no other has; its screen is a file.
+fn server(folder: &Path) -> Option<(Running, String)> {
+    let size = format!("{}x{}x24", SCREEN.width, SCREEN.height);
+    let number = folder.join("number");
+    let to = fs::File::create(&number).unwrap();
+    let started = Command::new("Xvfb")
+        .args(["-displayfd", "1", "-screen", "0", &size, "-nolisten", "tcp", "-fbdir"])
+        .arg(folder)
+        .stdout(Stdio::from(to))
+        .stderr(Stdio::null())
+        .spawn();
+    let Ok(child) = started else {
+        assert!(std::env::var_os("CI").is_none(), "Xvfb is missing: apt-get install xvfb");
+        eprintln!("SKIPPED: Xvfb is missing, so no window was opened: apt-get install xvfb");
+        return None;
+    };
+    let running = Running(child);
+    let name = wait_for("display", || {
+        let text = fs::read_to_string(&number).ok()?;
+        text.ends_with('\n').then(|| format!(":{}", text.trim()))
+    });
+    Some((running, name))
+}
+
+/// The rows of the screen, as the X Window Dump format has them: a header of big-endian numbers, colours, pixels.
+fn screen(folder: &Path) -> Vec<Vec<[u8; 3]>> {
+    let bytes = fs::read(folder.join("Xvfb_screen0")).unwrap();
+    let header = |place: usize| {
+        let bytes = bytes[4 * place..][..4].try_into().unwrap();
+        u32::from_be_bytes(bytes) as usize
+    };
+    let (size, width, height, stride, colours) = (header(0), header(4), header(5), header(12), header(19));
+    assert_eq!((width, height, header(11)), (SCREEN.width as usize, SCREEN.height as usize, 32));
+    let pixels = &bytes[size + 12 * colours..];
+    let row = |y: usize| pixels[y * stride..][..4 * width].chunks(4).map(|p| [p[2], p[1], p[0]]).collect();
+    (0..height).map(row).collect()
+}
+
+/// Whether the picture stands in the screen, at the corner.
+fn stands_at(screen: &[Vec<[u8; 3]>], picture: &[[u8; 3]], left: usize, top: usize) -> bool {
+    let width = SIZE.width as usize;
+    picture.chunks(width).zip(&screen[top..]).all(|(row, of)| row == &of[left..left + width])
+}
+
+fn read_png(file: &Path) -> Option<Vec<[u8; 3]>> {
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(file).ok()?));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().ok()?;
+    let mut bytes = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut bytes).ok()?;
+    assert_eq!((info.width, info.height, info.color_type), (SIZE.width, SIZE.height, png::ColorType::Rgb));
+    Some(bytes.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect())
+}
+
+#[test]
+fn the_window_shows_what_the_host_renders() {
+    let tests = std::env::current_exe().unwrap();
+    let program: PathBuf =
+        tests.with_file_name("../examples/viewer").with_extension(std::env::consts::EXE_EXTENSION);
+    assert!(program.exists(), "cargo test --features viewer builds the example");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
+    let _ = fs::remove_dir_all(&folder); // from an earlier run
+    fs::create_dir_all(&folder).unwrap();
+    let Some((_server, display)) = server(&folder) else { return };
+    for (number, keys) in ["s - - - - r left", "l p p c h", "c c c c d up b", "m b"].into_iter().enumerate() {
+        let png = folder.join(format!("{number}.png"));
+        let viewer = Command::new(&program)
+            .args(["--scale", "1", "--stay", "60000", "--keys", keys, "--screenshot"])
+            .arg(&png)
+            .env("DISPLAY", &display)
+            .env("SDL_VIDEODRIVER", "x11")
+            .env("SDL_RENDER_DRIVER", "software")
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        let _viewer = Running(viewer);
+        let expected = expected(keys);
+        assert!(wait_for("screenshot", || read_png(&png)) == expected, "{keys}: the screenshot differs");
+        // X draws a little after it was told to; the window stands in the middle.
+        let (left, top) = ((SCREEN.width - SIZE.width) / 2, (SCREEN.height - SIZE.height) / 2);
+        wait_for(&format!("picture of {keys}"), || {
+            stands_at(&screen(&folder), &expected, left as usize, top as usize).then_some(())
+        });
+    }
+}
