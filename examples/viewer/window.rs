@@ -89,7 +89,21 @@ fn actions(given: &mut ArgMatches) -> Result<Vec<Action>, String> {
     keys.split_whitespace().map(action).collect()
 }
 
+/// SDL would draw into a window that no one sees.
+fn refuse_without_display() -> Result<(), String> {
+    let unset = |name| std::env::var_os(name).is_none_or(|value| value.is_empty());
+    if cfg!(target_os = "linux") && ["DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"].into_iter().all(unset) {
+        return Err("there is no display to open a window on: DISPLAY and WAYLAND_DISPLAY are not set \
+                    (`xvfb-run` makes one; with --screenshot none is needed)"
+            .into());
+    }
+    Ok(())
+}
+
 fn run(mut viewer: Viewer, mut state: State, size: Size, scale: u32, script: &Script) -> Result<(), String> {
+    if script.screenshot.is_none() {
+        refuse_without_display()?;
+    }
     let mut display = SimulatorDisplay::<Rgb888>::new(size);
     let settings = OutputSettingsBuilder::new().scale(scale).build();
     let mut window = Window::new("pinhole: h for the keys", &settings);
