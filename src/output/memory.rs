@@ -40,10 +40,24 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn triangle(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
-        match Halves::new(triangle, scissor) {
+        match Halves::<false>::new(triangle, scissor) {
             Some(mut halves) => {
                 for _ in 0..2 {
                     keep_rolled();
+                    self.stretch(halves.stretch(), cell, two);
+                }
+            }
+            None => self.cut(triangle, scissor, cell),
+        }
+    }
+
+    /// One that is cut, or large.
+    #[inline(never)]
+    fn cut(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
+        let two = pair(cell);
+        match Halves::<true>::new(triangle, scissor) {
+            Some(mut halves) => {
+                for _ in 0..black_box(2) {
                     self.stretch(halves.stretch(), cell, two);
                 }
             }
@@ -51,7 +65,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         }
     }
 
-    #[inline(never)] // rare, and most of it a row's pixels
+    #[inline(never)] // its loop needs all registers
     fn large(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
         let (two, mut large) = (pair(cell), Large::new(triangle, scissor));
         while let Some(stretch) = large.stretch() {
@@ -86,12 +100,35 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         cell: Cell,
     ) {
         let two = pair(cell);
-        match Halves::new(triangle, scissor) {
+        match Halves::<false>::new(triangle, scissor) {
             Some(halves) if halves.is_empty() => {}
             Some(mut halves) => {
                 let plane = depth_of_it();
                 for _ in 0..2 {
                     keep_rolled();
+                    self.stretch_nearer(halves.stretch(), &plane, held, two);
+                }
+            }
+            None => self.cut_nearer(triangle, depth_of_it, scissor, held, cell),
+        }
+    }
+
+    /// One that is cut, or large.
+    #[inline(never)]
+    fn cut_nearer(
+        &mut self,
+        triangle: &Triangle,
+        depth_of_it: impl FnOnce() -> Plane,
+        scissor: &Scissor,
+        held: &mut [u16],
+        cell: Cell,
+    ) {
+        let two = pair(cell);
+        match Halves::<true>::new(triangle, scissor) {
+            Some(halves) if halves.is_empty() => {}
+            Some(mut halves) => {
+                let plane = depth_of_it();
+                for _ in 0..black_box(2) {
                     self.stretch_nearer(halves.stretch(), &plane, held, two);
                 }
             }

@@ -62,6 +62,14 @@ impl Side {
     }
 }
 
+impl Side {
+    /// By as many rows.
+    #[inline(always)]
+    pub(super) fn skip(&mut self, rows: i32) {
+        self.at = self.at.wrapping_add(self.step.wrapping_mul(rows));
+    }
+}
+
 impl Step for Side {
     #[inline(always)]
     fn next(&mut self) -> i32 {

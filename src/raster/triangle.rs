@@ -52,7 +52,7 @@ impl Triangle {
     /// The same where the loop is to be part of what draws.
     #[inline(always)]
     pub(crate) fn each_span(&self, scissor: &Scissor, mut draw: impl FnMut(Span)) {
-        match Halves::new(self, scissor) {
+        match Halves::<true>::new(self, scissor) {
             Some(mut halves) => {
                 for _ in 0..black_box(2) {
                     let mut stretch = halves.stretch();
@@ -133,9 +133,10 @@ impl<S: Step> Stretch<S> {
     }
 }
 
-/// The two stretches of a small triangle inside the scissor, above and below the middle corner: most triangles are that,
-/// and their way is short, to be part of the loops that draw.
-pub(crate) struct Halves {
+/// The two stretches of a small triangle between the scissor's columns, above and below the middle corner: most triangles
+/// are that, and their way is short, to be part of the loops that draw. `CUT`: there may be rows above and below the
+/// scissor's.
+pub(crate) struct Halves<const CUT: bool> {
     /// The ends of the side, or of two sides, with the middle corner, from the stretch on that is next.
     ends: [ScreenPoint; 3],
     /// The next row, and there the side between the first and the last corner.
@@ -144,9 +145,12 @@ pub(crate) struct Halves {
     /// That the sides are counted from.
     column: i32,
     middle_left: bool,
+    /// The scissor's rows, where it is `CUT`.
+    top: i32,
+    bottom: i32,
 }
 
-impl Halves {
+impl<const CUT: bool> Halves<CUT> {
     /// `None` for all other triangles.
     #[inline(always)]
     pub(crate) fn new(triangle: &Triangle, scissor: &Scissor) -> Option<Self> {
@@ -155,37 +159,48 @@ impl Halves {
         let (ends, middle_left) = down(triangle);
         let [a, _, c] = &ends;
         // Ends lie within a column of the corners.
-        let inside = left >= scissor.left * 256
-            && right <= scissor.right * 256
-            && a.y >= scissor.top * 256
-            && c.y <= scissor.bottom * 256;
+        let between = left >= scissor.left * 256 && right <= scissor.right * 256;
+        let inside = between && (CUT || a.y >= scissor.top * 256 && c.y <= scissor.bottom * 256);
         let small = c.y - a.y < Side::HEIGHT && right - left < Side::WIDTH;
         if !(inside && small) {
             return None;
         }
-        Some(Self { ends, row: first_row(a), long: Side::new(a, c, 0), column: column(a), middle_left })
+        let (row, column, long) = (first_row(a), column(a), Side::new(a, c, 0));
+        Some(Self { ends, row, long, column, middle_left, top: scissor.top, bottom: scissor.bottom })
     }
 
     /// Whether there is no row.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         let [_, _, last] = &self.ends;
-        self.row >= first_row(last)
+        let end = first_row(last);
+        match CUT {
+            true => self.row.max(self.top) >= end.min(self.bottom),
+            false => self.row >= end,
+        }
     }
 
     /// The next stretch, which may have no rows: to be asked for twice.
     #[inline(always)]
     pub(crate) fn stretch(&mut self) -> Stretch {
         let Self { ends: [p, q, last], row: y, long, column: origin, .. } = *self;
-        let rows = first_row(&q) - y;
+        let end = first_row(&q);
+        let rows = end - y;
         let mut sides = [long; 2];
         if rows > 0 {
             let short = Side::new(&p, &q, column(&p) - origin);
             sides = if self.middle_left { [short, long] } else { [long, short] };
-            self.long.at = long.at.wrapping_add(long.step.wrapping_mul(rows));
+            self.long.skip(rows);
         }
-        (self.ends, self.row) = ([q, last, last], y + rows);
-        Stretch { x: origin + 1, y, rows, sides }
+        (self.ends, self.row) = ([q, last, last], end);
+        let mut stretch = Stretch { x: origin + 1, y, rows, sides };
+        if CUT {
+            let above = (self.top - y).clamp(0, rows.max(0));
+            stretch.y += above;
+            stretch.rows = end.min(self.bottom) - stretch.y;
+            stretch.sides.iter_mut().for_each(|side| side.skip(above));
+        }
+        stretch
     }
 }
 
@@ -323,7 +338,7 @@ pub(crate) enum Spans {
 impl Spans {
     #[inline(never)]
     fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
-        match Halves::new(triangle, scissor) {
+        match Halves::<true>::new(triangle, scissor) {
             Some(mut halves) => {
                 let mut stretches = [Stretch::NONE; 2];
                 for stretch in stretches.iter_mut().take(black_box(2)) {
