@@ -94,7 +94,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     pub(super) fn nearer(
         &mut self,
         triangle: &Triangle,
-        depth_of_it: impl FnOnce() -> Plane,
+        depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],
         cell: Cell,
@@ -103,13 +103,13 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         match Halves::<false>::new(triangle, scissor) {
             Some(halves) if halves.is_empty() => {}
             Some(mut halves) => {
-                let plane = depth_of_it();
+                let plane = Plane::of_depth(triangle, depths);
                 for _ in 0..2 {
                     keep_rolled();
                     self.stretch_nearer(halves.stretch(), &plane, held, two);
                 }
             }
-            None => self.cut_nearer(triangle, depth_of_it, scissor, held, cell),
+            None => self.cut_nearer(triangle, depths, scissor, held, cell),
         }
     }
 
@@ -118,7 +118,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn cut_nearer(
         &mut self,
         triangle: &Triangle,
-        depth_of_it: impl FnOnce() -> Plane,
+        depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],
         cell: Cell,
@@ -127,7 +127,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         match Halves::<true>::new(triangle, scissor) {
             Some(halves) if halves.is_empty() => {}
             Some(mut halves) => {
-                let plane = depth_of_it();
+                let plane = Plane::of_depth(triangle, depths);
                 for _ in 0..black_box(2) {
                     self.stretch_nearer(halves.stretch(), &plane, held, two);
                 }
@@ -135,7 +135,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             None => {
                 let large = Large::new(triangle, scissor);
                 if !large.is_empty() {
-                    self.large_nearer(large, &depth_of_it(), held, cell);
+                    self.large_nearer(large, &Plane::of_depth(triangle, depths), held, cell);
                 }
             }
         }
@@ -203,11 +203,12 @@ impl<Cell: Copy> Memory<'_, Cell> {
     pub(super) fn shaded_nearer<R: Iterator<Item = Cell>>(
         &mut self,
         triangle: &Triangle,
-        plane: &Plane,
+        depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],
         run: impl Fn(Span) -> R,
     ) {
+        let plane = Plane::of_depth(triangle, depths);
         let (places, step) = (self.places(), plane.step());
         triangle.each_span(scissor, |span| {
             let from = places(span.x, span.y);

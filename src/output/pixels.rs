@@ -3,7 +3,7 @@
 use super::depth::DepthBuffer;
 use super::memory::{fill, Memory};
 use super::target::{spans_nearer, spans_shaded_nearer, Target};
-use crate::raster::{Pixel, Plane, Scissor, Span, Triangle};
+use crate::raster::{Pixel, Scissor, Span, Triangle};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -80,17 +80,17 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     fn nearer(
         &mut self,
         triangle: &Triangle,
-        depth_of_it: impl FnOnce() -> Plane,
+        depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
         colour: C,
     ) -> Result<(), Infallible> {
         match depth.same_as(&self.area) {
             Some(held) => {
-                self.memory.nearer(triangle, depth_of_it, scissor, held, colour.stored());
+                self.memory.nearer(triangle, depths, scissor, held, colour.stored());
                 Ok(())
             }
-            None => spans_nearer(self, triangle, depth_of_it, scissor, depth, colour),
+            None => spans_nearer(self, triangle, depths, scissor, depth, colour),
         }
     }
 
@@ -109,7 +109,7 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     fn shaded_nearer<R: Iterator<Item = C>>(
         &mut self,
         triangle: &Triangle,
-        plane: &Plane,
+        depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
         run: impl Fn(Span) -> R,
@@ -117,10 +117,10 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
         match depth.same_as(&self.area) {
             Some(held) => {
                 self.memory
-                    .shaded_nearer(triangle, plane, scissor, held, |span| run(span).map(Stored::stored));
+                    .shaded_nearer(triangle, depths, scissor, held, |span| run(span).map(Stored::stored));
                 Ok(())
             }
-            None => spans_shaded_nearer(self, triangle, plane, scissor, depth, run),
+            None => spans_shaded_nearer(self, triangle, depths, scissor, depth, run),
         }
     }
 

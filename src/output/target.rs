@@ -49,18 +49,18 @@ pub trait Target: sealed::Sealed {
         triangle.spans(scissor).try_for_each(|span| self.fill(span, colour))
     }
 
-    /// Draws it where it is nearer than what is held. `depth_of_it` is asked if it has pixels there.
+    /// Draws it where it is nearer than what is held. `depths` are its corners', in 16.8.
     #[doc(hidden)]
     #[inline(always)]
     fn nearer(
         &mut self,
         triangle: &Triangle,
-        depth_of_it: impl FnOnce() -> Plane,
+        depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        spans_nearer(self, triangle, depth_of_it, scissor, depth, colour)
+        spans_nearer(self, triangle, depths, scissor, depth, colour)
     }
 
     /// Draws a triangle whose pixels have colours of their own.
@@ -81,12 +81,12 @@ pub trait Target: sealed::Sealed {
     fn shaded_nearer<R: Iterator<Item = Self::Color>>(
         &mut self,
         triangle: &Triangle,
-        plane: &Plane,
+        depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Self::Error> {
-        spans_shaded_nearer(self, triangle, plane, scissor, depth, run)
+        spans_shaded_nearer(self, triangle, depths, scissor, depth, run)
     }
 
     /// Draws a line.
@@ -108,7 +108,7 @@ pub trait Target: sealed::Sealed {
 pub(super) fn spans_nearer<T: Target + ?Sized>(
     target: &mut T,
     triangle: &Triangle,
-    depth_of_it: impl FnOnce() -> Plane,
+    depths: &[i32; 3],
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
     colour: T::Color,
@@ -117,7 +117,7 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
     if spans.is_empty() {
         return Ok(());
     }
-    let plane = depth_of_it();
+    let plane = Plane::of_depth(triangle, depths);
     spans.try_for_each(|span| depth.test(span, &plane, |visible| target.fill(visible, colour)))
 }
 
@@ -126,14 +126,15 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
 pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
     target: &mut T,
     triangle: &Triangle,
-    plane: &Plane,
+    depths: &[i32; 3],
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
     run: impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
+    let plane = Plane::of_depth(triangle, depths);
     triangle
         .spans(scissor)
-        .try_for_each(|span| depth.test(span, plane, |visible| target.fill_run(visible, run(visible))))
+        .try_for_each(|span| depth.test(span, &plane, |visible| target.fill_run(visible, run(visible))))
 }
 
 mod sealed {

@@ -24,7 +24,8 @@ impl Plane {
     /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
-    pub(crate) fn of_depth(triangle: &Triangle, mut depths: [i32; 3]) -> Self {
+    pub(crate) fn of_depth(triangle: &Triangle, depths: &[i32; 3]) -> Self {
+        let mut depths = *depths;
         let extent = Extent::of(triangle);
         if extent.is_large() {
             depths = lowered(depths, &triangle.viewport);
@@ -63,7 +64,7 @@ mod tests {
         if area(&points) == 0 {
             return 0;
         }
-        let plane = Plane::of_depth(&Triangle::new(points, area(&points), scissor), corners.map(|c| c.2));
+        let plane = Plane::of_depth(&Triangle::new(points, area(&points), scissor), &corners.map(|c| c.2));
         // The determinant form of the plane, at p: three areas as weights.
         let cross = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
             (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)

@@ -52,7 +52,7 @@ impl Triangle {
     /// The same where the loop is to be part of what draws.
     #[inline(always)]
     pub(crate) fn each_span(&self, scissor: &Scissor, mut draw: impl FnMut(Span)) {
-        match Halves::<true>::new(self, scissor) {
+        match Halves::<false>::new(self, scissor) {
             Some(mut halves) => {
                 for _ in 0..black_box(2) {
                     let mut stretch = halves.stretch();
@@ -61,13 +61,8 @@ impl Triangle {
                     }
                 }
             }
-            None => self.large_spans(scissor).for_each(draw),
+            None => self.spans(scissor).for_each(draw),
         }
-    }
-
-    #[inline(never)]
-    fn large_spans(&self, scissor: &Scissor) -> Spans {
-        Spans::Large(None, Large::new(self, scissor))
     }
 
     /// What varies linearly over it, for inks of one's own: values 0 … 2²⁴ − 1 at its corners, in their

@@ -191,7 +191,8 @@ impl<V: Coordinate> Transformed<'_, V, true> {
             }
             while let Some((corners, area)) = fan.piece() {
                 let points = corners.map(|c| c.point);
-                let plane = Plane::of_depth(&Triangle::new(points, area, viewport), corners.map(|c| c.depth));
+                let plane =
+                    Plane::of_depth(&Triangle::new(points, area, viewport), &corners.map(|c| c.depth));
                 // There is room for the pieces of two faces.
                 let _ = all.push(Beside { points, plane });
                 fan.next();
@@ -233,7 +234,7 @@ impl super::Ink for Nothing {
 
 fn keep(corners: &[Image; 3], area: i64, window: &Window, depth: &mut DepthBuffer<'_>) {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
-    let plane = Plane::of_depth(&triangle, corners.map(|c| c.depth));
+    let plane = Plane::of_depth(&triangle, &corners.map(|c| c.depth));
     for span in triangle.spans(&window.scissor) {
         let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
     }

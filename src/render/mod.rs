@@ -35,7 +35,7 @@ pub use transformed::Transformed;
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
 use crate::output::{inside, scissor, DepthBuffer, Target};
-use crate::raster::{Plane, Scissor, ScreenPoint, Triangle};
+use crate::raster::{Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
 
@@ -325,12 +325,12 @@ fn fill_nearer<T: Target, I: InkFor<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
-    let plane = || Plane::of_depth(&triangle, corners.map(|c| c.depth));
+    let depths = corners.map(|c| c.depth);
     match ink.even() {
-        Some(colour) => target.nearer(&triangle, plane, &window.scissor, depth, colour),
+        Some(colour) => target.nearer(&triangle, &depths, &window.scissor, depth, colour),
         None => {
             let fill = ink.over(&triangle);
-            target.shaded_nearer(&triangle, &plane(), &window.scissor, depth, |span| I::run(&fill, span))
+            target.shaded_nearer(&triangle, &depths, &window.scissor, depth, |span| I::run(&fill, span))
         }
     }
 }
