@@ -5,6 +5,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TARGET: &str = "thumbv7m-none-eabi";
@@ -24,6 +25,52 @@ fn from_an_empty_folder_to_a_picture() {
     if has_tools() {
         assert!(on_a_microcontroller() == printed, "not the host's picture");
     }
+}
+
+/// The same pyramid from an STL file: the same pixels are lit, whatever the order of its faces.
+#[test]
+fn from_a_model_to_a_picture() {
+    let folder = Folder::new("model");
+    let main = [include_str!("screen.rs"), include_str!("host.rs"), "\nmod part;\n"].concat();
+    let firmware = folder.follow_the_readme(&main, "");
+    fs::write(firmware.path.join("part.stl"), pyramid()).expect("part.stl");
+    let import = block("sh").replace("../pinhole", ROOT);
+    let mut import = import.split_whitespace();
+    assert_eq!(import.next(), Some("cargo"));
+    firmware.run(cargo().args(import));
+    let lists = block("rust,ignore");
+    let edited: Vec<&str> = block("rust")
+        .leak()
+        .lines()
+        .filter_map(|line| match line.split_once('=').map_or(line, |(left, _)| left).trim() {
+            list if list.starts_with("const FACES") => None,
+            list if list.starts_with("const VERTICES") => Some("use crate::part::MESH;"),
+            "let mesh" => Some("    let mesh = MESH;"),
+            "let (mut corners, mut records)" => Some(lists.trim_end()),
+            _ => Some(line),
+        })
+        .collect();
+    fs::write(firmware.path.join("src/picture.rs"), edited.join("\n")).expect("picture.rs");
+    let lit = |printed: &str| {
+        printed.split_whitespace().map(|colour| u8::from(colour != "0000") + b'0').collect::<Vec<_>>()
+    };
+    let printed = firmware.run(cargo().arg("run"));
+    assert!(printed.starts_with("4096 pixels sent"), "{printed}");
+    assert!(lit(&printed) == lit(&on_the_host()), "not the pyramid's pixels");
+}
+
+/// The README's, as text.
+fn pyramid() -> String {
+    let corners = [[-1, -1, 1], [1, -1, 1], [1, -1, -1], [-1, -1, -1], [0, 1, 0]];
+    let mut stl = String::from("solid pyramid\n");
+    for face in [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [0, 3, 2], [0, 2, 1]] {
+        stl += "facet normal 0 0 0\nouter loop\n";
+        for [x, y, z] in face.map(|corner: usize| corners[corner]) {
+            stl += &format!("vertex {x} {y} {z}\n");
+        }
+        stl += "endloop\nendfacet\n";
+    }
+    stl + "endsolid pyramid\n"
 }
 
 fn on_the_host() -> String {
@@ -96,7 +143,9 @@ struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("pinhole-first-{name}-{}", std::process::id()));
+        static FOLDERS: AtomicU32 = AtomicU32::new(0);
+        let number = FOLDERS.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("pinhole-first-{name}-{}-{number}", std::process::id()));
         fs::create_dir_all(&path).expect("a folder");
         Self(path)
     }
