@@ -1,6 +1,5 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
-use crate::math::num::keep_rolled;
 use crate::raster::{Halves, Large, Plane, Scissor, Span, Step, Stretch, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
@@ -41,12 +40,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     pub(super) fn triangle(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
         match Halves::<false>::new(triangle, scissor) {
-            Some(mut halves) => {
-                for _ in 0..2 {
-                    keep_rolled();
-                    self.stretch(halves.stretch(), cell, two);
-                }
-            }
+            Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
             None => self.cut(triangle, scissor, cell),
         }
     }
@@ -56,11 +50,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn cut(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
         match Halves::<true>::new(triangle, scissor) {
-            Some(mut halves) => {
-                for _ in 0..black_box(2) {
-                    self.stretch(halves.stretch(), cell, two);
-                }
-            }
+            Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
             None => self.large(triangle, scissor, cell),
         }
     }
@@ -99,16 +89,8 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         held: &mut [u16],
         cell: Cell,
     ) {
-        let two = pair(cell);
         match Halves::<false>::new(triangle, scissor) {
-            Some(halves) if halves.is_empty() => {}
-            Some(mut halves) => {
-                let plane = Plane::of_depth(triangle, depths);
-                for _ in 0..2 {
-                    keep_rolled();
-                    self.stretch_nearer(halves.stretch(), &plane, held, two);
-                }
-            }
+            Some(halves) => self.halves_nearer(halves, triangle, depths, held, cell),
             None => self.cut_nearer(triangle, depths, scissor, held, cell),
         }
     }
@@ -123,21 +105,28 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         held: &mut [u16],
         cell: Cell,
     ) {
+        if let Some(halves) = Halves::<true>::new(triangle, scissor) {
+            return self.halves_nearer(halves, triangle, depths, held, cell);
+        }
+        let large = Large::new(triangle, scissor);
+        if !large.is_empty() {
+            self.large_nearer(large, &Plane::of_depth(triangle, depths), held, cell);
+        }
+    }
+
+    #[inline(always)]
+    fn halves_nearer<const CUT: bool>(
+        &mut self,
+        halves: Halves<CUT>,
+        triangle: &Triangle,
+        depths: &[i32; 3],
+        held: &mut [u16],
+        cell: Cell,
+    ) {
         let two = pair(cell);
-        match Halves::<true>::new(triangle, scissor) {
-            Some(halves) if halves.is_empty() => {}
-            Some(mut halves) => {
-                let plane = Plane::of_depth(triangle, depths);
-                for _ in 0..black_box(2) {
-                    self.stretch_nearer(halves.stretch(), &plane, held, two);
-                }
-            }
-            None => {
-                let large = Large::new(triangle, scissor);
-                if !large.is_empty() {
-                    self.large_nearer(large, &Plane::of_depth(triangle, depths), held, cell);
-                }
-            }
+        if !halves.is_empty() {
+            let plane = Plane::of_depth(triangle, depths);
+            halves.each(|stretch| self.stretch_nearer(stretch, &plane, held, two));
         }
     }
 
@@ -157,6 +146,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         held: &mut [u16],
         two: [Cell; 2],
     ) {
+        let [cell, _] = two;
         // One length for both.
         let length = self.cells.len().min(held.len());
         let mut start = self.places()(stretch.x, stretch.y);
@@ -172,7 +162,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                 if run.len() >= LONG {
                     fill_nearer(run, held, z, step, two);
                 } else {
-                    fill_short_nearer(run, held, z, step, two);
+                    fill_short_nearer(run, held, z, step, cell);
                 }
             }
             z = z.wrapping_add(plane.down());
@@ -180,9 +170,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             stretch.rows -= 1;
         }
     }
-}
 
-impl<Cell: Copy> Memory<'_, Cell> {
     /// Fills a triangle with cells of its own.
     #[inline(never)] // its loop needs all registers
     pub(super) fn shaded<R: Iterator<Item = Cell>>(
@@ -229,13 +217,7 @@ impl<Cell: Copy> Memory<'_, Cell> {
 const LONG: usize = 8;
 
 #[inline(always)]
-fn fill_short_nearer<Cell: Copy>(
-    run: &mut [Cell],
-    held: &mut [u16],
-    mut z: u32,
-    step: u32,
-    [cell, _]: [Cell; 2],
-) {
+fn fill_short_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, cell: Cell) {
     for (pixel, held) in run.iter_mut().zip(held) {
         one_nearer(pixel, held, z, cell);
         z = z.wrapping_add(step);
@@ -271,11 +253,7 @@ fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step:
         }
         black_box(()); // not unrolled
     }
-    for (pixel, held) in rest.iter_mut().zip(held_rest) {
-        one_nearer(pixel, held, z, cell);
-        z = z.wrapping_add(step);
-        black_box(());
-    }
+    fill_short_nearer(rest, held_rest, z, step, cell);
 }
 
 #[inline(always)]

@@ -19,9 +19,9 @@
 //! is ⌈S⌉ − 1: a row costs one addition.
 
 use super::ScreenPoint;
-use crate::math::num::{keep_rolled, mul_wide, reciprocal};
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-use crate::math::num::{short_reciprocal, Reciprocal};
+use crate::math::num::short_reciprocal;
+use crate::math::num::{keep_rolled, mul_wide, reciprocal, Reciprocal};
 
 /// The first row whose centres are not above the point: `⌈y − ½⌉`.
 #[inline(always)]
@@ -38,12 +38,14 @@ pub(crate) trait Step {
 /// One side of a triangle at a row, in 12.20, wrapping: what leaves the range is not asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Side {
-    pub(crate) at: i32,
+    at: i32,
     /// Per row.
-    pub(crate) step: i32,
+    step: i32,
 }
 
 impl Side {
+    pub(super) const NONE: Self = Self { at: 0, step: 0 };
+
     /// The corners of a triangle with these sides are less apart: 2040 pixels across, 32 down.
     pub(super) const WIDTH: i32 = 2040 << 8;
     pub(super) const HEIGHT: i32 = 1 << 13;
@@ -60,9 +62,7 @@ impl Side {
         let by = Divisor::new(dy);
         Self { at: (from << 20).wrapping_add(by.divide(m)).wrapping_sub(1), step: by.divide(dx) }
     }
-}
 
-impl Side {
     /// By as many rows.
     #[inline(always)]
     pub(super) fn skip(&mut self, rows: i32) {
@@ -140,8 +140,8 @@ impl ByReciprocal {
         if n.unsigned_abs() >> 4 >= (*d).min(1 << 10) as u32 {
             return (Long::new(*d).divide(n.into()) >> 12) as i32; // steep: too far off
         }
-        let (sign, n) = (n >> 31, n.unsigned_abs()); // < 2¹⁴
-                                                     // n · 2¹⁸ / d, below 2²²: off by less than 2⁻¹⁶·⁹ of itself, and 1.
+        let (sign, n) = (n >> 31, n.unsigned_abs());
+        // n < 2¹⁴. n · 2¹⁸ / d, below 2²²: off by less than 2⁻¹⁶·⁹ of itself, and 1.
         let mut quotient = n.wrapping_mul(by.mantissa as u32) >> ((12 - by.shift) & 31);
         // Less than 36·d either way, so 32 bits tell.
         let rest = (n << 18).wrapping_sub(quotient.wrapping_mul(*d as u32)) as i32;
@@ -229,22 +229,20 @@ impl Step for Wide {
 /// tells by how much.
 struct Long {
     d: i32,
-    mantissa: i32,
-    /// 1/d = mantissa · 2^(shift − 61): 8 … 30.
-    shift: u32,
+    /// 1/d = mantissa · 2^(shift − 61); shifts of 8 … 30.
+    by: Reciprocal,
 }
 
 impl Long {
     #[inline(always)]
     fn new(d: i32) -> Self {
-        let r = reciprocal(d);
-        Self { d, mantissa: r.mantissa, shift: r.shift }
+        Self { d, by: reciprocal(d) }
     }
 
     /// For |n| < 2³⁸, and |n / d| < 2²³.
     #[inline(never)]
     fn divide(&self, n: i64) -> i64 {
-        let Self { d, mantissa, shift } = *self;
+        let Self { d, by: Reciprocal { mantissa, shift } } = *self;
         let (sign, n) = (n >> 63, n.unsigned_abs());
         // 31 bits of it. Those dropped are less than d: only of a large one are there so many.
         let dropped = if n >> 31 == 0 { 0 } else { 7 };

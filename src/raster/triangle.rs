@@ -7,7 +7,7 @@
 
 use super::edge::{column, first_row, Side, Step, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
-use crate::math::num::mul_wide;
+use crate::math::num::{keep_rolled, mul_wide};
 use core::hint::black_box;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
@@ -54,6 +54,7 @@ impl Triangle {
     pub(crate) fn each_span(&self, scissor: &Scissor, mut draw: impl FnMut(Span)) {
         match Halves::<false>::new(self, scissor) {
             Some(mut halves) => {
+                // A loop of loops stays one: small is better.
                 for _ in 0..black_box(2) {
                     let mut stretch = halves.stretch();
                     while let Some(span) = stretch.span() {
@@ -112,11 +113,11 @@ pub(crate) struct Stretch<S = Side> {
     /// How many: may be none, or less.
     pub(crate) rows: i32,
     /// Left and right.
-    pub(crate) sides: [S; 2],
+    sides: [S; 2],
 }
 
 impl Stretch {
-    const NONE: Self = Self { x: 0, y: 0, rows: 0, sides: [Side { at: 0, step: 0 }; 2] };
+    const NONE: Self = Self { x: 0, y: 0, rows: 0, sides: [Side::NONE; 2] };
 }
 
 impl<S: Step> Stretch<S> {
@@ -175,9 +176,18 @@ impl<const CUT: bool> Halves<CUT> {
         }
     }
 
+    /// Both stretches. Where it is `CUT`, small is better than fast, and their loop stays one.
+    #[inline(always)]
+    pub(crate) fn each(mut self, mut draw: impl FnMut(Stretch)) {
+        for _ in 0..if CUT { black_box(2) } else { 2 } {
+            keep_rolled();
+            draw(self.stretch());
+        }
+    }
+
     /// The next stretch, which may have no rows: to be asked for twice.
     #[inline(always)]
-    pub(crate) fn stretch(&mut self) -> Stretch {
+    fn stretch(&mut self) -> Stretch {
         let Self { ends: [p, q, last], row: y, long, column: origin, .. } = *self;
         let end = first_row(&q);
         let rows = end - y;
