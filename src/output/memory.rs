@@ -45,7 +45,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         }
     }
 
-    /// One that is cut, or large.
+    /// One that is cut, wide or large.
     #[inline(never)]
     fn cut(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
@@ -95,7 +95,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         }
     }
 
-    /// One that is cut, or large.
+    /// One that is cut, wide or large.
     #[inline(never)]
     fn cut_nearer(
         &mut self,

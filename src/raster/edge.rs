@@ -46,21 +46,14 @@ pub(crate) struct Side {
 impl Side {
     pub(super) const NONE: Self = Self { at: 0, step: 0 };
 
-    /// The corners of a triangle with these sides are less apart: 2040 pixels across, 32 down.
-    pub(super) const WIDTH: i32 = 2040 << 8;
-    pub(super) const HEIGHT: i32 = 1 << 13;
-
     /// The edge from `p` down to `q` at p's first row, which lies above q's. Pixels are counted from the column `from`
     /// columns to the left of p's.
-    ///
-    /// Start and step are rounded to multiples of 2⁻¹⁸: S falls behind by at most 2⁻¹⁸ at first and in each of the 31 rows
-    /// that may follow, 2⁻¹³ in all, which is less than 1/dy.
     #[inline(always)]
-    pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
-        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < 2¹⁹, 0 < dy < 2¹³
-        let (_, m) = first_end(p, dx, dy); // |m| ≤ 2¹⁹
-        let by = Divisor::new(dy);
-        Self { at: (from << 20).wrapping_add(by.divide(m)).wrapping_sub(1), step: by.divide(dx) }
+    pub(super) fn new<D: Divisor>(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
+        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < D::WIDTH, 0 < dy < D::HEIGHT
+        let (_, m) = first_end(p, dx, dy); // |m| ≤ |dx| + dy
+        let by = D::new(dy);
+        Self { at: (from << 20).wrapping_add(by.start(m)).wrapping_sub(1), step: by.step(dx) }
     }
 
     /// By as many rows.
@@ -93,54 +86,123 @@ fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
     (column, (xr * dy + yr * dx + 255) >> 8) // two products of at most 255·2²²: below 2³¹
 }
 
-/// n / d in 12.20, rounded as [`Side::new`] says, for |n| ≤ 2¹⁹, 0 < d < 2¹³. Where the edge meets no row of centres, digits
-/// above are lost.
+/// Divides what a [`Side`] is made of: to 12.20, a little rounded down.
+pub(super) trait Divisor {
+    /// The corners of a triangle with these sides are less apart.
+    const WIDTH: i32;
+    const HEIGHT: i32;
+
+    /// By dy, which is positive where the edge meets a row of centres: where it meets none, digits may be lost.
+    fn new(d: i32) -> Self;
+
+    /// m / d.
+    fn start(&self, m: i32) -> i32;
+
+    /// dx / d.
+    fn step(&self, dx: i32) -> i32;
+}
+
+/// In one division of 32 bits, for triangles of 32 pixels across and 31 down.
+///
+/// The start is rounded to a multiple of 2⁻¹⁷ and the step to one of 2⁻¹⁸: S falls behind by at most 2⁻¹⁷ at first and 2⁻¹⁸ in each
+/// of the dy / 256 rows that may follow, which is less than 1/dy where `dy · (2 + dy / 256) < 2¹⁸`. That of 31·256 is
+/// 261 888.
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-struct ByDivision(i32);
+pub(super) struct AtOnce(i32);
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-impl ByDivision {
+impl AtOnce {
+    /// n / d in 2^−bits, below 2³¹ of these: to zero, and of a negative number the one below.
+    #[inline(always)]
+    fn divide(&self, n: i32, bits: u32) -> i32 {
+        let Self(d) = *self;
+        if d <= 0 {
+            return 0;
+        }
+        ((n << bits) / d).wrapping_add(n >> 31)
+    }
+}
+
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+impl Divisor for AtOnce {
+    const WIDTH: i32 = 1 << 13;
+    const HEIGHT: i32 = (31 << 8) + 1;
+
     #[inline(always)]
     fn new(d: i32) -> Self {
         Self(d)
     }
 
     #[inline(always)]
-    fn divide(&self, n: i32) -> i32 {
+    fn start(&self, m: i32) -> i32 {
+        self.divide(m, 17) << 3 // |m| < 2¹⁴
+    }
+
+    #[inline(always)]
+    fn step(&self, dx: i32) -> i32 {
+        self.divide(dx, 18) << 2 // |dx| < 2¹³
+    }
+}
+
+/// Of a wide triangle, |n| ≤ 2¹⁹, whole pixels first. Start and step are rounded to multiples of 2⁻¹⁸: S falls behind by at
+/// most 2⁻¹⁸ at first and in each of the 31 rows that may follow, 2⁻¹³ in all, which is less than 1/dy.
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+pub(super) struct ByDivision(i32);
+
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+impl Divisor for ByDivision {
+    const WIDTH: i32 = 2040 << 8;
+    const HEIGHT: i32 = 1 << 13;
+
+    #[inline(always)]
+    fn new(d: i32) -> Self {
+        Self(d)
+    }
+
+    #[inline(always)]
+    fn start(&self, m: i32) -> i32 {
         let Self(d) = *self;
         if d <= 0 {
             return 0;
         }
         // Both to zero, and a negative number to the one below. The rest is less than 2¹³.
-        let whole = n / d;
-        let fraction = ((n - whole * d) << 18) / d;
-        ((whole << 18).wrapping_add(fraction).wrapping_add(n >> 31)) << 2
+        let whole = m / d;
+        let fraction = ((m - whole * d) << 18) / d;
+        ((whole << 18).wrapping_add(fraction).wrapping_add(m >> 31)) << 2
+    }
+
+    #[inline(always)]
+    fn step(&self, dx: i32) -> i32 {
+        self.start(dx)
     }
 }
 
-/// The same for a Cortex-M0, where a division is a call.
+/// The same for a Cortex-M0, where a division is a call, and for all triangles there.
 ///
 /// A reciprocal of 18 bits leaves a quotient that is a little off: what is left of n then tells by how much.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-struct ByReciprocal {
+pub(super) struct ByReciprocal {
     d: i32,
     by: Reciprocal,
 }
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-impl ByReciprocal {
+impl Divisor for ByReciprocal {
+    const WIDTH: i32 = 2040 << 8;
+    const HEIGHT: i32 = 1 << 13;
+
     #[inline(always)]
     fn new(d: i32) -> Self {
         Self { d, by: short_reciprocal(d) }
     }
 
     #[inline(always)]
-    fn divide(&self, n: i32) -> i32 {
+    fn start(&self, m: i32) -> i32 {
         let Self { d, by } = self;
-        if n.unsigned_abs() >> 4 >= (*d).min(1 << 10) as u32 {
-            return (Long::new(*d).divide(n.into()) >> 12) as i32; // steep: too far off
+        if m.unsigned_abs() >> 4 >= (*d).min(1 << 10) as u32 {
+            return (Long::new(*d).divide(m.into()) >> 12) as i32; // steep: too far off
         }
-        let (sign, n) = (n >> 31, n.unsigned_abs());
+        let (sign, n) = (m >> 31, m.unsigned_abs());
         // n < 2¹⁴. n · 2¹⁸ / d, below 2²²: off by less than 2⁻¹⁶·⁹ of itself, and 1.
         let mut quotient = n.wrapping_mul(by.mantissa as u32) >> ((12 - by.shift) & 31);
         // Less than 36·d either way, so 32 bits tell.
@@ -148,12 +210,18 @@ impl ByReciprocal {
         quotient = quotient.wrapping_add(excess(rest, *d));
         (quotient as i32 ^ sign) << 2
     }
+
+    #[inline(always)]
+    fn step(&self, dx: i32) -> i32 {
+        self.start(dx)
+    }
 }
 
+/// Of most triangles, and of those that are wider or cut.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-use ByDivision as Divisor;
+pub(super) use self::{AtOnce as Quick, ByDivision as Any};
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-use ByReciprocal as Divisor;
+pub(super) use self::{ByReciprocal as Quick, ByReciprocal as Any};
 
 /// `⌊rest / d⌋` modulo 2³², for small ones.
 #[inline(always)]
@@ -293,40 +361,56 @@ mod tests {
         assert!((0..1 << digits).contains(&behind), "{n} {dx} / {dy}, row {row}: {behind}");
     }
 
-    #[test]
-    fn steps_stay_within_a_lattice_unit() {
+    fn assert_steps_of<D: Divisor>() {
         let random = &mut Random(9);
-        let heights = [40, 300, 4095, 4096, 8191];
-        let widths = [200, 3000, 60_000, i64::from(Side::WIDTH) - 1];
-        for i in 0..40_000 {
+        let heights = [40, 300, 4095, 4096, i64::from(D::HEIGHT) - 1];
+        let widths =
+            [200, 3000, 60_000, i64::from(D::WIDTH) - 1].map(|width| width.min(i64::from(D::WIDTH) - 1));
+        for i in 0..60_000 {
             let (n, dx, dy, rows) = edge(random, i as i64, widths[i % 4], heights[i % 5]);
-            if n.abs() > 1 << 19 {
+            if n.abs() > i64::from(dx.abs() + dy) {
                 continue; // not at the first row
             }
-            // The second for a Cortex-M0.
-            let (by, reciprocal) = (ByDivision::new(dy), ByReciprocal::new(dy));
-            for (start, step) in
-                [(by.divide(n as i32), by.divide(dx)), (reciprocal.divide(n as i32), reciprocal.divide(dx))]
-            {
-                let step = if dy > 256 { step } else { 0 }; // one row at most
-                for row in [0, 1, rows / 2, rows - 1] {
-                    assert_behind(n, dx, dy, (start.into(), step.into()), row.min(rows - 1), 20);
-                }
+            let by = D::new(dy);
+            let step = if dy > 256 { by.step(dx) } else { 0 }; // one row at most
+            for row in [0, 1, rows / 2, rows - 1] {
+                assert_behind(n, dx, dy, (by.start(n as i32).into(), step.into()), row.min(rows - 1), 20);
             }
         }
     }
 
     #[test]
-    fn small_steps_stay_within_a_lattice_unit() {
+    fn steps_stay_within_a_lattice_unit() {
+        assert_steps_of::<AtOnce>();
+        assert_steps_of::<ByDivision>();
+        assert_steps_of::<ByReciprocal>();
+    }
+
+    /// All that one division is asked for at the largest heights, where the least is left of a lattice unit.
+    #[test]
+    fn one_division_is_enough() {
+        for dy in [AtOnce::HEIGHT - 1, AtOnce::HEIGHT - 2, 7 << 10, 4097] {
+            for dx in (1 - AtOnce::WIDTH..AtOnce::WIDTH).step_by(3) {
+                let (by, last) = (AtOnce::new(dy), (dy - 1) >> 8);
+                for m in [0, dy - 1, dy / 3, dx, dx + dy - 1, dx / 2] {
+                    let start_and_step = (by.start(m).into(), by.step(dx).into());
+                    assert_behind(m.into(), dx, dy, start_and_step, last, 20);
+                }
+            }
+        }
+    }
+
+    fn assert_ends_of<D: Divisor>() {
         let random = &mut Random(11);
         for i in 0..100_000 {
             let mut corner = |reach: i64| (random.within(reach), random.within(reach));
-            let (p, (dx, dy)) = (corner(100_000), corner([40, 300, 4095, 8191][i % 4]));
-            let dx = if i % 5 == 0 { dx * 63 } else { dx };
+            let height = [40, 300, 4095, i64::from(D::HEIGHT) - 1][i % 4];
+            let (p, (dx, dy)) = (corner(100_000), corner(height));
+            let dx = if i % 5 == 0 { dx * 63 } else { dx }.clamp(1 - D::WIDTH, D::WIDTH - 1);
             let dy = dy.abs().max(1);
             let point = |x, y| ScreenPoint::from_subpixels(x, y).unwrap();
             let (p, q) = (point(p.0, p.1), point(p.0 + dx, p.1 + dy));
-            let side = Side::new(&p, &q, 0);
+            let side = Side::new::<D>(&p, &q, 0);
             let rows = first_row(&q) - first_row(&p);
             // X − ½ in the row, in 2⁻⁸ / dy px, and its ceiling.
             for row in 0..rows {
@@ -337,6 +421,13 @@ mod tests {
                 assert_eq!(i64::from(at >> 20) + 1 + i64::from(column(&p)), end, "{p:?} {q:?} {row}");
             }
         }
+    }
+
+    #[test]
+    fn ends_are_exact() {
+        assert_ends_of::<AtOnce>();
+        assert_ends_of::<ByDivision>();
+        assert_ends_of::<ByReciprocal>();
     }
 
     #[test]

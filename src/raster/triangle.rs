@@ -5,7 +5,7 @@
 //! the top-left rule (R2–R5), and as the end depends on the edge alone, neighbours share it (R8).
 //! [`Side`] has it exactly, by one addition a row.
 
-use super::edge::{column, first_row, Side, Step, Wide};
+use super::edge::{column, first_row, Any, Divisor, Quick, Side, Step, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::{keep_rolled, mul_wide};
 use core::hint::black_box;
@@ -130,8 +130,8 @@ impl<S: Step> Stretch<S> {
 }
 
 /// The two stretches of a small triangle between the scissor's columns, above and below the middle corner: most triangles
-/// are that, and their way is short, to be part of the loops that draw. `CUT`: there may be rows above and below the
-/// scissor's.
+/// are that, and their way is short, to be part of the loops that draw. `CUT`: it may be wider, and there may be rows above
+/// and below the scissor's.
 pub(crate) struct Halves<const CUT: bool> {
     /// The ends of the side, or of two sides, with the middle corner, from the stretch on that is next.
     ends: [ScreenPoint; 3],
@@ -157,12 +157,22 @@ impl<const CUT: bool> Halves<CUT> {
         // Ends lie within a column of the corners.
         let between = left >= scissor.left * 256 && right <= scissor.right * 256;
         let inside = between && (CUT || a.y >= scissor.top * 256 && c.y <= scissor.bottom * 256);
-        let small = c.y - a.y < Side::HEIGHT && right - left < Side::WIDTH;
+        let (width, height) = if CUT { (Any::WIDTH, Any::HEIGHT) } else { (Quick::WIDTH, Quick::HEIGHT) };
+        let small = c.y - a.y < height && right - left < width;
         if !(inside && small) {
             return None;
         }
-        let (row, column, long) = (first_row(a), column(a), Side::new(a, c, 0));
+        let (row, column, long) = (first_row(a), column(a), Self::side(a, c, 0));
         Some(Self { ends, row, long, column, middle_left, top: scissor.top, bottom: scissor.bottom })
+    }
+
+    #[inline(always)]
+    fn side(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Side {
+        if CUT {
+            Side::new::<Any>(p, q, from)
+        } else {
+            Side::new::<Quick>(p, q, from)
+        }
     }
 
     /// Whether there is no row.
@@ -193,7 +203,7 @@ impl<const CUT: bool> Halves<CUT> {
         let rows = end - y;
         let mut sides = [long; 2];
         if rows > 0 {
-            let short = Side::new(&p, &q, column(&p) - origin);
+            let short = Self::side(&p, &q, column(&p) - origin);
             sides = if self.middle_left { [short, long] } else { [long, short] };
             self.long.skip(rows);
         }
