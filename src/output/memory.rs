@@ -1,6 +1,6 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
-use crate::raster::{Halves, Large, Plane, Scissor, Span, Step, Stretch, Triangle};
+use crate::raster::{Divisor, Halves, Large, Low, Plane, Scissor, Small, Span, Step, Stretch, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -39,7 +39,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn triangle(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
-        match Halves::<false>::new(triangle, scissor) {
+        match Small::new(triangle, scissor) {
             Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
             None => self.cut(triangle, scissor, cell),
         }
@@ -49,7 +49,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)]
     fn cut(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
-        match Halves::<true>::new(triangle, scissor) {
+        match Low::new(triangle, scissor) {
             Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
             None => self.large(triangle, scissor, cell),
         }
@@ -89,7 +89,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         held: &mut [u16],
         cell: Cell,
     ) {
-        match Halves::<false>::new(triangle, scissor) {
+        match Small::new(triangle, scissor) {
             Some(halves) => self.halves_nearer(halves, triangle, depths, held, cell),
             None => self.cut_nearer(triangle, depths, scissor, held, cell),
         }
@@ -105,7 +105,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         held: &mut [u16],
         cell: Cell,
     ) {
-        if let Some(halves) = Halves::<true>::new(triangle, scissor) {
+        if let Some(halves) = Low::new(triangle, scissor) {
             return self.halves_nearer(halves, triangle, depths, held, cell);
         }
         let large = Large::new(triangle, scissor);
@@ -115,9 +115,9 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 
     #[inline(always)]
-    fn halves_nearer<const CUT: bool>(
+    fn halves_nearer<D: Divisor, const CUT: bool>(
         &mut self,
-        halves: Halves<CUT>,
+        halves: Halves<D, CUT>,
         triangle: &Triangle,
         depths: &[i32; 3],
         held: &mut [u16],

@@ -87,7 +87,7 @@ fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
 }
 
 /// Divides what a [`Side`] is made of: to 12.20, a little rounded down.
-pub(super) trait Divisor {
+pub(crate) trait Divisor {
     /// The corners of a triangle with these sides are less apart.
     const WIDTH: i32;
     const HEIGHT: i32;
@@ -108,7 +108,7 @@ pub(super) trait Divisor {
 /// of the dy / 256 rows that may follow, which is less than 1/dy where `dy · (2 + dy / 256) < 2¹⁸`. That of 31·256 is
 /// 261 888.
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-pub(super) struct AtOnce(i32);
+pub(crate) struct AtOnce(i32);
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 impl AtOnce {
@@ -147,7 +147,7 @@ impl Divisor for AtOnce {
 /// Of a wide triangle, |n| ≤ 2¹⁹, whole pixels first. Start and step are rounded to multiples of 2⁻¹⁸: S falls behind by at
 /// most 2⁻¹⁸ at first and in each of the 31 rows that may follow, 2⁻¹³ in all, which is less than 1/dy.
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-pub(super) struct ByDivision(i32);
+pub(crate) struct ByDivision(i32);
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 impl Divisor for ByDivision {
@@ -181,7 +181,7 @@ impl Divisor for ByDivision {
 ///
 /// A reciprocal of 18 bits leaves a quotient that is a little off: what is left of n then tells by how much.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(super) struct ByReciprocal {
+pub(crate) struct ByReciprocal {
     d: i32,
     by: Reciprocal,
 }
@@ -219,9 +219,9 @@ impl Divisor for ByReciprocal {
 
 /// Of most triangles, and of those that are wider or cut.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(super) use self::{AtOnce as Quick, ByDivision as Any};
+pub(crate) use self::{AtOnce as Quick, ByDivision as Any};
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-pub(super) use self::{ByReciprocal as Quick, ByReciprocal as Any};
+pub(crate) use self::{ByReciprocal as Quick, ByReciprocal as Any};
 
 /// `⌊rest / d⌋` modulo 2³², for small ones.
 #[inline(always)]

@@ -45,13 +45,13 @@ mod triangle;
 
 pub(crate) use along::Along;
 pub(crate) use depth::FARTHEST;
-pub(crate) use edge::Step;
+pub(crate) use edge::{Divisor, Step};
 pub use line::line;
 pub(crate) use line::{Course, Runs};
 pub use plane::Plane;
 pub(crate) use plane::Planes;
 pub use triangle::{area, triangle, Triangle};
-pub(crate) use triangle::{Halves, Large, Stretch};
+pub(crate) use triangle::{Halves, Large, Low, Small, Stretch};
 
 /// The guard band: 3D geometry is cut at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;

@@ -9,6 +9,7 @@ use super::edge::{column, first_row, Any, Divisor, Quick, Side, Step, Wide};
 use super::{Plane, Planes, Scissor, ScreenPoint, Span};
 use crate::math::num::{keep_rolled, mul_wide};
 use core::hint::black_box;
+use core::marker::PhantomData;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
 /// as seen with y up, which is what faces the viewer. Exact: |area| ≤ 2⁴⁵.
@@ -52,7 +53,7 @@ impl Triangle {
     /// The same where the loop is to be part of what draws.
     #[inline(always)]
     pub(crate) fn each_span(&self, scissor: &Scissor, mut draw: impl FnMut(Span)) {
-        match Halves::<false>::new(self, scissor) {
+        match Halves::<Any, false>::new(self, scissor) {
             Some(mut halves) => {
                 // A loop of loops stays one: small is better.
                 for _ in 0..black_box(2) {
@@ -130,9 +131,9 @@ impl<S: Step> Stretch<S> {
 }
 
 /// The two stretches of a small triangle between the scissor's columns, above and below the middle corner: most triangles
-/// are that, and their way is short, to be part of the loops that draw. `CUT`: it may be wider, and there may be rows above
-/// and below the scissor's.
-pub(crate) struct Halves<const CUT: bool> {
+/// are that, and their way is short, to be part of the loops that draw. `CUT`: there may be rows above and below the
+/// scissor's.
+pub(crate) struct Halves<D, const CUT: bool> {
     /// The ends of the side, or of two sides, with the middle corner, from the stretch on that is next.
     ends: [ScreenPoint; 3],
     /// The next row, and there the side between the first and the last corner.
@@ -144,9 +145,17 @@ pub(crate) struct Halves<const CUT: bool> {
     /// The scissor's rows, where it is `CUT`.
     top: i32,
     bottom: i32,
+    /// How its sides are divided.
+    divisor: PhantomData<D>,
 }
 
-impl<const CUT: bool> Halves<CUT> {
+/// Those within 32 by 31 pixels, inside the scissor.
+pub(crate) type Small = Halves<Quick, false>;
+
+/// Those within 32 rows, between the scissor's columns.
+pub(crate) type Low = Halves<Any, true>;
+
+impl<D: Divisor, const CUT: bool> Halves<D, CUT> {
     /// `None` for all other triangles.
     #[inline(always)]
     pub(crate) fn new(triangle: &Triangle, scissor: &Scissor) -> Option<Self> {
@@ -157,22 +166,21 @@ impl<const CUT: bool> Halves<CUT> {
         // Ends lie within a column of the corners.
         let between = left >= scissor.left * 256 && right <= scissor.right * 256;
         let inside = between && (CUT || a.y >= scissor.top * 256 && c.y <= scissor.bottom * 256);
-        let (width, height) = if CUT { (Any::WIDTH, Any::HEIGHT) } else { (Quick::WIDTH, Quick::HEIGHT) };
-        let small = c.y - a.y < height && right - left < width;
+        let small = c.y - a.y < D::HEIGHT && right - left < D::WIDTH;
         if !(inside && small) {
             return None;
         }
-        let (row, column, long) = (first_row(a), column(a), Self::side(a, c, 0));
-        Some(Self { ends, row, long, column, middle_left, top: scissor.top, bottom: scissor.bottom })
-    }
-
-    #[inline(always)]
-    fn side(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Side {
-        if CUT {
-            Side::new::<Any>(p, q, from)
-        } else {
-            Side::new::<Quick>(p, q, from)
-        }
+        let (row, column, long) = (first_row(a), column(a), Side::new::<D>(a, c, 0));
+        Some(Self {
+            ends,
+            row,
+            long,
+            column,
+            middle_left,
+            top: scissor.top,
+            bottom: scissor.bottom,
+            divisor: PhantomData,
+        })
     }
 
     /// Whether there is no row.
@@ -203,7 +211,7 @@ impl<const CUT: bool> Halves<CUT> {
         let rows = end - y;
         let mut sides = [long; 2];
         if rows > 0 {
-            let short = Self::side(&p, &q, column(&p) - origin);
+            let short = Side::new::<D>(&p, &q, column(&p) - origin);
             sides = if self.middle_left { [short, long] } else { [long, short] };
             self.long.skip(rows);
         }
@@ -353,7 +361,7 @@ pub(crate) enum Spans {
 impl Spans {
     #[inline(never)]
     fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
-        match Halves::<true>::new(triangle, scissor) {
+        match Low::new(triangle, scissor) {
             Some(mut halves) => {
                 let mut stretches = [Stretch::NONE; 2];
                 for stretch in stretches.iter_mut().take(black_box(2)) {
