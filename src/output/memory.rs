@@ -37,7 +37,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     /// Fills a triangle.
     #[inline(never)] // its loop needs all registers
-    pub(super) fn triangle(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
+    pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
         match Small::new(triangle, scissor) {
             Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
@@ -47,7 +47,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     /// One that is cut, wide or large.
     #[inline(never)]
-    fn cut(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
+    fn cut(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
         match Low::new(triangle, scissor) {
             Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
@@ -56,7 +56,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 
     #[inline(never)] // its loop needs all registers
-    fn large(&mut self, triangle: &Triangle, scissor: &Scissor, cell: Cell) {
+    fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
         let (two, mut large) = (pair(cell), Large::new(triangle, scissor));
         while let Some(stretch) = large.stretch() {
             self.stretch(stretch, cell, two);
@@ -83,7 +83,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn nearer(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],
@@ -99,7 +99,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)]
     fn cut_nearer(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],
@@ -118,7 +118,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn halves_nearer<D: Divisor, const CUT: bool>(
         &mut self,
         halves: Halves<D, CUT>,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         held: &mut [u16],
         cell: Cell,
@@ -175,7 +175,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn shaded<R: Iterator<Item = Cell>>(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         scissor: &Scissor,
         run: impl Fn(Span) -> R,
     ) {
@@ -190,7 +190,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn shaded_nearer<R: Iterator<Item = Cell>>(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],

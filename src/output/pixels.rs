@@ -71,7 +71,7 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     }
 
     #[inline(always)]
-    fn triangle(&mut self, triangle: &Triangle, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
+    fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
         self.memory.triangle(triangle, scissor, colour.stored());
         Ok(())
     }
@@ -79,7 +79,7 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     #[inline(always)]
     fn nearer(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
@@ -97,7 +97,7 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     #[inline(always)]
     fn shaded<R: Iterator<Item = C>>(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         scissor: &Scissor,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Infallible> {
@@ -108,7 +108,7 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     #[inline(always)]
     fn shaded_nearer<R: Iterator<Item = C>>(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,

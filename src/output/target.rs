@@ -42,7 +42,7 @@ pub trait Target: sealed::Sealed {
     #[inline(always)]
     fn triangle(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         scissor: &Scissor,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
@@ -54,7 +54,7 @@ pub trait Target: sealed::Sealed {
     #[inline(always)]
     fn nearer(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
@@ -68,7 +68,7 @@ pub trait Target: sealed::Sealed {
     #[inline(always)]
     fn shaded<R: Iterator<Item = Self::Color>>(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         scissor: &Scissor,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Self::Error> {
@@ -80,7 +80,7 @@ pub trait Target: sealed::Sealed {
     #[inline(always)]
     fn shaded_nearer<R: Iterator<Item = Self::Color>>(
         &mut self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
@@ -107,7 +107,7 @@ pub trait Target: sealed::Sealed {
 #[inline(always)]
 pub(super) fn spans_nearer<T: Target + ?Sized>(
     target: &mut T,
-    triangle: &Triangle,
+    triangle: &Triangle<'_>,
     depths: &[i32; 3],
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
@@ -125,7 +125,7 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
 #[inline(always)]
 pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
     target: &mut T,
-    triangle: &Triangle,
+    triangle: &Triangle<'_>,
     depths: &[i32; 3],
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,

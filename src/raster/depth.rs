@@ -24,11 +24,11 @@ impl Plane {
     /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
-    pub(crate) fn of_depth(triangle: &Triangle, depths: &[i32; 3]) -> Self {
+    pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
         let mut depths = *depths;
         let extent = Extent::of(triangle);
         if extent.is_large() {
-            depths = lowered(depths, &triangle.viewport);
+            depths = lowered(depths, triangle.viewport);
         }
         let mut plane = Planes::of_extent(triangle, extent).through(&depths);
         plane.origin = plane.origin.wrapping_add(1 << 15);

@@ -57,7 +57,7 @@ impl Plane {
 /// it does by `v·2ᵏ · mantissa >> (places + k)`: the numerators are made of differences of values times 2ᵏ, so
 /// that they have 31 bits, and of the product only the upper word counts.
 pub(crate) struct Planes<'t> {
-    triangle: &'t Triangle,
+    triangle: &'t Triangle<'t>,
     /// The reciprocal of the area, with its sign turned: 2¹⁶/den = mantissa · 2^−places.
     mantissa: i32,
     /// Nothing like enough beyond 512 pixels: see [`Planes::through`].
@@ -75,7 +75,7 @@ pub(super) struct Extent(u32);
 
 impl Extent {
     #[inline(always)]
-    pub(super) fn of(Triangle { corners: [a, b, c], .. }: &Triangle) -> Self {
+    pub(super) fn of(Triangle { corners: [a, b, c], .. }: &Triangle<'_>) -> Self {
         Self(magnitude(b.x - a.x) | magnitude(b.y - a.y) | magnitude(c.x - a.x) | magnitude(c.y - a.y))
     }
 
@@ -111,7 +111,7 @@ struct Numerators {
 
 impl Numerators {
     #[inline(always)]
-    fn new(triangle: &Triangle, room: i32, &[za, zb, zc]: &[i32; 3]) -> Self {
+    fn new(triangle: &Triangle<'_>, room: i32, &[za, zb, zc]: &[i32; 3]) -> Self {
         let Triangle { corners: [a, b, c], .. } = triangle;
         let (dz1, dz2) = (zb - za, za - zc); // 24 bits and the sign
                                              // 2 + k: bits of the extent and of dz, and k, are 30 in all.
@@ -134,12 +134,12 @@ impl Numerators {
 impl<'t> Planes<'t> {
     /// Over a triangle.
     #[inline(always)]
-    pub(crate) fn new(triangle: &'t Triangle) -> Self {
+    pub(crate) fn new(triangle: &'t Triangle<'t>) -> Self {
         Self::of_extent(triangle, Extent::of(triangle))
     }
 
     /// The same, given its extent. Part of its caller where there is but one.
-    pub(super) fn of_extent(triangle: &'t Triangle, extent: Extent) -> Self {
+    pub(super) fn of_extent(triangle: &'t Triangle<'t>, extent: Extent) -> Self {
         let turn = (triangle.area >> 63) as i32;
         // |area| < 2·2³⁰ within 128 pixels: not all differences are to the side of the 128 that they may be.
         let (area, cut) = match extent.is_small() {
@@ -237,7 +237,7 @@ fn magnitude(v: i32) -> u32 {
 /// The magnitude of an area beyond 128 pixels cut to 31 bits, and by how many; beyond 512 pixels by so many
 /// that no plane is flat enough.
 #[inline(never)]
-fn large(triangle: &Triangle, extent: Extent) -> (i32, i32) {
+fn large(triangle: &Triangle<'_>, extent: Extent) -> (i32, i32) {
     let area = triangle.area.unsigned_abs();
     let cut = (33 - area.leading_zeros() as i32).max(0); // ≤ 15
     ((area >> (cut & 31)) as i32, if extent.is_large() { -64 } else { cut })
@@ -254,7 +254,7 @@ fn wide([a, b, c]: &[ScreenPoint; 3], dz1: i32, dz2: i32) -> (i64, i64) {
 
 /// Cut to 31 bits.
 #[inline(never)]
-fn long(triangle: &Triangle, dz1: i32, dz2: i32) -> Numerators {
+fn long(triangle: &Triangle<'_>, dz1: i32, dz2: i32) -> Numerators {
     let (across, against) = wide(&triangle.corners, dz1, dz2);
     let high = |v: i64| (v ^ (v >> 63)) as u64;
     let cut = (33 - (high(across) | high(against)).leading_zeros() as i32).max(0); // ≤ 16

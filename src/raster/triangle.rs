@@ -30,18 +30,18 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
 /// A triangle ready to be drawn: what an [`InkFor`](crate::InkFor) of one's own is made ready for.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Triangle {
+pub struct Triangle<'v> {
     pub(super) corners: [ScreenPoint; 3],
     /// [`area`]; not zero.
     pub(super) area: i64,
-    pub(super) viewport: Scissor,
+    pub(super) viewport: &'v Scissor,
 }
 
-impl Triangle {
+impl<'v> Triangle<'v> {
     /// `area` is that of the corners, and not zero; pixels outside the viewport will not be asked for.
     #[inline(always)]
-    pub(crate) fn new(corners: [ScreenPoint; 3], area: i64, viewport: &Scissor) -> Self {
-        Self { corners, area, viewport: *viewport }
+    pub(crate) fn new(corners: [ScreenPoint; 3], area: i64, viewport: &'v Scissor) -> Self {
+        Self { corners, area, viewport }
     }
 
     /// Its covered pixels inside the scissor, row by row.
@@ -158,7 +158,7 @@ pub(crate) type Low = Halves<Any, true>;
 impl<D: Divisor, const CUT: bool> Halves<D, CUT> {
     /// `None` for all other triangles.
     #[inline(always)]
-    pub(crate) fn new(triangle: &Triangle, scissor: &Scissor) -> Option<Self> {
+    pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Option<Self> {
         let [p, q, r] = &triangle.corners;
         let (left, right) = (p.x.min(q.x).min(r.x), p.x.max(q.x).max(r.x));
         let (ends, middle_left) = down(triangle);
@@ -229,7 +229,7 @@ impl<D: Divisor, const CUT: bool> Halves<D, CUT> {
 
 /// The corners down the screen, and whether the middle one lies to the left of the edge between the others.
 #[inline(always)]
-fn down(triangle: &Triangle) -> ([ScreenPoint; 3], bool) {
+fn down(triangle: &Triangle<'_>) -> ([ScreenPoint; 3], bool) {
     let [mut a, mut b, mut c] = triangle.corners;
     // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c. Each exchange turns that over.
     let mut middle_left = triangle.area >= 0;
@@ -266,7 +266,7 @@ pub(crate) struct Large {
 
 impl Large {
     #[inline(never)]
-    pub(crate) fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
+    pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
         let reach = Scissor::of(&triangle.corners);
         let (corners, middle_left) = down(triangle);
         let beside = reach.left >= scissor.right || reach.right <= scissor.left;
@@ -360,7 +360,7 @@ pub(crate) enum Spans {
 
 impl Spans {
     #[inline(never)]
-    fn new(triangle: &Triangle, scissor: &Scissor) -> Self {
+    fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
         match Low::new(triangle, scissor) {
             Some(mut halves) => {
                 let mut stretches = [Stretch::NONE; 2];

@@ -126,7 +126,7 @@ pub trait InkFor<C: PixelColor>: Ink {
     type Fill;
 
     /// Made ready for a triangle, whose corners are in the order of the face's.
-    fn over(&self, triangle: &Triangle) -> Self::Fill;
+    fn over(&self, triangle: &Triangle<'_>) -> Self::Fill;
 
     /// The colours of one run of covered pixels, a row, one pixel high: as many as it has, or more.
     fn run(fill: &Self::Fill, span: Span) -> impl Iterator<Item = C>;
@@ -151,7 +151,7 @@ impl<C: PixelColor> InkFor<C> for C {
     type Fill = C;
 
     #[inline(always)]
-    fn over(&self, _: &Triangle) -> C {
+    fn over(&self, _: &Triangle<'_>) -> C {
         *self
     }
 

@@ -17,7 +17,7 @@ impl Ink for Flat {
 impl<C: Channels> InkFor<C> for Flat {
     type Fill = C;
 
-    fn over(&self, _: &Triangle) -> C {
+    fn over(&self, _: &Triangle<'_>) -> C {
         self.nearest()
     }
 
@@ -44,7 +44,7 @@ impl<C: Channels> InkFor<C> for Gouraud {
     type Fill = Ramps<C>;
 
     #[inline(always)]
-    fn over(&self, triangle: &Triangle) -> Ramps<C> {
+    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
         self.over(triangle)
     }
 
@@ -65,7 +65,7 @@ impl<I: Ink> Ink for Dithered<I> {
 impl<C: Channels> InkFor<C> for Dithered<Flat> {
     type Fill = Even<C>;
 
-    fn over(&self, _: &Triangle) -> Even<C> {
+    fn over(&self, _: &Triangle<'_>) -> Even<C> {
         Even::new(self.0)
     }
 
@@ -79,7 +79,7 @@ impl<C: Channels> InkFor<C> for Dithered<Gouraud> {
     type Fill = Ramps<C>;
 
     #[inline(always)]
-    fn over(&self, triangle: &Triangle) -> Ramps<C> {
+    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
         self.0.over(triangle)
     }
 

@@ -58,7 +58,7 @@ impl Gouraud {
 
     /// The levels of the channels over a triangle.
     #[inline(always)]
-    pub(crate) fn over<C: Channels>(&self, triangle: &Triangle) -> Ramps<C> {
+    pub(crate) fn over<C: Channels>(&self, triangle: &Triangle<'_>) -> Ramps<C> {
         let [a, b, c] = self.0.map(levels::<C>);
         let ([a, d, g], [b, e, h], [c, f, i]) = (a, b, c);
         let over = Planes::new(triangle);

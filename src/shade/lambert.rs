@@ -78,10 +78,11 @@ impl Lambert {
     /// `ambient + (256 − ambient) · max(0, cos)`.
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
-        let [a, b, c] = match &self.bend {
-            None => normal.map(i32::from),
-            Some(bend) => bent(bend, normal).map(i32::from),
-        };
+        let mut normal = normal.map(i32::from);
+        if let Some(bend) = &self.bend {
+            normal = bent(bend, normal);
+        }
+        let [a, b, c] = normal;
         let [x, y, z] = self.towards.map(i32::from);
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
         let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
@@ -110,8 +111,8 @@ impl Lambert {
 
 #[cold]
 #[inline(never)]
-fn bent(bend: &NormalMap<Model, World>, normal: [i16; 3]) -> [i16; 3] {
-    bend.apply(normal)
+fn bent(bend: &NormalMap<Model, World>, normal: [i32; 3]) -> [i32; 3] {
+    bend.apply(normal.map(|v| v as i16)).map(i32::from) // they were that
 }
 
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
