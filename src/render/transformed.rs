@@ -236,13 +236,19 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// are turned away are [the others](Statistics::with_the_rest_culled).
     #[inline(always)]
     pub(super) fn front(&self, corners: &[Corner; 3], statistics: &mut Statistics) -> Option<i64> {
-        let area = self.area(corners);
-        if area <= 0 && !(area < 0 && self.placed.cull == Cull::None) {
-            statistics.degenerate += u32::from(area == 0);
-            return None;
+        let [a, b, c] = *corners;
+        let back = self.area(&[a, c, b]); // not negative: not to the front, which one bit tells
+        if back >= 0 {
+            if back == 0 {
+                statistics.degenerate += 1;
+                return None;
+            }
+            if self.placed.cull == Cull::Back {
+                return None;
+            }
         }
         statistics.drawn += 1;
-        Some(area)
+        Some(-back)
     }
 
     /// Twice the area of a face with these corners.

@@ -78,17 +78,27 @@ impl Lambert {
     /// `ambient + (256 − ambient) · max(0, cos)`.
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
-        let mut normal = normal.map(i32::from);
-        if let Some(bend) = &self.bend {
-            normal = bent(bend, normal);
+        match &self.bend {
+            None => self.lit(normal),
+            Some(bend) => self.bent(bend, normal),
         }
-        let [a, b, c] = normal;
-        let [x, y, z] = self.towards.map(i32::from);
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn bent(&self, bend: &NormalMap<Model, World>, normal: [i16; 3]) -> u16 {
+        self.lit(bend.apply(normal))
+    }
+
+    /// The light where the normal is in the light's own space.
+    #[inline(always)]
+    fn lit(&self, normal: [i16; 3]) -> u16 {
+        let ([a, b, c], [x, y, z]) = (normal.map(i32::from), self.towards.map(i32::from));
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
         let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
         let cosine = (dot >> 15).clamp(0, 1 << 15) as u32;
-        let rest = u32::from(256 - self.ambient.min(256)); // ≤ 2⁸
-        self.ambient + ((rest * cosine + (1 << 14)) >> 15) as u16
+        let rest = 256u32.wrapping_sub(self.ambient.into()); // 0 … 2⁸
+        self.ambient.wrapping_add(((rest.wrapping_mul(cosine) + (1 << 14)) >> 15) as u16)
     }
 
     /// The [`level`](Self::level) for each of these normals, to the start of `levels`, as far as both go:
@@ -107,12 +117,6 @@ impl Lambert {
             *level = self.level(normal);
         }
     }
-}
-
-#[cold]
-#[inline(never)]
-fn bent(bend: &NormalMap<Model, World>, normal: [i32; 3]) -> [i32; 3] {
-    bend.apply(normal.map(|v| v as i16)).map(i32::from) // they were that
 }
 
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
