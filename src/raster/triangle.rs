@@ -163,11 +163,13 @@ impl<D: Divisor, const CUT: bool> Halves<D, CUT> {
         let (left, right) = (p.x.min(q.x).min(r.x), p.x.max(q.x).max(r.x));
         let (ends, middle_left) = down(triangle);
         let [a, _, c] = &ends;
-        // Ends lie within a column of the corners.
-        let between = left >= scissor.left * 256 && right <= scissor.right * 256;
-        let inside = between && (CUT || a.y >= scissor.top * 256 && c.y <= scissor.bottom * 256);
-        let small = c.y - a.y < D::HEIGHT && right - left < D::WIDTH;
-        if !(inside && small) {
+        // Negative where one of these is: below 2²⁴, all of them. Ends lie within a column of the corners.
+        let mut room = left - (scissor.left << 8) | (scissor.right << 8) - right;
+        room |= D::WIDTH - 1 - (right - left) | D::HEIGHT - 1 - (c.y - a.y);
+        if !CUT {
+            room |= a.y - (scissor.top << 8) | (scissor.bottom << 8) - c.y;
+        }
+        if room < 0 {
             return None;
         }
         let (row, column, long) = (first_row(a), column(a), Side::new::<D>(a, c, 0));
