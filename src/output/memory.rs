@@ -40,7 +40,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
         match Small::new(triangle, scissor) {
-            Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
+            Some(halves) => halves.each(|stretch| self.stretch(stretch, two)),
             None => self.cut(triangle, scissor, cell),
         }
     }
@@ -50,7 +50,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn cut(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
         let two = pair(cell);
         match Low::new(triangle, scissor) {
-            Some(halves) => halves.each(|stretch| self.stretch(stretch, cell, two)),
+            Some(halves) => halves.each(|stretch| self.stretch(stretch, two)),
             None => self.large(triangle, scissor, cell),
         }
     }
@@ -59,12 +59,12 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
         let (two, mut large) = (pair(cell), Large::new(triangle, scissor));
         while let Some(stretch) = large.stretch() {
-            self.stretch(stretch, cell, two);
+            self.stretch(stretch, two);
         }
     }
 
     #[inline(always)]
-    fn stretch<S: Step>(&mut self, mut stretch: Stretch<S>, cell: Cell, two: [Cell; 2]) {
+    fn stretch<S: Step>(&mut self, mut stretch: Stretch<S>, two: [Cell; 2]) {
         let mut start = self.places()(stretch.x, stretch.y);
         while stretch.rows > 0 {
             let (left, right) = stretch.row();
@@ -72,7 +72,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             // More than there are where it ends before it begins.
             let width = right.wrapping_sub(left) as usize;
             if let Some(run) = self.cells.get_mut(from..).and_then(|run| run.get_mut(..width)) {
-                fill(run, cell, two);
+                fill(run, two);
             }
             start = start.wrapping_add(self.stride);
             stretch.rows -= 1;
@@ -272,7 +272,8 @@ pub(super) fn place(x: i32, y: i32, stride: usize) -> usize {
 /// In pairs, which become one store where memory takes that at any address: many at a time in long runs, then eight,
 /// and the rest at one go.
 #[inline(always)]
-pub(super) fn fill<Cell: Copy>(mut run: &mut [Cell], cell: Cell, two: [Cell; 2]) {
+pub(super) fn fill<Cell: Copy>(mut run: &mut [Cell], two: [Cell; 2]) {
+    let [cell, _] = two;
     if run.len() >= 8 {
         if run.len() >= 64 {
             let (many, rest) = run.split_at_mut(run.len() & !31);
@@ -308,5 +309,5 @@ pub(super) fn pair<Cell: Copy>(cell: Cell) -> [Cell; 2] {
 
 /// All of them.
 pub(super) fn clear<Cell: Copy>(cells: &mut [Cell], cell: Cell) {
-    fill(cells, cell, pair(cell));
+    fill(cells, pair(cell));
 }

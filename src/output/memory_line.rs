@@ -162,7 +162,7 @@ fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32,
         for _ in 0..rise {
             let next = at.wrapping_add(run as usize);
             if let Some(run) = cells.get_mut(at..next) {
-                fill(run, cell, two);
+                fill(run, two);
             }
             at = next.wrapping_add(down);
             left -= run;
@@ -175,7 +175,7 @@ fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32,
         }
     }
     if let Some(run) = cells.get_mut(at..at.wrapping_add(left as usize)) {
-        fill(run, cell, two);
+        fill(run, two);
     }
 }
 

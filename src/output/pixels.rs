@@ -56,7 +56,7 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     fn fill(&mut self, Span { x, y, width, height }: Span, colour: C) -> Result<(), Infallible> {
         for y in y..y.wrapping_add(height) {
             if let Some(run) = self.memory.row(x, y, width) {
-                fill(run, colour.stored(), [colour.stored(); 2]);
+                fill(run, [colour.stored(); 2]);
             }
         }
         Ok(())
