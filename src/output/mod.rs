@@ -27,6 +27,11 @@ pub(crate) fn scissor(target: &impl Target, area: &Rectangle) -> Scissor {
     inside(&target.area()).within(&inside(area))
 }
 
+/// The pixels of a target as far as anything is drawn, however large it is.
+pub(crate) fn reach(area: &Rectangle) -> Scissor {
+    inside(area).near()
+}
+
 /// As `embedded-graphics` has it.
 pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
     let (columns, rows) = (area.columns(), area.rows());

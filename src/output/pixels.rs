@@ -2,6 +2,7 @@
 
 use super::depth::DepthBuffer;
 use super::memory::{fill, Memory};
+use super::reach;
 use super::target::{spans_nearer, spans_shaded_nearer, Target};
 use crate::raster::{Pixel, Scissor, Span, Triangle};
 use core::convert::Infallible;
@@ -13,6 +14,7 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Debug)]
 pub struct Pixels<'a, C, Cell = C> {
     area: Rectangle,
+    reach: Scissor,
     memory: Memory<'a, Cell>,
     colour: PhantomData<C>,
 }
@@ -40,7 +42,7 @@ impl<'a, C, Cell: Copy> Pixels<'a, C, Cell> {
     /// Of `area`, a cell each.
     #[inline(always)]
     pub(super) fn new(cells: &'a mut [Cell], area: Rectangle) -> Self {
-        Self { area, memory: Memory::new(cells, &area), colour: PhantomData }
+        Self { area, reach: reach(&area), memory: Memory::new(cells, &area), colour: PhantomData }
     }
 }
 
@@ -50,6 +52,11 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
 
     fn area(&self) -> Rectangle {
         self.area
+    }
+
+    #[inline(always)]
+    fn reach(&self) -> Scissor {
+        self.reach
     }
 
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! What pixels are drawn into.
 
 use super::depth::DepthBuffer;
+use super::reach;
 use crate::raster::{self, Pixel, Plane, Scissor, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -20,6 +21,13 @@ pub trait Target: sealed::Sealed {
 
     /// All pixels that there are.
     fn area(&self) -> Rectangle;
+
+    /// Those of them that 2D drawing may reach.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn reach(&self) -> Scissor {
+        reach(&self.area())
+    }
 
     /// Draws a run of pixels in one colour; it lies in the [`area`](Self::area).
     ///

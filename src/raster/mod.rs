@@ -131,8 +131,18 @@ pub struct Scissor {
 impl Scissor {
     /// From limits in pixels; those beyond ±32768 are brought there: nothing is drawn outside.
     pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
+        Self { left, top, right, bottom }.near()
+    }
+
+    /// Limits brought where drawing can reach.
+    pub(crate) fn near(&self) -> Self {
         let near = |v: i32| v.clamp(-32_768, 32_768);
-        Self { left: near(left), top: near(top), right: near(right), bottom: near(bottom) }
+        Self {
+            left: near(self.left),
+            top: near(self.top),
+            right: near(self.right),
+            bottom: near(self.bottom),
+        }
     }
 
     /// Limits as they are: inside the guard band, or to be intersected with what is.

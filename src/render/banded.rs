@@ -184,7 +184,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
     ) -> Result<(), T::Error> {
         let window = Window::new(band, self.viewport());
         self.each(&window.scissor, shade, |corners, area, ink| {
-            fill(corners.map(|c| c.point), area, &ink, &window, band)
+            fill(corners.map(|c| c.point), area, &ink, window.both(), band)
         })
     }
 

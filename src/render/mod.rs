@@ -200,8 +200,9 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let window = Window::new(target, self.area());
-        Transformed::<V, false>::new(self, cache)
-            .all(shade, |corners, area, ink| fill(corners.map(|c| c.point), area, &ink, &window, target))
+        Transformed::<V, false>::new(self, cache).all(shade, |corners, area, ink| {
+            fill(corners.map(|c| c.point), area, &ink, window.both(), target)
+        })
     }
 
     /// Draws the faces, one colour each, where they are nearer than what `depth` holds: right for all
@@ -272,11 +273,10 @@ struct Window {
 }
 
 impl Window {
-    /// All of a target.
-    fn of(target: &impl Target) -> Self {
-        let all = target.area();
-        let scissor = scissor(target, &all);
-        Self { scissor, viewport: scissor }
+    /// The scissor and the viewport.
+    #[inline(always)]
+    fn both(&self) -> [&Scissor; 2] {
+        [&self.scissor, &self.viewport]
     }
 
     fn new(target: &impl Target, viewport: &Rectangle) -> Self {
@@ -301,15 +301,15 @@ fn fill<T: Target, I: InkFor<T::Color>>(
     corners: [ScreenPoint; 3],
     area: i64,
     ink: &I,
-    window: &Window,
+    [scissor, viewport]: [&Scissor; 2],
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let triangle = Triangle::new(corners, area, &window.viewport);
+    let triangle = Triangle::new(corners, area, viewport);
     match ink.even() {
-        Some(colour) => target.triangle(&triangle, &window.scissor, colour),
+        Some(colour) => target.triangle(&triangle, scissor, colour),
         None => {
             let fill = ink.over(&triangle);
-            target.shaded(&triangle, &window.scissor, |span| I::run(&fill, span))
+            target.shaded(&triangle, scissor, |span| I::run(&fill, span))
         }
     }
 }

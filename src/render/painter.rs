@@ -141,7 +141,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
                 .corners
                 .map(|i| self.corners.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
             if !Scissor::of(&points).and(&window.scissor).is_empty() {
-                fill(points, raster::area(&points), &face.ink, &window, target)?;
+                fill(points, raster::area(&points), &face.ink, window.both(), target)?;
             }
             at = face.next;
         }

@@ -1,7 +1,7 @@
 //! Triangles and lines by themselves, for drawing in 2D.
 
-use super::{fill, InkFor, Window};
-use crate::output::{scissor, Target};
+use super::{fill, InkFor};
+use crate::output::Target;
 use crate::raster::{self, Pixel, ScreenPoint};
 
 /// Fills a triangle, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the target.
@@ -25,10 +25,10 @@ pub fn fill_triangle<T: Target, I: InkFor<T::Color>>(
     ink: I,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let window = Window::of(target);
+    let all = target.reach();
     match raster::area(&corners) {
         0 => Ok(()), // R6
-        area => fill(corners, area, &ink, &window, target),
+        area => fill(corners, area, &ink, [&all; 2], target),
     }
 }
 
@@ -54,6 +54,6 @@ pub fn draw_line<T: Target>(
     colour: T::Color,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let scissor = scissor(target, &target.area());
-    target.line(from, to, &scissor, colour)
+    let all = target.reach();
+    target.line(from, to, &all, colour)
 }
