@@ -59,7 +59,15 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
         let (two, mut large) = (pair(cell), Large::new(triangle, scissor));
         while let Some(stretch) = large.stretch() {
-            self.stretch(stretch, two);
+            match stretch.upright(self.stride as i32) {
+                // All of so many rows, as where a large face is cut on both sides: one run.
+                Some((x, pixels)) => {
+                    if let Some(run) = self.row(x, stretch.y, pixels) {
+                        fill(run, two);
+                    }
+                }
+                None => self.stretch(stretch, two),
+            }
         }
     }
 

@@ -269,6 +269,18 @@ impl Wide {
         Self { at: i64::from(column) << 32, step: 0 }
     }
 
+    /// The end of the span.
+    #[inline(always)]
+    pub(super) fn first(&self) -> i32 {
+        (self.at >> 32) as i32
+    }
+
+    /// Whether all spans end there.
+    #[inline(always)]
+    pub(super) fn is_vertical(&self) -> bool {
+        self.step == 0
+    }
+
     /// By as many rows.
     pub(super) fn skip(&mut self, rows: i32) {
         self.at = self.at.wrapping_add(self.step.wrapping_mul(rows.into()));
@@ -278,14 +290,14 @@ impl Wide {
     pub(super) fn pixel(&self, below: i32) -> i32 {
         let mut side = *self;
         side.skip(below);
-        side.next()
+        side.first()
     }
 }
 
 impl Step for Wide {
     #[inline(always)]
     fn next(&mut self) -> i32 {
-        let pixel = (self.at >> 32) as i32;
+        let pixel = self.first();
         self.at = self.at.wrapping_add(self.step);
         pixel
     }

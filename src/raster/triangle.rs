@@ -326,6 +326,14 @@ impl Large {
 }
 
 impl Stretch<Wide> {
+    /// Its column and how many pixels it has, if it is a rectangle of this width.
+    #[inline(always)]
+    pub(crate) fn upright(&self, width: i32) -> Option<(i32, i32)> {
+        let [left, right] = &self.sides;
+        let is_upright = right.first() - left.first() == width && left.is_vertical() && right.is_vertical();
+        is_upright.then(|| (left.first(), width.wrapping_mul(self.rows)))
+    }
+
     /// Cut to these columns: what of a side lies outside becomes vertical, and the stretch is as long as either does.
     #[inline(always)]
     fn between(mut self, from: i32, to: i32) -> Self {
