@@ -78,22 +78,24 @@ impl Lambert {
     /// `ambient + (256 − ambient) · max(0, cos)`.
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
+        let [a, b, c] = normal;
         match &self.bend {
-            None => self.lit(normal),
-            Some(bend) => self.bent(bend, normal),
+            None => self.lit(a, b, c),
+            Some(bend) => self.bent(bend, a, b, c),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn bent(&self, bend: &NormalMap<Model, World>, normal: [i16; 3]) -> u16 {
-        self.lit(bend.apply(normal))
+    fn bent(&self, bend: &NormalMap<Model, World>, a: i16, b: i16, c: i16) -> u16 {
+        let [a, b, c] = bend.apply([a, b, c]);
+        self.lit(a, b, c)
     }
 
     /// The light where the normal is in the light's own space.
     #[inline(always)]
-    fn lit(&self, normal: [i16; 3]) -> u16 {
-        let ([a, b, c], [x, y, z]) = (normal.map(i32::from), self.towards.map(i32::from));
+    fn lit(&self, a: i16, b: i16, c: i16) -> u16 {
+        let ([a, b, c], [x, y, z]) = ([a, b, c].map(i32::from), self.towards.map(i32::from));
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
         let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
         let cosine = (dot >> 15).clamp(0, 1 << 15) as u32;
