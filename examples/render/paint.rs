@@ -10,7 +10,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     Band, Channels, Corner, Cull, DepthBuffer, Edges, Faces, Flat, Frame, Gouraud, InkFor, Mesh, Placed,
-    Scalar, Statistics, Wire,
+    Scalar, Statistics, Transformed, Wire,
 };
 
 /// A display's colour.
@@ -130,15 +130,8 @@ pub(crate) fn paint<C: Colour>(
     if style.mode == Mode::Wireframe {
         // Without depth: a far plane that is not asked for cuts nothing.
         let transformed: Vec<_> = placed.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
-        let mut edges = transformed
-            .iter()
-            .zip(&mut edge_records)
-            .map(|(transformed, records)| transformed.edges(records))
-            .collect::<Result<Vec<_>, _>>()
-            .map_err(|e| e.to_string())?;
-        let statistics = edges.iter().map(Edges::statistics).fold(Statistics::default(), Statistics::and);
-        let areas = plan(around(edges.iter().map(Edges::bounds)));
-        return out.bands(statistics, &areas, |band, _| {
+        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
+        return out.bands(statistics, &plan(bounds), |band, _| {
             for edges in &mut edges {
                 let Ok(()) = edges.draw(style.colour.into(), band);
             }
@@ -153,15 +146,8 @@ pub(crate) fn paint<C: Colour>(
         .collect::<Result<Vec<_>, _>>()
         .map_err(|e| e.to_string())?;
     if style.mode == Mode::HiddenLine {
-        let mut edges = transformed
-            .iter()
-            .zip(&mut edge_records)
-            .map(|(transformed, records)| transformed.edges(records))
-            .collect::<Result<Vec<_>, _>>()
-            .map_err(|e| e.to_string())?;
-        let statistics = edges.iter().map(Edges::statistics).fold(Statistics::default(), Statistics::and);
-        let areas = plan(around(edges.iter().map(Edges::bounds)));
-        return out.bands(statistics, &areas, |band, depth| {
+        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
+        return out.bands(statistics, &plan(bounds), |band, depth| {
             // Every part may hide any other.
             faces.iter_mut().for_each(|faces| faces.depth_only(depth));
             for edges in &mut edges {
@@ -188,6 +174,18 @@ pub(crate) fn paint<C: Colour>(
             out.bands(statistics, &areas, |band, depth| solid.draw(ink, depth, band))
         }
     }
+}
+
+/// The edges of all parts, sorted out once for all bands; what became of them, and where they lie.
+fn edges<'a, const DEPTH: bool>(
+    transformed: &[Transformed<'a, Scalar, DEPTH>],
+    records: &'a mut [Vec<u16>],
+) -> Result<(Vec<Edges<'a, Scalar, DEPTH>>, Statistics, Rectangle), String> {
+    let edges = transformed.iter().zip(records).map(|(transformed, records)| transformed.edges(records));
+    let edges = edges.collect::<Result<Vec<_>, _>>().map_err(|e| e.to_string())?;
+    let statistics = edges.iter().map(Edges::statistics).fold(Statistics::default(), Statistics::and);
+    let bounds = around(edges.iter().map(Edges::bounds));
+    Ok((edges, statistics, bounds))
 }
 
 /// The faces of all parts.
