@@ -17,10 +17,6 @@ pub(crate) enum Characters {
 
 impl Characters {
     pub(crate) const ALL: [(&'static str, Self); 2] = [("ramp", Self::Ramp), ("braille", Self::Braille)];
-
-    pub(crate) fn find(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, characters)| *characters)
-    }
 }
 
 /// From nothing to full light.

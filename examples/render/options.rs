@@ -34,10 +34,7 @@ pub(crate) struct Options {
 pub(crate) fn read() -> Result<Options, String> {
     let mut given = crate::command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
-    let ascii = match given.remove_one::<String>("ascii") {
-        None => None,
-        Some(name) => Some(Characters::find(&name).ok_or_else(|| unknown("ascii", &name, &Characters::ALL))?),
-    };
+    let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
     let (style, format) = style(&mut given)?;
     let look = look(&mut given, &scene, ascii.is_some())?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
@@ -75,20 +72,18 @@ fn place_of(file: &Option<PathBuf>) -> Option<PathBuf> {
     file.canonicalize().ok().or_else(beside).or_else(|| Some(file.clone()))
 }
 
-/// A name that is not on the list: says those that are.
-fn unknown<T>(option: &str, name: &str, known: &[(&str, T)]) -> String {
-    format!("--{option}: {name} is not one of {}", names(known.iter().map(|(name, _)| *name)))
+/// What the name that is given stands for; the error says which names there are.
+fn choice<T: Copy>(given: &mut ArgMatches, option: &str, known: &[(&str, T)]) -> Result<Option<T>, String> {
+    let Some(name) = given.remove_one::<String>(option) else { return Ok(None) };
+    let chosen = known.iter().find(|(other, _)| *other == name).map(|(_, chosen)| *chosen);
+    let unknown =
+        || format!("--{option}: {name} is not one of {}", names(known.iter().map(|(name, _)| *name)));
+    chosen.ok_or_else(unknown).map(Some)
 }
 
 fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
-    let mode = match given.remove_one::<String>("mode") {
-        None => Mode::Solid,
-        Some(name) => Mode::find(&name).ok_or_else(|| unknown("mode", &name, &Mode::ALL))?,
-    };
-    let format = match given.remove_one::<String>("format") {
-        None => Format::Rgb888,
-        Some(name) => Format::find(&name).ok_or_else(|| unknown("format", &name, &Format::ALL))?,
-    };
+    let mode = choice(given, "mode", &Mode::ALL)?.unwrap_or(Mode::Solid);
+    let format = choice(given, "format", &Format::ALL)?.unwrap_or(Format::Rgb888);
     let mut colour = |option: &str| match given.remove_one::<String>(option) {
         None => Ok(None),
         Some(text) => colours::parse(&text).map(Some).map_err(|e| format!("--{option}: {e}")),
@@ -112,11 +107,8 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
             false => Err(format!("{}: is neither a scene (.json) nor a mesh (.obj, .stl)", scene.display())),
         };
     }
-    let projection = match given.remove_one::<String>("projection") {
-        None => Named::ALL[0],
-        Some(name) => Named::find(&name)
-            .ok_or_else(|| unknown("projection", &name, &Named::ALL.map(|p| (p.name, ()))))?,
-    };
+    let projections = Named::ALL.map(|named| (named.name, named));
+    let projection = choice(given, "projection", &projections)?.unwrap_or(Named::ALL[0]);
     let from = match given.remove_one::<String>("from") {
         None => [None; 2],
         Some(_) if given.contains_id("yaw") || given.contains_id("pitch") => {
@@ -150,12 +142,8 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
     let [width, height] = pair(&size, 'x')
         .filter(|size| size.iter().all(|v| (1..=LARGEST).contains(&i64::from(*v))))
         .ok_or_else(|| format!("--size: {size} is not WxH, each from 1 to {LARGEST}, such as 320x240"))?;
-    let up = match given.remove_one::<String>("up").as_deref() {
-        None if is("stl") && !raw => Up::Z,
-        None | Some("y") => Up::Y,
-        Some("z") => Up::Z,
-        Some(other) => return Err(format!("--up: {other} is not one of y, z")),
-    };
+    let usual = if is("stl") && !raw { Up::Z } else { Up::Y };
+    let up = choice(given, "up", &[("y", Up::Y), ("z", Up::Z)])?.unwrap_or(usual);
     Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height, up, fit: Fit::Outline }))
 }
 

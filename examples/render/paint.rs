@@ -38,10 +38,6 @@ impl Mode {
         ("hidden-line", Self::HiddenLine),
     ];
 
-    pub(crate) fn find(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, mode)| *mode)
-    }
-
     /// Whether it draws edges and not faces.
     pub(crate) const fn of_lines(self) -> bool {
         matches!(self, Self::Wireframe | Self::HiddenLine)

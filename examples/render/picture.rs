@@ -30,10 +30,6 @@ impl Format {
         ("mono", Self::Mono),
     ];
 
-    pub(crate) fn find(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, format)| *format)
-    }
-
     /// Whether it has no colours: such displays are mostly dark.
     pub(crate) const fn is_grey(self) -> bool {
         matches!(self, Self::Gray8 | Self::Gray4 | Self::Gray2 | Self::Mono)

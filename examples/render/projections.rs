@@ -59,10 +59,6 @@ impl Named {
         Self::new("reverse", Kind::Reverse, 10.0, 10.0),
     ];
 
-    pub(crate) fn find(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|known| known.name == name)
-    }
-
     /// Of perspectives, in degrees, where nothing is asked for.
     pub(crate) fn field_of_view(&self) -> f64 {
         match self.name {
