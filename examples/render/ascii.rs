@@ -6,6 +6,7 @@ use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use pinhole::Statistics;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Characters {
@@ -25,17 +26,18 @@ const CELL: [usize; 2] = [2, 4];
 /// The bits of the dots, row by row.
 const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
-/// Light things on dark paper, as terminals mostly are: lines of equal length.
+/// Light things on dark paper, as terminals mostly are: lines of equal length. And what became of the scene's faces or
+/// edges.
 pub(crate) fn text(
     subject: &Subject,
     scene: (&Scene, &Quantised),
     style: &Style,
     characters: Characters,
-) -> Result<String, String> {
+) -> Result<(String, Statistics), String> {
     let braille = characters == Characters::Braille;
     let style = Style { colour: Rgb888::WHITE, background: Rgb888::BLACK, dither: braille, ..*style };
     let format = if braille { Format::Mono } else { Format::Gray8 };
-    let (pixels, _) = picture(subject, scene, &style, format)?;
+    let (pixels, statistics) = picture(subject, scene, &style, format)?;
     let (width, height) = (scene.0.width as usize, scene.0.height as usize);
     let [across, down] = CELL;
     let mut text = String::new();
@@ -54,13 +56,13 @@ pub(crate) fn text(
                 let dots: u32 = cell.filter(|&(x, y)| light(x, y) > 127).map(|(x, y)| DOTS[y][x]).sum();
                 text.extend(char::from_u32(0x2800 + dots));
             } else {
-                let mean = cell.map(|(x, y)| light(x, y)).sum::<u32>() / (across * down) as u32; // at most 255
-                                                                                                 // What is there at all is not blank.
+                // At most 255. What is there at all is not blank.
+                let mean = cell.map(|(x, y)| light(x, y)).sum::<u32>() / (across * down) as u32;
                 let weight = (mean as usize * RAMP.len() / 256).max(usize::from(mean > 0));
                 text.push(RAMP[weight].into());
             }
         }
         text.push('\n');
     }
-    Ok(text)
+    Ok((text, statistics))
 }

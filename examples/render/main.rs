@@ -41,6 +41,7 @@ use paint::Subject;
 use pinhole::Statistics;
 use quantised::Quantised;
 use scene::Scene;
+use std::cell::LazyCell;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -66,37 +67,39 @@ fn run(options: &Options) -> Result<(), String> {
         None => Scene::read(&options.scene)?,
     };
     let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
-    let mut statistics = None;
-    if !options.style.mode.of_lines() {
+    // Of any of the drawings: they draw the same faces or edges.
+    let (mut statistics, mut text) = (None, None);
+    if options.ids.is_some() || options.depth.is_some() {
         let solid = draw::solid(&used, &quantised).map_err(named)?;
         if let Some(path) = &options.ids {
-            outputs.push((
-                path,
-                solid.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes()).collect(),
-            ));
+            let ids = solid.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes());
+            outputs.push((path, ids.collect()));
         }
         if let Some(path) = &options.depth {
             outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
         }
         statistics = Some(solid.statistics);
     }
-    let mut text = None;
-    if options.png.is_some() || options.ascii.is_some() || statistics.is_none() {
-        let subject = Subject::new(&used, options.style.mode);
-        let from = (&used, &quantised);
-        let (pixels, drawn) =
-            picture::picture(&subject, from, &options.style, options.format).map_err(named)?;
+    let subject = LazyCell::new(|| Subject::new(&used, options.style.mode));
+    let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);
+    if let Some(path) = &options.png {
+        let (pixels, drawn) = picture().map_err(named)?;
+        let size = Size::new(used.width, used.height);
+        outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
         statistics = Some(drawn);
-        if let Some(path) = &options.png {
-            let size = Size::new(used.width, used.height);
-            outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
-        }
-        if let Some(characters) = options.ascii {
-            text = Some(ascii::text(&subject, from, &options.style, characters).map_err(named)?);
-        }
+    }
+    if let Some(characters) = options.ascii {
+        let from = (&used, &quantised);
+        let (lines, drawn) = ascii::text(&subject, from, &options.style, characters).map_err(named)?;
+        text = Some(lines);
+        statistics = Some(drawn);
     }
     if let Some(path) = &options.used {
         outputs.push((path, used::json(&used).into()));
+    }
+    let told = options.stats || options.unasked || (outputs.is_empty() && text.is_none());
+    if told && statistics.is_none() {
+        statistics = Some(picture().map_err(named)?.1);
     }
     if let Some(folder) = options.png.as_deref().and_then(Path::parent).filter(|_| options.unasked) {
         std::fs::create_dir_all(folder).map_err(|e| format!("{}: cannot be made: {e}", folder.display()))?;
@@ -105,9 +108,7 @@ fn run(options: &Options) -> Result<(), String> {
     if let Some(text) = &text {
         print!("{text}");
     }
-    if text.is_none() || options.stats || !outputs.is_empty() {
-        tell(options, &scene, &used, &statistics.unwrap_or_default(), &outputs);
-    }
+    tell(options, &scene, &used, statistics.filter(|_| told), &outputs);
     Ok(())
 }
 
@@ -115,11 +116,10 @@ fn tell(
     options: &Options,
     scene: &Scene,
     used: &Scene,
-    statistics: &Statistics,
+    statistics: Option<Statistics>,
     outputs: &[(&Path, Vec<u8>)],
 ) {
-    if outputs.is_empty() || options.stats || options.unasked {
-        let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
+    if let Some(Statistics { drawn, culled, clipped, outside, degenerate, .. }) = statistics {
         let (what, count) = match options.style.mode.of_lines() {
             false => ("triangles", scene.triangles.len()),
             true => ("edges", (drawn + outside) as usize),
