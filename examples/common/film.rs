@@ -1,5 +1,6 @@
 //! Frames to files: an animated GIF and a contact sheet.
 
+use crate::animation::Animation;
 use crate::canvas::Canvas;
 use crate::still;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
@@ -13,8 +14,7 @@ use std::path::Path;
 
 /// An endless animation, written frame by frame.
 pub(crate) struct Gif {
-    encoder: gif::Encoder<BufWriter<File>>,
-    size: (u16, u16),
+    animation: Animation<BufWriter<File>>,
     index: HashMap<u16, u8>,
 }
 
@@ -22,29 +22,19 @@ impl Gif {
     /// Begins a file. All colours of all frames must be in `palette`, of at most 256: nothing is
     /// approximated.
     pub(crate) fn create(file: &Path, size: Size, palette: &[Rgb565]) -> Result<Self, Box<dyn Error>> {
-        let (width, height) = (u16::try_from(size.width)?, u16::try_from(size.height)?);
-        let colours: Vec<u8> = palette.iter().flat_map(|&c| rgb(c)).collect();
+        let colours: Vec<_> = palette.iter().map(|&c| rgb(c)).collect();
         let index = (0..=255).zip(palette).map(|(i, c)| (c.into_storage(), i)).collect();
-        let mut encoder = gif::Encoder::new(create(file)?, width, height, &colours)?;
-        encoder.set_repeat(gif::Repeat::Infinite)?;
-        Ok(Gif { encoder, size: (width, height), index })
+        Ok(Gif { animation: Animation::new(create(file)?, size, &colours)?, index })
     }
 
     pub(crate) fn add(&mut self, pixels: &[Rgb565]) -> Result<(), Box<dyn Error>> {
         let index = |c: &Rgb565| self.index.get(&c.into_storage()).copied();
         let indexed: Option<Vec<u8>> = pixels.iter().map(index).collect();
-        let frame = gif::Frame {
-            width: self.size.0,
-            height: self.size.1,
-            buffer: indexed.ok_or("a colour is missing in the palette")?.into(),
-            delay: 6, // in 1/100 s
-            ..gif::Frame::default()
-        };
-        Ok(self.encoder.write_frame(&frame)?)
+        Ok(self.animation.add(indexed.ok_or("a colour is missing in the palette")?, 6)?)
     }
 
     pub(crate) fn finish(self) -> Result<(), Box<dyn Error>> {
-        Ok(self.encoder.into_inner()?.flush()?)
+        Ok(self.animation.finish()?.flush()?)
     }
 }
 

@@ -88,24 +88,12 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
 /// An endless animation at twice the size: the panel's 16 shades are its palette.
 #[cfg(unix)]
 fn film(pictures: &[Picture]) -> Result<Vec<u8>, Box<dyn Error>> {
-    const SCALE: u16 = 2;
-    let (width, height) = (SIZE.width as u16 * SCALE, SIZE.height as u16 * SCALE);
-    let palette: Vec<u8> = (0..16).flat_map(|level| [17 * level; 3]).collect();
-    let mut file = Vec::new();
-    let mut encoder = gif::Encoder::new(&mut file, width, height, &palette)?;
-    encoder.set_repeat(gif::Repeat::Infinite)?;
+    const SCALE: u32 = 2;
+    let palette: Vec<_> = (0..16).map(|level| [17 * level; 3]).collect();
+    let mut film = crate::animation::Animation::new(Vec::new(), SIZE * SCALE, &palette)?;
     for picture in pictures {
-        let (_, pixels) = picture.enlarged(SCALE.into());
-        let buffer: Vec<u8> = pixels.iter().map(|pixel| pixel.r() / 17).collect();
-        let delay = 15; // in 1/100 s
-        encoder.write_frame(&gif::Frame {
-            width,
-            height,
-            buffer: buffer.into(),
-            delay,
-            ..gif::Frame::default()
-        })?;
+        let (_, pixels) = picture.enlarged(SCALE);
+        film.add(pixels.iter().map(|pixel| pixel.r() / 17).collect(), 15)?;
     }
-    drop(encoder);
-    Ok(file)
+    Ok(film.finish()?)
 }

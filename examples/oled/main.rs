@@ -8,6 +8,9 @@
 //! same pictures and makes `docs/oled.png` of them. `tests/device` compares the two, pixel by pixel.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
+#[cfg(all(unix, not(target_os = "none")))]
+#[path = "../common/animation.rs"]
+mod animation;
 #[cfg(not(target_os = "none"))]
 #[path = "../common/command.rs"]
 mod command;

@@ -6,6 +6,8 @@
 //! cargo run --release --example render -- --help
 //! ```
 
+#[path = "../common/animation.rs"]
+mod animation;
 mod arguments;
 mod ascii;
 #[path = "../common/canvas.rs"]

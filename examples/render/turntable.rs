@@ -1,11 +1,15 @@
 //! A mesh once around itself, as a GIF.
 
+use crate::animation::Animation;
 use crate::model::{self, Fit, Look};
 use crate::paint::{Style, Subject};
 use crate::palette::Palette;
 use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb888;
 use pinhole_import::Triangles;
+use std::error::Error;
 
 /// How long a turn takes, in 1/100 s.
 const TURN: u32 = 400;
@@ -31,28 +35,13 @@ pub(crate) fn gif(
     encode(look, &pictures, &palette).map_err(|e| e.to_string())
 }
 
-fn encode(
-    look: &Look,
-    pictures: &[Vec<embedded_graphics::pixelcolor::Rgb888>],
-    palette: &Palette,
-) -> Result<Vec<u8>, gif::EncodingError> {
-    let (width, height) = (look.width as u16, look.height as u16); // at most 4096
-    let mut file = Vec::new();
-    let mut encoder = gif::Encoder::new(&mut file, width, height, palette.colours.as_flattened())?;
-    encoder.set_repeat(gif::Repeat::Infinite)?;
+fn encode(look: &Look, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut film = Animation::new(Vec::new(), Size::new(look.width, look.height), &palette.colours)?;
     // The moments of the frames, rounded, so that the turn takes its time whatever their number.
     let moment = |frame: usize| frame as u32 * TURN / pictures.len() as u32;
     for (frame, pixels) in pictures.iter().enumerate() {
         let delay = (moment(frame + 1) - moment(frame)).max(2) as u16; // players take less for 10
-        let buffer: Vec<u8> = pixels.iter().map(|&colour| palette.index(colour)).collect();
-        encoder.write_frame(&gif::Frame {
-            width,
-            height,
-            buffer: buffer.into(),
-            delay,
-            ..gif::Frame::default()
-        })?;
+        film.add(pixels.iter().map(|&colour| palette.index(colour)).collect(), delay)?;
     }
-    drop(encoder);
-    Ok(file)
+    Ok(film.finish()?)
 }

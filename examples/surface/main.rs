@@ -5,6 +5,8 @@
 //! cargo run --release --example surface -- --help
 //! ```
 
+#[path = "../common/animation.rs"]
+mod animation;
 #[path = "../common/canvas.rs"]
 mod canvas;
 #[path = "../common/command.rs"]
