@@ -9,25 +9,22 @@ mod canvas;
 #[path = "../common/command.rs"]
 mod command;
 mod scene;
+#[path = "../common/sheet.rs"]
+mod sheet;
 #[path = "../common/still.rs"]
 mod still;
 
 use canvas::Canvas;
 use command::Generated;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
-use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use embedded_graphics::text::{Baseline, Text};
 use pinhole::{Channels, Dithered, Gouraud, InkFor, Wire};
 use scene::Scene;
+use sheet::{write, BACKGROUND, FAINT, INK};
 use std::error::Error;
 use std::process::ExitCode;
-
-const BACKGROUND: Rgb888 = Rgb888::new(233, 230, 222);
-const INK: Rgb888 = Rgb888::new(38, 42, 52);
-const FAINT: Rgb888 = Rgb888::new(110, 108, 104);
 
 const PICTURE: Size = Size::new(168, 128);
 const GAP: u32 = 8;
@@ -64,8 +61,8 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
     let pair = Size::new(PICTURE.width + GAP, 2 * (PICTURE.height + CAPTION) + GAP);
     let size = Size::new(4 * pair.width + GAP, HEADER + 2 * pair.height + GAP);
     let mut sheet = Canvas::new(size, BACKGROUND);
-    let title = "pinhole: one scene in every colour, drawn in bands of 8 rows";
-    write(title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet)?;
+    let title = format!("pinhole: one scene in every colour, drawn in bands of {ROWS} rows");
+    write(&title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet);
     let corner = |cell: u32| {
         let offset = Size::new(cell % 4, cell / 4).component_mul(pair);
         Point::new(GAP as i32, HEADER as i32) + offset
@@ -75,10 +72,10 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         for (picture, how) in pictures.into_iter().zip(["rounded", "dithered"]) {
             sheet.fill_contiguous(&Rectangle::new(at, PICTURE), picture)?;
             let below = at + Point::new(0, PICTURE.height as i32 + 3);
-            write(name, below, &FONT_6X10, INK, &mut sheet)?;
+            write(name, below, &FONT_6X10, INK, &mut sheet);
             let details = format!("{bits}, {how}");
             let aside = below + Point::new(6 * (name.len() as i32 + 1), 0);
-            write(&details, aside, &FONT_6X10, FAINT, &mut sheet)?;
+            write(&details, aside, &FONT_6X10, FAINT, &mut sheet);
             at.y += (PICTURE.height + CAPTION) as i32;
         }
     }
@@ -96,7 +93,7 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         "any two levels.",
     ];
     for (line, text) in (0..).zip(lines) {
-        write(text, corner(7) + Point::new(4, 4 + 13 * line), &FONT_6X10, FAINT, &mut sheet)?;
+        write(text, corner(7) + Point::new(4, 4 + 13 * line), &FONT_6X10, FAINT, &mut sheet);
     }
     still::png(size, sheet.pixels())
 }
@@ -118,15 +115,4 @@ where
     let mut pixels = Vec::new();
     scene.draw(ROWS, ink, |band| pixels.extend(band.colours().map(Into::into)))?;
     Ok(pixels)
-}
-
-fn write(
-    text: &str,
-    at: Point,
-    font: &MonoFont<'_>,
-    colour: Rgb888,
-    sheet: &mut Canvas<Rgb888>,
-) -> Result<(), Box<dyn Error>> {
-    Text::with_baseline(text, at, MonoTextStyle::new(font, colour), Baseline::Top).draw(sheet)?;
-    Ok(())
 }

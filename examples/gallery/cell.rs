@@ -2,6 +2,7 @@
 
 use crate::canvas::Canvas;
 use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, NORMALS, SIDES, VERTICES};
+use crate::sheet::INK;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
@@ -11,7 +12,6 @@ use pinhole::{Affine, Camera, Corner, Dim, Lambert, Mesh, Painter, VanishingPoin
 use std::error::Error;
 
 pub(crate) const PAPER: Rgb888 = Rgb888::new(255, 254, 250);
-pub(crate) const INK: Rgb888 = Rgb888::new(38, 42, 52);
 /// x, y, z.
 pub(crate) const AXES: [Rgb888; 3] =
     [Rgb888::new(206, 50, 44), Rgb888::new(24, 138, 64), Rgb888::new(44, 84, 206)];

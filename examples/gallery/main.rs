@@ -10,6 +10,8 @@ mod cell;
 #[path = "../common/command.rs"]
 mod command;
 mod house;
+#[path = "../common/sheet.rs"]
+mod sheet;
 #[path = "../common/still.rs"]
 mod still;
 mod views;
@@ -17,17 +19,13 @@ mod views;
 use canvas::Canvas;
 use command::Generated;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_5X8, FONT_6X10};
-use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
-use embedded_graphics::text::{Baseline, Text};
 use pinhole::{Camera, Viewport};
+use sheet::{write, BACKGROUND, FAINT, INK};
 use std::error::Error;
 use std::process::ExitCode;
-
-const BACKGROUND: Rgb888 = Rgb888::new(233, 230, 222);
-const FAINT: Rgb888 = Rgb888::new(110, 108, 104);
 
 /// Width and height of a picture, and the space between two.
 const PICTURE: u32 = 160;
@@ -63,9 +61,9 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         let camera = Camera::new(&view.viewing, &view.projection, &viewport);
         cell::draw(&camera, &viewport, &mut sheet)?;
         let below = corner + Point::new(0, PICTURE as i32 + 3);
-        write(view.name, below, &FONT_6X10, cell::INK, &mut sheet)?;
+        write(view.name, below, &FONT_6X10, INK, &mut sheet);
         for (line, details) in (0..).zip(view.details) {
-            write(details, below + Point::new(0, 12 + 9 * line), &FONT_5X8, FAINT, &mut sheet)?;
+            write(details, below + Point::new(0, 12 + 9 * line), &FONT_5X8, FAINT, &mut sheet);
         }
     }
     legend(corner(cells - 1), &mut sheet)?;
@@ -77,35 +75,24 @@ fn legend(corner: Point, sheet: &mut Canvas<Rgb888>) -> Result<(), Box<dyn Error
     let line = |row: i32| corner + Point::new(4, 8 + 14 * row);
     let middle = |row: i32| (line(row) + Point::new(0, 5), line(row) + Point::new(20, 5));
     let words = Point::new(28, 0);
-    write("pinhole: one house,", line(0), &FONT_6X10, cell::INK, sheet)?;
-    write("every projection", line(1), &FONT_6X10, cell::INK, sheet)?;
+    write("pinhole: one house,", line(0), &FONT_6X10, INK, sheet);
+    write("every projection", line(1), &FONT_6X10, INK, sheet);
     let axes = ["edge on the x axis", "edge on the y axis", "edge on the z axis"];
     for (row, (name, colour)) in (3..).zip(axes.into_iter().zip(cell::AXES)) {
         let (from, to) = middle(row);
         Line::new(from, to).into_styled(PrimitiveStyle::with_stroke(colour, 1)).draw(sheet)?;
-        write(name, line(row) + words, &FONT_6X10, cell::INK, sheet)?;
+        write(name, line(row) + words, &FONT_6X10, INK, sheet);
     }
     let rest = [("hidden edge", 2, 2), ("on to where they meet", 1, 2)];
     for (row, (name, on, off)) in (6..).zip(rest) {
         let (from, to) = middle(row);
         let mut dashed = cell::Dashed { target: sheet, on, off, at: 0 };
-        Line::new(from, to).into_styled(PrimitiveStyle::with_stroke(cell::INK, 1)).draw(&mut dashed)?;
-        write(name, line(row) + words, &FONT_6X10, cell::INK, sheet)?;
+        Line::new(from, to).into_styled(PrimitiveStyle::with_stroke(INK, 1)).draw(&mut dashed)?;
+        write(name, line(row) + words, &FONT_6X10, INK, sheet);
     }
-    cell::mark(line(8) + Point::new(10, 5), cell::INK, sheet)?;
-    write("vanishing point", line(8) + words, &FONT_6X10, cell::INK, sheet)?;
+    cell::mark(line(8) + Point::new(10, 5), INK, sheet)?;
+    write("vanishing point", line(8) + words, &FONT_6X10, INK, sheet);
     sheet.fill_solid(&Rectangle::new(line(9) + Point::new(4, 0), Size::new(12, 10)), cell::MARKED)?;
-    write("the front, z = 0", line(9) + words, &FONT_6X10, cell::INK, sheet)?;
-    Ok(())
-}
-
-fn write(
-    text: &str,
-    at: Point,
-    font: &MonoFont<'_>,
-    colour: Rgb888,
-    sheet: &mut Canvas<Rgb888>,
-) -> Result<(), Box<dyn Error>> {
-    Text::with_baseline(text, at, MonoTextStyle::new(font, colour), Baseline::Top).draw(sheet)?;
+    write("the front, z = 0", line(9) + words, &FONT_6X10, INK, sheet);
     Ok(())
 }
