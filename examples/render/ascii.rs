@@ -1,8 +1,7 @@
 //! A picture in characters, each for 2 × 4 pixels: as characters are about twice as high as wide, those are square.
 
-use crate::colours::luma;
 use crate::paint::{Style, Subject};
-use crate::picture::{picture, Format};
+use crate::picture::{luma, picture, Format};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};

@@ -1,6 +1,6 @@
 //! Colours by name.
 
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor, WebColors};
+use embedded_graphics::pixelcolor::{Rgb888, WebColors};
 
 macro_rules! css {
     ($($name:ident)*) => {
@@ -69,9 +69,4 @@ fn css(name: &str) -> String {
 
 fn plain(name: &str) -> String {
     name.chars().filter(char::is_ascii_alphabetic).map(|c| c.to_ascii_lowercase()).collect()
-}
-
-/// How light a colour is, of 255: the luma that greys take.
-pub(crate) fn luma(colour: Rgb888) -> u32 {
-    (77 * u32::from(colour.r()) + 150 * u32::from(colour.g()) + 29 * u32::from(colour.b())) / 256
 }

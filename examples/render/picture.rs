@@ -72,3 +72,8 @@ fn whole<C: Colour>(
     })?;
     Ok((pixels, report.statistics))
 }
+
+/// How light a colour is, of 255: the luma that greys take.
+pub(crate) fn luma(colour: Rgb888) -> u32 {
+    (77 * u32::from(colour.r()) + 150 * u32::from(colour.g()) + 29 * u32::from(colour.b())) / 256
+}

@@ -1,8 +1,7 @@
 //! Colours where nobody chose them.
 
-use crate::colours::luma;
 use crate::paint::{Mode, Style};
-use crate::picture::Format;
+use crate::picture::{luma, Format};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 const PAPER: Rgb888 = Rgb888::new(236, 235, 230);

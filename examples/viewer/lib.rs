@@ -7,9 +7,6 @@
 // What the tools share.
 #[path = "../common/canvas.rs"]
 mod canvas;
-#[path = "../render/colours.rs"]
-#[allow(dead_code)]
-mod colours;
 #[path = "../common/files.rs"]
 mod files;
 #[path = "../common/json.rs"]
@@ -17,26 +14,23 @@ mod json;
 #[path = "../render/light.rs"]
 mod light;
 #[path = "../render/model.rs"]
-#[allow(dead_code)]
 mod model;
 #[path = "../render/normals.rs"]
 mod normals;
 #[path = "../render/paint.rs"]
-#[allow(dead_code)]
 mod paint;
 #[path = "../render/parts.rs"]
 mod parts;
 #[path = "../render/picture.rs"]
-#[allow(dead_code)]
+#[allow(dead_code)] // here bands are sent, and no picture is kept
 mod picture;
 #[path = "../render/projections.rs"]
-#[allow(dead_code)]
 mod projections;
 #[path = "../render/quantised.rs"]
-#[allow(dead_code)]
+#[allow(dead_code)] // `render --stats`
 mod quantised;
 #[path = "../render/scene.rs"]
-#[allow(dead_code)]
+#[allow(dead_code)] // the same
 mod scene;
 #[path = "../common/still.rs"]
 mod still;

@@ -71,21 +71,23 @@ fn write<D: DrawTarget<Color = Rgb888>>(
     Ok(())
 }
 
+/// What a mode or a format is called.
+fn name<T: PartialEq>(all: &[(&'static str, T)], one: T) -> &'static str {
+    all.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)
+}
+
 fn information(state: &State, shown: &Shown, time: Option<Duration>) -> Vec<String> {
-    let name =
-        |list: &[(&'static str, Format)]| list.iter().find(|(_, f)| *f == state.format).map(|(n, _)| *n);
     let mut lines = Vec::new();
     match state.thing {
         Thing::Oled => lines.push("examples/oled: its panel, gray4".into()),
         Thing::First => lines.push("examples/first: rgb565, bands of 8 rows".into()),
         Thing::Model => {
-            let mode = Mode::ALL.iter().find(|(_, mode)| *mode == state.mode).map(|(name, _)| *name);
             let dithered = if state.dither && !state.mode.of_lines() { " dithered" } else { "" };
             lines.push(format!(
                 "{}, {}, {}{dithered}",
                 state.projection.map_or("own camera", |named| named.name),
-                mode.unwrap_or_default(),
-                name(&Format::ALL).unwrap_or_default(),
+                name(&Mode::ALL, state.mode),
+                name(&Format::ALL, state.format),
             ));
             let Statistics { drawn, culled, clipped, outside, degenerate, .. } = shown.statistics;
             let what = if state.mode.of_lines() { "edges" } else { "faces" };
