@@ -5,6 +5,8 @@
 //! cargo run --release --example first     # writes target/first/first.png
 //! ```
 
+#[path = "../common/command.rs"]
+mod command;
 #[allow(unreachable_pub)] // as a file of its own it is right
 mod picture;
 #[path = "../common/still.rs"]
@@ -15,15 +17,24 @@ use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Pixel, Size};
 use pinhole::Angle;
 use std::convert::Infallible;
 use std::error::Error;
+use std::path::Path;
+use std::process::ExitCode;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    command::run(run)
+}
+
+fn run() -> Result<ExitCode, Box<dyn Error>> {
     let mut screen = Screen(vec![Rgb565::MAGENTA; 240 * 240]);
     picture::draw(&mut screen, Angle::degrees(30))?;
-    std::fs::create_dir_all("target/first")?;
+    let folder = Path::new("target/first");
+    command::folder(folder)?;
+    let file = folder.join("first.png");
     let pixels: Vec<Rgb888> = screen.0.iter().map(|&colour| colour.into()).collect();
-    std::fs::write("target/first/first.png", still::png(screen.size(), &pixels)?)?;
-    println!("target/first/first.png: a picture");
-    Ok(())
+    let png = still::png(screen.size(), &pixels)?;
+    std::fs::write(&file, png).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
+    println!("{}: a picture", file.display());
+    Ok(ExitCode::SUCCESS)
 }
 
 /// In place of a display and its driver.
