@@ -42,11 +42,6 @@ fn main() -> ExitCode {
                 return Ok(ExitCode::from(1));
             }
         };
-        file.finish(page.as_bytes(), |old| {
-            let old = String::from_utf8_lossy(old);
-            if let Some((old, new)) = old.lines().zip(page.lines()).find(|(old, new)| old != new) {
-                eprintln!("- {old}\n+ {new}");
-            }
-        })
+        file.finish_page(&page)
     })
 }

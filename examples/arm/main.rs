@@ -55,8 +55,7 @@ fn main() -> ExitCode {
 fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
     let out = &arguments.out;
-    let unwritable = |e: std::io::Error| format!("{}: cannot be written: {e}", out.display());
-    std::fs::create_dir_all(out).map_err(unwritable)?;
+    command::folder(out)?;
 
     let camera = camera(size)?;
     let mut nodes = robot::nodes();
@@ -86,10 +85,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
         film.add(picture.pixels())?;
     }
     film.finish()?;
-    let count = pictures.len();
-    let shown = count.min(12);
-    // Evenly spread: as many of the multiples of `shown`, modulo `count`, lie below `shown`.
-    let sample = pictures.into_iter().enumerate().filter(|(i, _)| i * shown % count < shown);
+    let sample = (0..).zip(pictures).filter(|(frame, _)| film::on_sheet(*frame, frames, 12));
     film::write_sheet(&sheet, size, &sample.map(|(_, picture)| picture).collect::<Vec<_>>())?;
     println!("{}", gif.display());
     println!("{}", sheet.display());

@@ -50,7 +50,7 @@ fn main() -> ExitCode {
                 return Err(format!("{name}: not the picture of the blocking loop").into());
             }
         }
-        std::fs::create_dir_all(&out).map_err(|e| format!("{}: cannot be made: {e}", out.display()))?;
+        command::folder(&out)?;
         let file = out.join("bands.png");
         let png = still::png(SIZE, &pictures[0].1)?;
         std::fs::write(&file, png).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;

@@ -38,7 +38,7 @@ fn main() -> ExitCode {
     command::run(|| {
         let about = "Draws a scene in every kind of colour, rounded and dithered: a contact sheet";
         let file = Generated::arguments("colours", about, "docs/colours.png")?;
-        file.finish(&sheet().map_err(|e| e.to_string())?, |_| {})
+        file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 

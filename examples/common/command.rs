@@ -1,8 +1,10 @@
-//! What the examples share of a command line: help, and one way to refuse.
+//! What the examples share of a command line: help, values and folders that many take, and one way to refuse.
 #![allow(dead_code)] // not every example has a film's options, or a file that is checked
 
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
-use std::path::PathBuf;
+use embedded_graphics::geometry::Size;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Runs an example: what is wrong with what the user gave is one line, whatever a file or its name has
@@ -35,6 +37,19 @@ pub(crate) fn option(
     default: &'static str,
 ) -> Arg {
     Arg::new(name).long(name).value_name(value).help(help).default_value(default)
+}
+
+/// What `--size WxH` gives, each from a range.
+pub(crate) fn size(text: &str, range: RangeInclusive<u32>) -> Result<Size, String> {
+    let size = text.split_once('x').and_then(|(w, h)| Some(Size::new(w.parse().ok()?, h.parse().ok()?)));
+    size.filter(|size| range.contains(&size.width) && range.contains(&size.height)).ok_or_else(|| {
+        format!("--size: {text} is not WxH, each from {} to {}, such as 320x240", range.start(), range.end())
+    })
+}
+
+/// Makes a folder for what an example writes, where there is none.
+pub(crate) fn folder(path: &Path) -> Result<(), String> {
+    std::fs::create_dir_all(path).map_err(|e| format!("{}: cannot be made: {e}", path.display()))
 }
 
 /// What every film can be told.
@@ -104,8 +119,22 @@ impl Generated {
         Self { example, out, check: given.get_flag("check") }
     }
 
-    /// Writes the file, or compares it; `difference` shows what changed.
-    pub(crate) fn finish(self, content: &[u8], difference: impl FnOnce(&[u8])) -> Result<ExitCode, String> {
+    /// Writes the file, or compares it.
+    pub(crate) fn finish(self, content: &[u8]) -> Result<ExitCode, String> {
+        self.finish_showing(content, |_| ())
+    }
+
+    /// The same for a page; the first line that changed shows.
+    pub(crate) fn finish_page(self, page: &str) -> Result<ExitCode, String> {
+        self.finish_showing(page.as_bytes(), |old| {
+            let old = String::from_utf8_lossy(old);
+            if let Some((old, new)) = old.lines().zip(page.lines()).find(|(old, new)| old != new) {
+                eprintln!("- {old}\n+ {new}");
+            }
+        })
+    }
+
+    fn finish_showing(self, content: &[u8], difference: impl FnOnce(&[u8])) -> Result<ExitCode, String> {
         let (example, out) = (self.example, self.out.display());
         if !self.check {
             std::fs::write(&self.out, content).map_err(|e| format!("{out}: cannot be written: {e}"))?;

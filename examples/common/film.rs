@@ -38,6 +38,12 @@ impl Gif {
     }
 }
 
+/// Whether a frame is one of the `most` on a sheet, evenly spread; of fewer frames all are.
+pub(crate) fn on_sheet(frame: u32, frames: u32, most: u32) -> bool {
+    // So many of the multiples of `most`, modulo `frames`, lie below `most`.
+    frame * most % frames < most
+}
+
 /// Writes pictures side by side, four in a row.
 pub(crate) fn write_sheet(
     file: &Path,

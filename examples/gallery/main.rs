@@ -37,7 +37,7 @@ fn main() -> ExitCode {
     command::run(|| {
         let about = "Draws a house under every named projection: a contact sheet";
         let file = Generated::arguments("gallery", about, "docs/projections.png")?;
-        file.finish(&sheet().map_err(|e| e.to_string())?, |_| {})
+        file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn run() -> Result<ExitCode, Box<dyn Error>> {
     }
     let file = Generated::from("oled --features qemu", &mut given);
     let pictures: Vec<_> = (0..FRAMES).map(Picture::of_frame).collect();
-    Ok(file.finish(&sheet(&pictures)?, |_| ())?)
+    Ok(file.finish(&sheet(&pictures)?)?)
 }
 
 /// All frames: each scene from left to right.
@@ -66,7 +66,7 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
     if out.exists() {
         std::fs::remove_dir_all(out).map_err(unwritable)?;
     }
-    std::fs::create_dir_all(out).map_err(unwritable)?;
+    command::folder(out)?;
     let write = |name: &str, bytes: Vec<u8>| std::fs::write(out.join(name), bytes).map_err(unwritable);
 
     let mut emulator = Emulator::start(core, firmware, PATIENCE)?;

@@ -104,7 +104,7 @@ fn run(options: &Options) -> Result<(), String> {
         statistics = Some(picture().map_err(named)?.1);
     }
     if let Some(folder) = options.png.as_deref().and_then(Path::parent).filter(|_| options.unasked) {
-        std::fs::create_dir_all(folder).map_err(|e| format!("{}: cannot be made: {e}", folder.display()))?;
+        command::folder(folder)?;
     }
     files::write(&outputs)?;
     if let Some(text) = &text {

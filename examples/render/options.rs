@@ -10,6 +10,7 @@ use crate::projections::Named;
 use crate::scene::LARGEST;
 use crate::style;
 use clap::ArgMatches;
+use embedded_graphics::geometry::Size;
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Options {
@@ -115,8 +116,10 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
             return Err("--from: gives yaw and pitch: leave --yaw and --pitch out".into())
         }
         Some(text) => {
-            let [yaw, pitch] = pair(&text, ',')
-                .ok_or_else(|| format!("--from: {text} is not YAW,PITCH in degrees, such as 30,20"))?;
+            let pair =
+                text.split_once(',').and_then(|(yaw, pitch)| Some([yaw.parse().ok()?, pitch.parse().ok()?]));
+            let [yaw, pitch] =
+                pair.ok_or_else(|| format!("--from: {text} is not YAW,PITCH in degrees, such as 30,20"))?;
             [Some(yaw), Some(pitch)]
         }
     };
@@ -139,16 +142,8 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
         (false, false) => "640x480",
     };
     let size = given.remove_one::<String>("size").unwrap_or(usual.into());
-    let [width, height] = pair(&size, 'x')
-        .filter(|size| size.iter().all(|v| (1..=LARGEST).contains(&i64::from(*v))))
-        .ok_or_else(|| format!("--size: {size} is not WxH, each from 1 to {LARGEST}, such as 320x240"))?;
+    let Size { width, height } = crate::command::size(&size, 1..=LARGEST)?;
     let usual = if is("stl") && !raw { Up::Z } else { Up::Y };
     let up = choice(given, "up", &[("y", Up::Y), ("z", Up::Z)])?.unwrap_or(usual);
     Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height, up, fit: Fit::Outline }))
-}
-
-/// Two values, and what stands between them.
-fn pair<T: std::str::FromStr>(text: &str, between: char) -> Option<[T; 2]> {
-    let (first, second) = text.split_once(between)?;
-    Some([first.parse().ok()?, second.parse().ok()?])
 }

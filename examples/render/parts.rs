@@ -56,7 +56,7 @@ impl Part {
         for (number, &[a, b, c]) in self.faces.iter().enumerate() {
             for [a, b] in [[a, b], [b, c], [c, a]] {
                 edges.entry([a.min(b), a.max(b)]).or_default().push(number as u16);
-                // see MOST_FACES
+                // below MOST_FACES
             }
         }
         let pair = |faces: &[u16]| [0, 1].map(|i| faces.get(i).copied().unwrap_or(Mesh::<Scalar>::NO_FACE));

@@ -7,7 +7,7 @@ use std::path::Path;
 pub(crate) type Matrix = [[f64; 4]; 4];
 
 /// Width and height of a picture, at most.
-pub(crate) const LARGEST: i64 = 4096;
+pub(crate) const LARGEST: u32 = 4096;
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Scene {
@@ -55,7 +55,7 @@ impl Scene {
         };
         let Triangles { positions: vertices, faces: triangles } = triangles;
         let rest = || -> Result<Self, String> {
-            let size = |field: Option<Field<'_>>, name| needed(field, name)?.integer(1, LARGEST);
+            let size = |field: Option<Field<'_>>, name| needed(field, name)?.integer(1, LARGEST.into());
             let (width, height) = (size(width, "width")?, size(height, "height")?);
             let viewport = match viewport {
                 Some(field) => field.array(|f| f.integer(-1 << 30, 1 << 30))?.map(|v| v as i32), // 31 bits

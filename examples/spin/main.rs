@@ -63,7 +63,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     let table = Turntable::new(mesh, &inside, size)?;
 
     let out = &arguments.out;
-    std::fs::create_dir_all(out).map_err(|e| format!("{}: cannot be made: {e}", out.display()))?;
+    command::folder(out)?;
     let (gif_file, sheet_file) = (out.join("spin.gif"), out.join("spin.png"));
     let mut gif = film::Gif::create(&gif_file, size, &palette())?;
 
@@ -103,8 +103,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
         if frame == frames / 8 {
             preview = terminal::picture(canvas.pixels(), size, BACKGROUND);
         }
-        // Twelve frames, or all if there are fewer, evenly spread.
-        if frame * 12 % frames < 12 {
+        if film::on_sheet(frame, frames, 12) {
             sheet.push(canvas);
         }
         bar.inc(1);

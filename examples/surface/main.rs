@@ -51,8 +51,7 @@ fn main() -> ExitCode {
 fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     let (size, frames) = (Size::new_equal(arguments.size), arguments.frames);
     let out = &arguments.out;
-    let unwritable = |e: std::io::Error| format!("{}: cannot be written: {e}", out.display());
-    std::fs::create_dir_all(out).map_err(unwritable)?;
+    command::folder(out)?;
 
     // All that a microcontroller would keep: the surface, its corners on the screen, records and two strips.
     let mut water = Water::new();
@@ -68,7 +67,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
         let mut canvas = Canvas::new(size, Rgb565::BLACK);
         total = total.and(draw(&water, &beside, &camera, &mut memory, &mut canvas)?);
         film.add(canvas.pixels())?;
-        if frame * 4 % frames < 4 {
+        if film::on_sheet(frame, frames, 4) {
             sample.push(canvas);
         }
     }

@@ -72,9 +72,7 @@ fn size(given: &mut ArgMatches, source: &Source) -> Result<Size, String> {
     let usual = source.size().unwrap_or(Size::new(320, 240));
     let usual = format!("{}x{}", usual.width, usual.height);
     let text = given.remove_one::<String>("size").unwrap_or(usual);
-    let pair = text.split_once('x').and_then(|(w, h)| Some(Size::new(w.parse().ok()?, h.parse().ok()?)));
-    pair.filter(|size| [size.width, size.height].iter().all(|v| (16..=1024).contains(v)))
-        .ok_or_else(|| format!("--size: {text} is not WxH, each from 16 to 1024, such as 320x240"))
+    command::size(&text, 16..=1024)
 }
 
 /// What happens without a hand.

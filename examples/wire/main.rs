@@ -23,12 +23,6 @@ fn main() -> ExitCode {
     command::run(|| {
         let about = "Counts the bytes that a display driver sends, way by way: a page of tables";
         let file = Generated::arguments("wire", about, "docs/wire.md")?;
-        let page = page::page();
-        file.finish(page.as_bytes(), |old| {
-            let old = String::from_utf8_lossy(old);
-            if let Some((old, new)) = old.lines().zip(page.lines()).find(|(old, new)| old != new) {
-                eprintln!("- {old}\n+ {new}");
-            }
-        })
+        file.finish_page(&page::page())
     })
 }
