@@ -164,10 +164,10 @@ impl<D: Divisor, const CUT: bool> Halves<D, CUT> {
         let (ends, middle_left) = down(triangle);
         let [a, _, c] = &ends;
         // Negative where one of these is: below 2²⁴, all of them. Ends lie within a column of the corners.
-        let mut room = left - (scissor.left << 8) | (scissor.right << 8) - right;
-        room |= D::WIDTH - 1 - (right - left) | D::HEIGHT - 1 - (c.y - a.y);
+        let mut room = (left - (scissor.left << 8)) | ((scissor.right << 8) - right);
+        room |= (D::WIDTH - 1 - (right - left)) | (D::HEIGHT - 1 - (c.y - a.y));
         if !CUT {
-            room |= a.y - (scissor.top << 8) | (scissor.bottom << 8) - c.y;
+            room |= (a.y - (scissor.top << 8)) | ((scissor.bottom << 8) - c.y);
         }
         if room < 0 {
             return None;
