@@ -1,5 +1,6 @@
 //! A vertex on the screen, in eight bytes.
 
+use crate::math::num::keep_rolled;
 use crate::raster::ScreenPoint;
 
 /// A vertex's place on the screen: 8 bytes of scratch memory each, given by the caller.
@@ -49,6 +50,7 @@ impl Corner {
         let biased = |v: i32| v.wrapping_add(bias) as u32;
         let (right, down) = (biased(right), biased(down));
         if (right | down) >> (Self::REACH + 2) != 0 {
+            keep_rolled(); // a branch, lest all others choose between two numbers twice
             return Self::EMPTY;
         }
         Self { right: right << 12 | depth as u32 >> 12, down: down << 12 | depth as u32 & 0xfff }

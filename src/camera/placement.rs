@@ -6,8 +6,7 @@
 
 use super::{Camera, Corner, Image, Screen};
 use crate::math::num::{
-    add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_positive, scale,
-    Reciprocal,
+    add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, Reciprocal,
 };
 use crate::math::row::{forms, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
@@ -168,16 +167,20 @@ impl Placement {
         if w < self.least_w {
             return Corner::EMPTY;
         }
+        // Where registers suffice x and y come first, so that v's are free for the rest; the branch keeps them there.
+        let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
+        let mut early = (!HALVES).then(forms);
         let d = if by_d { self.d.at(v, V::NARROW) } else { 0 };
         if by_d && (d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w)) {
             return Corner::EMPTY;
         }
-        let r = reciprocal_of_positive(w);
+        if HALVES && !DEPTH {
+            early = Some(forms());
+        }
+        let r = reciprocal_of_large(w);
         let n = r.shift as i32;
         let right = (self.right - n) & 31;
-        let along = |form: &Form| mul_high(form.at(v, V::NARROW), r.mantissa) >> right;
-        let x = along(&self.x);
-        let y = along(&self.y);
+        let [x, y] = early.unwrap_or_else(forms).map(|v| mul_high(v, r.mantissa) >> right);
         let mut depth = 0;
         if DEPTH && by_d {
             let d = d << ((n + self.d_over_w) & 31) >> 2; // up to w: 31 bits
@@ -289,6 +292,9 @@ impl Placement {
         // 2³⁰ at most
     }
 }
+
+/// A Cortex-M0, which has half as many registers.
+const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;

@@ -277,9 +277,17 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
 ) {
     let by_d = placement.asks_for_d(DEPTH, far);
     // Somewhere, and perhaps changed in every turn: so nothing of it is brought into registers, of which there are too
-    // few, before the loop, and its numbers are loaded in pairs. A Cortex-M0 has no such loads.
-    #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-    let placement = core::hint::black_box(placement);
+    // few, before the loop, and its numbers are loaded in pairs. RISC-V has twice as many registers, and no such loads; on a
+    // Cortex-M0 the loop with depth has so much in memory that it costs nothing to have it all on the stack.
+    #[cfg(target_arch = "arm")]
+    let placement = match cfg!(target_has_atomic = "32") || !DEPTH {
+        true => core::hint::black_box(placement),
+        false => placement,
+    };
+    // Pointers in place of an index, where normalising w is a loop: the compiler makes them of an index in innermost
+    // loops alone.
+    #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+    let vertices = &mut vertices.iter();
     for (corner, vertex) in corners.iter_mut().zip(vertices) {
         keep_rolled();
         *corner = placement.project::<V, DEPTH>(vertex, by_d, far);
