@@ -32,19 +32,39 @@ pub trait Design: Sized {
     fn before_snap(&self, vertex: Self::Vertex) -> [f64; 2];
 }
 
-/// The vertex loop. Constants may stay in registers.
-#[inline(never)]
-pub fn hoisted<D: Design>(design: &D, vertices: &[D::Vertex], corners: &mut [Corner]) {
-    for (corner, &vertex) in corners.iter_mut().zip(vertices) {
-        *corner = design.corner(vertex);
-    }
+/// The vertex loop, in the ways in which a compiler may be given it: it depends on the core and the design which is best.
+pub fn ways<D: Design>() -> [fn(&D, &[D::Vertex], &mut [Corner]); 4] {
+    [hoisted::<D, false>, loaded::<D, false>, hoisted::<D, true>, loaded::<D, true>]
 }
 
-/// The vertex loop. Constants are loaded when needed: where registers are few, that spills less.
+/// Constants may stay in registers.
 #[inline(never)]
-pub fn loaded<D: Design>(design: &D, vertices: &[D::Vertex], corners: &mut [Corner]) {
-    for (corner, &vertex) in corners.iter_mut().zip(vertices) {
-        *corner = black_box(design).corner(vertex);
+fn hoisted<D: Design, const POINTERS: bool>(design: &D, vertices: &[D::Vertex], corners: &mut [Corner]) {
+    each::<D, POINTERS>(vertices, corners, |vertex| design.corner(vertex));
+}
+
+/// Constants are loaded when needed: where registers are few, that spills less.
+#[inline(never)]
+fn loaded<D: Design, const POINTERS: bool>(design: &D, vertices: &[D::Vertex], corners: &mut [Corner]) {
+    each::<D, POINTERS>(vertices, corners, |vertex| black_box(design).corner(vertex));
+}
+
+/// By an index, or by pointers. Of an index the compiler makes pointers in innermost loops alone, and normalising w may be
+/// another.
+#[inline(always)]
+fn each<D: Design, const POINTERS: bool>(
+    vertices: &[D::Vertex],
+    corners: &mut [Corner],
+    corner_of: impl Fn(D::Vertex) -> Corner,
+) {
+    if POINTERS {
+        for (corner, &vertex) in corners.iter_mut().zip(&mut vertices.iter()) {
+            *corner = corner_of(vertex);
+        }
+    } else {
+        for (corner, &vertex) in corners.iter_mut().zip(vertices) {
+            *corner = corner_of(vertex);
+        }
     }
 }
 
