@@ -45,13 +45,13 @@ mod sealed {
 
 /// `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋` for justified coordinates v, the offset cut to 15 bits below
 /// the unit. Coordinates are [justified](Form::justify) to the top of 32 bits.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[cfg(not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32")))))]
 pub(crate) type Form = Wide;
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[cfg(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) type Form = Halves;
 
 /// A form for cores that multiply 32 × 32 bits to 64.
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+#[cfg(any(test, not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))))]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
 pub(crate) struct Wide {
@@ -61,7 +61,7 @@ pub(crate) struct Wide {
     doubled: [i32; 3],
 }
 
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+#[cfg(any(test, not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))))]
 impl Wide {
     /// What coordinates are multiplied by, for a left shift that brings the largest to the top of 32 bits.
     pub(crate) const fn justify(shift: u32, _narrow: bool) -> i32 {
@@ -103,7 +103,7 @@ fn sum([a, b, c]: [i32; 3], offset: i64, [x, y, z]: [i32; 3]) -> i32 {
 /// A form for 16-bit coordinates: coefficients split as `high·2¹⁵ + low`, both signed 16-bit, so
 /// that every product and the sum of the three low ones fit 32 bits. Nothing is dropped before
 /// the one rounding, so the bits are those of the wide form.
-#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[cfg(any(test, target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
 pub(crate) struct Halves {
@@ -114,7 +114,7 @@ pub(crate) struct Halves {
     offset: i32,
 }
 
-#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[cfg(any(test, target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[cfg_attr(test, allow(dead_code))] // the host's tests use a part of it
 impl Halves {
     /// Narrow coordinates are brought to the top of 16 bits instead, by a shift of 16 less: 0 … 15.
@@ -141,7 +141,8 @@ impl Halves {
     }
 
     /// For 32-bit coordinates, by the compiler's 64-bit product.
-    #[inline(never)]
+    #[cfg_attr(target_arch = "riscv32", inline(always))]
+    #[cfg_attr(not(target_arch = "riscv32"), inline(never))]
     fn at_wide(&self, v: [i32; 3]) -> i32 {
         let [a, b, c] = self.high;
         let [d, e, f] = self.low;
