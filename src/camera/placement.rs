@@ -167,14 +167,15 @@ impl Placement {
         if w < self.least_w {
             return Corner::EMPTY;
         }
-        // Where registers suffice x and y come first, so that v's are free for the rest; the branch keeps them there.
+        // Where registers suffice x and y come first, so that v's are free for the rest, and before the branch, past which
+        // the compiler does not move them.
         let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
-        let mut early = (!HALVES).then(forms);
+        let mut early = (!FEW_REGISTERS).then(forms);
         let d = if by_d { self.d.at(v, V::NARROW) } else { 0 };
         if by_d && (d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w)) {
             return Corner::EMPTY;
         }
-        if HALVES && !DEPTH {
+        if FEW_REGISTERS && !DEPTH {
             early = Some(forms());
         }
         let r = reciprocal_of_large(w);
@@ -293,8 +294,8 @@ impl Placement {
     }
 }
 
-/// A Cortex-M0, which has half as many registers.
-const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+/// A Cortex-M0 has half as many for products as others.
+const FEW_REGISTERS: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;

@@ -50,7 +50,7 @@ pub(crate) type Form = Wide;
 #[cfg(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) type Form = Halves;
 
-/// A form for cores that multiply 32 × 32 bits to 64.
+/// A form for cores that multiply 32 × 32 bits to 64 and add them up at one go.
 #[cfg(any(test, not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))))]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
@@ -100,7 +100,8 @@ fn sum([a, b, c]: [i32; 3], offset: i64, [x, y, z]: [i32; 3]) -> i32 {
     (sum >> 32) as i32
 }
 
-/// A form for 16-bit coordinates: coefficients split as `high·2¹⁵ + low`, both signed 16-bit, so
+/// A form for 16-bit coordinates on a Cortex-M0, whose products have 32 bits, and on RISC-V, where a sum of 64 bits takes
+/// four instructions: coefficients split as `high·2¹⁵ + low`, both signed 16-bit, so
 /// that every product and the sum of the three low ones fit 32 bits. Nothing is dropped before
 /// the one rounding, so the bits are those of the wide form.
 #[cfg(any(test, target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
@@ -140,7 +141,8 @@ impl Halves {
         ((dot(self.low) + self.rest) >> 15).wrapping_add(dot(self.high)).wrapping_add(self.offset)
     }
 
-    /// For 32-bit coordinates, by the compiler's 64-bit product.
+    /// For 32-bit coordinates, by 64-bit products: the compiler's on a Cortex-M0. RISC-V has them, and registers for the whole
+    /// coefficients, made before the loop.
     #[cfg_attr(target_arch = "riscv32", inline(always))]
     #[cfg_attr(not(target_arch = "riscv32"), inline(never))]
     fn at_wide(&self, v: [i32; 3]) -> i32 {
