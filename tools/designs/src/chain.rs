@@ -32,8 +32,11 @@ pub trait Design: Sized {
     fn before_snap(&self, vertex: Self::Vertex) -> [f64; 2];
 }
 
+/// A loop over vertices.
+pub type Loop<D> = fn(&D, &[<D as Design>::Vertex], &mut [Corner]);
+
 /// The vertex loop, in the ways in which a compiler may be given it: it depends on the core and the design which is best.
-pub fn ways<D: Design>() -> [fn(&D, &[D::Vertex], &mut [Corner]); 4] {
+pub fn ways<D: Design>() -> [Loop<D>; 4] {
     [hoisted::<D, false>, loaded::<D, false>, hoisted::<D, true>, loaded::<D, true>]
 }
 
