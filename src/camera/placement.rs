@@ -6,7 +6,7 @@
 
 use super::{Camera, Corner, Image, Screen};
 use crate::math::num::{
-    add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_positive, scale,
+    add, after, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_positive, scale,
     Reciprocal,
 };
 use crate::math::row::{forms, Rows};
@@ -63,9 +63,9 @@ impl Placement {
     ) -> Self {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
-        let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
-        let offset = forms(&camera.axes, 0, &model.offset_from(camera.eye), &[0; 3]);
-        let view = Rows { linear, exponent: linear_exponent, offset };
+        let offset = forms(&camera.axes, 0, &model.offset_from(&camera.eye), &[0; 3]);
+        let mut view = Rows { linear: [[0; 3]; 3], exponent: 0, offset };
+        view.exponent = product(&camera.axes, 0, m, m_exponent, &mut view.linear);
         // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
         //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
         //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
@@ -73,55 +73,73 @@ impl Placement {
         let largest = magnitude(view.linear.as_flattened());
         let around = match largest {
             0 => 0,
-            _ => excess(largest.into(), 30) + linear_exponent + unit + 31 + 2 + 32,
+            _ => excess(largest.into(), 30) + view.exponent + unit + 31 + 2 + 32,
         };
         let bits = excess(bits_of(&view.offset), 0).max(around) + 1;
-        let [x, y, d, w] = &camera.rows;
-        let shift = x.overflow(bits).max(y.overflow(bits)).max(d.overflow(bits)).max(w.overflow(bits)).max(0);
-        let (x, y, d, w) = (x.of(&view, shift), y.of(&view, shift), d.of(&view, shift), w.of(&view, shift));
+        let (mut shift, mut i) = (0, 0);
+        while let Some(row) = camera.rows.get(i) {
+            shift = shift.max(row.overflow(bits));
+            i = after(i);
+        }
         // 3 Exponents from what the rows can reach over the object. A justified coordinate v
         //   stands for v·2^unit.
+        let (mut rows, mut reaches, mut i) = ([Row::ZERO; 4], [0; 4], 0);
+        while let (Some(row), Some(reached), Some(own)) =
+            (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
+        {
+            own.of(&view, shift, row);
+            *reached = reach(row, unit);
+            i = after(i);
+        }
+        let ([x, y, d, w], [reach_x, reach_y, reach_d, reach_w]) = (&rows, reaches);
         let Screen { unit: screen_unit, room, .. } = camera.screen;
-        let e_xy = reach(&x, unit).max(reach(&y, unit));
+        let e_xy = reach_x.max(reach_y);
         // Finer x than w is of no use; much coarser x means an object far to the side.
-        let e_w = reach(&w, unit).max(e_xy - room);
+        let e_w = reach_w.max(e_xy - room);
         let e_xy = e_xy.max(e_w);
         // 4 Depth by w, where w reaches at least 2⁻⁴ so that offsets in 2⁻³² are fine enough; else by d.
         let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
         let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
-        let e_d = reach(&d, unit).max(e_w);
+        let e_d = reach_d.max(e_w);
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
         // 5 The fast path shifts right by at least nothing, left by less than 32: see `project`. Leading zeros of w at most:
-        let zeros = (28 - xy_over_w - screen_unit).min(31 - d_over_w).min(9);
-        let least_w =
+        let right = 28 - xy_over_w - screen_unit;
+        let zeros = right.min(31 - d_over_w).min(9);
+        let mut least_w =
             if zeros >= 0 && screen_unit + room >= Corner::REACH { 1 << (30 - zeros) } else { i32::MAX };
-        // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰.
-        let near = by_w.map_or(0, |by_w| in_w(by_w.near, 0).saturating_add(64 << d_over_w.min(31)));
-        // The drop has 31 bits, or fewer where it is next to nothing.
         let (mut origin, mut drop, mut drop_down) = (4, 0, 0);
         if let Some(by_w) = by_w {
+            // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰. Below 2³¹, and 2³¹.
+            let near = in_w(by_w.near, 0).min(i32::MAX.into()) as u32 + (64 << d_over_w.min(25));
+            least_w = least_w.max(near.min(i32::MAX as u32) as i32);
             origin += by_w.infinity;
+            // The drop has 31 bits, or fewer where it is next to nothing.
             drop_down = (34 + shift + e_w - excess(by_w.drop as u64, 31)).clamp(0, 31);
             drop = -in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
         }
-        Self {
-            x: form(&x, unit, e_xy),
-            y: form(&y, unit, e_xy),
-            d: form(&d, unit, e_d),
-            w: form(&w, unit, e_w),
+        let mut placed = Self {
             factor: Form::justify(justify, narrow),
             xy_over_w,
-            right: 28 - xy_over_w - screen_unit,
+            right,
             bias: Corner::BIAS,
             d_over_w,
-            least_w: near.clamp(least_w.into(), i32::MAX.into()) as i32,
+            least_w,
             origin,
             drop,
             drop_down,
             by_d: by_w.is_none(),
             screen: camera.screen,
             far_clip: camera.far_clip,
-        }
+            x: Form::ZERO,
+            y: Form::ZERO,
+            d: Form::ZERO,
+            w: Form::ZERO,
+        };
+        placed.x = form(x, unit, e_xy);
+        placed.y = form(y, unit, e_xy);
+        placed.d = form(d, unit, e_d);
+        placed.w = form(w, unit, e_w);
+        placed
     }
 
     /// The vertex in clip space, where vertices are few: small is better.
@@ -304,9 +322,9 @@ fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
 fn reach(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
     let [a, b, c] = row.linear.map(i32::unsigned_abs);
-    let sum = i64::from(a) + i64::from(b) + i64::from(c);
-    let linear = scale(sum, row.exponent + unit + 33).unsigned_abs(); // ≤ 2⁶²
-    let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³
+    let sum = i64::from(a + b + c); // ≤ 3·2³⁰
+    let linear = scale(sum, row.exponent + unit + 33) as u64; // < 2⁶³
+    let bound = linear + row.offset.unsigned_abs(); // < 2⁶⁴
                                                     // Head-room for the rounding of coefficients: 2⁻¹⁶ of it all.
     let bound = bound.saturating_add((bound >> 16) + 16);
     let result = excess(bound, 63); // below 2³¹

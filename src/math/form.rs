@@ -68,6 +68,8 @@ impl Wide {
         1 << (shift & 31)
     }
 
+    pub(crate) const ZERO: Self = Self { offset: 0, doubled: [0; 3] };
+
     pub(crate) fn new(linear: [i32; 3], offset: i64) -> Self {
         Self { doubled: linear.map(|m| m << 1), offset: cut(offset) }
     }
@@ -86,9 +88,10 @@ impl Wide {
     }
 }
 
-/// The rounding half added, and bits dropped that no [`Halves`] keeps.
+/// The rounding half added, and bits dropped that no [`Halves`] keeps. An offset leaves room for that half: all that the
+/// form comes to has.
 fn cut(offset: i64) -> i64 {
-    offset.saturating_add(1 << 31) >> 17 << 17
+    offset.wrapping_add(1 << 31) >> 17 << 17
 }
 
 #[inline(always)]
@@ -121,6 +124,8 @@ impl Halves {
     pub(crate) const fn justify(shift: u32, narrow: bool) -> i32 {
         1 << (if narrow { shift & 15 } else { shift & 31 })
     }
+
+    pub(crate) const ZERO: Self = Self { low: [0; 3], high: [0; 3], rest: 0, offset: 0 };
 
     pub(crate) fn new(linear: [i32; 3], offset: i64) -> Self {
         let offset = cut(offset);

@@ -142,6 +142,13 @@ pub(crate) const fn keep_rolled() {
     core::hint::black_box(());
 }
 
+/// The index after `index`, in a loop of so few turns that the compiler would write each of them down where it could
+/// count them.
+#[inline(always)]
+pub(crate) fn after(index: usize) -> usize {
+    core::hint::black_box(index + 1)
+}
+
 /// The integer square root, rounded to nearest.
 ///
 /// Digit by digit: 32 steps, no division. (Warren, Hacker's Delight, 2nd ed., section 11–1.)
@@ -198,11 +205,12 @@ pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
 #[inline(never)] // set-up: small is better
 pub(crate) const fn scale(v: i64, shift: i32) -> i64 {
     if shift >= 0 {
-        let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63
-        match v {
-            0 => 0,
-            _ if shift <= room => v << shift,
-            _ => i64::MAX * v.signum(),
+        let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63: of 0, all 63
+        let shift = min(shift, 63);
+        if shift <= room {
+            v << shift
+        } else {
+            (v >> 63) ^ i64::MAX | 1 // the sign's: the odd one of two's complement is the limit
         }
     } else if shift > -64 {
         let floor = v >> (-shift - 1); // shifted by 0 … 62

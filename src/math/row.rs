@@ -1,7 +1,6 @@
 //! A linear form over a space: the stuff of matrices.
 
-use super::num::{add, bits_of, excess, keep_rolled, magnitude, mul_translation, row_times, scale};
-use core::hint::black_box;
+use super::num::{add, after, bits_of, excess, keep_rolled, magnitude, mul_translation, row_times, scale};
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
 /// constant in 2⁻³² that keeps what a coefficient's rounding would lose far from the origin.
@@ -54,9 +53,15 @@ pub(crate) fn forms(linear: &[[i32; 3]; 3], exponent: i32, p: &[i64; 3], offset:
 /// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating.
 #[inline(never)] // set-up: small is better
 pub(crate) fn form(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
-    // Of a length that the compiler does not see, or the loop becomes three copies of itself.
-    let linear: &[i32] = black_box(linear);
-    linear.iter().zip(p).fold(offset, |sum, (m, c)| add(sum, mul_translation(*m, exponent - 30, *c)))
+    let (mut sum, mut i) = (offset, 0);
+    while let (Some(m), Some(c)) = (linear.get(i), p.get(i)) {
+        // Most of a camera's are 0.
+        if *m != 0 {
+            sum = add(sum, mul_translation(*m, exponent - 30, *c));
+        }
+        i = after(i);
+    }
+    sum
 }
 
 impl Row {
@@ -86,10 +91,11 @@ impl Row {
 
     /// This form over what `inner` starts from. All of it is first taken times 2^−`shift`.
     #[inline(never)] // set-up: small is better
-    pub(crate) fn of(&self, inner: &Rows, shift: i32) -> Self {
+    pub(crate) fn of(&self, inner: &Rows, shift: i32, into: &mut Self) {
         let own = self.exponent - shift;
-        let offset = form(&self.linear, own, &inner.offset, scale(self.offset, -shift));
-        Self::new(&row_times(&self.linear, &inner.linear), own + inner.exponent - 60, offset)
+        into.offset = form(&self.linear, own, &inner.offset, scale(self.offset, -shift));
+        let sums = row_times(&self.linear, &inner.linear);
+        into.exponent = block(&sums, own + inner.exponent - 30, &mut into.linear);
     }
 
     /// `self · a + other · b` for factors of 30 bits and an exponent each.
