@@ -11,7 +11,7 @@ use crate::math::num::{
 };
 use crate::math::row::{forms, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
-use crate::raster::{ScreenPoint, FARTHEST};
+use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -147,20 +147,12 @@ impl Placement {
     pub(crate) fn clip_one<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
         let v = vertex.map(|c| c.times(self.factor));
         let at = |form: &Form| form.at_one(&v, V::NARROW);
-        Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
+        Homogeneous { xydw: [at(&self.x), at(&self.y), at(&self.d), at(&self.w)] }
     }
 
     /// The viewport's pixels.
     pub(crate) const fn area(&self) -> &Rectangle {
         &self.screen.area
-    }
-
-    /// The vertex in clip space.
-    #[inline(always)]
-    pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
-        let v = vertex.map(|c| c.times(self.factor));
-        let at = |form: &Form| form.at(v, V::NARROW);
-        Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
 
     /// Whether [`project`](Self::project) must look at d for its answer: `far` cuts, or near is not a matter of w.
@@ -221,7 +213,7 @@ impl Placement {
     #[cold]
     #[inline(never)]
     fn is_beyond_far<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
-        self.beyond_far(&self.clip_one(*vertex)) < 0
+        self.distance(5, &self.clip_one(*vertex)) < 0
     }
 
     /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
@@ -235,27 +227,25 @@ impl Placement {
     }
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
-    /// same bits where both work.
+    /// same bits where both work. `depth`: where it comes from, if it is asked for.
     #[inline(never)] // rare: small is better
-    pub(crate) fn image(&self, h: &Homogeneous) -> Image {
-        let r = reciprocal(h.w);
-        let n = r.shift as i32;
-        let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
+    pub(crate) fn image(&self, h: &Homogeneous, depth: Option<DepthOf>) -> Image {
+        let [x, y, d, w] = h.xydw;
+        let r = reciprocal(w);
+        let left = r.shift as i32 + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
         let [cx, cy] = self.screen.centre;
         Image {
-            point: ScreenPoint::clamped(
-                quotient(h.x, r.mantissa, -right, cx),
-                quotient(h.y, r.mantissa, -right, cy),
-            ),
-            depth: (self.depth(h, &r) >> 35).clamp(0, FARTHEST.into()) as i32,
+            point: ScreenPoint::inside(quotient(x, r.mantissa, left, cx), quotient(y, r.mantissa, left, cy)),
+            depth: depth.map_or(0, |depth| (depth(self, d, r) >> 35).clamp(0, FARTHEST.into()) as i32),
         }
     }
 
-    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴.
-    fn depth(&self, h: &Homogeneous, r: &Reciprocal) -> i64 {
+    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴, of a point with this d and one over w.
+    #[inline(never)] // rare: small is better
+    pub(crate) fn depth(&self, d: i32, r: Reciprocal) -> i64 {
         let n = r.shift as i32;
         let (numerator, down) = match self.by_d {
-            true => ((scale(h.d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
+            true => ((scale(d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
             false => (self.drop, (self.drop_down - n).max(0)),
         };
         (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
@@ -265,13 +255,14 @@ impl Placement {
     /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they
     /// lie. For measuring.
     pub(crate) fn unsnapped(&self, h: &Homogeneous) -> [i64; 3] {
-        let r = reciprocal(h.w);
+        let [x, y, d, w] = h.xydw;
+        let r = reciprocal(w);
         let n = r.shift as i32;
         // From 2⁻⁶¹ of 2^unit sub-pixels, and of 2¹⁶ steps, to 2⁻³²: saturating.
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(h.x, cx), along(h.y, cy), (self.depth(h, &r) >> 11) - (4 << 21)]
+        [along(x, cx), along(y, cy), (self.depth(d, r) >> 11) - (4 << 21)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
@@ -279,42 +270,44 @@ impl Placement {
     /// outside. At most 2⁵⁴.
     #[inline(never)] // rare: small is better
     pub(crate) fn distance(&self, plane: usize, h: &Homogeneous) -> i64 {
-        let [cx, cy] = self.screen.centre;
-        let (v, centre) = match plane {
-            0 => return h.d.into(),
-            1 | 2 => (h.x, cx),
-            3 | 4 => (h.y, cy),
-            _ => return self.beyond_far(h),
+        let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
+        // m·w / 2^down + n·v
+        let (m, down, n, v) = match plane {
+            0 => return d.into(),
+            1..=4 => {
+                let (v, centre) = if plane < 3 { (x, cx) } else { (y, cy) };
+                let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
+                let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
+                (GUARD_BAND * 256 + centre, 0, up, v)
+            }
+            _ => {
+                // w − d, where d is stored times 65535/65536, 2³⁰ of it at most. Beyond a difference of 14 bits w
+                // gives way: 47 + 14 bits at most.
+                let up = self.d_over_w.min(14);
+                (65_535, (self.d_over_w - up).min(63), -(1 << (16 + up)), d)
+            }
         };
-        let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
-        let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
-        i64::from(crate::raster::GUARD_BAND * 256 + centre) * i64::from(h.w) + i64::from(v) * i64::from(up)
+        (i64::from(m) * i64::from(w) >> down) + i64::from(n) * i64::from(v)
     }
 
     /// Whether the camera cuts at the far plane.
     pub(crate) fn cuts_at_far(&self) -> bool {
         self.far_clip
     }
-
-    /// `w − d` (d is stored times 65535/65536), negative beyond the far plane.
-    #[cold]
-    #[inline(never)]
-    fn beyond_far(&self, h: &Homogeneous) -> i64 {
-        // Beyond a difference of 14 bits w gives way: 47 + 14 bits at most.
-        let up = self.d_over_w.min(14);
-        let down = (self.d_over_w - up).min(63);
-        ((i64::from(h.w) * 65_535) >> down) - i64::from(h.d) * i64::from(1 << (16 + up))
-        // 2³⁰ at most
-    }
 }
+
+/// [`Placement::depth`], for those who ask for depth: the others need no code for it.
+pub(crate) type DepthOf = fn(&Placement, i32, Reciprocal) -> i64;
 
 /// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
-/// `v · mantissa · 2^shift`, rounded to nearest, and `more`; within ±2³⁰. |more| < 2²⁴.
+/// `v · mantissa · 2^shift`, rounded to nearest, and `more`: inside the guard band. |more| < 2²⁴.
 #[inline(never)] // rare: small is better
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
-    add(scale(mul_wide(v, mantissa), shift), more.into()).clamp(-(1 << 30), 1 << 30) as i32
+    const REACH: i32 = GUARD_BAND * 256;
+    let v = scale(mul_wide(v, mantissa), shift).clamp(-(1 << 30), 1 << 30) as i32;
+    (v + more).clamp(-REACH, REACH)
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.
@@ -324,9 +317,8 @@ fn reach(row: &Row, unit: i32) -> i32 {
     let [a, b, c] = row.linear.map(i32::unsigned_abs);
     let sum = i64::from(a + b + c); // ≤ 3·2³⁰
     let linear = scale(sum, row.exponent + unit + 33) as u64; // < 2⁶³
-    let bound = linear + row.offset.unsigned_abs(); // < 2⁶⁴
-                                                    // Head-room for the rounding of coefficients: 2⁻¹⁶ of it all.
-    let bound = bound.saturating_add((bound >> 16) + 16);
+    let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³ + 2⁶²
+    let bound = bound + (bound >> 16) + 16; // head-room for the rounding of coefficients: 2⁻¹⁶ of it all
     let result = excess(bound, 63); // below 2³¹
     let largest = a.max(b).max(c);
     if largest == 0 {
@@ -373,7 +365,8 @@ mod tests {
             for (corner, depth) in [(plain, false), (deep, true)] {
                 if corner.whole() {
                     assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
-                    let (image, exact) = (placement.at::<true>(corner), placement.image(&h));
+                    let (image, exact) =
+                        (placement.at::<true>(corner), placement.image(&h, Some(Placement::depth)));
                     assert_eq!(image.point, exact.point, "{vertex:?}");
                     assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
                     places += 1;
@@ -393,9 +386,9 @@ mod tests {
             return None;
         }
         // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + drop·2^(2 − drop_down)` where drop is 2⁻²⁷ · 2^29.
-        let w = i128::from(h.w);
+        let [_, _, d, w] = h.xydw.map(i128::from);
         let exact = match placement.by_d {
-            true => i128::from(h.d) << (27 + placement.d_over_w),
+            true => d << (27 + placement.d_over_w),
             false => {
                 let drop = i128::from(placement.drop) << 29 >> placement.drop_down;
                 i128::from(placement.origin - 4) * w + drop

@@ -5,11 +5,8 @@ use super::Scalar;
 /// A point in clip space while it is being clipped: integers, the exponents are kept elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Homogeneous {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    /// 0 on the near plane, positive inside.
-    pub(crate) d: i32,
-    pub(crate) w: i32,
+    /// d is 0 on the near plane, positive inside.
+    pub(crate) xydw: [i32; 4],
 }
 
 /// A vertex coordinate type: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`] for meshes that need the range: ±32768

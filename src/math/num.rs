@@ -175,21 +175,18 @@ pub(crate) const fn sqrt(v: u64) -> u32 {
 /// and `bits ≤ 62`; a zero divisor gives all ones.
 #[inline(never)] // set-up: small is better
 pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
-    let mut rest = n;
-    let (mut quotient, mut step) = (0, 0);
-    loop {
+    let (mut rest, mut quotient, mut left) = (n, 0, bits + 1);
+    while left != 0 {
         keep_rolled();
-        if rest >= d {
-            rest = rest.wrapping_sub(d); // no wrap: rest ≥ d
-            quotient |= 1;
+        let (less, smaller) = rest.overflowing_sub(d);
+        if !smaller {
+            rest = less;
         }
-        if step >= bits {
-            return quotient;
-        }
+        quotient = quotient << 1 | !smaller as u64;
         rest <<= 1; // rest < d < 2⁶²
-        quotient <<= 1;
-        step += 1;
+        left -= 1;
     }
+    quotient
 }
 
 /// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
@@ -267,8 +264,8 @@ pub(crate) const fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
     // Shifted right by 32 or more, the high word rounds by itself; the low one has the rounding bit where
     // the shift is exactly 32, and is nothing beyond.
     let high = add(scale(high, exponent + 32), 0);
-    if high.unsigned_abs() == SATURATED as u64 {
-        return high;
+    if high << 1 == i64::MIN {
+        return high; // SATURATED, or its negative
     }
     add(high, scale(low & 0xffff_ffff, exponent))
 }
