@@ -9,7 +9,7 @@ use crate::math::num::{
     add, after, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_positive, scale,
     Reciprocal,
 };
-use crate::math::row::{forms, Rows};
+use crate::math::row::{self, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
 use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
@@ -63,8 +63,12 @@ impl Placement {
     ) -> Self {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
-        let offset = forms(&camera.axes, 0, &model.offset_from(&camera.eye), &[0; 3]);
-        let mut view = Rows { linear: [[0; 3]; 3], exponent: 0, offset };
+        let away = model.offset_from(&camera.eye);
+        let (mut view, mut i) = (Rows { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
+        while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
+            *offset = row::form(axis, 0, &away, 0);
+            i = after(i);
+        }
         view.exponent = product(&camera.axes, 0, m, m_exponent, &mut view.linear);
         // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
         //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
@@ -302,12 +306,11 @@ pub(crate) type DepthOf = fn(&Placement, i32, Reciprocal) -> i64;
 /// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
-/// `v · mantissa · 2^shift`, rounded to nearest, and `more`: inside the guard band. |more| < 2²⁴.
+/// `v · mantissa · 2^shift`, rounded to nearest, and `more`: inside the guard band. shift < 0, |more| < 2²⁴.
 #[inline(never)] // rare: small is better
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
-    const REACH: i32 = GUARD_BAND * 256;
-    let v = scale(mul_wide(v, mantissa), shift).clamp(-(1 << 30), 1 << 30) as i32;
-    (v + more).clamp(-REACH, REACH)
+    const REACH: i64 = GUARD_BAND as i64 * 256;
+    (scale(mul_wide(v, mantissa), shift) + i64::from(more)).clamp(-REACH, REACH) as i32
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.

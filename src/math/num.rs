@@ -145,7 +145,7 @@ pub(crate) const fn keep_rolled() {
 /// The index after `index`, in a loop of so few turns that the compiler would write each of them down where it could
 /// count them.
 #[inline(always)]
-pub(crate) fn after(index: usize) -> usize {
+pub(crate) const fn after(index: usize) -> usize {
     core::hint::black_box(index + 1)
 }
 

@@ -17,15 +17,14 @@ pub(crate) struct Row {
 /// Brings sums of products to 30 bits and one exponent, which it returns: rounded to nearest, so each
 /// coefficient is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
 #[inline(never)] // set-up: small is better, and so are slices: their loops stay loops
-pub(crate) const fn block(mut sums: &[i64], exponent: i32, mut linear: &mut [i32]) -> i32 {
+pub(crate) const fn block(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
     let shift = excess(bits, 30);
-    while let (Some((sum, sums_left)), Some((m, linear_left))) =
-        (sums.split_first(), linear.split_first_mut())
-    {
+    let mut i = 0;
+    while i < sums.len() && i < linear.len() {
         keep_rolled();
-        *m = scale(*sum, -shift) as i32; // 30 bits, or 2³⁰ itself when rounding carries
-        (sums, linear) = (sums_left, linear_left);
+        linear[i] = scale(sums[i], -shift) as i32; // 30 bits, or 2³⁰ itself when rounding carries
+        i += 1;
     }
     match bits {
         0 => 0,

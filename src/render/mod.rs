@@ -302,6 +302,13 @@ impl Window {
     fn with_depth(self, depth: &DepthBuffer<'_>) -> Self {
         Self { scissor: depth.scissor().within(&self.scissor), ..self }
     }
+
+    /// Both, for lines, of which there are several kinds.
+    #[inline(never)]
+    fn of_lines(target: &Rectangle, viewport: &Rectangle, depth: &DepthBuffer<'_>) -> Self {
+        let viewport = pixels(viewport);
+        Self { scissor: depth.scissor().within(&inside(target).within(&viewport)), viewport }
+    }
 }
 
 /// Step 4: a triangle of this area, not zero, over all that is there.

@@ -9,8 +9,8 @@ use pinhole::{Corner, DepthBuffer};
 
 firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
     let scene = Turntable::new();
-    let placed = scene.place();
     let light = scene.light()?;
+    let placed = scene.place();
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
     let mut depth = DepthBuffer::new(area, storage).ok()?;
     placed.depth_tested(scene::flat(placed.mesh(), &light), corners, &mut depth, &mut Sink).ok()?;
