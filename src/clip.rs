@@ -41,11 +41,10 @@ pub(crate) trait Cut {
 }
 
 /// `a + (b − a)·t·2⁻³¹`, rounded to nearest.
-#[inline(never)] // once, for all that varies: rare, so small is better
 fn between(a: i32, b: i32, t: i32) -> i32 {
     let way = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
-    let moved = (((way * i64::from(t)) >> 30) + 1) >> 1;
-    (i64::from(a) + moved) as i32 // between a and b
+    let moved = (way * i64::from(t) + (1 << 30)) >> 31;
+    a.wrapping_add(moved as i32) // between a and b
 }
 
 impl Homogeneous {

@@ -87,7 +87,7 @@ impl Camera {
         let model =
             Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
         let placement = Placement::new(self, &model, 0, 16, true);
-        let h = placement.clip_one([0i16; 3]);
+        let h = placement.clip([0i16; 3]);
         let outside = |plane: usize| placement.distance(plane, &h) < 0;
         let [.., w] = h.xydw;
         if outside(0) || w <= 0 {

@@ -148,10 +148,20 @@ impl Placement {
 
     /// The vertex in clip space, where vertices are few: small is better.
     #[inline(never)]
-    pub(crate) fn clip_one<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
+    pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], place: &mut Homogeneous) {
         let v = vertex.map(|c| c.times(self.factor));
-        let at = |form: &Form| form.at_one(&v, V::NARROW);
-        Homogeneous { xydw: [at(&self.x), at(&self.y), at(&self.d), at(&self.w)] }
+        let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
+        while let (Some(value), Some(form)) = (place.xydw.get_mut(i), forms.get(i)) {
+            *value = form.at(v, V::NARROW);
+            i = after(i);
+        }
+    }
+
+    /// The vertex in clip space.
+    pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
+        let mut h = Homogeneous::ZERO;
+        self.clip_into(vertex, &mut h);
+        h
     }
 
     /// The viewport's pixels.
@@ -217,7 +227,7 @@ impl Placement {
     #[cold]
     #[inline(never)]
     fn is_beyond_far<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
-        self.distance(5, &self.clip_one(*vertex)) < 0
+        self.distance(5, &self.clip(*vertex)) < 0
     }
 
     /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
@@ -314,7 +324,6 @@ fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.
-#[inline(never)] // set-up: small is better
 fn reach(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
     let [a, b, c] = row.linear.map(i32::unsigned_abs);
@@ -362,7 +371,7 @@ mod tests {
         };
         for _ in 0..20_000 {
             let vertex = [random(), random(), random()];
-            let h = placement.clip_one(vertex);
+            let h = placement.clip(vertex);
             let plain = placement.project::<_, false>(&vertex, placement.asks_for_d(false, true), true);
             let deep = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
             for (corner, depth) in [(plain, false), (deep, true)] {
@@ -383,7 +392,7 @@ mod tests {
     /// own units, 2⁻⁸ of a step, by long division.
     fn depth_error(placement: &Placement, vertex: [i16; 3]) -> Option<f64> {
         let corner = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
-        let h = placement.clip_one(vertex);
+        let h = placement.clip(vertex);
         let depth = corner.depth();
         if !corner.whole() || depth == FARTHEST {
             return None;

@@ -77,12 +77,6 @@ impl Wide {
     pub(crate) fn at(&self, v: [i32; 3], _narrow: bool) -> i32 {
         sum(self.doubled, self.offset, v)
     }
-
-    /// [`at`](Self::at) where vertices are few.
-    #[inline(never)]
-    pub(crate) fn at_one(&self, v: &[i32; 3], narrow: bool) -> i32 {
-        self.at(*v, narrow)
-    }
 }
 
 /// The rounding half added, and bits dropped that no [`Halves`] keeps. An offset leaves room for that half: all that the
@@ -149,12 +143,6 @@ impl Halves {
         let [d, e, f] = self.low;
         let doubled = [(a << 16) + (d << 1), (b << 16) + (e << 1), (c << 16) + (f << 1)];
         sum(doubled, i64::from(self.offset) << 32 | i64::from(self.rest) << 17, v)
-    }
-
-    /// [`at`](Self::at) where vertices are few.
-    #[inline(never)]
-    pub(crate) fn at_one(&self, v: &[i32; 3], narrow: bool) -> i32 {
-        self.at(*v, narrow)
     }
 }
 

@@ -75,7 +75,6 @@ impl Row {
 
     /// By how many bits the form, or a part of it, may pass 2⁶¹ (half of what saturates) over vectors
     /// of up to `reach` bits.
-    #[inline(never)] // set-up: small is better
     pub(crate) fn overflow(&self, reach: i32) -> i32 {
         let bits = magnitude(&self.linear);
         // Three products.
@@ -89,7 +88,6 @@ impl Row {
     }
 
     /// This form over what `inner` starts from. All of it is first taken times 2^−`shift`.
-    #[inline(never)] // set-up: small is better
     pub(crate) fn of(&self, inner: &Rows, shift: i32, into: &mut Self) {
         let own = self.exponent - shift;
         into.offset = form(&self.linear, own, &inner.offset, scale(self.offset, -shift));

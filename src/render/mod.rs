@@ -159,7 +159,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// such vertex, or it lies in front of the near plane; what is beyond ±2³⁰ saturates.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
         let vertex = *self.mesh.vertices().get(index)?;
-        let h = self.placement.clip_one(vertex);
+        let h = self.placement.clip(vertex);
         let [_, _, d, w] = h.xydw;
         (d >= 0 && w > 0).then(|| self.placement.unsnapped(&h))
     }

@@ -296,7 +296,7 @@ fn to_clip_space<V: Coordinate>(
     let mut i = 0;
     while let (Some(&index), Some(place)) = (indices.get(i), places.get_mut(i)) {
         if let Some(&vertex) = vertices.get(usize::from(index)) {
-            *place = placement.clip_one(vertex);
+            placement.clip_into(vertex, place);
         }
         i = after(i);
     }
