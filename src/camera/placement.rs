@@ -242,7 +242,6 @@ impl Placement {
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
     /// same bits where both work. `depth`: where it comes from, if it is asked for.
-    #[inline(never)] // rare: small is better
     pub(crate) fn image(&self, h: &Homogeneous, depth: Option<DepthOf>) -> Image {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);

@@ -255,7 +255,6 @@ pub(crate) const fn add(a: i64, b: i64) -> i64 {
 }
 
 /// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶². Wants |m| ≤ 2³⁰ and |t| ≤ 2⁶².
-#[inline(never)] // set-up: small is better
 pub(crate) const fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
     let m = m as i64;
     // t = high·2³² + low: m·high ≤ 2⁶⁰, m·low < 2⁶², so the 96-bit product is high·2³² + low word.
