@@ -34,7 +34,7 @@ pub use transformed::Transformed;
 
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
-use crate::output::{inside, scissor, DepthBuffer, Target};
+use crate::output::{inside, DepthBuffer, Target};
 use crate::raster::{Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
