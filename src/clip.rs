@@ -17,7 +17,7 @@
 //! # Ok::<(), pinhole::ProjectionError>(())
 //! ```
 
-use crate::math::num::fraction;
+use crate::math::num::{after, fraction};
 use crate::math::{ClipPoint, Homogeneous};
 use heapless::Vec;
 
@@ -37,28 +37,29 @@ pub(crate) trait Cut {
     fn distance(&self, plane: usize, at: usize) -> i64;
 
     /// Puts the point `t`·2⁻³¹ of the way from one corner to another into place `at`, which may be one of theirs.
-    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i64);
+    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32);
 }
 
 /// `a + (b − a)·t·2⁻³¹`, rounded to nearest.
-#[inline(never)] // once, for all that varies: rare, so small is better
-fn between(a: i32, b: i32, t: i64) -> i32 {
+fn between(a: i32, b: i32, t: i32) -> i32 {
     let way = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
-    let moved = (((way * t) >> 30) + 1) >> 1;
-    (i64::from(a) + moved) as i32 // between a and b
+    let moved = (way * i64::from(t) + (1 << 30)) >> 31;
+    a.wrapping_add(moved as i32) // between a and b
 }
 
 impl Homogeneous {
     /// For places not yet taken.
-    pub(crate) const ZERO: Self = Self { x: 0, y: 0, d: 0, w: 0 };
+    pub(crate) const ZERO: Self = Self { xydw: [0; 4] };
 
-    /// The point `t`·2⁻³¹ of the way to `other`.
-    pub(crate) fn towards(&self, other: &Self, t: i64) -> Self {
-        Self {
-            x: between(self.x, other.x, t),
-            y: between(self.y, other.y, t),
-            d: between(self.d, other.d, t),
-            w: between(self.w, other.w, t),
+    /// Puts the point `t`·2⁻³¹ of the way from one of the places to another into a third, or one of the two: number by
+    /// number, each read before it is written.
+    pub(crate) fn put(places: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
+        let mut i = 0;
+        let number = |places: &[Self], place: usize, i: usize| places.get(place)?.xydw.get(i).copied();
+        while let (Some(a), Some(b)) = (number(places, inside, i), number(places, outside, i)) {
+            let Some(number) = places.get_mut(at).and_then(|place| place.xydw.get_mut(i)) else { return };
+            *number = between(a, b, t);
+            i = after(i);
         }
     }
 }
@@ -105,7 +106,7 @@ impl Carried for Barycentric {
     }
 
     fn towards(&self, other: &Self, t: i64) -> Self {
-        let ([a, b, c], [p, q, r]) = (self.0, other.0);
+        let ([a, b, c], [p, q, r], t) = (self.0, other.0, t as i32); // below 2³¹
         Self([between(a, p, t), between(b, q, t), between(c, r, t)])
     }
 }
@@ -114,83 +115,100 @@ impl Carried for Barycentric {
 /// end, so that both neighbours of an edge get the same point. The parameter has 31 bits and each
 /// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.
 #[inline(never)] // rare: small is better
-fn cut(corners: &mut impl Cut, at: usize, inside: (usize, i64), outside: (usize, i64)) {
-    // 0 ≤ inside.1, outside.1 < 0, both below 2⁵⁵: t in 2⁻³¹, below 1.
-    let t = fraction(inside.1.unsigned_abs(), inside.1.abs_diff(outside.1), 31) as i64;
-    corners.put(at, inside.0, outside.0, t);
+fn cut(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
+    // 0 ≤ in, out < 0, both below 2⁵⁵: t in 2⁻³¹, below 1.
+    let within = corners.distance(plane, inside);
+    let way = within - corners.distance(plane, outside);
+    let t = fraction(within as u64, way as u64, 31) as i32;
+    corners.put(at, inside, outside, t);
 }
 
-/// Where the first `count` corners lie: the planes outside of which all of them are, and those outside of which any is.
-/// Bit i stands for plane i. (Cohen and Sutherland's outcodes; Newman and Sproull, *Principles of Interactive
-/// Computer Graphics*, 2nd ed., section 5.1.)
-pub(crate) struct Outside {
-    pub(crate) all: u32,
-    pub(crate) any: u32,
+/// Whether a corner lies outside of a plane: 1, or 0.
+fn is_outside(corners: &impl Cut, plane: usize, at: usize) -> u32 {
+    (corners.distance(plane, at) < 0).into()
 }
 
-impl Outside {
-    pub(crate) fn of(corners: &impl Cut, count: usize, planes: usize) -> Self {
-        let mut outside = Self { all: 0, any: 0 };
-        for plane in 0..planes {
-            let beyond = (0..count).filter(|&at| corners.distance(plane, at) < 0).count();
-            outside.all |= u32::from(beyond == count) << plane;
-            outside.any |= u32::from(beyond > 0) << plane;
+/// Leaves of the line from corner 0 to corner 1 the part inside all planes, and tells whether they took any of it, or
+/// `None` if they took it all: Cohen–Sutherland in homogeneous coordinates. (Newman and Sproull, *Principles of
+/// Interactive Computer Graphics*, 2nd ed., section 5.1.)
+pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
+    let (mut crosses, mut cuts, mut plane) = (false, false, 0);
+    loop {
+        if plane >= planes {
+            // Nothing is cut before it is known that no plane has both ends beyond it.
+            if cuts || !crosses {
+                return Some(crosses);
+            }
+            (cuts, plane) = (true, 0);
         }
-        outside
-    }
-}
-
-/// Leaves of the line from corner 0 to corner 1 the part inside all planes, and tells whether there is any:
-/// Cohen–Sutherland in homogeneous coordinates.
-pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> bool {
-    for plane in 0..planes {
-        let [a, b] = [0, 1].map(|at| (at, corners.distance(plane, at)));
-        match (a.1 < 0, b.1 < 0) {
-            (false, false) => {}
-            (true, true) => return false,
-            (false, true) => cut(corners, 1, a, b),
-            (true, false) => cut(corners, 0, b, a),
+        match is_outside(corners, plane, 0) | is_outside(corners, plane, 1) << 1 {
+            0 => {}
+            3 => return None,
+            sides => {
+                crosses = true;
+                if cuts {
+                    let (inside, outside) = (2 - sides as usize, sides as usize - 1);
+                    cut(corners, plane, outside, inside, outside);
+                }
+            }
         }
+        plane = after(plane);
     }
-    true
 }
 
 /// A convex polygon grows by at most one corner a plane, so there is room; if rounding should bend
 /// one, the corner too many is left out.
-fn add(polygon: &mut Order, corner: usize) {
-    let _ = polygon.push(corner as u8); // one of `PLACES`
+fn add(polygon: &mut Order, corner: u8) {
+    let _ = polygon.push(corner); // one of `PLACES`
 }
 
-/// The part of the triangle of corners 0, 1 and 2 inside all planes; fewer than three corners when nothing is
-/// left. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
-pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> Order {
+/// Which corners of a polygon lie outside of a plane: a bit for each place.
+#[inline(never)] // rare: small is better
+fn beyond(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
+    polygon.iter().fold(0, |bits, &at| bits | is_outside(corners, plane, at.into()) << (at & 31))
+}
+
+/// The part of the triangle of corners 0, 1 and 2 inside all planes, and whether they took any of it; fewer than three
+/// corners when nothing is left. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
+pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> (Order, bool) {
     let mut polygon = Order::new();
     (0..3).for_each(|corner| add(&mut polygon, corner));
     let mut taken = 0b111u32; // places, a bit each
-    for plane in 0..planes {
-        let Some(&last) = polygon.last() else { break };
+    let mut crossed = false;
+    // Nothing is cut before it is known that no plane has all of it beyond.
+    let mut plane = 0;
+    while plane < planes {
+        let beyond = beyond(corners, &polygon, plane);
+        crossed |= beyond != 0;
+        if beyond == taken {
+            polygon.clear();
+            return (polygon, true);
+        }
+        plane = after(plane);
+    }
+    let mut plane = if crossed { 0 } else { planes };
+    while plane < planes {
+        let beyond = beyond(corners, &polygon, plane);
+        let is_beyond = |at: u8| beyond >> (at & 31) & 1 != 0;
+        let Some(&(mut from)) = polygon.last() else { break };
         let mut kept = Order::new();
-        let mut left = 0;
-        let mut from = (usize::from(last), corners.distance(plane, last.into()));
         for &to in &polygon {
-            let to = (usize::from(to), corners.distance(plane, to.into()));
-            if (from.1 < 0) != (to.1 < 0) {
+            if is_beyond(from) != is_beyond(to) {
                 let free = taken.trailing_ones(); // below `PLACES` in a convex polygon
                 taken |= 1 << (free & 31);
-                let (inside, outside) = if to.1 < 0 { (from, to) } else { (to, from) };
-                cut(corners, free as usize, inside, outside);
-                add(&mut kept, free as usize);
+                let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
+                cut(corners, plane, free as usize, inside.into(), outside.into());
+                add(&mut kept, free as u8);
             }
-            if to.1 < 0 {
-                left |= 1 << (to.0 & 31);
-            } else {
-                add(&mut kept, to.0);
+            if !is_beyond(to) {
+                add(&mut kept, to);
             }
             from = to;
         }
-        (polygon, taken) = (kept, taken & !left);
+        (polygon, taken) = (kept, taken & !beyond);
+        plane = after(plane);
     }
-    polygon
+    (polygon, crossed)
 }
 
 /// A corner in clip space with what varies over a face: colours, texture coordinates, …. For [`triangle`].
@@ -216,7 +234,7 @@ impl<const A: usize> Aligned<A> {
         Self { xyzw: point.in_units(exponent), attributes }
     }
 
-    fn towards(mut self, other: &Self, t: i64) -> Self {
+    fn towards(mut self, other: &Self, t: i32) -> Self {
         let ends = self.xyzw.iter_mut().zip(&other.xyzw);
         for (a, &b) in ends.chain(self.attributes.iter_mut().zip(&other.attributes)) {
             *a = between(*a, b, t);
@@ -239,7 +257,7 @@ impl<const A: usize, const N: usize> Cut for [Aligned<A>; N] {
         }
     }
 
-    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i64) {
+    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
         if let (Some(a), Some(b)) = (self.get(inside), self.get(outside)) {
             let point = a.towards(b, t);
             if let Some(place) = self.get_mut(at) {
@@ -257,7 +275,7 @@ impl<const A: usize, const N: usize> Cut for [Aligned<A>; N] {
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     let exponent = a.exponent().max(b.exponent());
     let mut ends = [a, b].map(|p| Aligned::new(&p, exponent, []));
-    let inside = Outside::of(&ends, 2, 6).all == 0 && line_at(&mut ends, 6);
+    let inside = line_at(&mut ends, 6).is_some();
     let [a, b] = ends.map(|p| ClipPoint::from_units(p.xyzw, exponent));
     inside.then_some((a, b))
 }
@@ -290,10 +308,7 @@ pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A
     let mut places = [a; PLACES];
     (places[1], places[2]) = (b, c);
     let mut result = Vec::new();
-    if Outside::of(&places, 3, 6).all != 0 {
-        return result;
-    }
-    let polygon = triangle_at(&mut places, 6);
+    let (polygon, _) = triangle_at(&mut places, 6);
     if polygon.len() < 3 {
         return result;
     }

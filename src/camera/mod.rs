@@ -13,7 +13,7 @@ mod visibility;
 pub use corner::Corner;
 pub(crate) use corner::Image;
 pub use picking::{Hidden, Ray, VanishingPoint};
-pub(crate) use placement::Placement;
+pub(crate) use placement::{DepthOf, Placement};
 pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};
 pub use viewing::{Side, Viewing, ViewingError};
 pub use viewport::{Viewport, ViewportError};

@@ -89,7 +89,8 @@ impl Camera {
         let placement = Placement::new(self, &model, 0, 16, true);
         let h = placement.clip([0i16; 3]);
         let outside = |plane: usize| placement.distance(plane, &h) < 0;
-        if outside(0) || h.w <= 0 {
+        let [.., w] = h.xydw;
+        if outside(0) || w <= 0 {
             return Err(Hidden::BeforeNear);
         }
         if (1..5).any(outside) {
@@ -98,7 +99,7 @@ impl Camera {
         if self.far_clip && outside(5) {
             return Err(Hidden::BeyondFar);
         }
-        let image = placement.image(&h);
+        let image = placement.image(&h, Some(Placement::depth));
         Ok((image.point, image.step()))
     }
 

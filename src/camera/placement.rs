@@ -6,11 +6,12 @@
 
 use super::{Camera, Corner, Image, Screen};
 use crate::math::num::{
-    add, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, Reciprocal,
+    add, after, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale,
+    Reciprocal,
 };
-use crate::math::row::{forms, Rows};
+use crate::math::row::{self, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
-use crate::raster::{ScreenPoint, FARTHEST};
+use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -62,9 +63,13 @@ impl Placement {
     ) -> Self {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
-        let (linear, linear_exponent) = product(&camera.axes, 0, m, m_exponent);
-        let offset = forms(&camera.axes, 0, &model.offset_from(camera.eye), &[0; 3]);
-        let view = Rows { linear, exponent: linear_exponent, offset };
+        let away = model.offset_from(&camera.eye);
+        let (mut view, mut i) = (Rows { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
+        while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
+            *offset = row::form(axis, 0, &away, 0);
+            i = after(i);
+        }
+        view.exponent = product(&camera.axes, 0, m, m_exponent, &mut view.linear);
         // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
         //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
         //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
@@ -72,76 +77,96 @@ impl Placement {
         let largest = magnitude(view.linear.as_flattened());
         let around = match largest {
             0 => 0,
-            _ => excess(largest.into(), 30) + linear_exponent + unit + 31 + 2 + 32,
+            _ => excess(largest.into(), 30) + view.exponent + unit + 31 + 2 + 32,
         };
         let bits = excess(bits_of(&view.offset), 0).max(around) + 1;
-        let [x, y, d, w] = &camera.rows;
-        let shift = x.overflow(bits).max(y.overflow(bits)).max(d.overflow(bits)).max(w.overflow(bits)).max(0);
-        let (x, y, d, w) = (x.of(&view, shift), y.of(&view, shift), d.of(&view, shift), w.of(&view, shift));
+        let (mut shift, mut i) = (0, 0);
+        while let Some(row) = camera.rows.get(i) {
+            shift = shift.max(row.overflow(bits));
+            i = after(i);
+        }
         // 3 Exponents from what the rows can reach over the object. A justified coordinate v
         //   stands for v·2^unit.
+        let (mut rows, mut reaches, mut i) = ([Row::ZERO; 4], [0; 4], 0);
+        while let (Some(row), Some(reached), Some(own)) =
+            (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
+        {
+            own.of(&view, shift, row);
+            *reached = reach(row, unit);
+            i = after(i);
+        }
+        let ([x, y, d, w], [reach_x, reach_y, reach_d, reach_w]) = (&rows, reaches);
         let Screen { unit: screen_unit, room, .. } = camera.screen;
-        let e_xy = reach(&x, unit).max(reach(&y, unit));
+        let e_xy = reach_x.max(reach_y);
         // Finer x than w is of no use; much coarser x means an object far to the side.
-        let e_w = reach(&w, unit).max(e_xy - room);
+        let e_w = reach_w.max(e_xy - room);
         let e_xy = e_xy.max(e_w);
         // 4 Depth by w, where w reaches at least 2⁻⁴ so that offsets in 2⁻³² are fine enough; else by d.
         let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
         let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
-        let e_d = reach(&d, unit).max(e_w);
+        let e_d = reach_d.max(e_w);
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
         // 5 The fast path shifts right by at least nothing, left by less than 32: see `project`. Leading zeros of w at most:
-        let zeros = (28 - xy_over_w - screen_unit).min(31 - d_over_w).min(9);
-        let least_w =
+        let right = 28 - xy_over_w - screen_unit;
+        let zeros = right.min(31 - d_over_w).min(9);
+        let mut least_w =
             if zeros >= 0 && screen_unit + room >= Corner::REACH { 1 << (30 - zeros) } else { i32::MAX };
-        // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰.
-        let near = by_w.map_or(0, |by_w| in_w(by_w.near, 0).saturating_add(64 << d_over_w.min(31)));
-        // The drop has 31 bits, or fewer where it is next to nothing.
         let (mut origin, mut drop, mut drop_down) = (4, 0, 0);
         if let Some(by_w) = by_w {
+            // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰. Below 2³¹, and 2³¹.
+            let near = in_w(by_w.near, 0).min(i32::MAX.into()) as u32 + (64 << d_over_w.min(25));
+            least_w = least_w.max(near.min(i32::MAX as u32) as i32);
             origin += by_w.infinity;
+            // The drop has 31 bits, or fewer where it is next to nothing.
             drop_down = (34 + shift + e_w - excess(by_w.drop as u64, 31)).clamp(0, 31);
             drop = -in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
         }
-        Self {
-            x: form(&x, unit, e_xy),
-            y: form(&y, unit, e_xy),
-            d: form(&d, unit, e_d),
-            w: form(&w, unit, e_w),
+        let mut placed = Self {
             factor: Form::justify(justify, narrow),
             xy_over_w,
-            right: 28 - xy_over_w - screen_unit,
+            right,
             bias: Corner::BIAS,
             d_over_w,
-            least_w: near.clamp(least_w.into(), i32::MAX.into()) as i32,
+            least_w,
             origin,
             drop,
             drop_down,
             by_d: by_w.is_none(),
             screen: camera.screen,
             far_clip: camera.far_clip,
-        }
+            x: Form::ZERO,
+            y: Form::ZERO,
+            d: Form::ZERO,
+            w: Form::ZERO,
+        };
+        placed.x = form(x, unit, e_xy);
+        placed.y = form(y, unit, e_xy);
+        placed.d = form(d, unit, e_d);
+        placed.w = form(w, unit, e_w);
+        placed
     }
 
     /// The vertex in clip space, where vertices are few: small is better.
     #[inline(never)]
-    pub(crate) fn clip_one<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
+    pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], place: &mut Homogeneous) {
         let v = vertex.map(|c| c.times(self.factor));
-        let at = |form: &Form| form.at_one(&v, V::NARROW);
-        Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
+        let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
+        while let (Some(value), Some(form)) = (place.xydw.get_mut(i), forms.get(i)) {
+            *value = form.at(v, V::NARROW);
+            i = after(i);
+        }
+    }
+
+    /// The vertex in clip space.
+    pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
+        let mut h = Homogeneous::ZERO;
+        self.clip_into(vertex, &mut h);
+        h
     }
 
     /// The viewport's pixels.
     pub(crate) const fn area(&self) -> &Rectangle {
         &self.screen.area
-    }
-
-    /// The vertex in clip space.
-    #[inline(always)]
-    pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> Homogeneous {
-        let v = vertex.map(|c| c.times(self.factor));
-        let at = |form: &Form| form.at(v, V::NARROW);
-        Homogeneous { x: at(&self.x), y: at(&self.y), d: at(&self.d), w: at(&self.w) }
     }
 
     /// Whether [`project`](Self::project) must look at d for its answer: `far` cuts, or near is not a matter of w.
@@ -207,7 +232,7 @@ impl Placement {
     #[cold]
     #[inline(never)]
     fn is_beyond_far<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
-        self.beyond_far(&self.clip_one(*vertex)) < 0
+        self.distance(5, &self.clip(*vertex)) < 0
     }
 
     /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
@@ -221,27 +246,24 @@ impl Placement {
     }
 
     /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
-    /// same bits where both work.
-    #[inline(never)] // rare: small is better
-    pub(crate) fn image(&self, h: &Homogeneous) -> Image {
-        let r = reciprocal(h.w);
-        let n = r.shift as i32;
-        let right = 61 - n - self.xy_over_w - self.screen.unit; // ≥ 61 − 30 − 21
+    /// same bits where both work. `depth`: where it comes from, if it is asked for.
+    pub(crate) fn image(&self, h: &Homogeneous, depth: Option<DepthOf>) -> Image {
+        let [x, y, d, w] = h.xydw;
+        let r = reciprocal(w);
+        let left = r.shift as i32 + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
         let [cx, cy] = self.screen.centre;
         Image {
-            point: ScreenPoint::clamped(
-                quotient(h.x, r.mantissa, -right, cx),
-                quotient(h.y, r.mantissa, -right, cy),
-            ),
-            depth: (self.depth(h, &r) >> 35).clamp(0, FARTHEST.into()) as i32,
+            point: ScreenPoint::inside(quotient(x, r.mantissa, left, cx), quotient(y, r.mantissa, left, cy)),
+            depth: depth.map_or(0, |depth| (depth(self, d, r) >> 35).clamp(0, FARTHEST.into()) as i32),
         }
     }
 
-    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴.
-    fn depth(&self, h: &Homogeneous, r: &Reciprocal) -> i64 {
+    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴, of a point with this d and one over w.
+    #[inline(never)] // rare: small is better
+    pub(crate) fn depth(&self, d: i32, r: Reciprocal) -> i64 {
         let n = r.shift as i32;
         let (numerator, down) = match self.by_d {
-            true => ((scale(h.d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
+            true => ((scale(d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
             false => (self.drop, (self.drop_down - n).max(0)),
         };
         (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
@@ -251,13 +273,14 @@ impl Placement {
     /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they
     /// lie. For measuring.
     pub(crate) fn unsnapped(&self, h: &Homogeneous) -> [i64; 3] {
-        let r = reciprocal(h.w);
+        let [x, y, d, w] = h.xydw;
+        let r = reciprocal(w);
         let n = r.shift as i32;
         // From 2⁻⁶¹ of 2^unit sub-pixels, and of 2¹⁶ steps, to 2⁻³²: saturating.
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(h.x, cx), along(h.y, cy), (self.depth(h, &r) >> 11) - (4 << 21)]
+        [along(x, cx), along(y, cy), (self.depth(d, r) >> 11) - (4 << 21)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
@@ -265,57 +288,56 @@ impl Placement {
     /// outside. At most 2⁵⁴.
     #[inline(never)] // rare: small is better
     pub(crate) fn distance(&self, plane: usize, h: &Homogeneous) -> i64 {
-        let [cx, cy] = self.screen.centre;
-        let (v, centre) = match plane {
-            0 => return h.d.into(),
-            1 | 2 => (h.x, cx),
-            3 | 4 => (h.y, cy),
-            _ => return self.beyond_far(h),
+        let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
+        // m·w / 2^down + n·v
+        let (m, down, n, v) = match plane {
+            0 => return d.into(),
+            1..=4 => {
+                let (v, centre) = if plane < 3 { (x, cx) } else { (y, cy) };
+                let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
+                let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
+                (GUARD_BAND * 256 + centre, 0, up, v)
+            }
+            _ => {
+                // w − d, where d is stored times 65535/65536, 2³⁰ of it at most. Beyond a difference of 14 bits w
+                // gives way: 47 + 14 bits at most.
+                let up = self.d_over_w.min(14);
+                (65_535, (self.d_over_w - up).min(63), -(1 << (16 + up)), d)
+            }
         };
-        let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
-        let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
-        i64::from(crate::raster::GUARD_BAND * 256 + centre) * i64::from(h.w) + i64::from(v) * i64::from(up)
+        (i64::from(m) * i64::from(w) >> down) + i64::from(n) * i64::from(v)
     }
 
     /// Whether the camera cuts at the far plane.
     pub(crate) fn cuts_at_far(&self) -> bool {
         self.far_clip
     }
-
-    /// `w − d` (d is stored times 65535/65536), negative beyond the far plane.
-    #[cold]
-    #[inline(never)]
-    fn beyond_far(&self, h: &Homogeneous) -> i64 {
-        // Beyond a difference of 14 bits w gives way: 47 + 14 bits at most.
-        let up = self.d_over_w.min(14);
-        let down = (self.d_over_w - up).min(63);
-        ((i64::from(h.w) * 65_535) >> down) - i64::from(h.d) * i64::from(1 << (16 + up))
-        // 2³⁰ at most
-    }
 }
 
 /// A Cortex-M0 has half as many for products as others.
 const FEW_REGISTERS: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
+/// [`Placement::depth`], for those who ask for depth: the others need no code for it.
+pub(crate) type DepthOf = fn(&Placement, i32, Reciprocal) -> i64;
+
 /// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
-/// `v · mantissa · 2^shift`, rounded to nearest, and `more`; within ±2³⁰. |more| < 2²⁴.
+/// `v · mantissa · 2^shift`, rounded to nearest, and `more`: inside the guard band. shift < 0, |more| < 2²⁴.
 #[inline(never)] // rare: small is better
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
-    add(scale(mul_wide(v, mantissa), shift), more.into()).clamp(-(1 << 30), 1 << 30) as i32
+    const REACH: i64 = GUARD_BAND as i64 * 256;
+    (scale(mul_wide(v, mantissa), shift) + i64::from(more)).clamp(-REACH, REACH) as i32
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.
-#[inline(never)] // set-up: small is better
 fn reach(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
     let [a, b, c] = row.linear.map(i32::unsigned_abs);
-    let sum = i64::from(a) + i64::from(b) + i64::from(c);
-    let linear = scale(sum, row.exponent + unit + 33).unsigned_abs(); // ≤ 2⁶²
-    let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³
-                                                    // Head-room for the rounding of coefficients: 2⁻¹⁶ of it all.
-    let bound = bound.saturating_add((bound >> 16) + 16);
+    let sum = i64::from(a + b + c); // ≤ 3·2³⁰
+    let linear = scale(sum, row.exponent + unit + 33) as u64; // < 2⁶³
+    let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³ + 2⁶²
+    let bound = bound + (bound >> 16) + 16; // head-room for the rounding of coefficients: 2⁻¹⁶ of it all
     let result = excess(bound, 63); // below 2³¹
     let largest = a.max(b).max(c);
     if largest == 0 {
@@ -356,13 +378,14 @@ mod tests {
         };
         for _ in 0..20_000 {
             let vertex = [random(), random(), random()];
-            let h = placement.clip_one(vertex);
+            let h = placement.clip(vertex);
             let plain = placement.project::<_, false>(&vertex, placement.asks_for_d(false, true), true);
             let deep = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
             for (corner, depth) in [(plain, false), (deep, true)] {
                 if corner.whole() {
                     assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
-                    let (image, exact) = (placement.at::<true>(corner), placement.image(&h));
+                    let (image, exact) =
+                        (placement.at::<true>(corner), placement.image(&h, Some(Placement::depth)));
                     assert_eq!(image.point, exact.point, "{vertex:?}");
                     assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
                     places += 1;
@@ -376,15 +399,15 @@ mod tests {
     /// own units, 2⁻⁸ of a step, by long division.
     fn depth_error(placement: &Placement, vertex: [i16; 3]) -> Option<f64> {
         let corner = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
-        let h = placement.clip_one(vertex);
+        let h = placement.clip(vertex);
         let depth = corner.depth();
         if !corner.whole() || depth == FARTHEST {
             return None;
         }
         // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + drop·2^(2 − drop_down)` where drop is 2⁻²⁷ · 2^29.
-        let w = i128::from(h.w);
+        let [_, _, d, w] = h.xydw.map(i128::from);
         let exact = match placement.by_d {
-            true => i128::from(h.d) << (27 + placement.d_over_w),
+            true => d << (27 + placement.d_over_w),
             false => {
                 let drop = i128::from(placement.drop) << 29 >> placement.drop_down;
                 i128::from(placement.origin - 4) * w + drop

@@ -48,8 +48,9 @@ impl Camera {
         // the root of the sum of its squared coefficients.
         let centre = sphere.centre.bits().map(|c| i64::from(c) << 16);
         let (m, exponent) = model.linear();
-        let away = model.offset_from(self.eye);
-        let (linear, view_exponent) = product(&self.axes, 0, m, exponent);
+        let away = model.offset_from(&self.eye);
+        let mut linear = [[0; 3]; 3];
+        let view_exponent = product(&self.axes, 0, m, exponent, &mut linear);
         let place = |i: usize| {
             let axis = Row { linear: self.axes[i], ..Row::ZERO };
             Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)

@@ -1,7 +1,7 @@
 //! Affine transforms between the spaces a scene is set up in.
 
 use super::float;
-use super::num::{add, dot, excess, fraction, keep_rolled, row_times, scale, sqrt, transposed};
+use super::num::{add, after, dot, excess, fraction, row_times, scale, sqrt, transposed};
 use super::row::{block, forms, Row};
 use super::unit::{cross_exact, is_zero, normalise};
 use super::{Angle, Point3, Quaternion, Scalar, Vector3};
@@ -309,8 +309,9 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// First this, then `next`: the matrix product `next · self`, coefficients within 2⁻³⁰ of the
     /// largest one, the translation within 3·2⁻³³.
     pub fn then<C: SetUp>(&self, next: &Affine<B, C>) -> Affine<A, C> {
-        let (linear, exponent) = product(&next.linear, next.exponent, &self.linear, self.exponent);
-        Affine::from_parts(linear, exponent, next.apply_bits(&self.offset))
+        let mut both = Affine::from_parts([[0; 3]; 3], 0, next.apply_bits(&self.offset));
+        both.exponent = product(&next.linear, next.exponent, &self.linear, self.exponent, &mut both.linear);
+        both
     }
 
     /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step) and saturated at the
@@ -331,11 +332,11 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     }
 
     /// Where the origin goes, relative to `eye`, both in 2⁻³².
-    pub(crate) fn offset_from(&self, eye: [i64; 3]) -> [i64; 3] {
-        let mut away = self.offset;
-        for (a, eye) in away.iter_mut().zip(eye) {
-            keep_rolled();
+    pub(crate) fn offset_from(&self, eye: &[i64; 3]) -> [i64; 3] {
+        let (mut away, mut i) = (self.offset, 0);
+        while let (Some(a), Some(eye)) = (away.get_mut(i), eye.get(i)) {
             *a = add(*a, -eye);
+            i = after(i);
         }
         away
     }
@@ -434,12 +435,13 @@ pub(crate) fn product(
     a_exponent: i32,
     b: &[[i32; 3]; 3],
     b_exponent: i32,
-) -> ([[i32; 3]; 3], i32) {
+    linear: &mut [[i32; 3]; 3],
+) -> i32 {
     let [x, y, z] = a;
+    let sums = [row_times(x, b), row_times(y, b), row_times(z, b)];
     // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp.
-    let (linear, exponent) =
-        rounded(&[row_times(x, b), row_times(y, b), row_times(z, b)], a_exponent + b_exponent - 30);
-    (linear, exponent.clamp(-65_536, 65_536))
+    let exponent = a_exponent + b_exponent - 30;
+    block(sums.as_flattened(), exponent, linear.as_flattened_mut()).clamp(-65_536, 65_536)
 }
 
 /// Sums of products as rows of 30 bits and one exponent.

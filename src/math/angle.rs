@@ -96,11 +96,12 @@ impl Angle {
         let up = mul_high(cos, sine) - (mul_high(sin, versine) >> 4);
         let down = mul_high(sin, sine) + (mul_high(cos, versine) >> 4);
         let (s, c) = (sin + ((up + 8) >> 4), cos - ((down + 8) >> 4));
-        match self.0 >> 30 {
-            0 => (s, c),
-            1 => (c, -s),
-            2 => (-s, -c),
-            _ => (-c, s),
+        // A quarter turn on, then half a turn.
+        let (s, c) = if self.0 >> 30 & 1 == 0 { (s, c) } else { (c, -s) };
+        if self.0 >> 31 == 0 {
+            (s, c)
+        } else {
+            (-s, -c)
         }
     }
 }

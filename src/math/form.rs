@@ -5,11 +5,8 @@ use super::Scalar;
 /// A point in clip space while it is being clipped: integers, the exponents are kept elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Homogeneous {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-    /// 0 on the near plane, positive inside.
-    pub(crate) d: i32,
-    pub(crate) w: i32,
+    /// d is 0 on the near plane, positive inside.
+    pub(crate) xydw: [i32; 4],
 }
 
 /// A vertex coordinate type: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`] for meshes that need the range: ±32768
@@ -68,6 +65,8 @@ impl Wide {
         1 << (shift & 31)
     }
 
+    pub(crate) const ZERO: Self = Self { offset: 0, doubled: [0; 3] };
+
     pub(crate) fn new(linear: [i32; 3], offset: i64) -> Self {
         Self { doubled: linear.map(|m| m << 1), offset: cut(offset) }
     }
@@ -78,17 +77,12 @@ impl Wide {
     pub(crate) fn at(&self, v: [i32; 3], _narrow: bool) -> i32 {
         sum(self.doubled, self.offset, v)
     }
-
-    /// [`at`](Self::at) where vertices are few.
-    #[inline(never)]
-    pub(crate) fn at_one(&self, v: &[i32; 3], narrow: bool) -> i32 {
-        self.at(*v, narrow)
-    }
 }
 
-/// The rounding half added, and bits dropped that no [`Halves`] keeps.
+/// The rounding half added, and bits dropped that no [`Halves`] keeps. An offset leaves room for that half: all that the
+/// form comes to has.
 fn cut(offset: i64) -> i64 {
-    offset.saturating_add(1 << 31) >> 17 << 17
+    offset.wrapping_add(1 << 31) >> 17 << 17
 }
 
 #[inline(always)]
@@ -123,6 +117,8 @@ impl Halves {
         1 << (if narrow { shift & 15 } else { shift & 31 })
     }
 
+    pub(crate) const ZERO: Self = Self { low: [0; 3], high: [0; 3], rest: 0, offset: 0 };
+
     pub(crate) fn new(linear: [i32; 3], offset: i64) -> Self {
         let offset = cut(offset);
         let low = linear.map(|m| (m << 17) >> 17); // −2¹⁴ … 2¹⁴ − 1
@@ -150,12 +146,6 @@ impl Halves {
         let [d, e, f] = self.low;
         let doubled = [(a << 16) + (d << 1), (b << 16) + (e << 1), (c << 16) + (f << 1)];
         sum(doubled, i64::from(self.offset) << 32 | i64::from(self.rest) << 17, v)
-    }
-
-    /// [`at`](Self::at) where vertices are few.
-    #[inline(never)]
-    pub(crate) fn at_one(&self, v: &[i32; 3], narrow: bool) -> i32 {
-        self.at(*v, narrow)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Normals under an affine transform.
 
 use super::affine::cofactors;
-use super::num::dot;
+use super::num::{after, dot};
 use super::unit::normalise;
 use super::Affine;
 use crate::space::SetUp;
@@ -36,11 +36,18 @@ impl<A, B> Copy for NormalMap<A, B> {}
 
 impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// The map for normals: [`NormalMap`] has an example. For light, [`Lambert`](crate::Lambert) takes it itself.
+    #[inline(never)] // set-up: small is better
     pub fn normals(&self) -> NormalMap<A, B> {
         let (linear, _) = self.linear();
-        let (rows, _) = cofactors(linear);
+        let (mut rows, _) = cofactors(linear);
         // The determinant's sign; three products of at most 2⁶⁰.
-        let rows = if dot(&linear[0], &rows[0]) < 0 { rows.map(|row| row.map(|c| -c)) } else { rows };
+        if dot(&linear[0], &rows[0]) < 0 {
+            let mut i = 0;
+            while let Some(c) = rows.as_flattened_mut().get_mut(i) {
+                *c = -*c;
+                i = after(i);
+            }
+        }
         NormalMap { rows, ends: PhantomData }
     }
 }

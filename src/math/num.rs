@@ -162,6 +162,13 @@ pub(crate) const fn keep_rolled() {
     core::hint::black_box(());
 }
 
+/// The index after `index`, in a loop of so few turns that the compiler would write each of them down where it could
+/// count them.
+#[inline(always)]
+pub(crate) const fn after(index: usize) -> usize {
+    core::hint::black_box(index + 1)
+}
+
 /// The integer square root, rounded to nearest.
 ///
 /// Digit by digit: 32 steps, no division. (Warren, Hacker's Delight, 2nd ed., section 11–1.)
@@ -188,21 +195,18 @@ pub(crate) const fn sqrt(v: u64) -> u32 {
 /// and `bits ≤ 62`; a zero divisor gives all ones.
 #[inline(never)] // set-up: small is better
 pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
-    let mut rest = n;
-    let (mut quotient, mut step) = (0, 0);
-    loop {
+    let (mut rest, mut quotient, mut left) = (n, 0, bits + 1);
+    while left != 0 {
         keep_rolled();
-        if rest >= d {
-            rest = rest.wrapping_sub(d); // no wrap: rest ≥ d
-            quotient |= 1;
+        let (less, smaller) = rest.overflowing_sub(d);
+        if !smaller {
+            rest = less;
         }
-        if step >= bits {
-            return quotient;
-        }
+        quotient = quotient << 1 | !smaller as u64;
         rest <<= 1; // rest < d < 2⁶²
-        quotient <<= 1;
-        step += 1;
+        left -= 1;
     }
+    quotient
 }
 
 /// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
@@ -218,11 +222,12 @@ pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
 #[inline(never)] // set-up: small is better
 pub(crate) const fn scale(v: i64, shift: i32) -> i64 {
     if shift >= 0 {
-        let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63
-        match v {
-            0 => 0,
-            _ if shift <= room => v << shift,
-            _ => i64::MAX * v.signum(),
+        let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63: of 0, all 63
+        let shift = min(shift, 63);
+        if shift <= room {
+            v << shift
+        } else {
+            (v >> 63) ^ i64::MAX | 1 // the sign's: the odd one of two's complement is the limit
         }
     } else if shift > -64 {
         let floor = v >> (-shift - 1); // shifted by 0 … 62
@@ -270,7 +275,6 @@ pub(crate) const fn add(a: i64, b: i64) -> i64 {
 }
 
 /// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶². Wants |m| ≤ 2³⁰ and |t| ≤ 2⁶².
-#[inline(never)] // set-up: small is better
 pub(crate) const fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
     let m = m as i64;
     // t = high·2³² + low: m·high ≤ 2⁶⁰, m·low < 2⁶², so the 96-bit product is high·2³² + low word.
@@ -279,8 +283,8 @@ pub(crate) const fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
     // Shifted right by 32 or more, the high word rounds by itself; the low one has the rounding bit where
     // the shift is exactly 32, and is nothing beyond.
     let high = add(scale(high, exponent + 32), 0);
-    if high.unsigned_abs() == SATURATED as u64 {
-        return high;
+    if high << 1 == i64::MIN {
+        return high; // SATURATED, or its negative
     }
     add(high, scale(low & 0xffff_ffff, exponent))
 }

@@ -1,7 +1,6 @@
 //! A linear form over a space: the stuff of matrices.
 
-use super::num::{add, bits_of, excess, keep_rolled, magnitude, mul_translation, row_times, scale};
-use core::hint::black_box;
+use super::num::{add, after, bits_of, excess, keep_rolled, magnitude, mul_translation, row_times, scale};
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
 /// constant in 2⁻³² that keeps what a coefficient's rounding would lose far from the origin.
@@ -18,15 +17,14 @@ pub(crate) struct Row {
 /// Brings sums of products to 30 bits and one exponent, which it returns: rounded to nearest, so each
 /// coefficient is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
 #[inline(never)] // set-up: small is better, and so are slices: their loops stay loops
-pub(crate) const fn block(mut sums: &[i64], exponent: i32, mut linear: &mut [i32]) -> i32 {
+pub(crate) const fn block(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
     let shift = excess(bits, 30);
-    while let (Some((sum, sums_left)), Some((m, linear_left))) =
-        (sums.split_first(), linear.split_first_mut())
-    {
+    let mut i = 0;
+    while i < sums.len() && i < linear.len() {
         keep_rolled();
-        *m = scale(*sum, -shift) as i32; // 30 bits, or 2³⁰ itself when rounding carries
-        (sums, linear) = (sums_left, linear_left);
+        linear[i] = scale(sums[i], -shift) as i32; // 30 bits, or 2³⁰ itself when rounding carries
+        i += 1;
     }
     match bits {
         0 => 0,
@@ -54,9 +52,15 @@ pub(crate) fn forms(linear: &[[i32; 3]; 3], exponent: i32, p: &[i64; 3], offset:
 /// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating.
 #[inline(never)] // set-up: small is better
 pub(crate) fn form(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
-    // Of a length that the compiler does not see, or the loop becomes three copies of itself.
-    let linear: &[i32] = black_box(linear);
-    linear.iter().zip(p).fold(offset, |sum, (m, c)| add(sum, mul_translation(*m, exponent - 30, *c)))
+    let (mut sum, mut i) = (offset, 0);
+    while let (Some(m), Some(c)) = (linear.get(i), p.get(i)) {
+        // Most of a camera's are 0.
+        if *m != 0 {
+            sum = add(sum, mul_translation(*m, exponent - 30, *c));
+        }
+        i = after(i);
+    }
+    sum
 }
 
 impl Row {
@@ -71,7 +75,6 @@ impl Row {
 
     /// By how many bits the form, or a part of it, may pass 2⁶¹ (half of what saturates) over vectors
     /// of up to `reach` bits.
-    #[inline(never)] // set-up: small is better
     pub(crate) fn overflow(&self, reach: i32) -> i32 {
         let bits = magnitude(&self.linear);
         // Three products.
@@ -85,11 +88,11 @@ impl Row {
     }
 
     /// This form over what `inner` starts from. All of it is first taken times 2^−`shift`.
-    #[inline(never)] // set-up: small is better
-    pub(crate) fn of(&self, inner: &Rows, shift: i32) -> Self {
+    pub(crate) fn of(&self, inner: &Rows, shift: i32, into: &mut Self) {
         let own = self.exponent - shift;
-        let offset = form(&self.linear, own, &inner.offset, scale(self.offset, -shift));
-        Self::new(&row_times(&self.linear, &inner.linear), own + inner.exponent - 60, offset)
+        into.offset = form(&self.linear, own, &inner.offset, scale(self.offset, -shift));
+        let sums = row_times(&self.linear, &inner.linear);
+        into.exponent = block(&sums, own + inner.exponent - 30, &mut into.linear);
     }
 
     /// `self · a + other · b` for factors of 30 bits and an exponent each.

@@ -1,14 +1,18 @@
 //! Directions of length one, by block scaling: right for tiny and huge vectors alike.
 
-use super::num::{bits_of, excess, fraction, scale, sqrt};
+use super::num::{after, bits_of, excess, fraction, scale, sqrt};
 
 /// Scales the three numbers by one power of two so that the largest has 31 bits: rounded to nearest, but
 /// never beyond `i32`. Zero stays zero.
 #[inline(never)] // set-up: small is better
 const fn block(v: &[i64; 3]) -> [i32; 3] {
     let shift = -excess(bits_of(v), 31); // 0 may be shifted by any number
-    let [x, y, z] = *v;
-    [narrow(scale(x, shift)), narrow(scale(y, shift)), narrow(scale(z, shift))]
+    let (mut scaled, mut i) = ([0; 3], 0);
+    while i < 3 {
+        scaled[i] = narrow(scale(v[i], shift));
+        i = after(i);
+    }
+    scaled
 }
 
 /// ±2³¹ at most.
@@ -20,8 +24,7 @@ const fn narrow(v: i64) -> i32 {
 /// rounding of the length, and that of the quotient. Zero for the zero vector.
 #[inline(never)] // set-up: small is better
 pub(crate) const fn normalise(v: &[i64; 3]) -> [i32; 3] {
-    let v = block(v);
-    let [x, y, z] = v;
+    let [x, y, z] = block(v);
     let square = (x as i64 * x as i64) as u64 + (y as i64 * y as i64) as u64 + (z as i64 * z as i64) as u64;
     let length = sqrt(square); // of ≤ 3·2⁶²: 2³⁰ … 2³¹·⁸, or 0
     [part(x, length), part(y, length), part(z, length)]
@@ -40,12 +43,8 @@ pub(crate) const fn part(c: i32, length: u32) -> i32 {
         return 0;
     }
     let q = (fraction(c.unsigned_abs() as u64, length as u64, 31) + 1) >> 1;
-    let q = if q > 1 << 30 { 1 << 30 } else { q as i32 };
-    if c < 0 {
-        -q
-    } else {
-        q
-    }
+    let (q, sign) = (if q > 1 << 30 { 1 << 30 } else { q as i32 }, c >> 31);
+    (q ^ sign) - sign
 }
 
 /// `a × b` up to a positive factor, from block-scaled factors: exact for components of 31 bits.

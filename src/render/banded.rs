@@ -147,16 +147,15 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         let list = self.placed.mesh.edges();
         let mut statistics = Statistics::default();
         for (index, &edge) in list.iter().enumerate() {
-            let ends = self.edge(edge);
-            statistics.count_edge(ends.map(|(_, cut)| cut));
-            bins.put(index, &ends.map_or(Scissor::EMPTY, |(ends, _)| reach_of_line(&ends)));
+            let ends = self.edge(edge, &mut statistics);
+            bins.put(index, &ends.map_or(Scissor::EMPTY, |ends| reach_of_line(&ends)));
         }
         bins.turn(list.len())?;
         bins.sort(|index| {
-            let ends = list.get(index).and_then(|&edge| self.edge(edge));
-            ends.map_or(0, |(ends, _)| reach_of_line(&ends).rows().start)
+            let ends = list.get(index).and_then(|&edge| self.edge(edge, &mut Statistics::default()));
+            ends.map_or(0, |ends| reach_of_line(&ends).rows().start)
         });
-        Ok(statistics)
+        Ok(statistics.with_the_rest_drawn(list.len()))
     }
 }
 
@@ -308,7 +307,8 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         let (view, list) = (*transformed, transformed.placed.mesh.edges());
         let rows = scissor.rows();
         bins.band(rows.clone(), |index| {
-            let Some((ends, _)) = list.get(index).and_then(|&edge| view.edge(edge)) else {
+            let edge = list.get(index);
+            let Some(ends) = edge.and_then(|&edge| view.edge(edge, &mut Statistics::default())) else {
                 return Ok(true);
             };
             draw(&view, index, ends)?;

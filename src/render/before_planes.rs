@@ -2,19 +2,21 @@
 
 use super::fan::{Outcome, Pieces};
 use super::Cull;
-use crate::camera::{Image, Placement};
-use crate::clip::{self, Cut, Outside};
+use crate::camera::{DepthOf, Image, Placement};
+use crate::clip::{self, Cut};
 use crate::math::Homogeneous;
 
 /// Takes along what else varies where an edge is cut: see [`Cut::put`].
-pub(super) type Carry<'a> = dyn FnMut(usize, usize, usize, i64) + 'a;
+pub(super) type Carry<'a> = dyn FnMut(usize, usize, usize, i32) + 'a;
 
 /// The corners of a point, an edge or a face, and the planes of the view volume cut at the guard band.
 pub(super) struct BeforePlanes<'a> {
-    placement: &'a Placement,
-    planes: usize,
-    places: &'a mut [Homogeneous],
-    carry: &'a mut Carry<'a>,
+    pub(super) placement: &'a Placement,
+    /// Whether the far plane cuts too.
+    pub(super) far: bool,
+    pub(super) depth: Option<DepthOf>,
+    pub(super) places: &'a mut [Homogeneous],
+    pub(super) carry: Option<&'a mut Carry<'a>>,
 }
 
 impl Cut for BeforePlanes<'_> {
@@ -24,62 +26,45 @@ impl Cut for BeforePlanes<'_> {
     }
 
     #[inline(never)]
-    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i64) {
-        if let (Some(a), Some(b)) = (self.places.get(inside), self.places.get(outside)) {
-            let point = a.towards(b, t);
-            if let Some(place) = self.places.get_mut(at) {
-                *place = point;
-            }
+    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
+        Homogeneous::put(self.places, at, inside, outside, t);
+        if let Some(carry) = &mut self.carry {
+            carry(at, inside, outside, t);
         }
-        (self.carry)(at, inside, outside, t);
     }
 }
 
-impl<'a> BeforePlanes<'a> {
-    /// `far`: whether the far plane cuts too.
-    pub(super) fn new(
-        placement: &'a Placement,
-        far: bool,
-        places: &'a mut [Homogeneous],
-        carry: &'a mut Carry<'a>,
-    ) -> Self {
-        Self { placement, planes: 5 + usize::from(far), places, carry }
+impl BeforePlanes<'_> {
+    fn planes(&self) -> usize {
+        5 + usize::from(self.far)
     }
 
     /// The image of the first corner, or `None` where that is outside.
     #[inline(never)]
     pub(super) fn point(self) -> Option<Image> {
-        (Outside::of(&self, 1, self.planes).any == 0).then(|| self.image(0))
+        (0..self.planes()).all(|plane| self.distance(plane, 0) >= 0).then(|| self.image(0))
     }
 
     /// The ends of an edge on the screen and whether the planes took anything of it, or `None` when
     /// they take it all.
     #[inline(never)]
     pub(super) fn edge(mut self) -> Option<([Image; 2], bool)> {
-        let outside = Outside::of(&self, 2, self.planes);
-        let planes = if outside.any == 0 { 0 } else { self.planes };
-        if outside.all != 0 || !clip::line_at(&mut self, planes) {
-            return None;
-        }
-        Some(([self.image(0), self.image(1)], outside.any != 0))
+        let planes = self.planes();
+        let cut = clip::line_at(&mut self, planes)?;
+        Some(([self.image(0), self.image(1)], cut))
     }
 
     /// What becomes of a face, and what is left of it as a fan.
     #[inline(never)]
     pub(super) fn face(mut self, cull: Cull, pieces: &mut Pieces) -> Outcome {
-        let outside = Outside::of(&self, 3, self.planes);
-        if outside.all != 0 {
-            return Outcome::Outside;
-        }
-        // Where no plane cuts it, it is only farther out than corners reach.
-        let (planes, drawn) =
-            if outside.any == 0 { (0, Outcome::Whole) } else { (self.planes, Outcome::Cut) };
-        let polygon = clip::triangle_at(&mut self, planes);
+        let planes = self.planes();
+        let (polygon, cut) = clip::triangle_at(&mut self, planes);
         if polygon.len() < 3 {
             return Outcome::Outside;
         }
         pieces.begin(polygon, |at| self.image(at));
-        let outcome = cull.turned(pieces.area, drawn);
+        // Where no plane cuts it, it is only farther out than corners reach.
+        let outcome = cull.turned(pieces.area, if cut { Outcome::Cut } else { Outcome::Whole });
         match outcome {
             Outcome::Whole => pieces.end(),
             Outcome::Cut => pieces.face_viewer(),
@@ -88,8 +73,9 @@ impl<'a> BeforePlanes<'a> {
         outcome
     }
 
+    #[inline(never)]
     fn image(&self, at: usize) -> Image {
         // One of the places, always.
-        self.placement.image(self.places.get(at).unwrap_or(&Homogeneous::ZERO))
+        self.placement.image(self.places.get(at).unwrap_or(&Homogeneous::ZERO), self.depth)
     }
 }

@@ -51,7 +51,7 @@ pub(super) struct Pieces {
     /// Whether it is taken from its last corner to its first.
     turned: bool,
     /// The second corner of this triangle; the first is the polygon's.
-    at: usize,
+    at: u8,
 }
 
 impl Pieces {
@@ -101,8 +101,9 @@ impl Pieces {
     /// To the next triangle of the fan about the first corner, if there is one more.
     #[inline(never)] // rare: small is better
     fn step(&mut self) -> bool {
+        let at = usize::from(self.at);
         let corner = |at: usize| self.polygon.get(self.place(at)).copied();
-        let (Some(a), Some(b), Some(c)) = (corner(0), corner(self.at + 1), corner(self.at + 2)) else {
+        let (Some(a), Some(b), Some(c)) = (corner(0), corner(at + 1), corner(at + 2)) else {
             return false;
         };
         self.corners = [a, b, c];
@@ -174,7 +175,7 @@ impl<K: Carried> Fan<K> {
         if self.pieces.polygon.is_empty() {
             *ink
         } else {
-            let at = self.pieces.at;
+            let at = usize::from(self.pieces.at);
             ink.piece([0, at, at + 1].map(|corner| {
                 let place = self.pieces.order.get(self.pieces.place(corner)).copied().unwrap_or(0);
                 self.carried.get(usize::from(place)).copied().unwrap_or_else(|| K::of(0))

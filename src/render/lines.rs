@@ -30,7 +30,7 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::new(target, self.area()).with_depth(depth);
+        let window = Window::of_lines(&target.area(), self.area(), depth);
         let view = Transformed::<V, true>::new(self, cache);
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
@@ -111,7 +111,7 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::new(target, self.area()).with_depth(depth);
+        let window = Window::of_lines(&target.area(), self.area(), depth);
         let view = Transformed::<V, true>::new(self, cache);
         view.all_edges(|edge, ends| {
             let beside = view.beside(edge, &window.viewport);
@@ -133,7 +133,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::new(band, self.viewport()).with_depth(depth);
+        let window = Window::of_lines(&band.area(), self.viewport(), depth);
         self.each(&window.scissor, |_, _, ends| nearer(&ends, colour, &window.scissor, depth, band))
     }
 
@@ -149,7 +149,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::new(band, self.viewport()).with_depth(depth);
+        let window = Window::of_lines(&band.area(), self.viewport(), depth);
         self.each(&window.scissor, |view, edge, ends| {
             let beside = view.beside(edge, &window.viewport);
             unhidden(&ends, &beside, colour, &window.scissor, depth, band)

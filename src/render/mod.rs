@@ -34,11 +34,12 @@ pub use transformed::Transformed;
 
 use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
-use crate::output::{inside, scissor, DepthBuffer, Target};
+use crate::output::{inside, DepthBuffer, Target};
 use crate::raster::{Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
 
+use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// A mesh placed before a camera, ready to be drawn: [`Camera::place`] makes it, once per object and frame.
@@ -158,8 +159,9 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// such vertex, or it lies in front of the near plane; what is beyond ±2³⁰ saturates.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
         let vertex = *self.mesh.vertices().get(index)?;
-        let h = self.placement.clip_one(vertex);
-        (h.d >= 0 && h.w > 0).then(|| self.placement.unsnapped(&h))
+        let h = self.placement.clip(vertex);
+        let [_, _, d, w] = h.xydw;
+        (d >= 0 && w > 0).then(|| self.placement.unsnapped(&h))
     }
 
     /// Draws the mesh's edges, each as a Bresenham line of one colour. Pixels of a clipped edge are
@@ -179,7 +181,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         cache: &mut [Corner],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let scissor = scissor(target, self.area());
+        let Window { scissor, .. } = Window::new(target, self.area());
         Transformed::<V, false>::new(self, cache)
             .all_edges(|_, [from, to]| target.line(from.point.pixel(), to.point.pixel(), &scissor, colour))
     }
@@ -272,6 +274,12 @@ struct Window {
     viewport: Scissor,
 }
 
+/// The pixels of a viewport, which lies inside the guard band: no sum saturates.
+fn pixels(viewport: &Rectangle) -> Scissor {
+    let Rectangle { top_left: Point { x, y }, size } = *viewport;
+    Scissor::as_given(x, y, x.wrapping_add_unsigned(size.width), y.wrapping_add_unsigned(size.height))
+}
+
 impl Window {
     /// The scissor and the viewport.
     #[inline(always)]
@@ -280,18 +288,26 @@ impl Window {
     }
 
     fn new(target: &impl Target, viewport: &Rectangle) -> Self {
-        Self { scissor: scissor(target, viewport), viewport: inside(viewport) }
+        let viewport = pixels(viewport);
+        Self { scissor: inside(&target.area()).within(&viewport), viewport }
     }
 
     /// What a depth buffer holds of a viewport.
     fn of_depth(depth: &DepthBuffer<'_>, viewport: &Rectangle) -> Self {
-        let viewport = inside(viewport);
+        let viewport = pixels(viewport);
         Self { scissor: depth.scissor().within(&viewport), viewport }
     }
 
     /// Less what a depth buffer does not hold.
     fn with_depth(self, depth: &DepthBuffer<'_>) -> Self {
         Self { scissor: depth.scissor().within(&self.scissor), ..self }
+    }
+
+    /// Both, for lines, of which there are several kinds.
+    #[inline(never)]
+    fn of_lines(target: &Rectangle, viewport: &Rectangle, depth: &DepthBuffer<'_>) -> Self {
+        let viewport = pixels(viewport);
+        Self { scissor: depth.scissor().within(&inside(target).within(&viewport)), viewport }
     }
 }
 

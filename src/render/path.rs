@@ -1,9 +1,9 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
-use super::{Placed, Statistics, Transformed};
+use super::{Placed, Statistics, Transformed, Window};
 use crate::camera::Corner;
 use crate::math::Coordinate;
-use crate::output::{scissor, Target};
+use crate::output::Target;
 use crate::raster::{self, Pixel, Span};
 
 impl<V: Coordinate> Placed<'_, V> {
@@ -14,7 +14,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// The target's own, at the first pixel that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn points<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let scissor = scissor(target, self.area());
+        let Window { scissor, .. } = Window::new(target, self.area());
         let mut statistics = Statistics::default();
         for index in 0..self.mesh.vertices().len() {
             match self.project(index) {
@@ -59,7 +59,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn polyline<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let scissor = scissor(target, self.area());
+        let Window { scissor, .. } = Window::new(target, self.area());
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
@@ -76,10 +76,8 @@ impl<V: Coordinate> Placed<'_, V> {
         let mut joint = if closed { first } else { None };
         for index in 1..count {
             let to = corner(index);
-            let ends = line.edge([(index - 1) as u16, index as u16]);
-            statistics.count_edge(ends.map(|(_, cut)| cut));
-            match ends {
-                Some(([a, b], _)) => {
+            match line.edge([(index - 1) as u16, index as u16], &mut statistics) {
+                Some([a, b]) => {
                     let (a, b) = (a.point.pixel(), b.point.pixel());
                     raster::line(a, b, &scissor, |span| match without(span, joint) {
                         Some(span) => target.fill(span, colour),
@@ -90,7 +88,7 @@ impl<V: Coordinate> Placed<'_, V> {
                 None => joint = None,
             }
         }
-        Ok(statistics)
+        Ok(statistics.with_the_rest_drawn(count.saturating_sub(1)))
     }
 }
 

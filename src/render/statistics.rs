@@ -68,13 +68,20 @@ impl Statistics {
         Self { culled: rest, ..self }
     }
 
-    /// An edge: whether it was cut, or `None` when nothing is left.
+    /// Counts an edge that is not drawn, or cut first: of this place on the screen, and whether it was cut, or `None` when
+    /// nothing is left. The others are [drawn](Self::with_the_rest_drawn).
     #[inline(always)]
-    pub(super) fn count_edge(&mut self, cut: Option<bool>) {
-        self.count(match cut {
-            Some(true) => Outcome::Cut,
-            Some(false) => Outcome::Whole,
-            None => Outcome::Outside,
-        });
+    pub(super) fn count_edge<T>(&mut self, edge: Option<(T, bool)>) -> Option<T> {
+        let Some((ends, cut)) = edge else {
+            self.outside = self.outside.wrapping_add(1); // at most 2³²
+            return None;
+        };
+        self.clipped = self.clipped.wrapping_add(cut.into());
+        Some(ends)
+    }
+
+    /// Of so many edges, those that were not counted were drawn.
+    pub(super) fn with_the_rest_drawn(self, edges: usize) -> Self {
+        Self { drawn: (edges as u32).wrapping_sub(self.outside), ..self } // below 2³²
     }
 }

@@ -3,9 +3,9 @@
 use super::before_planes::{BeforePlanes, Carry};
 use super::fan::{Fan, Outcome};
 use super::{Cull, Ink, Placed, Statistics};
-use crate::camera::{Corner, Image, Placement};
+use crate::camera::{Corner, DepthOf, Image, Placement};
 use crate::clip::{Carried, PLACES};
-use crate::math::num::keep_rolled;
+use crate::math::num::{after, keep_rolled};
 use crate::math::{Coordinate, Homogeneous};
 use crate::raster;
 
@@ -68,14 +68,15 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         &self,
         indices: &[u16],
         places: &'c mut [Homogeneous],
-        carry: &'c mut Carry<'c>,
+        carry: Option<&'c mut Carry<'c>>,
     ) -> BeforePlanes<'c>
     where
         'a: 'c,
     {
         let placement = &self.placed.placement;
         to_clip_space(placement, self.placed.mesh.vertices(), indices, places);
-        BeforePlanes::new(placement, self.far, places, carry)
+        let depth: Option<DepthOf> = if DEPTH { Some(Placement::depth) } else { None };
+        BeforePlanes { placement, far: self.far, depth, places, carry }
     }
 
     /// Where a vertex lies on the screen, if no plane cuts it off.
@@ -85,27 +86,26 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
             return Some(self.placed.placement.at::<DEPTH>(corner));
         }
         let mut places = [Homogeneous::ZERO];
-        self.before_planes(&[index], &mut places, &mut |_, _, _, _| {}).point()
+        self.before_planes(&[index], &mut places, None).point()
     }
 
-    /// The ends of an edge on the screen and whether the planes took anything of it, or `None` when
-    /// they take it all.
+    /// The ends of an edge on the screen, or `None` when nothing is left of it; counts what is cut, and what is not drawn.
     #[inline(always)]
-    pub(super) fn edge(&self, edge: [u16; 2]) -> Option<([Image; 2], bool)> {
-        let [from, to] = edge.map(|i| self.corner(i));
-        if from.whole() && to.whole() {
-            let placement = &self.placed.placement;
-            Some(([placement.at::<DEPTH>(from), placement.at::<DEPTH>(to)], false))
+    pub(super) fn edge(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[Image; 2]> {
+        let ends = edge.map(|index| self.corner(index));
+        if ends.iter().all(|end| end.whole()) {
+            Some(ends.map(|end| self.placed.placement.at::<DEPTH>(end)))
         } else {
-            self.cut_edge(edge)
+            statistics.count_edge(self.cut_edge(edge))
         }
     }
 
+    /// The same for ends that have no place, and whether the planes took anything of it.
     #[cold]
     #[inline(never)]
     fn cut_edge(&self, edge: [u16; 2]) -> Option<([Image; 2], bool)> {
         let mut places = [Homogeneous::ZERO; 2];
-        self.before_planes(&edge, &mut places, &mut |_, _, _, _| {}).edge()
+        self.before_planes(&edge, &mut places, None).edge()
     }
 
     /// All edges in the mesh's order: `draw` gets their numbers and ends.
@@ -115,14 +115,13 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         mut draw: impl FnMut(usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<Statistics, E> {
         let mut statistics = Statistics::default();
-        for (index, &edge) in self.placed.mesh.edges().iter().enumerate() {
-            let ends = self.edge(edge);
-            statistics.count_edge(ends.map(|(_, cut)| cut));
-            if let Some((ends, _)) = ends {
+        let edges = self.placed.mesh.edges();
+        for (index, &edge) in edges.iter().enumerate() {
+            if let Some(ends) = self.edge(edge, &mut statistics) {
                 draw(index, ends)?;
             }
         }
-        Ok(statistics)
+        Ok(statistics.with_the_rest_drawn(edges.len()))
     }
 
     /// A face's corners, if all of them were kept and lie on the screen.
@@ -177,15 +176,15 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         for (corner, carried) in carried.iter_mut().take(3).enumerate() {
             *carried = K::of(corner);
         }
-        let mut carry = |at: usize, inside: usize, outside: usize, t: i64| {
+        let mut carry = |at: usize, inside: usize, outside: usize, t: i32| {
             if let (Some(a), Some(b)) = (carried.get(inside), carried.get(outside)) {
-                let carries = a.towards(b, t);
+                let carries = a.towards(b, t.into());
                 if let Some(place) = carried.get_mut(at) {
                     *place = carries;
                 }
             }
         };
-        self.before_planes(&face, &mut places, &mut carry).face(self.placed.cull, pieces)
+        self.before_planes(&face, &mut places, Some(&mut carry)).face(self.placed.cull, pieces)
     }
 
     /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles with their areas, none of
@@ -302,10 +301,12 @@ fn to_clip_space<V: Coordinate>(
     indices: &[u16],
     places: &mut [Homogeneous],
 ) {
-    for (&index, place) in indices.iter().zip(places) {
+    let mut i = 0;
+    while let (Some(&index), Some(place)) = (indices.get(i), places.get_mut(i)) {
         if let Some(&vertex) = vertices.get(usize::from(index)) {
-            *place = placement.clip_one(vertex);
+            placement.clip_into(vertex, place);
         }
+        i = after(i);
     }
 }
 

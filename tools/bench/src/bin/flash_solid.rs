@@ -6,8 +6,8 @@ use pinhole::Corner;
 
 firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], {
     let scene = Turntable::new();
-    let placed = scene.place();
     let light = scene.light()?;
+    let placed = scene.place();
     placed.solid(scene::flat(placed.mesh(), &light), corners, &mut Sink).ok()?;
     Some(())
 });
