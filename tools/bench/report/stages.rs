@@ -6,7 +6,7 @@ use crate::provenance::Frame;
 pub(crate) enum Stage {
     Vertices,
     Faces,
-    Shading,
+    PassingOn,
     Sides,
     Planes,
     Rows,
@@ -14,17 +14,13 @@ pub(crate) enum Stage {
     Clears,
     Lines,
     LinePixels,
-    /// What runs before any of these.
-    Other,
-    /// What counts, and is not counted.
-    Clock,
 }
 
 /// In the order of the page.
-pub(crate) const STAGES: [Stage; 11] = [
+pub(crate) const STAGES: [Stage; 10] = [
     Stage::Vertices,
     Stage::Faces,
-    Stage::Shading,
+    Stage::PassingOn,
     Stage::Sides,
     Stage::Planes,
     Stage::Rows,
@@ -32,23 +28,21 @@ pub(crate) const STAGES: [Stage; 11] = [
     Stage::Clears,
     Stage::Lines,
     Stage::LinePixels,
-    Stage::Other,
 ];
 
 /// Functions of a file or folder; all, if none is named.
 type Rule = (&'static str, &'static [&'static str], Stage);
 
 /// Where one of these is at work, all below belongs to it.
-const ABOVE: [Rule; 5] = [
-    ("bench/board/", &[], Stage::Clock),
+const ABOVE: [Rule; 4] = [
     ("output/depth.rs", &["clear"], Stage::Clears),
-    ("output/memory_line.rs", &["flat", "gentle", "steep", "by_runs"], Stage::LinePixels),
+    ("output/memory", &["flat", "gentle", "steep", "by_runs"], Stage::LinePixels),
     ("output/memory_line.rs", &[], Stage::Lines),
     ("raster/line.rs", &[], Stage::Lines),
 ];
 
 /// Elsewhere the innermost function that is one of these. Those that many stages call are not among them.
-const RULES: [Rule; 30] = [
+const RULES: [Rule; 32] = [
     ("output/memory.rs", &["fill", "fill_nearer", "fill_short_nearer", "one_nearer"], Stage::Pixels),
     // Of a smooth triangle's span.
     ("output/memory.rs", &["closure of each_span"], Stage::Pixels),
@@ -57,6 +51,7 @@ const RULES: [Rule; 30] = [
         &["stretch", "stretch_nearer", "shaded", "shaded_nearer", "row", "place"],
         Stage::Rows,
     ),
+    ("output/memory.rs", &["new"], Stage::PassingOn),
     ("output/memory.rs", &[], Stage::Sides),
     ("raster/triangle.rs", &["area"], Stage::Faces),
     ("raster/triangle.rs", &["row", "span", "next", "each_span"], Stage::Rows),
@@ -71,19 +66,20 @@ const RULES: [Rule; 30] = [
     ("shade/gouraud.rs", &["over"], Stage::Planes),
     ("shade/gouraud.rs", &["run"], Stage::Rows),
     ("shade/gouraud.rs", &["next"], Stage::Pixels),
-    ("shade/gouraud.rs", &["lit", "part"], Stage::Shading),
+    ("shade/gouraud.rs", &["lit", "part"], Stage::PassingOn),
     ("shade/channels.rs", &["from_channels"], Stage::Pixels),
-    ("shade/", &["dim", "part"], Stage::Shading),
-    ("camera/placement.rs", &["at"], Stage::Faces),
+    ("shade/", &["dim", "part"], Stage::PassingOn),
+    ("camera/placement.rs", &["at"], Stage::PassingOn),
     ("camera/placement.rs", &[], Stage::Vertices),
     ("render/transformed.rs", &["project", "project_all"], Stage::Vertices),
+    ("render/transformed.rs", &["images"], Stage::PassingOn),
     ("render/smooth.rs", &["over"], Stage::Planes),
-    ("render/mod.rs", &[], Stage::Shading),
-    ("render/plain.rs", &[], Stage::Shading),
+    ("render/mod.rs", &[], Stage::PassingOn),
+    ("render/plain.rs", &[], Stage::PassingOn),
     ("render/", &[], Stage::Faces),
-    ("output/", &[], Stage::Shading),
+    ("output/", &[], Stage::PassingOn),
     ("bench/cells/two.rs", &[], Stage::Faces),
-    ("bench/", &[], Stage::Shading),
+    ("bench/", &[], Stage::PassingOn),
 ];
 
 impl Stage {
