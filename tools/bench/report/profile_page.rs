@@ -152,16 +152,13 @@ fn whole(text: &mut String, core: &str, profiles: &[Profile]) -> Result<()> {
     Ok(())
 }
 
-/// Percent of its target within which a cell is good enough.
-const ENOUGH: u64 = 112;
-
 const BEYOND: &str = "
 ## Beyond 1.12 times the target
 
 For one vertex, face, row and pixel, where a cell takes more than that on one of the cores. *Prototype* is the throw-away
-program by which the targets were set, as far as its figures were noted: it has no near plane, does not ask which vertices must be
-clipped, and knows the width of the picture when it is compiled. *More* is what the library takes more than it in that
-stage of the M3's frame. What both must do, and what the library does beyond that, is [below](#floors).
+program by which the targets were set, as far as its figures were noted, once for all scenes: it has no near plane, does not ask
+which vertices must be clipped, and knows the width of the picture when it is compiled. *More* is what the library takes beyond
+it in that stage of the M3's frame. What both must do, and what the library does besides, is [below](#floors).
 ";
 
 fn beyond(text: &mut String, profiles: &[Profile], targets: &[Target]) -> Result<()> {
@@ -175,9 +172,7 @@ fn beyond(text: &mut String, profiles: &[Profile], targets: &[Target]) -> Result
             Some((profiles.iter().find(|profile| cell(&profile.cell))?, target))
         };
         let [Some(m3), Some(m4), Some(m0)] = ["M3", "M4F", "M0"].map(of) else { continue };
-        let far = |(profile, target): &(&Profile, &Target)| {
-            profile.cell.instructions * 100 > target.target * ENOUGH
-        };
+        let far = |(profile, target): &(&Profile, &Target)| !target.is_near(profile.cell.instructions);
         if [m3, m4, m0].iter().any(far) {
             none = false;
             each(text, [m3, m4, m0])?;

@@ -162,7 +162,7 @@ fn cells(text: &mut String, figures: &Figures<'_>) {
             ratio(of.best, cell.instructions),
         );
         reached += usize::from(cell.instructions <= of.target);
-        within += usize::from(cell.instructions * 100 <= of.target * 112);
+        within += usize::from(of.is_near(cell.instructions));
     }
     let all = figures.targets.len();
     let _ = writeln!(
