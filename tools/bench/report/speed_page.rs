@@ -167,9 +167,12 @@ fn cells(text: &mut String, figures: &Figures<'_>) {
     let all = figures.targets.len();
     let _ = writeln!(
         text,
-        "\nOf {all} cells {reached} are at or below their target, and {within} within 1.12 times of it. Of the others \
-         [profile.md](profile.md#beyond-112-times-the-target) shows where they go, the least that they must take, and what was tried."
+        "\nOf {all} cells {reached} are at or below their target, and {within} within 1.12 times of it."
     );
+    if within < all {
+        *text += "Where the others go beyond it, the least that they must take and what was tried is in\n\
+                  [profile.md](profile.md#beyond-112-times-the-target).\n";
+    }
 }
 
 fn rivals(text: &mut String, figures: &Figures<'_>) {
