@@ -1,6 +1,7 @@
 //! The constants of frame time and the bytes of flash and stack, for the book: sections of their pages.
 
-use crate::page::{number, spaced, Page};
+use crate::grouped::grouped;
+use crate::page::{number, Page};
 
 const SPI: u64 = 40_000_000;
 
@@ -19,7 +20,7 @@ pub(crate) fn tables() -> Result<String, String> {
         "\n\n**For example**: the torus of 1000 triangles, lit and with depth, on 240 × 240 pixels in bands of 8 rows took {counted} \
          instructions on the M3, and the formula is {off} off. At {clock} MHz and, say, 1.5 cycles an instruction these are {drawing} ms; \
          {} bytes at {} MHz take {sending} ms on the wire.\n",
-        spaced(240 * 240 * 2),
+        grouped(240 * 240 * 2),
         SPI / 1_000_000,
     );
     for (title, section) in [("Flash", "Flash"), ("Stack", "RAM and stack")] {

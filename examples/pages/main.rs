@@ -9,6 +9,8 @@
 mod command;
 mod constants;
 mod figure;
+#[path = "../../tools/bench/report/grouped.rs"]
+mod grouped;
 mod links;
 mod page;
 mod readme;

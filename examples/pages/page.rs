@@ -1,5 +1,7 @@
 //! The tables of a generated page.
 
+use crate::grouped::SPACE;
+
 /// A page's rows, each with the section and the header that it stands under.
 pub(crate) struct Page {
     path: &'static str,
@@ -81,23 +83,7 @@ fn cells(line: &str) -> Vec<String> {
     line.trim_matches('|').split('|').map(|cell| cell.trim().to_string()).collect()
 }
 
-/// Between thousands: one that does not break.
-const SPACE: char = '\u{a0}';
-
 /// A count as the pages write it.
 pub(crate) fn number(text: &str) -> Result<u64, String> {
     text.replace(SPACE, "").parse().map_err(|_| format!("{text} is no count"))
-}
-
-/// The same back.
-pub(crate) fn spaced(value: u64) -> String {
-    let digits = value.to_string();
-    let mut spaced = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            spaced.push(SPACE);
-        }
-        spaced.push(digit);
-    }
-    spaced
 }

@@ -1,6 +1,7 @@
 //! The README's table: error, speed and memory beside others, from the pages that measured them.
 
-use crate::page::{number, spaced, Page};
+use crate::grouped::grouped;
+use crate::page::{number, Page};
 
 const BEGIN: &str = "<!-- table: cargo run --release --example pages -->\n";
 const END: &str = "<!-- end of table -->\n";
@@ -80,7 +81,7 @@ fn memory(lines: &mut Vec<String>) -> Result<(), String> {
     let code = number(torus.get("flash")?)? - number(torus.get("of that, data")?)?;
     lines.push(format!(
         "| **code** in bytes: the same, not in bands | {} | {CODE} | `tools/bench/run cells S3 z M3` |",
-        spaced(code)
+        grouped(code)
     ));
     Ok(())
 }

@@ -1,7 +1,8 @@
 //! `docs/bands.md`.
 
 use crate::bands::Speed;
-use crate::page::{grouped, BUILT};
+use crate::grouped::grouped;
+use crate::page::BUILT;
 use std::fmt::Write;
 
 const HEAD: &str = "\

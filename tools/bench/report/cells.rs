@@ -71,7 +71,7 @@ impl Choice {
 }
 
 /// Of a cell.
-fn bin(scene: &str, variant: &str) -> String {
+pub(crate) fn bin(scene: &str, variant: &str) -> String {
     let scene = scene.to_lowercase();
     if variant == "plain" {
         format!("cell_{scene}")

@@ -26,14 +26,20 @@ impl Core {
 
     /// What a firmware prints.
     pub(crate) fn run(self, image: &Path) -> Result<String> {
-        let mut command = Command::new("bash");
-        command.arg("emulate").arg(self.name).arg(image).current_dir(crate::cross::BENCH);
-        let output = command.stdin(Stdio::null()).output()?;
+        let output = self.emulate(image).output()?;
         let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8_lossy(&output.stderr));
         if !output.status.success() {
             let image = image.display();
             return Err(format!("{image} on {}: {}\n{printed}{console}", self.name, output.status).into());
         }
         Ok(printed)
+    }
+
+    /// Its board; further arguments are QEMU's.
+    pub(crate) fn emulate(self, image: &Path) -> Command {
+        let mut command = Command::new("bash");
+        command.arg("emulate").arg(self.name).arg(image);
+        command.current_dir(crate::cross::BENCH).stdin(Stdio::null());
+        command
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::cross::Build;
 use crate::footprint::{Footprint, Size, BUILDS, IMAGES, STACK};
-use crate::page::{grouped, BUILT};
+use crate::grouped::grouped;
+use crate::page::BUILT;
 use std::fmt::Write;
 
 const HEAD: &str = "\

@@ -1,7 +1,8 @@
 //! `docs/growth.md`.
 
+use crate::grouped::grouped;
 use crate::growth::{Drawn, Growth};
-use crate::page::{grouped, BUILT};
+use crate::page::BUILT;
 use bench::growth::{names, Way};
 use std::fmt::Write;
 

@@ -1,5 +1,6 @@
-//! Measures instructions of whole frames, what bands cost of these and of RAM, and what each feature takes of flash and
-//! stack; writes `docs/speed.md`, `docs/bands.md` and `docs/footprint.md`. `tools/bench/run` starts it.
+//! Measures instructions of whole frames and of their stages, what bands cost of these and of RAM, and what each feature takes of flash and
+//! stack; writes `docs/speed.md`, `docs/profile.md`, `docs/growth.md`, `docs/bands.md` and
+//! `docs/footprint.md`. `tools/bench/run` starts it.
 
 mod bands;
 mod bands_page;
@@ -10,16 +11,22 @@ mod elf;
 mod fit;
 mod footprint;
 mod footprint_page;
+mod grouped;
 mod growth;
 mod growth_page;
 mod guard;
 mod page;
 mod pages;
+mod profile;
+mod profile_page;
+mod prototype;
 mod provenance;
 mod rivals;
 mod scenes;
 mod speed_page;
+mod stages;
 mod targets;
+mod trace;
 
 use cells::Choice;
 use pages::{Page, PAGES};
@@ -31,7 +38,7 @@ const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
 
 const USAGE: &str = "\
-tools/bench/run [--check | --rebase] [speed | growth | bands | footprint ...]
+tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footprint ...]
 tools/bench/run guard [--rebase]
 tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]";
 

@@ -5,23 +5,26 @@ use crate::cells::{self, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
 use crate::{
-    bands_page, footprint, footprint_page, growth, growth_page, rivals, scenes, targets, Result, M3,
+    bands_page, footprint, footprint_page, growth, growth_page, profile, profile_page, rivals, scenes,
+    targets, Result, M3,
 };
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Page {
     Speed,
+    Profile,
     Growth,
     Bands,
     Footprint,
 }
 
-pub(crate) const PAGES: [Page; 4] = [Page::Speed, Page::Growth, Page::Bands, Page::Footprint];
+pub(crate) const PAGES: [Page; 5] = [Page::Speed, Page::Profile, Page::Growth, Page::Bands, Page::Footprint];
 
 impl Page {
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Speed => "speed",
+            Self::Profile => "profile",
             Self::Growth => "growth",
             Self::Bands => "bands",
             Self::Footprint => "footprint",
@@ -36,6 +39,9 @@ impl Page {
     pub(crate) fn text(self, compiler: &str, rebase: bool, failures: &mut Vec<String>) -> Result<String> {
         Ok(match self {
             Self::Speed => speed(compiler, failures)?,
+            Self::Profile => {
+                profile_page::text(compiler, &profile::measure(failures)?, &targets::targets()?)?
+            }
             Self::Growth => growth_page::text(compiler, &growth::measure()?),
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
             Self::Footprint => footprint_page::text(compiler, &footprint::measure(rebase, failures)?),

@@ -11,10 +11,18 @@ pub(crate) struct Provenance {
     places: Vec<Vec<Frame>>,
 }
 
-/// One function of the library at one place; `file` is like `raster/line.rs`.
-struct Frame {
-    file: String,
-    function: String,
+/// One function at one place; of the library `file` is like `raster/line.rs`.
+pub(crate) struct Frame {
+    pub(crate) file: String,
+    pub(crate) function: String,
+}
+
+impl Frame {
+    /// From this folder on, if it lies there.
+    pub(crate) fn within(self, folder: &Path) -> Option<Self> {
+        let file = Path::new(&self.file).strip_prefix(folder).ok()?.display().to_string();
+        Some(Self { file, ..self })
+    }
 }
 
 /// The code of a folder or file, or of one function in it.
@@ -22,35 +30,41 @@ struct Frame {
 pub(crate) struct Part(pub(crate) &'static str, pub(crate) Option<&'static str>);
 
 /// An instruction takes two bytes or four.
-const STEP: u64 = 2;
+pub(crate) const STEP: u64 = 2;
+
+/// For every [`STEP`] of an image's code the functions there, the innermost first, with the whole paths of their files.
+pub(crate) fn frames(image: &Path) -> Result<Vec<Vec<Frame>>> {
+    let mut symbolizer = Command::new("llvm-symbolizer");
+    symbolizer.args(["--inlines", "--demangle", "--output-style=LLVM"]).arg("--obj").arg(image);
+    let mut child = symbolizer.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+    let child = child.as_mut().map_err(|error| format!("llvm-symbolizer (Debian: llvm): {error}"))?;
+    let code = elf::sizes(image)?.code;
+    let mut questions = child.stdin.take().ok_or("its input")?;
+    let asker = std::thread::spawn(move || {
+        code.step_by(STEP as usize).try_for_each(|at| writeln!(questions, "{at:#x}"))
+    });
+    let mut text = String::new();
+    std::io::Read::read_to_string(&mut child.stdout.take().ok_or("its output")?, &mut text)?;
+    asker.join().map_err(|_| "the thread that asks")??;
+    child.wait()?;
+    // An answer is pairs of lines, a function and its place; then an empty line.
+    let places = text.split("\n\n").map(|answer| {
+        let lines: Vec<&str> = answer.lines().collect();
+        let frame = |pair: &[&str]| {
+            let file = pair.get(1)?.split(':').next()?.to_string();
+            Some(Frame { file, function: pair[0].to_string() })
+        };
+        lines.chunks(2).filter_map(frame).collect()
+    });
+    Ok(places.collect())
+}
 
 impl Provenance {
     pub(crate) fn of(image: &Path) -> Result<Self> {
-        let mut symbolizer = Command::new("llvm-symbolizer");
-        symbolizer.args(["--inlines", "--demangle", "--output-style=LLVM"]).arg("--obj").arg(image);
-        let mut child = symbolizer.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
-        let child = child.as_mut().map_err(|error| format!("llvm-symbolizer (Debian: llvm): {error}"))?;
-        let code = elf::sizes(image)?.code;
-        let mut questions = child.stdin.take().ok_or("its input")?;
-        let asker = std::thread::spawn(move || {
-            code.step_by(STEP as usize).try_for_each(|at| writeln!(questions, "{at:#x}"))
-        });
-        let mut text = String::new();
-        std::io::Read::read_to_string(&mut child.stdout.take().ok_or("its output")?, &mut text)?;
-        asker.join().map_err(|_| "the thread that asks")??;
-        child.wait()?;
-        // An answer is pairs of lines, a function and its place, the innermost first; then an empty line.
         let library = cross::root().join("src");
-        let places = text.split("\n\n").map(|answer| {
-            let lines: Vec<&str> = answer.lines().collect();
-            let frame = |pair: &[&str]| {
-                let path = pair.get(1)?.split(':').next()?;
-                let file = Path::new(path).strip_prefix(&library).ok()?;
-                Some(Frame { file: file.display().to_string(), function: pair[0].to_string() })
-            };
-            lines.chunks(2).filter_map(frame).collect()
-        });
-        Ok(Self { places: places.collect() })
+        let within =
+            |place: Vec<Frame>| place.into_iter().filter_map(|frame| frame.within(&library)).collect();
+        Ok(Self { places: frames(image)?.into_iter().map(within).collect() })
     }
 
     /// Bytes that were written in one of these files, or inlined there from other libraries.

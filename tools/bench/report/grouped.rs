@@ -1,0 +1,17 @@
+//! How large numbers read: for the pages that are measured, and for those that quote them (`examples/pages`).
+
+/// Between the digits: a space that does not break.
+pub(crate) const SPACE: char = '\u{a0}';
+
+/// 1234567 as 1 234 567.
+pub(crate) fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push(SPACE);
+        }
+        text.push(digit);
+    }
+    text
+}

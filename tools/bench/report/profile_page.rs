@@ -1,0 +1,258 @@
+//! `docs/profile.md`.
+
+use crate::cells::Cell;
+use crate::grouped::grouped;
+use crate::page::BUILT;
+use crate::profile::{Profile, APART};
+use crate::prototype::{prototype, Noted};
+use crate::speed_page::shown;
+use crate::stages::{Stage, STAGES};
+use crate::targets::Target;
+use crate::Result;
+use bench::cells::CELLS;
+use bench::tally::{units, Units};
+use std::fmt::Write;
+
+const HEAD: &str = "\
+# Where a frame's instructions go
+
+The frames of [speed.md](speed.md), stage by stage: what each stage takes for one vertex, face, row and pixel, beside a
+prototype, the least that it has to do, and what was tried. This page is written by
+
+```sh
+tools/bench/run profile
+```
+
+";
+
+const HOW: &str = "
+## How it is counted
+
+Each cell's firmware runs once more, and the emulator writes a log of every block of code that it executes. The firmware's debug
+information says for which function an instruction was written, inlined or not; functions make stages. What is called
+and belongs to no stage, as a wide product or division on an M0, counts for the stage that calls it. Only the frame that is
+counted counts.";
+
+/// What a stage is.
+struct About {
+    title: &'static str,
+    /// What there is to do in it, one by one.
+    unit: &'static str,
+    what: &'static str,
+    count: fn(&Units) -> u32,
+}
+
+fn about(stage: Stage) -> About {
+    let of = |title, unit, what, count| About { title, unit, what, count };
+    match stage {
+        Stage::Vertices => of(
+            "vertices",
+            "vertex",
+            "from the mesh to a place on the screen, with depth, in 8 bytes; of S8 the light there too",
+            |units| units.vertices,
+        ),
+        Stage::Faces => of(
+            "faces",
+            "face",
+            "fetching the corners, area, culling, counting; of lines and 2D triangles, reading and checking",
+            |units| units.faces,
+        ),
+        Stage::PassingOn => of(
+            "passing on",
+            "face drawn",
+            "the corners' places, light and colour of a face, and the way to the loops that draw it",
+            |units| units.drawn,
+        ),
+        Stage::Sides => of(
+            "sides",
+            "face drawn",
+            "the corners' order, which loop to take, start and slope of three sides",
+            |units| units.drawn,
+        ),
+        Stage::Planes => {
+            of("planes", "face drawn", "depth over the triangle; of S8 three channels too", |units| {
+                units.drawn
+            })
+        }
+        Stage::Rows => {
+            of("rows", "row", "both ends, the row's memory, depth and colour at its start", |units| {
+                units.rows
+            })
+        }
+        Stage::Pixels => of("pixels", "pixel", "tests of depth, colours, stores", |units| units.pixels),
+        Stage::Clears => of("clear", "frame", "of the depth buffer", |_| 1),
+        Stage::Lines => {
+            of("lines", "line", "whether it must be cut, its course and slope", |units| units.drawn)
+        }
+        Stage::LinePixels => {
+            of("pixels of lines", "pixel", "the loops along a line, with what is before them", |units| {
+                units.pixels
+            })
+        }
+    }
+}
+
+pub(crate) fn text(compiler: &str, profiles: &[Profile], targets: &[Target]) -> Result<String> {
+    let mut text = format!("{HEAD}{BUILT}{compiler}.\n{HOW}");
+    let apart = profiles.iter().map(Profile::apart).max().unwrap_or_default();
+    write!(
+        text,
+        " Its stages add up to what the clock counted, within {apart} instructions (asserted: {APART}).\n\n"
+    )?;
+    text += "| stage | for one | |\n|---|---|---|\n";
+    for About { title, unit, what, .. } in STAGES.map(about) {
+        writeln!(text, "| {title} | {unit} | {what} |")?;
+    }
+    things(&mut text)?;
+    for core in ["M3", "M0"] {
+        whole(&mut text, core, profiles)?;
+    }
+    beyond(&mut text, profiles, targets)?;
+    text += include_str!("floors.md");
+    Ok(text)
+}
+
+const THINGS: &str = "
+## How much there is to do
+
+Counted on the host. Rows and pixels are those of all faces that are drawn, hidden later or not.
+
+| scene | vertices | faces, edges or lines | drawn | rows | pixels |
+|---|--:|--:|--:|--:|--:|
+";
+
+fn things(text: &mut String) -> Result<()> {
+    *text += THINGS;
+    let mut scenes: Vec<&str> = CELLS.iter().map(|cell| cell.0).collect();
+    scenes.dedup();
+    for scene in scenes {
+        let Units { vertices, faces, drawn, rows, pixels } = units(scene).ok_or(scene)?;
+        let columns = [vertices, faces, drawn, rows, pixels].map(|count| grouped(count.into()));
+        writeln!(text, "| {scene} | {} |", columns.join(" | "))?;
+    }
+    Ok(())
+}
+
+/// All scenes on a core.
+fn whole(text: &mut String, core: &str, profiles: &[Profile]) -> Result<()> {
+    let titles = STAGES.map(|stage| about(stage).title);
+    write!(text, "\n## Instructions of the {core}\n\n| scene | | all | {} |\n", titles.join(" | "))?;
+    writeln!(text, "|---|---|--:|{}", "--:|".repeat(STAGES.len()))?;
+    for profile in profiles.iter().filter(|profile| profile.cell.core.name == core) {
+        let Cell { scene, variant, instructions, .. } = profile.cell;
+        let columns = STAGES.map(|stage| count(profile.of(stage)));
+        writeln!(
+            text,
+            "| {scene} | {} | {} | {} |",
+            shown(variant),
+            grouped(instructions),
+            columns.join(" | ")
+        )?;
+    }
+    Ok(())
+}
+
+const BEYOND: &str = "
+## Beyond 1.12 times the target
+
+For one vertex, face, row and pixel, where a cell takes more than that on one of the cores. *Prototype* is the throw-away
+program by which the targets were set, as far as its figures were noted, once for all scenes: it has no near plane, does not ask
+which vertices must be clipped, and knows the width of the picture when it is compiled. *More* is what the library takes beyond
+it in that stage of the M3's frame. What both must do, and what the library does besides, is [below](#floors).
+";
+
+fn beyond(text: &mut String, profiles: &[Profile], targets: &[Target]) -> Result<()> {
+    *text += BEYOND;
+    let mut none = true;
+    for &(scene, variant, _) in CELLS {
+        let of = |core: &str| {
+            let cell = |cell: &Cell| (cell.scene, cell.variant, cell.core.name) == (scene, variant, core);
+            let target =
+                targets.iter().find(|of| (of.scene, of.variant, of.core) == (scene, variant, core))?;
+            Some((profiles.iter().find(|profile| cell(&profile.cell))?, target))
+        };
+        let [Some(m3), Some(m4), Some(m0)] = ["M3", "M4F", "M0"].map(of) else { continue };
+        let far = |(profile, target): &(&Profile, &Target)| !target.is_near(profile.cell.instructions);
+        if [m3, m4, m0].iter().any(far) {
+            none = false;
+            each(text, [m3, m4, m0])?;
+        }
+    }
+    if none {
+        *text += "\nThere is none.\n";
+    }
+    Ok(())
+}
+
+fn each(text: &mut String, cores: [(&Profile, &Target); 3]) -> Result<()> {
+    let [(m3, of), (m4, _), (m0, _)] = cores;
+    let (scene, variant) = (of.scene, of.variant);
+    let of_target = cores.map(|(profile, target)| {
+        format!("{} {:.3}", target.core, profile.cell.instructions as f64 / target.target as f64)
+    });
+    let title = [scene, shown(variant)].join(" ");
+    write!(text, "\n### {}\n\nTimes the target: {}.", title.trim(), of_target.join(", "))?;
+    let units = units(scene).ok_or(scene)?;
+    if variant == "plain" && m3.of(Stage::Pixels) > 0 {
+        write!(text, " Pixels in pairs: {}.", grouped(u64::from(units.pixels) / 2))?;
+    }
+    *text += TABLE;
+    for stage in STAGES.into_iter().filter(|stage| [m3, m4, m0].iter().any(|of| of.of(*stage) > 0)) {
+        let About { title, unit, count, .. } = about(stage);
+        let these = count(&units);
+        let noted = |core| prototype(stage, scene, variant, core);
+        let [then_m3, then_m0] = ["M3", "M0"].map(|core| noted(core).map_or("–".into(), range));
+        // Of sides and planes together, where there are planes.
+        let ours = m3.of(stage) + if stage == Stage::Sides { m3.of(Stage::Planes) } else { 0 };
+        let more = noted("M3").map_or("–".into(), |(from, to)| {
+            let more = (ours as f64 - (from + to) / 2.0 * f64::from(these)).round();
+            format!("{}{}", if more < 0.0 { "-" } else { "+" }, grouped(more.abs() as u64))
+        });
+        let with = if stage == Stage::Sides && m3.of(Stage::Planes) > 0 && then_m3 != "–" {
+            ", with planes"
+        } else {
+            ""
+        };
+        let [m3, m4, m0] = [m3, m4, m0].map(|profile| one(profile.of(stage), these));
+        let these = grouped(these.into());
+        writeln!(
+            text,
+            "| {unit} | {title} | {these} | {m3} | {then_m3}{with} | {more} | {m4} | {m0} | {then_m0} |"
+        )?;
+    }
+    Ok(())
+}
+
+const TABLE: &str = "
+
+| for one | stage | of these | M3 | prototype | more | M4F | M0 | prototype |
+|---|---|--:|--:|--:|--:|--:|--:|--:|
+";
+
+/// As it was noted.
+fn range((from, to): Noted) -> String {
+    let whole = |number: f64| match number.fract() == 0.0 {
+        true => grouped(number as u64),
+        false => number.to_string(),
+    };
+    match from == to {
+        true => whole(from),
+        false => format!("{} to {}", whole(from), whole(to)),
+    }
+}
+
+/// For one of these.
+fn one(instructions: u64, these: u32) -> String {
+    let one = instructions as f64 / f64::from(these);
+    match one < 100.0 {
+        true => format!("{one:.1}"),
+        false => grouped(one.round() as u64),
+    }
+}
+
+fn count(instructions: u64) -> String {
+    match instructions {
+        0 => "–".into(),
+        _ => grouped(instructions),
+    }
+}

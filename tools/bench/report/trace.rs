@@ -1,0 +1,115 @@
+//! The instructions of the frame that is counted, one after the other: from the log that QEMU writes of the blocks of code
+//! that it executes.
+
+use crate::core::Core;
+use crate::provenance::{Frame, STEP};
+use crate::{elf, Result};
+use std::collections::HashMap;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::Stdio;
+
+/// QEMU translates a block once, and logs its instructions then (`in_asm`); after that it says each time that it enters one
+/// (`exec`), if blocks are not chained.
+const LOG: [&str; 2] = ["-d", "exec,nochain,in_asm"];
+
+/// `Clock::count` is called so often before it counts the frame: `Clock::new` does that.
+const EARLIER: u32 = 3;
+
+/// Where `Clock::count` begins, given what stands at every [`STEP`] of the code.
+pub(crate) fn clock(image: &Path, places: &[Vec<Frame>]) -> Result<u64> {
+    let counts = |place: &Vec<Frame>| {
+        place.last().is_some_and(|f| f.function.contains("Clock") && f.function.ends_with("count"))
+    };
+    let at = places.iter().position(counts).ok_or("no Clock::count")?;
+    Ok(elf::sizes(image)?.code.start + STEP * at as u64)
+}
+
+/// What the log has said so far.
+#[derive(Default)]
+struct Log {
+    /// Blocks by the places where QEMU keeps them: the addresses of their instructions.
+    blocks: HashMap<u64, Vec<u64>>,
+    /// The block that is being translated.
+    new: Option<Vec<u64>>,
+    /// Entered; not executed if QEMU has to see to something else first.
+    entered: Option<u64>,
+    /// Executed before that.
+    before: Vec<u64>,
+    /// How often the clock was called, and where that returns to in the frame that is counted: behind this instruction.
+    calls: u32,
+    call: Option<u64>,
+}
+
+/// Hands `each` the addresses of the instructions, block by block, in their order.
+pub(crate) fn frame(core: Core, image: &Path, clock: u64, mut each: impl FnMut(&[u64])) -> Result<()> {
+    let mut qemu = core.emulate(image).args(LOG).stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
+    let mut lines = BufReader::with_capacity(1 << 20, qemu.stderr.take().ok_or("its log")?);
+    let (mut line, mut log) = (Vec::new(), Log::default());
+    let ended = loop {
+        line.clear();
+        if lines.read_until(b'\n', &mut line)? == 0 {
+            break false;
+        }
+        if log.read(&line, clock, &mut each) {
+            break true;
+        }
+    };
+    // What comes after the frame is of no interest.
+    let _ = qemu.kill();
+    qemu.wait()?;
+    match ended {
+        true => Ok(()),
+        false => Err(format!("{}: no frame in QEMU's log", image.display()).into()),
+    }
+}
+
+impl Log {
+    /// Whether the frame is over.
+    fn read(&mut self, line: &[u8], clock: u64, each: &mut impl FnMut(&[u64])) -> bool {
+        if line.starts_with(b"IN:") {
+            self.new = Some(Vec::new());
+        } else if line.starts_with(b"Stopped") {
+            self.entered = None;
+        } else if let (Some(new), Some(address)) = (&mut self.new, line.strip_prefix(b"0x")) {
+            new.extend(hexadecimal(address));
+        } else if let Some(entry) = line.strip_prefix(b"Trace ") {
+            let over = self.execute(clock, each);
+            // `0: 0x<where QEMU keeps it> […]`
+            let kept = entry.splitn(2, |&byte| byte == b'x').nth(1).and_then(hexadecimal);
+            if let (Some(kept), Some(new)) = (kept, self.new.take()) {
+                self.blocks.insert(kept, new);
+            }
+            self.entered = kept;
+            return over;
+        }
+        false
+    }
+
+    /// What was entered last. Whether that is behind the frame.
+    fn execute(&mut self, clock: u64, each: &mut impl FnMut(&[u64])) -> bool {
+        let Some(block) = self.entered.and_then(|kept| self.blocks.get(&kept)) else { return false };
+        let first = block.first().copied().unwrap_or_default();
+        if first == clock {
+            self.calls += 1;
+            if self.calls > EARLIER {
+                self.call = self.before.last().copied();
+            }
+        }
+        if let Some(call) = self.call {
+            // The call takes two bytes or four.
+            if (call + 1..=call + 4).contains(&first) {
+                return true;
+            }
+            each(block);
+        }
+        self.before.clone_from(block);
+        false
+    }
+}
+
+/// The number at the start.
+fn hexadecimal(text: &[u8]) -> Option<u64> {
+    let digits = text.iter().position(|byte| !byte.is_ascii_hexdigit()).unwrap_or(text.len());
+    u64::from_str_radix(std::str::from_utf8(text.get(..digits)?).ok()?, 16).ok()
+}
