@@ -4,8 +4,9 @@
 mod bridge;
 mod oracle;
 
-use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, WebColors};
+use embedded_graphics_core::primitives::Rectangle;
 use oracle::cases::{self, CLASSES};
 use oracle::coverage::{covers, rows, Area, P};
 use oracle::rng::Rng;
@@ -166,4 +167,19 @@ fn depth_and_colours_are_those_of_any_target() {
         }
     }
     assert!(seen > 100_000, "{seen}");
+}
+
+#[test]
+fn depths_are_cleared_wherever_they_lie() {
+    for (from, count) in (0..4).flat_map(|from| [0, 1, 2, 3, 31, 32, 33, 70].map(|count| (from, count))) {
+        let mut storage = [7; 80];
+        let area = Rectangle::new(Point::new(3, -2), Size::new(count as u32, 1));
+        let mut depth = DepthBuffer::new(area, &mut storage[from..]).expect("enough memory");
+        depth.clear();
+        let cleared = storage.iter().enumerate().all(|(i, &v)| {
+            let is_inside = (from..from + count).contains(&i);
+            v == if is_inside { u16::MAX } else { 7 }
+        });
+        assert!(cleared, "{count} from {from}: {storage:?}");
+    }
 }

@@ -2,6 +2,8 @@
 
 use super::inside;
 use crate::raster::{Plane, Scissor, Span};
+use bytemuck::pod_align_to_mut;
+use core::hint::black_box;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -69,18 +71,17 @@ impl<'a> DepthBuffer<'a> {
 
     /// Nothing is seen any more: for the next frame. [`new`](Self::new) has done it for the first.
     pub fn clear(&mut self) {
-        // On a Cortex-M0 the library's `memset`, which the blocks become, is far slower.
-        if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
-            return super::memory::clear(self.values, Self::NOTHING);
-        }
+        let (before, words, after) = pod_align_to_mut::<u16, u32>(self.values);
+        before.fill(Self::NOTHING);
         // In blocks that become wide stores. The hint keeps the loop from being taken for the library's
         // `memset`, which costs up to three times as much on a Cortex-M.
-        let mut blocks = self.values.chunks_exact_mut(16);
+        let word = u32::from(Self::NOTHING) << 16 | u32::from(Self::NOTHING);
+        let mut blocks = words.chunks_exact_mut(16);
         for block in &mut blocks {
-            block.fill(Self::NOTHING);
-            core::hint::black_box(());
+            block.fill(black_box(word));
         }
-        blocks.into_remainder().fill(Self::NOTHING);
+        blocks.into_remainder().fill(word);
+        after.fill(Self::NOTHING);
     }
 
     /// The pixels that it holds.
