@@ -305,7 +305,7 @@ impl Placement {
                 (65_535, (self.d_over_w - up).min(63), -(1 << (16 + up)), d)
             }
         };
-        (i64::from(m) * i64::from(w) >> down) + i64::from(n) * i64::from(v)
+        ((i64::from(m) * i64::from(w)) >> down) + i64::from(n) * i64::from(v)
     }
 
     /// Whether the camera cuts at the far plane.

@@ -227,7 +227,7 @@ pub(crate) const fn scale(v: i64, shift: i32) -> i64 {
         if shift <= room {
             v << shift
         } else {
-            (v >> 63) ^ i64::MAX | 1 // the sign's: the odd one of two's complement is the limit
+            ((v >> 63) ^ i64::MAX) | 1 // the sign's: the odd one of two's complement is the limit
         }
     } else if shift > -64 {
         let floor = v >> (-shift - 1); // shifted by 0 … 62
