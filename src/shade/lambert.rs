@@ -54,6 +54,7 @@ impl Lambert {
     /// # Errors
     ///
     /// [`LightError::ZeroDirection`] where `towards_light` has length zero.
+    #[inline(never)] // set-up: its numbers are off the stack when it returns
     pub fn new(
         model: &Affine<Model, World>,
         towards_light: Vector3<World>,

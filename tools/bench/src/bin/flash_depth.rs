@@ -5,20 +5,14 @@ use bench::image::{Sink, Turntable, CORNERS, ROWS};
 use bench::{firmware, scene};
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Corner, DepthBuffer, Lambert};
+use pinhole::{Corner, DepthBuffer};
 
 firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
     let scene = Turntable::new();
-    let light = light(&scene)?;
+    let light = scene.light()?;
     let placed = scene.place();
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
     let mut depth = DepthBuffer::new(area, storage).ok()?;
     placed.depth_tested(scene::flat(placed.mesh(), &light), corners, &mut depth, &mut Sink).ok()?;
     Some(())
 });
-
-/// Set up in a frame of its own, which is gone when it returns.
-#[inline(never)]
-fn light(scene: &Turntable) -> Option<Lambert> {
-    scene.light()
-}
