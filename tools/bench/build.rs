@@ -25,8 +25,8 @@ fn main() -> Result<()> {
     std::fs::write(format!("{out}/lists.rs"), lists(&scenes)?)?;
     std::fs::write(format!("{out}/shapes.rs"), shapes()?)?;
     // Of RISC-V's board; the flag that names it is in the root's configuration.
-    let root =
-        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).ok_or("the project's root")?;
+    let here = std::path::PathBuf::from(std::env::var("CARGO_MANIFEST_DIR")?);
+    let root = here.ancestors().nth(2).ok_or("the project's root")?;
     println!("cargo::rustc-link-search={}", root.display());
     Ok(())
 }
