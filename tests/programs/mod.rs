@@ -21,7 +21,10 @@ pub(crate) fn example_in<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: 
 
 /// An empty folder of a test's own.
 pub(crate) fn folder(test: &str, name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test).join(name);
+    // Of this test alone, which runs in a thread of its name: others run at the same time and may say the same.
+    let thread = std::thread::current();
+    let own = thread.name().unwrap_or_default().replace("::", "_");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test).join(own).join(name);
     let _ = std::fs::remove_dir_all(&folder); // from an earlier run
     std::fs::create_dir_all(&folder).unwrap();
     folder
