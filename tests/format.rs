@@ -83,7 +83,7 @@ public_types![
     Sphere,
     Statistics,
     Transformed<'static, Plain, true>,
-    Triangle,
+    Triangle<'static>,
     VanishingPoint,
     Vector3<Plain>,
     View,
