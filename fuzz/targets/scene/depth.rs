@@ -74,8 +74,11 @@ fn plane(scene: &Scene, face: [u16; 3], pixels: &[((i32, i32), u16, u16)]) {
         let all = [a, b, c].map(|corner| pick(&corner));
         all.iter().max().unwrap() - all.iter().min().unwrap()
     };
-    // Beyond 512 pixels, 2⁻¹⁷ for every column and row: the target is small.
-    let bound = if along(|p| p.0 .0).max(along(|p| p.0 .1)) < 1 << 17 { 0.54 } else { 0.51 };
+    // Beyond 512 pixels, ½ and 2⁻¹⁷ for every column and row of the viewport; the hundredth is for the corners' depths, which
+    // are not rounded here.
+    let (_, _, width, height) = scene.camera.viewport;
+    let large = 0.51 + f64::from(width + height) / f64::from(1 << 17);
+    let bound = if along(|p| p.0 .0).max(along(|p| p.0 .1)) < 1 << 17 { 0.54 } else { large };
     for &((x, y), _, depth) in pixels {
         let at = (256 * i64::from(x) + 128, 256 * i64::from(y) + 128);
         let weights = [edge(b.0, c.0, at), edge(c.0, a.0, at), edge(a.0, b.0, at)].map(i128::from);
