@@ -76,16 +76,3 @@ fn raised(text: &str) -> String {
     };
     text.chars().map(sign).collect()
 }
-
-/// 1000000 as 1 000 000.
-pub(crate) fn grouped(n: usize) -> String {
-    let digits = n.to_string();
-    let mut out = String::new();
-    for (i, c) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            out.push('\u{a0}');
-        }
-        out.push(c);
-    }
-    out
-}

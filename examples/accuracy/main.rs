@@ -10,6 +10,8 @@ mod bridge;
 mod command;
 mod figures;
 mod functions;
+#[path = "../../tools/bench/report/grouped.rs"]
+mod grouped;
 #[path = "../../tests/oracle/mod.rs"]
 mod oracle;
 mod page;

@@ -1,7 +1,8 @@
 //! docs/accuracy.md.
 
-use crate::figures::{binary, decimal, grouped};
+use crate::figures::{binary, decimal};
 use crate::functions::{self, Measured};
+use crate::grouped::grouped;
 use crate::population::{DESIGNS, POPULATIONS, RANGES};
 use crate::sweep::{sweep, Pair, Sweep, COUNT};
 use std::fmt::Write as _;
@@ -121,11 +122,11 @@ fn write_tables(
     sweeps: &mut [Sweep],
     functions: &[Measured],
 ) -> Result<(), std::fmt::Error> {
-    write!(page, "\n{}", CHAIN.replace("COUNT", &grouped(COUNT)))?;
+    write!(page, "\n{}", CHAIN.replace("COUNT", &grouped(COUNT as u64)))?;
     for (population, sweep) in POPULATIONS.iter().zip(&*sweeps) {
         let (width, height) = population.size;
         let z = if population.nearest == 1 { "1".to_string() } else { format!("1/{}", population.nearest) };
-        let (name, world, cameras) = (population.name, population.world, grouped(sweep.cameras));
+        let (name, world, cameras) = (population.name, population.world, grouped(sweep.cameras as u64));
         writeln!(page, "| {name} | ±{world} | {z} | {width} × {height} | {cameras} |")?;
     }
     page.push_str(DRAWN);

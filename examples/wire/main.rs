@@ -9,9 +9,8 @@
 mod canvas;
 #[path = "../common/command.rs"]
 mod command;
-#[allow(dead_code)]
-#[path = "../accuracy/figures.rs"]
-mod figures;
+#[path = "../../tools/bench/report/grouped.rs"]
+mod grouped;
 mod page;
 #[path = "../../tests/panel/mod.rs"]
 mod panel;

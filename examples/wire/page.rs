@@ -1,6 +1,6 @@
 //! docs/wire.md.
 
-use crate::figures::grouped;
+use crate::grouped::grouped;
 use crate::panel::films::{Film, Memory, FRAMES};
 use crate::panel::measure::{film, pixel_bytes, reference, sum, Cost, Way, ROWS};
 use crate::panel::screen::{Kind, Screen};
@@ -109,8 +109,8 @@ fn full<M: Kind<ColorFormat: Colour>>(page: &mut String) {
             page,
             "| {} | {name} | {} | {} | {windows} | {:.4} | {} |",
             M::NAME,
-            grouped(strip.len()),
-            grouped(bytes),
+            grouped(strip.len() as u64),
+            grouped(bytes as u64),
             bytes as f64 / pixels as f64,
             rates(bytes as f64)
         );
@@ -132,14 +132,14 @@ fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &
     ] {
         let costs = film::<M>(what, FRAMES, way);
         let mean = |of: fn(&Cost) -> usize| of(&sum(&costs)) as f64 / costs.len() as f64;
-        let most = |of: fn(&Cost) -> usize| grouped(costs.iter().map(of).max().unwrap_or(0));
+        let most = |of: fn(&Cost) -> usize| grouped(costs.iter().map(of).max().unwrap_or(0) as u64);
         let bytes = mean(|cost| cost.bytes);
         let _ = writeln!(
             page,
             "| {name} | {} ({}) | {} ({}) | {} |",
-            grouped(bytes.round() as usize),
+            grouped(bytes.round() as u64),
             most(|cost| cost.bytes),
-            grouped(mean(|cost| cost.windows).round() as usize),
+            grouped(mean(|cost| cost.windows).round() as u64),
             most(|cost| cost.windows),
             rates(bytes)
         );

@@ -22,11 +22,6 @@ use crate::raster::Scissor;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The pixels that lie in the target and in `area`.
-pub(crate) fn scissor(target: &impl Target, area: &Rectangle) -> Scissor {
-    inside(&target.area()).within(&inside(area))
-}
-
 /// The pixels of a target as far as anything is drawn, however large it is.
 pub(crate) fn reach(area: &Rectangle) -> Scissor {
     inside(area).near()
@@ -40,7 +35,7 @@ pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
     Rectangle::new(Point::new(columns.start, rows.start), size)
 }
 
-/// The pixels of a rectangle: of a viewport, which lies inside the guard band, or to be intersected with one.
+/// The pixels of a rectangle, to be intersected with a viewport, or brought [near](Scissor::near).
 pub(crate) fn inside(area: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *area;
     let (right, bottom) = (x.saturating_add_unsigned(size.width), y.saturating_add_unsigned(size.height));

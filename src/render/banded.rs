@@ -1,10 +1,10 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
+use super::{fill, fill_nearer, pixels, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
-use crate::output::{inside, rectangle, scissor, DepthBuffer, Target};
+use crate::output::{rectangle, DepthBuffer, Target};
 use crate::raster::Scissor;
 
 use embedded_graphics_core::primitives::Rectangle;
@@ -37,7 +37,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// then.
     #[inline(always)] // what it makes is large: it is made where it stays
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), inside(self.placed.area()));
+        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
         let statistics = self.record_faces(&mut bins)?;
         Ok(Faces { transformed: *self, bins, statistics })
     }
@@ -76,7 +76,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// then.
     #[inline(always)] // what it makes is large: it is made where it stays
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), inside(self.placed.area()));
+        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), pixels(self.placed.area()));
         let statistics = self.record_edges(&mut bins)?;
         Ok(Edges { transformed: *self, bins, statistics })
     }
@@ -277,7 +277,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
-        let scissor = scissor(band, self.viewport());
+        let Window { scissor, .. } = Window::new(band, self.viewport());
         self.each(&scissor, |_, _, [from, to]| {
             band.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
         })

@@ -288,8 +288,13 @@ impl Window {
     }
 
     fn new(target: &impl Target, viewport: &Rectangle) -> Self {
+        Self::of(&target.area(), viewport)
+    }
+
+    /// What of a viewport lies in a target of these pixels.
+    fn of(target: &Rectangle, viewport: &Rectangle) -> Self {
         let viewport = pixels(viewport);
-        Self { scissor: inside(&target.area()).within(&viewport), viewport }
+        Self { scissor: inside(target).within(&viewport), viewport }
     }
 
     /// What a depth buffer holds of a viewport.
@@ -306,8 +311,7 @@ impl Window {
     /// Both, for lines, of which there are several kinds.
     #[inline(never)]
     fn of_lines(target: &Rectangle, viewport: &Rectangle, depth: &DepthBuffer<'_>) -> Self {
-        let viewport = pixels(viewport);
-        Self { scissor: depth.scissor().within(&inside(target).within(&viewport)), viewport }
+        Self::of(target, viewport).with_depth(depth)
     }
 }
 

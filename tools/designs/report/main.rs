@@ -14,6 +14,8 @@ mod cross;
 mod edges;
 mod errors;
 mod exact;
+#[path = "../../bench/report/grouped.rs"]
+mod grouped;
 mod number;
 mod page;
 mod plot;

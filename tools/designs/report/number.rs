@@ -1,8 +1,5 @@
 //! How numbers read.
 
-/// Between the digits of large numbers: a space that does not break.
-const THIN: char = '\u{a0}';
-
 /// Two digits: as a decimal fraction where that is short, else with a power of ten.
 pub(crate) fn decimal(v: f64) -> String {
     if v == 0.0 {
@@ -23,17 +20,4 @@ fn raised(n: i32) -> String {
         .chars()
         .map(|c| ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][c as usize - '0' as usize])
         .collect()
-}
-
-/// 1234.5 as 1 235.
-pub(crate) fn grouped(number: f64) -> String {
-    let digits = format!("{number:.0}");
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            text.push(THIN);
-        }
-        text.push(digit);
-    }
-    text
 }

@@ -2,7 +2,8 @@
 
 use crate::about::ALL;
 use crate::edges::TURNS;
-use crate::number::{decimal, grouped};
+use crate::grouped::grouped;
+use crate::number::decimal;
 use crate::speed::CORES;
 use crate::sweep::{CLASSES, COUNT};
 use crate::{rule, Measured};
@@ -36,7 +37,7 @@ pub(crate) fn differences(old: &str, new: &str) -> Vec<String> {
 
 pub(crate) fn text(compiler: &str, measured: &[Measured]) -> String {
     let mut text = include_str!("page.md")
-        .replace("{count}", &grouped(COUNT as f64))
+        .replace("{count}", &grouped(COUNT as u64))
         .replace("{turns}", &TURNS.to_string())
         .replace("{built}", &format!("{BUILT}{compiler}."))
         .replace("{table}", &table(measured))
@@ -64,7 +65,7 @@ fn table(measured: &[Measured]) -> String {
     for (number, one) in measured.iter().enumerate() {
         let _ = write!(text, "\n| {} | {} |", number + 1, one.about.name);
         for speed in one.speed {
-            let _ = write!(text, " {} |", grouped(speed));
+            let _ = write!(text, " {} |", grouped(speed.round() as u64));
         }
         let worst = one.errors.worst();
         let [near, far] = one.edges.shift;
