@@ -44,6 +44,7 @@ public_types![
     Flat,
     Frame<Plain>,
     Gouraud,
+    Lit,
     Hidden,
     Hierarchy<'static>,
     HierarchyError,

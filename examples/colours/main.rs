@@ -20,8 +20,8 @@ use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Channels, Dithered, Gouraud, InkFor, Wire};
-use scene::Scene;
+use pinhole::{Channels, Dithered, Gouraud, InkFor, Lit, Wire};
+use scene::{Inks, Scene};
 use sheet::{write, BACKGROUND, FAINT, INK};
 use std::error::Error;
 use std::process::ExitCode;
@@ -101,18 +101,22 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
 fn pictures<C: Channels + Wire + Into<Rgb888>>(scene: &Scene) -> Result<[Vec<Rgb888>; 2], Box<dyn Error>>
 where
     Gouraud: InkFor<C>,
+    Lit: InkFor<C>,
     Dithered<Gouraud>: InkFor<C>,
+    Dithered<Lit>: InkFor<C>,
 {
-    Ok([picture::<C, _>(scene, |ink| ink)?, picture::<C, _>(scene, Gouraud::dithered)?])
+    let nearest = picture::<C, _, _>(scene, (|ink| ink, |ink| ink))?;
+    Ok([nearest, picture::<C, _, _>(scene, (Gouraud::dithered, Lit::dithered))?])
 }
 
 /// The scene in one kind of colour, band by band.
-fn picture<C, I>(scene: &Scene, ink: fn(Gouraud) -> I) -> Result<Vec<Rgb888>, Box<dyn Error>>
+fn picture<C, I, L>(scene: &Scene, inks: Inks<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
 where
     C: Channels + Wire + Into<Rgb888>,
     I: InkFor<C>,
+    L: InkFor<C>,
 {
     let mut pixels = Vec::new();
-    scene.draw(ROWS, ink, |band| pixels.extend(band.colours().map(Into::into)))?;
+    scene.draw(ROWS, inks, |band| pixels.extend(band.colours().map(Into::into)))?;
     Ok(pixels)
 }

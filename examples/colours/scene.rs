@@ -10,12 +10,15 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Band, Camera, Channels, Corner, Cull, DepthBuffer, Frame, Gouraud, InkFor, Lambert, Mesh,
-    Point3, Projection, Scalar, Vector3, Viewing, Viewport, Wire,
+    Affine, Angle, Band, Camera, Channels, Corner, Cull, DepthBuffer, Frame, Gouraud, InkFor, Lambert, Lit,
+    Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport, Wire,
 };
 use std::error::Error;
 
 const CLAY: Rgb888 = Rgb888::new(255, 178, 92);
+
+/// What becomes of the wall's inks, and of the pot's.
+pub(crate) type Inks<I, L> = (fn(Gouraud) -> I, fn(Lit) -> L);
 
 /// A wall across the picture, counter-clockwise from the lower left.
 const WALL: [[i16; 3]; 4] = [[-34, -36, -18], [34, -36, -18], [34, 22, -18], [-34, 22, -18]];
@@ -54,10 +57,10 @@ impl Scene {
     }
 
     /// Draws in bands of so many rows, with what becomes of smooth inks left open.
-    pub(crate) fn draw<C: Channels + Wire, I: InkFor<C>>(
+    pub(crate) fn draw<C: Channels + Wire, I: InkFor<C>, L: InkFor<C>>(
         &self,
         rows: u32,
-        ink: fn(Gouraud) -> I,
+        (smooth, lit): Inks<I, L>,
         mut send: impl FnMut(&Band<'_, C>),
     ) -> Result<(), Box<dyn Error>> {
         let pot = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES)?;
@@ -80,9 +83,9 @@ impl Scene {
         while let Some(mut band) = frame.next_band(&mut strip)? {
             let mut depth = DepthBuffer::new(band.area(), &mut depths)?;
             let colours = |face: usize| WALL_FACES[face].map(|i| WALL_COLOURS[usize::from(i)]);
-            wall_faces.depth_tested(|face| ink(Gouraud::new(colours(face))), &mut depth, &mut band)?;
-            let lit = |face| Gouraud::lit(CLAY, pot.corners_of(face, &self.levels));
-            pot_faces.depth_tested(|face| ink(lit(face)), &mut depth, &mut band)?;
+            wall_faces.depth_tested(|face| smooth(Gouraud::new(colours(face))), &mut depth, &mut band)?;
+            let pot = |face| lit(Gouraud::lit(CLAY, pot.corners_of(face, &self.levels)));
+            pot_faces.depth_tested(pot, &mut depth, &mut band)?;
             send(&band);
         }
         Ok(())

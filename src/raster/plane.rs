@@ -114,7 +114,8 @@ impl Numerators {
     fn new(triangle: &Triangle<'_>, room: i32, &[za, zb, zc]: &[i32; 3]) -> Self {
         let Triangle { corners: [a, b, c], .. } = triangle;
         let (dz1, dz2) = (zb - za, za - zc); // 24 bits and the sign
-                                             // 2 + k: bits of the extent and of dz, and k, are 30 in all.
+
+        // 2 + k: bits of the extent and of dz, and k, are 30 in all.
         let room = room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
         if room < 0 {
             return long(triangle, dz1, dz2);
@@ -167,32 +168,43 @@ impl<'t> Planes<'t> {
     /// the step: 2⁹·⁶ for x and for y.
     // Part of its caller where there is but one.
     pub(crate) fn through(&self, values: &[i32; 3]) -> Plane {
-        self.with(Numerators::new(self.triangle, self.room, values), values)
+        let numerators = Numerators::new(self.triangle, self.room, values);
+        match self.slope(&numerators, values) {
+            Some(slope) => slope.plane(),
+            // A copy, so that the fast way has it in registers.
+            None => Self { ..*self }.steep(values, &numerators),
+        }
+    }
+
+    /// The same as a slope, with the same error; `None` where it is too steep.
+    #[inline(always)]
+    pub(crate) fn slope_through(&self, values: &[i32; 3]) -> Option<Slope> {
+        self.slope(&Numerators::new(self.triangle, self.room, values), values)
     }
 
     #[inline(always)]
-    fn with(&self, Numerators { across, against, k }: Numerators, values: &[i32; 3]) -> Plane {
+    fn slope(&self, Numerators { across, against, k }: &Numerators, [value, ..]: &[i32; 3]) -> Option<Slope> {
         let Triangle { corners: [a, ..], .. } = self.triangle;
-        let [za, ..] = values;
         let places = self.places + k;
         if places < FLATTEST {
-            // A copy, so that the fast way has it in registers.
-            return Self { ..*self }.steep(values, (across, against), places);
+            return None;
         }
         // The upper word and the rest of the places, to nearest. There are 60 at most.
         let step = |v: i32, by: i32| ((mul_high(v, by) >> ((places - 33) & 31)) + 1) >> 1;
-        let (right, down) = (step(across, self.mantissa), step(against, -self.mantissa)); // ≤ 2²⁸
-                                                                                          // To the centre of the corner's pixel: 128 sub-pixels at most.
+        let (right, down) = (step(*across, self.mantissa), step(*against, -self.mantissa)); // ≤ 2²⁸
+
+        // To the centre of the corner's pixel: 128 sub-pixels at most.
         let way = |p: i32| 128 - (p & 255);
         let to_centre = ((right >> 5) * way(a.x) + (down >> 5) * way(a.y)) >> 3; // two products of 2³⁰
-        Plane::through_pixel((za << 8).wrapping_add(to_centre), right, down, (a.x >> 8, a.y >> 8))
+        Some(Slope { at: (value << 8).wrapping_add(to_centre), right, down, pixel: (a.x >> 8, a.y >> 8) })
     }
 
     /// Where steps are large, from a pixel near those that are asked for: the error grows with the way. Not
     /// nearer than the viewport, so that every band computes the same.
     #[cold]
     #[inline(never)]
-    fn steep(&self, &[za, zb, zc]: &[i32; 3], (across, against): (i32, i32), places: i32) -> Plane {
+    fn steep(&self, &[za, zb, zc]: &[i32; 3], &Numerators { across, against, k }: &Numerators) -> Plane {
+        let places = self.places + k;
         let Triangle { corners, area, viewport } = self.triangle;
         let [a, ..] = corners;
         let column = (a.x >> 8).clamp(viewport.left, viewport.right.max(viewport.left));
@@ -215,16 +227,39 @@ impl<'t> Planes<'t> {
             .wrapping_add((along as u64).wrapping_mul(i64::from(y) as u64));
         // A pixel is 256 sub-pixels; from 24.40 to 24.8, to nearest.
         let step = |g: i64| (g.wrapping_add(1 << 23) >> 24) as i32;
-        Plane::through_pixel((at >> 32) as i32, step(across), step(along), (column, row))
+        Slope { at: (at >> 32) as i32, right: step(across), down: step(along), pixel: (column, row) }.plane()
     }
 }
 
-impl Plane {
-    /// From the value at a pixel.
+/// A plane by its value at one pixel, and its steps.
+#[derive(Clone, Copy)]
+pub(crate) struct Slope {
+    /// Not wrapped: less than 2²⁹ from the corner's value, in 2⁻⁸ of the corners' unit, as are the steps.
+    at: i32,
+    right: i32,
+    down: i32,
+    pixel: (i32, i32),
+}
+
+impl Slope {
     #[inline(always)]
-    fn through_pixel(at: i32, right: i32, down: i32, (column, row): (i32, i32)) -> Self {
+    pub(crate) fn plane(&self) -> Plane {
+        let Self { at, right, down, pixel: (column, row) } = *self;
         let origin = at.wrapping_sub(right.wrapping_mul(column)).wrapping_sub(down.wrapping_mul(row));
-        Self { origin: origin as u32, right: right as u32, down: down as u32 }
+        Plane { origin: origin as u32, right: right as u32, down: down as u32 }
+    }
+
+    /// The plane of values `factor / 2^cut` times as large, modulo 2³²; for values up to 2²²·⁵ at the corners, factors below
+    /// 2¹⁶ and cuts from 1 to 16. The value at the corner's pixel and the steps are rounded down.
+    #[inline(always)]
+    pub(crate) fn times(&self, factor: i32, cut: u32) -> Plane {
+        let times = |v: i32| {
+            // In two products: |high| ≤ 2¹⁵, 0 ≤ low < 2¹⁶.
+            let (high, low) = (v >> 16, v & 0xffff);
+            let low = (low as u32).wrapping_mul(factor as u32) >> cut;
+            (high * factor).wrapping_shl(16 - cut).wrapping_add(low as i32)
+        };
+        Self { at: times(self.at), right: times(self.right), down: times(self.down), ..*self }.plane()
     }
 }
 

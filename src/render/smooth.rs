@@ -3,7 +3,7 @@
 use super::{Ink, InkFor};
 use crate::clip::Barycentric;
 use crate::raster::{Span, Triangle};
-use crate::shade::{Bayer, Channels, Dithered, Even, Flat, Gouraud, Nearest, Ramps};
+use crate::shade::{Bayer, Channels, Dithered, Even, Flat, Gouraud, Lit, Nearest, Ramps};
 use core::iter::repeat;
 
 impl Ink for Flat {
@@ -54,6 +54,28 @@ impl<C: Channels> InkFor<C> for Gouraud {
     }
 }
 
+impl Ink for Lit {
+    type Carried = Barycentric;
+
+    fn piece(&self, corners: [Barycentric; 3]) -> Self {
+        self.part(corners.map(|c| c.0))
+    }
+}
+
+impl<C: Channels> InkFor<C> for Lit {
+    type Fill = Ramps<C>;
+
+    #[inline(always)]
+    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
+        self.over(triangle)
+    }
+
+    #[inline(always)]
+    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run::<Nearest>(span.x, span.y)
+    }
+}
+
 impl<I: Ink> Ink for Dithered<I> {
     type Carried = I::Carried;
 
@@ -76,6 +98,20 @@ impl<C: Channels> InkFor<C> for Dithered<Flat> {
 }
 
 impl<C: Channels> InkFor<C> for Dithered<Gouraud> {
+    type Fill = Ramps<C>;
+
+    #[inline(always)]
+    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
+        self.0.over(triangle)
+    }
+
+    #[inline(always)]
+    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run::<Bayer>(span.x, span.y)
+    }
+}
+
+impl<C: Channels> InkFor<C> for Dithered<Lit> {
     type Fill = Ramps<C>;
 
     #[inline(always)]

@@ -1,6 +1,5 @@
 //! Colours as levels of their channels.
 
-use super::Flat;
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888, RgbColor,
@@ -71,42 +70,5 @@ impl Channels for BinaryColor {
     #[inline(always)]
     fn from_channels([luma, ..]: [u8; 3]) -> Self {
         (luma != 0).into()
-    }
-}
-
-/// A colour in 2⁻¹⁶ levels of the channels of `C`, rounded to nearest: each at most `MAX · 2¹⁶`, below 2²⁴.
-#[inline]
-pub(super) fn levels<C: Channels>(colour: Flat) -> [i32; 3] {
-    let [r, g, b] = colour.0.map(u32::from); // ≤ 255·2⁸
-    let [x, y, z] = C::MAX;
-    if C::GREY {
-        [level(77 * r + 150 * g + 29 * b, x), 0, 0] // weights of 2⁸ in all
-    } else {
-        [level(r << 8, x), level(g << 8, y), level(b << 8, z)]
-    }
-}
-
-/// `value · max/255`, rounded to nearest, for values up to 255·2¹⁶.
-fn level(value: u32, max: u8) -> i32 {
-    let sum = value * u32::from(max) + 127; // < 2³²
-                                            // ⌊sum/255⌋ = ⌊sum · ⌈2³⁹/255⌉ / 2³⁹⌋, without a division: a Cortex-M0 has none. (Warren, Hacker's
-                                            // Delight, 2nd ed., section 10–9.)
-    ((u64::from(sum) * 0x8080_8081) >> 39) as i32
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn levels_are_rounded_to_nearest() {
-        for max in [1, 3, 15, 31, 63, 255u8] {
-            for value in 0..=255 << 16 {
-                // 255 is odd: no ties.
-                let wanted = (u64::from(value) * u64::from(max) * 2 + 255) / 510;
-                assert_eq!(i64::from(level(value, max)), wanted as i64, "{value} of {max}");
-            }
-            assert_eq!(level(255 << 16, max), i32::from(max) << 16); // white is white
-        }
     }
 }

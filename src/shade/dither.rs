@@ -1,8 +1,8 @@
 //! Ordered dither.
 
-use super::channels::levels;
 use super::gouraud::{Rounding, Run};
-use super::{Channels, Flat, Gouraud};
+use super::levels::{levels, more, upper, whole};
+use super::{Channels, Flat, Gouraud, Lit};
 use core::marker::PhantomData;
 
 /// An ink, [`Flat`] or [`Gouraud`], in more shades than the target has: each pixel takes the level below
@@ -58,8 +58,14 @@ impl Flat {
     /// The nearest colour that the target has.
     #[inline]
     pub(crate) fn nearest<C: Channels>(&self) -> C {
-        let levels = levels::<C>(*self).map(|level| ((level + (1 << 15)) >> 16) as u8);
-        C::from_channels(levels)
+        C::from_channels(whole::<C>(more::<C>(levels::<C>(*self).map(upper), 1 << 23)))
+    }
+}
+
+impl Lit {
+    /// In as many shades as 64 pixels can show.
+    pub const fn dithered(self) -> Dithered<Self> {
+        Dithered(self)
     }
 }
 
@@ -70,7 +76,7 @@ impl Gouraud {
     }
 }
 
-/// The levels of a colour, in 2⁻²⁴.
+/// The levels of a colour.
 #[derive(Clone, Copy, Debug)]
 pub struct Even<C> {
     levels: [u32; 3],
@@ -79,8 +85,7 @@ pub struct Even<C> {
 
 impl<C: Channels> Even<C> {
     pub(crate) fn new(colour: Flat) -> Self {
-        // < 2²⁴ and not negative.
-        Self { levels: levels::<C>(colour).map(|level| (level as u32) << 8), colour: PhantomData }
+        Self { levels: levels::<C>(colour).map(upper), colour: PhantomData }
     }
 
     /// The colours of a row from a pixel on.

@@ -1,10 +1,9 @@
 //! Colours that run smoothly over a triangle.
 
-use super::channels::levels;
+use super::levels::{levels, more, whole};
 use super::{Channels, Flat};
 use crate::raster::{Plane, Planes, Triangle};
 use core::marker::PhantomData;
-use embedded_graphics_core::pixelcolor::Rgb888;
 
 /// A colour at each corner of a face, in the order in which it names them, and between them linearly on
 /// the screen. (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer
@@ -20,13 +19,13 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 /// colour jumps by more than 1 in 255 (`tests/shading/cut.rs`), and from there on they drift towards those
 /// of perspective.
 ///
+/// For one colour and a light at each corner [`Gouraud::lit`] takes less work.
+///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 /// use pinhole::Gouraud;
 /// let rainbow = Gouraud::new([Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE]);
-/// let lit = Gouraud::lit(Rgb888::WHITE, [256, 128, 40]); // one colour, three levels of light
-/// assert_eq!(Gouraud::lit(Rgb888::WHITE, [256; 3]), Gouraud::new([Rgb888::WHITE; 3]));
-/// # let _ = (rainbow, lit);
+/// # let _ = rainbow;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -36,11 +35,6 @@ impl Gouraud {
     /// From a colour for each corner, of `Rgb888` or [`Flat`], exactly.
     pub fn new(corners: [impl Into<Flat>; 3]) -> Self {
         Self(corners.map(Into::into))
-    }
-
-    /// From one colour and the light at each corner, 0 … 256 (more counts as 256), exactly.
-    pub fn lit(colour: Rgb888, levels: [u16; 3]) -> Self {
-        Self(levels.map(|level| Flat::lit(colour, level)))
     }
 
     /// For a part of the face: how much of each of its corners the new ones are, in 2⁻³⁰.
@@ -65,14 +59,14 @@ impl Gouraud {
         let first = over.through(&[a, b, c]);
         let planes =
             if C::GREY { [first; 3] } else { [first, over.through(&[d, e, f]), over.through(&[g, h, i])] };
-        Ramps { planes, colour: PhantomData }
+        Ramps::new(planes)
     }
 }
 
-/// The levels of each channel over a triangle, in 2⁻²⁴: within 2⁻¹⁰ + 2⁻¹³ of the exact ones.
+/// The levels of each channel over a triangle, with their [`places`]: within 2⁻¹⁰ + 2⁻¹³ level of the exact ones.
 ///
-/// [`Planes::through`] is off by less than `(w + h)/2 + 2¹⁰·⁶` of them w columns and h rows from its corner,
-/// w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128 to 127/128 that
+/// [`Planes::through`] is off by less than `(w + h)/2 + 2¹⁰·⁶` of the last place, of 24 or more, w columns and h rows from
+/// its corner, w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128 to 127/128 that
 /// dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]
 pub struct Ramps<C> {
@@ -81,6 +75,11 @@ pub struct Ramps<C> {
 }
 
 impl<C: Channels> Ramps<C> {
+    #[inline(always)]
+    pub(super) fn new(planes: [Plane; 3]) -> Self {
+        Self { planes, colour: PhantomData }
+    }
+
     /// The colours of a row from a covered pixel on.
     #[inline(always)]
     pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32) -> Run<C, R> {
@@ -88,7 +87,7 @@ impl<C: Channels> Ramps<C> {
     }
 }
 
-/// How levels in 2⁻²⁴ become whole ones: what is added along a row before the fraction is dropped.
+/// How levels become whole ones: what is added along a row before the fraction is dropped, in 2⁻²⁴.
 pub(crate) trait Rounding {
     /// Added at the first pixel, and kept.
     const FIRST: u32;
@@ -128,7 +127,7 @@ pub(crate) struct Run<C, R> {
 impl<C: Channels, R: Rounding> Run<C, R> {
     #[inline(always)]
     pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
-        let levels = levels.map(|level| level.wrapping_add(R::FIRST));
+        let levels = more::<C>(levels, R::FIRST);
         Self { levels, steps, rounding: R::from(x, y), colour: PhantomData }
     }
 }
@@ -138,15 +137,13 @@ impl<C: Channels, R: Rounding> Iterator for Run<C, R> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<C> {
-        let offset = self.rounding.next();
-        let whole = |level: u32| (level.wrapping_add(offset) >> 24) as u8;
+        let whole = whole::<C>(more::<C>(self.levels, self.rounding.next()));
         let ([r, g, b], [x, y, z]) = (self.levels, self.steps);
-        if C::GREY {
-            self.levels = [r.wrapping_add(x), 0, 0];
-            return Some(C::from_channels([whole(r), 0, 0]));
-        }
-        self.levels = [r.wrapping_add(x), g.wrapping_add(y), b.wrapping_add(z)];
-        Some(C::from_channels([whole(r), whole(g), whole(b)]))
+        self.levels = match C::GREY {
+            true => [r.wrapping_add(x), 0, 0],
+            false => [r.wrapping_add(x), g.wrapping_add(y), b.wrapping_add(z)],
+        };
+        Some(C::from_channels(whole))
     }
 }
 

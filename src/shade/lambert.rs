@@ -23,12 +23,13 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lambert {
-    /// Towards the light, a unit vector in 2⁻¹⁵: of the model when the transform keeps angles, of
-    /// the world otherwise.
+    /// Towards the light, in 2⁻¹⁵, as long as the light is strong that the ambient part leaves: of the model when the
+    /// transform keeps angles, of the world otherwise.
     towards: [i16; 3],
     /// The way of normals to the world, where the transform bends angles.
     bend: Option<NormalMap<Model, World>>,
-    ambient: u16,
+    /// The ambient part in 2⁻²² of a level, and the half that rounds.
+    ambient: u32,
 }
 
 /// Why there is no light.
@@ -68,10 +69,15 @@ impl Lambert {
         // n·(Cᵀ·l) = (C·n)·l.
         let in_model = normalise(&row_times(&light, normals.rows()));
         let even = keeps_angles(normals.rows());
+        let ambient = ambient.min(256);
+        let rest = 256 - i32::from(ambient);
+        // |v · rest| ≤ 2²³: no longer than a unit vector.
+        let towards =
+            to_short(if even { in_model } else { light }).map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
         Ok(Self {
-            towards: to_short(if even { in_model } else { light }),
+            towards,
             bend: (!even).then_some(normals),
-            ambient: ambient.min(256),
+            ambient: (u32::from(ambient) << 22) + (1 << 21),
         })
     }
 
@@ -97,11 +103,10 @@ impl Lambert {
     #[inline(always)]
     fn lit(&self, a: i16, b: i16, c: i16) -> u16 {
         let ([a, b, c], [x, y, z]) = ([a, b, c].map(i32::from), self.towards.map(i32::from));
-        // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹.
+        // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹; as l is the shorter the more is ambient, the last
+        // one stays below 2³².
         let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
-        let cosine = (dot >> 15).clamp(0, 1 << 15) as u32;
-        let rest = 256u32.wrapping_sub(self.ambient.into()); // 0 … 2⁸
-        self.ambient.wrapping_add(((rest.wrapping_mul(cosine) + (1 << 14)) >> 15) as u16)
+        ((dot.max(0) as u32).wrapping_add(self.ambient) >> 22).min(256) as u16
     }
 
     /// The [`level`](Self::level) for each of these normals, to the start of `levels`, as far as both go:

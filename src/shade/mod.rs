@@ -6,6 +6,8 @@ mod dither;
 mod flat;
 mod gouraud;
 mod lambert;
+mod levels;
+mod lit;
 
 pub use channels::Channels;
 pub use dim::Dim;
@@ -15,3 +17,4 @@ pub use flat::Flat;
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::{Nearest, Ramps};
 pub use lambert::{Lambert, LightError};
+pub use lit::Lit;

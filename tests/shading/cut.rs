@@ -4,9 +4,11 @@
 use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use crate::oracle::rng::Rng;
 use crate::oracle::shade::Lit;
-use crate::target::{draw, for_every_colour, gouraud, mesh, random_colour, Colour, Picture, SIZE};
+use crate::target::{
+    draw, for_every_colour, gouraud, lit, mesh, random_colour, random_lights, Colour, Picture, SIZE,
+};
 use embedded_graphics_core::pixelcolor::Gray8;
-use pinhole::{Affine, Camera, Scalar};
+use pinhole::{Affine, Camera, InkFor, Scalar};
 
 /// From the origin along −z, 90 degrees high.
 fn camera(near: i32) -> Camera {
@@ -69,7 +71,12 @@ fn inside(t: [(f64, f64); 3], p: (f64, f64)) -> f64 {
 }
 
 /// Every pixel inside one piece has the colour of that piece's plane, but for what the snap explains.
-fn check<C: Colour>(bits: [[i32; 3]; 3], colours: [Lit; 3], seen: &mut usize) {
+fn check<C: Colour, I: InkFor<C>>(
+    bits: [[i32; 3]; 3],
+    ink: impl Fn([Lit; 3]) -> I,
+    colours: [Lit; 3],
+    seen: &mut usize,
+) {
     let corners = [0, 1, 2].map(|i| Corner {
         at: reals(bits[i]),
         levels: C::DEPTHS.levels(colours[i]).iter().map(|&(n, d)| n as f64 / d as f64).collect(),
@@ -82,7 +89,7 @@ fn check<C: Colour>(bits: [[i32; 3]; 3], colours: [Lit; 3], seen: &mut usize) {
     }
     let vertices = bits.map(|v| v.map(Scalar::from_bits));
     let mesh = mesh(&vertices);
-    let picture = draw::<C, _>(&camera(ONE).place(&mesh, &Affine::identity()), gouraud(colours));
+    let picture = draw::<C, _>(&camera(ONE).place(&mesh, &Affine::identity()), ink(colours));
     for k in 2..polygon.len() {
         let piece = [&polygon[0], &polygon[k - 1], &polygon[k]];
         let t = piece.map(|corner| screen(corner.at));
@@ -131,9 +138,10 @@ fn random_face(rng: &mut Rng) -> [[i32; 3]; 3] {
 fn random<C: Colour>(cases: usize) {
     let (mut rng, mut seen) = (Rng::new(0x90), 0);
     for _ in 0..cases {
-        check::<C>(random_face(&mut rng), [0; 3].map(|_| random_colour(&mut rng)), &mut seen);
+        check::<C, _>(random_face(&mut rng), gouraud, [0; 3].map(|_| random_colour(&mut rng)), &mut seen);
+        check::<C, _>(random_face(&mut rng), lit, random_lights(&mut rng), &mut seen);
     }
-    assert!(seen > 50 * cases, "{seen} pixels");
+    assert!(seen > 100 * cases, "{seen} pixels");
 }
 
 #[test]

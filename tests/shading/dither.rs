@@ -5,8 +5,8 @@ use crate::oracle::coverage::centre;
 use crate::oracle::rng::Rng;
 use crate::oracle::shade::{bayer, dithered, Fraction, Lit};
 use crate::target::{
-    corners, draw, flat, flat_camera, for_every_colour, gouraud, mesh, random_colour, random_triangle,
-    vertex, Colour, Picture,
+    corners, draw, flat, flat_camera, for_every_colour, gouraud, lit, mesh, random_colour, random_lights,
+    random_triangle, vertex, Colour, Picture,
 };
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::Gray4;
@@ -32,12 +32,20 @@ fn smooth<C: Colour>(cases: usize) {
     let (mut rng, pattern, camera) = (Rng::new(0x70), bayer(8), flat_camera());
     let mut seen = 0;
     for _ in 0..cases {
-        let colours = [0; 3].map(|_| random_colour(&mut rng));
+        let of_one_colour = rng.one_in(2);
+        let colours = match of_one_colour {
+            true => random_lights(&mut rng),
+            false => [0; 3].map(|_| random_colour(&mut rng)),
+        };
         let vertices = random_triangle(&mut rng).map(vertex);
         let mesh = mesh(&vertices);
         let placed = camera.place(&mesh, &Affine::identity());
         let t = corners(&placed).expect("in the guard band");
-        for (p, colour) in draw::<C, _>(&placed, gouraud(colours).dithered()).drawn() {
+        let picture = match of_one_colour {
+            true => draw::<C, _>(&placed, lit(colours).dithered()),
+            false => draw::<C, _>(&placed, gouraud(colours).dithered()),
+        };
+        for (p, colour) in picture.drawn() {
             let exact = C::DEPTHS.over(t, colours, centre(p.x.into(), p.y.into()));
             for (level, exact) in colour.levels().into_iter().zip(exact) {
                 let wanted = dithered(exact, rank(&pattern, p), SMOOTH);
@@ -51,7 +59,7 @@ fn smooth<C: Colour>(cases: usize) {
 
 #[test]
 fn smooth_colours_take_the_level_of_the_pattern() {
-    for_every_colour!(smooth(400));
+    for_every_colour!(smooth(800));
 }
 
 fn even<C: Colour>(colour: Lit, rng: &mut Rng) {

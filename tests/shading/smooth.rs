@@ -5,23 +5,28 @@ use crate::oracle::rng::Rng;
 use crate::oracle::shade::{distance, Lit};
 use crate::oracle::target::{Call, Recorder};
 use crate::target::{
-    corners, draw, flat, flat_camera, for_every_colour, gouraud, mesh, random_colour, random_triangle,
-    vertex, Colour,
+    corners, draw, flat, flat_camera, for_every_colour, gouraud, lit, mesh, random_colour, random_lights,
+    random_triangle, vertex, Colour,
 };
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
-use pinhole::{Affine, Channels, Flat, Gouraud};
+use pinhole::{Affine, Channels, Flat, Gouraud, InkFor};
 
 /// ½ for the rounding, and what the documentation allows beyond.
 const BOUND: f64 = 0.5 + 1.0 / 512.0;
 
-fn check<C: Colour>(t: [P; 3], colours: [Lit; 3], worst: &mut f64) {
+fn check<C: Colour, I: InkFor<C>>(
+    t: [P; 3],
+    ink: impl Fn([Lit; 3]) -> I,
+    colours: [Lit; 3],
+    worst: &mut f64,
+) {
     let (camera, vertices) = (flat_camera(), t.map(vertex));
     let mesh = mesh(&vertices);
     let placed = camera.place(&mesh, &Affine::identity());
     let Some(t) = corners(&placed) else { panic!("{t:?} is in the guard band") };
-    let picture = draw::<C, _>(&placed, gouraud(colours));
+    let picture = draw::<C, _>(&placed, ink(colours));
     let plain = draw::<C, _>(&placed, C::decode(0));
     assert_eq!(picture.drawn().count(), plain.drawn().count());
     for (p, colour) in picture.drawn() {
@@ -35,15 +40,17 @@ fn check<C: Colour>(t: [P; 3], colours: [Lit; 3], worst: &mut f64) {
 }
 
 fn random<C: Colour>(cases: usize) {
-    let (mut rng, mut worst) = (Rng::new(0x60), 0.0);
+    let mut rng = Rng::new(0x60);
+    let (mut worst, mut worst_lit) = (0.0, 0.0);
     let mut windings = [0, 0];
     for _ in 0..cases {
         let t = random_triangle(&mut rng);
         windings[usize::from(edge(t[0], t[1], t[2]) > 0)] += 1;
-        check::<C>(t, [0; 3].map(|_| random_colour(&mut rng)), &mut worst);
+        check::<C, _>(t, gouraud, [0; 3].map(|_| random_colour(&mut rng)), &mut worst);
+        check::<C, _>(t, lit, random_lights(&mut rng), &mut worst_lit);
     }
-    assert!(windings.iter().all(|&n| n > cases / 3) && worst > 0.499, "{windings:?} {worst}");
-    println!("{}: within {worst:.6} levels", core::any::type_name::<C>());
+    assert!(windings.iter().all(|&n| n > cases / 3) && worst > 0.499 && worst_lit > 0.499, "{windings:?}");
+    println!("{}: within {worst:.6} levels, lit {worst_lit:.6}", core::any::type_name::<C>());
 }
 
 #[test]
@@ -135,6 +142,8 @@ fn a_span_is_one_call() {
 #[test]
 fn light_is_full_at_256() {
     for level in [256, 257, u16::MAX] {
-        assert_eq!(Gouraud::lit(Rgb888::new(9, 8, 7), [level; 3]), Gouraud::new([Rgb888::new(9, 8, 7); 3]));
+        let colour = Rgb888::new(9, 8, 7);
+        assert_eq!(Gouraud::lit(colour, [level; 3]), Gouraud::lit(colour, [256; 3]));
+        assert_ne!(Gouraud::lit(colour, [level; 3]), Gouraud::lit(colour, [level, 255, level]));
     }
 }

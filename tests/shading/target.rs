@@ -184,6 +184,19 @@ pub(crate) fn gouraud(colours: [Lit; 3]) -> Gouraud {
     Gouraud::new(colours.map(flat))
 }
 
+/// As [`gouraud`], of corners that differ in their light alone.
+pub(crate) fn lit([a, b, c]: [Lit; 3]) -> pinhole::Lit {
+    assert!(a.rgb == b.rgb && a.rgb == c.rgb);
+    let [red, green, blue] = a.rgb;
+    Gouraud::lit(Rgb888::new(red, green, blue), [a.level, b.level, c.level])
+}
+
+/// Three lights of one colour.
+pub(crate) fn random_lights(rng: &mut Rng) -> [Lit; 3] {
+    let Lit { rgb, .. } = random_colour(rng);
+    [0; 3].map(|_| Lit { rgb, ..random_colour(rng) })
+}
+
 /// Within the guard band: small, as large as the picture, far larger, and slivers.
 pub(crate) fn random_triangle(rng: &mut Rng) -> [P; 3] {
     let reach = [300, 3_000, 12_000, 100_000, 2_000_000][rng.below(5)];

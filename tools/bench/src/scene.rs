@@ -6,7 +6,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
-    Affine, Angle, Camera, Dim, Gouraud, Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing,
+    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing,
     Viewport,
 };
 
@@ -117,7 +117,7 @@ pub fn flat<'s>(mesh: &'s Mesh<'s>, light: &'s Lambert) -> impl Fn(usize) -> Rgb
 
 /// Each corner in a light of its own: what the light's level is for its place, as if that were a normal.
 #[inline(always)]
-pub fn smooth<'s>(mesh: &'s Mesh<'s>, light: &'s Lambert) -> impl Fn(usize) -> Gouraud + 's {
+pub fn smooth<'s>(mesh: &'s Mesh<'s>, light: &'s Lambert) -> impl Fn(usize) -> Lit + 's {
     |face| {
         let corners = mesh.faces().get(face).copied().unwrap_or_default();
         let place = |vertex: u16| mesh.vertices().get(usize::from(vertex)).copied().unwrap_or_default();
