@@ -114,9 +114,10 @@ fn r9_in_bands_that_do_not_begin_at_the_origin() {
 
 const SIZE: Size = Size::new(90, 70);
 
-/// Colours and depths of a mesh, through the picture's pixels or as any target.
+/// Colours and depths of a mesh, through the picture's pixels or as any target; depth has so many rows.
 fn tested<I: InkFor<Rgb565>>(
     mesh: &Mesh<'_>,
+    rows: u32,
     shade: impl Fn(usize) -> I,
     fast: bool,
 ) -> (Vec<Rgb565>, Vec<u16>) {
@@ -128,10 +129,11 @@ fn tested<I: InkFor<Rgb565>>(
     let camera = Camera::new(&view, &lens, &viewport);
     let model = Affine::<Model, World>::identity();
     let mut pixels = vec![Rgb565::CSS_BLACK; (SIZE.width * SIZE.height) as usize];
-    let mut held = vec![0; pixels.len()];
+    let area = bridge::rectangle(0, 0, SIZE.width, rows);
+    let mut held = vec![0; (SIZE.width * rows) as usize];
     let mut corners = vec![Corner::EMPTY; mesh.vertices().len()];
     let mut picture = Picture::new(&mut pixels, SIZE).expect("enough memory");
-    let mut depth = DepthBuffer::new(picture.pixels().area(), &mut held).expect("enough memory");
+    let mut depth = DepthBuffer::new(area, &mut held).expect("enough memory");
     let placed = camera.place(mesh, &model).with_cull(Cull::None);
     let Ok(_) = match fast {
         true => placed.depth_tested(shade, &mut corners, &mut depth, &mut picture.pixels()),
@@ -145,7 +147,8 @@ fn depth_and_colours_are_those_of_any_target() {
     let mut rng = Rng::new(0x9A1B);
     let mut seen = 0;
     for reach in [60, 300, 1500, 9000] {
-        for _ in 0..60 {
+        for case in 0..60 {
+            let rows = [SIZE.height, SIZE.height - 9, SIZE.height + 9][case % 3];
             // About points in 2^-10 units, some of them before near, and beyond the picture's border.
             let mut vertices = Vec::new();
             for _ in 0..20 {
@@ -157,12 +160,19 @@ fn depth_and_colours_are_those_of_any_target() {
             let faces: Vec<[u16; 3]> = (0..20).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
             let mesh = Mesh::new(&vertices, -10, &faces).expect("faces of these vertices");
             let plain = |face: usize| Rgb565::CSS_GOLD.dim(12 * (face as u16 + 1));
-            let smooth = |face: usize| Gouraud::lit(Rgb888::CSS_GOLD, [10 * face as u16 + 40, 256, 100]);
-            let fast = tested(&mesh, plain, true);
-            assert!(fast == tested(&mesh, plain, false), "{vertices:?}");
-            assert!(tested(&mesh, smooth, true) == tested(&mesh, smooth, false), "{vertices:?}");
+            let lit = |face: usize| Gouraud::lit(Rgb888::CSS_GOLD, [10 * face as u16 + 40, 256, 100]);
+            let smooth = |face: usize| {
+                Gouraud::new([Rgb888::CSS_GOLD, Rgb888::new(face as u8, 9, 99), Rgb888::CSS_RED])
+            };
+            let fast = tested(&mesh, rows, plain, true);
+            assert!(fast == tested(&mesh, rows, plain, false), "{vertices:?}");
+            assert!(tested(&mesh, rows, smooth, true) == tested(&mesh, rows, smooth, false), "{vertices:?}");
+            assert!(tested(&mesh, rows, lit, true) == tested(&mesh, rows, lit, false), "{vertices:?}");
             let dithered = |face| smooth(face).dithered();
-            assert!(tested(&mesh, dithered, true) == tested(&mesh, dithered, false), "{vertices:?}");
+            assert!(
+                tested(&mesh, rows, dithered, true) == tested(&mesh, rows, dithered, false),
+                "{vertices:?}"
+            );
             seen += fast.1.iter().filter(|&&depth| depth != DepthBuffer::NOTHING).count();
         }
     }
@@ -171,8 +181,10 @@ fn depth_and_colours_are_those_of_any_target() {
 
 #[test]
 fn depths_are_cleared_wherever_they_lie() {
-    for (from, count) in (0..4).flat_map(|from| [0, 1, 2, 3, 31, 32, 33, 70].map(|count| (from, count))) {
-        let mut storage = [7; 80];
+    for (from, count) in
+        (0..4).flat_map(|from| [0, 1, 2, 3, 63, 64, 65, 66, 67, 130].map(|count| (from, count)))
+    {
+        let mut storage = [7; 140];
         let area = Rectangle::new(Point::new(3, -2), Size::new(count as u32, 1));
         let mut depth = DepthBuffer::new(area, &mut storage[from..]).expect("enough memory");
         depth.clear();

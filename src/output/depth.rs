@@ -76,11 +76,11 @@ impl<'a> DepthBuffer<'a> {
         // In blocks that become wide stores. The hint keeps the loop from being taken for the library's
         // `memset`, which costs up to three times as much on a Cortex-M.
         let word = u32::from(Self::NOTHING) << 16 | u32::from(Self::NOTHING);
-        let mut blocks = words.chunks_exact_mut(16);
-        for block in &mut blocks {
+        let (blocks, rest) = words.as_chunks_mut::<32>();
+        for block in blocks {
             block.fill(black_box(word));
         }
-        blocks.into_remainder().fill(word);
+        rest.fill(word);
         after.fill(Self::NOTHING);
     }
 
@@ -119,10 +119,13 @@ impl<'a> DepthBuffer<'a> {
         Some(start..start.wrapping_add(width))
     }
 
-    /// The depths, if they are those of a rectangle's pixels.
+    /// The depths, if they stand where the pixels of a rectangle do, as far as there are both: there may be more rows of
+    /// either.
     #[inline(always)]
-    pub(super) fn same_as(&mut self, area: &Rectangle) -> Option<&mut [u16]> {
-        (self.area == *area).then_some(&mut *self.values)
+    pub(super) fn beside(&mut self, area: &Rectangle) -> Option<&mut [u16]> {
+        let (own, other) = (&self.area, area);
+        let is_beside = own.top_left == other.top_left && own.size.width == other.size.width;
+        is_beside.then_some(&mut *self.values)
     }
 
     /// What is held in a row, which lies inside.

@@ -35,29 +35,27 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         self.cells.get_mut(from..from.wrapping_add(width as usize))
     }
 
-    /// Fills a triangle.
+    /// Fills a triangle. With two cells alike, of which the compiler does not know that here: it keeps them in one register.
     #[inline(never)] // its loop needs all registers
-    pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
-        let two = pair(cell);
+    pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
         match Small::new(triangle, scissor) {
-            Some(halves) => halves.each(|stretch| self.stretch(stretch, two)),
-            None => self.cut(triangle, scissor, cell),
+            Some(halves) => self.halves(halves, two),
+            None => self.cut(triangle, scissor, two),
         }
     }
 
     /// One that is cut, wide or large.
     #[inline(never)]
-    fn cut(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
-        let two = pair(cell);
+    fn cut(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
         match Low::new(triangle, scissor) {
-            Some(halves) => halves.each(|stretch| self.stretch(stretch, two)),
-            None => self.large(triangle, scissor, cell),
+            Some(halves) => self.halves(halves, two),
+            None => self.large(triangle, scissor, two),
         }
     }
 
     #[inline(never)] // its loop needs all registers
-    fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, cell: Cell) {
-        let (two, mut large) = (pair(cell), Large::new(triangle, scissor));
+    fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
+        let mut large = Large::new(triangle, scissor);
         while let Some(stretch) = large.stretch() {
             match stretch.upright(self.stride as i32) {
                 // All of so many rows, as where a large face is cut on both sides: one run.
@@ -66,14 +64,24 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                         fill(run, two);
                     }
                 }
-                None => self.stretch(stretch, two),
+                None => {
+                    let start = self.places()(stretch.x, stretch.y);
+                    self.stretch(stretch, start, two);
+                }
             }
         }
     }
 
     #[inline(always)]
-    fn stretch<S: Step>(&mut self, mut stretch: Stretch<S>, two: [Cell; 2]) {
-        let mut start = self.places()(stretch.x, stretch.y);
+    fn halves<D: Divisor, const CUT: bool>(&mut self, halves: Halves<D, CUT>, two: [Cell; 2]) {
+        let (x, y) = halves.first();
+        let mut start = self.places()(x, y);
+        halves.each(|stretch| start = self.stretch(stretch, start, two));
+    }
+
+    /// From where the first row starts, to where the one below does.
+    #[inline(always)]
+    fn stretch<S: Step>(&mut self, mut stretch: Stretch<S>, mut start: usize, two: [Cell; 2]) -> usize {
         while stretch.rows > 0 {
             let (left, right) = stretch.row();
             let from = start.wrapping_add(left as usize);
@@ -85,6 +93,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             start = start.wrapping_add(self.stride);
             stretch.rows -= 1;
         }
+        start
     }
 
     /// Fills a triangle where it is nearer than what is held for the same pixels.
@@ -95,11 +104,11 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],
-        cell: Cell,
+        two: [Cell; 2],
     ) {
         match Small::new(triangle, scissor) {
-            Some(halves) => self.halves_nearer(halves, triangle, depths, held, cell),
-            None => self.cut_nearer(triangle, depths, scissor, held, cell),
+            Some(halves) => self.halves_nearer(halves, triangle, depths, held, two),
+            None => self.cut_nearer(triangle, depths, scissor, held, two),
         }
     }
 
@@ -111,14 +120,14 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         depths: &[i32; 3],
         scissor: &Scissor,
         held: &mut [u16],
-        cell: Cell,
+        two: [Cell; 2],
     ) {
         if let Some(halves) = Low::new(triangle, scissor) {
-            return self.halves_nearer(halves, triangle, depths, held, cell);
+            return self.halves_nearer(halves, triangle, depths, held, two);
         }
         let large = Large::new(triangle, scissor);
         if !large.is_empty() {
-            self.large_nearer(large, &Plane::of_depth(triangle, depths), held, cell);
+            self.large_nearer(large, &Plane::of_depth(triangle, depths), held, two);
         }
     }
 
@@ -129,54 +138,56 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         triangle: &Triangle<'_>,
         depths: &[i32; 3],
         held: &mut [u16],
-        cell: Cell,
+        two: [Cell; 2],
     ) {
-        let two = pair(cell);
         if !halves.is_empty() {
             let plane = Plane::of_depth(triangle, depths);
-            halves.each(|stretch| self.stretch_nearer(stretch, &plane, held, two));
+            let (x, y) = halves.first();
+            let mut start = (self.places()(x, y), plane.at(x, y));
+            halves.each(|stretch| start = self.stretch_nearer(stretch, start, &plane, held, two));
         }
     }
 
     #[inline(never)] // rare, and most of it a row's pixels
-    fn large_nearer(&mut self, mut large: Large, plane: &Plane, held: &mut [u16], cell: Cell) {
-        let two = pair(cell);
+    fn large_nearer(&mut self, mut large: Large, plane: &Plane, held: &mut [u16], two: [Cell; 2]) {
         while let Some(stretch) = large.stretch() {
-            self.stretch_nearer(stretch, plane, held, two);
+            let start = (self.places()(stretch.x, stretch.y), plane.at(stretch.x, stretch.y));
+            self.stretch_nearer(stretch, start, plane, held, two);
         }
     }
 
+    /// From where the first row starts, and the depth there, to those of the row below.
     #[inline(always)]
     fn stretch_nearer<S: Step>(
         &mut self,
         mut stretch: Stretch<S>,
+        (mut start, mut z): (usize, u32),
         plane: &Plane,
         held: &mut [u16],
         two: [Cell; 2],
-    ) {
+    ) -> (usize, u32) {
         let [cell, _] = two;
         // One length for both.
         let length = self.cells.len().min(held.len());
-        let mut start = self.places()(stretch.x, stretch.y);
-        let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) else {
-            return;
-        };
-        let (step, mut z) = (plane.step(), plane.at(stretch.x, stretch.y));
-        while stretch.rows > 0 {
-            let (left, right) = stretch.row();
-            let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
-            if let (Some(run), Some(held)) = (cells.get_mut(from..to), held.get_mut(from..to)) {
-                let z = z.wrapping_add(step.wrapping_mul(left as u32));
-                if run.len() >= LONG {
-                    fill_nearer(run, held, z, step, two);
-                } else {
-                    fill_short_nearer(run, held, z, step, cell);
+        if let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) {
+            let step = plane.step();
+            while stretch.rows > 0 {
+                let (left, right) = stretch.row();
+                let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
+                if let (Some(run), Some(held)) = (cells.get_mut(from..to), held.get_mut(from..to)) {
+                    let z = z.wrapping_add(step.wrapping_mul(left as u32));
+                    if run.len() >= MANY {
+                        fill_nearer(run, held, z, step, two);
+                    } else {
+                        fill_short_nearer(run, held, z, step, cell);
+                    }
                 }
+                z = z.wrapping_add(plane.down());
+                start = start.wrapping_add(self.stride);
+                stretch.rows -= 1;
             }
-            z = z.wrapping_add(plane.down());
-            start = start.wrapping_add(self.stride);
-            stretch.rows -= 1;
         }
+        (start, z)
     }
 
     /// Fills a triangle with cells of its own.
@@ -221,43 +232,44 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 }
 
-/// From as many pixels on four at a time are faster than one by one.
-const LONG: usize = 8;
+/// So many pixels at a time are faster than one by one.
+const MANY: usize = 8;
 
 #[inline(always)]
-fn fill_short_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, cell: Cell) {
+fn fill_short_nearer<Cell: Copy>(
+    run: &mut [Cell],
+    held: &mut [u16],
+    mut z: u32,
+    step: u32,
+    cell: Cell,
+) -> u32 {
     for (pixel, held) in run.iter_mut().zip(held) {
         one_nearer(pixel, held, z, cell);
         z = z.wrapping_add(step);
         black_box(()); // not unrolled
     }
+    z
 }
 
-/// Four pixels at a time where nothing is held yet, as is so of most.
+/// Many pixels at a time where nothing is held yet, as is so of most.
 #[inline(never)] // its loop needs all registers
 fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, two: [Cell; 2]) {
     let [cell, _] = two;
-    let many = run.len() & !3;
-    let (Some((fours, rest)), Some((held_fours, held_rest))) =
-        (run.split_at_mut_checked(many), held.split_at_mut_checked(many))
-    else {
-        return; // they are as long
-    };
-    for (pixels, held) in fours.chunks_exact_mut(4).zip(held_fours.chunks_exact_mut(4)) {
-        let ([p, q, r, s], [a, b, c, d]) = (pixels, held) else { return };
+    // They are as long; here that is said.
+    let Some(held) = held.get_mut(..run.len()) else { return };
+    let ((many, rest), (held_many, held_rest)) = (run.as_chunks_mut::<MANY>(), held.as_chunks_mut::<MANY>());
+    for (pixels, held) in many.iter_mut().zip(held_many) {
         // As pairs these are loaded at once.
-        let pair = |a: u16, b: u16| u32::from(a) | u32::from(b) << 16;
-        if pair(*a, *b) & pair(*c, *d) == u32::MAX {
-            [[*p, *q], [*r, *s]] = [two; 2];
-            for held in [a, b, c, d] {
+        let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
+        if pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX {
+            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = two);
+            for held in held {
                 *held = (z >> 16) as u16;
                 z = z.wrapping_add(step);
             }
         } else {
-            for (pixel, held) in [(p, a), (q, b), (r, c), (s, d)] {
-                one_nearer(pixel, held, z, cell);
-                z = z.wrapping_add(step);
-            }
+            // Loaded anew: the way above needs the registers.
+            z = fill_short_nearer(pixels, black_box(held), z, step, cell);
         }
         black_box(()); // not unrolled
     }

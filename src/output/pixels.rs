@@ -4,7 +4,7 @@ use super::depth::DepthBuffer;
 use super::memory::{fill, Memory};
 use super::reach;
 use super::target::{spans_nearer, spans_shaded_nearer, Target};
-use crate::raster::{Pixel, Scissor, Span, Triangle};
+use crate::raster::{Pixel, Scissor, ScreenPoint, Span, Triangle};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -14,6 +14,7 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Debug)]
 pub struct Pixels<'a, C, Cell = C> {
     area: Rectangle,
+    /// Of the area: worked out once, not for each triangle.
     reach: Scissor,
     memory: Memory<'a, Cell>,
     colour: PhantomData<C>,
@@ -79,7 +80,15 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
 
     #[inline(always)]
     fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
-        self.memory.triangle(triangle, scissor, colour.stored());
+        self.memory.triangle(triangle, scissor, [colour.stored(); 2]);
+        Ok(())
+    }
+
+    // Without a copy of the reach.
+    #[inline(always)]
+    fn plain_triangle(&mut self, corners: [ScreenPoint; 3], area: i64, colour: C) -> Result<(), Infallible> {
+        let Self { reach, memory, .. } = self;
+        memory.triangle(&Triangle::new(corners, area, reach), reach, [colour.stored(); 2]);
         Ok(())
     }
 
@@ -92,9 +101,9 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
         depth: &mut DepthBuffer<'_>,
         colour: C,
     ) -> Result<(), Infallible> {
-        match depth.same_as(&self.area) {
+        match depth.beside(&self.area) {
             Some(held) => {
-                self.memory.nearer(triangle, depths, scissor, held, colour.stored());
+                self.memory.nearer(triangle, depths, scissor, held, [colour.stored(); 2]);
                 Ok(())
             }
             None => spans_nearer(self, triangle, depths, scissor, depth, colour),
@@ -121,7 +130,7 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
         depth: &mut DepthBuffer<'_>,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Infallible> {
-        match depth.same_as(&self.area) {
+        match depth.beside(&self.area) {
             Some(held) => {
                 self.memory
                     .shaded_nearer(triangle, depths, scissor, held, |span| run(span).map(Stored::stored));

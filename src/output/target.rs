@@ -2,7 +2,7 @@
 
 use super::depth::DepthBuffer;
 use super::reach;
-use crate::raster::{self, Pixel, Plane, Scissor, Span, Triangle};
+use crate::raster::{self, Pixel, Plane, Scissor, ScreenPoint, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -55,6 +55,19 @@ pub trait Target: sealed::Sealed {
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
         triangle.spans(scissor).try_for_each(|span| self.fill(span, colour))
+    }
+
+    /// Draws a triangle of one colour in 2D, with its area, which is not zero.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn plain_triangle(
+        &mut self,
+        corners: [ScreenPoint; 3],
+        area: i64,
+        colour: Self::Color,
+    ) -> Result<(), Self::Error> {
+        let all = self.reach();
+        self.triangle(&Triangle::new(corners, area, &all), &all, colour)
     }
 
     /// Draws it where it is nearer than what is held. `depths` are its corners', in 16.8.

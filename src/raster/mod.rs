@@ -71,7 +71,10 @@ impl ScreenPoint {
     /// The door for 2D work: 1/256 pixel, exact; `None` beyond ±8192 pixels.
     pub const fn from_subpixels(x: i32, y: i32) -> Option<Self> {
         const LIMIT: i32 = GUARD_BAND * 256;
-        if x < -LIMIT || x > LIMIT || y < -LIMIT || y > LIMIT {
+        // Negative where one of these is, and where one wraps.
+        let room =
+            x.wrapping_add(LIMIT) | LIMIT.wrapping_sub(x) | y.wrapping_add(LIMIT) | LIMIT.wrapping_sub(y);
+        if room < 0 {
             return None;
         }
         Some(Self { x, y })

@@ -24,7 +24,8 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
             return (x2 * y1).wrapping_sub(x1 * y2).into();
         }
     }
-    mul_wide(x2, y1) - mul_wide(x1, y2)
+    // A sum: most cores have one instruction for a product and what it is added to.
+    mul_wide(x2, y1) + mul_wide(-x1, y2)
 }
 
 /// A triangle ready to be drawn: what an [`InkFor`](crate::InkFor) of one's own is made ready for.
@@ -194,6 +195,12 @@ impl<D: Divisor, const CUT: bool> Halves<D, CUT> {
             true => self.row.max(self.top) >= end.min(self.bottom),
             false => self.row >= end,
         }
+    }
+
+    /// The column that its sides are counted from, and the first row. Every stretch begins where the one before ends.
+    #[inline(always)]
+    pub(crate) fn first(&self) -> (i32, i32) {
+        (self.column + 1, if CUT { self.row.max(self.top) } else { self.row })
     }
 
     /// Both stretches. Where it is `CUT`, small is better than fast, and their loop stays one.

@@ -25,10 +25,13 @@ pub fn fill_triangle<T: Target, I: InkFor<T::Color>>(
     ink: I,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let all = target.reach();
-    match raster::area(&corners) {
-        0 => Ok(()), // R6
-        area => fill(corners, area, &ink, [&all; 2], target),
+    match (raster::area(&corners), ink.even()) {
+        (0, _) => Ok(()), // R6
+        (area, Some(colour)) => target.plain_triangle(corners, area, colour),
+        (area, None) => {
+            let all = target.reach();
+            fill(corners, area, &ink, [&all; 2], target)
+        }
     }
 }
 
