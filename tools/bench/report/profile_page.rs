@@ -70,7 +70,7 @@ fn about(stage: Stage) -> About {
             |units| units.drawn,
         ),
         Stage::Planes => {
-            of("planes", "face drawn", "depth over the triangle; of S8 three channels too", |units| {
+            of("planes", "face drawn", "depth over the triangle; of S8 the light and its three channels too", |units| {
                 units.drawn
             })
         }
