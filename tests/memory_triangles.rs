@@ -13,7 +13,7 @@ use oracle::rng::Rng;
 use pinhole::space::{Model, World};
 use pinhole::{
     fill_triangle, Affine, Angle, Camera, Corner, Cull, DepthBuffer, Dim, Frame, Gouraud, InkFor, Mesh,
-    Picture, Point3, Projection, Scalar, Target, Vector3, Viewing, Viewport,
+    Picture, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
 };
 
 const INK: Gray8 = Gray8::new(1);

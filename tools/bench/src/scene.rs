@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
-    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing,
-    Viewport,
+    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, Placed, Point3, Projection, Scalar, Vector3,
+    Viewing, Viewport,
 };
 
 /// Width and height of a frame.
