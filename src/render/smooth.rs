@@ -32,50 +32,6 @@ impl<C: Channels> InkFor<C> for Flat {
     }
 }
 
-impl Ink for Gouraud {
-    type Carried = Barycentric;
-
-    fn piece(&self, corners: [Barycentric; 3]) -> Self {
-        self.part(corners.map(|c| c.0))
-    }
-}
-
-impl<C: Channels> InkFor<C> for Gouraud {
-    type Fill = Ramps<C>;
-
-    #[inline(always)]
-    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
-        self.over(triangle)
-    }
-
-    #[inline(always)]
-    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
-        fill.run::<Nearest>(span.x, span.y)
-    }
-}
-
-impl Ink for Lit {
-    type Carried = Barycentric;
-
-    fn piece(&self, corners: [Barycentric; 3]) -> Self {
-        self.part(corners.map(|c| c.0))
-    }
-}
-
-impl<C: Channels> InkFor<C> for Lit {
-    type Fill = Ramps<C>;
-
-    #[inline(always)]
-    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
-        self.over(triangle)
-    }
-
-    #[inline(always)]
-    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
-        fill.run::<Nearest>(span.x, span.y)
-    }
-}
-
 impl<I: Ink> Ink for Dithered<I> {
     type Carried = I::Carried;
 
@@ -97,30 +53,44 @@ impl<C: Channels> InkFor<C> for Dithered<Flat> {
     }
 }
 
-impl<C: Channels> InkFor<C> for Dithered<Gouraud> {
-    type Fill = Ramps<C>;
+macro_rules! smooth {
+    ($($ink:ident),*) => {$(
+        impl Ink for $ink {
+            type Carried = Barycentric;
 
-    #[inline(always)]
-    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
-        self.0.over(triangle)
-    }
+            fn piece(&self, corners: [Barycentric; 3]) -> Self {
+                self.part(corners.map(|c| c.0))
+            }
+        }
 
-    #[inline(always)]
-    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
-        fill.run::<Bayer>(span.x, span.y)
-    }
+        impl<C: Channels> InkFor<C> for $ink {
+            type Fill = Ramps<C>;
+
+            #[inline(always)]
+            fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
+                self.over(triangle)
+            }
+
+            #[inline(always)]
+            fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
+                fill.run::<Nearest>(span.x, span.y)
+            }
+        }
+
+        impl<C: Channels> InkFor<C> for Dithered<$ink> {
+            type Fill = Ramps<C>;
+
+            #[inline(always)]
+            fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
+                self.0.over(triangle)
+            }
+
+            #[inline(always)]
+            fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
+                fill.run::<Bayer>(span.x, span.y)
+            }
+        }
+    )*};
 }
 
-impl<C: Channels> InkFor<C> for Dithered<Lit> {
-    type Fill = Ramps<C>;
-
-    #[inline(always)]
-    fn over(&self, triangle: &Triangle<'_>) -> Ramps<C> {
-        self.0.over(triangle)
-    }
-
-    #[inline(always)]
-    fn run(fill: &Ramps<C>, span: Span) -> impl Iterator<Item = C> {
-        fill.run::<Bayer>(span.x, span.y)
-    }
-}
+smooth!(Gouraud, Lit);

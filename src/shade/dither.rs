@@ -49,30 +49,24 @@ use core::marker::PhantomData;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Dithered<I>(pub(crate) I);
 
-impl Flat {
-    /// In as many shades as 64 pixels can show.
-    pub const fn dithered(self) -> Dithered<Self> {
-        Dithered(self)
-    }
+macro_rules! dithered {
+    ($($ink:ty),*) => {$(
+        impl $ink {
+            /// In as many shades as 64 pixels can show.
+            pub const fn dithered(self) -> Dithered<Self> {
+                Dithered(self)
+            }
+        }
+    )*};
+}
 
+dithered!(Flat, Gouraud, Lit);
+
+impl Flat {
     /// The nearest colour that the target has.
     #[inline]
     pub(crate) fn nearest<C: Channels>(&self) -> C {
         C::from_channels(whole::<C>(more::<C>(levels::<C>(*self).map(upper), 1 << 23)))
-    }
-}
-
-impl Lit {
-    /// In as many shades as 64 pixels can show.
-    pub const fn dithered(self) -> Dithered<Self> {
-        Dithered(self)
-    }
-}
-
-impl Gouraud {
-    /// In as many shades as 64 pixels can show.
-    pub const fn dithered(self) -> Dithered<Self> {
-        Dithered(self)
     }
 }
 

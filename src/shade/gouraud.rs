@@ -1,6 +1,6 @@
 //! Colours that run smoothly over a triangle.
 
-use super::levels::{levels, more, whole};
+use super::levels::{levels, more, weighed, whole};
 use super::{Channels, Flat};
 use crate::raster::{Plane, Planes, Triangle};
 use core::marker::PhantomData;
@@ -42,10 +42,8 @@ impl Gouraud {
     pub(crate) fn part(&self, corners: [[i32; 3]; 3]) -> Self {
         Self(corners.map(|weights| {
             Flat([0, 1, 2].map(|channel| {
-                let value = |Flat(colour): &Flat| colour.get(channel).copied().map_or(0, i64::from);
-                // Weights of 0 … 2³⁰, and 2³⁰ in all but for rounding: sums below 2⁴⁷.
-                let sum: i64 = self.0.iter().zip(weights).map(|(c, w)| value(c) * i64::from(w)).sum();
-                ((sum + (1 << 29)) >> 30).clamp(0, 255 * 256) as u16
+                let values = self.0.map(|Flat(colour)| colour.get(channel).copied().map_or(0, i32::from));
+                weighed(values, weights, 255 * 256) as u16
             }))
         }))
     }

@@ -1,7 +1,7 @@
 //! One colour in a light that runs smoothly over a triangle.
 
 use super::gouraud::{Gouraud, Ramps};
-use super::levels::{aligned, luma, places};
+use super::levels::{aligned, luma, places, weighed};
 use super::Channels;
 use crate::math::num::mul_wide;
 use crate::raster::{Planes, Triangle};
@@ -50,13 +50,7 @@ impl Lit {
     /// For a part of the face: how much of each of its corners the new ones are, in 2⁻³⁰.
     #[must_use]
     pub(crate) fn part(&self, corners: [[i32; 3]; 3]) -> Self {
-        let light = corners.map(|weights| {
-            // Weights of 0 … 2³⁰, and 2³⁰ in all but for rounding: sums below 2⁵⁴.
-            let sum: i64 =
-                self.light.iter().zip(weights).map(|(&light, weight)| mul_wide(light, weight)).sum();
-            ((sum + (1 << 29)) >> 30).clamp(0, FULL.into()) as i32
-        });
-        Self { light, ..*self }
+        Self { light: corners.map(|weights| weighed(self.light, weights, FULL)), ..*self }
     }
 
     /// The levels of the channels over a triangle.
