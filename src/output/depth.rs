@@ -119,13 +119,10 @@ impl<'a> DepthBuffer<'a> {
         Some(start..start.wrapping_add(width))
     }
 
-    /// The depths, if they stand where the pixels of a rectangle do, as far as there are both: there may be more rows of
-    /// either.
+    /// All that is held, row by row.
     #[inline(always)]
-    pub(super) fn beside(&mut self, area: &Rectangle) -> Option<&mut [u16]> {
-        let (own, other) = (&self.area, area);
-        let is_beside = own.top_left == other.top_left && own.size.width == other.size.width;
-        is_beside.then_some(&mut *self.values)
+    pub(super) fn held(&mut self) -> &mut [u16] {
+        self.values
     }
 
     /// What is held in a row, which lies inside.
@@ -204,6 +201,23 @@ impl<'a> DepthBuffer<'a> {
             }
         }
         run(first, length)
+    }
+}
+
+/// What triangles are tested against: a depth buffer as one target has it.
+#[derive(Debug)]
+pub struct Against<'d, 'b> {
+    pub(super) buffer: &'d mut DepthBuffer<'b>,
+    /// Whether its depths stand where the pixels do, row by row: there may be more rows of either.
+    pub(super) beside: bool,
+}
+
+impl<'d, 'b> Against<'d, 'b> {
+    /// `pixels`: the rectangle whose pixels the target has in memory.
+    pub(super) fn new(buffer: &'d mut DepthBuffer<'b>, pixels: Option<&Rectangle>) -> Self {
+        let Rectangle { top_left, size } = buffer.area;
+        let beside = pixels.is_some_and(|own| own.top_left == top_left && own.size.width == size.width);
+        Self { buffer, beside }
     }
 }
 

@@ -173,13 +173,17 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             let step = plane.step();
             while stretch.rows > 0 {
                 let (left, right) = stretch.row();
-                let (from, to) = (start.wrapping_add(left as usize), start.wrapping_add(right as usize));
-                if let (Some(run), Some(held)) = (cells.get_mut(from..to), held.get_mut(from..to)) {
-                    let z = z.wrapping_add(step.wrapping_mul(left as u32));
-                    if run.len() >= MANY {
-                        fill_nearer(run, held, z, step, two);
-                    } else {
-                        fill_short_nearer(run, held, z, step, cell);
+                let from = start.wrapping_add(left as usize);
+                // More than there are where it ends before it begins.
+                let width = right.wrapping_sub(left) as usize;
+                let first = z.wrapping_add(step.wrapping_mul(left as u32));
+                if let (Some(run), Some(held)) = (cells.get_mut(from..), held.get_mut(from..)) {
+                    if let (Some(run), Some(held)) = (run.get_mut(..width), held.get_mut(..width)) {
+                        if width >= MANY {
+                            fill_nearer(run, held, first, step, two);
+                        } else {
+                            fill_short_nearer(run, held, first, step, cell);
+                        }
                     }
                 }
                 z = z.wrapping_add(plane.down());

@@ -11,6 +11,7 @@ mod target;
 mod wire;
 
 pub use band::{Band, BandError, Frame};
+pub(crate) use depth::Against;
 pub use depth::{DepthBuffer, DepthBufferError};
 pub use dirty::{Dirty, WindowCost};
 pub use picture::{Picture, PictureError};

@@ -1,6 +1,6 @@
 //! Pixels in memory, to draw into.
 
-use super::depth::DepthBuffer;
+use super::depth::{Against, DepthBuffer};
 use super::memory::{fill, Memory};
 use super::reach;
 use super::target::{spans_nearer, spans_shaded_nearer, Target};
@@ -92,21 +92,24 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
         Ok(())
     }
 
+    fn against<'d, 'b>(&self, depth: &'d mut DepthBuffer<'b>) -> Against<'d, 'b> {
+        Against::new(depth, Some(&self.area))
+    }
+
     #[inline(always)]
     fn nearer(
         &mut self,
         triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
-        depth: &mut DepthBuffer<'_>,
+        against: &mut Against<'_, '_>,
         colour: C,
     ) -> Result<(), Infallible> {
-        match depth.beside(&self.area) {
-            Some(held) => {
-                self.memory.nearer(triangle, depths, scissor, held, [colour.stored(); 2]);
-                Ok(())
-            }
-            None => spans_nearer(self, triangle, depths, scissor, depth, colour),
+        if against.beside {
+            self.memory.nearer(triangle, depths, scissor, against.buffer.held(), [colour.stored(); 2]);
+            Ok(())
+        } else {
+            self.nearer_apart(triangle, depths, scissor, against, colour)
         }
     }
 
@@ -127,16 +130,15 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
         triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
-        depth: &mut DepthBuffer<'_>,
+        against: &mut Against<'_, '_>,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Infallible> {
-        match depth.beside(&self.area) {
-            Some(held) => {
-                self.memory
-                    .shaded_nearer(triangle, depths, scissor, held, |span| run(span).map(Stored::stored));
-                Ok(())
-            }
-            None => spans_shaded_nearer(self, triangle, depths, scissor, depth, run),
+        if against.beside {
+            let run = |span| run(span).map(Stored::stored);
+            self.memory.shaded_nearer(triangle, depths, scissor, against.buffer.held(), run);
+            Ok(())
+        } else {
+            self.shaded_nearer_apart(triangle, depths, scissor, against, run)
         }
     }
 
@@ -144,6 +146,35 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
         self.memory.line(from, to, scissor, colour.stored());
         Ok(())
+    }
+}
+
+/// Where depths stand otherwise than pixels: rare, and in frames of their own.
+impl<C: Stored<Cell>, Cell: Copy> Pixels<'_, C, Cell> {
+    #[cold]
+    #[inline(never)]
+    fn nearer_apart(
+        &mut self,
+        triangle: &Triangle<'_>,
+        depths: &[i32; 3],
+        scissor: &Scissor,
+        against: &mut Against<'_, '_>,
+        colour: C,
+    ) -> Result<(), Infallible> {
+        spans_nearer(self, triangle, depths, scissor, against, colour)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn shaded_nearer_apart<R: Iterator<Item = C>>(
+        &mut self,
+        triangle: &Triangle<'_>,
+        depths: &[i32; 3],
+        scissor: &Scissor,
+        against: &mut Against<'_, '_>,
+        run: impl Fn(Span) -> R,
+    ) -> Result<(), Infallible> {
+        spans_shaded_nearer(self, triangle, depths, scissor, against, run)
     }
 }
 

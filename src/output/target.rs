@@ -1,6 +1,6 @@
 //! What pixels are drawn into.
 
-use super::depth::DepthBuffer;
+use super::depth::{Against, DepthBuffer};
 use super::reach;
 use crate::raster::{self, Pixel, Plane, Scissor, ScreenPoint, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -70,6 +70,12 @@ pub trait Target: sealed::Sealed {
         self.triangle(&Triangle::new(corners, area, &all), &all, colour)
     }
 
+    /// With what is tested here; worked out once, not for each triangle.
+    #[doc(hidden)]
+    fn against<'d, 'b>(&self, depth: &'d mut DepthBuffer<'b>) -> Against<'d, 'b> {
+        Against::new(depth, None)
+    }
+
     /// Draws it where it is nearer than what is held. `depths` are its corners', in 16.8.
     #[doc(hidden)]
     #[inline(always)]
@@ -78,10 +84,10 @@ pub trait Target: sealed::Sealed {
         triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
-        depth: &mut DepthBuffer<'_>,
+        against: &mut Against<'_, '_>,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        spans_nearer(self, triangle, depths, scissor, depth, colour)
+        spans_nearer(self, triangle, depths, scissor, against, colour)
     }
 
     /// Draws a triangle whose pixels have colours of their own.
@@ -104,10 +110,10 @@ pub trait Target: sealed::Sealed {
         triangle: &Triangle<'_>,
         depths: &[i32; 3],
         scissor: &Scissor,
-        depth: &mut DepthBuffer<'_>,
+        against: &mut Against<'_, '_>,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Self::Error> {
-        spans_shaded_nearer(self, triangle, depths, scissor, depth, run)
+        spans_shaded_nearer(self, triangle, depths, scissor, against, run)
     }
 
     /// Draws a line.
@@ -131,7 +137,7 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
     triangle: &Triangle<'_>,
     depths: &[i32; 3],
     scissor: &Scissor,
-    depth: &mut DepthBuffer<'_>,
+    against: &mut Against<'_, '_>,
     colour: T::Color,
 ) -> Result<(), T::Error> {
     let mut spans = triangle.spans(scissor);
@@ -139,7 +145,7 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
         return Ok(());
     }
     let plane = Plane::of_depth(triangle, depths);
-    spans.try_for_each(|span| depth.test(span, &plane, |visible| target.fill(visible, colour)))
+    spans.try_for_each(|span| against.buffer.test(span, &plane, |visible| target.fill(visible, colour)))
 }
 
 /// [`Target::shaded_nearer`] span by span.
@@ -149,13 +155,13 @@ pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Colo
     triangle: &Triangle<'_>,
     depths: &[i32; 3],
     scissor: &Scissor,
-    depth: &mut DepthBuffer<'_>,
+    against: &mut Against<'_, '_>,
     run: impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
     let plane = Plane::of_depth(triangle, depths);
-    triangle
-        .spans(scissor)
-        .try_for_each(|span| depth.test(span, &plane, |visible| target.fill_run(visible, run(visible))))
+    triangle.spans(scissor).try_for_each(|span| {
+        against.buffer.test(span, &plane, |visible| target.fill_run(visible, run(visible)))
+    })
 }
 
 mod sealed {

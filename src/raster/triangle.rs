@@ -45,6 +45,17 @@ impl<'v> Triangle<'v> {
         Self { corners, area, viewport }
     }
 
+    /// Takes other corners, and their area.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, corners: [ScreenPoint; 3], area: i64) {
+        (self.corners, self.area) = (corners, area);
+    }
+
+    #[inline(always)]
+    pub(crate) fn corners(&self) -> &[ScreenPoint; 3] {
+        &self.corners
+    }
+
     /// Its covered pixels inside the scissor, row by row.
     #[inline(always)]
     pub(crate) fn spans(&self, scissor: &Scissor) -> Spans {

@@ -1,7 +1,7 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, pixels, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
+use super::{fill, fill_nearer, pixels, Fan, Ink, InkFor, Outcome, Piece, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
 use crate::output::{rectangle, DepthBuffer, Target};
@@ -182,9 +182,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         let window = Window::new(band, self.viewport());
-        self.each(&window.scissor, shade, |corners, area, ink| {
-            fill(corners.map(|c| c.point), area, &ink, window.both(), band)
-        })
+        self.each(&window, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, band))
     }
 
     /// What became of the faces, of all bands together. A face is drawn though it may cover no pixel.
@@ -204,41 +202,33 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
     #[inline(always)]
     pub(super) fn each<I: Ink, E>(
         &mut self,
-        scissor: &Scissor,
+        window: &Window,
         mut shade: impl FnMut(usize) -> I,
-        mut draw: impl FnMut(&[Image; 3], i64, I) -> Result<(), E>,
+        mut draw: impl FnMut(&Piece<'_>, I) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { transformed, bins, .. } = self;
         let (view, list) = (*transformed, transformed.placed.mesh.faces());
-        let rows = scissor.rows();
+        let rows = window.scissor.rows();
         let mut fan = Fan::new();
+        let mut piece = Piece::new(&window.viewport);
         bins.band(rows.clone(), |index| {
             let Some(face) = list.get(index) else { return Ok(true) };
-            let (mut corners, mut area, whole);
-            if let Some(kept) = view.whole(face) {
-                (corners, area, whole) = (view.images(kept), view.area(&kept), true);
-            } else {
-                let outcome = view.sort_out(face, &mut fan);
-                match fan.piece().filter(|_| outcome.is_drawn()) {
-                    Some(piece) => (corners, area, whole) = (*piece.0, piece.1, false),
-                    None => return Ok(true),
-                }
+            let kept = view.whole(face);
+            if let Some(kept) = kept {
+                piece.put::<DEPTH>(&view.images(kept), view.area(&kept));
+            } else if !(view.sort_out(face, &mut fan).is_drawn() && fan.put_into(&mut piece)) {
+                return Ok(true);
             }
             let (mut end, mut shaded) = (i32::MIN, None);
             loop {
-                let reach = Scissor::of(&corners.map(|c| c.point)).rows();
+                let reach = Scissor::of(piece.triangle.corners()).rows();
                 end = end.max(reach.end);
                 if reach.start < rows.end && reach.end > rows.start {
                     let ink = *shaded.get_or_insert_with(|| shade(index));
-                    draw(&corners, area, if whole { ink } else { fan.ink(&ink) })?;
+                    draw(&piece, if kept.is_some() { ink } else { fan.ink(&ink) })?;
                 }
-                if whole {
+                if kept.is_some() || !fan.next_into(&mut piece) {
                     break;
-                }
-                fan.next();
-                match fan.piece() {
-                    Some(piece) => (corners, area) = (*piece.0, piece.1),
-                    None => break,
                 }
             }
             Ok(end <= rows.end)
@@ -263,9 +253,8 @@ impl<V: Coordinate> Faces<'_, V, true> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         let window = Window::new(band, self.transformed.placed.area()).with_depth(depth);
-        self.each(&window.scissor, shade, |corners, area, ink| {
-            fill_nearer(corners, area, &ink, &window, depth, band)
-        })
+        let mut against = band.against(depth);
+        self.each(&window, shade, |piece, ink| fill_nearer(piece, &ink, &window.scissor, &mut against, band))
     }
 }
 

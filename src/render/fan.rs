@@ -1,6 +1,6 @@
 //! What is drawn of a face: itself, or the triangles of a polygon that the planes left.
 
-use super::{Cull, Ink};
+use super::{Cull, Ink, Piece};
 use crate::camera::Image;
 use crate::clip::{Carried, Order, CORNERS, PLACES};
 use crate::raster::{self, ScreenPoint};
@@ -167,6 +167,25 @@ impl<K: Carried> Fan<K> {
         } else {
             self.pieces.advance();
         }
+    }
+
+    /// Puts this triangle there, if there is one.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn put_into(&self, piece: &mut Piece<'_>) -> bool {
+        let some = self.piece();
+        if let Some((corners, area)) = some {
+            piece.put::<true>(corners, area);
+        }
+        some.is_some()
+    }
+
+    /// The same with the next one.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
+        self.next();
+        self.put_into(piece)
     }
 
     /// What this triangle is filled with.

@@ -1,6 +1,6 @@
 //! Lines against depth: those that are nearer, and those that faces do not hide.
 
-use super::{Edges, Fan, Placed, Statistics, Transformed, Window};
+use super::{Edges, Fan, Piece, Placed, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::clip::CORNERS;
 use crate::math::Coordinate;
@@ -42,9 +42,10 @@ impl<V: Coordinate> Placed<'_, V> {
         let window = Window::of_depth(depth, self.area());
         let view = Transformed::<V, true>::new(self, cache);
         let Ok(statistics) = view.all(
+            &window.viewport,
             |_| Nothing,
-            |corners, area, Nothing| {
-                keep(corners, area, &window, depth);
+            |piece, Nothing| {
+                keep(piece, &window.scissor, depth);
                 Ok::<(), core::convert::Infallible>(())
             },
         );
@@ -163,10 +164,10 @@ impl<V: Coordinate> super::Faces<'_, V, true> {
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
         let window = Window::of_depth(depth, self.viewport());
         let Ok(()) = self.each(
-            &window.scissor,
+            &window,
             |_| Nothing,
-            |corners, area, Nothing| {
-                keep(corners, area, &window, depth);
+            |piece, Nothing| {
+                keep(piece, &window.scissor, depth);
                 Ok::<(), core::convert::Infallible>(())
             },
         );
@@ -232,10 +233,9 @@ impl super::Ink for Nothing {
     }
 }
 
-fn keep(corners: &[Image; 3], area: i64, window: &Window, depth: &mut DepthBuffer<'_>) {
-    let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
-    let plane = Plane::of_depth(&triangle, &corners.map(|c| c.depth));
-    for span in triangle.spans(&window.scissor) {
+fn keep(Piece { triangle, depths }: &Piece<'_>, scissor: &Scissor, depth: &mut DepthBuffer<'_>) {
+    let plane = Plane::of_depth(triangle, depths);
+    for span in triangle.spans(scissor) {
         let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
     }
 }

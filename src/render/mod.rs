@@ -18,6 +18,7 @@ mod ink;
 mod lines;
 mod painter;
 mod path;
+mod piece;
 mod plain;
 mod smooth;
 mod statistics;
@@ -28,13 +29,14 @@ pub use bins::BinsError;
 use fan::{Fan, Outcome};
 pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};
+use piece::Piece;
 pub use plain::{draw_line, fill_triangle};
 pub use statistics::Statistics;
 pub use transformed::Transformed;
 
-use crate::camera::{Camera, Corner, Image, Placement};
+use crate::camera::{Camera, Corner, Placement};
 use crate::math::{Affine, Coordinate};
-use crate::output::{inside, DepthBuffer, Target};
+use crate::output::{inside, Against, DepthBuffer, Target};
 use crate::raster::{Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
@@ -202,9 +204,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let window = Window::new(target, self.area());
-        Transformed::<V, false>::new(self, cache).all(shade, |corners, area, ink| {
-            fill(corners.map(|c| c.point), area, &ink, window.both(), target)
-        })
+        Transformed::<V, false>::new(self, cache)
+            .all(&window.viewport, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, target))
     }
 
     /// Draws the faces, one colour each, where they are nearer than what `depth` holds: right for all
@@ -263,8 +264,10 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let window = Window::new(target, self.area()).with_depth(depth);
-        Transformed::<V, true>::new(self, cache)
-            .all(shade, |corners, area, ink| fill_nearer(corners, area, &ink, &window, depth, target))
+        let mut against = target.against(depth);
+        Transformed::<V, true>::new(self, cache).all(&window.viewport, shade, |piece, ink| {
+            fill_nearer(piece, &ink, &window.scissor, &mut against, target)
+        })
     }
 }
 
@@ -281,12 +284,6 @@ fn pixels(viewport: &Rectangle) -> Scissor {
 }
 
 impl Window {
-    /// The scissor and the viewport.
-    #[inline(always)]
-    fn both(&self) -> [&Scissor; 2] {
-        [&self.scissor, &self.viewport]
-    }
-
     fn new(target: &impl Target, viewport: &Rectangle) -> Self {
         Self::of(&target.area(), viewport)
     }
@@ -315,42 +312,37 @@ impl Window {
     }
 }
 
-/// Step 4: a triangle of this area, not zero, over all that is there.
+/// Step 4: a triangle over all that is there.
 #[inline(always)]
 fn fill<T: Target, I: InkFor<T::Color>>(
-    corners: [ScreenPoint; 3],
-    area: i64,
+    triangle: &Triangle<'_>,
     ink: &I,
-    [scissor, viewport]: [&Scissor; 2],
+    scissor: &Scissor,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let triangle = Triangle::new(corners, area, viewport);
     match ink.even() {
-        Some(colour) => target.triangle(&triangle, scissor, colour),
+        Some(colour) => target.triangle(triangle, scissor, colour),
         None => {
-            let fill = ink.over(&triangle);
-            target.shaded(&triangle, scissor, |span| I::run(&fill, span))
+            let fill = ink.over(triangle);
+            target.shaded(triangle, scissor, |span| I::run(&fill, span))
         }
     }
 }
 
-/// Step 4: a triangle of this area, not zero, where it is nearer.
+/// Step 4: a triangle where it is nearer.
 #[inline(always)]
 fn fill_nearer<T: Target, I: InkFor<T::Color>>(
-    corners: &[Image; 3],
-    area: i64,
+    Piece { triangle, depths }: &Piece<'_>,
     ink: &I,
-    window: &Window,
-    depth: &mut DepthBuffer<'_>,
+    scissor: &Scissor,
+    against: &mut Against<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let triangle = Triangle::new(corners.map(|c| c.point), area, &window.viewport);
-    let depths = corners.map(|c| c.depth);
     match ink.even() {
-        Some(colour) => target.nearer(&triangle, &depths, &window.scissor, depth, colour),
+        Some(colour) => target.nearer(triangle, depths, scissor, against, colour),
         None => {
-            let fill = ink.over(&triangle);
-            target.shaded_nearer(&triangle, &depths, &window.scissor, depth, |span| I::run(&fill, span))
+            let fill = ink.over(triangle);
+            target.shaded_nearer(triangle, depths, scissor, against, |span| I::run(&fill, span))
         }
     }
 }

@@ -5,7 +5,7 @@ use super::{fill, Fan, Ink, InkFor, Outcome, Placed, Statistics, Transformed, Wi
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
 use crate::output::Target;
-use crate::raster::{self, Scissor, ScreenPoint};
+use crate::raster::{self, Scissor, ScreenPoint, Triangle};
 
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
@@ -141,7 +141,8 @@ impl<I: Copy> PaintersOrder<'_, I> {
                 .corners
                 .map(|i| self.corners.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
             if !Scissor::of(&points).and(&window.scissor).is_empty() {
-                fill(points, raster::area(&points), &face.ink, window.both(), target)?;
+                let triangle = Triangle::new(points, raster::area(&points), &window.viewport);
+                fill(&triangle, &face.ink, &window.scissor, target)?;
             }
             at = face.next;
         }

@@ -2,7 +2,7 @@
 
 use super::{fill, InkFor};
 use crate::output::Target;
-use crate::raster::{self, Pixel, ScreenPoint};
+use crate::raster::{self, Pixel, ScreenPoint, Triangle};
 
 /// Fills a triangle, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the target.
 ///
@@ -30,7 +30,7 @@ pub fn fill_triangle<T: Target, I: InkFor<T::Color>>(
         (area, Some(colour)) => target.plain_triangle(corners, area, colour),
         (area, None) => {
             let all = target.reach();
-            fill(corners, area, &ink, [&all; 2], target)
+            fill(&Triangle::new(corners, area, &all), &ink, &all, target)
         }
     }
 }

@@ -2,12 +2,12 @@
 
 use super::before_planes::{BeforePlanes, Carry};
 use super::fan::{Fan, Outcome};
-use super::{Cull, Ink, Placed, Statistics};
+use super::{Cull, Ink, Piece, Placed, Statistics};
 use crate::camera::{Corner, DepthOf, Image, Placement};
 use crate::clip::{Carried, PLACES};
 use crate::math::num::{after, keep_rolled};
 use crate::math::{Coordinate, Homogeneous};
-use crate::raster;
+use crate::raster::{self, Scissor};
 
 /// A placed mesh with its vertices on the screen, each transformed once. `DEPTH` tells whether their
 /// depth was computed too.
@@ -19,6 +19,8 @@ pub struct Transformed<'a, V = i16, const DEPTH: bool = false> {
     pub(super) placed: &'a Placed<'a, V>,
     /// Whether what lies beyond the far plane is cut off.
     far: bool,
+    /// Whether all corners have a place.
+    complete: bool,
     corners: &'a [Corner],
 }
 
@@ -34,14 +36,14 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Fills the corners from the start of the vertex list. Depth ends at the far plane, whatever the
     /// camera says.
     pub(super) fn new(placed: &'a Placed<'_, V>, corners: &'a mut [Corner]) -> Self {
-        project::<V, DEPTH>(placed, DEPTH, corners);
-        Self::with_corners(placed, DEPTH, corners)
+        let complete = project::<V, DEPTH>(placed, DEPTH, corners);
+        Self { complete, ..Self::with_corners(placed, DEPTH, corners) }
     }
 
     /// With corners that were filled elsewhere. `far`: cut at the far plane, whatever the camera says.
     #[inline(always)]
     pub(super) fn with_corners(placed: &'a Placed<'_, V>, far: bool, corners: &'a [Corner]) -> Self {
-        Self { placed, far: far || placed.placement.cuts_at_far(), corners }
+        Self { placed, far: far || placed.placement.cuts_at_far(), complete: false, corners }
     }
 
     #[inline(always)]
@@ -124,11 +126,17 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         Ok(statistics.with_the_rest_drawn(edges.len()))
     }
 
-    /// A face's corners, if all of them were kept and lie on the screen.
+    /// A face's corners, if all of them were kept.
     #[inline(always)]
-    pub(super) fn whole(&self, &[a, b, c]: &[u16; 3]) -> Option<[Corner; 3]> {
-        let corner = |index: u16| self.corners.get(usize::from(index)).copied();
-        let corners = [corner(a)?, corner(b)?, corner(c)?];
+    fn kept(&self, &[a, b, c]: &[u16; 3]) -> Option<[&Corner; 3]> {
+        let corner = |index: u16| self.corners.get(usize::from(index));
+        Some([corner(a)?, corner(b)?, corner(c)?])
+    }
+
+    /// The same, if they lie on the screen too.
+    #[inline(always)]
+    pub(super) fn whole(&self, face: &[u16; 3]) -> Option<[Corner; 3]> {
+        let corners = self.kept(face)?.map(|corner| *corner);
         corners.iter().all(|corner| corner.whole()).then_some(corners)
     }
 
@@ -187,44 +195,68 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         self.before_planes(&face, &mut places, Some(&mut carry)).face(self.placed.cull, pieces)
     }
 
-    /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles with their areas, none of
-    /// them zero, and what they are filled with.
+    /// The first piece of a face that takes more than that, if it has any; counts the face.
+    #[cold]
+    #[inline(never)]
+    fn first_of_any<K: Carried>(
+        &self,
+        face: &[u16; 3],
+        fan: &mut Fan<K>,
+        statistics: &mut Statistics,
+        piece: &mut Piece<'_>,
+    ) -> bool {
+        let outcome = self.sort_out(face, fan);
+        statistics.count(outcome);
+        outcome.is_drawn() && fan.put_into(piece)
+    }
+
+    /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles, with the depths of their corners if those were
+    /// computed, and what they are filled with.
     #[inline(always)]
     pub(super) fn all<I: Ink, E>(
         &self,
+        viewport: &Scissor,
         mut shade: impl FnMut(usize) -> I,
-        mut draw: impl FnMut(&[Image; 3], i64, I) -> Result<(), E>,
+        mut draw: impl FnMut(&Piece<'_>, I) -> Result<(), E>,
     ) -> Result<Statistics, E> {
         let mut statistics = Statistics::default();
+        let mut piece = Piece::new(viewport);
         let mut fan = Fan::new();
+        let back = self.placed.cull == Cull::Back;
+        // All bits where a face that is turned away is nothing but that.
+        let plain = core::hint::black_box(if self.complete && back { -1 } else { 0 });
         let faces = self.placed.mesh.faces();
-        for (index, face) in faces.iter().enumerate() {
-            let (mut corners, mut area, whole);
-            if let Some(kept) = self.whole(face) {
-                // Most faces: the shortest way.
-                match self.front(&kept, &mut statistics) {
-                    Some(front) => area = front,
-                    None => continue,
+        'faces: for (index, face) in faces.iter().enumerate() {
+            let whole = 'whole: {
+                if let Some(kept) = self.kept(face) {
+                    let area = self.area(&kept.map(|corner| *corner));
+                    // Most faces end here.
+                    if (area >> 32) as i32 & plain < 0 {
+                        continue 'faces;
+                    }
+                    let whole = plain != 0 || kept.iter().all(|corner| corner.whole());
+                    if whole && plain == 0 && area < 0 && back {
+                        continue 'faces;
+                    }
+                    if whole && area != 0 {
+                        // Loaded anew: the way above needs the registers.
+                        let Some(kept) = self.kept(core::hint::black_box(face)) else { continue 'faces };
+                        let kept = kept.map(|corner| *corner);
+                        statistics.drawn += 1;
+                        piece.put::<DEPTH>(&self.images(kept), area);
+                        break 'whole true;
+                    }
                 }
-                (corners, whole) = (self.images(kept), true);
-            } else {
-                let outcome = self.sort_out_any(face, &mut fan);
-                statistics.count(outcome);
-                match fan.piece().filter(|_| outcome.is_drawn()) {
-                    Some(piece) => (corners, area, whole) = (*piece.0, piece.1, false),
-                    None => continue,
+                if !self.first_of_any(face, &mut fan, &mut statistics, &mut piece) {
+                    continue 'faces;
                 }
-            }
+                false
+            };
             let ink = shade(index);
             loop {
-                draw(&corners, area, if whole { ink } else { fan.ink(&ink) })?;
-                if whole {
+                draw(&piece, if whole { ink } else { fan.ink(&ink) })?;
+                if whole || !fan.next_into(&mut piece) {
                     break;
-                }
-                fan.next();
-                match fan.piece() {
-                    Some(piece) => (corners, area) = (*piece.0, piece.1),
-                    None => break,
                 }
             }
         }
@@ -262,9 +294,9 @@ pub(super) fn project<V: Coordinate, const DEPTH: bool>(
     placed: &Placed<'_, V>,
     far: bool,
     corners: &mut [Corner],
-) {
+) -> bool {
     let far = far || placed.placement.cuts_at_far();
-    project_all::<V, DEPTH>(&placed.placement, far, placed.mesh.vertices(), corners);
+    project_all::<V, DEPTH>(&placed.placement, far, placed.mesh.vertices(), corners)
 }
 
 #[inline(never)] // once, for the vertices that are kept and for those that are not
@@ -273,7 +305,7 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     far: bool,
     vertices: &[[V; 3]],
     corners: &mut [Corner],
-) {
+) -> bool {
     let by_d = placement.asks_for_d(DEPTH, far);
     // Somewhere, and perhaps changed in every turn: so nothing of it is brought into registers, of which there are too
     // few, before the loop, and its numbers are loaded in pairs. RISC-V has twice as many registers, and no such loads; on a
@@ -287,10 +319,15 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     // loops alone.
     #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
     let vertices = &mut vertices.iter();
+    let mut complete = true;
     for (corner, vertex) in corners.iter_mut().zip(vertices) {
         keep_rolled();
         *corner = placement.project::<V, DEPTH>(vertex, by_d, far);
+        if !corner.whole() {
+            complete = false;
+        }
     }
+    complete
 }
 
 /// The vertices of these indices, which were checked by [`Mesh`](crate::Mesh).
