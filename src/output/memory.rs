@@ -1,6 +1,7 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
 use crate::raster::{Divisor, Halves, Large, Low, Plane, Scissor, Small, Span, Step, Stretch, Triangle};
+use crate::math::num::keep_apart;
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -87,8 +88,11 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             let from = start.wrapping_add(left as usize);
             // More than there are where it ends before it begins.
             let width = right.wrapping_sub(left) as usize;
-            if let Some(run) = self.cells.get_mut(from..).and_then(|run| run.get_mut(..width)) {
-                fill(run, two);
+            if let Some(run) = self.cells.get_mut(from..) {
+                keep_apart();
+                if let Some(run) = run.get_mut(..width) {
+                    fill(run, two);
+                }
             }
             start = start.wrapping_add(self.stride);
             stretch.rows -= 1;
