@@ -52,8 +52,8 @@ impl Side {
     pub(super) fn new<D: Divisor>(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < D::WIDTH, 0 < dy < D::HEIGHT
         let (_, m) = first_end(p, dx, dy); // |m| ≤ |dx| + dy
-        let by = D::new(dy);
-        Self { at: (from << 20).wrapping_add(by.start(m)).wrapping_sub(1), step: by.step(dx) }
+        let (start, step) = D::divide(m, dx, dy);
+        Self { at: (from << 20).wrapping_add(start).wrapping_sub(1), step }
     }
 
     /// By as many rows.
@@ -92,14 +92,9 @@ pub(crate) trait Divisor {
     const WIDTH: i32;
     const HEIGHT: i32;
 
-    /// By dy, which is positive where the edge meets a row of centres: where it meets none, digits may be lost.
-    fn new(d: i32) -> Self;
-
-    /// m / d.
-    fn start(&self, m: i32) -> i32;
-
-    /// dx / d.
-    fn step(&self, dx: i32) -> i32;
+    /// m / dy and dx / dy, where dy is positive if the edge meets a row of centres: if it meets none, digits may be lost.
+    /// |m| ≤ |dx| + dy.
+    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32);
 }
 
 /// In one division of 32 bits, for triangles of 32 pixels across and 31 down.
@@ -108,20 +103,7 @@ pub(crate) trait Divisor {
 /// of the dy / 256 rows that may follow, which is less than 1/dy where `dy · (2 + dy / 256) < 2¹⁸`. That of 31·256 is
 /// 261 888.
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-pub(crate) struct AtOnce(i32);
-
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-impl AtOnce {
-    /// n / d in 2^−bits, below 2³¹ of these: to zero, and of a negative number the one below.
-    #[inline(always)]
-    fn divide(&self, n: i32, bits: u32) -> i32 {
-        let Self(d) = *self;
-        if d <= 0 {
-            return 0;
-        }
-        ((n << bits) / d).wrapping_add(n >> 31)
-    }
-}
+pub(crate) struct AtOnce;
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 impl Divisor for AtOnce {
@@ -129,25 +111,20 @@ impl Divisor for AtOnce {
     const HEIGHT: i32 = (31 << 8) + 1;
 
     #[inline(always)]
-    fn new(d: i32) -> Self {
-        Self(d)
-    }
-
-    #[inline(always)]
-    fn start(&self, m: i32) -> i32 {
-        self.divide(m, 17) << 3 // |m| < 2¹⁴
-    }
-
-    #[inline(always)]
-    fn step(&self, dx: i32) -> i32 {
-        self.divide(dx, 18) << 2 // |dx| < 2¹³
+    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32) {
+        if dy <= 0 {
+            return (0, 0);
+        }
+        // In 2^−bits, below 2³¹ of these: to zero, and of a negative number the one below.
+        let divide = |n: i32, bits: u32| ((n << bits) / dy).wrapping_add(n >> 31);
+        (divide(m, 17) << 3, divide(dx, 18) << 2) // |m| < 2¹⁴, |dx| < 2¹³
     }
 }
 
 /// Of a wide triangle, |n| ≤ 2¹⁹, whole pixels first. Start and step are rounded to multiples of 2⁻¹⁸: S falls behind by at
 /// most 2⁻¹⁸ at first and in each of the 31 rows that may follow, 2⁻¹³ in all, which is less than 1/dy.
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-pub(crate) struct ByDivision(i32);
+pub(crate) struct ByDivision;
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 impl Divisor for ByDivision {
@@ -155,36 +132,26 @@ impl Divisor for ByDivision {
     const HEIGHT: i32 = 1 << 13;
 
     #[inline(always)]
-    fn new(d: i32) -> Self {
-        Self(d)
-    }
-
-    #[inline(always)]
-    fn start(&self, m: i32) -> i32 {
-        let Self(d) = *self;
-        if d <= 0 {
-            return 0;
+    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32) {
+        if dy <= 0 {
+            return (0, 0);
         }
-        // Both to zero, and a negative number to the one below. The rest is less than 2¹³.
-        let whole = m / d;
-        let fraction = ((m - whole * d) << 18) / d;
-        ((whole << 18).wrapping_add(fraction).wrapping_add(m >> 31)) << 2
-    }
-
-    #[inline(always)]
-    fn step(&self, dx: i32) -> i32 {
-        self.start(dx)
+        let divide = |n: i32| {
+            // Both to zero, and a negative number to the one below. The rest is less than 2¹³.
+            let whole = n / dy;
+            let fraction = ((n - whole * dy) << 18) / dy;
+            ((whole << 18).wrapping_add(fraction).wrapping_add(n >> 31)) << 2
+        };
+        (divide(m), divide(dx))
     }
 }
 
 /// The same for a Cortex-M0, where a division is a call, and for all triangles there.
 ///
-/// A reciprocal of 18 bits leaves a quotient that is a little off: what is left of n then tells by how much.
+/// A reciprocal of 18 bits, never too large, leaves a quotient that is a little small: what is left of n then tells by how
+/// much.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(crate) struct ByReciprocal {
-    d: i32,
-    by: Reciprocal,
-}
+pub(crate) struct ByReciprocal;
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 impl Divisor for ByReciprocal {
@@ -192,29 +159,36 @@ impl Divisor for ByReciprocal {
     const HEIGHT: i32 = 1 << 13;
 
     #[inline(always)]
-    fn new(d: i32) -> Self {
-        Self { d, by: short_reciprocal(d) }
-    }
-
-    #[inline(always)]
-    fn start(&self, m: i32) -> i32 {
-        let Self { d, by } = self;
-        if m.unsigned_abs() >> 4 >= (*d).min(1 << 10) as u32 {
-            return (Long::new(*d).divide(m.into()) >> 12) as i32; // steep: too far off
+    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32) {
+        // Of the larger one of both numerators.
+        if (dx.abs() + dy) >> 4 >= dy.min(1 << 10) {
+            return by_long(m, dx, dy); // steep: too far off
         }
-        let (sign, n) = (m >> 31, m.unsigned_abs());
-        // n < 2¹⁴. n · 2¹⁸ / d, below 2²²: off by less than 2⁻¹⁶·⁹ of itself, and 1.
-        let mut quotient = n.wrapping_mul(by.mantissa as u32) >> ((12 - by.shift) & 31);
-        // Less than 36·d either way, so 32 bits tell.
-        let rest = (n << 18).wrapping_sub(quotient.wrapping_mul(*d as u32)) as i32;
-        quotient = quotient.wrapping_add(excess(rest, *d));
-        (quotient as i32 ^ sign) << 2
+        let by = short_reciprocal(dy);
+        let divide = |n: i32| {
+            let (sign, n) = (n >> 31, n.unsigned_abs());
+            // n < 2¹⁴. n · 2¹⁸ / d, below 2²²: short by less than 2⁻¹⁶·⁹ of itself, and 1.
+            let mut quotient = n.wrapping_mul(by.mantissa as u32) >> ((12 - by.shift) & 31);
+            // Less than 36·d.
+            let mut rest = (n << 18).wrapping_sub(quotient.wrapping_mul(dy as u32));
+            while rest >= dy as u32 {
+                keep_rolled();
+                (quotient, rest) = (quotient.wrapping_add(1), rest.wrapping_sub(dy as u32));
+            }
+            (quotient as i32 ^ sign) << 2
+        };
+        (divide(m), divide(dx))
     }
+}
 
-    #[inline(always)]
-    fn step(&self, dx: i32) -> i32 {
-        self.start(dx)
-    }
+/// The same in wide arithmetic.
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[cold]
+#[inline(never)]
+fn by_long(m: i32, dx: i32, dy: i32) -> (i32, i32) {
+    let by = Long::new(dy);
+    let [start, step] = [m, dx].map(|n| (by.divide(n.into()) >> 12) as i32);
+    (start, step)
 }
 
 /// Of most triangles, and of those that are wider or cut.
@@ -383,10 +357,10 @@ mod tests {
             if n.abs() > i64::from(dx.abs() + dy) {
                 continue; // not at the first row
             }
-            let by = D::new(dy);
-            let step = if dy > 256 { by.step(dx) } else { 0 }; // one row at most
+            let (start, step) = D::divide(n as i32, dx, dy);
+            let step = if dy > 256 { step } else { 0 }; // one row at most
             for row in [0, 1, rows / 2, rows - 1] {
-                assert_behind(n, dx, dy, (by.start(n as i32).into(), step.into()), row.min(rows - 1), 20);
+                assert_behind(n, dx, dy, (start.into(), step.into()), row.min(rows - 1), 20);
             }
         }
     }
@@ -403,10 +377,10 @@ mod tests {
     fn one_division_is_enough() {
         for dy in [AtOnce::HEIGHT - 1, AtOnce::HEIGHT - 2, 7 << 10, 4097] {
             for dx in (1 - AtOnce::WIDTH..AtOnce::WIDTH).step_by(3) {
-                let (by, last) = (AtOnce::new(dy), (dy - 1) >> 8);
+                let last = (dy - 1) >> 8;
                 for m in [0, dy - 1, dy / 3, dx, dx + dy - 1, dx / 2] {
-                    let start_and_step = (by.start(m).into(), by.step(dx).into());
-                    assert_behind(m.into(), dx, dy, start_and_step, last, 20);
+                    let (start, step) = AtOnce::divide(m, dx, dy);
+                    assert_behind(m.into(), dx, dy, (start.into(), step.into()), last, 20);
                 }
             }
         }
