@@ -25,14 +25,22 @@ impl Plane {
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
-        let mut depths = *depths;
         let extent = Extent::of(triangle);
+        let mut plane = match Planes::small(triangle, extent, depths) {
+            Some(plane) => plane,
+            None => Self::of_any_depth(triangle, extent, depths),
+        };
+        plane.origin = plane.origin.wrapping_add(1 << 15);
+        plane
+    }
+
+    #[inline(never)]
+    fn of_any_depth(triangle: &Triangle<'_>, extent: Extent, depths: &[i32; 3]) -> Self {
+        let mut depths = *depths;
         if extent.is_large() {
             depths = lowered(depths, triangle.viewport);
         }
-        let mut plane = Planes::of_extent(triangle, extent).through(&depths);
-        plane.origin = plane.origin.wrapping_add(1 << 15);
-        plane
+        Planes::of_extent(triangle, extent).through(&depths)
     }
 }
 

@@ -111,25 +111,36 @@ struct Numerators {
 
 impl Numerators {
     #[inline(always)]
-    fn new(triangle: &Triangle<'_>, room: i32, &[za, zb, zc]: &[i32; 3]) -> Self {
-        let Triangle { corners: [a, b, c], .. } = triangle;
-        let (dz1, dz2) = (zb - za, za - zc); // 24 bits and the sign
+    fn new(triangle: &Triangle<'_>, room: i32, values: &[i32; 3]) -> Self {
+        Self::short(triangle, room, values).unwrap_or_else(|| long(triangle, values))
+    }
 
+    /// `None` where 32 bits are too few.
+    #[inline(always)]
+    fn short(triangle: &Triangle<'_>, room: i32, values: &[i32; 3]) -> Option<Self> {
+        let Triangle { corners: [a, b, c], .. } = triangle;
+        let (dz1, dz2) = differences(values);
         // 2 + k: bits of the extent and of dz, and k, are 30 in all.
         let room = room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
         if room < 0 {
-            return long(triangle, dz1, dz2);
+            return None;
         }
         // Fewer than 32, as the extent is not 0.
         let scale = |dz: i32| (dz << (room & 31)) >> 2;
         let (dz1, dz2) = (scale(dz1), scale(dz2));
         // The products are at most 2³⁰, not both.
-        Self {
+        Some(Self {
             across: (dz1 * (c.y - a.y)).wrapping_add(dz2 * (b.y - a.y)),
             against: (dz1 * (c.x - a.x)).wrapping_add(dz2 * (b.x - a.x)),
             k: room - 2,
-        }
+        })
     }
+}
+
+/// From the first value to the second, and from the third to the first: 24 bits and the sign.
+#[inline(always)]
+fn differences(&[za, zb, zc]: &[i32; 3]) -> (i32, i32) {
+    (zb - za, za - zc)
 }
 
 impl<'t> Planes<'t> {
@@ -139,7 +150,8 @@ impl<'t> Planes<'t> {
         Self::of_extent(triangle, Extent::of(triangle))
     }
 
-    /// The same, given its extent. Part of its caller where there is but one.
+    /// The same, given its extent.
+    #[inline(always)]
     pub(super) fn of_extent(triangle: &'t Triangle<'t>, extent: Extent) -> Self {
         let turn = (triangle.area >> 63) as i32;
         // |area| < 2·2³⁰ within 128 pixels: not all differences are to the side of the 128 that they may be.
@@ -176,6 +188,17 @@ impl<'t> Planes<'t> {
         }
     }
 
+    /// The same within 128 pixels, where 32 bits are enough, with the same error: the shortest way for most. `None` for all others.
+    #[inline(always)]
+    pub(super) fn small(triangle: &'t Triangle<'t>, extent: Extent, values: &[i32; 3]) -> Option<Plane> {
+        if !extent.is_small() {
+            return None;
+        }
+        let planes = Self::of_extent(triangle, extent);
+        let numerators = Numerators::short(triangle, planes.room, values)?;
+        Some(planes.slope(&numerators, values)?.plane())
+    }
+
     /// The same as a slope, with the same error; `None` where it is too steep.
     #[inline(always)]
     pub(crate) fn slope_through(&self, values: &[i32; 3]) -> Option<Slope> {
@@ -203,7 +226,7 @@ impl<'t> Planes<'t> {
     /// nearer than the viewport, so that every band computes the same.
     #[cold]
     #[inline(never)]
-    fn steep(&self, &[za, zb, zc]: &[i32; 3], &Numerators { across, against, k }: &Numerators) -> Plane {
+    fn steep(&self, values: &[i32; 3], &Numerators { across, against, k }: &Numerators) -> Plane {
         let places = self.places + k;
         let Triangle { corners, area, viewport } = self.triangle;
         let [a, ..] = corners;
@@ -217,12 +240,14 @@ impl<'t> Planes<'t> {
         } else {
             // Turned so that they go with den's magnitude.
             let turn = |dz: i32| if *area < 0 { dz } else { -dz };
-            let (across, against) = wide(corners, turn(zb - za), turn(za - zc));
+            let (dz1, dz2) = differences(values);
+            let (across, against) = wide(corners, turn(dz1), turn(dz2));
             (quotient(across, area.unsigned_abs()), quotient(-against, area.unsigned_abs()))
         };
         // To that pixel's centre: up to 2²³ sub-pixels.
         let (x, y) = (256 * column + 128 - a.x, 256 * row + 128 - a.y);
-        let at = ((za as u64) << 40)
+        let [value, ..] = *values;
+        let at = ((value as u64) << 40)
             .wrapping_add((across as u64).wrapping_mul(i64::from(x) as u64))
             .wrapping_add((along as u64).wrapping_mul(i64::from(y) as u64));
         // A pixel is 256 sub-pixels; from 24.40 to 24.8, to nearest.
@@ -289,7 +314,8 @@ fn wide([a, b, c]: &[ScreenPoint; 3], dz1: i32, dz2: i32) -> (i64, i64) {
 
 /// Cut to 31 bits.
 #[inline(never)]
-fn long(triangle: &Triangle<'_>, dz1: i32, dz2: i32) -> Numerators {
+fn long(triangle: &Triangle<'_>, values: &[i32; 3]) -> Numerators {
+    let (dz1, dz2) = differences(values);
     let (across, against) = wide(&triangle.corners, dz1, dz2);
     let high = |v: i64| (v ^ (v >> 63)) as u64;
     let cut = (33 - (high(across) | high(against)).leading_zeros() as i32).max(0); // ≤ 16
