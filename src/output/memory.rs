@@ -1,7 +1,10 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
-use crate::raster::{Divisor, Halves, Large, Low, Plane, Scissor, Small, Span, Step, Stretch, Triangle};
+use super::depth::DepthBuffer;
 use crate::math::num::keep_apart;
+use crate::raster::{
+    Divisor, Halves, Large, Low, Piece, Plane, Scissor, Small, Span, Step, Stretch, Triangle,
+};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -104,15 +107,14 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn nearer(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
-        held: &mut [u16],
+        depth: &mut DepthBuffer<'_>,
         two: [Cell; 2],
     ) {
-        match Small::new(triangle, scissor) {
-            Some(halves) => self.halves_nearer(halves, triangle, depths, held, two),
-            None => self.cut_nearer(triangle, depths, scissor, held, two),
+        match Small::new(&piece.triangle, scissor) {
+            Some(halves) => self.halves_nearer(halves, piece, depth.held(), two),
+            None => self.cut_nearer(piece, scissor, depth, two),
         }
     }
 
@@ -120,18 +122,17 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)]
     fn cut_nearer(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
-        held: &mut [u16],
+        depth: &mut DepthBuffer<'_>,
         two: [Cell; 2],
     ) {
-        if let Some(halves) = Low::new(triangle, scissor) {
-            return self.halves_nearer(halves, triangle, depths, held, two);
+        if let Some(halves) = Low::new(&piece.triangle, scissor) {
+            return self.halves_nearer(halves, piece, depth.held(), two);
         }
-        let large = Large::new(triangle, scissor);
+        let large = Large::new(&piece.triangle, scissor);
         if !large.is_empty() {
-            self.large_nearer(large, &Plane::of_depth(triangle, depths), held, two);
+            self.large_nearer(large, &piece.plane(), depth.held(), two);
         }
     }
 
@@ -139,13 +140,12 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn halves_nearer<D: Divisor, const CUT: bool>(
         &mut self,
         halves: Halves<D, CUT>,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         held: &mut [u16],
         two: [Cell; 2],
     ) {
         if !halves.is_empty() {
-            let plane = Plane::of_depth(triangle, depths);
+            let plane = piece.plane();
             let (x, y) = halves.first();
             let mut start = (self.places()(x, y), plane.at(x, y));
             halves.each(|stretch| start = self.stretch_nearer(stretch, start, &plane, held, two));
@@ -217,15 +217,14 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // its loop needs all registers
     pub(super) fn shaded_nearer<R: Iterator<Item = Cell>>(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
         held: &mut [u16],
         run: impl Fn(Span) -> R,
     ) {
-        let plane = Plane::of_depth(triangle, depths);
+        let plane = piece.plane();
         let (places, step) = (self.places(), plane.step());
-        triangle.each_span(scissor, |span| {
+        piece.triangle.each_span(scissor, |span| {
             let from = places(span.x, span.y);
             let to = from.wrapping_add(span.width as usize);
             if let (Some(cells), Some(held)) = (self.cells.get_mut(from..to), held.get_mut(from..to)) {

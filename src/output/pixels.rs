@@ -4,7 +4,7 @@ use super::depth::{Against, DepthBuffer};
 use super::memory::{fill, Memory};
 use super::reach;
 use super::target::{spans_nearer, spans_shaded_nearer, Target};
-use crate::raster::{Pixel, Scissor, ScreenPoint, Span, Triangle};
+use crate::raster::{Piece, Pixel, Scissor, ScreenPoint, Span, Triangle};
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -99,17 +99,16 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     #[inline(always)]
     fn nearer(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
         against: &mut Against<'_, '_>,
         colour: C,
     ) -> Result<(), Infallible> {
         if against.beside {
-            self.memory.nearer(triangle, depths, scissor, against.buffer.held(), [colour.stored(); 2]);
+            self.memory.nearer(piece, scissor, against.buffer, [colour.stored(); 2]);
             Ok(())
         } else {
-            self.nearer_apart(triangle, depths, scissor, against, colour)
+            self.nearer_apart(piece, scissor, against, colour)
         }
     }
 
@@ -127,18 +126,17 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
     #[inline(always)]
     fn shaded_nearer<R: Iterator<Item = C>>(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
         against: &mut Against<'_, '_>,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Infallible> {
         if against.beside {
             let run = |span| run(span).map(Stored::stored);
-            self.memory.shaded_nearer(triangle, depths, scissor, against.buffer.held(), run);
+            self.memory.shaded_nearer(piece, scissor, against.buffer.held(), run);
             Ok(())
         } else {
-            self.shaded_nearer_apart(triangle, depths, scissor, against, run)
+            self.shaded_nearer_apart(piece, scissor, against, run)
         }
     }
 
@@ -155,26 +153,24 @@ impl<C: Stored<Cell>, Cell: Copy> Pixels<'_, C, Cell> {
     #[inline(never)]
     fn nearer_apart(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
         against: &mut Against<'_, '_>,
         colour: C,
     ) -> Result<(), Infallible> {
-        spans_nearer(self, triangle, depths, scissor, against, colour)
+        spans_nearer(self, piece, scissor, against, colour)
     }
 
     #[cold]
     #[inline(never)]
     fn shaded_nearer_apart<R: Iterator<Item = C>>(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
         against: &mut Against<'_, '_>,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Infallible> {
-        spans_shaded_nearer(self, triangle, depths, scissor, against, run)
+        spans_shaded_nearer(self, piece, scissor, against, run)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::depth::{Against, DepthBuffer};
 use super::reach;
-use crate::raster::{self, Pixel, Plane, Scissor, ScreenPoint, Span, Triangle};
+use crate::raster::{self, Piece, Pixel, Scissor, ScreenPoint, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -76,18 +76,17 @@ pub trait Target: sealed::Sealed {
         Against::new(depth, None)
     }
 
-    /// Draws it where it is nearer than what is held. `depths` are its corners', in 16.8.
+    /// Draws it where it is nearer than what is held.
     #[doc(hidden)]
     #[inline(always)]
     fn nearer(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
         against: &mut Against<'_, '_>,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        spans_nearer(self, triangle, depths, scissor, against, colour)
+        spans_nearer(self, piece, scissor, against, colour)
     }
 
     /// Draws a triangle whose pixels have colours of their own.
@@ -107,13 +106,12 @@ pub trait Target: sealed::Sealed {
     #[inline(always)]
     fn shaded_nearer<R: Iterator<Item = Self::Color>>(
         &mut self,
-        triangle: &Triangle<'_>,
-        depths: &[i32; 3],
+        piece: &Piece<'_>,
         scissor: &Scissor,
         against: &mut Against<'_, '_>,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Self::Error> {
-        spans_shaded_nearer(self, triangle, depths, scissor, against, run)
+        spans_shaded_nearer(self, piece, scissor, against, run)
     }
 
     /// Draws a line.
@@ -134,17 +132,16 @@ pub trait Target: sealed::Sealed {
 #[inline(always)]
 pub(super) fn spans_nearer<T: Target + ?Sized>(
     target: &mut T,
-    triangle: &Triangle<'_>,
-    depths: &[i32; 3],
+    piece: &Piece<'_>,
     scissor: &Scissor,
     against: &mut Against<'_, '_>,
     colour: T::Color,
 ) -> Result<(), T::Error> {
-    let mut spans = triangle.spans(scissor);
+    let mut spans = piece.triangle.spans(scissor);
     if spans.is_empty() {
         return Ok(());
     }
-    let plane = Plane::of_depth(triangle, depths);
+    let plane = piece.plane();
     spans.try_for_each(|span| against.buffer.test(span, &plane, |visible| target.fill(visible, colour)))
 }
 
@@ -152,14 +149,13 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
 #[inline(always)]
 pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
     target: &mut T,
-    triangle: &Triangle<'_>,
-    depths: &[i32; 3],
+    piece: &Piece<'_>,
     scissor: &Scissor,
     against: &mut Against<'_, '_>,
     run: impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
-    let plane = Plane::of_depth(triangle, depths);
-    triangle.spans(scissor).try_for_each(|span| {
+    let plane = piece.plane();
+    piece.triangle.spans(scissor).try_for_each(|span| {
         against.buffer.test(span, &plane, |visible| target.fill_run(visible, run(visible)))
     })
 }

@@ -40,6 +40,7 @@ mod along;
 mod depth;
 mod edge;
 mod line;
+mod piece;
 mod plane;
 mod triangle;
 
@@ -48,6 +49,7 @@ pub(crate) use depth::FARTHEST;
 pub(crate) use edge::{Divisor, Step};
 pub use line::line;
 pub(crate) use line::{Course, Runs};
+pub use piece::Piece;
 pub use plane::Plane;
 pub(crate) use plane::Planes;
 pub use triangle::{area, triangle, Triangle};

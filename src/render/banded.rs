@@ -1,11 +1,11 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, pixels, Fan, Ink, InkFor, Outcome, Piece, Statistics, Transformed, Window};
+use super::{fill, fill_nearer, pixels, put, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
 use crate::output::{rectangle, DepthBuffer, Target};
-use crate::raster::Scissor;
+use crate::raster::{Piece, Scissor};
 
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -215,7 +215,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
             let Some(face) = list.get(index) else { return Ok(true) };
             let kept = view.whole(face);
             if let Some(kept) = kept {
-                piece.put::<DEPTH>(&view.images(kept), view.area(&kept));
+                put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
             } else if !(view.sort_out(face, &mut fan).is_drawn() && fan.put_into(&mut piece)) {
                 return Ok(true);
             }

@@ -1,9 +1,9 @@
 //! What is drawn of a face: itself, or the triangles of a polygon that the planes left.
 
-use super::{Cull, Ink, Piece};
+use super::{put, Cull, Ink};
 use crate::camera::Image;
 use crate::clip::{Carried, Order, CORNERS, PLACES};
-use crate::raster::{self, ScreenPoint};
+use crate::raster::{self, Piece, ScreenPoint};
 use heapless::Vec;
 
 /// What becomes of a face.
@@ -175,7 +175,7 @@ impl<K: Carried> Fan<K> {
     pub(super) fn put_into(&self, piece: &mut Piece<'_>) -> bool {
         let some = self.piece();
         if let Some((corners, area)) = some {
-            piece.put::<true>(corners, area);
+            put::<true>(piece, corners, area);
         }
         some.is_some()
     }

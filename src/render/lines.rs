@@ -1,11 +1,11 @@
 //! Lines against depth: those that are nearer, and those that faces do not hide.
 
-use super::{Edges, Fan, Piece, Placed, Statistics, Transformed, Window};
+use super::{Edges, Fan, Placed, Statistics, Transformed, Window};
 use crate::camera::{Corner, Image};
 use crate::clip::CORNERS;
 use crate::math::Coordinate;
 use crate::output::{DepthBuffer, Target};
-use crate::raster::{self, Along, Plane, Scissor, ScreenPoint, Span, Triangle};
+use crate::raster::{self, Along, Piece, Plane, Scissor, ScreenPoint, Span, Triangle};
 
 use heapless::Vec;
 
@@ -233,9 +233,9 @@ impl super::Ink for Nothing {
     }
 }
 
-fn keep(Piece { triangle, depths }: &Piece<'_>, scissor: &Scissor, depth: &mut DepthBuffer<'_>) {
-    let plane = Plane::of_depth(triangle, depths);
-    for span in triangle.spans(scissor) {
+fn keep(piece: &Piece<'_>, scissor: &Scissor, depth: &mut DepthBuffer<'_>) {
+    let plane = piece.plane();
+    for span in piece.triangle.spans(scissor) {
         let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
     }
 }

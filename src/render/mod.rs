@@ -18,7 +18,6 @@ mod ink;
 mod lines;
 mod painter;
 mod path;
-mod piece;
 mod plain;
 mod smooth;
 mod statistics;
@@ -29,15 +28,14 @@ pub use bins::BinsError;
 use fan::{Fan, Outcome};
 pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};
-use piece::Piece;
 pub use plain::{draw_line, fill_triangle};
 pub use statistics::Statistics;
 pub use transformed::Transformed;
 
-use crate::camera::{Camera, Corner, Placement};
+use crate::camera::{Camera, Corner, Image, Placement};
 use crate::math::{Affine, Coordinate};
 use crate::output::{inside, Against, DepthBuffer, Target};
-use crate::raster::{Scissor, ScreenPoint, Triangle};
+use crate::raster::{Piece, Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
 use crate::space::{Model, World};
 
@@ -312,6 +310,15 @@ impl Window {
     }
 }
 
+/// Makes a triangle with these corners, and their area, what is drawn next.
+#[inline(always)]
+fn put<const DEPTH: bool>(piece: &mut Piece<'_>, corners: &[Image; 3], area: i64) {
+    piece.triangle.put(corners.map(|corner| corner.point), area);
+    if DEPTH {
+        piece.depths = corners.map(|corner| corner.depth);
+    }
+}
+
 /// Step 4: a triangle over all that is there.
 #[inline(always)]
 fn fill<T: Target, I: InkFor<T::Color>>(
@@ -332,17 +339,17 @@ fn fill<T: Target, I: InkFor<T::Color>>(
 /// Step 4: a triangle where it is nearer.
 #[inline(always)]
 fn fill_nearer<T: Target, I: InkFor<T::Color>>(
-    Piece { triangle, depths }: &Piece<'_>,
+    piece: &Piece<'_>,
     ink: &I,
     scissor: &Scissor,
     against: &mut Against<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
     match ink.even() {
-        Some(colour) => target.nearer(triangle, depths, scissor, against, colour),
+        Some(colour) => target.nearer(piece, scissor, against, colour),
         None => {
-            let fill = ink.over(triangle);
-            target.shaded_nearer(triangle, depths, scissor, against, |span| I::run(&fill, span))
+            let fill = ink.over(&piece.triangle);
+            target.shaded_nearer(piece, scissor, against, |span| I::run(&fill, span))
         }
     }
 }

@@ -2,12 +2,12 @@
 
 use super::before_planes::{BeforePlanes, Carry};
 use super::fan::{Fan, Outcome};
-use super::{Cull, Ink, Piece, Placed, Statistics};
+use super::{put, Cull, Ink, Placed, Statistics};
 use crate::camera::{Corner, DepthOf, Image, Placement};
 use crate::clip::{Carried, PLACES};
 use crate::math::num::{after, keep_rolled};
 use crate::math::{Coordinate, Homogeneous};
-use crate::raster::{self, Scissor};
+use crate::raster::{self, Piece, Scissor};
 
 /// A placed mesh with its vertices on the screen, each transformed once. `DEPTH` tells whether their
 /// depth was computed too.
@@ -243,7 +243,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                         let Some(kept) = self.kept(core::hint::black_box(face)) else { continue 'faces };
                         let kept = kept.map(|corner| *corner);
                         statistics.drawn += 1;
-                        piece.put::<DEPTH>(&self.images(kept), area);
+                        put::<DEPTH>(&mut piece, &self.images(kept), area);
                         break 'whole true;
                     }
                 }
