@@ -76,7 +76,7 @@ impl<'a> DepthBuffer<'a> {
         // In blocks that become wide stores. The hint keeps the loop from being taken for the library's
         // `memset`, which costs up to three times as much on a Cortex-M.
         let word = u32::from(Self::NOTHING) << 16 | u32::from(Self::NOTHING);
-        let (blocks, rest) = words.as_chunks_mut::<32>();
+        let (blocks, rest) = words.as_chunks_mut::<64>();
         for block in blocks {
             block.fill(black_box(word));
         }

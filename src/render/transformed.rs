@@ -8,6 +8,7 @@ use crate::clip::{Carried, PLACES};
 use crate::math::num::{after, keep_rolled};
 use crate::math::{Coordinate, Homogeneous};
 use crate::raster::{self, Piece, Scissor};
+use core::hint::black_box;
 
 /// A placed mesh with its vertices on the screen, each transformed once. `DEPTH` tells whether their
 /// depth was computed too.
@@ -224,28 +225,33 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         let mut fan = Fan::new();
         let back = self.placed.cull == Cull::Back;
         // All bits where a face that is turned away is nothing but that.
-        let plain = core::hint::black_box(if self.complete && back { -1 } else { 0 });
+        let plain = black_box(if self.complete && back { -1 } else { 0 });
         let faces = self.placed.mesh.faces();
         'faces: for (index, face) in faces.iter().enumerate() {
             let whole = 'whole: {
-                if let Some(kept) = self.kept(face) {
+                'any: {
+                    let Some(kept) = self.kept(face) else { break 'any };
                     let area = self.area(&kept.map(|corner| *corner));
                     // Most faces end here.
                     if (area >> 32) as i32 & plain < 0 {
                         continue 'faces;
                     }
-                    let whole = plain != 0 || kept.iter().all(|corner| corner.whole());
-                    if whole && plain == 0 && area < 0 && back {
-                        continue 'faces;
+                    if plain == 0 {
+                        if !kept.iter().all(|corner| corner.whole()) {
+                            break 'any;
+                        }
+                        if area < 0 && back {
+                            continue 'faces;
+                        }
                     }
-                    if whole && area != 0 {
-                        // Loaded anew: the way above needs the registers.
-                        let Some(kept) = self.kept(core::hint::black_box(face)) else { continue 'faces };
-                        let kept = kept.map(|corner| *corner);
-                        statistics.drawn += 1;
-                        put::<DEPTH>(&mut piece, &self.images(kept), area);
-                        break 'whole true;
+                    if area == 0 {
+                        break 'any;
                     }
+                    // Loaded anew, as the way above needs the registers. It is the same face: all of them are kept.
+                    let Some(kept) = self.kept(black_box(face)) else { continue 'faces };
+                    statistics.drawn += 1;
+                    put::<DEPTH>(&mut piece, &self.images(kept.map(|corner| *corner)), area);
+                    break 'whole true;
                 }
                 if !self.first_of_any(face, &mut fan, &mut statistics, &mut piece) {
                     continue 'faces;
@@ -312,7 +318,7 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     // Cortex-M0 the loop with depth has so much in memory that it costs nothing to have it all on the stack.
     #[cfg(target_arch = "arm")]
     let placement = match cfg!(target_has_atomic = "32") || !DEPTH {
-        true => core::hint::black_box(placement),
+        true => black_box(placement),
         false => placement,
     };
     // Pointers in place of an index, where normalising w is a loop: the compiler makes them of an index in innermost
