@@ -254,13 +254,18 @@ impl Placement {
         let [cx, cy] = self.screen.centre;
         Image {
             point: ScreenPoint::inside(quotient(x, r.mantissa, left, cx), quotient(y, r.mantissa, left, cy)),
-            depth: depth.map_or(0, |depth| (depth(self, d, r) >> 35).clamp(0, FARTHEST.into()) as i32),
+            depth: depth.map_or(0, |depth| depth(self, d, r)),
         }
+    }
+
+    /// In 16.8, of a point with this d and one over w.
+    pub(crate) fn depth(&self, d: i32, r: Reciprocal) -> i32 {
+        (self.fine_depth(d, r) >> 35).clamp(0, FARTHEST.into()) as i32
     }
 
     /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴, of a point with this d and one over w.
     #[inline(never)] // rare: small is better
-    pub(crate) fn depth(&self, d: i32, r: Reciprocal) -> i64 {
+    fn fine_depth(&self, d: i32, r: Reciprocal) -> i64 {
         let n = r.shift as i32;
         let (numerator, down) = match self.by_d {
             true => ((scale(d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
@@ -280,7 +285,7 @@ impl Placement {
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(x, cx), along(y, cy), (self.depth(d, r) >> 11) - (4 << 21)]
+        [along(x, cx), along(y, cy), (self.fine_depth(d, r) >> 11) - (4 << 21)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
@@ -318,7 +323,7 @@ impl Placement {
 const FEW_REGISTERS: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// [`Placement::depth`], for those who ask for depth: the others need no code for it.
-pub(crate) type DepthOf = fn(&Placement, i32, Reciprocal) -> i64;
+pub(crate) type DepthOf = fn(&Placement, i32, Reciprocal) -> i32;
 
 /// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
