@@ -51,8 +51,7 @@ impl Side {
     #[inline(always)]
     pub(super) fn new<D: Divisor>(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < D::WIDTH, 0 < dy < D::HEIGHT
-        let (_, m) = first_end(p, dx, dy); // |m| ≤ |dx| + dy
-        let (start, step) = D::divide(m, dx, dy);
+        let (start, step) = D::divide(first_centre(p), dx, dy);
         Self { at: (from << 20).wrapping_add(start).wrapping_sub(1), step }
     }
 
@@ -78,12 +77,16 @@ pub(super) fn column(p: &ScreenPoint) -> i32 {
     (p.x - 128) >> 8
 }
 
-/// c and m of the edge that leads from p by dx and dy.
+/// xr and yr.
 #[inline(always)]
-fn first_end(p: &ScreenPoint, dx: i32, dy: i32) -> (i32, i32) {
-    let (column, xr) = (column(p), (p.x - 128) & 255);
-    let yr = 255 - ((p.y + 127) & 255);
-    (column, (xr * dy + yr * dx + 255) >> 8) // two products of at most 255·2²²: below 2³¹
+fn first_centre(p: &ScreenPoint) -> (i32, i32) {
+    ((p.x - 128) & 255, 255 - ((p.y + 127) & 255))
+}
+
+/// m of the edge that leads by dx and dy: |m| ≤ |dx| + dy.
+#[inline(always)]
+fn numerator((xr, yr): (i32, i32), dx: i32, dy: i32) -> i32 {
+    (xr * dy + yr * dx + 255) >> 8 // two products of at most 255·2²²: below 2³¹
 }
 
 /// Divides what a [`Side`] is made of: to 12.20, a little rounded down.
@@ -92,9 +95,9 @@ pub(crate) trait Divisor {
     const WIDTH: i32;
     const HEIGHT: i32;
 
-    /// m / dy and dx / dy, where dy is positive if the edge meets a row of centres: if it meets none, digits may be lost.
-    /// |m| ≤ |dx| + dy.
-    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32);
+    /// m / dy, of these xr and yr, and dx / dy, where dy is positive if the edge meets a row of centres: if it meets none,
+    /// digits may be lost.
+    fn divide(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32);
 }
 
 /// In one division of 32 bits, for triangles of 32 pixels across and 31 down.
@@ -111,10 +114,11 @@ impl Divisor for AtOnce {
     const HEIGHT: i32 = (31 << 8) + 1;
 
     #[inline(always)]
-    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32) {
+    fn divide(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32) {
         if dy <= 0 {
             return (0, 0);
         }
+        let m = numerator(first, dx, dy);
         // In 2^−bits, below 2³¹ of these: to zero, and of a negative number the one below.
         let divide = |n: i32, bits: u32| ((n << bits) / dy).wrapping_add(n >> 31);
         (divide(m, 17) << 3, divide(dx, 18) << 2) // |m| < 2¹⁴, |dx| < 2¹³
@@ -132,7 +136,7 @@ impl Divisor for ByDivision {
     const HEIGHT: i32 = 1 << 13;
 
     #[inline(always)]
-    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32) {
+    fn divide(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32) {
         if dy <= 0 {
             return (0, 0);
         }
@@ -142,42 +146,53 @@ impl Divisor for ByDivision {
             let fraction = ((n - whole * dy) << 18) / dy;
             ((whole << 18).wrapping_add(fraction).wrapping_add(n >> 31)) << 2
         };
-        (divide(m), divide(dx))
+        (divide(numerator(first, dx, dy)), divide(dx))
     }
 }
 
-/// The same for a Cortex-M0, where a division is a call, and for all triangles there.
+/// For a Cortex-M0, where a division is a call, and for all triangles there that are not large.
 ///
-/// A reciprocal of 18 bits, never too large, leaves a quotient that is a little small: what is left of n then tells by how
-/// much.
+/// The step is dx/dy rounded down to a multiple of 2⁻¹⁸. A reciprocal of 18 bits, never too large, leaves a quotient that is a
+/// little small: what is left of dx then tells by how much.
+///
+/// The start follows from the step. Where m = (xr·dy + yr·dx + e) / 256, 0 ≤ e < 256,
+///
+/// ```text
+///     m / dy = xr/256 + yr/256 · dx/dy + e/256 / dy
+/// ```
+///
+/// in which the step stands for dx/dy and the reciprocal for 1/dy. So it is short by less than 2⁻¹⁸ for what the step is short of,
+/// for rounding down the second term and the third, and 255 · 2⁻⁸ · 2⁻¹⁶·⁹ / dy for the reciprocal. With the rows that may
+/// follow S falls behind by less than 1/dy where `dy · (3 + (dy − 1) / 256) + 3 < 2¹⁸`: that of 31·256 is 261 891.
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) struct ByReciprocal;
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 impl Divisor for ByReciprocal {
     const WIDTH: i32 = 2040 << 8;
-    const HEIGHT: i32 = 1 << 13;
+    const HEIGHT: i32 = (31 << 8) + 1;
 
-    #[inline(always)]
-    fn divide(m: i32, dx: i32, dy: i32) -> (i32, i32) {
-        // Of the larger one of both numerators.
+    #[inline(never)] // its numbers need all registers
+    fn divide(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32) {
         if (dx.abs() + dy) >> 4 >= dy.min(1 << 10) {
-            return by_long(m, dx, dy); // steep: too far off
+            return by_long(first, dx, dy); // steep: too far off
         }
         let by = short_reciprocal(dy);
-        let divide = |n: i32| {
-            let (sign, n) = (n >> 31, n.unsigned_abs());
-            // n < 2¹⁴. n · 2¹⁸ / d, below 2²²: short by less than 2⁻¹⁶·⁹ of itself, and 1.
-            let mut quotient = n.wrapping_mul(by.mantissa as u32) >> ((12 - by.shift) & 31);
-            // Less than 36·d.
-            let mut rest = (n << 18).wrapping_sub(quotient.wrapping_mul(dy as u32));
-            while rest >= dy as u32 {
-                keep_rolled();
-                (quotient, rest) = (quotient.wrapping_add(1), rest.wrapping_sub(dy as u32));
-            }
-            (quotient as i32 ^ sign) << 2
-        };
-        (divide(m), divide(dx))
+        let (sign, n) = (dx >> 31, dx.unsigned_abs());
+        // n < 2¹⁴. n · 2¹⁸ / dy, below 2²²: short by less than 2⁻¹⁶·⁹ of itself, and 1.
+        let mut quotient = n.wrapping_mul(by.mantissa as u32) >> ((12 - by.shift) & 31);
+        // Less than 36·dy.
+        let mut rest = (n << 18).wrapping_sub(quotient.wrapping_mul(dy as u32));
+        while rest >= dy as u32 {
+            keep_rolled();
+            (quotient, rest) = (quotient.wrapping_add(1), rest.wrapping_sub(dy as u32));
+        }
+        let step = quotient as i32 ^ sign;
+        let (xr, yr) = first;
+        let e = (xr * dy + yr * dx).wrapping_neg() & 255; // as in `numerator`
+                                                          // In 2⁻¹⁸: 18 bits, 8 bits of 2²², and 8 bits of the reciprocal's 18.
+        let start = (xr << 10) + ((yr * step) >> 8) + ((e * by.mantissa) >> ((20 - by.shift) & 31));
+        (start << 2, step << 2)
     }
 }
 
@@ -185,9 +200,9 @@ impl Divisor for ByReciprocal {
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[cold]
 #[inline(never)]
-fn by_long(m: i32, dx: i32, dy: i32) -> (i32, i32) {
+fn by_long(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32) {
     let by = Long::new(dy);
-    let [start, step] = [m, dx].map(|n| (by.divide(n.into()) >> 12) as i32);
+    let [start, step] = [numerator(first, dx, dy), dx].map(|n| (by.divide(n.into()) >> 12) as i32);
     (start, step)
 }
 
@@ -231,7 +246,7 @@ impl Wide {
     #[inline(never)]
     pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
-        let (column, m) = first_end(p, dx, dy);
+        let (column, m) = (column(p), numerator(first_centre(p), dx, dy));
         let by = Long::new(dy);
         // Between the columns of p and q: |n| < 2¹⁵·dy.
         let n = i64::from(m) + mul_wide(row - first_row(p), dx);
@@ -328,15 +343,12 @@ mod tests {
         }
     }
 
-    /// A numerator at a row, dx and dy of edges within `width` and `height`, and how many rows are left.
-    fn edge(random: &mut Random, i: i64, width: i64, height: i64) -> (i64, i32, i32, i32) {
+    /// xr and yr, dx and dy of edges within `width` and `height`, and how many rows they meet.
+    fn edge(random: &mut Random, i: i64, width: i64, height: i64) -> ((i32, i32), i32, i32, i32) {
         let dy = if i % 3 == 0 { height as i32 } else { random.within(height - 1).abs() + 1 };
         let dx = if i % 5 == 0 { width as i32 } else { random.within(width) };
         let yr = random.within(255).abs().min(dy - 1);
-        let rows = (dy - yr - 1) / 256 + 1;
-        let below = random.within(i64::from(rows) - 1).abs();
-        let m = (random.within(255).abs() * dy + yr * dx + 255) >> 8;
-        (i64::from(m) + i64::from(below) * i64::from(dx), dx, dy, rows - below)
+        ((random.within(255).abs(), yr), dx, dy, (dy - yr - 1) / 256 + 1)
     }
 
     /// T·dy − S·dy, in units of 2^−digits: from 0 to one lattice unit.
@@ -353,14 +365,18 @@ mod tests {
         let widths =
             [200, 3000, 60_000, i64::from(D::WIDTH) - 1].map(|width| width.min(i64::from(D::WIDTH) - 1));
         for i in 0..60_000 {
-            let (n, dx, dy, rows) = edge(random, i as i64, widths[i % 4], heights[i % 5]);
-            if n.abs() > i64::from(dx.abs() + dy) {
-                continue; // not at the first row
-            }
-            let (start, step) = D::divide(n as i32, dx, dy);
+            let (first, dx, dy, rows) = edge(random, i as i64, widths[i % 4], heights[i % 5]);
+            let (start, step) = D::divide(first, dx, dy);
             let step = if dy > 256 { step } else { 0 }; // one row at most
             for row in [0, 1, rows / 2, rows - 1] {
-                assert_behind(n, dx, dy, (start.into(), step.into()), row.min(rows - 1), 20);
+                assert_behind(
+                    numerator(first, dx, dy).into(),
+                    dx,
+                    dy,
+                    (start.into(), step.into()),
+                    row.min(rows - 1),
+                    20,
+                );
             }
         }
     }
@@ -372,18 +388,33 @@ mod tests {
         assert_steps_of::<ByReciprocal>();
     }
 
-    /// All that one division is asked for at the largest heights, where the least is left of a lattice unit.
-    #[test]
-    fn one_division_is_enough() {
-        for dy in [AtOnce::HEIGHT - 1, AtOnce::HEIGHT - 2, 7 << 10, 4097] {
+    /// All that small triangles ask for at the largest heights, where the least is left of a lattice unit.
+    fn assert_enough_of<D: Divisor>() {
+        for dy in [D::HEIGHT - 1, D::HEIGHT - 2, 7 << 10, 4097] {
             for dx in (1 - AtOnce::WIDTH..AtOnce::WIDTH).step_by(3) {
-                let last = (dy - 1) >> 8;
-                for m in [0, dy - 1, dy / 3, dx, dx + dy - 1, dx / 2] {
-                    let (start, step) = AtOnce::divide(m, dx, dy);
+                for first in [
+                    (0, 0),
+                    (255, 0),
+                    (255, 1),
+                    (85, 0),
+                    (0, 255),
+                    (255, 255),
+                    (1, 127),
+                    (dx & 255, dy & 255),
+                ] {
+                    let last = (dy - first.1 - 1) >> 8;
+                    let (start, step) = D::divide(first, dx, dy);
+                    let m = numerator(first, dx, dy);
                     assert_behind(m.into(), dx, dy, (start.into(), step.into()), last, 20);
                 }
             }
         }
+    }
+
+    #[test]
+    fn one_division_is_enough() {
+        assert_enough_of::<AtOnce>();
+        assert_enough_of::<ByReciprocal>();
     }
 
     fn assert_ends_of<D: Divisor>() {
@@ -422,8 +453,10 @@ mod tests {
         let extents = [40, 8192, 131_071, 131_072, 1 << 20, 1 << 22];
         for i in 0..30_000 {
             let extent = extents[i % 6];
-            let (n, dx, dy, left) = edge(random, i as i64, extents[i / 6 % 6], extent);
-            let by = Long::new(dy);
+            let (first, dx, dy, left) = edge(random, i as i64, extents[i / 6 % 6], extent);
+            let below = random.within(i64::from(left) - 1).abs();
+            let n = i64::from(numerator(first, dx, dy)) + i64::from(below) * i64::from(dx);
+            let (by, left) = (Long::new(dy), left - below);
             let wide = (by.divide(n), by.divide(dx.into()));
             let rows = left.min(Wide::ROWS);
             for row in [0, 1, rows / 2, rows - 1] {
