@@ -220,7 +220,7 @@ impl Placement {
             }
             depth = depth.min(FARTHEST);
         }
-        Corner::new(x, y, self.bias, depth)
+        Corner::new::<DEPTH>(x, y, self.bias, depth)
     }
 
     /// d·2^d_over_w at most w less what d is stored short: then w − d is not negative.
@@ -238,7 +238,7 @@ impl Placement {
     /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
     #[inline(always)]
     pub(crate) fn at<const DEPTH: bool>(&self, corner: Corner) -> Image {
-        let ([x, y], [cx, cy], offset) = (self.screen.centre, Corner::CENTRE, corner.offset());
+        let ([x, y], [cx, cy], offset) = (self.screen.centre, Corner::CENTRE, corner.offset::<DEPTH>());
         Image {
             point: ScreenPoint::inside(x - cx + offset.x(), y - cy + offset.y()),
             depth: if DEPTH { corner.depth() } else { 0 },
@@ -389,8 +389,10 @@ mod tests {
             for (corner, depth) in [(plain, false), (deep, true)] {
                 if corner.whole() {
                     assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
-                    let (image, exact) =
-                        (placement.at::<true>(corner), placement.image(&h, Some(Placement::depth)));
+                    let (image, exact) = (
+                        if depth { placement.at::<true>(corner) } else { placement.at::<false>(corner) },
+                        placement.image(&h, Some(Placement::depth)),
+                    );
                     assert_eq!(image.point, exact.point, "{vertex:?}");
                     assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
                     places += 1;

@@ -159,7 +159,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// The same for corners that have a place.
     #[inline(always)]
     fn turned<K: Carried>(&self, corners: [Corner; 3], fan: &mut Fan<K>) -> Outcome {
-        let area = raster::area(&corners.map(|corner| corner.offset()));
+        let area = raster::area(&corners.map(|corner| corner.offset::<DEPTH>()));
         let outcome = self.placed.cull.turned(area, Outcome::Whole);
         if outcome == Outcome::Whole {
             fan.pieces.whole(self.images(corners), area);
@@ -291,7 +291,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Twice the area of a face with these corners.
     #[inline(always)]
     pub(super) fn area(&self, corners: &[Corner; 3]) -> i64 {
-        raster::area(&corners.map(|corner| corner.offset()))
+        raster::area(&corners.map(|corner| corner.offset::<DEPTH>()))
     }
 }
 
