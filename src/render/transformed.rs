@@ -227,7 +227,10 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         // All bits where a face that is turned away is nothing but that.
         let plain = black_box(if self.complete && back { -1 } else { 0 });
         let faces = self.placed.mesh.faces();
-        'faces: for (index, face) in faces.iter().enumerate() {
+        // Those left, whose number counts them too: a face that is turned away takes no other.
+        let mut rest = faces;
+        'faces: while let [face, behind @ ..] = rest {
+            rest = behind;
             let whole = 'whole: {
                 'any: {
                     let Some(kept) = self.kept(face) else { break 'any };
@@ -258,7 +261,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                 }
                 false
             };
-            let ink = shade(index);
+            let ink = shade(faces.len() - rest.len() - 1);
             loop {
                 draw(&piece, if whole { ink } else { fan.ink(&ink) })?;
                 if whole || !fan.next_into(&mut piece) {
