@@ -227,47 +227,46 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         // All bits where a face that is turned away is nothing but that.
         let plain = black_box(if self.complete && back { -1 } else { 0 });
         let faces = self.placed.mesh.faces();
-        // Those left, whose number counts them too: a face that is turned away takes no other.
-        let mut rest = faces;
-        'faces: while let [face, behind @ ..] = rest {
-            rest = behind;
-            let whole = 'whole: {
+        // This face and those behind it, whose number tells which it is: a face that is turned away counts nothing else.
+        let mut left = faces;
+        while let [face, behind @ ..] = left {
+            'face: {
                 'any: {
                     let Some(kept) = self.kept(face) else { break 'any };
                     let area = self.area(&kept.map(|corner| *corner));
                     // Most faces end here.
                     if (area >> 32) as i32 & plain < 0 {
-                        continue 'faces;
+                        break 'face;
                     }
                     if plain == 0 {
                         if !kept.iter().all(|corner| corner.whole()) {
                             break 'any;
                         }
                         if area < 0 && back {
-                            continue 'faces;
+                            break 'face;
                         }
                     }
                     if area == 0 {
                         break 'any;
                     }
                     // Loaded anew, as the way above needs the registers. It is the same face: all of them are kept.
-                    let Some(kept) = self.kept(black_box(face)) else { continue 'faces };
+                    let Some(kept) = self.kept(black_box(face)) else { break 'face };
                     statistics.drawn += 1;
                     put::<DEPTH>(&mut piece, &self.images(kept.map(|corner| *corner)), area);
-                    break 'whole true;
+                    draw(&piece, shade(faces.len() - left.len()))?;
+                    break 'face;
                 }
-                if !self.first_of_any(face, &mut fan, &mut statistics, &mut piece) {
-                    continue 'faces;
-                }
-                false
-            };
-            let ink = shade(faces.len() - rest.len() - 1);
-            loop {
-                draw(&piece, if whole { ink } else { fan.ink(&ink) })?;
-                if whole || !fan.next_into(&mut piece) {
-                    break;
+                if self.first_of_any(face, &mut fan, &mut statistics, &mut piece) {
+                    let ink = shade(faces.len() - left.len());
+                    loop {
+                        draw(&piece, fan.ink(&ink))?;
+                        if !fan.next_into(&mut piece) {
+                            break;
+                        }
+                    }
                 }
             }
+            left = behind;
         }
         Ok(statistics.with_the_rest_culled(faces.len()))
     }
