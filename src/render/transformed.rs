@@ -249,8 +249,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                     if area == 0 {
                         break 'any;
                     }
-                    // Loaded anew, as the way above needs the registers. It is the same face: all of them are kept.
-                    let Some(kept) = self.kept(black_box(face)) else { break 'face };
+                    // With depth it is loaded anew, as the way above needs the registers. It is the same face: all of it is kept.
+                    let again = if DEPTH { self.kept(black_box(face)) } else { Some(kept) };
+                    let Some(kept) = again else { break 'face };
                     statistics.drawn += 1;
                     put::<DEPTH>(&mut piece, &self.images(kept.map(|corner| *corner)), area);
                     draw(&piece, shade(faces.len() - left.len()))?;
