@@ -16,20 +16,23 @@ pub(super) struct Memory<'a, Cell> {
     pub(super) left: i32,
     pub(super) top: i32,
     pub(super) stride: usize,
+    /// Where the pixel in column 0 and row 0 would stand, wrapping.
+    origin: usize,
 }
 
 impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(always)]
     pub(super) fn new(cells: &'a mut [Cell], area: &Rectangle) -> Self {
         let Rectangle { top_left, size } = *area;
-        Self { cells, left: top_left.x, top: top_left.y, stride: size.width as usize }
+        let (left, top, stride) = (top_left.x, top_left.y, size.width as usize);
+        Self { cells, left, top, stride, origin: place(left, top, stride).wrapping_neg() }
     }
 
     /// Where pixels stand; those that are not inside wrap.
     #[inline(always)]
     fn places(&self) -> impl Fn(i32, i32) -> usize + use<'a, Cell> {
-        let Self { left, top, stride, .. } = *self;
-        move |x, y| place(x.wrapping_sub(left), y.wrapping_sub(top), stride)
+        let Self { origin, stride, .. } = *self;
+        move |x, y| place(x, y, stride).wrapping_add(origin)
     }
 
     /// A row's pixels. Those of a row that does not lie inside are others, or none.
@@ -70,7 +73,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                 }
                 None => {
                     let start = self.places()(stretch.x, stretch.y);
-                    self.stretch(stretch, start, two);
+                    self.stretch(stretch, start, two, true);
                 }
             }
         }
@@ -80,24 +83,33 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn halves<D: Divisor, const CUT: bool>(&mut self, halves: Halves<D, CUT>, two: [Cell; 2]) {
         let (x, y) = halves.first();
         let mut start = self.places()(x, y);
-        halves.each(|stretch| start = self.stretch(stretch, start, two));
+        let long = D::WIDTH > LONG << 8;
+        halves.each(|stretch| start = self.stretch(stretch, start, two, long));
     }
 
-    /// From where the first row starts, to where the one below does.
+    /// From where the first row starts, to where the one below does. `long`: rows may be.
     #[inline(always)]
-    fn stretch<S: Step>(&mut self, mut stretch: Stretch<S>, mut start: usize, two: [Cell; 2]) -> usize {
+    fn stretch<S: Step>(
+        &mut self,
+        mut stretch: Stretch<S>,
+        mut start: usize,
+        two: [Cell; 2],
+        long: bool,
+    ) -> usize {
+        let stride = self.stride;
+        let cells = &mut *self.cells;
         while stretch.rows > 0 {
             let (left, right) = stretch.row();
             let from = start.wrapping_add(left as usize);
             // More than there are where it ends before it begins.
             let width = right.wrapping_sub(left) as usize;
-            if let Some(run) = self.cells.get_mut(from..) {
+            if let Some(run) = cells.get_mut(from..) {
                 keep_apart();
                 if let Some(run) = run.get_mut(..width) {
-                    fill(run, two);
+                    fill_any(run, two, long);
                 }
             }
-            start = start.wrapping_add(self.stride);
+            start = start.wrapping_add(stride);
             stretch.rows -= 1;
         }
         start
@@ -296,18 +308,27 @@ pub(super) fn place(x: i32, y: i32, stride: usize) -> usize {
     (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }
 
+/// From so many pixels on a run is long.
+const LONG: i32 = 64;
+
 /// In pairs, which become one store where memory takes that at any address: many at a time in long runs, then eight,
-/// and the rest at one go.
+/// and the rest at one go. `long`: runs may be; in a short one eight more stand for the many, so that the compiler keeps no
+/// other place at hand, where rows are gone through, than the one where a run begins.
 #[inline(always)]
-pub(super) fn fill<Cell: Copy>(mut run: &mut [Cell], two: [Cell; 2]) {
+fn fill_any<Cell: Copy>(mut run: &mut [Cell], two: [Cell; 2], long: bool) {
     let [cell, _] = two;
     if run.len() >= 8 {
-        if run.len() >= 64 {
+        if long && run.len() >= LONG as usize {
             let (many, rest) = run.split_at_mut(run.len() & !31);
             for some in many.chunks_exact_mut(32) {
                 some.chunks_exact_mut(2).for_each(|pixels| pixels.copy_from_slice(&two));
                 black_box(()); // not unrolled
             }
+            run = rest;
+        }
+        if !long && run.len() >= 16 {
+            let (some, rest) = run.split_at_mut(8);
+            some.chunks_exact_mut(2).for_each(|pixels| pixels.copy_from_slice(&two));
             run = rest;
         }
         while let [a, b, c, d, e, f, g, h, rest @ ..] = run {
@@ -326,6 +347,12 @@ pub(super) fn fill<Cell: Copy>(mut run: &mut [Cell], two: [Cell; 2]) {
         [a, b, c, d, e, f] => [[*a, *b], [*c, *d], [*e, *f]] = [two; 3],
         [a, b, c, d, e, f, g, ..] => ([[*a, *b], [*c, *d], [*e, *f]], *g) = ([two; 3], cell),
     }
+}
+
+/// The same for runs of any length.
+#[inline(always)]
+pub(super) fn fill<Cell: Copy>(run: &mut [Cell], two: [Cell; 2]) {
+    fill_any(run, two, true);
 }
 
 /// Two of them, of which the compiler does not know that they are alike: it keeps them in one register.
