@@ -110,7 +110,7 @@ pub(crate) struct AtOnce;
 
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 impl Divisor for AtOnce {
-    const WIDTH: i32 = 1 << 13;
+    const WIDTH: i32 = (255 << 5) + 1;
     const HEIGHT: i32 = (31 << 8) + 1;
 
     #[inline(always)]

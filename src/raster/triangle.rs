@@ -252,17 +252,17 @@ impl<D: Divisor, const CUT: bool> Halves<D, CUT> {
 fn down(triangle: &Triangle<'_>) -> ([ScreenPoint; 3], bool) {
     let [mut a, mut b, mut c] = triangle.corners;
     // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c. Each exchange turns that over.
-    let mut middle_left = triangle.area >= 0;
+    let mut turn = (triangle.area >> 32) as i32;
     if b.y < a.y {
-        (a, b, middle_left) = (b, a, !middle_left);
+        (a, b, turn) = (b, a, !turn);
     }
     if c.y < b.y {
-        (b, c, middle_left) = (c, b, !middle_left);
+        (b, c, turn) = (c, b, !turn);
         if b.y < a.y {
-            (a, b, middle_left) = (b, a, !middle_left);
+            (a, b, turn) = (b, a, !turn);
         }
     }
-    ([a, b, c], middle_left)
+    ([a, b, c], turn >= 0)
 }
 
 /// The stretches of all other triangles, inside the scissor.
