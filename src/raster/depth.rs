@@ -26,12 +26,10 @@ impl Plane {
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);
-        let mut plane = match Planes::small(triangle, extent, depths) {
-            Some(plane) => plane,
+        match Planes::small(triangle, extent, depths) {
+            Some(plane) => plane.with_half(),
             None => Self::of_any_depth(triangle, extent, depths),
-        };
-        plane.origin = plane.origin.wrapping_add(1 << 15);
-        plane
+        }
     }
 
     #[inline(never)]
@@ -40,7 +38,14 @@ impl Plane {
         if extent.is_large() {
             depths = lowered(depths, triangle.viewport);
         }
-        Planes::of_extent(triangle, extent).through(&depths)
+        Planes::of_extent(triangle, extent).through(&depths).with_half()
+    }
+
+    /// With the half that rounds.
+    #[inline(always)]
+    fn with_half(mut self) -> Self {
+        self.origin = self.origin.wrapping_add(1 << 15);
+        self
     }
 }
 
