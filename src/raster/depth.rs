@@ -26,7 +26,7 @@ impl Plane {
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);
-        match Planes::small(triangle, extent, depths) {
+        match Planes::small(triangle, extent).and_then(|planes| planes.short(depths)) {
             Some(plane) => plane.with_half(),
             None => Self::of_any_depth(triangle, extent, depths),
         }
@@ -43,7 +43,7 @@ impl Plane {
 
     /// With the half that rounds.
     #[inline(always)]
-    fn with_half(mut self) -> Self {
+    pub(super) fn with_half(mut self) -> Self {
         self.origin = self.origin.wrapping_add(1 << 15);
         self
     }

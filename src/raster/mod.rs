@@ -39,6 +39,7 @@
 mod along;
 mod depth;
 mod edge;
+mod light;
 mod line;
 mod piece;
 mod plane;

@@ -19,13 +19,13 @@ use core::hint::black_box;
 /// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
 /// depth, or a channel of colour. Values are 24 bits at the corners, 32 bits at the pixels: in 2⁻⁸ of the corners' unit.
 /// [`InkFor`](crate::InkFor) has an example.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane {
     /// At pixel (0, 0), in 2⁻⁸ of the corners' unit, wrapping, as are the steps.
     pub(super) origin: u32,
-    right: u32,
-    down: u32,
+    pub(super) right: u32,
+    pub(super) down: u32,
 }
 
 impl Plane {
@@ -188,15 +188,24 @@ impl<'t> Planes<'t> {
         }
     }
 
-    /// The same within 128 pixels, where 32 bits are enough, with the same error: the shortest way for most. `None` for all others.
+    /// Over a triangle within 128 pixels.
     #[inline(always)]
-    pub(super) fn small(triangle: &'t Triangle<'t>, extent: Extent, values: &[i32; 3]) -> Option<Plane> {
-        if !extent.is_small() {
-            return None;
-        }
-        let planes = Self::of_extent(triangle, extent);
-        let numerators = Numerators::short(triangle, planes.room, values)?;
-        Some(planes.slope(&numerators, values)?.plane())
+    pub(super) fn small(triangle: &'t Triangle<'t>, extent: Extent) -> Option<Self> {
+        extent.is_small().then(|| Self::of_extent(triangle, extent))
+    }
+
+    /// [`through`](Self::through) where 32 bits are enough, with the same error: the shortest way for most. `None` for all others.
+    #[inline(always)]
+    pub(super) fn short(&self, values: &[i32; 3]) -> Option<Plane> {
+        let numerators = Numerators::short(self.triangle, self.room, values)?;
+        Some(self.slope(&numerators, values)?.plane())
+    }
+
+    /// The same where in addition nothing is lost of the differences: then a pixel is off by less than `(w + h)·½ + 35`.
+    #[inline(always)]
+    pub(super) fn exact(&self, values: &[i32; 3]) -> Option<Plane> {
+        let numerators = Numerators::short(self.triangle, self.room, values).filter(|n| n.k >= 0)?;
+        Some(self.slope(&numerators, values)?.plane())
     }
 
     /// The same as a slope, with the same error; `None` where it is too steep.

@@ -1,0 +1,126 @@
+//! One light over a triangle: a plane in 8.24, made with depth's reciprocal where both are asked for.
+
+use super::plane::Extent;
+use super::{Plane, Planes, Triangle};
+
+impl Plane {
+    /// Lights in 8.10, 0 … 255 · 2¹⁰, with the half that rounds: the upper 8 bits at a pixel are its light, rounded to
+    /// nearest, with an error of less than 2⁻⁹ before that.
+    ///
+    /// Most small triangles keep 10 bits of fraction, so that 32 bits are enough, and are off by `((w + h)·½ + 35)·2⁻¹⁸`, w and h
+    /// at most 128; all others have 16, and the error of [`Planes::through`], `((w + h)·½ + 2¹⁰·⁶)·2⁻²⁴`, w + h ≤ 2¹⁵.
+    #[inline(never)]
+    pub(crate) fn of_light(triangle: &Triangle<'_>, lights: &[i32; 3]) -> Self {
+        let extent = Extent::of(triangle);
+        match Planes::small(triangle, extent).and_then(|planes| planes.exact(lights)) {
+            Some(plane) => plane.times_64(),
+            None => Planes::of_extent(triangle, extent).through(&lights.map(|light| light << 6)), // < 2²⁴
+        }
+        .rounding_light()
+    }
+
+    /// [`of_depth`](Self::of_depth) and [`of_light`](Self::of_light), to the same bits. Each is stored as soon as it is there: the
+    /// other one needs the registers.
+    #[inline(never)]
+    pub(crate) fn of_depth_and_light(
+        triangle: &Triangle<'_>,
+        depths: &[i32; 3],
+        lights: &[i32; 3],
+    ) -> [Self; 2] {
+        let mut planes = [Self::default(); 2];
+        let [of_depth, of_light] = &mut planes;
+        if let Some(shared) = Planes::small(triangle, Extent::of(triangle)) {
+            if let Some(plane) = shared.short(depths) {
+                *of_depth = plane.with_half();
+                match shared.exact(lights) {
+                    Some(plane) => *of_light = plane.times_64().rounding_light(),
+                    None => *of_light = Self::of_light(triangle, lights),
+                }
+                return planes;
+            }
+        }
+        *of_depth = Self::of_depth(triangle, depths);
+        *of_light = Self::of_light(triangle, lights);
+        planes
+    }
+
+    /// Of values that have 6 bits less.
+    #[inline(always)]
+    fn times_64(self) -> Self {
+        Self { origin: self.origin << 6, right: self.right << 6, down: self.down << 6 }
+    }
+
+    /// With the half that rounds.
+    #[inline(always)]
+    fn rounding_light(self) -> Self {
+        Self { origin: self.origin.wrapping_add(1 << 23), ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::{area, triangle, Scissor, ScreenPoint};
+
+    /// Uniform in −n … n.
+    fn within(state: &mut u64, n: i64) -> i64 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 33) as i64 % (2 * n + 1) - n
+    }
+
+    /// The largest distance of a covered pixel's light from the exact one, in 2⁻²⁴, rounded up.
+    fn worst(state: &mut u64, reach: i64, viewport: i32, cases: u32) -> i128 {
+        let (mut worst, side) = (0, i64::from(viewport) * 256);
+        let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
+        for case in 0..cases {
+            let middle = [0; 2].map(|_| within(state, side));
+            let mut corner = || middle.map(|m| (m + within(state, reach)).clamp(-1 << 21, 1 << 21));
+            let (a, b, mut c) = (corner(), corner(), corner());
+            if case % 4 == 0 {
+                // As thin as can be.
+                let k = within(state, 256).abs();
+                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + within(state, 1));
+                c = c.map(|v| v.clamp(-1 << 21, 1 << 21));
+            }
+            let points = [a, b, c].map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap());
+            if area(&points) == 0 {
+                continue;
+            }
+            let lights = [0; 3].map(|_| match within(state, 2) {
+                0 => 0,
+                1 => 255 << 10,
+                _ => within(state, 255 << 10).abs() as i32,
+            });
+            let plane = Plane::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
+            let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
+                i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
+            };
+            let Ok::<(), core::convert::Infallible>(()) = triangle(points, &scissor, |span| {
+                for x in [span.x, span.x + span.width - 1] {
+                    let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
+                    let [u, v, w] = lights.map(i128::from);
+                    let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
+                    let whole = cross(a, b, c);
+                    // No sum leaves 0 … 2³²: the half is taken off again.
+                    let light = i128::from(plane.at(x, span.y)) - (1 << 23);
+                    worst = worst.max((light * whole - (exact << 14)).abs() / whole.abs() + 1);
+                }
+                Ok(())
+            });
+        }
+        worst
+    }
+
+    #[test]
+    fn light_over_a_triangle_stays_within_the_bound() {
+        let state = &mut 7;
+        // Below 64 pixels in 18 bits, 2⁶ of these; all others in 24.
+        let small = [600, 4_000, 16_000].map(|reach| worst(state, reach, 600, 30_000));
+        let large = [65_000, 300_000, 2_000_000].map(|reach| worst(state, reach, 8192, 1_000));
+        let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
+        let (bound, bound_large) = ((128 + 35) << 6, (1 << 14) + 2 + 1552);
+        assert!(bound <= 1 << 15 && bound_large <= 1 << 15, "2⁻⁹");
+        assert!(small <= bound && large <= bound_large, "{small} {large}");
+        assert!(small > bound / 3 && large > 1 << 13, "{small} {large}");
+    }
+}
