@@ -34,4 +34,4 @@ pub use render::{
     RecordError, Statistics, Transformed,
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
-pub use shade::{Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit};
+pub use shade::{Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shaded};

@@ -78,6 +78,8 @@ public_types![
     RecordError,
     ReferenceVolume,
     Scissor,
+    ShadeTable<Plain>,
+    Shaded<'static, Plain>,
     ScreenPoint,
     Side,
     Span,
@@ -99,7 +101,7 @@ public_types![
 ];
 
 /// Public by their keyword only: what inks and targets have of their own, which no path leads to.
-const NOT_NAMED: [&str; 4] = ["Against", "Even", "Piece", "Ramps"];
+const NOT_NAMED: [&str; 6] = ["Against", "Even", "Piece", "Ramps", "Shade", "Shades"];
 
 #[test]
 fn no_public_type_is_missing() {

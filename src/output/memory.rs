@@ -1,10 +1,9 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
 use super::depth::DepthBuffer;
+use super::nearer::{one_nearer, Nearer, Rows};
 use crate::math::num::keep_apart;
-use crate::raster::{
-    Divisor, Halves, Large, Low, Piece, Plane, Scissor, Small, Span, Step, Stretch, Triangle,
-};
+use crate::raster::{Divisor, Halves, Large, Low, Piece, Scissor, Small, Span, Step, Stretch, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -117,97 +116,67 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     /// Fills a triangle where it is nearer than what is held for the same pixels.
     #[inline(never)] // its loop needs all registers
-    pub(super) fn nearer(
+    pub(super) fn nearer<F: Nearer<Cell>>(
         &mut self,
         piece: &Piece<'_>,
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
-        two: [Cell; 2],
+        filling: F,
     ) {
         match Small::new(&piece.triangle, scissor) {
-            Some(halves) => self.halves_nearer(halves, piece, depth.held(), two),
-            None => self.cut_nearer(piece, scissor, depth, two),
+            Some(halves) => self.halves_nearer(halves, piece, depth.held(), filling),
+            None => self.cut_nearer(piece, scissor, depth, filling),
         }
     }
 
     /// One that is cut, wide or large.
     #[inline(never)]
-    fn cut_nearer(
+    fn cut_nearer<F: Nearer<Cell>>(
         &mut self,
         piece: &Piece<'_>,
         scissor: &Scissor,
         depth: &mut DepthBuffer<'_>,
-        two: [Cell; 2],
+        filling: F,
     ) {
         if let Some(halves) = Low::new(&piece.triangle, scissor) {
-            return self.halves_nearer(halves, piece, depth.held(), two);
+            return self.halves_nearer(halves, piece, depth.held(), filling);
         }
         let large = Large::new(&piece.triangle, scissor);
         if !large.is_empty() {
-            self.large_nearer(large, &piece.plane(), depth.held(), two);
+            self.large_nearer(large, &filling.over(piece), depth.held(), filling);
         }
     }
 
     #[inline(always)]
-    fn halves_nearer<D: Divisor, const CUT: bool>(
+    fn halves_nearer<D: Divisor, F: Nearer<Cell>, const CUT: bool>(
         &mut self,
         halves: Halves<D, CUT>,
         piece: &Piece<'_>,
         held: &mut [u16],
-        two: [Cell; 2],
+        filling: F,
     ) {
         if !halves.is_empty() {
-            let plane = piece.plane();
+            let over = filling.over(piece);
             let (x, y) = halves.first();
-            let mut start = (self.places()(x, y), plane.at(x, y));
-            halves.each(|stretch| start = self.stretch_nearer(stretch, start, &plane, held, two));
+            let mut start = self.places()(x, y);
+            let mut rows = filling.rows(&over, self.cells, held, (x, y));
+            halves.each(|stretch| start = stretch_nearer(stretch, start, self.stride, &mut rows));
         }
     }
 
     #[inline(never)] // rare, and most of it a row's pixels
-    fn large_nearer(&mut self, mut large: Large, plane: &Plane, held: &mut [u16], two: [Cell; 2]) {
-        while let Some(stretch) = large.stretch() {
-            let start = (self.places()(stretch.x, stretch.y), plane.at(stretch.x, stretch.y));
-            self.stretch_nearer(stretch, start, plane, held, two);
-        }
-    }
-
-    /// From where the first row starts, and the depth there, to those of the row below.
-    #[inline(always)]
-    fn stretch_nearer<S: Step>(
+    fn large_nearer<F: Nearer<Cell>>(
         &mut self,
-        mut stretch: Stretch<S>,
-        (mut start, mut z): (usize, u32),
-        plane: &Plane,
+        mut large: Large,
+        over: &F::Over,
         held: &mut [u16],
-        two: [Cell; 2],
-    ) -> (usize, u32) {
-        let [cell, _] = two;
-        // One length for both.
-        let length = self.cells.len().min(held.len());
-        if let (Some(cells), Some(held)) = (self.cells.get_mut(..length), held.get_mut(..length)) {
-            let step = plane.step();
-            while stretch.rows > 0 {
-                let (left, right) = stretch.row();
-                let from = start.wrapping_add(left as usize);
-                // More than there are where it ends before it begins.
-                let width = right.wrapping_sub(left) as usize;
-                let first = z.wrapping_add(step.wrapping_mul(left as u32));
-                if let (Some(run), Some(held)) = (cells.get_mut(from..), held.get_mut(from..)) {
-                    if let (Some(run), Some(held)) = (run.get_mut(..width), held.get_mut(..width)) {
-                        if width >= MANY {
-                            fill_nearer(run, held, first, step, two);
-                        } else {
-                            fill_short_nearer(run, held, first, step, cell);
-                        }
-                    }
-                }
-                z = z.wrapping_add(plane.down());
-                start = start.wrapping_add(self.stride);
-                stretch.rows -= 1;
-            }
+        filling: F,
+    ) {
+        while let Some(stretch) = large.stretch() {
+            let from @ (x, y) = (stretch.x, stretch.y);
+            let (start, stride) = (self.places()(x, y), self.stride);
+            stretch_nearer(stretch, start, stride, &mut filling.rows(over, self.cells, held, from));
         }
-        (start, z)
     }
 
     /// Fills a triangle with cells of its own.
@@ -251,55 +220,22 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 }
 
-/// So many pixels at a time are faster than one by one.
-const MANY: usize = 8;
-
+/// From where the first row starts, to where the one below does.
 #[inline(always)]
-fn fill_short_nearer<Cell: Copy>(
-    run: &mut [Cell],
-    held: &mut [u16],
-    mut z: u32,
-    step: u32,
-    cell: Cell,
-) -> u32 {
-    for (pixel, held) in run.iter_mut().zip(held) {
-        one_nearer(pixel, held, z, cell);
-        z = z.wrapping_add(step);
-        black_box(()); // not unrolled
+fn stretch_nearer<S: Step>(
+    mut stretch: Stretch<S>,
+    mut start: usize,
+    stride: usize,
+    rows: &mut impl Rows,
+) -> usize {
+    while stretch.rows > 0 {
+        let (left, right) = stretch.row();
+        rows.row(start, left, right);
+        rows.below();
+        start = start.wrapping_add(stride);
+        stretch.rows -= 1;
     }
-    z
-}
-
-/// Many pixels at a time where nothing is held yet, as is so of most.
-#[inline(never)] // its loop needs all registers
-fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, two: [Cell; 2]) {
-    let [cell, _] = two;
-    // They are as long; here that is said.
-    let Some(held) = held.get_mut(..run.len()) else { return };
-    let ((many, rest), (held_many, held_rest)) = (run.as_chunks_mut::<MANY>(), held.as_chunks_mut::<MANY>());
-    for (pixels, held) in many.iter_mut().zip(held_many) {
-        // As pairs these are loaded at once.
-        let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
-        if pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX {
-            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = two);
-            for held in held {
-                *held = (z >> 16) as u16;
-                z = z.wrapping_add(step);
-            }
-        } else {
-            // Loaded anew: the way above needs the registers.
-            z = fill_short_nearer(pixels, black_box(held), z, step, cell);
-        }
-        black_box(()); // not unrolled
-    }
-    fill_short_nearer(rest, held_rest, z, step, cell);
-}
-
-#[inline(always)]
-fn one_nearer<Cell: Copy>(pixel: &mut Cell, held: &mut u16, z: u32, cell: Cell) {
-    if z >> 16 < u32::from(*held) {
-        (*held, *pixel) = ((z >> 16) as u16, cell);
-    }
+    start
 }
 
 /// Where a pixel stands; one that is not inside wraps.

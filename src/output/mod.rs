@@ -5,8 +5,10 @@ mod depth;
 mod dirty;
 mod memory;
 mod memory_line;
+mod nearer;
 mod picture;
 mod pixels;
+mod shades;
 mod target;
 mod wire;
 
@@ -16,6 +18,7 @@ pub use depth::{DepthBuffer, DepthBufferError};
 pub use dirty::{Dirty, WindowCost};
 pub use picture::{Picture, PictureError};
 pub use pixels::{Pixels, Stored};
+pub(crate) use shades::{Shade, Shades};
 pub use target::Target;
 pub use wire::Wire;
 

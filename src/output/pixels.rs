@@ -3,6 +3,7 @@
 use super::depth::{Against, DepthBuffer};
 use super::memory::{fill, Memory};
 use super::reach;
+use super::shades::Shades;
 use super::target::{spans_nearer, spans_shaded_nearer, Target};
 use crate::raster::{Piece, Pixel, Scissor, ScreenPoint, Span, Triangle};
 use core::convert::Infallible;
@@ -137,6 +138,23 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
             Ok(())
         } else {
             self.shaded_nearer_apart(piece, scissor, against, run)
+        }
+    }
+
+    #[inline(always)]
+    fn shades_nearer(
+        &mut self,
+        piece: &Piece<'_>,
+        scissor: &Scissor,
+        against: &mut Against<'_, '_>,
+        shades: &Shades<'_, C>,
+    ) -> Result<(), Infallible> {
+        if against.beside {
+            self.memory.nearer(piece, scissor, against.buffer, shades);
+            Ok(())
+        } else {
+            let shade = shades.over(&piece.triangle);
+            self.shaded_nearer_apart(piece, scissor, against, |span| shade.run(span))
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::depth::{Against, DepthBuffer};
 use super::reach;
+use super::shades::Shades;
 use crate::raster::{self, Piece, Pixel, Scissor, ScreenPoint, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -112,6 +113,20 @@ pub trait Target: sealed::Sealed {
         run: impl Fn(Span) -> R,
     ) -> Result<(), Self::Error> {
         spans_shaded_nearer(self, piece, scissor, against, run)
+    }
+
+    /// The same of colours that are looked up.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn shades_nearer(
+        &mut self,
+        piece: &Piece<'_>,
+        scissor: &Scissor,
+        against: &mut Against<'_, '_>,
+        shades: &Shades<'_, Self::Color>,
+    ) -> Result<(), Self::Error> {
+        let shade = shades.over(&piece.triangle);
+        spans_shaded_nearer(self, piece, scissor, against, |span| shade.run(span))
     }
 
     /// Draws a line.

@@ -1,6 +1,7 @@
 //! What a face is filled with.
 
 use crate::clip::Carried;
+use crate::output::Shades;
 use crate::raster::{Span, Triangle};
 use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -10,7 +11,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// Every `PixelColor` is an ink, and then nothing is computed or carried that one colour does not need.
 /// [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are colours of light for any target, dithered or
-/// not.
+/// not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up in 256 levels of light.
 ///
 /// Colours of the mesh, of its faces and of its vertices are three closures:
 ///
@@ -135,6 +136,13 @@ pub trait InkFor<C: PixelColor>: Ink {
     /// [`run`](Self::run).
     #[inline(always)]
     fn even(&self) -> Option<C> {
+        None
+    }
+
+    /// The colours to look up, where there are such: against depth that has a loop of its own.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn shades(&self) -> Option<Shades<'_, C>> {
         None
     }
 }

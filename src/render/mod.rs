@@ -347,10 +347,13 @@ fn fill_nearer<T: Target, I: InkFor<T::Color>>(
 ) -> Result<(), T::Error> {
     match ink.even() {
         Some(colour) => target.nearer(piece, scissor, against, colour),
-        None => {
-            let fill = ink.over(&piece.triangle);
-            target.shaded_nearer(piece, scissor, against, |span| I::run(&fill, span))
-        }
+        None => match ink.shades() {
+            Some(shades) => target.shades_nearer(piece, scissor, against, &shades),
+            None => {
+                let fill = ink.over(&piece.triangle);
+                target.shaded_nearer(piece, scissor, against, |span| I::run(&fill, span))
+            }
+        },
     }
 }
 

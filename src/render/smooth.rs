@@ -2,9 +2,11 @@
 
 use super::{Ink, InkFor};
 use crate::clip::Barycentric;
+use crate::output::{Shade, Shades};
 use crate::raster::{Span, Triangle};
-use crate::shade::{Bayer, Channels, Dithered, Even, Flat, Gouraud, Lit, Nearest, Ramps};
+use crate::shade::{Bayer, Channels, Dithered, Even, Flat, Gouraud, Lit, Nearest, Ramps, Shaded};
 use core::iter::repeat;
+use embedded_graphics_core::pixelcolor::PixelColor;
 
 impl Ink for Flat {
     type Carried = ();
@@ -94,3 +96,29 @@ macro_rules! smooth {
 }
 
 smooth!(Gouraud, Lit);
+
+impl<C: PixelColor> Ink for Shaded<'_, C> {
+    type Carried = Barycentric;
+
+    fn piece(&self, corners: [Barycentric; 3]) -> Self {
+        self.part(corners.map(|c| c.0))
+    }
+}
+
+impl<'t, C: PixelColor> InkFor<C> for Shaded<'t, C> {
+    type Fill = Shade<'t, C>;
+
+    fn over(&self, triangle: &Triangle<'_>) -> Shade<'t, C> {
+        Shades { colours: self.colours(), light: self.light() }.over(triangle)
+    }
+
+    #[inline(always)]
+    fn run(fill: &Shade<'t, C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run(span)
+    }
+
+    #[inline(always)]
+    fn shades(&self) -> Option<Shades<'_, C>> {
+        Some(Shades { colours: self.colours(), light: self.light() })
+    }
+}

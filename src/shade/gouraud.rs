@@ -19,7 +19,8 @@ use core::marker::PhantomData;
 /// colour jumps by more than 1 in 255 (`tests/shading/cut.rs`), and from there on they drift towards those
 /// of perspective.
 ///
-/// For one colour and a light at each corner [`Gouraud::lit`] takes less work.
+/// For one colour and a light at each corner [`Gouraud::lit`] takes less work, and
+/// [`ShadeTable::lit`](crate::ShadeTable::lit) least.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};

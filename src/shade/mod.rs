@@ -8,6 +8,7 @@ mod gouraud;
 mod lambert;
 mod levels;
 mod lit;
+mod table;
 
 pub use channels::Channels;
 pub use dim::Dim;
@@ -18,3 +19,4 @@ pub use gouraud::Gouraud;
 pub(crate) use gouraud::{Nearest, Ramps};
 pub use lambert::{Lambert, LightError};
 pub use lit::Lit;
+pub use table::{ShadeTable, Shaded};

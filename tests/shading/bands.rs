@@ -3,10 +3,11 @@
 use crate::bridge;
 use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use crate::oracle::rng::Rng;
-use crate::target::{flat, for_every_colour, gouraud, random_colour, Colour, Picture};
+use crate::oracle::shade::Lit;
+use crate::target::{flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Picture};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Camera, Corner, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, InkFor, Mesh, Painter,
+    Affine, Camera, Corner, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, InkFor, Mesh, Painter, Shaded,
 };
 
 const FACES: usize = 14;
@@ -17,6 +18,7 @@ struct Scene {
     vertices: [[i16; 3]; VERTICES],
     faces: [[u16; 3]; FACES],
     inks: Vec<(Flat, Gouraud)>,
+    lights: Vec<[Lit; 3]>,
     /// The viewport, and a frame that sees a part of it, or all.
     viewport: (i32, i32, u32, u32),
     frame: Rectangle,
@@ -37,12 +39,13 @@ impl Scene {
                 (flat(colours[0]), gouraud(colours))
             })
             .collect();
+        let lights = (0..FACES).map(|_| random_lights(rng)).collect();
         let (viewport, frame) = if rng.one_in(3) {
             ((-9, 4, 700, 500), bridge::rectangle(-3, 11, 21, 13))
         } else {
             ((0, 0, 21, 13), bridge::rectangle(0, 0, 21, 13))
         };
-        Self { vertices, faces, inks, viewport, frame }
+        Self { vertices, faces, inks, lights, viewport, frame }
     }
 
     fn camera(&self) -> Camera {
@@ -112,6 +115,8 @@ fn every_ink<C: Colour>(scene: &Scene) {
     let even = |face: usize| scene.inks[face].0;
     scene.check::<C, Gouraud>(smooth);
     scene.check::<C, Dithered<Gouraud>>(|face| smooth(face).dithered());
+    let tables: Vec<_> = scene.lights.iter().map(|&lights| shaded::<C>(lights)).collect();
+    scene.check::<C, Shaded<'_, C>>(|face| tables[face]);
     scene.check::<C, Flat>(even);
     scene.check::<C, Dithered<Flat>>(|face| even(face).dithered());
 }

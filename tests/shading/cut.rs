@@ -5,7 +5,7 @@ use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use crate::oracle::rng::Rng;
 use crate::oracle::shade::Lit;
 use crate::target::{
-    draw, for_every_colour, gouraud, lit, mesh, random_colour, random_lights, Colour, Picture, SIZE,
+    draw, for_every_colour, gouraud, lit, mesh, random_colour, random_lights, shaded, Colour, Picture, SIZE,
 };
 use embedded_graphics_core::pixelcolor::Gray8;
 use pinhole::{Affine, Camera, InkFor, Scalar};
@@ -70,11 +70,12 @@ fn inside(t: [(f64, f64); 3], p: (f64, f64)) -> f64 {
     from(t[0], t[1]).min(from(t[1], t[2])).min(from(t[2], t[0]))
 }
 
-/// Every pixel inside one piece has the colour of that piece's plane, but for what the snap explains.
+/// Every pixel inside one piece has the colour of that piece's plane, but for what the snap explains, and `more` of a channel.
 fn check<C: Colour, I: InkFor<C>>(
     bits: [[i32; 3]; 3],
     ink: impl Fn([Lit; 3]) -> I,
     colours: [Lit; 3],
+    more: impl Fn(usize) -> f64,
     seen: &mut usize,
 ) {
     let corners = [0, 1, 2].map(|i| Corner {
@@ -114,7 +115,7 @@ fn check<C: Colour, I: InkFor<C>>(
                 let error = (level as f64 - exact).abs();
                 // ½, the plane's share and that of the cut corners' rounding.
                 assert!(
-                    error <= 0.5 + 1.0 / 512.0 + 1.0 / 512.0 + snap,
+                    error <= 0.5 + 1.0 / 512.0 + 1.0 / 512.0 + more(channel) + snap,
                     "{error}, snap {snap}: {bits:?} {colours:?} {p:?}"
                 );
             }
@@ -138,8 +139,17 @@ fn random_face(rng: &mut Rng) -> [[i32; 3]; 3] {
 fn random<C: Colour>(cases: usize) {
     let (mut rng, mut seen) = (Rng::new(0x90), 0);
     for _ in 0..cases {
-        check::<C, _>(random_face(&mut rng), gouraud, [0; 3].map(|_| random_colour(&mut rng)), &mut seen);
-        check::<C, _>(random_face(&mut rng), lit, random_lights(&mut rng), &mut seen);
+        check::<C, _>(
+            random_face(&mut rng),
+            gouraud,
+            [0; 3].map(|_| random_colour(&mut rng)),
+            |_| 0.0,
+            &mut seen,
+        );
+        check::<C, _>(random_face(&mut rng), lit, random_lights(&mut rng), |_| 0.0, &mut seen);
+        // Light is rounded too.
+        let half_an_entry = |channel: usize| C::DEPTHS.0[channel] as f64 / 510.0;
+        check::<C, _>(random_face(&mut rng), shaded, random_lights(&mut rng), half_an_entry, &mut seen);
     }
     assert!(seen > 100 * cases, "{seen} pixels");
 }

@@ -8,5 +8,6 @@ mod oracle;
 mod bands;
 mod cut;
 mod dither;
+mod shaded;
 mod smooth;
 mod target;

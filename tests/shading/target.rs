@@ -10,11 +10,11 @@ use embedded_graphics_core::pixelcolor::{
 };
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Camera, Channels, Gouraud, InkFor, Mesh, Placed, Scalar, Wire};
+use pinhole::{Camera, Channels, Gouraud, InkFor, Mesh, Placed, Scalar, ShadeTable, Shaded, Wire};
 use std::convert::Infallible;
 
 /// A colour whose channels the tests can read.
-pub(crate) trait Colour: Channels + Wire + core::fmt::Debug {
+pub(crate) trait Colour: Channels + Wire + core::fmt::Debug + 'static {
     const DEPTHS: Depths;
     fn levels(self) -> Vec<i128>;
 }
@@ -189,6 +189,17 @@ pub(crate) fn lit([a, b, c]: [Lit; 3]) -> pinhole::Lit {
     assert!(a.rgb == b.rgb && a.rgb == c.rgb);
     let [red, green, blue] = a.rgb;
     Gouraud::lit(Rgb888::new(red, green, blue), [a.level, b.level, c.level])
+}
+
+/// A table of the first one's colour, which lives on.
+pub(crate) fn table<C: Colour>([a, ..]: [Lit; 3]) -> &'static ShadeTable<C> {
+    let [red, green, blue] = a.rgb;
+    Box::leak(Box::new(ShadeTable::new(Rgb888::new(red, green, blue))))
+}
+
+/// The same as [`lit`] by that table.
+pub(crate) fn shaded<C: Colour>(lights: [Lit; 3]) -> Shaded<'static, C> {
+    table(lights).lit(lights.map(|light| light.level))
 }
 
 /// Three lights of one colour.

@@ -1,0 +1,160 @@
+//! What pixels are filled with where they are nearer than what is held.
+
+use crate::raster::{Piece, Plane};
+use core::hint::black_box;
+
+/// What a triangle is filled with.
+pub(super) trait Nearer<Cell>: Copy {
+    /// Depth, and what else runs over it.
+    type Over;
+
+    /// Over a triangle.
+    fn over(self, piece: &Piece<'_>) -> Self::Over;
+
+    /// From this pixel down, into these cells; the depths of the same pixels are held.
+    fn rows<'a>(
+        self,
+        over: &'a Self::Over,
+        cells: &'a mut [Cell],
+        held: &'a mut [u16],
+        from: (i32, i32),
+    ) -> impl Rows
+    where
+        Cell: 'a,
+        Self: 'a;
+}
+
+/// Rows that follow each other.
+pub(super) trait Rows {
+    /// Fills a row, whose columns are counted from the cell at `start`; it may end before it begins.
+    fn row(&mut self, start: usize, left: i32, right: i32);
+
+    /// To the next one.
+    fn below(&mut self);
+}
+
+/// One cell, given twice: of both the compiler does not know that they are alike.
+impl<Cell: Copy> Nearer<Cell> for [Cell; 2] {
+    type Over = Plane;
+
+    #[inline(always)]
+    fn over(self, piece: &Piece<'_>) -> Plane {
+        piece.plane()
+    }
+
+    #[inline(always)]
+    fn rows<'a>(
+        self,
+        depth: &'a Plane,
+        cells: &'a mut [Cell],
+        held: &'a mut [u16],
+        (x, y): (i32, i32),
+    ) -> impl Rows
+    where
+        Cell: 'a,
+    {
+        let (cells, held) = as_long(cells, held);
+        Even { two: self, cells, held, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
+    }
+}
+
+/// One length for both.
+#[inline(always)]
+pub(super) fn as_long<'a, Cell>(
+    cells: &'a mut [Cell],
+    held: &'a mut [u16],
+) -> (&'a mut [Cell], &'a mut [u16]) {
+    let length = cells.len().min(held.len());
+    match (cells.get_mut(..length), held.get_mut(..length)) {
+        (Some(cells), Some(held)) => (cells, held),
+        _ => Default::default(),
+    }
+}
+
+/// Rows of one cell.
+struct Even<'a, Cell> {
+    two: [Cell; 2],
+    cells: &'a mut [Cell],
+    held: &'a mut [u16],
+    step: u32,
+    down: u32,
+    /// Where the row starts.
+    z: u32,
+}
+
+impl<Cell: Copy> Rows for Even<'_, Cell> {
+    #[inline(always)]
+    fn row(&mut self, start: usize, left: i32, right: i32) {
+        let Self { two, cells, held, step, z, .. } = self;
+        let from = start.wrapping_add(left as usize);
+        // More than there are where it ends before it begins.
+        let width = right.wrapping_sub(left) as usize;
+        let first = z.wrapping_add(step.wrapping_mul(left as u32));
+        if let (Some(run), Some(held)) = (cells.get_mut(from..), held.get_mut(from..)) {
+            if let (Some(run), Some(held)) = (run.get_mut(..width), held.get_mut(..width)) {
+                if width >= MANY {
+                    fill_nearer(run, held, first, *step, *two);
+                } else {
+                    let [cell, _] = *two;
+                    fill_short_nearer(run, held, first, *step, cell);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn below(&mut self) {
+        self.z = self.z.wrapping_add(self.down);
+    }
+}
+
+/// So many pixels at a time are faster than one by one.
+pub(super) const MANY: usize = 8;
+
+#[inline(always)]
+fn fill_short_nearer<Cell: Copy>(
+    run: &mut [Cell],
+    held: &mut [u16],
+    mut z: u32,
+    step: u32,
+    cell: Cell,
+) -> u32 {
+    for (pixel, held) in run.iter_mut().zip(held) {
+        one_nearer(pixel, held, z, cell);
+        z = z.wrapping_add(step);
+        black_box(()); // not unrolled
+    }
+    z
+}
+
+/// Many pixels at a time where nothing is held yet, as is so of most.
+#[inline(never)] // its loop needs all registers
+fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, two: [Cell; 2]) {
+    let [cell, _] = two;
+    // They are as long; here that is said.
+    let Some(held) = held.get_mut(..run.len()) else { return };
+    let ((many, rest), (held_many, held_rest)) = (run.as_chunks_mut::<MANY>(), held.as_chunks_mut::<MANY>());
+    for (pixels, held) in many.iter_mut().zip(held_many) {
+        // As pairs these are loaded at once.
+        let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
+        if pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX {
+            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = two);
+            for held in held {
+                *held = (z >> 16) as u16;
+                z = z.wrapping_add(step);
+            }
+        } else {
+            // Loaded anew: the way above needs the registers.
+            z = fill_short_nearer(pixels, black_box(held), z, step, cell);
+        }
+        black_box(()); // not unrolled
+    }
+    fill_short_nearer(rest, held_rest, z, step, cell);
+}
+
+#[inline(always)]
+pub(super) fn one_nearer<Cell: Copy>(pixel: &mut Cell, held: &mut u16, z: u32, cell: Cell) {
+    if z >> 16 < u32::from(*held) {
+        (*held, *pixel) = ((z >> 16) as u16, cell);
+    }
+}
