@@ -13,7 +13,8 @@ use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Corner, Cull, DepthBuffer, Dim, Dirty,
-    Flat, Frame, Gouraud, InkFor, Lambert, Mesh, Painter, Picture, Placed, Scalar, Target, WindowCost,
+    Flat, Frame, Gouraud, InkFor, Lambert, Mesh, Painter, Picture, Placed, Scalar, ShadeTable, Target,
+    WindowCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -63,6 +64,10 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::Wire>>(
         1 => fill_all(scene, &placed, |_| ends().dithered(), target),
         2 => fill_all(scene, &placed, |_| flat(), target),
         3 => fill_all(scene, &placed, |_| flat().dithered(), target),
+        4 => {
+            let table = ShadeTable::new(colour());
+            fill_all(scene, &placed, |face| table.lit(mesh.corners_of(face, levels)), target);
+        }
         _ => draw_edges(scene, &placed, target),
     }
 }
@@ -234,13 +239,17 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     let Scene { light, corners, depth, .. } = scene;
     let shade = |face: usize| Rgb565::new(face as u8, 0, 0).dim(light.level([any() as i16, 0, 0]));
     let smooth = |_| Gouraud::new([Rgb888::new(any() as u8, 0, 0); 3]);
+    let table = ShadeTable::new(Rgb888::new(any() as u8, 0, 0));
+    let shaded = |_| table.lit([any() as u16, any() as u16, any() as u16]);
     report(placed.wireframe(Rgb565::new(1, 2, 3), corners, target));
     report(placed.solid(shade, corners, target));
     report(placed.solid(smooth, corners, target));
+    report(placed.solid(shaded, corners, target));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(placed.depth_tested(shade, corners, &mut depth, target));
         report(placed.depth_tested(smooth, corners, &mut depth, target));
+        report(placed.depth_tested(shaded, corners, &mut depth, target));
         report(placed.hidden_line(Rgb565::new(3, 2, 1), corners, &mut depth, target));
     }
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
