@@ -69,12 +69,9 @@ fn about(stage: Stage) -> About {
             "the corners' order, which loop to take, start and slope of three sides",
             |units| units.drawn,
         ),
-        Stage::Planes => of(
-            "planes",
-            "face drawn",
-            "depth over the triangle; of S8 the light and its three channels too",
-            |units| units.drawn,
-        ),
+        Stage::Planes => {
+            of("planes", "face drawn", "depth over the triangle; of S8 the light too", |units| units.drawn)
+        }
         Stage::Rows => {
             of("rows", "row", "both ends, the row's memory, depth and colour at its start", |units| {
                 units.rows

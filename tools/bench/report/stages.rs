@@ -42,8 +42,14 @@ const ABOVE: [Rule; 4] = [
 ];
 
 /// Elsewhere the innermost function that is one of these. Those that many stages call are not among them.
-const RULES: [Rule; 32] = [
-    ("output/memory.rs", &["fill", "fill_nearer", "fill_short_nearer", "one_nearer"], Stage::Pixels),
+const RULES: [Rule; 40] = [
+    ("output/memory.rs", &["fill"], Stage::Pixels),
+    ("output/nearer.rs", &["fill_nearer", "fill_short_nearer", "one_nearer"], Stage::Pixels),
+    ("output/nearer.rs", &["over"], Stage::Planes),
+    ("output/nearer.rs", &[], Stage::Rows),
+    ("output/shades.rs", &["few", "many", "look_up"], Stage::Pixels),
+    ("output/shades.rs", &["over"], Stage::Planes),
+    ("output/shades.rs", &[], Stage::Rows),
     // Of a smooth triangle's span.
     ("output/memory.rs", &["closure of each_span"], Stage::Pixels),
     (
@@ -61,12 +67,14 @@ const RULES: [Rule; 32] = [
     ("raster/plane.rs", &["at", "down", "step"], Stage::Rows),
     ("raster/plane.rs", &[], Stage::Planes),
     ("raster/depth.rs", &[], Stage::Planes),
+    ("raster/light.rs", &[], Stage::Planes),
     ("raster/mod.rs", &["from_subpixels"], Stage::Faces),
     ("shade/lambert.rs", &["levels"], Stage::Vertices),
     ("shade/gouraud.rs", &["over"], Stage::Planes),
     ("shade/gouraud.rs", &["run"], Stage::Rows),
     ("shade/gouraud.rs", &["next"], Stage::Pixels),
     ("shade/gouraud.rs", &["lit", "part"], Stage::PassingOn),
+    ("shade/table.rs", &[], Stage::PassingOn),
     ("shade/channels.rs", &["from_channels"], Stage::Pixels),
     ("shade/", &["dim", "part"], Stage::PassingOn),
     ("camera/placement.rs", &["at"], Stage::PassingOn),

@@ -1,11 +1,11 @@
-//! S1 to S4 and S8: models before a camera. Camera and light are set up before the frame, and the model is placed.
+//! S1 to S4 and S8: models before a camera. Camera, light and colours are set up before the frame, and the model is placed.
 
 use super::{count, Counted, Deep, Plain, Smooth, CUBE, ICO, TORUS};
 use crate::lists::TORUS_NORMALS;
 use crate::scene::{self, area, Model, Scene, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use pinhole::{DepthBuffer, Gouraud};
+use pinhole::{DepthBuffer, ShadeTable};
 
 pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
     let scene = Scene::new(&scene::CUBE)?;
@@ -81,11 +81,12 @@ pub fn s8_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
     let Deep { frame, depth, corners } = deep;
     let scene = Scene::new(&scene::TORUS)?;
     let (light, placed) = (scene.light()?, scene.place());
+    let white = ShadeTable::new(Rgb888::WHITE);
     count(frame, &mut |picture| {
-        let (placed, light) = black_box((&placed, &light));
+        let (placed, light, white) = black_box((&placed, &light, &white));
         light.levels(black_box(&TORUS_NORMALS), levels);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let shade = |face| Gouraud::lit(Rgb888::WHITE, placed.mesh().corners_of(face, levels));
+        let shade = |face| white.lit(placed.mesh().corners_of(face, levels));
         let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
         black_box(statistics);
         Some(())
