@@ -26,7 +26,7 @@ const COUNTED: &str = "
 
 One frame of 240 × 240 pixels of Rgb565 in RAM, the second of two, from the mesh in flash to the last pixel: vertices, faces, the
 light on each face (S8: at each vertex), pixels; with *z* the clearing of the depth buffer too. Not counted: the clearing
-of the picture, and what is set up before a frame: camera, light, the place of the model. The library is used as
+of the picture, and what is set up before a frame: camera, light, the place of the model, S8's shade table. The library is used as
 anyone would use it: the size of the picture is a variable, everything is clipped, statistics are kept; the
 compiler knows none of the numbers. Opt-level 3, fat LTO.
 
@@ -49,7 +49,10 @@ M0: thumbv6m. M3: thumbv7m. M4F: thumbv7em with FPU, which the library does not 
 | S5 | one triangle over the whole picture, 2D |
 | S6 | 1000 lines, 2D |
 | S7 | 1000 triangles of about 98 pixels, 2D |
-| S8 | torus, Gouraud, a light level at each vertex |
+| S8 | torus, Gouraud, a light level at each vertex, colours by a shade table |
+
+A shade table has 256 colours: a channel of a pixel is within ½ + MAX/510 of its level, MAX/510 being 0.12 for Rgb565's green.
+`Gouraud::lit` comes within ½ + 2⁻⁹ level, for more instructions: [what was tried](profile.md#what-was-tried).
 ";
 
 const CELLS_HEAD: &str = "
