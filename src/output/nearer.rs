@@ -135,9 +135,7 @@ fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step:
     let Some(held) = held.get_mut(..run.len()) else { return };
     let ((many, rest), (held_many, held_rest)) = (run.as_chunks_mut::<MANY>(), held.as_chunks_mut::<MANY>());
     for (pixels, held) in many.iter_mut().zip(held_many) {
-        // As pairs these are loaded at once.
-        let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
-        if pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX {
+        if nothing_is_held(held) {
             pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = two);
             for held in held {
                 *held = (z >> 16) as u16;
@@ -150,6 +148,14 @@ fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step:
         black_box(()); // not unrolled
     }
     fill_short_nearer(rest, held_rest, z, step, cell);
+}
+
+/// Whether that is so of all these.
+#[inline(always)]
+pub(super) fn nothing_is_held(held: &[u16; MANY]) -> bool {
+    // As pairs they are loaded at once.
+    let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
+    pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX
 }
 
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! A colour for each level of light, and light that runs over a triangle.
 
-use super::nearer::{as_long, Nearer, Rows, MANY};
+use super::nearer::{as_long, nothing_is_held, Nearer, Rows, MANY};
 use super::pixels::Stored;
 use crate::raster::{Piece, Plane, Span, Triangle};
 use core::hint::black_box;
@@ -172,9 +172,7 @@ impl<C> Ramp<'_, C> {
         let ((many, rest), (held_many, held_rest)) =
             (run.as_chunks_mut::<MANY>(), held.as_chunks_mut::<MANY>());
         for (pixels, held) in many.iter_mut().zip(held_many) {
-            // As pairs these are loaded at once.
-            let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
-            if pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX {
+            if nothing_is_held(held) {
                 for (pixel, held) in pixels.iter_mut().zip(held) {
                     *held = (z >> 16) as u16;
                     *pixel = look_up(self.colours, light).stored();

@@ -164,7 +164,7 @@ pub(crate) struct Halves<D, const CUT: bool> {
 /// Those within 32 by 30 pixels (on a Cortex-M0 much wider ones too), inside the scissor.
 pub(crate) type Small = Halves<Quick, false>;
 
-/// Those within 32 rows, between the scissor's columns.
+/// Those within 32 rows (31 on a Cortex-M0), between the scissor's columns.
 pub(crate) type Low = Halves<Any, true>;
 
 impl<D: Divisor, const CUT: bool> Halves<D, CUT> {

@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 /// Colours from dark to full light, worked out once, to be looked up at every pixel: the fastest smooth light, for memory
 /// of 256 colours of the target (512 bytes of `Rgb565`). [`lit`](Self::lit) makes the ink of a face, which has one plane to
-/// work out and a load at each pixel in place of three channels. (Shade tables, or colour ramps: Foley et al., *Computer
-/// Graphics*, 2nd ed., section 16.2; Abrash, *Graphics Programming Black Book*, chapter 68.)
+/// work out and a load at each pixel in place of three channels. Light is as of [`Gouraud`](crate::Gouraud); the look-up
+/// is that of renderers for displays with a table of colours.
 ///
 /// **Error.** Light runs linearly on the screen from corner to corner, 0 … 256 there, and becomes an entry's number 0 … 255
 /// rounded to nearest: off by at most ½ + 2⁻⁹, for any triangle in the guard band. In a table of [`new`](Self::new) each
