@@ -50,6 +50,10 @@ pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Profile>> {
         if profile.apart() > APART {
             failures.push(format!("{cell}: {sum} instructions in the log"));
         }
+        // A loop by a name that no rule has counts for another stage.
+        if profile.of(Stage::Pixels) + profile.of(Stage::LinePixels) == 0 {
+            failures.push(format!("{cell}: no instruction is for a pixel"));
+        }
         profiles.push(profile);
     }
     Ok(profiles)

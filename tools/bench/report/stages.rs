@@ -43,8 +43,12 @@ const ABOVE: [Rule; 4] = [
 
 /// Elsewhere the innermost function that is one of these. Those that many stages call are not among them.
 const RULES: [Rule; 40] = [
-    ("output/memory.rs", &["fill"], Stage::Pixels),
-    ("output/nearer.rs", &["fill_nearer", "fill_short_nearer", "one_nearer"], Stage::Pixels),
+    ("output/memory.rs", &["fill", "fill_any"], Stage::Pixels),
+    (
+        "output/nearer.rs",
+        &["fill_nearer", "fill_short_nearer", "nothing_is_held", "one_nearer"],
+        Stage::Pixels,
+    ),
     ("output/nearer.rs", &["over"], Stage::Planes),
     ("output/nearer.rs", &[], Stage::Rows),
     ("output/shades.rs", &["few", "many", "look_up"], Stage::Pixels),
