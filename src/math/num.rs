@@ -98,24 +98,6 @@ fn reciprocal_of_normalised((m, shift): (i32, u32)) -> Reciprocal {
     Reciprocal { mantissa: (r << 22) + !((s * r) >> 8), shift }
 }
 
-/// The reciprocal of `v < 2¹³` in 18 bits: 1/v = mantissa · 2^(shift − 30), 0 ≤ shift ≤ 12, off by at most 2⁻¹⁶·⁹ of itself and
-/// never too large (asserted in this file's tests). `v < 1` counts as 1.
-///
-/// As [`reciprocal`], with the terms to e².
-#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-#[inline(always)]
-pub(crate) fn short_reciprocal(v: i32) -> Reciprocal {
-    let (mut m, mut shift) = (v.max(1), 0);
-    while m < 1 << 12 {
-        keep_rolled();
-        (m, shift) = (m << 1, shift + 1);
-    }
-    let r = 256 + i32::from(RECIPROCAL.get((m >> 4) as usize & 0xff).copied().unwrap_or(0)); // in 2⁻⁹
-    let e = m * r - (1 << 21); // |e| < 2¹³
-    let product = r * ((1 << 21) - e + ((e * e) >> 21)); // 2⁴²/m: at most 2³⁰ and a little
-    Reciprocal { mantissa: (product - (1 << 7)) >> 12, shift }
-}
-
 /// `v ≥ 1` shifted left to 2³⁰ … 2³¹ − 1, and the shift.
 #[cfg(not(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32")))]
 #[inline(always)]
@@ -160,15 +142,6 @@ fn normalised_by_ones(mut v: i32) -> (i32, u32) {
 #[inline(always)]
 pub(crate) const fn keep_rolled() {
     core::hint::black_box(());
-}
-
-/// Stands between two tests that lead to the same place where they fail. For a Cortex-M0 the compiler would make one number of
-/// both, and test that: five instructions more.
-#[inline(always)]
-pub(crate) fn keep_apart() {
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
-        core::hint::black_box(());
-    }
 }
 
 /// The index after `index`, in a loop of so few turns that the compiler would write each of them down where it could
@@ -347,16 +320,6 @@ mod tests {
         let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
-    }
-
-    #[test]
-    fn short_reciprocals_of_all() {
-        for v in 1..1 << 13 {
-            let Reciprocal { mantissa, shift } = short_reciprocal(v);
-            let (exact, short) = (1i64 << 30, (i64::from(mantissa) * i64::from(v)) << shift);
-            assert!((0..=8780).contains(&(exact - short)), "{v}: {short}"); // 2⁻¹⁶·⁹
-            assert!(shift <= 12 && mantissa >> 18 <= 1, "{v}");
-        }
     }
 
     #[test]

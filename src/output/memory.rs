@@ -1,9 +1,8 @@
 //! Pixels that lie in memory, and the loops that fill them.
 
 use super::depth::DepthBuffer;
-use super::nearer::{one_nearer, Nearer, Rows};
-use crate::math::num::keep_apart;
-use crate::raster::{Divisor, Halves, Large, Low, Piece, Scissor, Small, Span, Step, Stretch, Triangle};
+use super::nearer::{one_nearer, Filled, Nearer};
+use crate::raster::{Ground, Large, Low, Piece, Places, Rows, Scissor, Small, Span, Start, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -14,9 +13,7 @@ pub(super) struct Memory<'a, Cell> {
     /// Where the first one lies.
     pub(super) left: i32,
     pub(super) top: i32,
-    pub(super) stride: usize,
-    /// Where the pixel in column 0 and row 0 would stand, wrapping.
-    origin: usize,
+    pub(super) ground: Ground,
 }
 
 impl<'a, Cell: Copy> Memory<'a, Cell> {
@@ -24,28 +21,21 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     pub(super) fn new(cells: &'a mut [Cell], area: &Rectangle) -> Self {
         let Rectangle { top_left, size } = *area;
         let (left, top, stride) = (top_left.x, top_left.y, size.width as usize);
-        Self { cells, left, top, stride, origin: place(left, top, stride).wrapping_neg() }
-    }
-
-    /// Where pixels stand; those that are not inside wrap.
-    #[inline(always)]
-    fn places(&self) -> impl Fn(i32, i32) -> usize + use<'a, Cell> {
-        let Self { origin, stride, .. } = *self;
-        move |x, y| place(x, y, stride).wrapping_add(origin)
+        Self { cells, left, top, ground: Ground::new(Places::new(left, top, stride)) }
     }
 
     /// A row's pixels. Those of a row that does not lie inside are others, or none.
     #[inline(always)]
     pub(super) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [Cell]> {
-        let from = self.places()(x, y);
+        let from = self.ground.places.at(x, y);
         self.cells.get_mut(from..from.wrapping_add(width as usize))
     }
 
     /// Fills a triangle. With two cells alike, of which the compiler does not know that here: it keeps them in one register.
     #[inline(never)] // its loop needs all registers
     pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        match Small::new(triangle, scissor) {
-            Some(halves) => self.halves(halves, two),
+        match Small::new(triangle, scissor, &mut self.ground) {
+            Some(small) => self.rows(small, two),
             None => self.cut(triangle, scissor, two),
         }
     }
@@ -53,17 +43,24 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     /// One that is cut, wide or large.
     #[inline(never)]
     fn cut(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        match Low::new(triangle, scissor) {
-            Some(halves) => self.halves(halves, two),
+        match Low::new(triangle, scissor, &mut self.ground) {
+            Some(low) => self.rows(low, two),
             None => self.large(triangle, scissor, two),
         }
+    }
+
+    #[inline(always)]
+    fn rows<R: Rows>(&mut self, rows: R, two: [Cell; 2]) {
+        let (cells, ground) = (&mut *self.cells, &mut self.ground);
+        let long = R::WIDTH > LONG << 8;
+        rows.each(ground, |start, left, right| fill_row(cells, start, left, right, two, long));
     }
 
     #[inline(never)] // its loop needs all registers
     fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
         let mut large = Large::new(triangle, scissor);
         while let Some(stretch) = large.stretch() {
-            match stretch.upright(self.stride as i32) {
+            match stretch.upright(self.ground.places.stride as i32) {
                 // All of so many rows, as where a large face is cut on both sides: one run.
                 Some((x, pixels)) => {
                     if let Some(run) = self.row(x, stretch.y, pixels) {
@@ -71,47 +68,14 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                     }
                 }
                 None => {
-                    let start = self.places()(stretch.x, stretch.y);
-                    self.stretch(stretch, start, two, true);
+                    let start = self.ground.places.at(stretch.x, stretch.y);
+                    let (cells, stride) = (&mut *self.cells, self.ground.places.stride);
+                    stretch.each(start, stride, |start, left, right| {
+                        fill_row(cells, start, left, right, two, true)
+                    });
                 }
             }
         }
-    }
-
-    #[inline(always)]
-    fn halves<D: Divisor, const CUT: bool>(&mut self, halves: Halves<D, CUT>, two: [Cell; 2]) {
-        let (x, y) = halves.first();
-        let mut start = self.places()(x, y);
-        let long = D::WIDTH > LONG << 8;
-        halves.each(|stretch| start = self.stretch(stretch, start, two, long));
-    }
-
-    /// From where the first row starts, to where the one below does. `long`: rows may be.
-    #[inline(always)]
-    fn stretch<S: Step>(
-        &mut self,
-        mut stretch: Stretch<S>,
-        mut start: usize,
-        two: [Cell; 2],
-        long: bool,
-    ) -> usize {
-        let stride = self.stride;
-        let cells = &mut *self.cells;
-        while stretch.rows > 0 {
-            let (left, right) = stretch.row();
-            let from = start.wrapping_add(left as usize);
-            // More than there are where it ends before it begins.
-            let width = right.wrapping_sub(left) as usize;
-            if let Some(run) = cells.get_mut(from..) {
-                keep_apart();
-                if let Some(run) = run.get_mut(..width) {
-                    fill_any(run, two, long);
-                }
-            }
-            start = start.wrapping_add(stride);
-            stretch.rows -= 1;
-        }
-        start
     }
 
     /// Fills a triangle where it is nearer than what is held for the same pixels.
@@ -123,8 +87,8 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         depth: &mut DepthBuffer<'_>,
         filling: F,
     ) {
-        match Small::new(&piece.triangle, scissor) {
-            Some(halves) => self.halves_nearer(halves, piece, depth.held(), filling),
+        match Small::new(&piece.triangle, scissor, &mut self.ground) {
+            Some(small) => self.rows_nearer(small, piece, depth.held(), filling),
             None => self.cut_nearer(piece, scissor, depth, filling),
         }
     }
@@ -138,29 +102,29 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         depth: &mut DepthBuffer<'_>,
         filling: F,
     ) {
-        if let Some(halves) = Low::new(&piece.triangle, scissor) {
-            return self.halves_nearer(halves, piece, depth.held(), filling);
+        if let Some(low) = Low::new(&piece.triangle, scissor, &mut self.ground) {
+            return self.rows_nearer(low, piece, depth.held(), filling);
         }
         let large = Large::new(&piece.triangle, scissor);
         if !large.is_empty() {
-            self.large_nearer(large, &filling.over(piece), depth.held(), filling);
+            self.large_nearer(large, &mut filling.over(piece), depth.held(), filling);
         }
     }
 
     #[inline(always)]
-    fn halves_nearer<D: Divisor, F: Nearer<Cell>, const CUT: bool>(
+    fn rows_nearer<F: Nearer<Cell>>(
         &mut self,
-        halves: Halves<D, CUT>,
+        rows: impl Rows,
         piece: &Piece<'_>,
         held: &mut [u16],
         filling: F,
     ) {
-        if !halves.is_empty() {
-            let over = filling.over(piece);
-            let (x, y) = halves.first();
-            let mut start = self.places()(x, y);
-            let mut rows = filling.rows(&over, self.cells, held, (x, y));
-            halves.each(|stretch| start = stretch_nearer(stretch, start, self.stride, &mut rows));
+        if !rows.is_empty() {
+            let start = rows.start(self.ground.places);
+            let mut over = filling.over(piece);
+            let (cells, ground) = (&mut *self.cells, &mut self.ground);
+            let mut filled = filling.rows(&mut over, cells, held, start);
+            rows.each(ground, |start, left, right| filled.row(start, left, right));
         }
     }
 
@@ -168,14 +132,15 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     fn large_nearer<F: Nearer<Cell>>(
         &mut self,
         mut large: Large,
-        over: &F::Over,
+        over: &mut F::Over,
         held: &mut [u16],
         filling: F,
     ) {
+        let Self { cells, ground: Ground { places, .. }, .. } = self;
         while let Some(stretch) = large.stretch() {
-            let from @ (x, y) = (stretch.x, stretch.y);
-            let (start, stride) = (self.places()(x, y), self.stride);
-            stretch_nearer(stretch, start, stride, &mut filling.rows(over, self.cells, held, from));
+            let start @ Start { x, y, .. } = Start { x: stretch.x, y: stretch.y, shear: 0 };
+            let mut filled = filling.rows(over, cells, held, start);
+            stretch.each(places.at(x, y), places.stride, |start, left, right| filled.row(start, left, right));
         }
     }
 
@@ -204,9 +169,9 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         run: impl Fn(Span) -> R,
     ) {
         let plane = piece.plane();
-        let (places, step) = (self.places(), plane.step());
+        let step = plane.step();
         piece.triangle.each_span(scissor, |span| {
-            let from = places(span.x, span.y);
+            let from = self.ground.places.at(span.x, span.y);
             let to = from.wrapping_add(span.width as usize);
             if let (Some(cells), Some(held)) = (self.cells.get_mut(from..to), held.get_mut(from..to)) {
                 let mut z = plane.at(span.x, span.y);
@@ -220,28 +185,22 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     }
 }
 
-/// From where the first row starts, to where the one below does.
+/// Fills a row, if it does not end before it begins.
 #[inline(always)]
-fn stretch_nearer<S: Step>(
-    mut stretch: Stretch<S>,
-    mut start: usize,
-    stride: usize,
-    rows: &mut impl Rows,
-) -> usize {
-    while stretch.rows > 0 {
-        let (left, right) = stretch.row();
-        rows.row(start, left, right);
-        rows.below();
-        start = start.wrapping_add(stride);
-        stretch.rows -= 1;
+fn fill_row<Cell: Copy>(cells: &mut [Cell], start: usize, left: i32, right: i32, two: [Cell; 2], long: bool) {
+    let from = start.wrapping_add(left as usize);
+    // More than there are where it ends before it begins.
+    let width = right.wrapping_sub(left) as usize;
+    // Where the end is known, as it is where rows are kept, this is shorter; else that is.
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        if let Some(run) = cells.get_mut(from..from.wrapping_add(width)) {
+            fill_any(run, two, long);
+        }
+    } else if let Some(run) = cells.get_mut(from..) {
+        if let Some(run) = run.get_mut(..width) {
+            fill_any(run, two, long);
+        }
     }
-    start
-}
-
-/// Where a pixel stands; one that is not inside wraps.
-#[inline(always)]
-pub(super) fn place(x: i32, y: i32, stride: usize) -> usize {
-    (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }
 
 /// From so many pixels on a run is long.

@@ -5,7 +5,7 @@
 //! are fixed-point numbers with 32 bits behind the point, whose carry is the step aside. A flat line is drawn row by
 //! row, with Bresenham's error in integers.
 
-use super::memory::{fill, pair, place, Memory};
+use super::memory::{fill, pair, Memory};
 use crate::math::num::{mul_high, reciprocal};
 use crate::raster::{Course, Pixel, Runs, Scissor, Span};
 use core::hint::black_box;
@@ -15,7 +15,7 @@ impl<Cell: Copy> Memory<'_, Cell> {
     #[inline(always)]
     pub(super) fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, cell: Cell) {
         // From where the first pixel lies.
-        let Self { left, top, stride, .. } = *self;
+        let (left, top, stride) = (self.left, self.top, self.ground.places.stride);
         // These wrap where the area begins so far away that no pixel of it is in the scissor.
         let (right, down) = (|x: i32| x.wrapping_sub(left), |y: i32| y.wrapping_sub(top));
         let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
@@ -258,4 +258,10 @@ fn by_runs<Cell: Copy>(
             }
         }
     }
+}
+
+/// Where a pixel stands.
+#[inline(always)]
+fn place(x: i32, y: i32, stride: usize) -> usize {
+    (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }

@@ -1,6 +1,6 @@
 //! What pixels are filled with where they are nearer than what is held.
 
-use crate::raster::{Piece, Plane};
+use crate::raster::{Piece, Plane, Start};
 use core::hint::black_box;
 
 /// What a triangle is filled with.
@@ -11,26 +11,23 @@ pub(super) trait Nearer<Cell>: Copy {
     /// Over a triangle.
     fn over(self, piece: &Piece<'_>) -> Self::Over;
 
-    /// From this pixel down, into these cells; the depths of the same pixels are held.
+    /// Into these cells, counted from there; the depths of the same pixels are held.
     fn rows<'a>(
         self,
-        over: &'a Self::Over,
+        over: &'a mut Self::Over,
         cells: &'a mut [Cell],
         held: &'a mut [u16],
-        from: (i32, i32),
-    ) -> impl Rows
+        start: Start,
+    ) -> impl Filled
     where
         Cell: 'a,
         Self: 'a;
 }
 
 /// Rows that follow each other.
-pub(super) trait Rows {
-    /// Fills a row, whose columns are counted from the cell at `start`; it may end before it begins.
+pub(super) trait Filled {
+    /// Fills the next row, whose ends are counted from the cell at `start`; it may end before it begins.
     fn row(&mut self, start: usize, left: i32, right: i32);
-
-    /// To the next one.
-    fn below(&mut self);
 }
 
 /// One cell, given twice: of both the compiler does not know that they are alike.
@@ -45,15 +42,16 @@ impl<Cell: Copy> Nearer<Cell> for [Cell; 2] {
     #[inline(always)]
     fn rows<'a>(
         self,
-        depth: &'a Plane,
+        depth: &'a mut Plane,
         cells: &'a mut [Cell],
         held: &'a mut [u16],
-        (x, y): (i32, i32),
-    ) -> impl Rows
+        Start { x, y, shear }: Start,
+    ) -> impl Filled
     where
         Cell: 'a,
     {
         let (cells, held) = as_long(cells, held);
+        let depth = depth.sheared(shear);
         Even { two: self, cells, held, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
     }
 }
@@ -78,14 +76,14 @@ struct Even<'a, Cell> {
     held: &'a mut [u16],
     step: u32,
     down: u32,
-    /// Where the row starts.
+    /// Where the next row is counted from.
     z: u32,
 }
 
-impl<Cell: Copy> Rows for Even<'_, Cell> {
+impl<Cell: Copy> Filled for Even<'_, Cell> {
     #[inline(always)]
     fn row(&mut self, start: usize, left: i32, right: i32) {
-        let Self { two, cells, held, step, z, .. } = self;
+        let Self { two, cells, held, step, down, z } = self;
         let from = start.wrapping_add(left as usize);
         // More than there are where it ends before it begins.
         let width = right.wrapping_sub(left) as usize;
@@ -100,11 +98,7 @@ impl<Cell: Copy> Rows for Even<'_, Cell> {
                 }
             }
         }
-    }
-
-    #[inline(always)]
-    fn below(&mut self) {
-        self.z = self.z.wrapping_add(self.down);
+        *z = z.wrapping_add(*down);
     }
 }
 

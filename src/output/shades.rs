@@ -1,8 +1,8 @@
 //! A colour for each level of light, and light that runs over a triangle.
 
-use super::nearer::{as_long, nothing_is_held, Nearer, Rows, MANY};
+use super::nearer::{as_long, nothing_is_held, Filled, Nearer, MANY};
 use super::pixels::Stored;
-use crate::raster::{Piece, Plane, Span, Triangle};
+use crate::raster::{Piece, Plane, Span, Start, Triangle};
 use core::hint::black_box;
 use core::iter::repeat_with;
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -58,18 +58,19 @@ impl<C: Stored<Cell>, Cell: Copy> Nearer<Cell> for &Shades<'_, C> {
     #[inline(always)]
     fn rows<'a>(
         self,
-        over: &'a [Plane; 2],
+        over: &'a mut [Plane; 2],
         cells: &'a mut [Cell],
         held: &'a mut [u16],
-        (x, y): (i32, i32),
-    ) -> impl Rows
+        Start { x, y, shear }: Start,
+    ) -> impl Filled
     where
         Cell: 'a,
         Self: 'a,
     {
         let (cells, held) = as_long(cells, held);
-        let [depth, light] = over;
-        let ramp = Ramp { colours: self.colours, down: depth.step(), dim: light.step() };
+        *over = over.map(|plane| plane.sheared(shear));
+        let [depth, light] = &*over;
+        let ramp = Ramp { colours: self.colours, step: depth.step(), dim: light.step() };
         Looked { ramp, cells, held, over, z: depth.at(x, y), light: light.at(x, y) }
     }
 }
@@ -80,12 +81,12 @@ struct Looked<'a, C, Cell> {
     cells: &'a mut [Cell],
     held: &'a mut [u16],
     over: &'a [Plane; 2],
-    /// Where the row starts.
+    /// Where the next row is counted from.
     z: u32,
     light: u32,
 }
 
-impl<C: Stored<Cell>, Cell> Rows for Looked<'_, C, Cell> {
+impl<C: Stored<Cell>, Cell> Filled for Looked<'_, C, Cell> {
     #[inline(always)]
     fn row(&mut self, start: usize, left: i32, right: i32) {
         let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
@@ -96,10 +97,6 @@ impl<C: Stored<Cell>, Cell> Rows for Looked<'_, C, Cell> {
                 self.long(from, left, width as usize);
             }
         }
-    }
-
-    #[inline(always)]
-    fn below(&mut self) {
         let [depth, light] = self.over;
         self.z = self.z.wrapping_add(depth.down());
         self.light = self.light.wrapping_add(light.down());
@@ -112,7 +109,7 @@ impl<C: Stored<Cell>, Cell> Looked<'_, C, Cell> {
     fn part(&mut self, from: usize, left: i32, width: usize) -> Option<(&mut [Cell], &mut [u16], u32, u32)> {
         let to = from.wrapping_add(width); // before from where it wraps
         let (run, held) = (self.cells.get_mut(from..to)?, self.held.get_mut(from..to)?);
-        let z = self.z.wrapping_add(self.ramp.down.wrapping_mul(left as u32));
+        let z = self.z.wrapping_add(self.ramp.step.wrapping_mul(left as u32));
         let light = self.light.wrapping_add(self.ramp.dim.wrapping_mul(left as u32));
         Some((run, held, z, light))
     }
@@ -140,7 +137,7 @@ impl<C: Stored<Cell>, Cell> Looked<'_, C, Cell> {
 /// Colours, and the steps from a pixel to the next one.
 struct Ramp<'a, C> {
     colours: &'a [C; 256],
-    down: u32,
+    step: u32,
     dim: u32,
 }
 
@@ -155,7 +152,7 @@ impl<C> Ramp<'_, C> {
                 *held = (z >> 16) as u16;
                 *pixel = look_up(self.colours, light).stored();
             }
-            (z, light) = (z.wrapping_add(self.down), light.wrapping_add(self.dim));
+            (z, light) = (z.wrapping_add(self.step), light.wrapping_add(self.dim));
             black_box(()); // unrolled only where there are few
         }
         (z, light)
@@ -176,7 +173,7 @@ impl<C> Ramp<'_, C> {
                 for (pixel, held) in pixels.iter_mut().zip(held) {
                     *held = (z >> 16) as u16;
                     *pixel = look_up(self.colours, light).stored();
-                    (z, light) = (z.wrapping_add(self.down), light.wrapping_add(self.dim));
+                    (z, light) = (z.wrapping_add(self.step), light.wrapping_add(self.dim));
                 }
             } else {
                 // Loaded anew: the way above needs the registers.

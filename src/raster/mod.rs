@@ -39,22 +39,62 @@
 mod along;
 mod depth;
 mod edge;
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+mod halves;
 mod light;
 mod line;
 mod piece;
+mod places;
 mod plane;
+#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
+mod side;
+mod stretch;
 mod triangle;
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+mod walk;
 
 pub(crate) use along::Along;
 pub(crate) use depth::FARTHEST;
-pub(crate) use edge::{Divisor, Step};
 pub use line::line;
 pub(crate) use line::{Course, Runs};
 pub use piece::Piece;
+pub(crate) use places::{Ground, Places, Rows, Start};
 pub use plane::Plane;
 pub(crate) use plane::Planes;
+pub(crate) use stretch::Stretch;
+pub(crate) use triangle::Large;
 pub use triangle::{area, triangle, Triangle};
-pub(crate) use triangle::{Halves, Large, Low, Small, Stretch};
+
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+pub(crate) use by_division::{Inside, Kept, Low, Small};
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+pub(crate) use without_division::{Inside, Kept, Low, Small};
+
+/// Low triangles, and the rows of those that may be cut.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+mod by_division {
+    use super::halves::Halves;
+    pub(crate) use super::halves::Kept;
+    use super::side::{AtOnce, ByDivision};
+
+    /// Within 32 by 30 pixels, inside the scissor: most.
+    pub(crate) type Small = Halves<AtOnce, false>;
+    /// Within 32 rows, inside the scissor.
+    pub(crate) type Inside = Halves<ByDivision, false>;
+    /// The same between the scissor's columns.
+    pub(crate) type Low = Halves<ByDivision, true>;
+}
+
+/// The same within 31 rows, small ones too.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+mod without_division {
+    pub(crate) use super::walk::Kept;
+    use super::walk::Walk;
+
+    pub(crate) type Small = Walk<false>;
+    pub(crate) type Inside = Walk<false>;
+    pub(crate) type Low = Walk<true>;
+}
 
 /// The guard band: 3D geometry is cut at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;

@@ -44,6 +44,12 @@ impl Plane {
         self.down
     }
 
+    /// Where columns are counted from so many pixels farther left in every row than in the one above.
+    #[inline(always)]
+    pub(crate) fn sheared(self, by: usize) -> Self {
+        Self { down: self.down.wrapping_sub(self.right.wrapping_mul(by as u32)), ..self }
+    }
+
     /// From a pixel to its right neighbour, to be added wrapping.
     #[inline(always)]
     pub fn step(&self) -> u32 {

@@ -1,0 +1,78 @@
+//! Where pixels stand in memory.
+
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+use super::walk::{Ends, NONE};
+
+/// Where pixels stand in memory, row by row. Those that are not inside wrap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Places {
+    /// From a pixel to the one below.
+    pub(crate) stride: usize,
+    /// Where the pixel in column 0 and row 0 would stand.
+    pub(super) origin: usize,
+}
+
+impl Places {
+    /// The pixel in this column and row stands first.
+    #[inline(always)]
+    pub(crate) fn new(left: i32, top: i32, stride: usize) -> Self {
+        Self { stride, origin: Self { stride, origin: 0 }.at(left, top).wrapping_neg() }
+    }
+
+    /// Of a pixel.
+    #[inline(always)]
+    pub(crate) fn at(self, x: i32, y: i32) -> usize {
+        (y as usize).wrapping_mul(self.stride).wrapping_add(x as usize).wrapping_add(self.origin)
+    }
+}
+
+/// Where triangles are drawn.
+#[derive(Debug)]
+pub(crate) struct Ground {
+    pub(crate) places: Places,
+    /// Room for a triangle's rows, cleared once, not for each triangle.
+    #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+    pub(super) ends: Ends,
+}
+
+impl Ground {
+    #[inline(always)]
+    pub(crate) fn new(places: Places) -> Self {
+        Self {
+            places,
+            #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+            ends: NONE,
+        }
+    }
+
+    /// Where every pixel stands in its column.
+    #[inline(always)]
+    pub(super) fn of_columns() -> Self {
+        Self::new(Places::new(0, 0, 0))
+    }
+}
+
+/// What the ends of rows are counted from: a column.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    pub(crate) x: i32,
+    /// The first row.
+    pub(crate) y: i32,
+    /// Columns are counted from so many pixels farther left in every row than in the one above.
+    pub(crate) shear: usize,
+}
+
+/// Rows of a triangle, on the way down.
+pub(crate) trait Rows: Sized {
+    /// No row is longer, in sub-pixels.
+    const WIDTH: i32;
+
+    /// Whether there is none.
+    fn is_empty(&self) -> bool;
+
+    /// What its ends are counted from.
+    fn start(&self, places: Places) -> Start;
+
+    /// For each row the place of what its ends are counted from, and these: it may end before it begins.
+    fn each(self, ground: &mut Ground, row: impl FnMut(usize, i32, i32));
+}

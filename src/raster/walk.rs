@@ -1,0 +1,332 @@
+//! Low triangles where a division is a call, as on a Cortex-M0: the ends of all rows, worked out beforehand, one side after
+//! the other, so that each has the registers for itself.
+//!
+//! In the n-th row of a side ⌈T⌉ is x, where `e = x·dy − (m + n·dx)` is one of 0 … dy − 1 ([`edge`](super::edge) has m and T).
+//! With `dx = q·dy + r`, 0 ≤ r < dy, the next row has x + q and e − r, or where that is negative x + q + 1 and
+//! e − r + dy: nothing is rounded, and the quotients of most sides are so small that they are counted. It is the way
+//! along a line of J. E. Bresenham, *Algorithm for computer control of a digital plotter*, 1965, with whole steps q.
+
+use super::edge::{column, counted, first_centre, first_row, numerator, Long};
+use super::places::{Ground, Places, Rows, Start};
+use super::triangle::down;
+use super::{Scissor, ScreenPoint, Span, Triangle};
+use crate::math::num::keep_rolled;
+
+/// As many as there are ends kept.
+const ROWS: usize = 31;
+
+/// Where rows begin and end.
+pub(super) type Ends = [[usize; 2]; ROWS];
+
+/// None yet.
+pub(super) const NONE: Ends = [[0; 2]; ROWS];
+
+/// Triangles of 31 rows at the most, between the scissor's columns, whose ends are kept. `CUT`: there may be rows above and
+/// below the scissor's.
+#[derive(Clone, Copy)]
+pub(crate) struct Walk<const CUT: bool> {
+    /// The first row.
+    top: i32,
+    /// Which of those kept it is, and the one behind the last.
+    first: usize,
+    end: usize,
+}
+
+impl<const CUT: bool> Walk<CUT> {
+    /// `None` for all other triangles.
+    #[inline(always)]
+    pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor, ground: &mut Ground) -> Option<Self> {
+        let (top, rows) = ground.walk::<CUT>(triangle, scissor);
+        let end = usize::try_from(rows).ok()?;
+        if !CUT {
+            return Some(Self { top, first: 0, end });
+        }
+        let below = |y: i32| (y - top).max(0) as usize;
+        let (first, end) = (below(scissor.top), end.min(below(scissor.bottom)));
+        Some(Self { top: top.max(scissor.top), first, end })
+    }
+
+    /// All that have pixels.
+    #[inline(always)]
+    pub(crate) fn each_span(self, ground: &mut Ground, mut draw: impl FnMut(Span)) {
+        let mut y = self.top;
+        self.each(ground, |_, left, right| {
+            if let Some(span) = span(left, y, right) {
+                draw(span);
+            }
+            y += 1;
+        });
+    }
+}
+
+impl<const CUT: bool> Rows for Walk<CUT> {
+    const WIDTH: i32 = i32::MAX;
+
+    #[inline(always)]
+    fn is_empty(&self) -> bool {
+        self.first >= self.end
+    }
+
+    #[inline(always)]
+    fn start(&self, places: Places) -> Start {
+        // By places, of which the first is where row 0 is counted from.
+        Start { x: places.origin.wrapping_neg() as i32, y: self.top, shear: places.stride }
+    }
+
+    #[inline(always)]
+    fn each(self, ground: &mut Ground, mut row: impl FnMut(usize, i32, i32)) {
+        for &[from, to] in ground.ends.get(self.first..self.end).unwrap_or_default() {
+            row(0, from as i32, to as i32);
+        }
+    }
+}
+
+impl Ground {
+    /// Puts the ends of all rows where they are kept: the first row, and how many there are, if the triangle is low.
+    #[inline(never)]
+    fn walk<const CUT: bool>(&mut self, triangle: &Triangle<'_>, scissor: &Scissor) -> (i32, i32) {
+        let ([a, b, c], middle_left) = down(triangle.corners.each_ref(), triangle.area);
+        // Negative where one of these is: below 2²⁴, all of them. Ends lie within a column of the corners.
+        let mut room = ((ROWS as i32) << 8) - (c.y - a.y);
+        for corner in [a, b, c] {
+            room |= (corner.x - (scissor.left << 8)) | ((scissor.right << 8) - corner.x);
+        }
+        if !CUT {
+            room |= (a.y - (scissor.top << 8)) | ((scissor.bottom << 8) - c.y);
+        }
+        if room < 0 {
+            return (0, -1);
+        }
+        let (short, long) = if middle_left { (0, 1) } else { (1, 0) };
+        let above = self.side(a, b, 0, short);
+        self.side(b, c, above, short);
+        (first_row(a), self.side(a, c, 0, long) as i32)
+    }
+
+    /// Puts where the rows between `p` and `q` end on this side, from row `at` of those kept on: how many rows these are. The
+    /// first of two ends is where a row begins.
+    #[inline(always)]
+    fn side(&mut self, p: &ScreenPoint, q: &ScreenPoint, at: usize, end: usize) -> usize {
+        // Quotients of less than 16 and a little more.
+        let (dx, dy) = (q.x - p.x, q.y - p.y);
+        match ((dx + (dy << 4)) as u32) < (dy << 5) as u32 {
+            true => self.put(p, q, at, end, counted),
+            false => self.flat_side(p, q, at, end),
+        }
+    }
+
+    /// The same of one so flat that its quotients are large, or level.
+    #[cold]
+    #[inline(never)]
+    fn flat_side(&mut self, p: &ScreenPoint, q: &ScreenPoint, at: usize, end: usize) -> usize {
+        self.put(p, q, at, end, by_long)
+    }
+
+    /// The same, given what divides.
+    #[inline(always)]
+    fn put(
+        &mut self,
+        p: &ScreenPoint,
+        q: &ScreenPoint,
+        at: usize,
+        end: usize,
+        divide: impl Fn(i32, i32) -> (i32, i32),
+    ) -> usize {
+        let row = first_row(p);
+        let rows = first_row(q) - row;
+        if rows <= 0 {
+            return 0;
+        }
+        let rows = rows as usize;
+        let Some(ends) = self.ends.get_mut(at..at.wrapping_add(rows)) else { return 0 };
+        let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| ≤ 2²², 0 < dy < 2¹³
+        let (less, mut e) = divide(-numerator(first_centre(p), dx, dy), dy);
+        let mut x = self.places.at(column(p) - less, row);
+        let (whole, r) = if rows > 1 { divide(dx, dy) } else { (0, 0) };
+        let step = self.places.stride.wrapping_add(whole as usize);
+        for ends in ends {
+            keep_rolled();
+            ends[end & 1] = x;
+            x = x.wrapping_add(step);
+            e -= r;
+            if e < 0 {
+                keep_rolled();
+                e += dy;
+                x = x.wrapping_add(1);
+            }
+        }
+        rows
+    }
+}
+
+/// `⌊n / d⌋` and what is left.
+fn by_long(n: i32, d: i32) -> (i32, i32) {
+    let whole = (Long::new(d).divide(n.into()) >> 32) as i32; // or one less
+    let rest = n.wrapping_sub(whole.wrapping_mul(d));
+    if rest < d {
+        (whole, rest)
+    } else {
+        (whole.wrapping_add(1), rest.wrapping_sub(d))
+    }
+}
+
+/// The rows of a low triangle, which are kept.
+pub(crate) struct Kept {
+    columns: Ground,
+    /// The next one, and that of those kept.
+    y: i32,
+    next: usize,
+    end: usize,
+}
+
+impl Kept {
+    pub(super) fn new(Walk { top, first, end }: Walk<true>, columns: Ground) -> Self {
+        Self { columns, y: top, next: first, end }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.next >= self.end
+    }
+
+    /// The next one that has pixels.
+    pub(super) fn span(&mut self) -> Option<Span> {
+        while !self.is_empty() {
+            let &[from, to] = self.columns.ends.get(self.next)?;
+            let span = span(from as i32, self.y, to as i32);
+            (self.y, self.next) = (self.y + 1, self.next.wrapping_add(1));
+            if span.is_some() {
+                return span;
+            }
+        }
+        None
+    }
+}
+
+/// What is not empty.
+#[inline(always)]
+fn span(x: i32, y: i32, end: i32) -> Option<Span> {
+    (x < end).then_some(Span { x, y, width: end - x, height: 1 })
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::super::edge::tests::Random;
+    use super::*;
+    use crate::raster::area;
+    use std::vec::Vec;
+
+    /// R1 to R5 for the pixel (x, y), as they are written.
+    fn is_covered(corners: &[ScreenPoint; 3], x: i32, y: i32) -> bool {
+        let [a, b, c] = corners.map(|p| (i128::from(p.x), i128::from(p.y)));
+        let across = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
+            (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)
+        };
+        let turned = if across(a, b, c) > 0 { [a, b, c] } else { [a, c, b] };
+        let centre = (i128::from(x) * 256 + 128, i128::from(y) * 256 + 128);
+        (0..3).all(|i| {
+            let (p, q) = (turned[i], turned[(i + 1) % 3]);
+            let (dx, dy) = (q.0 - p.0, q.1 - p.1);
+            let is_left_or_top = dy < 0 || dy == 0 && dx > 0;
+            across(p, q, centre) > 0 || is_left_or_top && across(p, q, centre) == 0
+        })
+    }
+
+    fn corners(random: &mut Random, width: i64, height: i64) -> [ScreenPoint; 3] {
+        let middle = (random.within(20_000), random.within(20_000));
+        [(); 3].map(|()| {
+            let (x, y) = (middle.0 + random.within(width), middle.1 + random.within(height));
+            ScreenPoint::from_subpixels(x, y).unwrap()
+        })
+    }
+
+    /// Of any shape, as flat as can be among them.
+    fn triangles(count: usize) -> impl Iterator<Item = [ScreenPoint; 3]> {
+        let random = &mut Random(12);
+        let extents = [(900, 900), (3000, 300), (300, 3900), (40, 40), (30_000, 200), (6000, 3968), (700, 3)];
+        let all: Vec<_> = (0..count).map(|i| corners(random, extents[i % 7].0, extents[i % 7].1)).collect();
+        all.into_iter().filter(|corners| area(corners) != 0)
+    }
+
+    /// Spans that are all those of the scissor's covered pixels.
+    fn assert_covered(spans: &[Span], corners: &[ScreenPoint; 3], scissor: &Scissor) {
+        let reach = Scissor::of(corners);
+        for y in reach.top.max(scissor.top)..reach.bottom.min(scissor.bottom) {
+            let row: Vec<_> = spans.iter().filter(|span| span.y == y).collect();
+            assert!(row.len() <= 1);
+            for x in reach.left.max(scissor.left) - 1..=reach.right.min(scissor.right) {
+                let inside = row.first().is_some_and(|span| (span.x..span.x + span.width).contains(&x));
+                assert_eq!(inside, is_covered(corners, x, y), "{corners:?} ({x}, {y})");
+            }
+        }
+        assert!(spans.iter().all(|span| (scissor.top..scissor.bottom).contains(&span.y)));
+    }
+
+    #[test]
+    fn rows_inside_are_exact() {
+        let scissor = Scissor::new(-400, -400, 400, 400);
+        let places = Places::new(-400, -400, 800);
+        let (mut ground, mut walked) = (Ground::new(places), 0);
+        for corners in triangles(3000) {
+            let triangle = Triangle::new(corners, area(&corners), &scissor);
+            let Some(walk) = Walk::<false>::new(&triangle, &scissor, &mut ground) else { continue };
+            let (empty, Start { x, mut y, shear }) = (walk.is_empty(), walk.start(places));
+            // Ends are places, and so many columns from where a plane by places is counted from.
+            assert_eq!((x, shear), (places.origin.wrapping_neg() as i32, 800));
+            let mut spans = Vec::new();
+            walk.each(&mut ground, |start, from, to| {
+                let from = from.wrapping_sub(places.at(0, y) as i32);
+                let to = to.wrapping_sub(places.at(0, y) as i32);
+                assert_eq!(start, 0);
+                spans.extend(span(from, y, to));
+                y += 1;
+            });
+            assert!(!empty || spans.is_empty());
+            assert_covered(&spans, &corners, &scissor);
+            let columns = &mut Ground::of_columns();
+            let again = Walk::<false>::new(&triangle, &scissor, columns).unwrap();
+            let mut drawn = Vec::new();
+            again.each_span(columns, |span| drawn.push(span));
+            assert_eq!(drawn, spans);
+            walked += 1;
+        }
+        assert!(walked > 2000, "{walked}");
+    }
+
+    #[test]
+    fn cut_rows_are_exact() {
+        let (mut walked, mut cut) = (0, 0);
+        for (i, corners) in triangles(3000).enumerate() {
+            let reach = Scissor::of(&corners);
+            let top = reach.top + [0, 1, 3, -2, 40][i % 5];
+            let scissor = Scissor::new(-400, top, 400, top + [9, 1, 40][i % 3]);
+            let triangle = Triangle::new(corners, area(&corners), &scissor);
+            let mut columns = Ground::of_columns();
+            let Some(walk) = Walk::<true>::new(&triangle, &scissor, &mut columns) else { continue };
+            let mut kept = Kept::new(walk, columns);
+            let empty = kept.is_empty();
+            let spans: Vec<_> = core::iter::from_fn(|| kept.span()).collect();
+            assert!(!empty || spans.is_empty());
+            assert_covered(&spans, &corners, &scissor);
+            walked += 1;
+            cut += u32::from(top > reach.top);
+        }
+        assert!(walked > 2000 && cut > 1000, "{walked} {cut}");
+    }
+
+    #[test]
+    fn quotients_are_exact() {
+        let random = &mut Random(13);
+        for i in 0..100_000 {
+            let d = random.within([3, 300, 8191][i % 3]).abs() + 1;
+            for n in [random.within(1 << 22), random.within(40) * d, random.within(40) * d - 1] {
+                let exact = (n.div_euclid(d), n.rem_euclid(d));
+                assert_eq!(by_long(n, d), exact, "{n} / {d}");
+                if n.abs() < 40 * d {
+                    assert_eq!(counted(n, d), exact, "{n} / {d}");
+                }
+            }
+        }
+    }
+}
