@@ -78,6 +78,34 @@ pub(crate) fn reciprocal(v: i32) -> Reciprocal {
     reciprocal_of_normalised(normalised(v.max(1)))
 }
 
+/// How many bits of a number are zero from the uppermost on.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+pub(crate) fn leading_zeros(v: u32) -> i32 {
+    v.leading_zeros() as i32
+}
+
+/// The same where no instruction counts them, and the compiler would call.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline(always)]
+pub(crate) fn leading_zeros(v: u32) -> i32 {
+    if v == 0 {
+        return 32;
+    }
+    let (mut v, mut zeros) = (v, 0);
+    for bits in [16, 8, 4] {
+        if v >> (32 - bits) == 0 {
+            keep_rolled();
+            (v, zeros) = (v << bits, zeros + bits);
+        }
+    }
+    while v >> 31 == 0 {
+        keep_rolled();
+        (v, zeros) = (v << 1, zeros + 1);
+    }
+    zeros
+}
+
 /// [`reciprocal`] where `v ≥ 1` is known, and most often near 2³⁰: quickest there.
 #[inline(always)]
 pub(crate) fn reciprocal_of_large(v: i32) -> Reciprocal {

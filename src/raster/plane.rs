@@ -13,7 +13,7 @@
 //! (Pineda, *A parallel algorithm for polygon rasterization*, 1988, section 3.4.)
 
 use super::{ScreenPoint, Triangle};
-use crate::math::num::{mul_high, mul_wide, reciprocal};
+use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal};
 use core::hint::black_box;
 
 /// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
@@ -100,7 +100,7 @@ impl Extent {
     #[inline(always)]
     fn room(self) -> i32 {
         if self.is_small() {
-            self.0.leading_zeros() as i32
+            leading_zeros(self.0)
         } else {
             -64
         }
@@ -127,7 +127,7 @@ impl Numerators {
         let Triangle { corners: [a, b, c], .. } = triangle;
         let (dz1, dz2) = differences(values);
         // 2 + k: bits of the extent and of dz, and k, are 30 in all.
-        let room = room + (magnitude(dz1) | magnitude(dz2)).leading_zeros() as i32 - 32;
+        let room = room + leading_zeros(magnitude(dz1) | magnitude(dz2)) - 32;
         if room < 0 {
             return None;
         }
