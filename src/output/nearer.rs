@@ -85,20 +85,38 @@ impl<Cell: Copy> Filled for Even<'_, Cell> {
     fn row(&mut self, start: usize, left: i32, right: i32) {
         let Self { two, cells, held, step, down, z } = self;
         let from = start.wrapping_add(left as usize);
+        let first = z.wrapping_add(step.wrapping_mul(left as u32));
         // More than there are where it ends before it begins.
         let width = right.wrapping_sub(left) as usize;
-        let first = z.wrapping_add(step.wrapping_mul(left as u32));
         if let (Some(run), Some(held)) = (cells.get_mut(from..), held.get_mut(from..)) {
             if let (Some(run), Some(held)) = (run.get_mut(..width), held.get_mut(..width)) {
-                if width >= MANY {
-                    fill_nearer(run, held, first, *step, *two);
-                } else {
-                    let [cell, _] = *two;
-                    fill_short_nearer(run, held, first, *step, cell);
-                }
+                fill_row_nearer(run, held, first, *step, *two);
             }
         }
         *z = z.wrapping_add(*down);
+    }
+}
+
+#[inline(always)]
+fn fill_row_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], first: u32, step: u32, two: [Cell; 2]) {
+    let [cell, _] = two;
+    if run.len() >= MANY {
+        fill_nearer(run, held, first, step, two);
+    } else if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        fill_few_nearer(run, held, first, step, cell);
+    } else {
+        fill_short_nearer(run, held, first, step, cell);
+    }
+}
+
+/// Fewer than [`MANY`], without a loop.
+#[inline(always)]
+fn fill_few_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], first: u32, step: u32, cell: Cell) {
+    let mut z = black_box(first); // else each would be a product
+    for i in 0..MANY - 1 {
+        let (Some(pixel), Some(held)) = (run.get_mut(i), held.get_mut(i)) else { return };
+        one_nearer(pixel, held, z, cell);
+        z = z.wrapping_add(step);
     }
 }
 
