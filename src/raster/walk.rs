@@ -97,29 +97,40 @@ impl Ground {
         if room < 0 {
             return (0, -1);
         }
-        let (short, long) = if middle_left { (0, 1) } else { (1, 0) };
-        let above = self.side(a, b, 0, short);
-        self.side(b, c, above, short);
-        (first_row(a), self.side(a, c, 0, long) as i32)
+        let top = first_row(a);
+        // Where column 0 would stand in the first row, and in that of the middle corner.
+        let first = self.places.at(0, top);
+        let mut bent = |end: usize| {
+            let above = self.side(a, b, first, 0, end);
+            self.side(b, c, first.wrapping_add(above.wrapping_mul(self.places.stride)), above, end);
+        };
+        let long = if middle_left {
+            bent(0);
+            1
+        } else {
+            bent(1);
+            0
+        };
+        (top, self.side(a, c, first, 0, long) as i32)
     }
 
     /// Puts where the rows between `p` and `q` end on this side, from row `at` of those kept on: how many rows these are. The
     /// first of two ends is where a row begins.
     #[inline(always)]
-    fn side(&mut self, p: &ScreenPoint, q: &ScreenPoint, at: usize, end: usize) -> usize {
+    fn side(&mut self, p: &ScreenPoint, q: &ScreenPoint, start: usize, at: usize, end: usize) -> usize {
         // Quotients of less than 16 and a little more.
         let (dx, dy) = (q.x - p.x, q.y - p.y);
         match ((dx + (dy << 4)) as u32) < (dy << 5) as u32 {
-            true => self.put(p, q, at, end, counted),
-            false => self.flat_side(p, q, at, end),
+            true => self.put(p, q, start, at, end, counted),
+            false => self.flat_side(p, q, start, at, end),
         }
     }
 
     /// The same of one so flat that its quotients are large, or level.
     #[cold]
     #[inline(never)]
-    fn flat_side(&mut self, p: &ScreenPoint, q: &ScreenPoint, at: usize, end: usize) -> usize {
-        self.put(p, q, at, end, by_long)
+    fn flat_side(&mut self, p: &ScreenPoint, q: &ScreenPoint, start: usize, at: usize, end: usize) -> usize {
+        self.put(p, q, start, at, end, by_long)
     }
 
     /// The same, given what divides.
@@ -128,6 +139,7 @@ impl Ground {
         &mut self,
         p: &ScreenPoint,
         q: &ScreenPoint,
+        start: usize,
         at: usize,
         end: usize,
         divide: impl Fn(i32, i32) -> (i32, i32),
@@ -141,7 +153,7 @@ impl Ground {
         let Some(ends) = self.ends.get_mut(at..at.wrapping_add(rows)) else { return 0 };
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| ≤ 2²², 0 < dy < 2¹³
         let (less, mut e) = divide(-numerator(first_centre(p), dx, dy), dy);
-        let mut x = self.places.at(column(p) - less, row);
+        let mut x = start.wrapping_add((column(p) - less) as usize);
         let (whole, r) = if rows > 1 { divide(dx, dy) } else { (0, 0) };
         let step = self.places.stride.wrapping_add(whole as usize);
         for ends in ends {
