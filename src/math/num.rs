@@ -156,13 +156,14 @@ fn normalised(mut v: i32) -> (i32, u32) {
 
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
-fn normalised_by_ones(mut v: i32) -> (i32, u32) {
-    let mut shift = 0;
-    while v < 1 << 30 {
+fn normalised_by_ones(v: i32) -> (i32, u32) {
+    // Twice it: the end is a sign.
+    let (mut twice, mut shift) = (v << 1, 0);
+    while twice >= 0 {
         keep_rolled();
-        (v, shift) = (v << 1, shift + 1);
+        (twice, shift) = (twice << 1, shift + 1);
     }
-    (v, shift)
+    ((twice as u32 >> 1) as i32, shift)
 }
 
 /// Stands in a loop that is to stay one: the compiler would copy its body four times and more, which
