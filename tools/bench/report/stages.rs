@@ -42,11 +42,11 @@ const ABOVE: [Rule; 4] = [
 ];
 
 /// Elsewhere the innermost function that is one of these. Those that many stages call are not among them.
-const RULES: [Rule; 40] = [
+const RULES: [Rule; 49] = [
     ("output/memory.rs", &["fill", "fill_any"], Stage::Pixels),
     (
         "output/nearer.rs",
-        &["fill_nearer", "fill_short_nearer", "nothing_is_held", "one_nearer"],
+        &["fill_nearer", "fill_short_nearer", "fill_few_nearer", "nothing_is_held", "one_nearer"],
         Stage::Pixels,
     ),
     ("output/nearer.rs", &["over"], Stage::Planes),
@@ -58,17 +58,26 @@ const RULES: [Rule; 40] = [
     ("output/memory.rs", &["closure of each_span"], Stage::Pixels),
     (
         "output/memory.rs",
-        &["stretch", "stretch_nearer", "shaded", "shaded_nearer", "row", "place"],
+        &["rows", "rows_nearer", "closure of each", "fill_row", "shaded", "shaded_nearer", "row"],
         Stage::Rows,
     ),
     ("output/memory.rs", &["new"], Stage::PassingOn),
     ("output/memory.rs", &[], Stage::Sides),
     ("raster/triangle.rs", &["area"], Stage::Faces),
-    ("raster/triangle.rs", &["row", "span", "next", "each_span"], Stage::Rows),
+    ("raster/triangle.rs", &["next", "each_span"], Stage::Rows),
     ("raster/triangle.rs", &[], Stage::Sides),
+    ("raster/stretch.rs", &["each", "row", "span"], Stage::Rows),
+    ("raster/stretch.rs", &[], Stage::Sides),
+    ("raster/halves.rs", &["each_span", "span"], Stage::Rows),
+    ("raster/halves.rs", &[], Stage::Sides),
+    ("raster/walk.rs", &["each", "each_span", "span"], Stage::Rows),
+    ("raster/walk.rs", &[], Stage::Sides),
+    ("raster/places.rs", &[], Stage::Sides),
+    ("raster/side.rs", &["next"], Stage::Rows),
+    ("raster/side.rs", &[], Stage::Sides),
     ("raster/edge.rs", &["next"], Stage::Rows),
     ("raster/edge.rs", &[], Stage::Sides),
-    ("raster/plane.rs", &["at", "down", "step"], Stage::Rows),
+    ("raster/plane.rs", &["at", "down", "step", "sheared"], Stage::Rows),
     ("raster/plane.rs", &[], Stage::Planes),
     ("raster/depth.rs", &[], Stage::Planes),
     ("raster/light.rs", &[], Stage::Planes),
