@@ -7,7 +7,7 @@
 use super::{Camera, Corner, Image, Screen};
 use crate::math::num::{
     add, after, bits_of, excess, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale,
-    Reciprocal,
+    Reciprocal, CORTEX_M0,
 };
 use crate::math::row::{self, Rows};
 use crate::math::{product, Affine, Coordinate, Form, Homogeneous, Row};
@@ -195,12 +195,12 @@ impl Placement {
         // Where registers suffice x and y come first, so that v's are free for the rest, and before the branch, past which
         // the compiler does not move them.
         let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
-        let mut early = (!FEW_REGISTERS).then(forms);
+        let mut early = (!CORTEX_M0).then(forms);
         let d = if by_d { self.d.at(v, V::NARROW) } else { 0 };
         if by_d && (d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w)) {
             return Corner::EMPTY;
         }
-        if FEW_REGISTERS && !DEPTH {
+        if CORTEX_M0 && !DEPTH {
             early = Some(forms());
         }
         let r = reciprocal_of_large(w);
@@ -318,9 +318,6 @@ impl Placement {
         self.far_clip
     }
 }
-
-/// A Cortex-M0 has half as many for products as others.
-const FEW_REGISTERS: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// [`Placement::depth`], for those who ask for depth: the others need no code for it.
 pub(crate) type DepthOf = fn(&Placement, i32, Reciprocal) -> i32;

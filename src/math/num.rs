@@ -57,6 +57,9 @@ const RECIPROCAL: [u8; 256] = [
     8, 7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0,
 ];
 
+/// A Cortex-M0: without division, wide products and a count of leading zeros, and with eight registers.
+pub(crate) const CORTEX_M0: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
 /// A positive number's reciprocal: `1/v = mantissa · 2^(shift − 61)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Reciprocal {
@@ -150,20 +153,24 @@ fn normalised(mut v: i32) -> (i32, u32) {
         keep_rolled();
         (v, shift) = (v << 8, shift + 8);
     }
-    let (v, rest) = normalised_by_ones(v);
-    (v, shift + rest)
-}
-
-#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
-#[inline(always)]
-fn normalised_by_ones(v: i32) -> (i32, u32) {
     // Twice it: the end is a sign.
-    let (mut twice, mut shift) = (v << 1, 0);
+    let mut twice = v << 1;
     while twice >= 0 {
         keep_rolled();
         (twice, shift) = (twice << 1, shift + 1);
     }
     ((twice as u32 >> 1) as i32, shift)
+}
+
+#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+#[inline(always)]
+fn normalised_by_ones(mut v: i32) -> (i32, u32) {
+    let mut shift = 0;
+    while v < 1 << 30 {
+        keep_rolled();
+        (v, shift) = (v << 1, shift + 1);
+    }
+    (v, shift)
 }
 
 /// Stands in a loop that is to stay one: the compiler would copy its body four times and more, which

@@ -2,6 +2,7 @@
 
 use super::depth::DepthBuffer;
 use super::nearer::{one_nearer, Filled, Nearer};
+use crate::math::num::CORTEX_M0;
 use crate::raster::{Ground, Large, Low, Piece, Places, Rows, Scissor, Small, Span, Start, Triangle};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
@@ -192,7 +193,7 @@ fn fill_row<Cell: Copy>(cells: &mut [Cell], start: usize, left: i32, right: i32,
     // More than there are where it ends before it begins.
     let width = right.wrapping_sub(left) as usize;
     // Where the end is known, as it is where rows are kept, this is shorter; else that is.
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+    if CORTEX_M0 {
         if let Some(run) = cells.get_mut(from..from.wrapping_add(width)) {
             fill_any(run, two, long);
         }

@@ -1,5 +1,6 @@
 //! What pixels are filled with where they are nearer than what is held.
 
+use crate::math::num::CORTEX_M0;
 use crate::raster::{Piece, Plane, Start};
 use core::hint::black_box;
 
@@ -102,7 +103,7 @@ fn fill_row_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], first: u32, s
     let [cell, _] = two;
     if run.len() >= MANY {
         fill_nearer(run, held, first, step, two);
-    } else if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+    } else if CORTEX_M0 {
         fill_few_nearer(run, held, first, step, cell);
     } else {
         fill_short_nearer(run, held, first, step, cell);

@@ -2,7 +2,7 @@
 
 use super::nearer::{as_long, nothing_is_held, Filled, Nearer, MANY};
 use super::pixels::Stored;
-use crate::math::num::keep_rolled;
+use crate::math::num::CORTEX_M0;
 use crate::raster::{Piece, Plane, Span, Start, Triangle};
 use core::hint::black_box;
 use core::iter::repeat_with;
@@ -137,12 +137,12 @@ impl<C: Stored<Cell>, Cell> Looked<'_, C, Cell> {
 /// So many from this one on, if there are.
 #[inline(always)]
 fn part_of<T>(all: &mut [T], from: usize, width: usize) -> Option<&mut [T]> {
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+    if CORTEX_M0 {
         // Of tests that lead to the same place the compiler would make one number, and test that: five instructions more each.
         let part = all.get_mut(from..)?;
-        keep_rolled();
+        black_box(());
         let part = part.get_mut(..width)?;
-        keep_rolled();
+        black_box(());
         return Some(part);
     }
     all.get_mut(from..from.wrapping_add(width)) // before from where it wraps

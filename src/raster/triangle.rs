@@ -7,7 +7,7 @@
 
 use super::edge::{first_row, Wide};
 use super::{Ground, Inside, Kept, Low, Plane, Planes, Scissor, ScreenPoint, Span, Stretch};
-use crate::math::num::mul_wide;
+use crate::math::num::{mul_wide, CORTEX_M0};
 use core::borrow::Borrow;
 
 /// Twice the signed area in square sub-pixels: positive when the vertices run counter-clockwise
@@ -17,7 +17,7 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     // Differences below 2²³, products below 2⁴⁵.
     let (x1, y1, x2, y2) = (b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
     // On a Cortex-M0 wide products are long. Of −2¹⁵ … 2¹⁵ − 1 they are at most 2³⁰, not both with the same sign.
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+    if CORTEX_M0 {
         let above = |v: i32| (v + (1 << 15)) as u32;
         if (above(x1) | above(y1) | above(x2) | above(y2)) >> 16 == 0 {
             return (x2 * y1).wrapping_sub(x1 * y2).into();

@@ -332,7 +332,7 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
     // few, before the loop, and its numbers are loaded in pairs. RISC-V has twice as many registers, and no such loads; on a
     // Cortex-M0 the loop with depth has so much in memory that it costs nothing to have it all on the stack.
     #[cfg(target_arch = "arm")]
-    let placement = match cfg!(target_has_atomic = "32") || !DEPTH {
+    let placement = match !crate::math::num::CORTEX_M0 || !DEPTH {
         true => black_box(placement),
         false => placement,
     };
