@@ -35,10 +35,11 @@ fn words(pixels: &[Gray8], width: usize) -> Vec<u64> {
     pixels.chunks(width).map(word).collect()
 }
 
-/// Of the size of a triangle that takes a short way (up to 8191 sub-pixels across and 7936 down, or 8191 down), or a little
-/// too large for it, at its limits as often as not.
+/// Of the size of a triangle that takes a short way (up to 8160 sub-pixels across and 7680 down, or 8191 down; on a Cortex-M0
+/// 7936 down), or a little too large for it, at its limits as often as not.
 fn small(rng: &mut Rng) -> [P; 3] {
-    let reach = [256, 1000, 4095, 7936, 7937, 8191, 8192, 8300, 16_384][rng.below(9)];
+    let reach =
+        [256, 1000, 4095, 7680, 7681, 7936, 7937, 8160, 8161, 8191, 8192, 8300, 16_384][rng.below(13)];
     let (x, y) = (rng.int(-300, 16_384), rng.int(-300, 16_384));
     let mut p = |i: usize| match (i, rng.below(3)) {
         (1, 0) => (x + reach, y + reach),

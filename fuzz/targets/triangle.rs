@@ -16,8 +16,10 @@ use oracle::coverage::{centre, covers, edge, on_segment, Area, P};
 use pinhole::raster::{self, Span};
 
 const GUARD: i64 = 8192 * 256;
-/// Where edges pass from one arithmetic to the other: `raster/edge.rs`.
+/// Where planes pass from one arithmetic to the other: `raster/plane.rs`.
 const SHORT: i64 = 1 << 17;
+/// The same of edges: `raster/side.rs`, and for a Cortex-M0 `raster/walk.rs`.
+const LOW: [i64; 5] = [7680, 7936, 8160, 8191, 2040 * 256];
 
 fn clamped(p: P) -> P {
     (p.0.clamp(-GUARD, GUARD), p.1.clamp(-GUARD, GUARD))
@@ -37,7 +39,7 @@ fn coordinate(b: &mut Bytes<'_>, from: i64) -> i64 {
         7 => 64 * i64::from(b.i16()) + low,
         8 => sign * (GUARD - low),
         9 => from + sign * (SHORT - 4 + low),
-        10 => from + sign * (SHORT - 128 * low),
+        10 => from + sign * (LOW[low as usize % 5] + i64::from(b.byte() % 3) - 1),
         11 => from + sign * (SHORT / 2 + b.i8()),
         12 => from + sign * i64::from(b.i16()),
         13 => from + sign * (i64::from(b.u16()) << 2 | low & 3),

@@ -90,8 +90,11 @@ pub(crate) fn leading_zeros(v: u32) -> i32 {
 
 /// The same where no instruction counts them, and the compiler would call.
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+pub(crate) use self::leading_zeros_by_steps as leading_zeros;
+
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
-pub(crate) fn leading_zeros(v: u32) -> i32 {
+pub(crate) fn leading_zeros_by_steps(v: u32) -> i32 {
     if v == 0 {
         return 32;
     }
@@ -146,8 +149,11 @@ fn normalised_by_ones(v: i32) -> (i32, u32) {
 
 /// The same where no instruction counts leading zeros.
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+use self::normalised_by_steps as normalised;
+
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
-fn normalised(mut v: i32) -> (i32, u32) {
+fn normalised_by_steps(mut v: i32) -> (i32, u32) {
     let mut shift = 0;
     while v < 1 << 22 {
         keep_rolled();
@@ -356,6 +362,19 @@ mod tests {
         let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
+    }
+
+    #[test]
+    fn zeros_are_counted_by_steps_too() {
+        let mut state = 3;
+        let powers = (0..32).flat_map(|n| [(1u32 << n) - 1, 1 << n, (1 << n) + 1]);
+        let others = (0..100_000).map(|_| random(&mut state)).map(|r| r as u32 >> (r >> 59));
+        for v in powers.chain([u32::MAX]).chain(others) {
+            assert_eq!(leading_zeros_by_steps(v), v.leading_zeros() as i32, "{v}");
+            if let Ok(v @ 1..) = i32::try_from(v) {
+                assert_eq!(normalised_by_steps(v), normalised(v), "{v}");
+            }
+        }
     }
 
     #[test]

@@ -192,7 +192,7 @@ fn fill_row<Cell: Copy>(cells: &mut [Cell], start: usize, left: i32, right: i32,
     let from = start.wrapping_add(left as usize);
     // More than there are where it ends before it begins.
     let width = right.wrapping_sub(left) as usize;
-    // Where the end is known, as it is where rows are kept, this is shorter; else that is.
+    // On a Cortex-M0 most rows were walked: their ends are at hand.
     if CORTEX_M0 {
         if let Some(run) = cells.get_mut(from..from.wrapping_add(width)) {
             fill_any(run, two, long);

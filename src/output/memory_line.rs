@@ -7,7 +7,7 @@
 
 use super::memory::{fill, pair, Memory};
 use crate::math::num::{mul_high, reciprocal};
-use crate::raster::{Course, Pixel, Runs, Scissor, Span};
+use crate::raster::{place, Course, Pixel, Runs, Scissor, Span};
 use core::hint::black_box;
 
 impl<Cell: Copy> Memory<'_, Cell> {
@@ -258,10 +258,4 @@ fn by_runs<Cell: Copy>(
             }
         }
     }
-}
-
-/// Where a pixel stands.
-#[inline(always)]
-fn place(x: i32, y: i32, stride: usize) -> usize {
-    (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }

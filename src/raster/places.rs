@@ -16,21 +16,27 @@ impl Places {
     /// The pixel in this column and row stands first.
     #[inline(always)]
     pub(crate) fn new(left: i32, top: i32, stride: usize) -> Self {
-        Self { stride, origin: Self { stride, origin: 0 }.at(left, top).wrapping_neg() }
+        Self { stride, origin: place(left, top, stride).wrapping_neg() }
     }
 
     /// Of a pixel.
     #[inline(always)]
     pub(crate) fn at(self, x: i32, y: i32) -> usize {
-        (y as usize).wrapping_mul(self.stride).wrapping_add(x as usize).wrapping_add(self.origin)
+        place(x, y, self.stride).wrapping_add(self.origin)
     }
+}
+
+/// Of a pixel, if that in column 0 and row 0 stands first.
+#[inline(always)]
+pub(crate) fn place(x: i32, y: i32, stride: usize) -> usize {
+    (y as usize).wrapping_mul(stride).wrapping_add(x as usize)
 }
 
 /// Where triangles are drawn.
 #[derive(Debug)]
 pub(crate) struct Ground {
     pub(crate) places: Places,
-    /// Room for a triangle's rows, cleared once, not for each triangle.
+    /// Room for a triangle's rows. Of pixels in memory it is cleared once, not for each triangle.
     #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
     pub(super) ends: Ends,
 }
@@ -52,13 +58,13 @@ impl Ground {
     }
 }
 
-/// What the ends of rows are counted from: a column.
+/// What the ends of rows are counted from: where column `x` is in the first row, and in every row so many pixels farther left
+/// than in the one above as the shear says.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
     pub(crate) x: i32,
     /// The first row.
     pub(crate) y: i32,
-    /// Columns are counted from so many pixels farther left in every row than in the one above.
     pub(crate) shear: usize,
 }
 

@@ -3,7 +3,7 @@
 //! A row's covered pixels lie between two edges, and both ends are `⌈X − ½⌉` of an edge's
 //! crossing X with the row of centres: the left end included, the right end excluded. That is
 //! the top-left rule (R2–R5), and as the end depends on the edge alone, neighbours share it (R8).
-//! [`Side`] has it exactly, by one addition a row.
+//! `side.rs` has it exactly, by one addition a row, and on a Cortex-M0 `walk.rs`.
 
 use super::edge::{first_row, Wide};
 use super::{Ground, Inside, Kept, Low, Plane, Planes, Scissor, ScreenPoint, Span, Stretch};

@@ -36,6 +36,9 @@ const NO_FACES: &[Part] = &[
     NO_DEPTH[1],
     Part("raster/plane.rs", None),
     Part("raster/edge.rs", None),
+    Part("raster/side.rs", None),
+    Part("raster/halves.rs", None),
+    Part("raster/stretch.rs", None),
     Part("shade/", None),
 ];
 

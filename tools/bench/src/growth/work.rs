@@ -27,7 +27,7 @@ pub struct Work {
     pub met: u32,
 }
 
-/// Within so many columns and rows the rasteriser takes a shorter way: `src/raster/triangle.rs`.
+/// Of so many columns and rows or fewer most take a shorter way: those within about half as many, `src/raster/mod.rs`.
 const SMALL: u32 = 64;
 
 /// What [`Work::counts`] has.
