@@ -16,9 +16,9 @@ use oracle::coverage::{centre, covers, edge, on_segment, Area, P};
 use pinhole::raster::{self, Span};
 
 const GUARD: i64 = 8192 * 256;
-/// Where planes pass from one arithmetic to the other: `raster/plane.rs`.
+/// 512 pixels, far beyond what is low.
 const SHORT: i64 = 1 << 17;
-/// The same of edges: `raster/side.rs`, and for a Cortex-M0 `raster/walk.rs`.
+/// Where edges pass from one arithmetic to the other: `raster/side.rs`, and for a Cortex-M0 `raster/walk.rs`.
 const LOW: [i64; 5] = [7680, 7936, 8160, 8191, 2040 * 256];
 
 fn clamped(p: P) -> P {

@@ -207,6 +207,7 @@ impl Large {
 
 /// The rows of a triangle, span by span, on the way down.
 pub(crate) enum Spans {
+    /// Those of a low triangle.
     Low(Kept),
     /// The rows left of a stretch, and what is below.
     Large(Option<Stretch<Wide>>, Large),
