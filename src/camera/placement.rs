@@ -192,28 +192,36 @@ impl Placement {
         if w < self.least_w {
             return Corner::EMPTY;
         }
-        // Where registers suffice x and y come first, so that v's are free for the rest, and before the branch, past which
-        // the compiler does not move them.
         let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
-        let mut early = (!CORTEX_M0).then(forms);
-        let d = if by_d { self.d.at(v, V::NARROW) } else { 0 };
-        if by_d && (d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w)) {
+        let form_of_d = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
+        let is_cut = |d| d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w);
+        // Where registers suffice these come first, so that v's are free for the rest, and before the branch, past which
+        // the compiler does not move them. On a Cortex-M0 each comes where it is used, so that `by_d` is asked once.
+        let early = (!CORTEX_M0).then(|| (forms(), form_of_d()));
+        if early.is_some_and(|(_, d)| by_d && is_cut(d)) {
             return Corner::EMPTY;
-        }
-        if CORTEX_M0 && !DEPTH {
-            early = Some(forms());
         }
         let r = reciprocal_of_large(w);
         let n = r.shift as i32;
-        let right = (self.right - n) & 31;
-        let [x, y] = early.unwrap_or_else(forms).map(|v| mul_high(v, r.mantissa) >> right);
+        let over_w = |forms: [i32; 2]| {
+            let right = (self.right - n) & 31;
+            forms.map(|v| mul_high(v, r.mantissa) >> right)
+        };
+        let early = early.map(|(forms, d)| (over_w(forms), d));
         let mut depth = 0;
-        if DEPTH && by_d {
-            let d = d << ((n + self.d_over_w) & 31) >> 2; // up to w: 31 bits
-            depth = (self.origin + mul_high(d, r.mantissa)) >> 3;
+        if by_d {
+            let d = early.map_or_else(form_of_d, |(_, d)| d);
+            if early.is_none() && is_cut(d) {
+                return Corner::EMPTY;
+            }
+            if DEPTH {
+                let d = d << ((n + self.d_over_w) & 31) >> 2; // up to w: 31 bits
+                depth = (self.origin + mul_high(d, r.mantissa)) >> 3;
+            }
         } else if DEPTH {
             depth = (self.origin + (mul_high(self.drop, r.mantissa) >> ((self.drop_down - n) & 31))) >> 3;
         }
+        let [x, y] = early.map_or_else(|| over_w(forms()), |(places, _)| places);
         if DEPTH && depth > SURELY_BEFORE_FAR {
             if far && self.is_beyond_far(vertex) {
                 return Corner::EMPTY;

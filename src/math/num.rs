@@ -78,7 +78,13 @@ pub(crate) struct Reciprocal {
 /// Arithmetic, 2nd ed., section 4.7.)
 #[inline(always)]
 pub(crate) fn reciprocal(v: i32) -> Reciprocal {
-    reciprocal_of_normalised(normalised(v.max(1)))
+    reciprocal_of_positive(v.max(1))
+}
+
+/// [`reciprocal`] where `v ≥ 1` is known.
+#[inline(always)]
+pub(crate) fn reciprocal_of_positive(v: i32) -> Reciprocal {
+    reciprocal_of_normalised(normalised(v))
 }
 
 /// How many bits of a number are zero from the uppermost on.
@@ -155,7 +161,7 @@ use self::normalised_by_steps as normalised;
 #[inline(always)]
 fn normalised_by_steps(mut v: i32) -> (i32, u32) {
     let mut shift = 0;
-    while v < 1 << 22 {
+    while v < 1 << 23 {
         keep_rolled();
         (v, shift) = (v << 8, shift + 8);
     }

@@ -167,6 +167,9 @@ fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step:
 /// Whether that is so of all these.
 #[inline(always)]
 pub(super) fn nothing_is_held(held: &[u16; MANY]) -> bool {
+    if CORTEX_M0 {
+        return held.iter().fold(u16::MAX, |all, &held| all & held) == u16::MAX;
+    }
     // As pairs they are loaded at once.
     let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
     pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX

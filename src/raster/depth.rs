@@ -26,10 +26,12 @@ impl Plane {
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);
-        match Planes::small(triangle, extent).and_then(|planes| planes.short(depths)) {
-            Some(plane) => plane.with_half(),
-            None => Self::of_any_depth(triangle, extent, depths),
+        if extent.is_tiny() {
+            if let Some(plane) = Planes::of_extent(triangle, extent).tiny(depths) {
+                return plane.with_half();
+            }
         }
+        Self::of_any_depth(triangle, extent, depths)
     }
 
     #[inline(never)]
@@ -139,6 +141,43 @@ mod tests {
         // 1/2, 1200 columns and rows of 2⁻¹⁷ each, and the reciprocal.
         let bound = HALF + (2400 << 3) + 25_165; // 0.024
         assert!(largest <= bound && largest > HALF + (HALF / 100), "{largest} of {bound}");
+    }
+
+    /// Most of a fine mesh: the way that does not ask how large numbers are, up to the limits of what goes there.
+    #[test]
+    fn d2_tiny_triangles_stay_within_the_bound() {
+        let (mut random, mut largest, mut tiny) = (Random(3), 0, 0);
+        let scissor = Scissor::new(-600, -600, 600, 600);
+        for i in 0..200_000 {
+            let reach = [100, 400, 1000, 4095][i % 4];
+            let centre = (random.within(100_000), random.within(100_000));
+            let mut point = || (centre.0 + random.within(reach), centre.1 + random.within(reach));
+            let (a, b, mut c) = (point(), point(), point());
+            if i % 8 < 4 {
+                // Close to the edge from a to b: as thin as goes there, and a little more.
+                let away = 40 + random.below(200);
+                c = ((a.0 + b.0) / 2 + random.within(away), (a.1 + b.1) / 2 + random.within(away));
+            }
+            let apart = [1 << 19, 1 << 17, 1 << 20, 1 << 10][(i / 8) % 4];
+            let lowest = random.below(i64::from(FARTHEST) - apart);
+            let mut with = |p: (i32, i32)| match random.below(8) {
+                0 => (p.0, p.1, lowest as i32),
+                1 => (p.0, p.1, (lowest + apart - 5) as i32),
+                _ => (p.0, p.1, (lowest + random.below(apart)) as i32),
+            };
+            let corners = [with(a), with(b), with(c)];
+            let points = corners.map(|(x, y, _)| ScreenPoint::from_subpixels(x, y).unwrap());
+            if area(&points) != 0 {
+                let triangle = Triangle::new(points, area(&points), &scissor);
+                let planes = Planes::new(&triangle);
+                tiny += usize::from(planes.tiny(&corners.map(|(.., depth)| depth)).is_some());
+            }
+            largest = largest.max(worst(corners, &scissor));
+        }
+        // 1/2, 64 columns and rows of 2⁻¹⁷ each, and what differences and steps lose.
+        let bound = HALF + (64 << 3) + 20_496; // 1281 · 2⁻¹⁶
+        assert!(largest <= bound && largest - HALF > (bound - HALF) / 2, "{largest} of {bound}");
+        assert!(tiny > 100_000, "{tiny}");
     }
 
     #[test]

@@ -30,7 +30,7 @@ impl Plane {
         let mut planes = [Self::default(); 2];
         let [of_depth, of_light] = &mut planes;
         if let Some(shared) = Planes::small(triangle, Extent::of(triangle)) {
-            if let Some(plane) = shared.short(depths) {
+            if let Some(plane) = shared.tiny(depths) {
                 *of_depth = plane.with_half();
                 match shared.exact(lights) {
                     Some(plane) => *of_light = plane.times_64().rounding_light(),

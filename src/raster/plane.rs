@@ -13,7 +13,7 @@
 //! (Pineda, *A parallel algorithm for polygon rasterization*, 1988, section 3.4.)
 
 use super::{ScreenPoint, Triangle};
-use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal};
+use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive};
 use core::hint::black_box;
 
 /// What varies linearly over a triangle on the screen, for the centres of the pixels that it covers:
@@ -68,8 +68,9 @@ pub(crate) struct Planes<'t> {
     mantissa: i32,
     /// Nothing like enough beyond 512 pixels: see [`Planes::through`].
     places: i32,
-    /// 32 less the bits of the largest difference between corners; far less than nothing beyond 128 pixels.
-    room: i32,
+    extent: Extent,
+    /// The area's magnitude, within 128 pixels.
+    area: i32,
 }
 
 /// Below this many places the upper word is too little of the product.
@@ -91,12 +92,19 @@ impl Extent {
         self.0 >> 15 == 0
     }
 
+    /// The same of 32 pixels.
+    #[inline(always)]
+    pub(super) fn is_tiny(self) -> bool {
+        self.0 >> 13 == 0
+    }
+
     /// Whether any of them is 512 pixels or more.
     #[inline(always)]
     pub(super) fn is_large(self) -> bool {
         self.0 >> 17 != 0
     }
 
+    /// 32 less the bits of the largest difference between corners; far less than nothing beyond 128 pixels.
     #[inline(always)]
     fn room(self) -> i32 {
         if self.is_small() {
@@ -124,7 +132,6 @@ impl Numerators {
     /// `None` where 32 bits are too few.
     #[inline(always)]
     fn short(triangle: &Triangle<'_>, room: i32, values: &[i32; 3]) -> Option<Self> {
-        let Triangle { corners: [a, b, c], .. } = triangle;
         let (dz1, dz2) = differences(values);
         // 2 + k: bits of the extent and of dz, and k, are 30 in all.
         let room = room + leading_zeros(magnitude(dz1) | magnitude(dz2)) - 32;
@@ -133,13 +140,18 @@ impl Numerators {
         }
         // Fewer than 32, as the extent is not 0.
         let scale = |dz: i32| (dz << (room & 31)) >> 2;
-        let (dz1, dz2) = (scale(dz1), scale(dz2));
         // The products are at most 2³⁰, not both.
-        Some(Self {
+        Some(Self::times(triangle, scale(dz1), scale(dz2), room - 2))
+    }
+
+    /// Of differences times 2ᵏ.
+    #[inline(always)]
+    fn times(Triangle { corners: [a, b, c], .. }: &Triangle<'_>, dz1: i32, dz2: i32, k: i32) -> Self {
+        Self {
             across: (dz1 * (c.y - a.y)).wrapping_add(dz2 * (b.y - a.y)),
             against: (dz1 * (c.x - a.x)).wrapping_add(dz2 * (b.x - a.x)),
-            k: room - 2,
-        })
+            k,
+        }
     }
 }
 
@@ -165,12 +177,13 @@ impl<'t> Planes<'t> {
             true => ((triangle.area as i32 ^ turn).wrapping_sub(turn), 0),
             false => large(triangle, extent),
         };
-        let r = reciprocal(area); // 1/area = mantissa · 2^(shift − 61)
+        let r = reciprocal_of_positive(area); // 1/area = mantissa · 2^(shift − 61)
         Self {
             triangle,
             mantissa: (r.mantissa ^ !turn).wrapping_sub(!turn),
             places: 61 - 16 - r.shift as i32 + cut,
-            room: extent.room(),
+            extent,
+            area,
         }
     }
 
@@ -186,7 +199,7 @@ impl<'t> Planes<'t> {
     /// the step: 2⁹·⁶ for x and for y.
     // Part of its caller where there is but one.
     pub(crate) fn through(&self, values: &[i32; 3]) -> Plane {
-        let numerators = Numerators::new(self.triangle, self.room, values);
+        let numerators = Numerators::new(self.triangle, self.extent.room(), values);
         match self.slope(&numerators, values) {
             Some(slope) => slope.plane(),
             // A copy, so that the fast way has it in registers.
@@ -200,24 +213,48 @@ impl<'t> Planes<'t> {
         extent.is_small().then(|| Self::of_extent(triangle, extent))
     }
 
-    /// [`through`](Self::through) where 32 bits are enough, with the same error: the shortest way for most. `None` for all others.
+    /// [`through`](Self::through), with the same error, for most triangles of a fine mesh: within 32 pixels, not thin, and no
+    /// values 2¹⁹ apart. It need not ask how large the numbers are. `None` for all others.
+    ///
+    /// With E the largest difference between corners and |den| ≥ 32·(E + 1), no step reaches 2³¹. **Error.** Differences of
+    /// values lose two bits, up to 3 units, 768 for the plane. A step is rounded down to a multiple of 2^more < 2²⁰/|den|, or
+    /// to a whole one, for (E + 1)/256 pixels each way: 2⁸, or w + h, which is at most 64. That to the centre takes steps less
+    /// 8 bits: 2⁸. And 1 is the reciprocal's: 1281 in all, which is less than 2¹⁰·⁶.
     #[inline(always)]
-    pub(super) fn short(&self, values: &[i32; 3]) -> Option<Plane> {
-        let numerators = Numerators::short(self.triangle, self.room, values)?;
-        Some(self.slope(&numerators, values)?.plane())
+    pub(super) fn tiny(&self, values: &[i32; 3]) -> Option<Plane> {
+        let (dz1, dz2) = differences(values);
+        let bits = magnitude(dz1) | magnitude(dz2);
+        // Four less than 2¹⁹, so that a quarter of any is less than 2¹⁷.
+        let are_near = (bits + 4) >> 19 == 0;
+        if !self.extent.is_tiny() || !are_near || (self.area >> 5) as u32 <= self.extent.0 {
+            return None;
+        }
+        // Products below 2³⁰: both are less than 2³¹.
+        let Numerators { across, against, .. } = Numerators::times(self.triangle, dz1 >> 2, dz2 >> 2, -2);
+        let (across, along) = (mul_high(across, self.mantissa), mul_high(-against, self.mantissa));
+        let more = 32 - (self.places - 2); // −8 … 10, as 2⁹ ≤ |den| < 2²⁷
+        let (right, down) = match more >= 0 {
+            true => (across << (more & 31), along << (more & 31)),
+            false => (across >> (-more & 31), along >> (-more & 31)),
+        };
+        let [value, ..] = values;
+        let [a, ..] = &self.triangle.corners;
+        let at = (right >> 8) * to_centre(a.x) + (down >> 8) * to_centre(a.y); // two products of 2³⁰
+        Some(Slope::new(a, (value << 8).wrapping_add(at), right, down).plane())
     }
 
-    /// The same where in addition nothing is lost of the differences: then a pixel is off by less than `(w + h)·½ + 35`.
+    /// [`through`](Self::through) where 32 bits are enough and nothing is lost of the differences: then a pixel is off by less
+    /// than `(w + h)·½ + 35`. `None` for all others.
     #[inline(always)]
     pub(super) fn exact(&self, values: &[i32; 3]) -> Option<Plane> {
-        let numerators = Numerators::short(self.triangle, self.room, values).filter(|n| n.k >= 0)?;
+        let numerators = Numerators::short(self.triangle, self.extent.room(), values).filter(|n| n.k >= 0)?;
         Some(self.slope(&numerators, values)?.plane())
     }
 
     /// The same as a slope, with the same error; `None` where it is too steep.
     #[inline(always)]
     pub(crate) fn slope_through(&self, values: &[i32; 3]) -> Option<Slope> {
-        self.slope(&Numerators::new(self.triangle, self.room, values), values)
+        self.slope(&Numerators::new(self.triangle, self.extent.room(), values), values)
     }
 
     #[inline(always)]
@@ -231,10 +268,8 @@ impl<'t> Planes<'t> {
         let step = |v: i32, by: i32| ((mul_high(v, by) >> ((places - 33) & 31)) + 1) >> 1;
         let (right, down) = (step(*across, self.mantissa), step(*against, -self.mantissa)); // ≤ 2²⁸
 
-        // To the centre of the corner's pixel: 128 sub-pixels at most.
-        let way = |p: i32| 128 - (p & 255);
-        let to_centre = ((right >> 5) * way(a.x) + (down >> 5) * way(a.y)) >> 3; // two products of 2³⁰
-        Some(Slope { at: (value << 8).wrapping_add(to_centre), right, down, pixel: (a.x >> 8, a.y >> 8) })
+        let to_centre = ((right >> 5) * to_centre(a.x) + (down >> 5) * to_centre(a.y)) >> 3; // two products of 2³⁰
+        Some(Slope::new(a, (value << 8).wrapping_add(to_centre), right, down))
     }
 
     /// Where steps are large, from a pixel near those that are asked for: the error grows with the way. Not
@@ -249,7 +284,7 @@ impl<'t> Planes<'t> {
         let row = (a.y >> 8).clamp(viewport.top, viewport.bottom.max(viewport.top));
         // Per sub-pixel: 24 bits of the values, and 40 more. The products lie below 2⁶²: a step is at most
         // 2^(62 − places), and 2⁻²⁸ of it times the extent, 2^(24 − room) pixels, less than 2⁹ for x and for y.
-        let (across, along) = if places >= 49 - self.room && places >= 24 {
+        let (across, along) = if places >= 49 - self.extent.room() && places >= 24 {
             let by_reciprocal = |v: i32| mul_wide(v, self.mantissa) >> ((places - 24) & 63);
             (by_reciprocal(across), -by_reciprocal(against))
         } else {
@@ -281,7 +316,19 @@ pub(crate) struct Slope {
     pixel: (i32, i32),
 }
 
+/// To the centre of the pixel: 128 sub-pixels at most.
+#[inline(always)]
+fn to_centre(p: i32) -> i32 {
+    128 - (p & 255)
+}
+
 impl Slope {
+    /// From the pixel of a corner.
+    #[inline(always)]
+    fn new(corner: &ScreenPoint, at: i32, right: i32, down: i32) -> Self {
+        Self { at, right, down, pixel: (corner.x >> 8, corner.y >> 8) }
+    }
+
     #[inline(always)]
     pub(crate) fn plane(&self) -> Plane {
         let Self { at, right, down, pixel: (column, row) } = *self;

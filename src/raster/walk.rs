@@ -80,8 +80,10 @@ impl<const CUT: bool> Rows for Walk<CUT> {
 
     #[inline(always)]
     fn each(self, ground: &mut Ground, mut row: impl FnMut(usize, i32, i32)) {
-        for &[from, to] in ground.ends.get(self.first..self.end).unwrap_or_default() {
-            row(0, from as i32, to as i32);
+        if let Some(ends) = ground.ends.get(self.first..self.end) {
+            for &[from, to] in ends {
+                row(0, from as i32, to as i32);
+            }
         }
     }
 }
