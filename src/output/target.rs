@@ -144,7 +144,7 @@ pub trait Target: sealed::Sealed {
 }
 
 /// [`Target::nearer`] span by span.
-#[inline(always)]
+#[inline(never)] // its frame is gone when it returns
 pub(super) fn spans_nearer<T: Target + ?Sized>(
     target: &mut T,
     piece: &Piece<'_>,
@@ -161,7 +161,7 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
 }
 
 /// [`Target::shaded_nearer`] span by span.
-#[inline(always)]
+#[inline(never)] // its frame is gone when it returns
 pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
     target: &mut T,
     piece: &Piece<'_>,

@@ -35,11 +35,12 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
     /// then.
-    #[inline(always)] // what it makes is large: it is made where it stays
+    #[inline(never)] // what it makes is large: inlined it would be there once more
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
-        let statistics = self.record_faces(&mut bins)?;
-        Ok(Faces { transformed: *self, bins, statistics })
+        let bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
+        let mut faces = Faces { transformed: *self, bins, statistics: Statistics::default() };
+        faces.statistics = self.record_faces(&mut faces.bins)?;
+        Ok(faces)
     }
 
     /// Sorts out the edges, and the visible ones by the rows where they begin. `records` are numbers
