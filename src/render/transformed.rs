@@ -336,12 +336,8 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
         true => black_box(placement),
         false => placement,
     };
-    // Pointers in place of an index, where normalising w is a loop: the compiler makes them of an index in innermost
-    // loops alone.
-    #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
-    let vertices = &mut vertices.iter();
     let mut complete = true;
-    for (corner, vertex) in corners.iter_mut().zip(vertices) {
+    for (corner, vertex) in pairs(corners, vertices) {
         keep_rolled();
         *corner = placement.project::<V, DEPTH>(vertex, by_d, far);
         if !corner.whole() {
@@ -349,6 +345,29 @@ fn project_all<V: Coordinate, const DEPTH: bool>(
         }
     }
     complete
+}
+
+/// Both side by side, as many as there are of both.
+#[cfg(not(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32")))]
+#[inline(always)]
+fn pairs<'a, A, B>(corners: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item = (&'a mut A, &'a B)> {
+    corners.iter_mut().zip(vertices)
+}
+
+/// The same by two pointers and one count in place of an index, where normalising w is a loop: the compiler makes them of an
+/// index in innermost loops alone.
+#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+#[inline(always)]
+fn pairs<'a, A, B>(corners: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item = (&'a mut A, &'a B)> {
+    let kept = corners.len().min(vertices.len());
+    let mut corners = corners.get_mut(..kept).unwrap_or_default();
+    let mut vertices = vertices.get(..kept).unwrap_or_default();
+    core::iter::from_fn(move || {
+        let (corner, vertex);
+        (corner, corners) = core::mem::take(&mut corners).split_first_mut()?;
+        (vertex, vertices) = vertices.split_first()?;
+        Some((corner, vertex))
+    })
 }
 
 /// The vertices of these indices, which were checked by [`Mesh`](crate::Mesh).
