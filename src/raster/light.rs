@@ -1,4 +1,4 @@
-//! One light over a triangle: a plane in 8.24, made with depth's reciprocal where both are asked for.
+//! One light over a triangle: a plane in 8.24, of most triangles made with depth's reciprocal where both are asked for.
 
 use super::plane::Extent;
 use super::{Plane, Planes, Triangle};
@@ -29,8 +29,8 @@ impl Plane {
     ) -> [Self; 2] {
         let mut planes = [Self::default(); 2];
         let [of_depth, of_light] = &mut planes;
-        if let Some(shared) = Planes::small(triangle, Extent::of(triangle)) {
-            if let Some(plane) = shared.tiny(depths) {
+        if let Some(shared) = Planes::tiny(triangle, Extent::of(triangle)) {
+            if let Some(plane) = shared.through_near(depths) {
                 *of_depth = plane.with_half();
                 match shared.exact(lights) {
                     Some(plane) => *of_light = plane.times_64().rounding_light(),
@@ -109,6 +109,31 @@ mod tests {
             });
         }
         worst
+    }
+
+    /// Where they share a reciprocal and where they do not.
+    #[test]
+    fn depth_and_light_at_once_are_those_of_each() {
+        let state = &mut 8;
+        let scissor = Scissor::new(-600, -600, 600, 600);
+        for case in 0..60_000 {
+            let reach = [100, 1_000, 4_100, 20_000, 200_000][case % 5];
+            let middle = [0; 2].map(|_| within(state, 100_000));
+            let corners = [0; 3].map(|_| {
+                let [x, y] = middle.map(|m| (m + within(state, reach)) as i32);
+                ScreenPoint::from_subpixels(x, y).unwrap()
+            });
+            let apart = [1 << 10, 1 << 18, 1 << 22][case % 3];
+            let depths = [0; 3].map(|_| (1 << 23) + within(state, apart) as i32);
+            let lights = [0; 3].map(|_| within(state, 255 << 10).abs() as i32);
+            if area(&corners) != 0 {
+                let triangle = Triangle::new(corners, area(&corners), &scissor);
+                let each = [Plane::of_depth(&triangle, &depths), Plane::of_light(&triangle, &lights)];
+                let numbers = |planes: [Plane; 2]| planes.map(|p| (p.origin, p.right, p.down));
+                let at_once = Plane::of_depth_and_light(&triangle, &depths, &lights);
+                assert_eq!(numbers(at_once), numbers(each), "{triangle:?} {depths:?} {lights:?}");
+            }
+        }
     }
 
     #[test]

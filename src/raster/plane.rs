@@ -61,7 +61,8 @@ impl Plane {
 ///
 /// In 2⁻⁸ of the corners' unit and per pixel a plane climbs by `v · 2¹⁶ / den`, v the numerator for x or y. So
 /// it does by `v·2ᵏ · mantissa >> (places + k)`: the numerators are made of differences of values times 2ᵏ, so
-/// that they have 31 bits, and of the product only the upper word counts.
+/// that they have 31 bits, or for most triangles of a fine mesh by a k that fits [all of them](Planes::through_near), and of the
+/// product only the upper word counts.
 pub(crate) struct Planes<'t> {
     triangle: &'t Triangle<'t>,
     /// The reciprocal of the area, with its sign turned: 2¹⁶/den = mantissa · 2^−places.
@@ -69,7 +70,7 @@ pub(crate) struct Planes<'t> {
     /// Nothing like enough beyond 512 pixels: see [`Planes::through`].
     places: i32,
     extent: Extent,
-    /// The area's magnitude, within 128 pixels.
+    /// The area's magnitude, cut to 31 bits beyond 128 pixels.
     area: i32,
 }
 
@@ -94,7 +95,7 @@ impl Extent {
 
     /// The same of 32 pixels.
     #[inline(always)]
-    pub(super) fn is_tiny(self) -> bool {
+    fn is_tiny(self) -> bool {
         self.0 >> 13 == 0
     }
 
@@ -115,7 +116,7 @@ impl Extent {
     }
 }
 
-/// The numerators times 2ᵏ, with 31 bits: that of y with its sign turned.
+/// The numerators times 2ᵏ, with 31 bits or less: that of y with its sign turned.
 #[derive(Clone, Copy)]
 struct Numerators {
     across: i32,
@@ -177,6 +178,7 @@ impl<'t> Planes<'t> {
             true => ((triangle.area as i32 ^ turn).wrapping_sub(turn), 0),
             false => large(triangle, extent),
         };
+        debug_assert!(area > 0, "{triangle:?}");
         let r = reciprocal_of_positive(area); // 1/area = mantissa · 2^(shift − 61)
         Self {
             triangle,
@@ -207,32 +209,39 @@ impl<'t> Planes<'t> {
         }
     }
 
+    /// Over a triangle within 32 pixels.
+    #[inline(always)]
+    pub(super) fn tiny(triangle: &'t Triangle<'t>, extent: Extent) -> Option<Self> {
+        extent.is_tiny().then(|| Self::of_extent(triangle, extent))
+    }
+
     /// Over a triangle within 128 pixels.
     #[inline(always)]
     pub(super) fn small(triangle: &'t Triangle<'t>, extent: Extent) -> Option<Self> {
         extent.is_small().then(|| Self::of_extent(triangle, extent))
     }
 
-    /// [`through`](Self::through), with the same error, for most triangles of a fine mesh: within 32 pixels, not thin, and no
-    /// values 2¹⁹ apart. It need not ask how large the numbers are. `None` for all others.
+    /// [`through`](Self::through), with the same error, for most triangles of a fine mesh: [tiny](Self::tiny), not thin, and
+    /// with values less than 2¹⁹ apart. It need not ask how large the numbers are. `None` for all others.
     ///
     /// With E the largest difference between corners and |den| ≥ 32·(E + 1), no step reaches 2³¹. **Error.** Differences of
     /// values lose two bits, up to 3 units, 768 for the plane. A step is rounded down to a multiple of 2^more < 2²⁰/|den|, or
     /// to a whole one, for (E + 1)/256 pixels each way: 2⁸, or w + h, which is at most 64. That to the centre takes steps less
     /// 8 bits: 2⁸. And 1 is the reciprocal's: 1281 in all, which is less than 2¹⁰·⁶.
     #[inline(always)]
-    pub(super) fn tiny(&self, values: &[i32; 3]) -> Option<Plane> {
+    pub(super) fn through_near(&self, values: &[i32; 3]) -> Option<Plane> {
+        debug_assert!(self.extent.is_tiny());
         let (dz1, dz2) = differences(values);
         let bits = magnitude(dz1) | magnitude(dz2);
         // Four less than 2¹⁹, so that a quarter of any is less than 2¹⁷.
         let are_near = (bits + 4) >> 19 == 0;
-        if !self.extent.is_tiny() || !are_near || (self.area >> 5) as u32 <= self.extent.0 {
+        if !are_near || (self.area >> 5) as u32 <= self.extent.0 {
             return None;
         }
         // Products below 2³⁰: both are less than 2³¹.
         let Numerators { across, against, .. } = Numerators::times(self.triangle, dz1 >> 2, dz2 >> 2, -2);
         let (across, along) = (mul_high(across, self.mantissa), mul_high(-against, self.mantissa));
-        let more = 32 - (self.places - 2); // −8 … 10, as 2⁹ ≤ |den| < 2²⁷
+        let more = 32 - (self.places - 2); // −7 … 10, as 2⁹ ≤ |den| < 2²⁷
         let (right, down) = match more >= 0 {
             true => (across << (more & 31), along << (more & 31)),
             false => (across >> (-more & 31), along >> (-more & 31)),
@@ -309,7 +318,8 @@ impl<'t> Planes<'t> {
 /// A plane by its value at one pixel, and its steps.
 #[derive(Clone, Copy)]
 pub(crate) struct Slope {
-    /// Not wrapped: less than 2²⁹ from the corner's value, in 2⁻⁸ of the corners' unit, as are the steps.
+    /// In 2⁻⁸ of the corners' unit, as are the steps. But for those [`through_near`](Planes::through_near) it is not wrapped,
+    /// less than 2²⁹ from the corner's value.
     at: i32,
     right: i32,
     down: i32,

@@ -35,7 +35,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
     /// then.
-    #[inline(never)] // what it makes is large: inlined it would be there once more
+    #[inline(never)] // what it makes is large: inlined it would stand there once more while faces are drawn
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
         let bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
         let mut faces = Faces { transformed: *self, bins, statistics: Statistics::default() };
@@ -75,7 +75,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
     /// then.
-    #[inline(always)] // what it makes is large: it is made where it stays
+    #[inline(always)] // what it makes is large, and no stack is deeper than while it is made: it is made where it stays
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
         let mut bins = Bins::new(records, self.placed.mesh.edges().len(), pixels(self.placed.area()));
         let statistics = self.record_edges(&mut bins)?;
