@@ -239,9 +239,9 @@ impl<'t> Planes<'t> {
             return None;
         }
         // Products below 2³⁰: both are less than 2³¹.
-        let Numerators { across, against, .. } = Numerators::times(self.triangle, dz1 >> 2, dz2 >> 2, -2);
+        let Numerators { across, against, k } = Numerators::times(self.triangle, dz1 >> 2, dz2 >> 2, -2);
         let (across, along) = (mul_high(across, self.mantissa), mul_high(-against, self.mantissa));
-        let more = 32 - (self.places - 2); // −7 … 10, as 2⁹ ≤ |den| < 2²⁷
+        let more = 32 - (self.places + k); // −7 … 10, as 2⁹ ≤ |den| < 2²⁷
         let (right, down) = match more >= 0 {
             true => (across << (more & 31), along << (more & 31)),
             false => (across >> (-more & 31), along >> (-more & 31)),
@@ -277,8 +277,8 @@ impl<'t> Planes<'t> {
         let step = |v: i32, by: i32| ((mul_high(v, by) >> ((places - 33) & 31)) + 1) >> 1;
         let (right, down) = (step(*across, self.mantissa), step(*against, -self.mantissa)); // ≤ 2²⁸
 
-        let to_centre = ((right >> 5) * to_centre(a.x) + (down >> 5) * to_centre(a.y)) >> 3; // two products of 2³⁰
-        Some(Slope::new(a, (value << 8).wrapping_add(to_centre), right, down))
+        let at = ((right >> 5) * to_centre(a.x) + (down >> 5) * to_centre(a.y)) >> 3; // two products of 2³⁰
+        Some(Slope::new(a, (value << 8).wrapping_add(at), right, down))
     }
 
     /// Where steps are large, from a pixel near those that are asked for: the error grows with the way. Not
