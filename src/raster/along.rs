@@ -6,8 +6,9 @@ use crate::math::num::{mul_wide, reciprocal};
 /// The depth of a line between two points, at the centres of its pixels along the major axis. A centre
 /// beyond an end has that end's depth.
 ///
-/// In 16.16, stepped like a [`Plane`](super::Plane): n pixels from the smaller end it is off by less than
-/// `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹¹ for the reciprocal.
+/// In 16.16, stepped like a [`Plane`](super::Plane), and wrapping like one: n pixels from the smaller end it is
+/// off by less than `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹³ for the reciprocal. So it may be below 0
+/// there by as much, where it is 0, and wraps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Along {
     tall: bool,
@@ -41,7 +42,8 @@ impl Along {
         let product = mul_wide(zb - za, r.mantissa) >> 12; // 25 + 31 − 12 bits
         let down = 41 - r.shift.min(30); // 11 … 41
                                          // Up to 384 sub-pixels: 9 bits.
-        let climb = |by: i32| ((product * i64::from(by)) >> down) as u32;
+                                         // To the nearest: down to the smaller one, the step would be off by twice as much.
+        let climb = |by: i32| ((product * i64::from(by) + (1 << (down - 1))) >> down) as u32;
         let centre = |pixel: i32| 256 * pixel + 128;
         Self {
             tall,
@@ -54,7 +56,7 @@ impl Along {
         }
     }
 
-    /// The value at a pixel of the line, in 2⁻⁸ of the ends' unit.
+    /// The value at a pixel of the line, in 2⁻⁸ of the ends' unit, wrapping.
     pub(crate) fn at(&self, x: i32, y: i32) -> u32 {
         let along = if self.tall { y } else { x };
         if along <= self.from {
@@ -62,20 +64,24 @@ impl Along {
         } else if along >= self.to {
             self.last
         } else {
-            // Between the ends, so what wraps on the way does no harm.
+            // Between the ends but for its error, so what wraps on the way does no harm.
             self.second.wrapping_add(self.step.wrapping_mul((along - self.from - 1) as u32))
         }
     }
 
     /// Of depths: 0 near … 65534 far.
     pub(crate) fn depth(&self, x: i32, y: i32) -> u16 {
-        (((self.at(x, y) + (1 << 15)) >> 16) as u16).min(u16::MAX - 1)
+        // Off by 2¹⁴·2⁻¹⁷ + 2⁻¹³ at most: rounded, what is below 0 is 0, and 65534 does not wrap.
+        ((self.at(x, y).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The farthest depth, in 2⁻⁸ steps.
+    const DEEPEST: i64 = 65_534 * 256;
 
     #[test]
     fn depth_along_a_line_is_that_of_the_point_on_it() {
@@ -84,33 +90,58 @@ mod tests {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             ((state >> 33) as i64) % n
         };
-        let mut largest = 0;
-        for i in 0..200_000 {
-            let reach = [300, 3000, 130_000][i % 3];
-            let mut point =
-                || ScreenPoint::from_subpixels(below(reach) as i32 - 700, below(reach) as i32 - 90).unwrap();
+        // Of a step, in 2⁻²⁰: beyond 1/2 and n·2⁻¹⁷; and the largest, whatever n.
+        let (mut beyond, mut largest) = (i128::MIN, 0);
+        for i in 0..400_000 {
+            let (reach, start) = [(300, 700), (3000, 90), (130_000, 700), (1 << 22, 1 << 21)][i % 4];
+            let mut place = || (below(reach) - start) as i32;
+            let mut point = || ScreenPoint::from_subpixels(place(), place()).unwrap();
             let (a, b) = (point(), point());
-            let (za, zb) = (below(65_534 * 256) as i32, below(65_534 * 256) as i32);
-            let along = Along::new([a, b], [za, zb]);
+            // Anywhere; about both limits; and nearly the same, where steps are small.
+            let (za, zb) = match i / 4 % 4 {
+                0 => (below(DEEPEST + 1), below(DEEPEST + 1)),
+                1 => (below(300), below(300)),
+                2 => (DEEPEST - below(300), DEEPEST - below(300)),
+                _ => (below(3), DEEPEST - below(3)),
+            };
+            let along = Along::new([a, b], [za as i32, zb as i32]);
             let (p, q) = (a.pixel(), b.pixel());
             let tall = (i32::from(p.y) - i32::from(q.y)).abs() > (i32::from(p.x) - i32::from(q.x)).abs();
             let of = |p: ScreenPoint| i128::from(if tall { p.y() } else { p.x() });
-            let (from, to) = (of(a), of(b));
-            if from >> 8 == to >> 8 {
-                assert_eq!(along.depth(p.x.into(), p.y.into()), ((za.min(zb) + 128) >> 8) as u16);
+            let ((from, za), (to, zb)) = if of(a) <= of(b) {
+                ((of(a), i128::from(za)), (of(b), i128::from(zb)))
+            } else {
+                ((of(b), i128::from(zb)), (of(a), i128::from(za)))
+            };
+            let (first, last) = (from >> 8, to >> 8);
+            if first == last {
+                assert_eq!(i128::from(along.depth(p.x.into(), p.y.into())), (za.min(zb) + 128) >> 8);
                 continue;
             }
-            for pixel in [from >> 8, (from >> 8) + (to - from).signum(), (from + to) >> 9, to >> 8] {
+            for pixel in [first, first + 1, (first + last) / 2, last - 1, last] {
                 // In rationals over to − from, centres beyond the ends brought there.
-                let centre = (256 * pixel + 128).clamp(from.min(to), from.max(to));
-                let exact = i128::from(za) * (to - centre) + i128::from(zb) * (centre - from);
+                let centre = (256 * pixel + 128).clamp(from, to);
+                let exact = za * (to - centre) + zb * (centre - from);
                 let stored = i128::from(along.depth(pixel as i32, pixel as i32)) * 256 * (to - from);
-                // In 1/1000 steps.
-                let error = (stored - exact).abs() * 1000 / (256 * (to - from).abs());
-                largest = largest.max(error);
+                let error = ((stored - exact).abs() << 12) / (to - from);
+                let n = if pixel == last { 1 } else { (pixel - first).max(1) };
+                beyond = beyond.max(error - (1 << 19) - (n << 3));
+                largest = largest.max(error - (1 << 19));
             }
         }
-        // 1/2, 512 pixels of 2⁻¹⁷, the reciprocal.
-        assert!((500..=505).contains(&largest), "{largest}");
+        assert!(beyond < 1 << 7, "{beyond}"); // 2⁻¹³
+        assert!((1 << 16..(1 << 17) + (1 << 7)).contains(&largest), "{largest}");
+        // 2¹⁴ pixels
+    }
+
+    #[test]
+    fn a_line_at_depth_0_and_one_at_the_farthest_depth_do_not_wrap() {
+        let points = [-8192 * 256, 8192 * 256].map(|x| ScreenPoint::from_subpixels(x, 0).unwrap());
+        for (depths, expected) in [([0, 100], 0), ([DEEPEST as i32, DEEPEST as i32 - 100], 65_534)] {
+            for points in [points, [points[1], points[0]]] {
+                let along = Along::new(points, depths);
+                assert!((-8192..8192).all(|x| along.depth(x, 0) == expected));
+            }
+        }
     }
 }
