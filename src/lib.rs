@@ -30,8 +30,8 @@ pub use output::{
     Target, WindowCost, Wire,
 };
 pub use render::{
-    draw_line, fill_triangle, BinsError, Cull, Edges, Faces, Ink, InkFor, Painter, PaintersOrder, Placed,
-    RecordError, Statistics, Transformed,
+    draw_line, fill_triangle, BinsError, Cull, Edges, Faces, Facing, Ink, InkFor, Painter, PaintersOrder,
+    Placed, RecordError, Statistics, Transformed,
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shade::{Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shaded};

@@ -41,6 +41,7 @@ public_types![
     Dithered<Flat>,
     Edges<'static, Plain, true>,
     Faces<'static, Plain, true>,
+    Facing<'static, Plain>,
     Flat,
     Frame<Plain>,
     Gouraud,

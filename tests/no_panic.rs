@@ -13,7 +13,9 @@ use embedded_graphics_core::primitives::Rectangle;
 use oracle::rng::Rng;
 use oracle::target::Recorder;
 use pinhole::raster::{Pixel, ScreenPoint};
-use pinhole::{draw_line, fill_triangle, Camera, Coordinate, Corner, Cull, Mesh, Painter, Placed, Viewport};
+use pinhole::{
+    draw_line, fill_triangle, Camera, Coordinate, Corner, Cull, DepthBuffer, Mesh, Painter, Placed, Viewport,
+};
 use std::convert::Infallible;
 
 fn wild(rng: &mut Rng) -> i32 {
@@ -102,6 +104,10 @@ fn draw_every_way<V: Coordinate>(
     let mut cache = [Corner::default(); 6];
     let cache = &mut cache[..rng.below(7)];
     placed.solid(|face| Ink(face as u16), cache, &mut target).expect("no error");
+    placed.facing().solid(|face| Ink(face as u16), cache, &mut target).expect("no error");
+    let mut depths = [0; 20 * 15];
+    let mut depth = DepthBuffer::new(target.bounding_box(), &mut depths).expect("as large as the target");
+    placed.facing().depth_tested(|face| Ink(face as u16), cache, &mut depth, &mut target).expect("no error");
     placed.wireframe(Ink(1), cache, &mut target).expect("no error");
     let mut painter = Painter::<Ink, 30, 16>::new();
     let _ = painter.add(&placed, |_| Ink(2));
@@ -128,16 +134,22 @@ fn wild_scenes() {
         let model = wild_model(&mut rng).library();
         let faces = [(); 5].map(|()| [0; 3].map(|_| rng.below(6) as u16));
         let edges = [(); 5].map(|()| [0; 2].map(|_| rng.below(6) as u16));
+        let normals = [(); 5].map(|()| [0; 3].map(|_| wild16(&mut rng)));
+        let planes = [(); 5].map(|()| wild16(&mut rng));
         if rng.one_in(2) {
             let vertices = [(); 6].map(|()| [0; 3].map(|_| wild16(&mut rng)));
             let exponent = rng.int(-32, 15) as i8;
             let mesh = Mesh::new(&vertices, exponent, &faces).and_then(|m| m.with_edges(&edges));
-            let mesh = mesh.expect("a mesh");
+            let mesh = mesh.and_then(|m| m.with_normals(&normals)).expect("a mesh");
+            let planes = if rng.one_in(2) { planes } else { mesh.face_planes() };
+            let mesh = mesh.with_planes(&planes).expect("as many as faces");
             visible += draw_every_way(&mut rng, camera.place(&mesh, &model), bits.viewport);
         } else {
             let vertices = [(); 6].map(|()| wild3(&mut rng).map(bridge::scalar));
             let mesh = Mesh::from_fixed(&vertices, &faces).and_then(|m| m.with_edges(&edges));
-            let mesh = mesh.expect("a mesh");
+            let mesh = mesh.and_then(|m| m.with_normals(&normals)).expect("a mesh");
+            let planes = if rng.one_in(2) { planes } else { mesh.face_planes() };
+            let mesh = mesh.with_planes(&planes).expect("as many as faces");
             visible += draw_every_way(&mut rng, camera.place(&mesh, &model), bits.viewport);
         }
     }

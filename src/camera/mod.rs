@@ -3,6 +3,7 @@
 
 mod corner;
 mod depth_by_w;
+mod eye;
 mod picking;
 mod placement;
 mod projection;
@@ -12,6 +13,7 @@ mod visibility;
 
 pub use corner::Corner;
 pub(crate) use corner::Image;
+pub(crate) use eye::Eye;
 pub use picking::{Hidden, Ray, VanishingPoint};
 pub(crate) use placement::{DepthOf, Placement};
 pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};

@@ -164,6 +164,11 @@ impl Placement {
         h
     }
 
+    /// What makes x, y and w of a justified vertex, x and y in one unit, w in another: coefficients in 2⁻³¹, and an offset.
+    pub(crate) fn forms(&self) -> [([i32; 3], i32); 3] {
+        [self.x.numbers(), self.y.numbers(), self.w.numbers()]
+    }
+
     /// The viewport's pixels.
     pub(crate) const fn area(&self) -> &Rectangle {
         &self.screen.area

@@ -71,6 +71,11 @@ impl Wide {
         Self { doubled: linear.map(|m| m << 1), offset: cut(offset) }
     }
 
+    /// The coefficients, and the offset in units, rounded to nearest.
+    pub(crate) fn numbers(&self) -> ([i32; 3], i32) {
+        (self.doubled.map(|m| m >> 1), (self.offset >> 32) as i32)
+    }
+
     /// The form at a justified vertex. One rounding, at the end; the result fits by the choice of
     /// exponents, sums on the way may wrap.
     #[inline(always)]
@@ -126,6 +131,12 @@ impl Halves {
         Self { high, low, offset: (offset >> 32) as i32, rest: (offset >> 17) as i32 & 0x7fff }
     }
 
+    /// The coefficients, and the offset in units, rounded to nearest.
+    pub(crate) fn numbers(&self) -> ([i32; 3], i32) {
+        let ([a, b, c], [x, y, z]) = (self.high, self.low);
+        ([(a << 15) + x, (b << 15) + y, (c << 15) + z], self.offset)
+    }
+
     #[inline(always)]
     pub(crate) fn at(&self, v: [i32; 3], narrow: bool) -> i32 {
         if !narrow {
@@ -175,6 +186,7 @@ mod tests {
             });
             let offset = (i64::from(random()) - (1 << 30)) << (random() % 30) | i64::from(random());
             let (wide, halves) = (Wide::new(m, offset), Halves::new(m, offset));
+            assert_eq!(wide.numbers(), halves.numbers(), "{i}: {m:?} {offset}");
             assert_eq!(wide.at(v, true), halves.at(v.map(|c| c >> 16), true), "{i}: {m:?} {v:?} {offset}");
             let v = v.map(|c| c ^ random() >> 16);
             assert_eq!(wide.at(v, false), halves.at(v, false), "{i}: {m:?} {v:?} {offset}");

@@ -6,9 +6,9 @@ use crate::math::num::{mul_wide, reciprocal};
 /// The depth of a line between two points, at the centres of its pixels along the major axis. A centre
 /// beyond an end has that end's depth.
 ///
-/// In 16.16, stepped like a [`Plane`](super::Plane), and wrapping like one: n pixels from the smaller end it is
-/// off by less than `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹³ for the reciprocal. So it may be below 0
-/// there by as much, where it is 0, and wraps.
+/// In 16.16, stepped like a [`Plane`](super::Plane), and wrapping like one: n pixels from the smaller end, n at
+/// least 1, it is off by less than `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹³ for the reciprocal. So where it
+/// should be 0 it may be below by as much, and wraps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Along {
     tall: bool,
@@ -23,8 +23,8 @@ pub(crate) struct Along {
 }
 
 impl Along {
-    /// Of the line that [`line`](super::line()) draws between the pixels of two points; depths in 16.8, 24
-    /// bits.
+    /// Of the line that [`line`](super::line()) draws between the pixels of two points; depths in 16.8, 0 to
+    /// [`FARTHEST`](super::FARTHEST).
     pub(crate) fn new([a, b]: [ScreenPoint; 2], [za, zb]: [i32; 2]) -> Self {
         let (p, q): (Pixel, Pixel) = (a.pixel(), b.pixel());
         let extent = |a: i16, b: i16| (i32::from(a) - i32::from(b)).abs();
@@ -32,7 +32,7 @@ impl Along {
         let (a, b) = if tall { (a.y, b.y) } else { (a.x, b.x) };
         let ((a, za), (b, zb)) = if a <= b { ((a, za), (b, zb)) } else { ((b, zb), (a, za)) };
         let (from, to) = (a >> 8, b >> 8);
-        let steps = |z: i32| (z as u32) << 8; // za, zb < 2²⁴
+        let steps = |z: i32| (z as u32) << 8; // za, zb < 2²⁴ − 2⁸
         if from == to {
             let nearer = steps(za.min(zb));
             return Self { tall, from, to, first: nearer, second: nearer, last: nearer, step: 0 };
@@ -41,8 +41,8 @@ impl Along {
         let r = reciprocal(b - a); // 1 … 2²²
         let product = mul_wide(zb - za, r.mantissa) >> 12; // 25 + 31 − 12 bits
         let down = 41 - r.shift.min(30); // 11 … 41
-                                         // Up to 384 sub-pixels: 9 bits.
-                                         // To the nearest: down to the smaller one, the step would be off by twice as much.
+
+        // Up to 384 sub-pixels: 9 bits. To the nearest: rounded down, the step would be off by twice as much.
         let climb = |by: i32| ((product * i64::from(by) + (1 << (down - 1))) >> down) as u32;
         let centre = |pixel: i32| 256 * pixel + 128;
         Self {
@@ -71,7 +71,7 @@ impl Along {
 
     /// Of depths: 0 near … 65534 far.
     pub(crate) fn depth(&self, x: i32, y: i32) -> u16 {
-        // Off by 2¹⁴·2⁻¹⁷ + 2⁻¹³ at most: rounded, what is below 0 is 0, and 65534 does not wrap.
+        // Off by 2¹⁴·2⁻¹⁷ + 2⁻¹³ at most: rounded, what is below 0 is 0, and what is farthest, 65534.46, stays below 65536.
         ((self.at(x, y).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
     }
 }
@@ -80,8 +80,7 @@ impl Along {
 mod tests {
     use super::*;
 
-    /// The farthest depth, in 2⁻⁸ steps.
-    const DEEPEST: i64 = 65_534 * 256;
+    const DEEPEST: i64 = super::super::FARTHEST as i64;
 
     #[test]
     fn depth_along_a_line_is_that_of_the_point_on_it() {

@@ -1,7 +1,9 @@
 //! Faces and edges recorded once, and drawn band by band.
 
 use super::bins::{Bins, BinsError};
-use super::{fill, fill_nearer, pixels, put, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window};
+use super::{
+    fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window,
+};
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
 use crate::output::{rectangle, DepthBuffer, Target};
@@ -102,18 +104,22 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
             }
         }
         bins.turn(list.len())?;
-        bins.sort(|index| {
-            let Some(face) = list.get(index) else { return 0 };
-            match self.whole(face) {
-                Some(corners) => self.top(corners),
-                None => {
-                    let mut reach = Scissor::EMPTY;
-                    self.reach_of_cut(face, &mut reach);
-                    reach.rows().start
-                }
-            }
-        });
+        bins.sort(|index| self.first_row(index));
         Ok(statistics.with_the_rest_culled(list.len()))
+    }
+
+    /// Where a face begins that was kept.
+    #[inline(always)]
+    fn first_row(&self, index: usize) -> i32 {
+        let Some(face) = self.placed.mesh.faces().get(index) else { return 0 };
+        match self.whole(face) {
+            Some(corners) => self.top(corners),
+            None => {
+                let mut reach = Scissor::EMPTY;
+                self.reach_of_cut(face, &mut reach);
+                reach.rows().start
+            }
+        }
     }
 
     /// Where a face with these corners may cover pixels.
@@ -157,6 +163,95 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
             ends.map_or(0, |ends| reach_of_line(&ends).rows().start)
         });
         Ok(statistics.with_the_rest_drawn(list.len()))
+    }
+}
+
+impl<'a, V: Coordinate> Facing<'a, V> {
+    /// As [`Transformed::faces`] of [`Placed::transform`](crate::Placed::transform), for drawing in bands: vertices are placed
+    /// where a face may be seen.
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// # use pinhole::{Affine, Angle, Camera, Corner, Frame, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2], [0, 2, 1]])?;
+    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// # let view = Viewing::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    /// let mesh = mesh.with_normals(&[[0, 0, 32_767], [0, 0, -32_767]])?.with_planes(&[0, 0])?;
+    /// let placed = camera.place(&mesh, &Affine::identity());
+    /// let (mut corners, mut records) = ([Corner::EMPTY; 3], [0; 2 + 1]);
+    /// let mut faces = placed.facing().faces(&mut corners, &mut records)?;
+    /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
+    /// while let Some(mut band) = frame.next_band(&mut strip)? {
+    ///     faces.solid(|_| Gray8::WHITE, &mut band.pixels())?;
+    ///     band.send(&mut display)?;
+    /// }
+    /// assert_eq!((faces.statistics().drawn, faces.statistics().culled), (1, 1));
+    /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
+    /// then.
+    pub fn faces(
+        &self,
+        corners: &'a mut [Corner],
+        records: &'a mut [u16],
+    ) -> Result<Faces<'a, V>, BinsError> {
+        self.recorded(corners, records)
+    }
+
+    /// The same with depth, for drawing against depth strips: see
+    /// [`Placed::transform_depth`](crate::Placed::transform_depth).
+    ///
+    /// # Errors
+    ///
+    /// As [`faces`](Self::faces).
+    pub fn faces_with_depth(
+        &self,
+        corners: &'a mut [Corner],
+        records: &'a mut [u16],
+    ) -> Result<Faces<'a, V, true>, BinsError> {
+        self.recorded(corners, records)
+    }
+
+    #[inline(never)] // what it makes is large: inlined it would stand there once more while faces are drawn
+    fn recorded<const DEPTH: bool>(
+        &self,
+        corners: &'a mut [Corner],
+        records: &'a mut [u16],
+    ) -> Result<Faces<'a, V, DEPTH>, BinsError> {
+        let (count, viewport) = (self.placed.mesh.faces().len(), pixels(self.placed.area()));
+        let mut bins = Bins::new(records, count, viewport);
+        let mut statistics = Statistics::default();
+        self.each::<DEPTH, BinsError>(corners, |index, face, kept, whole| {
+            let transformed = self.transformed::<DEPTH>(kept);
+            match whole {
+                Some((corners, _)) => {
+                    statistics.count(Outcome::Whole);
+                    bins.put(index, &transformed.reach(corners));
+                }
+                None => {
+                    let mut reach = Scissor::EMPTY;
+                    let outcome = transformed.reach_of_cut(face, &mut reach);
+                    statistics.count(outcome);
+                    if outcome.is_drawn() {
+                        bins.put(index, &reach);
+                    }
+                }
+            }
+            Ok(())
+        })?;
+        let transformed = self.transformed::<DEPTH>(corners);
+        bins.turn(count)?;
+        bins.sort(|index| transformed.first_row(index));
+        Ok(Faces { transformed, bins, statistics: statistics.with_the_rest_culled(count) })
     }
 }
 

@@ -13,6 +13,7 @@
 mod banded;
 mod before_planes;
 mod bins;
+mod facing;
 mod fan;
 mod ink;
 mod lines;
@@ -25,6 +26,7 @@ mod transformed;
 
 pub use banded::{Edges, Faces};
 pub use bins::BinsError;
+pub use facing::Facing;
 use fan::{Fan, Outcome};
 pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};

@@ -269,19 +269,35 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                     draw(&piece, shade(faces.len() - left.len()))?;
                     break 'face;
                 }
-                if self.first_of_any(face, &mut fan, &mut statistics, &mut piece) {
-                    let ink = shade(faces.len() - left.len());
-                    loop {
-                        draw(&piece, fan.ink(&ink))?;
-                        if !fan.next_into(&mut piece) {
-                            break;
-                        }
-                    }
-                }
+                let shade = || shade(faces.len() - left.len());
+                self.any(face, shade, &mut fan, &mut statistics, &mut piece, &mut draw)?;
             }
             left = behind;
         }
         Ok(statistics.with_the_rest_culled(faces.len()))
+    }
+
+    /// The same for a face that takes more than its corners' places.
+    #[inline(always)]
+    pub(super) fn any<I: Ink, E>(
+        &self,
+        face: &[u16; 3],
+        shade: impl FnOnce() -> I,
+        fan: &mut Fan<I::Carried>,
+        statistics: &mut Statistics,
+        piece: &mut Piece<'_>,
+        mut draw: impl FnMut(&Piece<'_>, I) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if self.first_of_any(face, fan, statistics, piece) {
+            let ink = shade();
+            loop {
+                draw(piece, fan.ink(&ink))?;
+                if !fan.next_into(piece) {
+                    break;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Twice the area of a face with these corners, if it is to be drawn, and counts it if it is, or has none: those that

@@ -35,6 +35,7 @@ pub struct Mesh<'a, V = i16> {
     edges: &'a [[u16; 2]],
     edge_faces: &'a [[u16; 2]],
     normals: &'a [[i16; 3]],
+    planes: &'a [i16],
     vertex_normals: &'a [[i16; 3]],
     exponent: i8,
     /// Left shift that brings the largest coordinate to the top of 32 bits.
@@ -84,6 +85,13 @@ pub enum MeshError {
         /// How many normals were given.
         normals: usize,
     },
+    /// Planes come one per face.
+    PlaneCount {
+        /// How many faces there are.
+        faces: usize,
+        /// How many planes were given.
+        planes: usize,
+    },
     /// Vertex normals come one per vertex.
     VertexNormalCount {
         /// How many vertices there are.
@@ -115,6 +123,9 @@ impl core::fmt::Display for MeshError {
             }
             Self::NormalCount { faces, normals } => {
                 write!(f, "{normals} normals for {faces} faces: give one per face")
+            }
+            Self::PlaneCount { faces, planes } => {
+                write!(f, "{planes} planes for {faces} faces: give one per face")
             }
             Self::VertexNormalCount { vertices, normals } => {
                 write!(f, "{normals} vertex normals for {vertices} vertices: give one per vertex")
@@ -232,10 +243,68 @@ impl<'a> Mesh<'a, i16> {
             edges: &[],
             edge_faces: &[],
             normals: &[],
+            planes: &[],
             vertex_normals: &[],
             exponent,
             justify,
         })
+    }
+
+    /// The plane of each face, for [`with_planes`](Mesh::with_planes), of a mesh that has normals: `N` is how many faces it
+    /// has. In 2⁻¹⁴ of what the largest coordinate is rounded up to, a power of two; rounded to nearest. Best in a `const`;
+    /// 0 for faces that are not there, or have no normal.
+    ///
+    /// ```
+    /// use pinhole::Mesh;
+    /// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]];
+    /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    /// const NORMALS: [[i16; 3]; 4] = [[0, 0, -32767], [0, -32767, 0], [-32767, 0, 0], [18918; 3]];
+    /// const PLAIN: Mesh<'static> = {
+    ///     let Ok(mesh) = Mesh::new(&VERTICES, -3, &FACES) else { panic!("faces") };
+    ///     let Ok(mesh) = mesh.with_normals(&NORMALS) else { panic!("normals") };
+    ///     mesh
+    /// };
+    /// const PLANES: [i16; 4] = PLAIN.face_planes();
+    /// const CORNER: Mesh<'static> = match PLAIN.with_planes(&PLANES) {
+    ///     Ok(mesh) => mesh,
+    ///     Err(_) => panic!("planes"),
+    /// };
+    /// assert_eq!(CORNER.planes(), [0, 0, 0, 4730]);
+    /// ```
+    pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
+        let (mut planes, mut face) = ([0; N], 0);
+        while face < N {
+            planes[face] = self.face_plane(face);
+            face += 1;
+        }
+        planes
+    }
+
+    /// That of one face.
+    pub const fn face_plane(&self, face: usize) -> i16 {
+        if let Some((corner, normal)) = self.corner_and_normal(face) {
+            let [x, y, z] = *corner;
+            plane([x as i32, y as i32, z as i32], normal, self.justify)
+        } else {
+            0
+        }
+    }
+}
+
+/// Where the plane with this normal through this corner lies along the normal: n·v, half of it, rounded to nearest, where
+/// the largest justified coordinate is 1. Of a normal of unit length it is at most √3·2¹⁴; what is longer saturates.
+const fn plane([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
+    let shift = justify as u32 & 31;
+    // Justified: 2³¹ each, times 2¹⁵.
+    let along =
+        (x << shift) as i64 * a as i64 + (y << shift) as i64 * b as i64 + (z << shift) as i64 * c as i64;
+    let half = scale(along, -32);
+    if half > i16::MAX as i64 {
+        i16::MAX
+    } else if half < i16::MIN as i64 {
+        i16::MIN
+    } else {
+        half as i16
     }
 }
 
@@ -269,10 +338,31 @@ impl<'a> Mesh<'a, Scalar> {
             edges: &[],
             edge_faces: &[],
             normals: &[],
+            planes: &[],
             vertex_normals: &[],
             exponent: -16,
             justify,
         })
+    }
+
+    /// The plane of each face: as for a mesh of `i16`.
+    pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
+        let (mut planes, mut face) = ([0; N], 0);
+        while face < N {
+            planes[face] = self.face_plane(face);
+            face += 1;
+        }
+        planes
+    }
+
+    /// That of one face.
+    pub const fn face_plane(&self, face: usize) -> i16 {
+        if let Some((corner, normal)) = self.corner_and_normal(face) {
+            let [x, y, z] = *corner;
+            plane([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.justify)
+        } else {
+            0
+        }
     }
 }
 
@@ -330,7 +420,28 @@ impl<'a, V> Mesh<'a, V> {
         if normals.len() != self.faces.len() {
             return Err(MeshError::NormalCount { faces: self.faces.len(), normals: normals.len() });
         }
-        Ok(Self { normals, ..self })
+        Ok(Self { normals, planes: &[], ..self })
+    }
+
+    /// With the plane of each face, for [`Placed::facing`](crate::Placed::facing): where it lies along the face's
+    /// normal, which [`face_planes`](Mesh::face_planes) finds. After the normals, to which they belong.
+    ///
+    /// Normals decide what is seen then. They must be those of the faces as the mesh has them, after its vertices were rounded,
+    /// of unit length and no part off by more than 2⁻¹⁵: with others, smoothed ones say, faces that are seen are
+    /// left out. One of [0, 0, 0] leaves its face in.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::PlaneCount`] when there is not one per face, [`MeshError::NormalCount`] when the mesh has no normals.
+    pub const fn with_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
+        let (faces, normals) = (self.faces.len(), self.normals.len());
+        if planes.len() != faces {
+            return Err(MeshError::PlaneCount { faces, planes: planes.len() });
+        }
+        if normals != faces {
+            return Err(MeshError::NormalCount { faces, normals });
+        }
+        Ok(Self { planes, ..self })
     }
 
     /// With a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): that of the
@@ -346,6 +457,18 @@ impl<'a, V> Mesh<'a, V> {
             return Err(MeshError::VertexNormalCount { vertices, normals });
         }
         Ok(Self { vertex_normals, ..self })
+    }
+
+    /// A face's first corner, and its normal.
+    const fn corner_and_normal(&self, face: usize) -> Option<(&'a [V; 3], [i16; 3])> {
+        if face >= self.faces.len() || face >= self.normals.len() {
+            return None;
+        }
+        let index = self.faces[face][0] as usize;
+        if index >= self.vertices.len() {
+            return None; // not after `check`, but the compiler does not know
+        }
+        Some((&self.vertices[index], self.normals[face]))
     }
 
     /// The vertices, in units of 2^[`exponent`](Self::exponent).
@@ -371,6 +494,11 @@ impl<'a, V> Mesh<'a, V> {
     /// The face normals in 2⁻¹⁵, or none.
     pub const fn normals(&self) -> &'a [[i16; 3]] {
         self.normals
+    }
+
+    /// The faces' planes, or none: see [`with_planes`](Self::with_planes).
+    pub const fn planes(&self) -> &'a [i16] {
+        self.planes
     }
 
     /// The vertex normals in 2⁻¹⁵, or none.

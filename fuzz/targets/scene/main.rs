@@ -6,6 +6,7 @@
 //! - Bands of any height show the same as one piece.
 //! - With a depth buffer, each pixel shows the nearest face, at the depth of its plane.
 //! - A whole face is the exact coverage of its projected corners, a whole edge the exact line.
+//! - By planes the same is drawn, less faces turned away that rounding turns to the front.
 //! - What is cut is what one ray a pixel meets, where no ray nearby tells otherwise.
 #![no_main]
 
@@ -19,6 +20,7 @@ mod oracle;
 mod bands;
 mod cut;
 mod depth;
+mod facing;
 mod input;
 mod whole;
 
@@ -112,6 +114,7 @@ fuzz_target!(|data: &[u8]| {
     scene.with_placed(&scene.faces, &scene.edges, |placed| check(&scene, placed));
     depth::check(&scene);
     bands::check(&scene);
+    facing::check(&scene);
     for face in &scene.faces {
         whole::face(&scene, *face);
         cut::face(&scene, *face);

@@ -82,8 +82,10 @@ fn fill_all<D: DrawTarget<Color: pinhole::Wire>, I: InkFor<D::Color>>(
     let Some(&(background, _)) = colours.first() else { return };
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     report(placed.solid(&shade, corners, target));
+    report(placed.facing().solid(&shade, corners, target));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(placed.depth_tested(&shade, corners, &mut depth, target));
+        report(placed.facing().depth_tested(&shade, corners, &mut depth, target));
     }
     let mut painter = Painter::<I, 20, 20>::new();
     report(painter.add(placed, &shade));
@@ -96,6 +98,14 @@ fn fill_all<D: DrawTarget<Color: pinhole::Wire>, I: InkFor<D::Color>>(
             match projected.faces(records) {
                 Ok(mut faces) => report(faces.solid(&shade, &mut band)),
                 error => report(error.map(|_| ())),
+            }
+            match placed.facing().faces(corners, records) {
+                Ok(mut faces) => report(faces.solid(&shade, &mut band)),
+                error => report(error.map(|_| ())),
+            }
+            match (placed.facing().faces_with_depth(corners, records), DepthBuffer::new(band.area(), depth)) {
+                (Ok(mut faces), Ok(mut depth)) => report(faces.depth_tested(&shade, &mut depth, &mut band)),
+                _ => drop(black_box(Some(0))),
             }
             let projected = placed.transform_depth(corners);
             match (projected.faces(records), DepthBuffer::new(band.area(), depth)) {
@@ -168,11 +178,13 @@ fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
     report(placed.project(any() as usize).ok_or(()));
     report(placed.wireframe(wire, corners, target));
     report(placed.solid(&mut shade, corners, target));
+    report(placed.facing().solid(&mut shade, corners, target));
     report(painter.add(placed, &mut shade));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     match DepthBuffer::new(area, depth) {
         Ok(mut depth) => {
             report(placed.depth_tested(&mut shade, corners, &mut depth, target));
+            report(placed.facing().depth_tested(&mut shade, corners, &mut depth, target));
             report(depth.at(Point::new(any(), any())).ok_or(()));
             depth.clear();
         }
@@ -245,11 +257,13 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     report(placed.solid(shade, corners, target));
     report(placed.solid(smooth, corners, target));
     report(placed.solid(shaded, corners, target));
+    report(placed.facing().solid(shade, corners, target));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(placed.depth_tested(shade, corners, &mut depth, target));
         report(placed.depth_tested(smooth, corners, &mut depth, target));
         report(placed.depth_tested(shaded, corners, &mut depth, target));
+        report(placed.facing().depth_tested(smooth, corners, &mut depth, target));
         report(placed.hidden_line(Rgb565::new(3, 2, 1), corners, &mut depth, target));
     }
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {

@@ -1,0 +1,70 @@
+//! Faces asked by their planes, if they have any.
+
+use crate::bridge::draw::Ink;
+use crate::input::Scene;
+use crate::{draw, sums_up, Drawing};
+use pinhole::{Corner, Mesh, Placed};
+use std::cell::RefCell;
+
+/// Drawn with and without, and the faces that each drew.
+fn both(scene: &Scene, placed: &Placed<'_>) -> [(Drawing, Vec<usize>); 2] {
+    [false, true].map(|by_planes| {
+        let faces = RefCell::new(Vec::new());
+        let shade = |face| {
+            faces.borrow_mut().push(face);
+            Ink(face as u16)
+        };
+        let mut cache = vec![Corner::EMPTY; scene.cache];
+        let drawing = draw(scene, |target| match by_planes {
+            true => placed.facing().solid(shade, &mut cache, target),
+            false => placed.solid(shade, &mut cache, target),
+        });
+        sums_up(drawing.statistics, placed.mesh().faces().len());
+        (drawing, faces.into_inner())
+    })
+}
+
+/// Whether a face is turned to the front before its corners are rounded to sub-pixels, by more than the error of places can
+/// make of one that is seen from the side. `None` where one of them has no place.
+fn is_front(placed: &Placed<'_>, face: [u16; 3]) -> Option<bool> {
+    let place = |index: u16| {
+        let place = placed.project_unsnapped(index.into())?;
+        place[..2].iter().all(|c| c.unsigned_abs() < 1 << 44).then(|| place.map(i128::from))
+    };
+    let [a, b, c] = face.map(place);
+    let (a, b, c) = (a?, b?, c?);
+    let [x1, y1, x2, y2] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
+    // 2⁻¹⁶ pixel, in 2⁻³².
+    let sliver = [x1, y1, x2, y2].map(i128::abs).into_iter().max()? << 16;
+    Some(x2 * y1 - x1 * y2 > sliver)
+}
+
+pub(crate) fn check(scene: &Scene) {
+    scene.with_placed(&scene.faces, &[], |placed| {
+        let [(plain, _), (by_planes, _)] = both(scene, placed);
+        assert_eq!(by_planes.statistics, plain.statistics, "without planes: {scene:?}");
+        assert!(by_planes.target.calls == plain.target.calls, "without planes: {scene:?}");
+    });
+    let normals: Vec<[i16; 3]> = scene.faces.iter().map(|&face| normal(scene, face)).collect();
+    let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).expect("a mesh");
+    let mesh = mesh.with_normals(&normals).expect("one for each face");
+    let planes: Vec<i16> = (0..normals.len()).map(|face| mesh.face_plane(face)).collect();
+    let mesh = mesh.with_planes(&planes).expect("one for each face");
+    let camera = scene.camera.library().with_far_clip(scene.far_clip);
+    let placed = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
+    let [(_, plain), (_, by_planes)] = both(scene, &placed);
+    for &face in plain.iter().filter(|face| !by_planes.contains(face)) {
+        // Faces that are cut, or reach far out where places saturate, have no area that could be looked at.
+        assert_ne!(is_front(&placed, scene.faces[face]), Some(true), "face {face} is left out: {scene:?}");
+    }
+    assert!(by_planes.iter().all(|face| plain.contains(face)), "{scene:?}");
+}
+
+/// To the nearest; of a face without area none.
+fn normal(scene: &Scene, face: [u16; 3]) -> [i16; 3] {
+    let [a, b, c] = face.map(|index| scene.vertices[usize::from(index)].map(f64::from));
+    let [u, v] = [b, c].map(|to| [to[0] - a[0], to[1] - a[1], to[2] - a[2]]);
+    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = n.iter().map(|c| c * c).sum::<f64>().sqrt();
+    n.map(|c| if length > 0.0 { (c / length * 32_767.0).round() as i16 } else { 0 })
+}
