@@ -20,7 +20,7 @@
 //!    the largest extent ([`quantise`] has the derivation);
 //! 5. positions that fell together are welded as in 1;
 //! 6. faces and vertices are put in an order in which neighbours follow each other, if that is asked for;
-//! 7. edges, the faces beside them, and normals are derived from what is left.
+//! 7. edges, the faces beside them, normals, and the planes of faces are derived from what is left.
 //!
 //! What is refused is an [`ImportError`]; what is only doubtful stands in [`ImportedMesh::warnings`].
 
@@ -81,7 +81,7 @@ pub enum Step {
     Quantise,
     /// Order faces and vertices.
     Order,
-    /// Derive edges and normals.
+    /// Derive edges, normals and planes.
     Derive,
 }
 

@@ -68,6 +68,10 @@ fn command() -> Command {
                 .help("For light by faces, or smooth by vertices: 6 bytes each"),
         )
         .arg(
+            flag("planes")
+                .help("The plane of each face, to leave out early what is turned away: 2 bytes a face"),
+        )
+        .arg(
             choice("up", &AXES.map(|(name, _)| name))
                 .default_value("y")
                 .allow_hyphen_values(true)
@@ -117,6 +121,7 @@ fn options(given: &ArgMatches) -> Options {
         },
         edge_faces: given.get_flag("edge-faces"),
         normals: matches!(word("normals"), "face" | "both"),
+        planes: given.get_flag("planes"),
         vertex_normals: matches!(word("normals"), "vertex" | "both"),
     }
 }

@@ -25,6 +25,8 @@ pub struct ImportedMesh {
     /// The unit normal of each face, 32767 = 1, computed from the quantised vertices; it points to where the face is
     /// seen counter-clockwise. Or nothing.
     pub normals: Vec<[i16; 3]>,
+    /// Where the plane of each face lies along its normal, as [`Mesh::face_planes`] finds it; or nothing.
+    pub planes: Vec<i16>,
     /// The unit normal of each vertex, likewise; or nothing.
     pub vertex_normals: Vec<[i16; 3]>,
     /// What was subtracted from all vertices, in model units: the centre of the bounding box, or nothing. Where `I16F16`
@@ -95,19 +97,29 @@ impl ImportedMesh {
         if !self.normals.is_empty() {
             mesh = mesh.with_normals(&self.normals)?;
         }
+        if !self.planes.is_empty() {
+            mesh = mesh.with_planes(&self.planes)?; // after the normals, which drop them
+        }
         if !self.vertex_normals.is_empty() {
             mesh = mesh.with_vertex_normals(&self.vertex_normals)?;
         }
         Ok(mesh)
     }
 
-    /// The bytes that its lists take in flash: 6 a vertex, face or normal, 4 an edge or its pair of faces.
+    /// The plane of each face; nothing where the exponent is beyond that of a mesh, which `import` then refuses.
+    pub(crate) fn find_planes(&self) -> Vec<i16> {
+        self.mesh()
+            .map_or(Vec::new(), |mesh| (0..self.faces.len()).map(|face| mesh.face_plane(face)).collect())
+    }
+
+    /// The bytes that its lists take in flash: 6 a vertex, face or normal, 4 an edge or its pair of faces, 2 a plane.
     pub fn flash_bytes(&self) -> usize {
         size_of_val(&self.vertices[..])
             + size_of_val(&self.faces[..])
             + size_of_val(&self.edges[..])
             + size_of_val(&self.edge_faces[..])
             + size_of_val(&self.normals[..])
+            + size_of_val(&self.planes[..])
             + size_of_val(&self.vertex_normals[..])
     }
 

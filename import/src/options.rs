@@ -40,6 +40,9 @@ pub struct Options {
     pub edge_faces: bool,
     /// A normal for each face.
     pub normals: bool,
+    /// The plane of each face, 2 bytes, by which [`pinhole::Placed::facing`] knows the faces that are turned away. Wants
+    /// `normals`.
+    pub planes: bool,
     /// A normal for each vertex: the mean of its faces' normals, each weighted by the face's angle there (Thürmer and
     /// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that it does not depend on how a surface was
     /// cut into triangles.
@@ -58,13 +61,14 @@ impl Default for Options {
             edges: Edges::All,
             edge_faces: false,
             normals: true,
+            planes: false,
             vertex_normals: false,
         }
     }
 }
 
 impl Options {
-    /// What is wrong with the numbers.
+    /// What is wrong with the numbers, or does not go together.
     pub(crate) fn check(&self) -> Result<(), Problem> {
         if self.fit.is_some_and(|side| !(side.is_finite() && side > 0.0)) {
             return Err(Problem::Options("the length to fit is not a positive number"));
@@ -76,6 +80,9 @@ impl Options {
         }
         if self.decimate == Some(0) {
             return Err(Problem::Options("no triangles would be left"));
+        }
+        if self.planes && !self.normals {
+            return Err(Problem::Options("planes belong to the normals of faces: ask for these too"));
         }
         Ok(())
     }

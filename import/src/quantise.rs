@@ -118,6 +118,7 @@ pub(crate) fn make(
         edges: selected.edges,
         edge_faces: selected.beside,
         normals,
+        planes: Vec::new(),
         vertex_normals,
         offset: grid.centre,
         report: Report {
@@ -137,6 +138,7 @@ pub(crate) fn make(
         },
         warnings: Vec::new(),
     };
+    let planes = if options.planes { mesh.find_planes() } else { Vec::new() };
 
     let mut warn = |count: usize, what: &str, first: Option<usize>| {
         if let Some(first) = first {
@@ -155,7 +157,7 @@ pub(crate) fn make(
             "the surface is inside out: its faces run clockwise seen from outside (flip turns them)";
         warnings.push(Warning { line: None, message: message.into() });
     }
-    Ok(ImportedMesh { warnings, ..mesh })
+    Ok(ImportedMesh { planes, warnings, ..mesh })
 }
 
 /// The positions turned and scaled, and by what they were scaled.

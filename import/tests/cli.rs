@@ -63,6 +63,8 @@ fn options_reach_the_mesh() {
     has("--edges feature --feature-angle 100", &["EDGES: [[u16; 2]; 6]"]);
     has("--edge-faces", &["EDGE_FACES: [[u16; 2]; 9]"]);
     has("--normals both", &[" NORMALS: [[i16; 3]; 4]", "VERTEX_NORMALS: [[i16; 3]; 6]"]);
+    has("--planes", &["static PLANES: [i16; 4]", "mesh.with_planes(&PLANES)"]);
+    has("--planes --normals both --arrays", &["pub const PLANES: [i16; 4] = ["]);
     has("--name ROOF", &["pub const ROOF: ", "pub const ROOF_OFFSET: [i32; 3] = [131072, 65536, 32768];"]);
     has("--centre origin", &["MESH_OFFSET: [i32; 3] = [0, 0, 0];"]);
     has("--up z --fit 8", &["the longest side is 8", "OFFSET: [i32; 3] = [262144, 65536, -131072];"]);
@@ -84,6 +86,8 @@ fn what_makes_no_sense_is_refused() {
         ("--up w", "[possible values: x, y, z, -x, -y, -z]"),
         ("--name leg", "--name leg: is not a constant's"),
         ("--decimate 0", "no triangles would be left"),
+        ("--planes --normals vertex", "planes belong to the normals of faces: ask for these too"),
+        ("--planes --normals none", "planes belong to the normals of faces: ask for these too"),
     ];
     if !cfg!(feature = "decimate") {
         cases.push(("--decimate 1", "")); // there are not more
@@ -127,5 +131,5 @@ fn the_readme_has_the_options_of_the_help() {
     let mut known = options(&help, "--");
     known.retain(|name| !["help", "version"].contains(&name.as_str()));
     assert_eq!(options(readme, "| `--"), known);
-    assert!(known.len() == 12, "{help}");
+    assert!(known.len() == 13, "{help}");
 }

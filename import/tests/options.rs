@@ -368,12 +368,54 @@ fn what_a_mesh_cannot_hold_says_what_to_do() {
         "{error}"
     );
     assert!(import(&path, &Options { fit: Some(1.0), ..Options::default() }).is_ok());
+    let error = import(&path, &Options { planes: true, ..Options::default() }).unwrap_err();
+    assert!(matches!(error.problem, Problem::Exponent(-82)), "{error}");
 }
 
 #[test]
 fn flash_is_counted() {
-    let all = Options { edge_faces: true, vertex_normals: true, ..Options::default() };
+    let all = Options { edge_faces: true, planes: true, vertex_normals: true, ..Options::default() };
     let mesh = import(&block(), &all).unwrap();
-    // 8 vertices with normals, 12 faces with normals, 18 edges with their faces.
-    assert_eq!(mesh.flash_bytes(), 8 * (6 + 6) + 12 * (6 + 6) + 18 * (4 + 4));
+    // 8 vertices with normals, 12 faces with normals and planes, 18 edges with their faces.
+    assert_eq!(mesh.flash_bytes(), 8 * (6 + 6) + 12 * (6 + 6 + 2) + 18 * (4 + 4));
+}
+
+#[test]
+fn planes_are_those_of_the_finished_mesh() {
+    let options = Options { reorder: true, planes: true, ..Options::default() };
+    let made = import(&block(), &options).unwrap();
+    let mesh = made.mesh().unwrap();
+    assert_eq!(mesh.planes(), mesh.face_planes::<12>());
+    assert_eq!(mesh.planes(), made.planes);
+
+    // By the definition: half of n·v, where a vertex and a normal of 2^15 stand for 1.
+    let path = file("ball-planes.obj", &ball(12, 16));
+    let made = import(&path, &options).unwrap();
+    assert_eq!(made.planes.len(), made.faces.len());
+    for ((face, normal), &plane) in made.faces.iter().zip(&made.normals).zip(&made.planes) {
+        let corner = made.vertices[usize::from(face[0])];
+        let along: f64 = corner.iter().zip(normal).map(|(&c, &n)| f64::from(c) * f64::from(n)).sum();
+        assert!((along / 65536.0 - f64::from(plane)).abs() <= 0.5, "{along} {plane}");
+        // 3 from the centre, but for the sag of a face.
+        let distance = f64::from(plane) * 2.0 * 2f64.powi(i32::from(made.exponent));
+        assert!((2.9..3.001).contains(&distance), "{distance}");
+    }
+
+    // Nothing else is different, and by default there are none.
+    let plain = import(&path, &Options { planes: false, ..options }).unwrap();
+    assert_eq!(plain, ImportedMesh { planes: Vec::new(), ..made });
+    assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
+}
+
+#[test]
+fn planes_want_the_normals_of_faces() {
+    for vertex_normals in [false, true] {
+        let options = Options { normals: false, planes: true, vertex_normals, ..Options::default() };
+        let error = import(&block(), &options).unwrap_err();
+        assert!(matches!(error.problem, Problem::Options(_)), "{error}");
+        assert!(
+            error.to_string().ends_with("planes belong to the normals of faces: ask for these too"),
+            "{error}"
+        );
+    }
 }

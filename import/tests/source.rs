@@ -68,7 +68,8 @@ fn no_name_of_a_file_can_leave_its_comment() {
 #[test]
 fn it_is_formatted_as_it_stays() {
     let teapot = Path::new(env!("CARGO_MANIFEST_DIR")).join("../assets/teapot.obj");
-    let options = Options { edge_faces: true, vertex_normals: true, reorder: true, ..Options::default() };
+    let options =
+        Options { edge_faces: true, planes: true, vertex_normals: true, reorder: true, ..Options::default() };
     let teapot = import(&teapot, &options).unwrap();
     for text in [source(&sheet()), source(&teapot), teapot.to_rust("a test")] {
         let rustfmt = Command::new("rustfmt")
@@ -93,10 +94,11 @@ include!("generated/block.rs");
 #[test]
 fn it_compiles_to_the_mesh() {
     let stl = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/build-rs/block.stl");
-    let options = Options { up: Axis::Z, edge_faces: true, vertex_normals: true, ..Options::default() };
+    let options =
+        Options { up: Axis::Z, edge_faces: true, planes: true, vertex_normals: true, ..Options::default() };
     let mesh = import(&stl, &options).unwrap();
     let command =
-        "pinhole-import block.stl -o block.rs --name BLOCK --up z --edge-faces --normals both --keep-order";
+        "pinhole-import block.stl -o block.rs --name BLOCK --up z --edge-faces --normals both --planes --keep-order";
     let text = mesh.to_rust_mesh("BLOCK", &stl, command).unwrap();
     let there = include_str!("generated/block.rs");
     assert!(
@@ -111,15 +113,17 @@ fn it_compiles_to_the_mesh() {
     let counts =
         (BLOCK.edges().len(), BLOCK.edge_faces().len(), BLOCK.normals().len(), BLOCK.vertex_normals().len());
     assert_eq!(counts, (18, 18, 12, 8));
+    // The faces below and above, before and behind, left and right: half of each half.
+    assert_eq!(BLOCK.planes(), [[2560; 4], [5120; 4], [10240; 4]].concat());
 }
 
 #[test]
 fn lists_that_were_asked_for_are_there() {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("lists.obj");
     std::fs::write(&path, SHEET).unwrap();
-    let all = Options { edge_faces: true, vertex_normals: true, ..Options::default() };
+    let all = Options { edge_faces: true, planes: true, vertex_normals: true, ..Options::default() };
     let text = source(&import(&path, &all).unwrap());
-    let lists = ["VERTICES", "FACES", "EDGES", "EDGE_FACES", "NORMALS", "VERTEX_NORMALS"];
+    let lists = ["VERTICES", "FACES", "EDGES", "EDGE_FACES", "NORMALS", "PLANES", "VERTEX_NORMALS"];
     for list in lists {
         assert_eq!(text.matches(&format!("    static {list}: ")).count(), 1, "{list}");
     }
@@ -127,4 +131,31 @@ fn lists_that_were_asked_for_are_there() {
     let text = source(&import(&path, &none).unwrap());
     assert!(lists[2..].iter().all(|list| !text.contains(&format!("static {list}"))), "{text}");
     assert!(!text.contains("mesh.with_"));
+}
+
+#[test]
+fn planes_come_after_normals_and_change_nothing_else() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("planes.obj");
+    std::fs::write(&path, SHEET).unwrap();
+    let plain = Options { vertex_normals: true, ..Options::default() };
+    let without = import(&path, &plain).unwrap();
+    let with = import(&path, &Options { planes: true, ..plain }).unwrap();
+    let [a, b] = with.planes[..] else { panic!("two faces") };
+
+    let text = source(&with);
+    let list = format!("    static PLANES: [i16; 2] = [\n        {a}, {b},\n    ];\n");
+    let step = "    let Ok(mesh) = mesh.with_planes(&PLANES) else { panic!() };\n";
+    assert!(text.contains(&list), "{list}\n{text}");
+    // As `with_normals` drops them.
+    assert!(text.find("mesh.with_normals").unwrap() < text.find(step).unwrap(), "{text}");
+    let bytes = |mesh: &ImportedMesh| format!("; {} bytes of flash", mesh.flash_bytes());
+    let rest = text.replace(&list, "").replace(step, "").replace(&bytes(&with), &bytes(&without));
+    assert_eq!(rest, source(&without));
+
+    let text = with.to_rust("a test");
+    let start = text.find("/// Where the plane of each face").unwrap();
+    let end = text.find("/// The unit normal of each vertex").unwrap();
+    let list = format!("\n#[rustfmt::skip]\npub const PLANES: [i16; 2] = [\n    {a}, {b},\n];\n\n");
+    assert!(text[start..end].ends_with(&list), "{list}\n{text}");
+    assert_eq!(text[..start].to_string() + &text[end..], without.to_rust("a test"));
 }
