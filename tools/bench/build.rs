@@ -6,6 +6,7 @@ mod meshes;
 #[path = "scenes.rs"]
 mod scenes;
 
+use pinhole::Mesh;
 use scenes::{indices, integers, list, normal, number, torus_normal, triple, Result};
 use serde_json::Value;
 use std::fmt::{Debug, Write};
@@ -45,13 +46,15 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     let distance = bits(&[number(&model["distance"])?, 0.0, 0.0])[0];
     let reference = ["front", "writes_front"].map(|name| model["reference"][name].as_u64());
     let [Some(front), Some(writes)] = reference else { return Err("a reference".into()) };
+    let planes = planes(&vertices, k, &faces, &normals)?;
     writeln!(text, "pub static {name}: Model = Model {{")?;
     writeln!(
         text,
-        "mesh: mesh({}, -{k}, {}, {}, {}),",
+        "mesh: mesh({}, -{k}, {}, {}, {}, {}),",
         slice(&vertices),
         slice(&faces),
         slice(&normals),
+        slice(&planes),
         slice(&edges)
     )?;
     writeln!(text, "axes: {:?}, distance: {distance}, reference: [{front}, {writes}] }};", [x, y, z])?;
@@ -68,6 +71,11 @@ fn quantised(vertices: &[[f64; 3]]) -> Result<(u32, Vec<[i16; 3]>)> {
 fn normals(vertices: &[[i16; 3]], faces: &[[u16; 3]]) -> Vec<[i16; 3]> {
     let corner = |i: u16| vertices[usize::from(i)].map(f64::from);
     faces.iter().map(|face| unit(normal(face.map(corner)))).collect()
+}
+
+fn planes(vertices: &[[i16; 3]], k: u32, faces: &[[u16; 3]], normals: &[[i16; 3]]) -> Result<Vec<i16>> {
+    let mesh = Mesh::new(vertices, -i8::try_from(k)?, faces)?.with_normals(normals)?;
+    Ok((0..faces.len()).map(|face| mesh.face_plane(face)).collect())
 }
 
 /// Meshes of all sizes.
@@ -89,6 +97,7 @@ fn shapes() -> Result<String> {
     for (name, (vertices, faces)) in shapes {
         let (k, vertices) = quantised(&vertices)?;
         let normals = normals(&vertices, &faces);
+        let planes = planes(&vertices, k, &faces, &normals)?;
         // Each edge once.
         let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
         let edges: std::collections::BTreeSet<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
@@ -97,7 +106,7 @@ fn shapes() -> Result<String> {
             text,
             "pub(super) static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, faces: &{faces:?},"
         )?;
-        writeln!(text, "normals: &{normals:?}, edges: &{edges:?} }};")?;
+        writeln!(text, "normals: &{normals:?}, planes: &{planes:?}, edges: &{edges:?} }};")?;
     }
     Ok(text)
 }

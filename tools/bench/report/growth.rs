@@ -62,7 +62,7 @@ pub(crate) fn measure() -> Result<Vec<Growth>> {
 
 /// What there is to do in every case and way, as the firmware goes through them.
 fn works() -> Result<Vec<(&'static Case, Way, Work)>> {
-    let all = CASES.iter().flat_map(|case| WAYS.iter().copied().flatten().map(move |&way| (case, way)));
+    let all = CASES.iter().flat_map(|case| case.ways().map(move |way| (case, way)));
     all.map(|(case, way)| {
         let work = case.work(way).ok_or_else(|| format!("{} cannot be drawn", case.name))?;
         Ok((case, way, work))

@@ -30,10 +30,11 @@ The last two run beside each other where DMA sends one band while the next is dr
 for an instruction are your core's and its flash's: draw one frame of any scene on the board, count its cycles, and divide by what
 the formula says. The counts are of one frame:
 
-* *vertex*: of the mesh; each is transformed once.
+* *vertex*: of the mesh; each is transformed once. Where faces are asked by their planes (`Placed::facing`) only those of
+  faces that are not known to be turned away are transformed, and count with these.
 * *face left out*: turned away, or not in the picture; of a closed mesh about half. *Face drawn*: the others.
 * *face to be clipped*: has a corner before the near plane or far outside the picture; none, where the object is before
-  the camera as a whole. *Face cut*: of those, what was cut and drawn.
+  the camera as a whole; by planes, those turned away do not count. *Face cut*: of those, what was cut and drawn.
 * *row of a face*: over all drawn faces, the rows of pixels in each. *Of a large face*: of one that is wider or
   higher than 64 pixels.
 * *pixel of a face*: over all drawn faces, hidden later or not.
@@ -69,8 +70,14 @@ pub(crate) fn text(compiler: &str, all: &[Growth]) -> String {
 }
 
 /// In the order of `WAYS`.
-const TITLES: [&str; 4] =
-    ["Edges as lines", "Faces without depth", "Faces with depth", "Faces with depth in bands"];
+const TITLES: [&str; 6] = [
+    "Edges as lines",
+    "Faces without depth",
+    "Faces with depth",
+    "Faces without depth, asked by their planes",
+    "Faces with depth, asked by their planes",
+    "Faces with depth in bands",
+];
 
 fn constants(text: &mut String, title: &str, cores: &[&Growth]) {
     let Some(first) = cores.first() else { return };

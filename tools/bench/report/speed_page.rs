@@ -30,6 +30,10 @@ of the picture, and what is set up before a frame: camera, light, the place of t
 anyone would use it: the size of the picture is a variable, everything is clipped, statistics are kept; the
 compiler knows none of the numbers. Opt-level 3, fat LTO.
 
+The torus and the icosphere have a normal and a plane (`Mesh::with_planes`, 2 bytes) with each face, and are drawn by
+`Placed::facing`: most faces that are turned away are known before a vertex of theirs is placed. What the same meshes take
+without planes is in [growth.md](growth.md#whether-it-holds).
+
 Where the instructions of a frame go, stage by stage, is in [profile.md](profile.md), and what a scene of your own will take in
 [growth.md](growth.md).
 

@@ -42,7 +42,7 @@ const ABOVE: [Rule; 4] = [
 ];
 
 /// Elsewhere the innermost function that is one of these. Those that many stages call are not among them.
-const RULES: [Rule; 49] = [
+const RULES: [Rule; 50] = [
     ("output/memory.rs", &["fill", "fill_any"], Stage::Pixels),
     (
         "output/nearer.rs",
@@ -92,6 +92,7 @@ const RULES: [Rule; 49] = [
     ("shade/", &["dim", "part"], Stage::PassingOn),
     ("camera/placement.rs", &["at"], Stage::PassingOn),
     ("camera/placement.rs", &[], Stage::Vertices),
+    ("render/facing.rs", &["clear", "project"], Stage::Vertices),
     ("render/transformed.rs", &["project", "project_all"], Stage::Vertices),
     ("render/transformed.rs", &["images"], Stage::PassingOn),
     ("render/smooth.rs", &["over"], Stage::Planes),

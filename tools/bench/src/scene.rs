@@ -40,6 +40,7 @@ impl Model {
         size_of_val(self.mesh.vertices())
             + size_of_val(self.mesh.faces())
             + size_of_val(self.mesh.normals())
+            + size_of_val(self.mesh.planes())
             + size_of_val(self.mesh.edges())
     }
 }
@@ -52,10 +53,12 @@ const fn mesh(
     exponent: i8,
     faces: &'static [[u16; 3]],
     normals: &'static [[i16; 3]],
+    planes: &'static [i16],
     edges: &'static [[u16; 2]],
 ) -> Mesh<'static> {
     let Ok(mesh) = Mesh::new(vertices, exponent, faces) else { panic!("faces") };
     let Ok(mesh) = mesh.with_normals(normals) else { panic!("normals") };
+    let Ok(mesh) = mesh.with_planes(planes) else { panic!("planes") };
     let Ok(mesh) = mesh.with_edges(edges) else { panic!("edges") };
     mesh
 }

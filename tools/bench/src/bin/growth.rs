@@ -2,12 +2,12 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::board::{println, Clock};
 use bench::firmware;
-use bench::growth::{Memory, CASES, WAYS};
+use bench::growth::{Memory, CASES};
 
 firmware!(memory: Memory = Memory::NEW, {
     let mut clock = Clock::new()?;
     for (at, case) in CASES.iter().enumerate() {
-        for &way in WAYS.iter().copied().flatten() {
+        for way in case.ways() {
             println!("{at},{way},{}", case.count(way, memory, &mut clock)?);
         }
     }

@@ -1,4 +1,5 @@
 //! S1 to S4 and S8: models before a camera. Camera, light and colours are set up before the frame, and the model is placed.
+//! The torus and the icosphere have planes, and their faces are asked by these; the cube's are too few.
 
 use super::{count, Counted, Deep, Plain, Smooth, CUBE, ICO, TORUS};
 use crate::lists::TORUS_NORMALS;
@@ -19,44 +20,51 @@ pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
 }
 
 pub fn s2(memory: &mut Plain<CUBE>) -> Option<Counted> {
-    flat(&scene::CUBE, memory)
+    flat::<false, _>(&scene::CUBE, memory)
 }
 
 pub fn s3(memory: &mut Plain<TORUS>) -> Option<Counted> {
-    flat(&scene::TORUS, memory)
+    flat::<true, _>(&scene::TORUS, memory)
 }
 
 pub fn s4(memory: &mut Plain<ICO>) -> Option<Counted> {
-    flat(&scene::ICO, memory)
+    flat::<true, _>(&scene::ICO, memory)
 }
 
 pub fn s2_z(memory: &mut Deep<CUBE>) -> Option<Counted> {
-    flat_z(&scene::CUBE, memory)
+    flat_z::<false, _>(&scene::CUBE, memory)
 }
 
 pub fn s3_z(memory: &mut Deep<TORUS>) -> Option<Counted> {
-    flat_z(&scene::TORUS, memory)
+    flat_z::<true, _>(&scene::TORUS, memory)
 }
 
 pub fn s4_z(memory: &mut Deep<ICO>) -> Option<Counted> {
-    flat_z(&scene::ICO, memory)
+    flat_z::<true, _>(&scene::ICO, memory)
 }
 
-/// A level of light for each face.
+/// A level of light for each face, asked by its plane or not.
 #[inline(always)]
-fn flat<const N: usize>(model: &'static Model, Plain { frame, corners }: &mut Plain<N>) -> Option<Counted> {
+fn flat<const PLANES: bool, const N: usize>(
+    model: &'static Model,
+    Plain { frame, corners }: &mut Plain<N>,
+) -> Option<Counted> {
     let scene = Scene::new(model)?;
     let (light, placed) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
         let (placed, light) = black_box((&placed, &light));
-        let Ok(statistics) = placed.solid(scene::flat(placed.mesh(), light), corners, &mut picture.pixels());
+        let (shade, mut pixels) = (scene::flat(placed.mesh(), light), picture.pixels());
+        let Ok(statistics) = match PLANES {
+            true => placed.facing().solid(shade, corners, &mut pixels),
+            false => placed.solid(shade, corners, &mut pixels),
+        };
         black_box(statistics);
         Some(())
     })
 }
 
 #[inline(always)]
-fn flat_z<const N: usize>(
+fn flat_z<const PLANES: bool, const N: usize>(
     model: &'static Model,
     Deep { frame, depth, corners }: &mut Deep<N>,
 ) -> Option<Counted> {
@@ -65,12 +73,11 @@ fn flat_z<const N: usize>(
     count(frame, &mut |picture| {
         let (placed, light) = black_box((&placed, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let Ok(statistics) = placed.depth_tested(
-            scene::flat(placed.mesh(), light),
-            corners,
-            &mut depth,
-            &mut picture.pixels(),
-        );
+        let (shade, mut pixels) = (scene::flat(placed.mesh(), light), picture.pixels());
+        let Ok(statistics) = match PLANES {
+            true => placed.facing().depth_tested(shade, corners, &mut depth, &mut pixels),
+            false => placed.depth_tested(shade, corners, &mut depth, &mut pixels),
+        };
         black_box(statistics);
         Some(())
     })
@@ -87,7 +94,7 @@ pub fn s8_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
         light.levels(black_box(&TORUS_NORMALS), levels);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face| white.lit(placed.mesh().corners_of(face, levels));
-        let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        let Ok(statistics) = placed.facing().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })

@@ -87,6 +87,7 @@ pub const CASES: &[Case] = &[
     case("sphere 224, near", What::Shape(&SPHERE_224), [0, 0, 90_000], [240, 240], true),
     land(case("land 800", What::Shape(&SHEET_800), [0, 90_000, 190_000], [240, 240], true)),
     land(case("land 800, near", What::Shape(&SHEET_800), [0, 30_000, 90_000], [240, 240], true)),
+    land(case("land 800, from below", What::Shape(&SHEET_800), [0, -140_000, 140_000], [240, 240], true)),
     case("sphere 10", What::Shape(&SPHERE_10), WHOLE, [240, 240], false),
     case("S2's cube", What::Model(&CUBE), [0, 0, 269_000], [240, 240], false),
     case("sphere 720", What::Shape(&SPHERE_720), [0, 0, 160_000], [128, 64], false),

@@ -19,7 +19,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Corner, DepthBuffer, Frame, Lambert, Picture, Placed};
+use pinhole::{Corner, Cull, DepthBuffer, Frame, Lambert, Picture, Placed};
 
 /// Of the largest picture.
 const PIXELS: usize = 480 * 320;
@@ -53,15 +53,30 @@ pub enum Way {
     Lines,
     Faces,
     Depth,
+    /// The same, asked by their planes.
+    Facing,
+    FacingDepth,
     /// Faces with depth, in bands of so many rows.
     Bands(u32),
 }
 
 /// Those that share their constants together.
-pub const WAYS: [&[Way]; 4] =
-    [&[Way::Lines], &[Way::Faces], &[Way::Depth], &[Way::Bands(8), Way::Bands(16), Way::Bands(48)]];
+pub const WAYS: [&[Way]; 6] = [
+    &[Way::Lines],
+    &[Way::Faces],
+    &[Way::Depth],
+    &[Way::Facing],
+    &[Way::FacingDepth],
+    &[Way::Bands(8), Way::Bands(16), Way::Bands(48)],
+];
 
 const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]];
+
+impl Way {
+    fn asks_planes(self) -> bool {
+        matches!(self, Self::Facing | Self::FacingDepth)
+    }
+}
 
 impl core::fmt::Display for Way {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -69,12 +84,20 @@ impl core::fmt::Display for Way {
             Self::Lines => f.write_str("lines"),
             Self::Faces => f.write_str("faces"),
             Self::Depth => f.write_str("depth"),
+            Self::Facing => f.write_str("faces by planes"),
+            Self::FacingDepth => f.write_str("depth by planes"),
             Self::Bands(rows) => write!(f, "bands of {rows} rows"),
         }
     }
 }
 
 impl Case {
+    /// The ways in which it is drawn, by their place in [`WAYS`]: where both sides show, no plane is asked.
+    pub fn ways(&self) -> impl Iterator<Item = Way> {
+        let asked = self.cull == Cull::Back;
+        WAYS.into_iter().flatten().copied().filter(move |way| asked || !way.asks_planes())
+    }
+
     fn scene(&self) -> Option<Scene> {
         // Turned as S3's torus; what is land stays level.
         let axes = black_box(if self.level { LEVEL } else { crate::scene::TORUS.axes });
@@ -93,6 +116,8 @@ impl Case {
                 Way::Lines => lines(placed, size, memory),
                 Way::Faces => faces(placed, light, size, memory),
                 Way::Depth => depth(placed, light, size, memory),
+                Way::Facing => facing(placed, light, size, memory),
+                Way::FacingDepth => facing_depth(placed, light, size, memory),
                 Way::Bands(rows) => bands(placed, light, size, rows, memory),
             }
         })?;
@@ -124,6 +149,26 @@ fn depth(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) 
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
     let shade = flat(placed.mesh(), light);
     let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+    black_box(statistics);
+    Some(())
+}
+
+fn facing(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+    let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    let shade = flat(placed.mesh(), light);
+    let Ok(statistics) = placed.facing().solid(shade, &mut memory.corners, &mut picture.pixels());
+    black_box(statistics);
+    Some(())
+}
+
+fn facing_depth(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+    let Memory { pixels, depth, corners, .. } = memory;
+    let mut picture = Picture::new(pixels, size).ok()?;
+    let Ok(()) = picture.clear(BACKGROUND);
+    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
+    let shade = flat(placed.mesh(), light);
+    let Ok(statistics) = placed.facing().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }

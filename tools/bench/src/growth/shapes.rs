@@ -8,13 +8,14 @@ pub(super) struct Shape {
     vertices: &'static [[i16; 3]],
     faces: &'static [[u16; 3]],
     normals: &'static [[i16; 3]],
+    planes: &'static [i16],
     edges: &'static [[u16; 2]],
 }
 
 impl Shape {
     pub(super) fn mesh(&self) -> Option<Mesh<'static>> {
         let mesh = Mesh::new(self.vertices, self.exponent, self.faces).ok()?;
-        mesh.with_normals(self.normals).ok()?.with_edges(self.edges).ok()
+        mesh.with_normals(self.normals).ok()?.with_planes(self.planes).ok()?.with_edges(self.edges).ok()
     }
 
     /// Its vertices alone.

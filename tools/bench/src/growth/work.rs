@@ -41,7 +41,7 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "pixel of a line",
             "pixel of the picture",
         ],
-        Way::Faces | Way::Depth => &[
+        Way::Faces | Way::Depth | Way::Facing | Way::FacingDepth => &[
             "frame",
             "vertex",
             "face left out",
@@ -72,11 +72,11 @@ pub const fn names(way: Way) -> &'static [&'static str] {
 impl Work {
     /// For [`names`].
     pub fn counts(&self, way: Way) -> Vec<f64> {
-        let Self { vertices, faces, drawn, clipped, cut, rows: [small, large], pixels, area, bands, met } =
-            *self;
+        let Self { vertices, faces, drawn, clipped, cut, rows, pixels, area, bands, met } = *self;
+        let [small, large] = rows;
         let counts = match way {
             Way::Lines => vec![1, vertices, drawn, clipped, pixels, area],
-            Way::Faces | Way::Depth => {
+            Way::Faces | Way::Depth | Way::Facing | Way::FacingDepth => {
                 vec![1, vertices, faces - drawn, drawn, clipped, cut, small, large, pixels, area]
             }
             Way::Bands(_) => {
@@ -109,6 +109,7 @@ impl Case {
         let large = Cell::new((0, false));
         let mut all = Watch::new(Size::new(width, height), rows, &large);
         let mesh = placed.mesh();
+        let asked = Cell::new(0);
         let hidden = |&vertex: &u16| placed.project(vertex.into()).is_none();
         let (statistics, faces, clipped) = match way {
             Way::Lines => {
@@ -117,12 +118,20 @@ impl Case {
                 (statistics, mesh.edges().len(), clipped)
             }
             _ => {
-                let clipped = mesh.faces().iter().filter(|face| face.iter().any(hidden)).count();
                 let shade = |face: usize| {
                     large.set((face, is_large(&placed, face)));
+                    let face = mesh.faces().get(face).copied().unwrap_or_default();
+                    asked.set(asked.get() + usize::from(face.iter().any(hidden)));
                     BACKGROUND
                 };
-                let Ok(statistics) = placed.solid(shade, &mut [], &mut all);
+                // By planes, those turned away are not looked at.
+                let (statistics, clipped) = if way.asks_planes() {
+                    let Ok(statistics) = placed.facing().solid(shade, &mut [], &mut all);
+                    (statistics, asked.get() + statistics.outside as usize)
+                } else {
+                    let Ok(statistics) = placed.solid(shade, &mut [], &mut all);
+                    (statistics, mesh.faces().iter().filter(|face| face.iter().any(hidden)).count())
+                };
                 (statistics, mesh.faces().len(), clipped)
             }
         };
