@@ -3,7 +3,9 @@
 use super::depth::DepthBuffer;
 use super::nearer::{one_nearer, Filled, Nearer};
 use crate::math::num::CORTEX_M0;
-use crate::raster::{Ground, Large, Low, Piece, Places, Rows, Scissor, Small, Span, Start, Triangle};
+use crate::raster::{
+    Ground, Large, Low, Piece, Places, Rows, Scissor, Small, Span, Start, Stretch, Triangle,
+};
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -59,8 +61,8 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     #[inline(never)] // its loop needs all registers
     fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        let mut large = Large::new(triangle, scissor);
-        while let Some(stretch) = large.stretch() {
+        let (mut large, mut stretch) = (Large::new(triangle, scissor), Stretch::default());
+        while large.stretch(&mut stretch) {
             match stretch.upright(self.ground.places.stride as i32) {
                 // All of so many rows, as where a large face is cut on both sides: one run.
                 Some((x, pixels)) => {
@@ -138,7 +140,8 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         filling: F,
     ) {
         let Self { cells, ground: Ground { places, .. }, .. } = self;
-        while let Some(stretch) = large.stretch() {
+        let mut stretch = Stretch::default();
+        while large.stretch(&mut stretch) {
             let start @ Start { x, y, .. } = Start { x: stretch.x, y: stretch.y, shear: 0 };
             let mut filled = filling.rows(over, cells, held, start);
             stretch.each(places.at(x, y), places.stride, |start, left, right| filled.row(start, left, right));

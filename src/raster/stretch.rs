@@ -4,7 +4,7 @@ use super::edge::{Step, Wide};
 use super::Span;
 
 /// Rows that follow each other, between two sides that do not bend there and lie inside the scissor.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Stretch<S> {
     /// The column that the sides are counted from.
     pub(crate) x: i32,
@@ -66,10 +66,10 @@ impl Stretch<Wide> {
         is_upright.then(|| (left.first(), width.wrapping_mul(self.rows)))
     }
 
-    /// Cut to these columns: what of a side lies outside becomes vertical, and the stretch is as long as either does.
+    /// Cuts it to these columns: what of a side lies outside becomes vertical, and the stretch is as long as either does.
     #[inline(always)]
-    pub(super) fn between(mut self, from: i32, to: i32) -> Self {
-        let Self { rows, sides: [left, right], .. } = &mut self;
+    pub(super) fn cut(&mut self, from: i32, to: i32) {
+        let Self { rows, sides: [left, right], .. } = self;
         let mut cut = |side: &mut Wide, limit: i32, is_outside: fn(i32, i32) -> bool| {
             let outside = |row: i32| is_outside(side.pixel(row), limit);
             let begins_outside = outside(0);
@@ -88,6 +88,5 @@ impl Stretch<Wide> {
         };
         cut(left, from, |x, limit| x < limit);
         cut(right, to, |x, limit| x > limit);
-        self
     }
 }

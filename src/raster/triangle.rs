@@ -170,21 +170,22 @@ impl Large {
         self.row >= self.end
     }
 
-    /// The next stretch, of one row at least.
+    /// The next stretch, of one row at least, if there is one. It is made where it stays: it is large.
     #[inline(never)]
-    pub(crate) fn stretch(&mut self) -> Option<Stretch<Wide>> {
+    pub(crate) fn stretch(&mut self, stretch: &mut Stretch<Wide>) -> bool {
         if self.is_empty() {
-            return None;
+            return false;
         }
         self.set_up();
         let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
         let rows = self.end.min(short_until).min(long_until) - y;
         let sides = if self.middle_left { [short, long] } else { [long, short] };
-        let stretch = Stretch { x: 0, y, rows, sides }.between(self.from, self.to);
+        *stretch = Stretch { x: 0, y, rows, sides };
+        stretch.cut(self.from, self.to);
         self.short.skip(stretch.rows);
         self.long.skip(stretch.rows);
         self.row += stretch.rows;
-        Some(stretch)
+        true
     }
 
     /// Sets up the sides that end here.
@@ -210,7 +211,7 @@ pub(crate) enum Spans {
     /// Those of a low triangle.
     Low(Kept),
     /// The rows left of a stretch, and what is below.
-    Large(Option<Stretch<Wide>>, Large),
+    Large(Stretch<Wide>, Large),
 }
 
 impl Spans {
@@ -219,7 +220,7 @@ impl Spans {
         let mut columns = Ground::of_columns();
         match Low::new(triangle, scissor, &mut columns) {
             Some(low) => Self::Low(Kept::new(low, columns)),
-            None => Self::Large(None, Large::new(triangle, scissor)),
+            None => Self::Large(Stretch::default(), Large::new(triangle, scissor)),
         }
     }
 
@@ -241,10 +242,12 @@ impl Iterator for Spans {
         match self {
             Self::Low(kept) => kept.span(),
             Self::Large(stretch, large) => loop {
-                if let Some(span) = stretch.as_mut().and_then(Stretch::span) {
+                if let Some(span) = stretch.span() {
                     return Some(span);
                 }
-                *stretch = Some(large.stretch()?);
+                if !large.stretch(stretch) {
+                    return None;
+                }
             },
         }
     }

@@ -88,28 +88,28 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[inline(never)]
     fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
         let list = self.placed.mesh.faces();
-        let mut statistics = Statistics::default();
+        let (mut statistics, mut sorting) = (Statistics::default(), bins.sorting());
         for (index, face) in list.iter().enumerate() {
             if let Some(corners) = self.whole(face) {
                 if self.front(&corners, &mut statistics).is_some() {
-                    bins.put(index, &self.reach(corners));
+                    sorting.put(index, &self.reach(corners));
                 }
             } else {
                 let mut reach = Scissor::EMPTY;
                 let outcome = self.reach_of_cut(face, &mut reach);
                 statistics.count(outcome);
                 if outcome.is_drawn() {
-                    bins.put(index, &reach);
+                    sorting.put(index, &reach);
                 }
             }
         }
-        bins.turn(list.len())?;
-        bins.sort(|index| self.first_row(index));
+        sorting.turn(list.len())?;
+        sorting.sort(|index| self.first_row(index));
         Ok(statistics.with_the_rest_culled(list.len()))
     }
 
     /// Where a face begins that was kept.
-    #[inline(always)]
+    #[inline(never)] // asked for in two places
     fn first_row(&self, index: usize) -> i32 {
         let Some(face) = self.placed.mesh.faces().get(index) else { return 0 };
         match self.whole(face) {
@@ -138,7 +138,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[inline(never)]
     fn reach_of_cut(&self, face: &[u16; 3], reach: &mut Scissor) -> Outcome {
         let mut fan = Fan::<()>::new();
-        let outcome = self.sort_out(face, &mut fan);
+        let outcome = self.sort_out_any(face, &mut fan);
         if outcome.is_drawn() {
             while let Some((corners, _)) = fan.piece() {
                 *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
@@ -148,20 +148,25 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         outcome
     }
 
+    /// Where an edge begins that was kept.
+    #[inline(never)] // asked for in two places
+    fn first_row_of_edge(&self, index: usize) -> i32 {
+        let edge = self.placed.mesh.edges().get(index);
+        let ends = edge.and_then(|&edge| self.edge(edge, &mut Statistics::default()));
+        ends.map_or(0, |ends| reach_of_line(&ends).rows().start)
+    }
+
     /// Sorts out all edges, and then once more those that are kept.
     #[inline(never)]
     fn record_edges(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
         let list = self.placed.mesh.edges();
-        let mut statistics = Statistics::default();
+        let (mut statistics, mut sorting) = (Statistics::default(), bins.sorting());
         for (index, &edge) in list.iter().enumerate() {
             let ends = self.edge(edge, &mut statistics);
-            bins.put(index, &ends.map_or(Scissor::EMPTY, |ends| reach_of_line(&ends)));
+            sorting.put(index, &ends.map_or(Scissor::EMPTY, |ends| reach_of_line(&ends)));
         }
-        bins.turn(list.len())?;
-        bins.sort(|index| {
-            let ends = list.get(index).and_then(|&edge| self.edge(edge, &mut Statistics::default()));
-            ends.map_or(0, |ends| reach_of_line(&ends).rows().start)
-        });
+        sorting.turn(list.len())?;
+        sorting.sort(|index| self.first_row_of_edge(index));
         Ok(statistics.with_the_rest_drawn(list.len()))
     }
 }
@@ -229,28 +234,28 @@ impl<'a, V: Coordinate> Facing<'a, V> {
     ) -> Result<Faces<'a, V, DEPTH>, BinsError> {
         let (count, viewport) = (self.placed.mesh.faces().len(), pixels(self.placed.area()));
         let mut bins = Bins::new(records, count, viewport);
-        let mut statistics = Statistics::default();
+        let (mut statistics, mut sorting) = (Statistics::default(), bins.sorting());
         self.each::<DEPTH, BinsError>(corners, |index, face, kept, whole| {
             let transformed = self.transformed::<DEPTH>(kept);
             match whole {
                 Some((corners, _)) => {
                     statistics.count(Outcome::Whole);
-                    bins.put(index, &transformed.reach(corners));
+                    sorting.put(index, &transformed.reach(corners));
                 }
                 None => {
                     let mut reach = Scissor::EMPTY;
                     let outcome = transformed.reach_of_cut(face, &mut reach);
                     statistics.count(outcome);
                     if outcome.is_drawn() {
-                        bins.put(index, &reach);
+                        sorting.put(index, &reach);
                     }
                 }
             }
             Ok(())
         })?;
         let transformed = self.transformed::<DEPTH>(corners);
-        bins.turn(count)?;
-        bins.sort(|index| transformed.first_row(index));
+        sorting.turn(count)?;
+        sorting.sort(|index| transformed.first_row(index));
         Ok(Faces { transformed, bins, statistics: statistics.with_the_rest_culled(count) })
     }
 }
@@ -307,12 +312,13 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         let rows = window.scissor.rows();
         let mut fan = Fan::new();
         let mut piece = Piece::new(&window.viewport);
-        bins.band(rows.clone(), |index| {
+        let first_row = |index: usize| view.first_row(index);
+        bins.band(rows.clone(), first_row, |index| {
             let Some(face) = list.get(index) else { return Ok(true) };
             let kept = view.whole(face);
             if let Some(kept) = kept {
                 put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
-            } else if !(view.sort_out(face, &mut fan).is_drawn() && fan.put_into(&mut piece)) {
+            } else if !(view.sort_out_any(face, &mut fan).is_drawn() && fan.put_into(&mut piece)) {
                 return Ok(true);
             }
             let (mut end, mut shaded) = (i32::MIN, None);
@@ -391,7 +397,8 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         let Self { transformed, bins, .. } = self;
         let (view, list) = (*transformed, transformed.placed.mesh.edges());
         let rows = scissor.rows();
-        bins.band(rows.clone(), |index| {
+        let first_row = |index: usize| view.first_row_of_edge(index);
+        bins.band(rows.clone(), first_row, |index| {
             let edge = list.get(index);
             let Some(ends) = edge.and_then(|&edge| view.edge(edge, &mut Statistics::default())) else {
                 return Ok(true);

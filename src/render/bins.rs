@@ -15,13 +15,10 @@ const BINS: usize = 64;
 /// Items of a mesh, sorted for bands.
 #[derive(Debug)]
 pub(super) struct Bins<'s> {
-    /// Numbers of items, bin after bin; as long as there is room.
+    /// Numbers of items, bin after bin.
     order: &'s mut [u16],
     /// A bit for each item of the mesh: taken in, and not ended. While sorting: to be sorted.
     open: &'s mut [u16],
-    /// Where each bin ends in `order`. While counting how many items it has, and while sorting where its next
-    /// one goes.
-    ends: [u16; BINS],
     /// Its first row is that of the first bin.
     viewport: Scissor,
     /// A bin has 2^shift rows.
@@ -32,6 +29,14 @@ pub(super) struct Bins<'s> {
     row: i32,
     /// The reach of all that were kept.
     bounds: Scissor,
+}
+
+/// The same while they are sorted.
+pub(super) struct Sorting<'b, 's> {
+    bins: &'b mut Bins<'s>,
+    /// How many items each bin has; then where its next one goes. Where a bin ends is not kept: it would take most of what
+    /// [`Bins`] take, which are moved and stay on the stack.
+    ends: [u16; BINS],
 }
 
 /// Why faces or edges were not recorded: none of them were.
@@ -68,8 +73,7 @@ impl core::fmt::Display for BinsError {
 impl core::error::Error for BinsError {}
 
 impl<'s> Bins<'s> {
-    /// For `items` items and where they may be drawn. Then all of them are [put](Self::put) in their order; the
-    /// bins [turn](Self::turn), and the kept ones are [sorted](Self::sort).
+    /// For `items` items and where they may be drawn.
     #[inline(never)] // rare, as all here: small is better
     pub(super) fn new(records: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
         let words = items.div_ceil(16);
@@ -80,16 +84,14 @@ impl<'s> Bins<'s> {
         let rows = viewport.rows();
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
         let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        Self {
-            order,
-            open,
-            ends: [0; BINS],
-            viewport,
-            shift,
-            taken: 0,
-            row: i32::MIN,
-            bounds: Scissor::NOTHING,
-        }
+        Self { order, open, viewport, shift, taken: 0, row: i32::MIN, bounds: Scissor::NOTHING }
+    }
+
+    /// First all items are [put](Sorting::put) in their order; the bins [turn](Sorting::turn), and the kept ones are
+    /// [sorted](Sorting::sort).
+    #[inline(always)]
+    pub(super) fn sorting(&mut self) -> Sorting<'_, 's> {
+        Sorting { bins: self, ends: [0; BINS] }
     }
 
     /// The reach of all that were kept.
@@ -98,72 +100,12 @@ impl<'s> Bins<'s> {
         self.bounds.within(&self.viewport)
     }
 
-    /// First: keeps an item with this reach, unless none of that may be drawn, and counts it.
-    #[inline(always)]
-    pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
-        let (rows, columns) = (reach.rows(), reach.columns());
-        let (all_rows, all_columns) = (self.viewport.rows(), self.viewport.columns());
-        let meets = |own: &Range<i32>, all: &Range<i32>| own.start < all.end && own.end > all.start;
-        if reach.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
-            return;
-        }
-        self.bounds = self.bounds.enclosing(reach);
-        self.taken += 1; // at most all items
-        if let Some(bits) = self.open.get_mut(item / 16) {
-            *bits |= 1 << (item % 16);
-        }
-        let bin = self.bin(reach.rows().start);
-        if let Some(count) = self.ends.get_mut(bin) {
-            *count = count.wrapping_add(1); // at most all items
-        }
-    }
-
-    /// Then, after all of `items` were looked at: whether there is room for those that were kept.
-    #[inline(never)]
-    pub(super) fn turn(&mut self, items: usize) -> Result<(), BinsError> {
-        if items > usize::from(u16::MAX) {
-            return Err(BinsError::TooMany { items });
-        }
-        let (needed, given) = (self.taken + items.div_ceil(16), self.order.len() + self.open.len());
-        if given < needed {
-            return Err(BinsError::Records { needed, given });
-        }
-        // From counts to beginnings.
-        let mut sum = 0u16;
-        for end in &mut self.ends {
-            black_box(()); // keeps the loop as short as it is
-            let count = core::mem::replace(end, sum);
-            sum = sum.wrapping_add(count); // all that were kept, in the end
-        }
-        Ok(())
-    }
-
-    /// At last: the kept items once more, to their places, by the first rows of their reaches.
-    #[inline(always)]
-    pub(super) fn sort(&mut self, mut first_row: impl FnMut(usize) -> i32) {
-        for word in 0..self.open.len() {
-            let mut left = self.open.get_mut(word).map_or(0, core::mem::take);
-            while left != 0 {
-                let item = word * 16 + left.trailing_zeros() as usize;
-                left &= left.wrapping_sub(1);
-                let bin = self.bin(first_row(item));
-                if let Some(end) = self.ends.get_mut(bin) {
-                    if let Some(place) = self.order.get_mut(usize::from(*end)) {
-                        *place = item as u16; // fewer than 65536
-                    }
-                    *end = end.wrapping_add(1); // at most all items
-                }
-            }
-        }
-        self.taken = 0;
-    }
-
     fn bin(&self, row: i32) -> usize {
         (row.saturating_sub(self.viewport.rows().start).max(0) >> self.shift).min(BINS as i32 - 1) as usize
     }
 
     /// Calls `draw` for the items that may lie in a band, in the order of the mesh, until it tells that
-    /// an item ends in or above the band.
+    /// an item ends in or above the band. `first_row` is that by which they were sorted.
     ///
     /// # Errors
     ///
@@ -172,12 +114,13 @@ impl<'s> Bins<'s> {
     pub(super) fn band<E>(
         &mut self,
         rows: Range<i32>,
+        first_row: impl Fn(usize) -> i32,
         mut draw: impl FnMut(usize) -> Result<bool, E>,
     ) -> Result<(), E> {
         if rows.is_empty() {
             return Ok(());
         }
-        self.take_in(&rows);
+        self.take_in(&rows, first_row);
         for (word, bits) in self.open.iter_mut().enumerate() {
             let mut left = *bits;
             while left != 0 {
@@ -192,7 +135,7 @@ impl<'s> Bins<'s> {
     }
 
     #[inline(never)]
-    fn take_in(&mut self, rows: &Range<i32>) {
+    fn take_in(&mut self, rows: &Range<i32>, first_row: impl Fn(usize) -> i32) {
         if rows.start < self.row {
             // From the top: the same band once more, another frame, or another rectangle of it.
             self.open.fill(0);
@@ -202,14 +145,86 @@ impl<'s> Bins<'s> {
         if rows.end <= self.viewport.rows().start {
             return;
         }
-        let until = self.ends.get(self.bin(rows.end - 1)).map_or(0, |&end| usize::from(end));
-        for &item in self.order.get(self.taken..until).unwrap_or_default() {
+        let last = self.bin(rows.end - 1);
+        // Where these bins end is searched by halves, not kept: a few first rows a band are worked out once more.
+        let (begun, mut behind) = (self.taken, self.order.len());
+        while self.taken < behind {
+            let middle = (self.taken + behind) / 2; // at most 65535 each
+            match self.order.get(middle) {
+                Some(&item) if self.bin(first_row(item.into())) <= last => self.taken = middle + 1,
+                _ => behind = middle,
+            }
+        }
+        for &item in self.order.get(begun..self.taken).unwrap_or_default() {
             black_box(()); // keeps the loop as short as it is
             if let Some(bits) = self.open.get_mut(usize::from(item / 16)) {
                 *bits |= 1 << (item % 16);
             }
         }
-        self.taken = self.taken.max(until);
+    }
+}
+
+impl Sorting<'_, '_> {
+    /// First: keeps an item with this reach, unless none of that may be drawn, and counts it.
+    #[inline(always)]
+    pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
+        let (rows, columns) = (reach.rows(), reach.columns());
+        let (all_rows, all_columns) = (self.bins.viewport.rows(), self.bins.viewport.columns());
+        let meets = |own: &Range<i32>, all: &Range<i32>| own.start < all.end && own.end > all.start;
+        if reach.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
+            return;
+        }
+        self.bins.bounds = self.bins.bounds.enclosing(reach);
+        self.bins.taken += 1; // at most all items
+        if let Some(bits) = self.bins.open.get_mut(item / 16) {
+            *bits |= 1 << (item % 16);
+        }
+        let bin = self.bins.bin(reach.rows().start);
+        if let Some(count) = self.ends.get_mut(bin) {
+            *count = count.wrapping_add(1); // at most all items
+        }
+    }
+
+    /// Then, after all of `items` were looked at: whether there is room for those that were kept.
+    #[inline(never)]
+    pub(super) fn turn(&mut self, items: usize) -> Result<(), BinsError> {
+        if items > usize::from(u16::MAX) {
+            return Err(BinsError::TooMany { items });
+        }
+        let Bins { order, open, taken, .. } = &mut *self.bins;
+        let (needed, given) = (*taken + items.div_ceil(16), order.len() + open.len());
+        if given < needed {
+            return Err(BinsError::Records { needed, given });
+        }
+        *order = core::mem::take(order).get_mut(..*taken).unwrap_or_default();
+        // From counts to beginnings.
+        let mut sum = 0u16;
+        for end in &mut self.ends {
+            black_box(()); // keeps the loop as short as it is
+            let count = core::mem::replace(end, sum);
+            sum = sum.wrapping_add(count); // all that were kept, in the end
+        }
+        Ok(())
+    }
+
+    /// At last: the kept items once more, to their places, by the first rows of their reaches.
+    #[inline(always)]
+    pub(super) fn sort(mut self, mut first_row: impl FnMut(usize) -> i32) {
+        for word in 0..self.bins.open.len() {
+            let mut left = self.bins.open.get_mut(word).map_or(0, core::mem::take);
+            while left != 0 {
+                let item = word * 16 + left.trailing_zeros() as usize;
+                left &= left.wrapping_sub(1);
+                let bin = self.bins.bin(first_row(item));
+                if let Some(end) = self.ends.get_mut(bin) {
+                    if let Some(place) = self.bins.order.get_mut(usize::from(*end)) {
+                        *place = item as u16; // fewer than 65536
+                    }
+                    *end = end.wrapping_add(1); // at most all items
+                }
+            }
+        }
+        self.bins.taken = 0;
     }
 }
 
@@ -227,12 +242,14 @@ mod tests {
         let mut records = [0; 4];
         let mut bins = Bins::new(&mut records, 3, Scissor::new(0, 0, 1, 40));
         let reach = |item: usize| Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1);
-        (0..3).for_each(|item| bins.put(item, &reach(item)));
-        assert_eq!(bins.turn(3), Ok(()));
-        bins.sort(|item| reach(item).rows().start);
+        let first_row = |item: usize| reach(item).rows().start;
+        let mut sorting = bins.sorting();
+        (0..3).for_each(|item| sorting.put(item, &reach(item)));
+        assert_eq!(sorting.turn(3), Ok(()));
+        sorting.sort(first_row);
         for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
             let mut met = [false; 3];
-            let Ok(()) = bins.band(from..to, |item| {
+            let Ok(()) = bins.band(from..to, first_row, |item| {
                 met[item] = true;
                 Ok::<_, Infallible>(ITEMS[item].1 <= to)
             });

@@ -187,7 +187,7 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         let mut fan = Fan::<()>::new();
         for face in beside {
             let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };
-            if !self.sort_out(&face, &mut fan).is_drawn() {
+            if !self.sort_out_any(&face, &mut fan).is_drawn() {
                 continue;
             }
             while let Some((corners, area)) = fan.piece() {

@@ -173,7 +173,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// The same for corners that are not kept, or must be clipped.
     #[cold]
     #[inline(never)]
-    fn sort_out_any<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
+    pub(super) fn sort_out_any<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
         let corners = face.map(|index| self.corner(index));
         if corners.iter().all(|corner| corner.whole()) {
             self.turned(corners, fan)
@@ -209,7 +209,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         statistics: &mut Statistics,
         piece: &mut Piece<'_>,
     ) -> bool {
-        let outcome = self.sort_out(face, fan);
+        let outcome = self.sort_out_any(face, fan);
         statistics.count(outcome);
         outcome.is_drawn() && fan.put_into(piece)
     }
