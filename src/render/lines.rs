@@ -114,9 +114,10 @@ impl<V: Coordinate> Placed<'_, V> {
     ) -> Result<Statistics, T::Error> {
         let window = Window::of_lines(&target.area(), self.area(), depth);
         let view = Transformed::<V, true>::new(self, cache);
+        let mut all = Vec::new();
         view.all_edges(|edge, ends| {
-            let beside = view.beside(edge, &window.viewport);
-            unhidden(&ends, &beside, colour, &window.scissor, depth, target)
+            let beside = view.beside(edge, &window.viewport, &mut all);
+            unhidden(&ends, beside, colour, &window.scissor, depth, target)
         })
     }
 }
@@ -151,9 +152,10 @@ impl<V: Coordinate> Edges<'_, V, true> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         let window = Window::of_lines(&band.area(), self.viewport(), depth);
+        let mut all = Vec::new();
         self.each(&window.scissor, |view, edge, ends| {
-            let beside = view.beside(edge, &window.viewport);
-            unhidden(&ends, &beside, colour, &window.scissor, depth, band)
+            let beside = view.beside(edge, &window.viewport, &mut all);
+            unhidden(&ends, beside, colour, &window.scissor, depth, band)
         })
     }
 }
@@ -175,10 +177,10 @@ impl<V: Coordinate> super::Faces<'_, V, true> {
 }
 
 impl<V: Coordinate> Transformed<'_, V, true> {
-    /// The faces beside an edge, as their depth was kept: piece by piece where they were cut.
+    /// The faces beside an edge, as their depth was kept: piece by piece where they were cut. They are made where they stay.
     #[inline(never)]
-    fn beside(&self, edge: usize, viewport: &Scissor) -> Vec<Beside, { 2 * (CORNERS - 2) }> {
-        let mut all = Vec::new();
+    fn beside<'b>(&self, edge: usize, viewport: &Scissor, all: &'b mut FacesBeside) -> &'b [Beside] {
+        all.clear();
         let mesh = self.placed.mesh;
         let beside = mesh.edge_faces().get(edge).copied().unwrap_or_default();
         if mesh.edge_faces().is_empty() {
@@ -202,6 +204,9 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         all
     }
 }
+
+/// The pieces of two faces.
+type FacesBeside = Vec<Beside, { 2 * (CORNERS - 2) }>;
 
 /// A face beside an edge, or a piece of it.
 struct Beside {
@@ -240,7 +245,8 @@ fn keep(piece: &Piece<'_>, scissor: &Scissor, depth: &mut DepthBuffer<'_>) {
     }
 }
 
-/// A line, where it is as near as what is held, or nearer.
+/// A line, where it is as near as what is held, or nearer; its depth is kept there.
+#[inline(always)]
 fn nearer<T: Target>(
     ends: &[Image; 2],
     colour: T::Color,
@@ -248,20 +254,11 @@ fn nearer<T: Target>(
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    trace(ends, scissor, |span, along| {
-        let is_seen = |x, y, held: &mut u16| {
-            let own = along.depth(x, y);
-            let is_seen = own <= *held;
-            if is_seen {
-                *held = own;
-            }
-            is_seen
-        };
-        depth.along(span, is_seen, |visible| target.fill(visible, colour))
-    })
+    seen(ends, true, &|_, _, _| false, colour, scissor, depth, target)
 }
 
 /// A line, where it is as near as what is held, or a face beside it is what is held.
+#[inline(always)]
 fn unhidden<T: Target>(
     ends: &[Image; 2],
     beside: &[Beside],
@@ -270,21 +267,32 @@ fn unhidden<T: Target>(
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    trace(ends, scissor, |span, along| {
+    let is_beside = |held, x, y| beside.iter().any(|face| face.is(held, x, y));
+    seen(ends, false, &is_beside, colour, scissor, depth, target)
+}
+
+/// A line, where it is as near as what is held, or what is held, at a pixel, is to be drawn over; `keeps`: and its depth is kept.
+#[inline(never)] // once for both; asked is only where the line is behind what is held
+fn seen<T: Target>(
+    ends: &[Image; 2],
+    keeps: bool,
+    is_drawn_over: &dyn Fn(u16, i32, i32) -> bool,
+    colour: T::Color,
+    scissor: &Scissor,
+    depth: &mut DepthBuffer<'_>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let along = Along::new(ends.map(|end| end.point), ends.map(|end| end.depth));
+    let [from, to] = ends.map(|end| end.point.pixel());
+    raster::line(from, to, scissor, |span| {
         let is_seen = |x, y, held: &mut u16| {
-            along.depth(x, y) <= *held || beside.iter().any(|face| face.is(*held, x, y))
+            let own = along.depth(x, y);
+            let is_seen = own <= *held || is_drawn_over(*held, x, y);
+            if is_seen && keeps {
+                *held = own;
+            }
+            is_seen
         };
         depth.along(span, is_seen, |visible| target.fill(visible, colour))
     })
-}
-
-/// The runs of a line, with the depth along it.
-fn trace<E>(
-    ends: &[Image; 2],
-    scissor: &Scissor,
-    mut draw: impl FnMut(Span, &Along) -> Result<(), E>,
-) -> Result<(), E> {
-    let along = Along::new(ends.map(|end| end.point), ends.map(|end| end.depth));
-    let [from, to] = ends.map(|end| end.point.pixel());
-    raster::line(from, to, scissor, |span| draw(span, &along))
 }
