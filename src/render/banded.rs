@@ -138,7 +138,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[inline(never)]
     fn reach_of_cut(&self, face: &[u16; 3], reach: &mut Scissor) -> Outcome {
         let mut fan = Fan::<()>::new();
-        let outcome = self.sort_out_any(face, &mut fan);
+        let (pieces, carried) = fan.parts();
+        let outcome = self.sort_out_any(face, pieces, carried);
         if outcome.is_drawn() {
             while let Some((corners, _)) = fan.piece() {
                 *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
@@ -152,7 +153,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[inline(never)] // asked for in two places
     fn first_row_of_edge(&self, index: usize) -> i32 {
         let edge = self.placed.mesh.edges().get(index);
-        let ends = edge.and_then(|&edge| self.edge(edge, &mut Statistics::default()));
+        let ends = edge.and_then(|&edge| self.ends_of(edge, &mut Statistics::default()));
         ends.map_or(0, |ends| reach_of_line(&ends).rows().start)
     }
 
@@ -162,7 +163,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         let list = self.placed.mesh.edges();
         let (mut statistics, mut sorting) = (Statistics::default(), bins.sorting());
         for (index, &edge) in list.iter().enumerate() {
-            let ends = self.edge(edge, &mut statistics);
+            let ends = self.ends_of(edge, &mut statistics);
             sorting.put(index, &ends.map_or(Scissor::EMPTY, |ends| reach_of_line(&ends)));
         }
         sorting.turn(list.len())?;
@@ -282,7 +283,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         shade: impl FnMut(usize) -> I,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::new(band, self.viewport());
+        let window = Window::shared(&band.area(), self.viewport(), None);
         self.each(&window, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, band))
     }
 
@@ -318,8 +319,11 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
             let kept = view.whole(face);
             if let Some(kept) = kept {
                 put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
-            } else if !(view.sort_out_any(face, &mut fan).is_drawn() && fan.put_into(&mut piece)) {
-                return Ok(true);
+            } else {
+                let (pieces, carried) = fan.parts();
+                if !(view.sort_out_any(face, pieces, carried).is_drawn() && fan.put_into(&mut piece)) {
+                    return Ok(true);
+                }
             }
             let (mut end, mut shaded) = (i32::MIN, None);
             loop {
@@ -354,7 +358,7 @@ impl<V: Coordinate> Faces<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::new(band, self.transformed.placed.area()).with_depth(depth);
+        let window = Window::shared(&band.area(), self.viewport(), Some(depth));
         let mut against = band.against(depth);
         self.each(&window, shade, |piece, ink| fill_nearer(piece, &ink, &window.scissor, &mut against, band))
     }
@@ -368,7 +372,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
-        let Window { scissor, .. } = Window::new(band, self.viewport());
+        let Window { scissor, .. } = Window::shared(&band.area(), self.viewport(), None);
         self.each(&scissor, |_, _, [from, to]| {
             band.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
         })
@@ -400,7 +404,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         let first_row = |index: usize| view.first_row_of_edge(index);
         bins.band(rows.clone(), first_row, |index| {
             let edge = list.get(index);
-            let Some(ends) = edge.and_then(|&edge| view.edge(edge, &mut Statistics::default())) else {
+            let Some(ends) = edge.and_then(|&edge| view.ends_of(edge, &mut Statistics::default())) else {
                 return Ok(true);
             };
             draw(&view, index, ends)?;

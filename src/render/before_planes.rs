@@ -1,13 +1,10 @@
 //! Corners in clip space, cut and brought to the screen: one code for edges, faces and all that they carry.
 
-use super::fan::{Outcome, Pieces};
+use super::fan::{Carries, Outcome, Pieces};
 use super::Cull;
 use crate::camera::{DepthOf, Image, Placement};
 use crate::clip::{self, Cut};
 use crate::math::Homogeneous;
-
-/// Takes along what else varies where an edge is cut: see [`Cut::put`].
-pub(super) type Carry<'a> = dyn FnMut(usize, usize, usize, i32) + 'a;
 
 /// The corners of a point, an edge or a face, and the planes of the view volume cut at the guard band.
 pub(super) struct BeforePlanes<'a> {
@@ -16,7 +13,7 @@ pub(super) struct BeforePlanes<'a> {
     pub(super) far: bool,
     pub(super) depth: Option<DepthOf>,
     pub(super) places: &'a mut [Homogeneous],
-    pub(super) carry: Option<&'a mut Carry<'a>>,
+    pub(super) carried: Option<&'a mut dyn Carries>,
 }
 
 impl Cut for BeforePlanes<'_> {
@@ -28,8 +25,8 @@ impl Cut for BeforePlanes<'_> {
     #[inline(never)]
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
         Homogeneous::put(self.places, at, inside, outside, t);
-        if let Some(carry) = &mut self.carry {
-            carry(at, inside, outside, t);
+        if let Some(carried) = &mut self.carried {
+            carried.carry(at, inside, outside, t);
         }
     }
 }

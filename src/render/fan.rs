@@ -128,12 +128,73 @@ impl Pieces {
     pub(super) fn points(&self) -> [ScreenPoint; 3] {
         self.corners.map(|c| c.point)
     }
+
+    /// This triangle and its area, not zero.
+    #[inline(always)]
+    pub(super) fn piece(&self) -> Option<(&[Image; 3], i64)> {
+        (self.area != 0).then_some((&self.corners, self.area))
+    }
+
+    /// To the next triangle.
+    #[inline(always)]
+    pub(super) fn next(&mut self) {
+        if self.polygon.is_empty() {
+            self.area = 0;
+        } else {
+            self.advance();
+        }
+    }
+
+    /// Puts this triangle there, if there is one.
+    #[cold]
+    #[inline(never)]
+    fn put_into(&self, piece: &mut Piece<'_>) -> bool {
+        let some = self.piece();
+        if let Some((corners, area)) = some {
+            put::<true>(piece, corners, area);
+        }
+        some.is_some()
+    }
+
+    /// The same with the next one.
+    #[cold]
+    #[inline(never)]
+    fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
+        self.next();
+        self.put_into(piece)
+    }
+}
+
+/// What the corners of a face carry, whatever that is.
+pub(super) trait Carries {
+    /// Of the whole face.
+    fn begin(&mut self);
+
+    /// Takes it along where an edge is cut: see [`Cut::put`](crate::clip::Cut::put).
+    fn carry(&mut self, at: usize, inside: usize, outside: usize, t: i32);
+}
+
+impl<K: Carried> Carries for [K; PLACES] {
+    fn begin(&mut self) {
+        for (corner, carried) in self.iter_mut().take(3).enumerate() {
+            *carried = K::of(corner);
+        }
+    }
+
+    fn carry(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
+        if let (Some(a), Some(b)) = (self.get(inside), self.get(outside)) {
+            let carried = a.towards(b, t.into());
+            if let Some(place) = self.get_mut(at) {
+                *place = carried;
+            }
+        }
+    }
 }
 
 /// The triangles of one face, with what their corners carry.
 pub(super) struct Fan<K> {
-    pub(super) pieces: Pieces,
-    pub(super) carried: [K; PLACES],
+    pieces: Pieces,
+    carried: [K; PLACES],
 }
 
 impl<K: Carried> Fan<K> {
@@ -153,39 +214,34 @@ impl<K: Carried> Fan<K> {
         }
     }
 
-    /// This triangle and its area, not zero.
+    /// To be filled by [`Transformed::sort_out`](super::Transformed::sort_out).
+    #[inline(always)]
+    pub(super) fn parts(&mut self) -> (&mut Pieces, &mut dyn Carries) {
+        (&mut self.pieces, &mut self.carried)
+    }
+
+    /// [`Pieces::piece`].
     #[inline(always)]
     pub(super) fn piece(&self) -> Option<(&[Image; 3], i64)> {
-        (self.pieces.area != 0).then_some((&self.pieces.corners, self.pieces.area))
+        self.pieces.piece()
     }
 
-    /// To the next triangle.
+    /// [`Pieces::next`].
     #[inline(always)]
     pub(super) fn next(&mut self) {
-        if self.pieces.polygon.is_empty() {
-            self.pieces.area = 0;
-        } else {
-            self.pieces.advance();
-        }
+        self.pieces.next();
     }
 
-    /// Puts this triangle there, if there is one.
-    #[cold]
-    #[inline(never)]
+    /// [`Pieces::put_into`].
+    #[inline(always)]
     pub(super) fn put_into(&self, piece: &mut Piece<'_>) -> bool {
-        let some = self.piece();
-        if let Some((corners, area)) = some {
-            put::<true>(piece, corners, area);
-        }
-        some.is_some()
+        self.pieces.put_into(piece)
     }
 
-    /// The same with the next one.
-    #[cold]
-    #[inline(never)]
+    /// [`Pieces::next_into`].
+    #[inline(always)]
     pub(super) fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
-        self.next();
-        self.put_into(piece)
+        self.pieces.next_into(piece)
     }
 
     /// What this triangle is filled with.

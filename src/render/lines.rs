@@ -5,7 +5,7 @@ use crate::camera::{Corner, Image};
 use crate::clip::CORNERS;
 use crate::math::Coordinate;
 use crate::output::{DepthBuffer, Target};
-use crate::raster::{self, Along, Piece, Plane, Scissor, ScreenPoint, Span, Triangle};
+use crate::raster::{self, Along, Piece, Plane, Scissor, ScreenPoint, Triangle};
 
 use heapless::Vec;
 
@@ -30,7 +30,7 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::of_lines(&target.area(), self.area(), depth);
+        let window = Window::shared(&target.area(), self.area(), Some(depth));
         let view = Transformed::<V, true>::new(self, cache);
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
@@ -112,7 +112,7 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::of_lines(&target.area(), self.area(), depth);
+        let window = Window::shared(&target.area(), self.area(), Some(depth));
         let view = Transformed::<V, true>::new(self, cache);
         let mut all = Vec::new();
         view.all_edges(|edge, ends| {
@@ -135,7 +135,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::of_lines(&band.area(), self.viewport(), depth);
+        let window = Window::shared(&band.area(), self.viewport(), Some(depth));
         self.each(&window.scissor, |_, _, ends| nearer(&ends, colour, &window.scissor, depth, band))
     }
 
@@ -151,7 +151,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::of_lines(&band.area(), self.viewport(), depth);
+        let window = Window::shared(&band.area(), self.viewport(), Some(depth));
         let mut all = Vec::new();
         self.each(&window.scissor, |view, edge, ends| {
             let beside = view.beside(edge, &window.viewport, &mut all);
@@ -189,7 +189,8 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         let mut fan = Fan::<()>::new();
         for face in beside {
             let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };
-            if !self.sort_out_any(&face, &mut fan).is_drawn() {
+            let (pieces, carried) = fan.parts();
+            if !self.sort_out_any(&face, pieces, carried).is_drawn() {
                 continue;
             }
             while let Some((corners, area)) = fan.piece() {

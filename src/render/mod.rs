@@ -284,11 +284,13 @@ fn pixels(viewport: &Rectangle) -> Scissor {
 }
 
 impl Window {
+    #[inline(always)]
     fn new(target: &impl Target, viewport: &Rectangle) -> Self {
         Self::of(&target.area(), viewport)
     }
 
     /// What of a viewport lies in a target of these pixels.
+    #[inline(always)]
     fn of(target: &Rectangle, viewport: &Rectangle) -> Self {
         let viewport = pixels(viewport);
         Self { scissor: inside(target).within(&viewport), viewport }
@@ -305,10 +307,14 @@ impl Window {
         Self { scissor: depth.scissor().within(&self.scissor), ..self }
     }
 
-    /// Both, for lines, of which there are several kinds.
+    /// The same for what is drawn in several ways in one firmware: in bands, in painter's order, lines against depth.
     #[inline(never)]
-    fn of_lines(target: &Rectangle, viewport: &Rectangle, depth: &DepthBuffer<'_>) -> Self {
-        Self::of(target, viewport).with_depth(depth)
+    fn shared(target: &Rectangle, viewport: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Self {
+        let window = Self::of(target, viewport);
+        match depth {
+            Some(depth) => window.with_depth(depth),
+            None => window,
+        }
     }
 }
 

@@ -136,7 +136,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
         I: InkFor<T::Color>,
     {
         let Some(area) = &self.area else { return Ok(()) };
-        let window = Window::new(target, area);
+        let window = Window::shared(&target.area(), area, None);
         let mut at = self.first;
         while let Some(face) = self.faces.get(usize::from(at)) {
             let points = face

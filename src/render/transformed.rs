@@ -1,7 +1,7 @@
 //! Vertices on the screen, and what becomes of faces and edges there.
 
-use super::before_planes::{BeforePlanes, Carry};
-use super::fan::{Fan, Outcome};
+use super::before_planes::BeforePlanes;
+use super::fan::{Carries, Fan, Outcome, Pieces};
 use super::{put, Cull, Ink, Placed, Statistics};
 use crate::camera::{Corner, DepthOf, Image, Placement};
 use crate::clip::{Carried, PLACES};
@@ -74,7 +74,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         &self,
         indices: &[u16],
         places: &'c mut [Homogeneous],
-        carry: Option<&'c mut Carry<'c>>,
+        carried: Option<&'c mut dyn Carries>,
     ) -> BeforePlanes<'c>
     where
         'a: 'c,
@@ -82,7 +82,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         let placement = &self.placed.placement;
         to_clip_space(placement, self.placed.mesh.vertices(), indices, places);
         let depth: Option<DepthOf> = if DEPTH { Some(Placement::depth) } else { None };
-        BeforePlanes { placement, far: self.far, depth, places, carry }
+        BeforePlanes { placement, far: self.far, depth, places, carried }
     }
 
     /// Where a vertex lies on the screen, if no plane cuts it off.
@@ -104,6 +104,12 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         } else {
             statistics.count_edge(self.cut_edge(edge))
         }
+    }
+
+    /// The same where small is better than fast.
+    #[inline(never)]
+    pub(super) fn ends_of(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[Image; 2]> {
+        self.edge(edge, statistics)
     }
 
     /// The same for ends that have no place, and whether the planes took anything of it.
@@ -153,19 +159,20 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Step 3 of the pipeline, for one face. What is drawn of it is the fan's.
     #[inline(always)]
     pub(super) fn sort_out<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
+        let (pieces, carried) = fan.parts();
         match self.whole(face) {
-            Some(corners) => self.turned(corners, fan),
-            None => self.sort_out_any(face, fan),
+            Some(corners) => self.turned(corners, pieces),
+            None => self.sort_out_any(face, pieces, carried),
         }
     }
 
     /// The same for corners that have a place.
     #[inline(always)]
-    fn turned<K: Carried>(&self, corners: [Corner; 3], fan: &mut Fan<K>) -> Outcome {
+    fn turned(&self, corners: [Corner; 3], pieces: &mut Pieces) -> Outcome {
         let area = raster::area(&corners.map(|corner| corner.offset::<DEPTH>()));
         let outcome = self.placed.cull.turned(area, Outcome::Whole);
         if outcome == Outcome::Whole {
-            fan.pieces.whole(self.images(corners), area);
+            pieces.whole(self.images(corners), area);
         }
         outcome
     }
@@ -173,30 +180,19 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// The same for corners that are not kept, or must be clipped.
     #[cold]
     #[inline(never)]
-    pub(super) fn sort_out_any<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
+    pub(super) fn sort_out_any(
+        &self,
+        face: &[u16; 3],
+        pieces: &mut Pieces,
+        carried: &mut dyn Carries,
+    ) -> Outcome {
         let corners = face.map(|index| self.corner(index));
         if corners.iter().all(|corner| corner.whole()) {
-            self.turned(corners, fan)
-        } else {
-            self.cut_face(*face, fan)
+            return self.turned(corners, pieces);
         }
-    }
-
-    fn cut_face<K: Carried>(&self, face: [u16; 3], fan: &mut Fan<K>) -> Outcome {
         let mut places = [Homogeneous::ZERO; PLACES];
-        let Fan { pieces, carried } = fan;
-        for (corner, carried) in carried.iter_mut().take(3).enumerate() {
-            *carried = K::of(corner);
-        }
-        let mut carry = |at: usize, inside: usize, outside: usize, t: i32| {
-            if let (Some(a), Some(b)) = (carried.get(inside), carried.get(outside)) {
-                let carries = a.towards(b, t.into());
-                if let Some(place) = carried.get_mut(at) {
-                    *place = carries;
-                }
-            }
-        };
-        self.before_planes(&face, &mut places, Some(&mut carry)).face(self.placed.cull, pieces)
+        carried.begin();
+        self.before_planes(face, &mut places, Some(carried)).face(self.placed.cull, pieces)
     }
 
     /// The first piece of a face that takes more than that, if it has any; counts the face.
@@ -209,7 +205,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         statistics: &mut Statistics,
         piece: &mut Piece<'_>,
     ) -> bool {
-        let outcome = self.sort_out_any(face, fan);
+        let (pieces, carried) = fan.parts();
+        let outcome = self.sort_out_any(face, pieces, carried);
         statistics.count(outcome);
         outcome.is_drawn() && fan.put_into(piece)
     }
