@@ -25,6 +25,8 @@ pub(super) struct Bins<'s> {
     shift: u32,
     /// How many of `order` were taken in. While counting and sorting: how many items were kept.
     taken: usize,
+    /// The bin of the first one that was not, or one before it.
+    next: usize,
     /// Where the last band ended.
     row: i32,
     /// The reach of all that were kept.
@@ -84,7 +86,7 @@ impl<'s> Bins<'s> {
         let rows = viewport.rows();
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
         let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        Self { order, open, viewport, shift, taken: 0, row: i32::MIN, bounds: Scissor::NOTHING }
+        Self { order, open, viewport, shift, taken: 0, next: 0, row: i32::MIN, bounds: Scissor::NOTHING }
     }
 
     /// First all items are [put](Sorting::put) in their order; the bins [turn](Sorting::turn), and the kept ones are
@@ -139,20 +141,26 @@ impl<'s> Bins<'s> {
         if rows.start < self.row {
             // From the top: the same band once more, another frame, or another rectangle of it.
             self.open.fill(0);
-            self.taken = 0;
+            (self.taken, self.next) = (0, 0);
         }
         self.row = rows.end;
         if rows.end <= self.viewport.rows().start {
             return;
         }
         let last = self.bin(rows.end - 1);
-        // Where these bins end is searched by halves, not kept: a few first rows a band are worked out once more.
+        if last < self.next {
+            return;
+        }
+        // Where these bins end is searched by halves, not kept: a few first rows are worked out once more.
         let (begun, mut behind) = (self.taken, self.order.len());
+        self.next = BINS;
         while self.taken < behind {
             let middle = (self.taken + behind) / 2; // at most 65535 each
-            match self.order.get(middle) {
-                Some(&item) if self.bin(first_row(item.into())) <= last => self.taken = middle + 1,
-                _ => behind = middle,
+            let bin = self.order.get(middle).map_or(BINS, |&item| self.bin(first_row(item.into())));
+            if bin <= last {
+                self.taken = middle + 1;
+            } else {
+                (behind, self.next) = (middle, bin);
             }
         }
         for &item in self.order.get(begun..self.taken).unwrap_or_default() {
@@ -166,7 +174,7 @@ impl<'s> Bins<'s> {
 
 impl Sorting<'_, '_> {
     /// First: keeps an item with this reach, unless none of that may be drawn, and counts it.
-    #[inline(always)]
+    #[inline(never)] // small is better: once an item that is seen
     pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
         let (rows, columns) = (reach.rows(), reach.columns());
         let (all_rows, all_columns) = (self.bins.viewport.rows(), self.bins.viewport.columns());
