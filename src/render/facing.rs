@@ -17,13 +17,18 @@ pub struct Facing<'a, V = i16> {
 
 impl<V: Coordinate> Placed<'_, V> {
     /// Looks at the [plane](crate::Mesh::with_planes) of each face first, and places a vertex when the first face needs
-    /// it that may be seen. Worth it for closed meshes of some hundred faces and more: half of their faces, most often
-    /// more, are turned away. Draws at once, or [records](Facing::faces) for bands.
+    /// it that may be seen. Draws at once, or [records](Facing::faces) for bands.
+    ///
+    /// Worth it for closed meshes of some hundred faces and more, half of which are turned away: what it saves grows with
+    /// the mesh. For some dozen faces, and for land seen from above, it costs more than it saves, and so it does where
+    /// the mesh has no planes or the placed one [shows both sides](Cull::None): these are drawn as without, but vertices one
+    /// by one. (Figures are in `docs/growth.md`; the eye alone takes as long as some sixteen vertices.) Painter's order, and
+    /// lines that faces hide, take no planes.
     ///
     /// A face is known to be turned away where the eye lies behind its plane by more than 1/290 of the eye's distance,
-    /// or of the mesh's largest coordinate if that is more, both as the object's own coordinates measure them; most
-    /// often 1/1400 will do. No face that is seen is left out. All others, and all where the mesh has no planes or the
-    /// placed one [shows both sides](Cull::None), are drawn as without.
+    /// or of the mesh's largest coordinate if that is more, both as the object's own coordinates measure them; in
+    /// parallel projections where its normal points away from the viewer by more than an angle whose sine is 1/290. No
+    /// face that is seen is left out.
     ///
     /// The picture is the same as without, but for faces that are turned away and so thin on the screen that rounding
     /// turns their corners to the front: less than 1/100 pixel, however long. Those are left out here, and with them
