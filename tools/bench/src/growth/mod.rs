@@ -10,7 +10,7 @@ mod work;
 
 pub use cases::{Case, CASES};
 #[cfg(not(target_os = "none"))]
-pub use work::{names, Work};
+pub use work::{names, Work, ALL, SOME};
 
 use crate::board::Clock;
 use crate::scene::{flat, Scene, BACKGROUND, LINE};

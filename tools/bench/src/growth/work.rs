@@ -92,18 +92,22 @@ impl Work {
         counts.into_iter().map(f64::from).collect()
     }
 
-    /// With rows as one guesses them who knows pixels and faces alone.
+    /// With rows and large faces as one guesses them who knows pixels and faces alone: by the height of a face, on average.
     #[must_use]
     pub fn guessed(self, rows_of_root: f64) -> Self {
-        let Self { drawn, pixels, cut, met, .. } = self;
-        let rows = (rows_of_root * (f64::from(drawn) * f64::from(pixels)).sqrt()).round() as u32;
-        // A face as high as they are on average.
-        let all = rows > drawn * LOW;
-        let large = if all { drawn } else { cut.min(self.large) };
-        let met_large = if all { met - self.met_cut } else { 0 };
-        Self { rows, large, met_large, ..self }
+        let Self { cut, met, met_cut, .. } = self;
+        let (drawn, pixels) = (f64::from(self.drawn), f64::from(self.pixels));
+        let rows = rows_of_root * (drawn * pixels).sqrt();
+        let part = ((rows / drawn - SOME) / (ALL - SOME)).clamp(0.0, 1.0);
+        let large = (part * drawn).round() as u32;
+        let met_large = (part * f64::from(met - met_cut)).round() as u32;
+        Self { rows: rows.round() as u32, large: large.max(cut.min(self.large)), met_large, ..self }
     }
 }
+
+/// Where faces are so high on average, some of them are large, and where they are so high, all.
+pub const SOME: f64 = 8.0;
+pub const ALL: f64 = 48.0;
 
 /// How a face is drawn.
 #[derive(Clone, Copy, PartialEq, Eq)]
