@@ -46,8 +46,8 @@ what the same face or edge takes anyway:
 * *band*; *face in a band*: over all bands, the faces that begin, end or go on in each: drawn faces and one more
   for every border between bands that a face lies across. Of these, *large* is as above, but without those that are cut: such a face
   is cut anew in each band that it may reach. In bands, *face* is each of the mesh, drawn or not.
-* *edge across the border*: of those drawn, one that lies partly outside the picture, on any side. *Edge to be clipped*: as a
-  face.
+* *edge across the border*: of those drawn, one that lies partly outside the picture, on any side. *Edge to be clipped*: has an
+  end before the near plane or far outside the picture. *Edge cut*: of those, what is drawn in part.
 
 Who knows only the faces and the pixels that they cover together guesses the rows, and from the height of a face, on average, how
 many are large:
@@ -71,7 +71,7 @@ const FITTED: &str = "
 
 Least squares of the relative error, over these cases: tori, a sphere and land (their numbers are triangles), and vertices alone;
 whole, close, and cut by the near plane. By way, what the formula is off on the M3. There is no figure where both sides of faces
-show, and so no plane is asked. It is furthest off where a few faces fill a small picture, and with depth where many
+show, and so no plane is asked. It is furthest off with depth, where a few faces fill a small picture or many
 pixels are drawn behind others: it says too little.
 
 ";

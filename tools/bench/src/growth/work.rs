@@ -17,7 +17,7 @@ pub struct Work {
     pub large: u32,
     /// With a corner that must be clipped: drawn or not.
     pub clipped: u32,
-    /// Of these, those that a plane of the view volume cuts: drawn, or turned away, which is known only then.
+    /// Of these, those that a plane of the view volume cuts: drawn, or turned away, which is known only then. Edges are drawn.
     pub cut: u32,
     pub rows: u32,
     pub pixels: u32,
@@ -43,6 +43,7 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "edge drawn",
             "edge across the border: more",
             "edge to be clipped: more",
+            "edge cut: more",
             "pixel of a line",
             "pixel of the picture",
         ],
@@ -81,7 +82,7 @@ impl Work {
         let Self { vertices, faces, drawn, large, clipped, cut, rows, pixels, area, .. } = *self;
         let Self { bands, met, met_large, met_cut, .. } = *self;
         let counts = match way {
-            Way::Lines => vec![1, vertices, drawn, large, clipped, pixels, area],
+            Way::Lines => vec![1, vertices, drawn, large, clipped, cut, pixels, area],
             Way::Faces | Way::Depth | Way::Facing | Way::FacingDepth => {
                 vec![1, vertices, faces - drawn, drawn, large, clipped, cut, rows, pixels, area]
             }
@@ -151,7 +152,8 @@ impl Case {
             let Ok(statistics) = placed.wireframe(LINE, &mut [], &mut watch);
             let (large, clipped) = self.edges(&placed);
             let (faces, drawn) = (mesh.edges().len() as u32, statistics.drawn);
-            return Some(Work { faces, drawn, large, clipped, pixels: watch.pixels, ..work });
+            let cut = statistics.clipped;
+            return Some(Work { faces, drawn, large, clipped, cut, pixels: watch.pixels, ..work });
         }
 
         let mut seen = Vec::new();
