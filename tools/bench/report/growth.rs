@@ -3,7 +3,7 @@
 use crate::core::{Core, CORES};
 use crate::fit::{dot, fit};
 use crate::Result;
-use bench::growth::{Case, Way, Work, CASES, WAYS};
+use bench::growth::{names, Case, Way, Work, CASES, WAYS};
 
 /// Ways to draw that share their constants, on one core.
 pub(crate) struct Growth {
@@ -27,12 +27,13 @@ impl Growth {
         dot(&drawn.work.counts(drawn.way), &self.constants) / drawn.instructions as f64
     }
 
-    /// The largest error, and that on average, of cases that `chosen` chooses.
-    pub(crate) fn errors(&self, chosen: impl Fn(&Drawn) -> bool) -> [f64; 2] {
+    /// The errors of cases that `chosen` chooses: their mean, that of their sizes, and the largest size.
+    pub(crate) fn errors(&self, chosen: impl Fn(&Drawn) -> bool) -> [f64; 3] {
         let drawn = self.drawn.iter().filter(|drawn| chosen(drawn));
-        let errors: Vec<f64> = drawn.map(|drawn| (self.ratio(drawn) - 1.0).abs()).collect();
-        let most = errors.iter().fold(0.0, |most: f64, &error| most.max(error));
-        [most, errors.iter().sum::<f64>() / errors.len() as f64]
+        let errors: Vec<f64> = drawn.map(|drawn| self.ratio(drawn) - 1.0).collect();
+        let sizes = || errors.iter().map(|error| error.abs());
+        let mean = |sum: f64| sum / errors.len() as f64;
+        [mean(errors.iter().sum()), mean(sizes().sum()), sizes().fold(0.0, f64::max)]
     }
 }
 
@@ -54,7 +55,14 @@ pub(crate) fn measure() -> Result<Vec<Growth>> {
             let drawn: Vec<_> = of_ways
                 .map(|(&(case, way, work), &instructions)| Drawn { case, way, work, instructions })
                 .collect();
-            all.push(Growth { core, ways, constants: constants(&drawn)?, drawn });
+            let constants = constants(&drawn)?;
+            let below = |(_, constant): &(_, &f64)| **constant < 0.0;
+            if let Some((name, _)) = names(ways[0]).iter().zip(&constants).find(below) {
+                return Err(
+                    format!("growth on {}, {}: less than nothing for a {name}", core.name, ways[0]).into()
+                );
+            }
+            all.push(Growth { core, ways, constants, drawn });
         }
     }
     Ok(all)

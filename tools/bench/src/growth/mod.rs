@@ -10,7 +10,7 @@ mod work;
 
 pub use cases::{Case, CASES};
 #[cfg(not(target_os = "none"))]
-pub use work::{names, Work};
+pub use work::{names, Work, ALL, SOME};
 
 use crate::board::Clock;
 use crate::scene::{flat, Scene, BACKGROUND, LINE};
@@ -19,7 +19,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Corner, Cull, DepthBuffer, Frame, Lambert, Picture, Placed};
+use pinhole::{Corner, Cull, DepthBuffer, Faces, Frame, Lambert, Mesh, Picture, Placed};
 
 /// Of the largest picture.
 const PIXELS: usize = 480 * 320;
@@ -58,23 +58,26 @@ pub enum Way {
     FacingDepth,
     /// Faces with depth, in bands of so many rows.
     Bands(u32),
+    /// The same, asked by their planes.
+    FacingBands(u32),
 }
 
 /// Those that share their constants together.
-pub const WAYS: [&[Way]; 6] = [
+pub const WAYS: [&[Way]; 7] = [
     &[Way::Lines],
     &[Way::Faces],
     &[Way::Depth],
     &[Way::Facing],
     &[Way::FacingDepth],
     &[Way::Bands(8), Way::Bands(16), Way::Bands(48)],
+    &[Way::FacingBands(8), Way::FacingBands(16), Way::FacingBands(48)],
 ];
 
 const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]];
 
 impl Way {
     fn asks_planes(self) -> bool {
-        matches!(self, Self::Facing | Self::FacingDepth)
+        matches!(self, Self::Facing | Self::FacingDepth | Self::FacingBands(_))
     }
 }
 
@@ -87,6 +90,7 @@ impl core::fmt::Display for Way {
             Self::Facing => f.write_str("faces by planes"),
             Self::FacingDepth => f.write_str("depth by planes"),
             Self::Bands(rows) => write!(f, "bands of {rows} rows"),
+            Self::FacingBands(rows) => write!(f, "bands of {rows} rows by planes"),
         }
     }
 }
@@ -99,10 +103,14 @@ impl Case {
     }
 
     fn scene(&self) -> Option<Scene> {
+        self.scene_of(self.what.mesh()?)
+    }
+
+    fn scene_of(&self, mesh: Mesh<'static>) -> Option<Scene> {
         // Turned as S3's torus; what is land stays level.
         let axes = black_box(if self.level { LEVEL } else { crate::scene::TORUS.axes });
         let [width, height] = self.size;
-        Scene::viewed(self.what.mesh()?, axes, black_box(self.eye), black_box(Size::new(width, height)))
+        Scene::viewed(mesh, axes, black_box(self.eye), black_box(Size::new(width, height)))
     }
 
     /// The instructions of a whole frame, its clears too.
@@ -119,6 +127,7 @@ impl Case {
                 Way::Facing => facing(placed, light, size, memory),
                 Way::FacingDepth => facing_depth(placed, light, size, memory),
                 Way::Bands(rows) => bands(placed, light, size, rows, memory),
+                Way::FacingBands(rows) => facing_bands(placed, light, size, rows, memory),
             }
         })?;
         good.map(|()| instructions)
@@ -175,9 +184,37 @@ fn facing_depth(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut M
 
 fn bands(placed: &Placed<'_>, light: &Lambert, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
     let Memory { depth, corners, records, strip, .. } = memory;
-    let strip = strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))?;
     let projected = placed.transform_depth(corners);
-    let mut faces = projected.faces(records).ok()?;
+    let faces = projected.faces(records).ok()?;
+    in_bands(faces, placed, light, size, strip_of(strip, size, rows)?, depth)
+}
+
+fn facing_bands(
+    placed: &Placed<'_>,
+    light: &Lambert,
+    size: Size,
+    rows: u32,
+    memory: &mut Memory,
+) -> Option<()> {
+    let Memory { depth, corners, records, strip, .. } = memory;
+    let facing = placed.facing();
+    let faces = facing.faces_with_depth(corners, records).ok()?;
+    in_bands(faces, placed, light, size, strip_of(strip, size, rows)?, depth)
+}
+
+/// For bands of so many rows.
+fn strip_of(strip: &mut [u8], size: Size, rows: u32) -> Option<&mut [u8]> {
+    strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))
+}
+
+fn in_bands(
+    mut faces: Faces<'_, i16, true>,
+    placed: &Placed<'_>,
+    light: &Lambert,
+    size: Size,
+    strip: &mut [u8],
+    depth: &mut [u16],
+) -> Option<()> {
     let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;

@@ -1,6 +1,5 @@
 //! A target that counts what is drawn on it.
 
-use core::cell::Cell;
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Size};
@@ -8,34 +7,25 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-pub(super) struct Watch<'f> {
+pub(super) struct Watch {
     size: Size,
-    /// Of a band.
-    rows: u32,
-    /// The face that is being drawn, and whether it is large.
-    face: &'f Cell<(usize, bool)>,
-    /// Of faces that are not large, and of those that are.
-    pub(super) runs: [u32; 2],
+    pub(super) runs: u32,
     pub(super) pixels: u32,
-    /// Faces in bands.
-    pub(super) met: u32,
-    /// The last face that was met, and the band where.
-    last: Option<(usize, u32)>,
 }
 
-impl<'f> Watch<'f> {
-    pub(super) fn new(size: Size, rows: u32, face: &'f Cell<(usize, bool)>) -> Self {
-        Self { size, rows, face, runs: [0; 2], pixels: 0, met: 0, last: None }
+impl Watch {
+    pub(super) fn new(size: Size) -> Self {
+        Self { size, runs: 0, pixels: 0 }
     }
 }
 
-impl OriginDimensions for Watch<'_> {
+impl OriginDimensions for Watch {
     fn size(&self) -> Size {
         self.size
     }
 }
 
-impl DrawTarget for Watch<'_> {
+impl DrawTarget for Watch {
     type Color = Rgb565;
     type Error = Infallible;
 
@@ -44,15 +34,9 @@ impl DrawTarget for Watch<'_> {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, _: Rgb565) -> Result<(), Infallible> {
-        let (face, large) = self.face.get();
-        let [small_runs, large_runs] = &mut self.runs;
-        *if large { large_runs } else { small_runs } += 1;
+        // One row of a face; where a large one is as wide as the picture, many.
+        self.runs += area.size.height;
         self.pixels += area.size.width * area.size.height;
-        // A face comes row by row.
-        let here = Some((face, area.top_left.y as u32 / self.rows));
-        if here != self.last {
-            (self.met, self.last) = (self.met + 1, here);
-        }
         Ok(())
     }
 }

@@ -3,9 +3,8 @@
 use super::watch::Watch;
 use super::{Case, Way};
 use crate::scene::{BACKGROUND, LINE};
-use core::cell::Cell;
 use embedded_graphics_core::geometry::Size;
-use pinhole::Placed;
+use pinhole::{Cull, Mesh, Placed};
 
 /// Of one frame. *Faces* are edges where lines are drawn.
 #[derive(Clone, Copy, Debug, Default)]
@@ -13,22 +12,27 @@ pub struct Work {
     pub vertices: u32,
     pub faces: u32,
     pub drawn: u32,
+    /// Of those drawn: higher than [`LOW`], or across the left or right border of the picture, or cut. Of edges, those across
+    /// any border.
+    pub large: u32,
     /// With a corner that must be clipped: drawn or not.
     pub clipped: u32,
-    /// Drawn in part.
+    /// Of these, those that a plane of the view volume cuts: drawn, or turned away, which is known only then. Edges are drawn.
     pub cut: u32,
-    /// Of faces within [`SMALL`] pixels, and of larger ones.
-    pub rows: [u32; 2],
+    pub rows: u32,
     pub pixels: u32,
     /// Of the picture: these are cleared.
     pub area: u32,
     pub bands: u32,
-    /// Faces that a band meets, over all bands.
+    /// Faces that a band looks at, over all bands; of these, the large ones that are not cut, and the cut ones.
     pub met: u32,
+    pub met_large: u32,
+    pub met_cut: u32,
 }
 
-/// Of so many columns and rows or fewer most take a shorter way: those within about half as many, `src/raster/mod.rs`.
-const SMALL: u32 = 64;
+/// Triangles of so many rows or fewer, between the left and the right border of the picture, take a short way:
+/// `src/raster/side.rs`, and on a Cortex-M0 `src/raster/walk.rs`.
+const LOW: u32 = 31;
 
 /// What [`Work::counts`] has.
 pub const fn names(way: Way) -> &'static [&'static str] {
@@ -37,7 +41,9 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "frame",
             "vertex",
             "edge drawn",
-            "edge to be clipped",
+            "edge across the border: more",
+            "edge to be clipped: more",
+            "edge cut: more",
             "pixel of a line",
             "pixel of the picture",
         ],
@@ -46,25 +52,26 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "vertex",
             "face left out",
             "face drawn",
-            "face to be clipped",
-            "face cut",
+            "large face drawn: more",
+            "face to be clipped: more",
+            "face cut: more",
             "row of a face",
-            "row of a large face",
             "pixel of a face",
             "pixel of the picture",
         ],
-        Way::Bands(_) => &[
+        Way::Bands(_) | Way::FacingBands(_) => &[
             "frame",
             "vertex",
             "face",
-            "face to be clipped",
-            "face cut",
+            "face to be clipped: more",
+            "face cut: more",
+            "face in a band",
+            "large face in a band: more",
+            "cut face in a band: more",
             "row of a face",
-            "row of a large face",
             "pixel of a face",
             "pixel of the picture",
             "band",
-            "face in a band",
         ],
     }
 }
@@ -72,90 +79,166 @@ pub const fn names(way: Way) -> &'static [&'static str] {
 impl Work {
     /// For [`names`].
     pub fn counts(&self, way: Way) -> Vec<f64> {
-        let Self { vertices, faces, drawn, clipped, cut, rows, pixels, area, bands, met } = *self;
-        let [small, large] = rows;
+        let Self { vertices, faces, drawn, large, clipped, cut, rows, pixels, area, .. } = *self;
+        let Self { bands, met, met_large, met_cut, .. } = *self;
         let counts = match way {
-            Way::Lines => vec![1, vertices, drawn, clipped, pixels, area],
+            Way::Lines => vec![1, vertices, drawn, large, clipped, cut, pixels, area],
             Way::Faces | Way::Depth | Way::Facing | Way::FacingDepth => {
-                vec![1, vertices, faces - drawn, drawn, clipped, cut, small, large, pixels, area]
+                vec![1, vertices, faces - drawn, drawn, large, clipped, cut, rows, pixels, area]
             }
-            Way::Bands(_) => {
-                vec![1, vertices, faces, clipped, cut, small, large, pixels, area, bands, met]
+            Way::Bands(_) | Way::FacingBands(_) => {
+                vec![1, vertices, faces, clipped, cut, met, met_large, met_cut, rows, pixels, area, bands]
             }
         };
         counts.into_iter().map(f64::from).collect()
     }
 
-    /// With rows as one guesses them who knows pixels and faces alone.
+    /// With rows and large faces as one guesses them who knows pixels and faces alone: by the height of a face, on average.
     #[must_use]
     pub fn guessed(self, rows_of_root: f64) -> Self {
-        let Self { drawn, pixels, .. } = self;
-        let rows = (rows_of_root * (f64::from(drawn) * f64::from(pixels)).sqrt()).round() as u32;
-        // A face as wide as high.
-        let large = rows > drawn * SMALL;
-        Self { rows: if large { [0, rows] } else { [rows, 0] }, ..self }
+        let Self { cut, met, met_cut, .. } = self;
+        let (drawn, pixels) = (f64::from(self.drawn), f64::from(self.pixels));
+        let rows = rows_of_root * (drawn * pixels).sqrt();
+        let part = ((rows / drawn - SOME) / (ALL - SOME)).clamp(0.0, 1.0);
+        let large = (part * drawn).round() as u32;
+        let met_large = (part * f64::from(met - met_cut)).round() as u32;
+        Self { rows: rows.round() as u32, large: large.max(cut.min(self.large)), met_large, ..self }
     }
+}
+
+/// Where faces are so high on average, some of them are large, and where they are so high, all.
+pub const SOME: f64 = 8.0;
+pub const ALL: f64 = 48.0;
+
+/// How a face is drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Low,
+    Large,
+    Cut,
+}
+
+/// Where something lies, along one side of the picture.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Lies {
+    Inside,
+    Across,
+    Beside,
+}
+
+impl Lies {
+    fn new<const N: usize>((side, places): (i32, [i32; N])) -> Self {
+        match reach(places) {
+            [from, to] if from >= 0 && to <= side => Self::Inside,
+            [from, to] if from > side || to < 0 => Self::Beside,
+            _ => Self::Across,
+        }
+    }
+}
+
+fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
+    places.into_iter().fold([i32::MAX, i32::MIN], |[from, to], at| [from.min(at), to.max(at)])
 }
 
 impl Case {
     pub fn work(&self, way: Way) -> Option<Work> {
         let scene = self.scene()?;
         let placed = scene.place().with_cull(self.cull);
-        let [width, height] = self.size;
-        let rows = match way {
-            Way::Bands(rows) => rows,
-            _ => height,
-        };
-        let large = Cell::new((0, false));
-        let mut all = Watch::new(Size::new(width, height), rows, &large);
         let mesh = placed.mesh();
-        let asked = Cell::new(0);
-        let hidden = |&vertex: &u16| placed.project(vertex.into()).is_none();
-        let (statistics, faces, clipped) = match way {
-            Way::Lines => {
-                let clipped = mesh.edges().iter().filter(|edge| edge.iter().any(hidden)).count();
-                let Ok(statistics) = placed.wireframe(LINE, &mut [], &mut all);
-                (statistics, mesh.edges().len(), clipped)
-            }
-            _ => {
-                let shade = |face: usize| {
-                    large.set((face, is_large(&placed, face)));
-                    let face = mesh.faces().get(face).copied().unwrap_or_default();
-                    asked.set(asked.get() + usize::from(face.iter().any(hidden)));
-                    BACKGROUND
-                };
-                // By planes, those turned away are not looked at.
-                let (statistics, clipped) = if way.asks_planes() {
-                    let Ok(statistics) = placed.facing().solid(shade, &mut [], &mut all);
-                    (statistics, asked.get() + statistics.outside as usize)
-                } else {
-                    let Ok(statistics) = placed.solid(shade, &mut [], &mut all);
-                    (statistics, mesh.faces().iter().filter(|face| face.iter().any(hidden)).count())
-                };
-                (statistics, mesh.faces().len(), clipped)
+        let [width, height] = self.size;
+        let mut watch = Watch::new(Size::new(width, height));
+        let work = Work { vertices: mesh.vertices().len() as u32, area: width * height, ..Work::default() };
+        if way == Way::Lines {
+            let Ok(statistics) = placed.wireframe(LINE, &mut [], &mut watch);
+            let (large, clipped) = self.edges(&placed);
+            let (faces, drawn) = (mesh.edges().len() as u32, statistics.drawn);
+            let cut = statistics.clipped;
+            return Some(Work { faces, drawn, large, clipped, cut, pixels: watch.pixels, ..work });
+        }
+
+        let mut seen = Vec::new();
+        let shade = |face| {
+            seen.push(face);
+            BACKGROUND
+        };
+        let Ok(statistics) = match way.asks_planes() {
+            true => placed.facing().solid(shade, &mut [], &mut watch),
+            false => placed.solid(shade, &mut [], &mut watch),
+        };
+        let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&placed, face)).collect();
+        let of = |kind| kinds.iter().filter(|&&of| of == kind).count() as u32;
+        let (clipped, cut) = match way.asks_planes() {
+            // Those turned away are not looked at.
+            true => (of(Kind::Cut) + statistics.outside, statistics.clipped),
+            false => {
+                let all = 0..mesh.faces().len();
+                let clipped = all.filter(|&face| self.kind(&placed, face) == Kind::Cut).count() as u32;
+                let (both, mut watch) = (placed.with_cull(Cull::None), Watch::new(Size::new(width, height)));
+                let Ok(statistics) = both.solid(|_| BACKGROUND, &mut [], &mut watch);
+                (clipped, statistics.clipped)
             }
         };
-        Some(Work {
-            vertices: mesh.vertices().len() as u32,
-            faces: faces as u32,
+        let work = Work {
+            faces: mesh.faces().len() as u32,
             drawn: statistics.drawn,
-            clipped: clipped as u32,
-            cut: statistics.clipped,
-            rows: all.runs,
-            pixels: all.pixels,
-            area: width * height,
-            bands: height.div_ceil(rows),
-            met: all.met,
-        })
-    }
-}
+            large: of(Kind::Large) + of(Kind::Cut),
+            clipped,
+            cut,
+            rows: watch.runs,
+            pixels: watch.pixels,
+            ..work
+        };
+        let (Way::Bands(rows) | Way::FacingBands(rows)) = way else { return Some(work) };
 
-/// Whether a face is larger than [`SMALL`]; one that must be clipped counts as large.
-fn is_large(placed: &Placed<'_>, face: usize) -> bool {
-    let corners = placed.mesh().faces().get(face).copied().unwrap_or_default();
-    let [Some(a), Some(b), Some(c)] = corners.map(|vertex| placed.project(vertex.into())) else {
-        return true;
-    };
-    let over = |[a, b, c]: [i32; 3]| a.max(b).max(c) - a.min(b).min(c) > SMALL as i32 * 256;
-    over([a, b, c].map(|(point, _)| point.x())) || over([a, b, c].map(|(point, _)| point.y()))
+        let mut met = [0; 3];
+        for (face, kind) in seen.into_iter().zip(kinds) {
+            met[kind as usize] += self.bands(face, rows)?;
+        }
+        let [low, met_large, met_cut] = met;
+        let bands = height.div_ceil(rows);
+        Some(Work { bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
+    }
+
+    /// Edges that lie across the border of the picture, and those with an end that must be clipped.
+    fn edges(&self, placed: &Placed<'_>) -> (u32, u32) {
+        let (mut across, mut clipped) = (0, 0);
+        let [width, height] = self.size.map(|side| (side as i32) << 8);
+        for edge in placed.mesh().edges() {
+            match edge.map(|vertex| placed.project(vertex.into())) {
+                [Some((a, _)), Some((b, _))] => {
+                    let lies = [(width, [a.x(), b.x()]), (height, [a.y(), b.y()])].map(Lies::new);
+                    across += u32::from(lies.contains(&Lies::Across) && !lies.contains(&Lies::Beside));
+                }
+                _ => clipped += 1,
+            }
+        }
+        (across, clipped)
+    }
+
+    fn kind(&self, placed: &Placed<'_>, face: usize) -> Kind {
+        let corners = placed.mesh().faces().get(face).copied().unwrap_or_default();
+        let [Some(a), Some(b), Some(c)] = corners.map(|vertex| placed.project(vertex.into())) else {
+            return Kind::Cut;
+        };
+        let (x, y) = ([a, b, c].map(|(point, _)| point.x()), [a, b, c].map(|(point, _)| point.y()));
+        let [across, down] = self.size.map(|side| (side as i32) << 8);
+        let (x, height) = (Lies::new((across, x)), reach(y)[1] - reach(y)[0]);
+        match (x, Lies::new((down, y))) {
+            (Lies::Beside, _) | (_, Lies::Beside) => Kind::Low, // costs less than that
+            (Lies::Inside, _) if height <= (LOW as i32) << 8 => Kind::Low,
+            _ => Kind::Large,
+        }
+    }
+
+    /// How many bands of so many rows look at a face that is drawn.
+    fn bands(&self, face: usize, rows: u32) -> Option<u32> {
+        let all = self.what.mesh()?;
+        let alone = Mesh::new(all.vertices(), all.exponent(), all.faces().get(face..=face)?).ok()?;
+        let scene = self.scene_of(alone)?;
+        let placed = scene.place().with_cull(self.cull);
+        let (transformed, mut records) = (placed.transform(&mut []), [0; 2]);
+        let bounds = transformed.faces(&mut records).ok()?.bounds();
+        let (top, height) = (bounds.top_left.y as u32, bounds.size.height);
+        Some(if height == 0 { 0 } else { (top + height - 1) / rows - top / rows + 1 })
+    }
 }
