@@ -63,8 +63,9 @@ const CELLS_HEAD: &str = "
 ## The cells
 
 *Best rival* is the fastest other library on that scene and core: S3L small3dlib, TGX tgx, 3DG embedded-3dgfx 0.7.2, each
-measured once, with the targets, on the same scenes and emulator; which versions of S3L and TGX these were was not noted. *Of target* is below 1 where the target is beaten; *best rival / ours* says how
-many times as many instructions the best rival takes.
+measured once, with the targets, on the same scenes and emulator; which versions of S3L and TGX these were was not noted.
+*Of target* is below 1 where the target is beaten; *best rival / ours* says how many times as many instructions the best rival
+takes.
 
 | scene | | core | instructions | target | stretch | of target | best rival | | best rival / ours |
 |---|---|---|--:|--:|--:|--:|---|--:|--:|
@@ -87,7 +88,7 @@ const NO_PLANES: &str = "
 ## By planes and without
 
 S3, S4 and S8 as above, and once more from the same mesh without its planes, drawn by `Placed` in place of `Placed::facing`: the
-same pose and frame, and the same picture, compared by checksum. S1 and S2 have no planes in any case. *Flash* is what
+same pose and frame, and the same picture, compared by checksum. S1 and S2 are drawn without planes in any case. *Flash* is what
 drawing by planes takes more, in bytes: the planes, 2 for each face, and code.
 
 | scene | | core | by planes | of target | without | of target | by planes / without | flash: planes | code |
@@ -232,7 +233,7 @@ fn no_planes(text: &mut String, figures: &Figures<'_>) {
             ratio(without.instructions, of.target),
             ratio(with.instructions, without.instructions),
             grouped(planes),
-            if code < 0 { "−" } else { "" },
+            if code < 0 { "-" } else { "" },
             grouped(code.unsigned_abs()),
         );
         if !of.is_near(without.instructions) {
