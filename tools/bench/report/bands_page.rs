@@ -29,7 +29,7 @@ is that of the host, compared by checksum, and the scenes cover the pixels that 
 
 *At once* draws into memory for the whole frame, with a depth for each pixel, as into any DrawTarget; in *bands* the same
 goes through strips of so many rows, by `Band::pixels`. (A whole frame by `Picture::pixels` takes less than either: see
-[speed.md](speed.md).) *Empty* is a frame in which nothing is drawn: what the clears cost. The last columns divide the bands of
+[speed.md](speed.md). S3 and S4 are drawn by planes there, and without here: of their faces the corners are looked at.) *Empty* is a frame in which nothing is drawn: what the clears cost. The last columns divide the bands of
 16 rows by what is drawn at once, and both less the empty frame; for the torus with depth the former is to be at most 1.25.
 
 | scene | | at once | one band of 240 rows | bands of 16 rows | of 8 rows | 16 rows / at once | without the clears |
@@ -39,7 +39,7 @@ goes through strips of so many rows, by `Band::pixels`. (A whole frame by `Pictu
 const RAM: &str = "
 ## RAM
 
-Depth-tested in bands of 8 rows: all variables (corners, records, the strips of colour and depth, from the image's
+Depth-tested in bands of 8 rows, without planes: all variables (corners, records, the strips of colour and depth, from the image's
 sections) and the stack from the top of RAM to its deepest byte in two frames and the set-up before them (painted
 first). The mesh lies in flash.
 

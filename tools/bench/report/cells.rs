@@ -1,8 +1,9 @@
 //! The cells of the table: each scene on each core, from a firmware of its own, and whether its picture is the host's.
 
 use crate::core::{Core, CORES};
+use crate::side_by_side::side_by_side;
 use crate::{elf, Result};
-use bench::cells::CELLS;
+use bench::cells::{Known, CELLS, NO_PLANES};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -82,38 +83,68 @@ pub(crate) fn bin(scene: &str, variant: &str) -> String {
 
 /// Hands every cell that is asked for to `each`, core by core.
 pub(crate) fn measure(choice: &Choice, failures: &mut Vec<String>, mut each: impl FnMut(Cell)) -> Result<()> {
-    let chosen: Vec<_> =
-        CELLS.iter().filter(|(scene, variant, _)| choice.has(scene) && choice.has(variant)).collect();
-    let mut pictures = BTreeMap::new();
+    let chosen: Vec<Known> = CELLS
+        .iter()
+        .copied()
+        .filter(|(scene, variant, _)| choice.has(scene) && choice.has(variant))
+        .collect();
+    let mut pictures = Pictures::new();
     for core in CORES.into_iter().filter(|core| choice.has(core.name)) {
-        let bins = chosen.iter().map(|(scene, variant, _)| bin(scene, variant)).chain(["cell_empty".into()]);
-        core.build().cargo("build", &bins.map(|bin| format!("--bin={bin}")).collect::<Vec<_>>())?;
-        let empty = elf::sizes(&core.build().image("cell_empty"))?.flash;
-        for &&(scene, variant, on_host) in &chosen {
-            let image = core.build().image(&bin(scene, variant));
-            let printed = core.run(&image)?;
-            let fields: Vec<&str> = printed.trim().split(',').collect();
-            let [instructions, stack, crc] = fields[..] else {
-                return Err(format!("{scene},{variant}: {printed}").into());
-            };
-            let elf::Sizes { flash, statics, .. } = elf::sizes(&image)?;
-            let cell = Cell {
-                scene,
-                variant,
-                core,
-                instructions: instructions.parse()?,
-                flash: flash.saturating_sub(empty),
-                ram: statics,
-                stack: stack.parse()?,
-                crc: u32::from_str_radix(crc, 16)?,
-            };
-            let host =
-                *pictures.entry((scene, variant)).or_insert_with(|| on_host().map(|counted| counted.crc));
-            if host != Some(cell.crc) {
-                failures.push(format!("{cell}: not the host's picture, which is {host:08x?}"));
-            }
-            each(cell);
-        }
+        on(core, &chosen, bin, &mut pictures, failures)?.into_iter().for_each(&mut each);
     }
     Ok(())
+}
+
+/// The cells that are drawn by planes, here without, on the cores that have targets. They are printed to stderr: they are no
+/// cells of the table.
+pub(crate) fn measure_without_planes(failures: &mut Vec<String>) -> Result<Vec<Cell>> {
+    let no_planes = |scene: &str, variant: &str| bin(scene, variant) + "_no_planes";
+    let (mut pictures, mut cells) = (Pictures::new(), Vec::new());
+    for core in CORES.into_iter().filter(|core| core.name != "RV32") {
+        cells.extend(on(core, NO_PLANES, no_planes, &mut pictures, failures)?);
+    }
+    cells.iter().for_each(|cell| eprintln!("without planes: {cell}"));
+    Ok(cells)
+}
+
+/// Checksums of the host's pictures, by scene and variant.
+type Pictures = BTreeMap<(&'static str, &'static str), Option<u32>>;
+
+/// All of these on one core.
+fn on(
+    core: Core,
+    these: &[Known],
+    bin: fn(&str, &str) -> String,
+    pictures: &mut Pictures,
+    failures: &mut Vec<String>,
+) -> Result<Vec<Cell>> {
+    let bins = these.iter().map(|(scene, variant, _)| bin(scene, variant)).chain(["cell_empty".into()]);
+    core.build().cargo("build", &bins.map(|bin| format!("--bin={bin}")).collect::<Vec<_>>())?;
+    let empty = elf::sizes(&core.build().image("cell_empty"))?.flash;
+    let image = |scene, variant| core.build().image(&bin(scene, variant));
+    let printed = side_by_side(these, |(scene, variant, _)| core.run(&image(scene, variant)))?;
+    let mut cells = Vec::new();
+    for (&(scene, variant, on_host), printed) in these.iter().zip(printed) {
+        let fields: Vec<&str> = printed.trim().split(',').collect();
+        let [instructions, stack, crc] = fields[..] else {
+            return Err(format!("{scene},{variant}: {printed}").into());
+        };
+        let elf::Sizes { flash, statics, .. } = elf::sizes(&image(scene, variant))?;
+        let cell = Cell {
+            scene,
+            variant,
+            core,
+            instructions: instructions.parse()?,
+            flash: flash.saturating_sub(empty),
+            ram: statics,
+            stack: stack.parse()?,
+            crc: u32::from_str_radix(crc, 16)?,
+        };
+        let host = *pictures.entry((scene, variant)).or_insert_with(|| on_host().map(|counted| counted.crc));
+        if host != Some(cell.crc) {
+            failures.push(format!("{cell}: not the host's picture, which is {host:08x?}"));
+        }
+        cells.push(cell);
+    }
+    Ok(cells)
 }

@@ -23,6 +23,7 @@ mod prototype;
 mod provenance;
 mod rivals;
 mod scenes;
+mod side_by_side;
 mod speed_page;
 mod stages;
 mod targets;
@@ -31,6 +32,7 @@ mod trace;
 use cells::Choice;
 use pages::{Page, PAGES};
 use std::process::ExitCode;
+use std::time::Instant;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -111,8 +113,11 @@ fn check(pages: &[Page], failures: &mut Vec<String>) -> Result<()> {
 }
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match Task::new(&arguments).and_then(Task::run) {
+    let (arguments, start): (Vec<String>, _) = (std::env::args().skip(1).collect(), Instant::now());
+    let done = Task::new(&arguments).and_then(Task::run);
+    let seconds = start.elapsed().as_secs();
+    eprintln!("It took {} min {} s.", seconds / 60, seconds % 60);
+    match done {
         Ok(failures) if failures.is_empty() => ExitCode::SUCCESS,
         Ok(failures) => {
             failures.iter().for_each(|failure| eprintln!("bench: {failure}"));

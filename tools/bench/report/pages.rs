@@ -1,7 +1,7 @@
 //! The pages in `docs/`, each with what it takes to measure it.
 
 use crate::bands::{self, Speed};
-use crate::cells::{self, Choice};
+use crate::cells::{self, Cell, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
 use crate::{
@@ -49,7 +49,7 @@ impl Page {
     }
 }
 
-/// All cells, which are printed as they come.
+/// All cells, which are printed as they come, and those that have planes without these.
 fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
     scenes::compare_models(failures);
     scenes::compare_lists(failures);
@@ -58,8 +58,24 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
         println!("{cell}");
         cells.push(cell);
     })?;
-    let (targets, rivals) = (targets::targets()?, rivals::measure(failures)?);
-    Ok(speed_page::text(compiler, &Figures { cells: &cells, targets: &targets, rivals: &rivals }))
+    let targets = targets::targets()?;
+    targets::limit(&cells, &targets, failures);
+    let without = cells::measure_without_planes(failures)?;
+    compare_pictures(&cells, &without, failures);
+    let rivals = rivals::measure(failures)?;
+    let figures = Figures { cells: &cells, without: &without, targets: &targets, rivals: &rivals };
+    Ok(speed_page::text(compiler, &figures))
+}
+
+/// By planes and without the picture is the same.
+fn compare_pictures(cells: &[Cell], without: &[Cell], failures: &mut Vec<String>) {
+    for cell in without {
+        let same = |of: &&Cell| (of.scene, of.variant, of.core) == (cell.scene, cell.variant, cell.core);
+        let by_planes = cells.iter().find(same).map(|of| of.crc);
+        if by_planes != Some(cell.crc) {
+            failures.push(format!("without planes: {cell}: by planes the picture is {by_planes:08x?}"));
+        }
+    }
 }
 
 fn measure_bands(failures: &mut Vec<String>) -> Result<Speed> {

@@ -4,6 +4,7 @@
 use crate::cells::{self, Cell, Choice};
 use crate::core::Core;
 use crate::provenance::{self, Frame};
+use crate::side_by_side::side_by_side;
 use crate::stages::{Stage, STAGES};
 use crate::{cross, elf, trace, Result};
 use std::path::Path;
@@ -38,10 +39,12 @@ pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Profile>> {
     let cores = ["M0", "M3", "M4F"].map(String::from).to_vec();
     let mut cells = Vec::new();
     cells::measure(&Choice::new(cores)?, failures, |cell| cells.push(cell))?;
+    let stages = side_by_side(&cells, |cell| {
+        stages(cell.core, &cell.core.build().image(&cells::bin(cell.scene, cell.variant)))
+    })?;
     let mut profiles = Vec::new();
-    for cell in cells {
-        let image = cell.core.build().image(&cells::bin(cell.scene, cell.variant));
-        let profile = Profile { stages: stages(cell.core, &image)?, cell };
+    for (cell, stages) in cells.into_iter().zip(stages) {
+        let profile = Profile { stages, cell };
         let (cell, sum) = (&profile.cell, profile.sum());
         eprintln!(
             "profiled: {} {} {}: {sum} of {}",

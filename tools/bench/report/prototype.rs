@@ -17,7 +17,7 @@ pub(crate) fn prototype(stage: Stage, scene: &str, variant: &str, core: &str) ->
         ("M3", Stage::Faces, _) if mesh => just(32.0),
         ("M3", Stage::PassingOn, _) if mesh && flat => just(18.0),
         ("M3", Stage::Sides, "z") if flat => just(318.0),
-        ("M3", Stage::Sides, "plain") => Some((205.0, 236.0)),
+        ("M3", Stage::Sides, "plain") if scene != "S1" => Some((205.0, 236.0)),
         ("M3", Stage::Rows, "z") if flat => just(25.0),
         ("M3", Stage::Rows, "plain") => just(16.0),
         ("M3", Stage::Pixels, "z") if flat => Some((10.0, 11.0)),

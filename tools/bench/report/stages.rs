@@ -5,6 +5,8 @@ use crate::provenance::Frame;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stage {
     Vertices,
+    /// At vertices.
+    Light,
     Faces,
     PassingOn,
     Sides,
@@ -17,8 +19,9 @@ pub(crate) enum Stage {
 }
 
 /// In the order of the page.
-pub(crate) const STAGES: [Stage; 10] = [
+pub(crate) const STAGES: [Stage; 11] = [
     Stage::Vertices,
+    Stage::Light,
     Stage::Faces,
     Stage::PassingOn,
     Stage::Sides,
@@ -82,7 +85,7 @@ const RULES: [Rule; 50] = [
     ("raster/depth.rs", &[], Stage::Planes),
     ("raster/light.rs", &[], Stage::Planes),
     ("raster/mod.rs", &["from_subpixels"], Stage::Faces),
-    ("shade/lambert.rs", &["levels"], Stage::Vertices),
+    ("shade/lambert.rs", &["levels"], Stage::Light),
     ("shade/gouraud.rs", &["over"], Stage::Planes),
     ("shade/gouraud.rs", &["run"], Stage::Rows),
     ("shade/gouraud.rs", &["next"], Stage::Pixels),

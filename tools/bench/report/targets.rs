@@ -1,5 +1,6 @@
 //! `targets.txt`: what each cell is measured against.
 
+use crate::cells::Cell;
 use crate::Result;
 
 const TARGETS: &str = include_str!("../targets.txt");
@@ -19,7 +20,7 @@ pub(crate) struct Target {
 }
 
 impl Target {
-    /// Whether so many instructions are within 1.12 times of it, which is good enough.
+    /// Whether so many instructions are within 1.12 times of it: no cell may take more.
     pub(crate) const fn is_near(&self, instructions: u64) -> bool {
         instructions * 100 <= self.target * 112
     }
@@ -37,4 +38,17 @@ pub(crate) fn targets() -> Result<Vec<Target>> {
         Ok(Target { scene, variant, core, target, stretch, rival, best: best.parse()?, gfx: gfx.parse()? })
     };
     lines.map(target).collect()
+}
+
+/// Fails for each of the cells that is beyond 1.12 times its target, whatever the compiler.
+pub(crate) fn limit(cells: &[Cell], targets: &[Target], failures: &mut Vec<String>) {
+    for Cell { scene, variant, core, instructions, .. } in cells {
+        let of = targets.iter().find(|of| (of.scene, of.variant, of.core) == (*scene, *variant, core.name));
+        if let Some(of) = of.filter(|of| !of.is_near(*instructions)) {
+            failures.push(format!(
+                "{scene} {variant} {}: {instructions} instructions, beyond 1.12 times the target, {}",
+                core.name, of.target
+            ));
+        }
+    }
 }

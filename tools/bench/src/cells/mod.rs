@@ -6,7 +6,10 @@ mod three;
 mod two;
 
 pub use memory::{Deep, Frame, Plain, Smooth};
+#[cfg(not(target_os = "none"))]
+pub use three::placed;
 pub use three::{s1, s2, s2_z, s3, s3_z, s4, s4_z, s8_z};
+pub use three::{s3_no_planes, s3_z_no_planes, s4_no_planes, s4_z_no_planes, s8_z_no_planes};
 pub use two::{s5, s6, s7};
 
 use crate::board::{println, Clock};
@@ -41,7 +44,10 @@ type Draw = fn() -> Option<Counted>;
 
 /// Scene, variant, and how it is drawn on the host.
 #[cfg(not(target_os = "none"))]
-pub const CELLS: &[(&str, &str, Draw)] = &[
+pub type Known = (&'static str, &'static str, Draw);
+
+#[cfg(not(target_os = "none"))]
+pub const CELLS: &[Known] = &[
     ("S1", "plain", || s1(&mut boxed(Plain::NEW))),
     ("S2", "plain", || s2(&mut boxed(Plain::NEW))),
     ("S2", "z", || s2_z(&mut boxed(Deep::NEW))),
@@ -54,6 +60,27 @@ pub const CELLS: &[(&str, &str, Draw)] = &[
     ("S7", "plain", || s7(&mut boxed(Frame::NEW))),
     ("S8", "z", || s8_z(&mut boxed(Smooth::NEW))),
 ];
+
+/// Those of them that are drawn by planes, here without; they are no cells of the table.
+#[cfg(not(target_os = "none"))]
+pub const NO_PLANES: &[Known] = &[
+    ("S3", "plain", || s3_no_planes(&mut boxed(Plain::NEW))),
+    ("S3", "z", || s3_z_no_planes(&mut boxed(Deep::NEW))),
+    ("S4", "plain", || s4_no_planes(&mut boxed(Plain::NEW))),
+    ("S4", "z", || s4_z_no_planes(&mut boxed(Deep::NEW))),
+    ("S8", "z", || s8_z_no_planes(&mut boxed(Smooth::NEW))),
+];
+
+/// What a scene's planes take of flash, in bytes.
+#[cfg(not(target_os = "none"))]
+pub fn planes(scene: &str) -> usize {
+    use crate::scene::{ICO, TORUS};
+    match scene {
+        "S3" | "S8" => size_of_val(TORUS.mesh.planes()),
+        "S4" => size_of_val(ICO.mesh.planes()),
+        _ => 0,
+    }
+}
 
 /// What a scene's data take of flash, in bytes: its mesh or list.
 #[cfg(not(target_os = "none"))]

@@ -1,12 +1,28 @@
 //! S1 to S4 and S8: models before a camera. Camera, light and colours are set up before the frame, and the model is placed.
-//! The torus and the icosphere have planes, and their faces are asked by these; the cube's are too few.
+//! The torus and the icosphere have planes, and their faces are asked by these; the cube's are too few. Both are drawn
+//! without planes, too, to show what these do.
 
 use super::{count, Counted, Deep, Plain, Smooth, CUBE, ICO, TORUS};
 use crate::lists::TORUS_NORMALS;
 use crate::scene::{self, area, Model, Scene, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
-use pinhole::{DepthBuffer, ShadeTable};
+#[cfg(not(target_os = "none"))]
+use pinhole::Corner;
+use pinhole::{DepthBuffer, Mesh, ShadeTable};
+
+/// The torus and the icosphere without planes: a firmware that draws these has none in its flash.
+static TORUS_WITHOUT: Model = without(&scene::TORUS);
+static ICO_WITHOUT: Model = without(&scene::ICO);
+
+/// At compile time.
+const fn without(model: &Model) -> Model {
+    let Model { mesh: with, axes, distance, reference } = model;
+    let Ok(mesh) = Mesh::new(with.vertices(), with.exponent(), with.faces()) else { panic!("faces") };
+    let Ok(mesh) = mesh.with_normals(with.normals()) else { panic!("normals") };
+    let Ok(mesh) = mesh.with_edges(with.edges()) else { panic!("edges") };
+    Model { mesh, axes: *axes, distance: *distance, reference: *reference }
+}
 
 pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
     let scene = Scene::new(&scene::CUBE)?;
@@ -41,6 +57,22 @@ pub fn s3_z(memory: &mut Deep<TORUS>) -> Option<Counted> {
 
 pub fn s4_z(memory: &mut Deep<ICO>) -> Option<Counted> {
     flat_z::<true, _>(&scene::ICO, memory)
+}
+
+pub fn s3_no_planes(memory: &mut Plain<TORUS>) -> Option<Counted> {
+    flat::<false, _>(&TORUS_WITHOUT, memory)
+}
+
+pub fn s4_no_planes(memory: &mut Plain<ICO>) -> Option<Counted> {
+    flat::<false, _>(&ICO_WITHOUT, memory)
+}
+
+pub fn s3_z_no_planes(memory: &mut Deep<TORUS>) -> Option<Counted> {
+    flat_z::<false, _>(&TORUS_WITHOUT, memory)
+}
+
+pub fn s4_z_no_planes(memory: &mut Deep<ICO>) -> Option<Counted> {
+    flat_z::<false, _>(&ICO_WITHOUT, memory)
 }
 
 /// A level of light for each face, asked by its plane or not.
@@ -83,19 +115,70 @@ fn flat_z<const PLANES: bool, const N: usize>(
     })
 }
 
+pub fn s8_z(memory: &mut Smooth<TORUS>) -> Option<Counted> {
+    smooth_z::<true>(&scene::TORUS, memory)
+}
+
+pub fn s8_z_no_planes(memory: &mut Smooth<TORUS>) -> Option<Counted> {
+    smooth_z::<false>(&TORUS_WITHOUT, memory)
+}
+
 /// The light at each vertex, and between them smoothly.
-pub fn s8_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
+#[inline(always)]
+fn smooth_z<const PLANES: bool>(
+    model: &'static Model,
+    Smooth { deep, levels }: &mut Smooth<TORUS>,
+) -> Option<Counted> {
     let Deep { frame, depth, corners } = deep;
-    let scene = Scene::new(&scene::TORUS)?;
+    let scene = Scene::new(model)?;
     let (light, placed) = (scene.light()?, scene.place());
     let white = ShadeTable::new(Rgb888::WHITE);
     count(frame, &mut |picture| {
         let (placed, light, white) = black_box((&placed, &light, &white));
         light.levels(black_box(&TORUS_NORMALS), levels);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let shade = |face| white.lit(placed.mesh().corners_of(face, levels));
-        let Ok(statistics) = placed.facing().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        let (shade, mut pixels) =
+            (|face| white.lit(placed.mesh().corners_of(face, levels)), picture.pixels());
+        let Ok(statistics) = match PLANES {
+            true => placed.facing().depth_tested(shade, corners, &mut depth, &mut pixels),
+            false => placed.depth_tested(shade, corners, &mut depth, &mut pixels),
+        };
         black_box(statistics);
         Some(())
     })
+}
+
+/// Vertices that the frame of a cell places: those that have a place on the screen when it is drawn. All of these scenes
+/// lie before the camera.
+#[cfg(not(target_os = "none"))]
+pub fn placed(scene: &str, variant: &str) -> Option<usize> {
+    fn plain<const N: usize>(draw: fn(&mut Plain<N>) -> Option<Counted>) -> Option<usize> {
+        let mut memory = super::boxed(Plain::NEW);
+        draw(&mut memory)?;
+        Some(with_a_place(&memory.corners))
+    }
+    fn deep<const N: usize>(draw: fn(&mut Deep<N>) -> Option<Counted>) -> Option<usize> {
+        let mut memory = super::boxed(Deep::NEW);
+        draw(&mut memory)?;
+        Some(with_a_place(&memory.corners))
+    }
+    fn with_a_place(corners: &[Corner]) -> usize {
+        corners.iter().filter(|&&corner| corner != Corner::EMPTY).count()
+    }
+    match (scene, variant) {
+        ("S1", "plain") => plain(s1),
+        ("S2", "plain") => plain(s2),
+        ("S2", "z") => deep(s2_z),
+        ("S3", "plain") => plain(s3),
+        ("S3", "z") => deep(s3_z),
+        ("S4", "plain") => plain(s4),
+        ("S4", "z") => deep(s4_z),
+        ("S8", "z") => {
+            let mut memory = super::boxed(Smooth::NEW);
+            s8_z(&mut memory)?;
+            Some(with_a_place(&memory.deep.corners))
+        }
+        ("S5" | "S6" | "S7", _) => Some(0),
+        _ => None,
+    }
 }

@@ -1,0 +1,34 @@
+//! What takes long, as many at once as the host has cores. Instructions are counted by the emulator's own clock: what runs
+//! beside it changes no count.
+
+use crate::Result;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+/// What `each` makes of these, in their order.
+pub(crate) fn side_by_side<T: Sync, R: Send>(
+    these: &[T],
+    each: impl Fn(&T) -> Result<R> + Sync,
+) -> Result<Vec<R>> {
+    let next = AtomicUsize::new(0);
+    let some = || {
+        let mut done = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some(this) = these.get(at) else { break done };
+            // An error may stay in its thread, its words may not.
+            done.push((at, each(this).map_err(|error| error.to_string())));
+        }
+    };
+    let at_once = thread::available_parallelism().map_or(1, usize::from);
+    let mut done = Vec::new();
+    thread::scope(|scope| {
+        let threads: Vec<_> = (0..at_once).map(|_| scope.spawn(some)).collect();
+        for thread in threads {
+            done.extend(thread.join().map_err(|_| "a thread panicked")?);
+        }
+        Ok::<(), &str>(())
+    })?;
+    done.sort_by_key(|of| of.0);
+    done.into_iter().map(|of| of.1.map_err(Into::into)).collect()
+}
