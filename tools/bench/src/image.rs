@@ -23,6 +23,7 @@ use pinhole::{
 macro_rules! image {
     ($cube:ident, $($name:ident: $type:ty = $start:expr,)* $body:block) => {
         $crate::firmware!($($name: $type = $start,)* {
+            #[allow(clippy::too_many_arguments)] // the variables of the largest
             fn frame($cube: &'static $crate::scene::Model, $($name: &mut $type),*) -> Option<()> $body
             for cube in $crate::image::cubes() {
                 frame(cube, $($name),*)?;
