@@ -1,5 +1,4 @@
-use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
+use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*};
 use pinhole::*;
 
 const VERTICES: [[i16; 3]; 5] = [[-1, -1, 1], [1, -1, 1], [1, -1, -1], [-1, -1, -1], [0, 1, 0]]; // a pyramid

@@ -18,6 +18,8 @@ pub(crate) struct Emulator {
     serial: Line,
     patience: Duration,
     folder: Folder,
+    /// What the firmware says of it at its end.
+    stack: Option<usize>,
 }
 
 /// What the firmware says after a frame.
@@ -69,7 +71,7 @@ impl Emulator {
                 return Err(folder.explain(error));
             }
         };
-        let mut emulator = Self { qemu, control, serial, patience, folder };
+        let mut emulator = Self { qemu, control, serial, patience, folder, stack: None };
         match emulator.begin() {
             Ok(()) => Ok(emulator),
             Err(error) => Err(emulator.folder.explain(error)),
@@ -90,10 +92,11 @@ impl Emulator {
 
     fn report(&mut self) -> io::Result<Option<(Report, Picture)>> {
         let line = self.serial.read()?;
-        if line == "end" {
+        let wrong = || io::Error::other(format!("no report of a frame: {line:?}"));
+        if let Some(stack) = line.strip_prefix("end ") {
+            self.stack = Some(stack.parse().map_err(|_| wrong())?);
             return Ok(None);
         }
-        let wrong = || io::Error::other(format!("no report of a frame: {line:?}"));
         let mut words = line.splitn(3, ' ');
         let mut word = || words.next().ok_or_else(wrong);
         let frame = word()?.parse().map_err(|_| wrong())?;
@@ -104,17 +107,23 @@ impl Emulator {
 
     /// Lets the firmware go on.
     pub(crate) fn proceed(&mut self) -> io::Result<()> {
-        self.serial.0.get_mut().write_all(b"\n")
+        self.answer(b'\n')
     }
 
-    /// Waits for its end, which must be a good one: no panic, and nothing that the display did not understand.
-    pub(crate) fn finish(mut self) -> io::Result<()> {
+    /// Any other byte than a line's end: the firmware sends it to the display for a command, and ends.
+    pub(crate) fn answer(&mut self, byte: u8) -> io::Result<()> {
+        self.serial.0.get_mut().write_all(&[byte])
+    }
+
+    /// Waits for its end, which must be a good one: no panic, and nothing that the display did not understand. How many bytes
+    /// deep its stack was.
+    pub(crate) fn finish(mut self) -> io::Result<usize> {
         let qemu = &mut self.qemu;
         let status = wait(self.patience, || qemu.try_wait())?;
         if !status.success() || complains(&self.folder.said()?) {
             return Err(self.folder.explain(io::Error::other(status.to_string())));
         }
-        Ok(())
+        self.stack.ok_or_else(|| io::Error::other("it did not say how deep its stack was"))
     }
 
     fn picture(&mut self) -> io::Result<Picture> {

@@ -1,4 +1,5 @@
-//! The firmware: draws in bands of eight rows, sends what changed, and waits after each frame until it was looked at.
+//! The firmware: draws in bands of eight rows, sends what changed, and waits after each frame until it was looked at. At the end
+//! it says how deep its stack was.
 
 use crate::panel::{Error, Ssd0323};
 use crate::show::{self, Display, Scratch, Screen, FRAMES, SIZE};
@@ -10,7 +11,7 @@ use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::digital::OutputPin;
 use embedded_hal::spi::SpiBus;
-use lm3s6965evb::Board;
+use lm3s6965evb::{stack, Board};
 use pinhole::Frame;
 
 const ROWS: u32 = 8;
@@ -38,18 +39,26 @@ impl<SPI: SpiBus, DC: OutputPin> Display for Ssd0323<SPI, DC> {
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
+    stack::paint();
     let Board { spi, data_command, mut serial } = Board::take().expect("the first to take it");
     let mut panel = Ssd0323::new(spi, data_command).expect("a panel");
-    critical_section::with(|token| {
+    let command = critical_section::with(|token| {
         let Memory { scratch, colours, depths } = &mut *MEMORY.borrow_ref_mut(token);
         let mut screen = Screen::new(&mut panel, colours, depths);
         for frame in 0..FRAMES {
             scratch.draw(frame, &mut screen).expect("a panel");
-            // Whoever looks answers with any byte.
+            // Whoever looks answers: the next frame, or no more, but this for a command.
             let _ = writeln!(serial, "{frame} {} {}", screen.sent(), show::caption(frame));
-            serial.read();
+            let answer = serial.read();
+            if answer != b'\n' {
+                return Some(answer);
+            }
         }
+        None
     });
-    let _ = writeln!(serial, "end");
+    if let Some(command) = command {
+        panel.command(&[command]).expect("a panel");
+    }
+    let _ = writeln!(serial, "end {}", stack::deepest());
     semihosting::process::exit(0)
 }

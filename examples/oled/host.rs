@@ -78,10 +78,11 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
         pictures.push(picture);
         emulator.proceed()?;
     }
-    emulator.finish()?;
+    let stack = emulator.finish()?;
     write("contact-sheet.png", sheet(&pictures)?)?;
     write("oled.gif", film(&pictures)?)?;
     println!("{}: {} pictures of the display, contact-sheet.png, oled.gif", out.display(), pictures.len());
+    println!("{stack} bytes of stack");
     Ok(())
 }
 

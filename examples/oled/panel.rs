@@ -84,7 +84,12 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
         self.command(&[COLUMNS, (x / 2) as u8, (right / 2 - 1) as u8, ROWS, y as u8, (bottom - 1) as u8])
     }
 
-    fn command(&mut self, bytes: &[u8]) -> Result<SPI, DC> {
+    /// Sends a command with what belongs to it, whatever it is.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Spi`] and [`Error::Pin`].
+    pub(crate) fn command(&mut self, bytes: &[u8]) -> Result<SPI, DC> {
         self.data_command.set_low().map_err(Error::Pin)?;
         self.send(bytes)
     }

@@ -15,7 +15,9 @@ fn the_readme_shows_the_example_in_under_30_lines() {
     let picture = read("examples/first/picture.rs");
     assert_eq!(block("rust"), picture);
     assert_eq!(read("boards/stm32f4-ili9341/src/picture.rs"), picture, "the board's");
-    assert!(picture.lines().count() < 30, "{} lines", picture.lines().count());
+    // With `mod picture;` and the call, beyond the board's set-up.
+    let lines = picture.lines().count() + 2;
+    assert!(lines < 30, "{lines} lines");
 }
 
 #[test]

@@ -3,11 +3,13 @@
 use crate::film::{camera, AREA};
 use defmt::debug;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
+use pinhole::space::{Model, View, World};
 use pinhole::{
-    Affine, Corner, DepthBuffer, Dirty, Frame, Hierarchy, Mesh, Node, Painter, Point3, Scalar, Sphere,
-    Vector3, Viewport, Window, WindowCost,
+    Affine, Angle, Camera, Corner, DepthBuffer, Dirty, Frame, Hierarchy, Mesh, Node, Painter, Picture,
+    PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, ShadeTable, Sphere, Vector3, Viewing,
+    Viewport, Window, WindowCost,
 };
 
 const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
@@ -21,6 +23,7 @@ pub(crate) fn log() {
 
     let placed = camera(40).place(&mesh, &Affine::identity());
     debug!("{}", placed);
+    debug!("{}", placed.facing());
     let transformed = placed.transform(&mut corners);
     debug!("{}", transformed);
     debug!("{}", transformed.faces(&mut records).expect("room"));
@@ -44,6 +47,29 @@ pub(crate) fn log() {
     debug!("{}", Hierarchy::new(&mut [Node::root(Affine::identity())]).expect("a tree"));
     let half = Scalar::from_bits(1 << 15);
     debug!("{}", Sphere { centre: Point3::from_ints(1, 2, -3), radius: half });
-    debug!("{}", Vector3::<pinhole::space::View>::new(half, half, half));
+    debug!("{}", Vector3::<View>::new(half, half, half));
     debug!("{}", Window { left: -half, right: half, bottom: -half, top: half });
+
+    let move_on = Affine::<Model, World>::translation(Vector3::from_ints(1, 2, -3));
+    debug!("{}", move_on);
+    debug!("{}", move_on.normals());
+    let mut picture = [Gray8::BLACK; 6];
+    let mut picture = Picture::new(&mut picture, Size::new(3, 2)).expect("room");
+    debug!("{}", picture);
+    debug!("{}", picture.pixels());
+    let grey = ShadeTable::<Gray8>::new(Rgb888::WHITE);
+    debug!("{}", grey);
+    debug!("{}", grey.lit([256, 128, 0]));
+
+    let [zero, one, two] = [0, 1, 2].map(Scalar::const_from_int);
+    let window = Window { left: -two, right: two, bottom: -one, top: one };
+    let volume = ReferenceVolume::parallel(Point3::from_ints(0, 0, 1), window, zero, -two);
+    debug!("{}", volume.expect("a volume"));
+    debug!("{}", PlanarProjection::parallel());
+    let lens =
+        Projection::perspective(Angle::degrees(90), AREA.size, one, one + two).expect("near before far");
+    debug!("{}", lens);
+    let [eye, origin] = [2, 0].map(|z| Point3::from_ints(0, 0, z));
+    let view = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("a direction");
+    debug!("{}", Camera::new(&view, &lens, &Viewport::new(AREA.top_left, AREA.size).expect("a viewport")));
 }

@@ -38,10 +38,15 @@ fn the_film_has_all_kinds_of_frames() {
 /// What `types::log` makes, in its order, worked out by hand. The camera stands 40 away and 6 up, and has 30° for 64 rows:
 /// a focal length of 119.4 rows. So the square's half side of 9/8 takes 3.32 columns and 3.29 rows from (64, 32): faces
 /// cover the centres from 61 to 66 and 29 to 34, and edges run from pixel 60 to 67 and 28 to 35.
-const TYPES: [&str; 16] = [
+///
+/// Of numbers with an exponent the largest is 2²⁹ … 2³⁰: 1 is 2³⁰ · 2⁰ / 2³⁰ as a constant, and 2²⁹ · 2¹ / 2³⁰ where it was worked
+/// out. The map of normals has any length.
+const TYPES: [&str; 27] = [
     "mesh of 4 vertices, 2 faces, 2 edges",
     "128x64+8+0",
     "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back",
+    "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back, \
+     by planes",
     "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back, \
      3 corners kept",
     "faces within Scissor { left: 61, top: 29, right: 67, bottom: 35 }: \
@@ -59,6 +64,25 @@ const TYPES: [&str; 16] = [
     "(65536, 131072, -196608)/65536 radius 32768/65536",
     "(32768, 32768, 32768)/65536",
     "[-32768, 32768] x [-32768, 32768]/65536",
+    "[[1073741824, 0, 0], [0, 1073741824, 0], [0, 0, 1073741824]] * 2^(0 - 30), \
+     [4294967296, 8589934592, -12884901888]/2^32",
+    "normals [[536870912, 0, 0], [0, 536870912, 0], [0, 0, 536870912]]",
+    "picture of Size { width: 3, height: 2 }",
+    "pixels of Rectangle { top_left: Point { x: 0, y: 0 }, size: Size { width: 3, height: 2 } }",
+    "shade table",
+    // Of 255 entries, by full light and half of it.
+    "light [261120, 130560, 0] of a shade table, in 1/1024",
+    // x/2, y and z/2: the window and the depth to a half extent of 1, and to 1.
+    "[[536870912, 0, 0] * 2^(0 - 30), 0/2^32][[0, 536870912, 0] * 2^(1 - 30), 0/2^32]\
+     [[0, 0, 536870912] * 2^(0 - 30), 0/2^32]",
+    // x, y, 0 and 1.
+    "[[1073741824, 0, 0] * 2^(0 - 30), 0/2^32][[0, 1073741824, 0] * 2^(0 - 30), 0/2^32]\
+     [[0, 0, 0] * 2^(0 - 30), 0/2^32][[0, 0, 0] * 2^(0 - 30), 4294967296/2^32]",
+    // x/2, y, and with near 1 and far 3 (z + w)/2 = (−2z − 3 − z)/2, and w = −z.
+    "[[536870912, 0, 0] * 2^(0 - 30), 0/2^32][[0, 536870912, 0] * 2^(1 - 30), 0/2^32]\
+     [[0, 0, -805306368] * 2^(1 - 30), -6442450944/2^32][[0, 0, -536870912] * 2^(1 - 30), 0/2^32]",
+    "axes [[1073741824, 0, 0], [0, 1073741824, 0], [0, 0, 1073741824]]/2^30, eye [0, 0, 8589934592]/2^32, \
+     centre (16384, 8192)/256",
 ];
 
 fn host() -> Vec<String> {

@@ -17,8 +17,8 @@ use meshes::{
 };
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, Corner, Dim, Gouraud, Hierarchy, Lambert, Mesh, Node, Placed, Point3, Projection,
-    Scalar, Vector3, Viewing, Viewport,
+    Affine, Angle, Camera, Corner, Dim, Edges, Faces, Gouraud, Hierarchy, Lambert, Mesh, Node, Placed,
+    Point3, Projection, Scalar, Vector3, Viewing, Viewport,
 };
 
 /// Frames of a scene.
@@ -56,7 +56,8 @@ impl Scratch {
         }
     }
 
-    /// Draws a frame, in the order of the frames or alone.
+    /// Draws a frame, in the order of the frames or alone. The scenes are not inlined: the stack would hold the variables of all
+    /// seven at once.
     pub(crate) fn draw<D: Display>(
         &mut self,
         frame: u32,
@@ -77,6 +78,7 @@ impl Scratch {
         }
     }
 
+    #[inline(never)]
     fn wireframe<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, _, records) = &mut self.ship;
         let placed = place_ship(&turning(step));
@@ -87,6 +89,7 @@ impl Scratch {
         })
     }
 
+    #[inline(never)]
     fn hidden_line<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, face_records, edge_records) = &mut self.ship;
         let placed = place_ship(&turning(step));
@@ -100,18 +103,20 @@ impl Scratch {
         })
     }
 
+    #[inline(never)]
     fn flat<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, records, _) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
         let placed = place_ship(&model);
-        let mut faces = placed.transform_depth(corners).faces(records).expect("records for all faces");
+        let mut faces = faces(&placed, corners, records);
         screen.mark(faces.bounds());
         screen.show(SCENES[2], |band, depth| {
             let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face), depth, band);
         })
     }
 
+    #[inline(never)]
     fn gouraud<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, records, levels) = &mut self.teapot;
         let turn = Affine::<Model, Model>::rotation_y(Angle::degrees(22 * step - 30));
@@ -119,7 +124,7 @@ impl Scratch {
         light(&model, FROM_ABOVE).levels(TEAPOT.vertex_normals(), levels);
         let camera = camera([0, 14, 38], 27);
         let placed = camera.place(&TEAPOT, &model);
-        let mut faces = placed.transform_depth(corners).faces(records).expect("records for all faces");
+        let mut faces = faces(&placed, corners, records);
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
             let ink = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
@@ -128,62 +133,37 @@ impl Scratch {
     }
 
     /// A sun, a planet about it and a moon about that, and their orbits.
+    #[inline(never)]
     fn hierarchy<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        // Joints: the way round the sun, and round the planet. Then what is seen: three balls, two orbits.
-        let year = Angle::degrees(60 - 24 * step);
-        let month = Angle::degrees(75 * step);
-        let flat = |radius: i16| Affine::<Model, Model>::scale(Scalar::from_num(radius));
-        let out = |distance: i16| Affine::<Model, Model>::translation(Vector3::from_ints(distance, 0, 0));
-        let mut nodes = [
-            Node::root(out(18).then(&Affine::rotation_y(year))),
-            Node::child(0, out(7).then(&Affine::rotation_y(month))),
-            Node::root(flat(8)),
-            Node::child(0, flat(4)),
-            Node::child(1, flat(2)),
-            Node::root(flat(18)),
-            Node::child(0, flat(7)),
-        ];
-        let solar = Hierarchy::new(&mut nodes).expect("parents first");
-        let place = |node: usize| solar.world(node).copied().unwrap_or(Affine::identity());
-        let camera = camera([0, 20, 46], 36);
-
+        let places = solar_system(step);
         let [sun, planet, moon] = &mut self.balls;
-        let towards_sun = |ball: usize| {
-            let here = place(ball).apply(Point3::from_ints(0, 0, 0));
-            Vector3::new(-here.x(), -here.y(), -here.z())
-        };
-        light(&place(3), towards_sun(3)).levels(BALL.vertex_normals(), &mut planet.2);
-        light(&place(4), towards_sun(4)).levels(BALL.vertex_normals(), &mut moon.2);
-        // The sun shines, most towards the eye.
-        let glow = Lambert::new(&place(2), Vector3::from_ints(0, 20, 46), 150).expect("a direction");
-        glow.levels(BALL.vertex_normals(), &mut sun.2);
-        let placed = [2, 3, 4].map(|node| camera.place(&BALL, &place(node)));
-        let [a, b, c] = &placed;
-        let mut balls = [(sun, a), (planet, b), (moon, c)].map(|((corners, records, levels), placed)| {
-            let faces = placed.transform_depth(corners).faces(records).expect("records for all faces");
-            (faces, &*levels)
-        });
+        shine(&places, [&mut sun.2, &mut planet.2, &mut moon.2]);
+        let camera = camera([0, 20, 46], 36);
+        let [a, b, c, d, e] = &places;
+        let placed = (camera.place(&BALL, a), camera.place(&BALL, b), camera.place(&BALL, c));
+        let mut sun = (faces(&placed.0, &mut sun.0, &mut sun.1), &sun.2);
+        let mut planet = (faces(&placed.1, &mut planet.0, &mut planet.1), &planet.2);
+        let mut moon = (faces(&placed.2, &mut moon.0, &mut moon.1), &moon.2);
         let [far, near] = &mut self.rings;
-        let [a, b] = &[5, 6].map(|node| camera.place(&RING, &place(node)));
-        let mut rings = [(far, a), (near, b)].map(|((corners, records), placed)| {
-            placed.transform_depth(corners).edges(records).expect("records for all edges")
-        });
-        let [_, planet, moon] = &balls;
+        let placed = (camera.place(&RING, d), camera.place(&RING, e));
+        let mut far = edges(&placed.0, &mut far.0, &mut far.1);
+        let mut near = edges(&placed.1, &mut near.0, &mut near.1);
         screen.mark(planet.0.bounds());
         screen.mark(moon.0.bounds());
-        screen.mark(rings[1].bounds());
+        screen.mark(near.bounds());
         screen.show(SCENES[4], |band, depth| {
-            for (faces, levels) in &mut balls {
+            for (faces, levels) in [&mut sun, &mut planet, &mut moon] {
                 let ink = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, *levels)).dithered();
                 let Ok(()) = faces.depth_tested(ink, depth, band);
             }
-            for (edges, grey) in rings.iter_mut().zip([4, 7]) {
+            for (edges, grey) in [(&mut far, 4), (&mut near, 7)] {
                 let Ok(()) = edges.depth_tested(Gray4::new(grey), depth, band);
             }
         })
     }
 
     /// A small ship before a large planet and stars, which stand still: only about the ship is anything drawn.
+    #[inline(never)]
     fn dirty<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let camera = camera([0, 0, 60], 36);
         let [(corners, records, levels), ..] = &mut self.balls;
@@ -191,7 +171,7 @@ impl Scratch {
             .then(&Affine::translation(Vector3::from_ints(22, -4, 0)));
         light(&planet, Vector3::from_ints(-4, 2, -1)).levels(BALL.vertex_normals(), levels);
         let placed = camera.place(&BALL, &planet);
-        let mut ground = placed.transform_depth(corners).faces(records).expect("records");
+        let mut ground = faces(&placed, corners, records);
 
         let (corners, records, _) = &mut self.ship;
         let model = Affine::<Model, Model>::scale(Scalar::from_num(7) / 10)
@@ -200,7 +180,7 @@ impl Scratch {
             .then(&Affine::translation(Vector3::from_ints(-30 + 8 * step as i16, 8 - step as i16, 20)));
         let sun = light(&model, Vector3::from_ints(-2, 4, 5));
         let placed = camera.place(&SHIP, &model);
-        let mut ship = placed.transform_depth(corners).faces(records).expect("records");
+        let mut ship = faces(&placed, corners, records);
         screen.mark(ship.bounds());
         screen.show(SCENES[5], |band, depth| {
             for (i, &(x, y)) in STARS.iter().enumerate() {
@@ -214,6 +194,7 @@ impl Scratch {
     }
 
     /// Text at points of a solid, on top of it.
+    #[inline(never)]
     fn labels<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, face_records, edge_records) = &mut self.ship;
         let model = turning(step);
@@ -270,11 +251,66 @@ const STARS: [(i32, i32); 12] = [
     (121, 18),
 ];
 
+/// A placed mesh's faces, and its edges, for bands. Out of line, as what follows: all but the result leaves the stack.
+#[inline(never)]
+fn faces<'a>(
+    placed: &'a Placed<'_>,
+    corners: &'a mut [Corner],
+    records: &'a mut [u16],
+) -> Faces<'a, i16, true> {
+    placed.transform_depth(corners).faces(records).expect("records for all faces")
+}
+
+#[inline(never)]
+fn edges<'a>(
+    placed: &'a Placed<'_>,
+    corners: &'a mut [Corner],
+    records: &'a mut [u16],
+) -> Edges<'a, i16, true> {
+    placed.transform_depth(corners).edges(records).expect("records for all edges")
+}
+
+/// Where the sun, the planet, the moon and the two orbits are.
+#[inline(never)]
+fn solar_system(step: i32) -> [Affine<Model, World>; 5] {
+    // Joints: the way round the sun, and round the planet. Then what is seen: three balls, two orbits.
+    let year = Angle::degrees(60 - 24 * step);
+    let month = Angle::degrees(75 * step);
+    let flat = |radius: i16| Affine::<Model, Model>::scale(Scalar::from_num(radius));
+    let out = |distance: i16| Affine::<Model, Model>::translation(Vector3::from_ints(distance, 0, 0));
+    let mut nodes = [
+        Node::root(out(18).then(&Affine::rotation_y(year))),
+        Node::child(0, out(7).then(&Affine::rotation_y(month))),
+        Node::root(flat(8)),
+        Node::child(0, flat(4)),
+        Node::child(1, flat(2)),
+        Node::root(flat(18)),
+        Node::child(0, flat(7)),
+    ];
+    let solar = Hierarchy::new(&mut nodes).expect("parents first");
+    [2, 3, 4, 5, 6].map(|node| solar.world(node).copied().unwrap_or(Affine::identity()))
+}
+
+/// The light at the vertices of the sun, the planet and the moon.
+#[inline(never)]
+fn shine([sun, planet, moon, ..]: &[Affine<Model, World>; 5], levels: [&mut [u16; BALL_CORNERS]; 3]) {
+    let [of_sun, of_planet, of_moon] = levels;
+    for (ball, levels) in [(planet, of_planet), (moon, of_moon)] {
+        let here = ball.apply(Point3::from_ints(0, 0, 0));
+        let towards_sun = Vector3::new(-here.x(), -here.y(), -here.z());
+        light(ball, towards_sun).levels(BALL.vertex_normals(), levels);
+    }
+    // The sun shines, most towards the eye.
+    let glow = Lambert::new(sun, Vector3::from_ints(0, 20, 46), 150).expect("a direction");
+    glow.levels(BALL.vertex_normals(), of_sun);
+}
+
 fn light(model: &Affine<Model, World>, towards: Vector3<World>) -> Lambert {
     Lambert::new(model, towards, 24).expect("a direction")
 }
 
 /// From a point of the world towards its origin, with a field of view of so many degrees from top to bottom.
+#[inline(never)]
 fn camera([x, y, z]: [i16; 3], degrees: i32) -> Camera {
     let eye = Point3::from_ints(x, y, z);
     let viewing =

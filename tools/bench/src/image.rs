@@ -1,6 +1,8 @@
 //! What the images share whose size in flash is measured. Each is a firmware of its own, and all of them hold the cube.
 
-use crate::scene::{lit, CUBE, SIZE};
+#[cfg(not(target_os = "none"))]
+use crate::scene::Scene;
+use crate::scene::{lit, Model, CUBE, SIZE};
 use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -8,10 +10,46 @@ use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
-use pinhole::space::{Model, World};
+use pinhole::space::{Model as ModelSpace, World};
+#[cfg(not(target_os = "none"))]
+use pinhole::Corner;
 use pinhole::{
-    Affine, Angle, Camera, Lambert, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+    Affine, Angle, Camera, Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
 };
+
+/// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
+/// the stack is seen.
+#[macro_export]
+macro_rules! image {
+    ($cube:ident, $($name:ident: $type:ty = $start:expr,)* $body:block) => {
+        $crate::firmware!($($name: $type = $start,)* {
+            #[allow(clippy::too_many_arguments)] // the variables of the largest
+            fn frame($cube: &'static $crate::scene::Model, $($name: &mut $type),*) -> Option<()> $body
+            for cube in $crate::image::cubes() {
+                frame(cube, $($name),*)?;
+            }
+            Some(())
+        });
+    };
+}
+
+/// The cube, and one twice as large about the same centre: the near planes of [`Turntable`]'s camera and of
+/// [`Scene`](crate::scene::Scene)'s go through it, and both eyes are outside of it. The compiler does not know how many
+/// there are: it makes the code of a frame once.
+pub fn cubes() -> &'static [Model] {
+    static CUBES: [Model; 2] = {
+        let Model { mesh: cube, axes, distance, reference } = CUBE;
+        let Ok(large) = Mesh::new(cube.vertices(), cube.exponent() + 1, cube.faces()) else {
+            panic!("faces")
+        };
+        let Ok(large) = large.with_normals(cube.normals()) else { panic!("normals") };
+        let Ok(large) = large.with_planes(cube.planes()) else { panic!("planes") };
+        let Ok(large) = large.with_edges(cube.edges()) else { panic!("edges") };
+        let near = Model { mesh: large, axes, distance: 3 << 16, reference };
+        [Model { mesh: cube, axes, distance, reference }, near]
+    };
+    black_box(CUBES.as_slice())
+}
 
 /// The cube's vertices, and its faces or edges with a word of bits.
 pub const CORNERS: usize = 8;
@@ -34,7 +72,7 @@ const CAMERA: Camera = {
 
 /// The cube on a turntable.
 pub struct Turntable {
-    model: Affine<Model, World>,
+    model: Affine<ModelSpace, World>,
 }
 
 impl Turntable {
@@ -45,8 +83,8 @@ impl Turntable {
 
     /// Of the camera the compiler does not see that there is but one.
     #[inline(always)]
-    pub fn place(&self) -> Placed<'static> {
-        black_box(&CAMERA).place(&black_box(&CUBE).mesh, &self.model)
+    pub fn place(&self, cube: &'static Model) -> Placed<'static> {
+        black_box(&CAMERA).place(&cube.mesh, &self.model)
     }
 
     pub fn light(&self) -> Option<Lambert> {
@@ -58,6 +96,19 @@ impl Default for Turntable {
     fn default() -> Self {
         Self::new()
     }
+}
+
+/// Of each of the cubes, how many faces are cut: before [`Turntable`]'s camera, and before [`Scene`](crate::scene::Scene)'s.
+#[cfg(not(target_os = "none"))]
+pub fn cut() -> Option<Vec<[u32; 2]>> {
+    let cut = |placed: Placed<'_>| {
+        let Ok(statistics) = placed.solid(|_| Rgb565::new(1, 1, 1), &mut [Corner::EMPTY; CORNERS], &mut Sink);
+        statistics.clipped
+    };
+    cubes()
+        .iter()
+        .map(|cube| Some([cut(Turntable::new().place(cube)), cut(Scene::new(cube)?.place())]))
+        .collect()
 }
 
 /// A display that costs next to nothing: a driver's code is not the library's.

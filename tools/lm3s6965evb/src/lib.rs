@@ -1,4 +1,5 @@
-//! The board lm3s6965evb, as qemu-system-arm emulates it: the SPI bus and the D/C pin of its display, and a serial line.
+//! The board lm3s6965evb, as qemu-system-arm emulates it: the SPI bus and the D/C pin of its display, a serial line, and how
+//! deep its stack was.
 //!
 //! It knows what the emulator needs. Real silicon would also want its clock, its pins' other functions and a baud rate set.
 #![no_std]
@@ -6,6 +7,9 @@
 mod register;
 mod serial;
 mod spi;
+/// How deep the stack was.
+#[cfg(target_os = "none")]
+pub mod stack;
 
 pub use serial::Serial;
 pub use spi::{DataCommand, Spi};

@@ -2,15 +2,15 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::pixels;
 use bench::image::{Sink, Turntable, CORNERS, ROWS};
-use bench::{firmware, scene};
+use bench::{image, scene};
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{Corner, DepthBuffer};
 
-firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
+image!(cube, corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
     let scene = Turntable::new();
     let light = scene.light()?;
-    let placed = scene.place();
+    let placed = scene.place(cube);
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
     let mut depth = DepthBuffer::new(area, storage).ok()?;
     placed.depth_tested(scene::flat(placed.mesh(), &light), corners, &mut depth, &mut Sink).ok()?;

@@ -2,17 +2,18 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::{bytes, pixels};
 use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
-use bench::{firmware, scene};
+use bench::{image, scene};
 use pinhole::{Corner, DepthBuffer, Frame};
 
-firmware!(
+image!(
+    cube,
     corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
     records: [u16; RECORDS] = [0; RECORDS],
     strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
     storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
     {
         let scene = Turntable::new();
-        let placed = scene.place();
+        let placed = scene.place(cube);
         let light = scene.light()?;
         let mut faces = placed.transform_depth(corners).faces(records).ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);

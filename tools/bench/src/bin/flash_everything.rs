@@ -2,14 +2,16 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::{bytes, pixels};
 use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
-use bench::{firmware, scene};
+use bench::{image, scene};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::{Corner, DepthBuffer, Dirty, Frame, Painter, WindowCost};
 
+/// The cube's, and those that cuts make.
 const FACES: usize = 12;
-type Order = Painter<Rgb565, CORNERS, FACES>;
+type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 
-firmware!(
+image!(
+    cube,
     corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
     edge_corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
     records: [u16; RECORDS] = [0; RECORDS],
@@ -19,9 +21,10 @@ firmware!(
     painter: Order = Order::new(),
     {
         // A dithered solid in hidden lines, before it one in painter's order, from two cameras.
-        let (scene, other) = (scene::Scene::new(&scene::CUBE)?, Turntable::new());
+        let (scene, other) = (scene::Scene::new(cube)?, Turntable::new());
         let (placed, light) = (scene.place(), other.light()?);
-        painter.add(&other.place(), scene.shade(&light)).ok()?;
+        painter.clear();
+        painter.add(&other.place(cube), scene.shade(&light)).ok()?;
         let order = painter.order();
         let (projected, lines) = (placed.transform_depth(corners), placed.transform_depth(edge_corners));
         let (mut faces, mut edges) = (projected.faces(records).ok()?, lines.edges(edge_records).ok()?);

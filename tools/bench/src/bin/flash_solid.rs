@@ -1,13 +1,13 @@
 //! Lit faces, at once, without depth.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image::{Sink, Turntable, CORNERS};
-use bench::{firmware, scene};
+use bench::{image, scene};
 use pinhole::Corner;
 
-firmware!(corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], {
+image!(cube, corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], {
     let scene = Turntable::new();
     let light = scene.light()?;
-    let placed = scene.place();
+    let placed = scene.place(cube);
     placed.solid(scene::flat(placed.mesh(), &light), corners, &mut Sink).ok()?;
     Some(())
 });

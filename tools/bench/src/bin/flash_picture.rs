@@ -1,0 +1,24 @@
+//! Lit faces, at once, without depth, into a picture in memory: some rows of one.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+use bench::bands::pixels;
+use bench::image::{Turntable, CORNERS, ROWS};
+use bench::{image, scene};
+use core::hint::black_box;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::{Corner, Picture};
+
+image!(
+    cube,
+    corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
+    memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
+    {
+        let scene = Turntable::new();
+        let light = scene.light()?;
+        let placed = scene.place(cube);
+        let mut picture = Picture::new(memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
+        let Ok(_) = placed.solid(scene::flat(placed.mesh(), &light), corners, &mut picture.pixels());
+        black_box(picture.colours());
+        Some(())
+    }
+);
