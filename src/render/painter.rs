@@ -333,8 +333,9 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         }
         let mut first = if count == 0 { NONE } else { 0 };
         for digit in 0..black_box(4u32) {
-            let shift = (4 * digit) & 15; // four times the same code would be no faster
-                                        // Each digit's list: its first face and its last.
+            // Four times the same code would be no faster.
+            let shift = (4 * digit) & 15;
+            // Each digit's list: its first face and its last.
             let mut lists = [(NONE, NONE); 16];
             let mut at = first;
             while let Some(face) = self.faces.get_mut(usize::from(at)) {
