@@ -130,9 +130,18 @@ fn constants(text: &mut String, title: &str, cores: &[&Growth]) {
         let _ = write!(text, "| {says} |");
         for core in cores {
             let [mean, size, most] = core.errors(chosen).map(|error| 100.0 * error);
-            let _ = write!(text, " {mean:+.1} %, {size:.1} %, {most:.1} % |");
+            let _ = write!(text, " {} %, {size:.1} %, {most:.1} % |", signed(mean, 1));
         }
         text.push('\n');
+    }
+}
+
+/// With its sign, unless it rounds to nothing.
+fn signed(percent: f64, digits: usize) -> String {
+    let unit = 10f64.powi(digits as i32);
+    match (percent * unit).round() / unit {
+        0.0 => format!("{:.digits$}", 0.0),
+        rounded => format!("{rounded:+.digits$}"),
     }
 }
 
@@ -156,7 +165,7 @@ fn checks(text: &mut String, all: &[Growth], root: f64) {
             for core in &cores {
                 let drawn = &core.drawn[at];
                 let off = 100.0 * (core.ratio(drawn) - 1.0);
-                let _ = write!(text, " {} | {off:+.0} % |", grouped(drawn.instructions));
+                let _ = write!(text, " {} | {} % |", grouped(drawn.instructions), signed(off, 0));
             }
             let guessed = cores.iter().find(|core| core.core.name == "M3" && *way != Way::Lines);
             let _ = match guessed {
@@ -164,7 +173,7 @@ fn checks(text: &mut String, all: &[Growth], root: f64) {
                     let drawn = &core.drawn[at];
                     let work = drawn.work.guessed(root);
                     let off = 100.0 * (core.ratio(&Drawn { work, ..*drawn }) - 1.0);
-                    writeln!(text, " {off:+.0} % |")
+                    writeln!(text, " {} % |", signed(off, 0))
                 }
                 None => writeln!(text, " – |"),
             };
@@ -194,7 +203,7 @@ fn fitted(text: &mut String, all: &[Growth]) {
                 Some(growth.ratio(drawn))
             });
             let _ = match drawn {
-                Some(ratio) => write!(text, " {:+.0} % |", 100.0 * (ratio - 1.0)),
+                Some(ratio) => write!(text, " {} % |", signed(100.0 * (ratio - 1.0), 0)),
                 None => write!(text, " – |"),
             };
         }
