@@ -1,6 +1,6 @@
 //! Faces and edges recorded once, and drawn band by band.
 
-use super::bins::{Bins, BinsError};
+use super::bins::{Bins, BinsError, Sorting};
 use super::{
     fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window,
 };
@@ -95,17 +95,29 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
                     sorting.put(index, &self.reach(corners));
                 }
             } else {
-                let mut reach = Scissor::EMPTY;
-                let outcome = self.reach_of_cut(face, &mut reach);
-                statistics.count(outcome);
-                if outcome.is_drawn() {
-                    sorting.put(index, &reach);
-                }
+                self.record_any(index, face, &mut sorting, &mut statistics);
             }
         }
         sorting.turn(list.len())?;
         sorting.sort(|index| self.first_row(index));
         Ok(statistics.with_the_rest_culled(list.len()))
+    }
+
+    /// Keeps what is seen of a face that takes more than its corners' places; counts it.
+    #[inline(always)]
+    fn record_any(
+        &self,
+        index: usize,
+        face: &[u16; 3],
+        sorting: &mut Sorting<'_, '_>,
+        statistics: &mut Statistics,
+    ) {
+        let mut reach = Scissor::EMPTY;
+        let outcome = self.reach_of_cut(face, &mut reach);
+        statistics.count(outcome);
+        if outcome.is_drawn() {
+            sorting.put(index, &reach);
+        }
     }
 
     /// Where a face begins that was kept.
@@ -138,12 +150,11 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[inline(never)]
     fn reach_of_cut(&self, face: &[u16; 3], reach: &mut Scissor) -> Outcome {
         let mut fan = Fan::<()>::new();
-        let (pieces, carried) = fan.parts();
-        let outcome = self.sort_out_any(face, pieces, carried);
+        let outcome = self.sort_out_any(face, &mut fan);
         if outcome.is_drawn() {
-            while let Some((corners, _)) = fan.piece() {
+            while let Some((corners, _)) = fan.pieces.piece() {
                 *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
-                fan.next();
+                fan.pieces.next();
             }
         }
         outcome
@@ -243,14 +254,7 @@ impl<'a, V: Coordinate> Facing<'a, V> {
                     statistics.count(Outcome::Whole);
                     sorting.put(index, &transformed.reach(corners));
                 }
-                None => {
-                    let mut reach = Scissor::EMPTY;
-                    let outcome = transformed.reach_of_cut(face, &mut reach);
-                    statistics.count(outcome);
-                    if outcome.is_drawn() {
-                        sorting.put(index, &reach);
-                    }
-                }
+                None => transformed.record_any(index, face, &mut sorting, &mut statistics),
             }
             Ok(())
         })?;
@@ -319,11 +323,8 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
             let kept = view.whole(face);
             if let Some(kept) = kept {
                 put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
-            } else {
-                let (pieces, carried) = fan.parts();
-                if !(view.sort_out_any(face, pieces, carried).is_drawn() && fan.put_into(&mut piece)) {
-                    return Ok(true);
-                }
+            } else if !(view.sort_out_any(face, &mut fan).is_drawn() && fan.pieces.put_into(&mut piece)) {
+                return Ok(true);
             }
             let (mut end, mut shaded) = (i32::MIN, None);
             loop {
@@ -333,7 +334,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
                     let ink = *shaded.get_or_insert_with(|| shade(index));
                     draw(&piece, if kept.is_some() { ink } else { fan.ink(&ink) })?;
                 }
-                if kept.is_some() || !fan.next_into(&mut piece) {
+                if kept.is_some() || !fan.pieces.next_into(&mut piece) {
                     break;
                 }
             }

@@ -22,7 +22,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// Worth it for closed meshes of some hundred faces and more, half of which are turned away: what it saves grows with
     /// the mesh. For some dozen faces, and for land seen from above, it costs more than it saves, and so it does where
     /// the mesh has no planes or the placed one [shows both sides](Cull::None): these are drawn as without, but vertices one
-    /// by one. (Figures are in `docs/growth.md`; the eye alone takes as long as some sixteen vertices.) Painter's order, and
+    /// by one. (Figures are in `docs/growth.md`; the eye alone takes as long as some ten vertices.) Painter's order, and
     /// lines that faces hide, take no planes.
     ///
     /// A face is known to be turned away where the eye lies behind its plane by more than 1/290 of the eye's distance,

@@ -148,7 +148,7 @@ impl Pieces {
     /// Puts this triangle there, if there is one.
     #[cold]
     #[inline(never)]
-    fn put_into(&self, piece: &mut Piece<'_>) -> bool {
+    pub(super) fn put_into(&self, piece: &mut Piece<'_>) -> bool {
         let some = self.piece();
         if let Some((corners, area)) = some {
             put::<true>(piece, corners, area);
@@ -159,7 +159,7 @@ impl Pieces {
     /// The same with the next one.
     #[cold]
     #[inline(never)]
-    fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
+    pub(super) fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
         self.next();
         self.put_into(piece)
     }
@@ -193,8 +193,8 @@ impl<K: Carried> Carries for [K; PLACES] {
 
 /// The triangles of one face, with what their corners carry.
 pub(super) struct Fan<K> {
-    pieces: Pieces,
-    carried: [K; PLACES],
+    pub(super) pieces: Pieces,
+    pub(super) carried: [K; PLACES],
 }
 
 impl<K: Carried> Fan<K> {
@@ -212,36 +212,6 @@ impl<K: Carried> Fan<K> {
             },
             carried: [K::of(0); PLACES],
         }
-    }
-
-    /// To be filled by [`Transformed::sort_out`](super::Transformed::sort_out).
-    #[inline(always)]
-    pub(super) fn parts(&mut self) -> (&mut Pieces, &mut dyn Carries) {
-        (&mut self.pieces, &mut self.carried)
-    }
-
-    /// [`Pieces::piece`].
-    #[inline(always)]
-    pub(super) fn piece(&self) -> Option<(&[Image; 3], i64)> {
-        self.pieces.piece()
-    }
-
-    /// [`Pieces::next`].
-    #[inline(always)]
-    pub(super) fn next(&mut self) {
-        self.pieces.next();
-    }
-
-    /// [`Pieces::put_into`].
-    #[inline(always)]
-    pub(super) fn put_into(&self, piece: &mut Piece<'_>) -> bool {
-        self.pieces.put_into(piece)
-    }
-
-    /// [`Pieces::next_into`].
-    #[inline(always)]
-    pub(super) fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
-        self.pieces.next_into(piece)
     }
 
     /// What this triangle is filled with.

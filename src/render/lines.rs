@@ -189,17 +189,16 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         let mut fan = Fan::<()>::new();
         for face in beside {
             let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };
-            let (pieces, carried) = fan.parts();
-            if !self.sort_out_any(&face, pieces, carried).is_drawn() {
+            if !self.sort_out_any(&face, &mut fan).is_drawn() {
                 continue;
             }
-            while let Some((corners, area)) = fan.piece() {
+            while let Some((corners, area)) = fan.pieces.piece() {
                 let points = corners.map(|c| c.point);
                 let plane =
                     Plane::of_depth(&Triangle::new(points, area, viewport), &corners.map(|c| c.depth));
                 // There is room for the pieces of two faces.
                 let _ = all.push(Beside { points, plane });
-                fan.next();
+                fan.pieces.next();
             }
         }
         all

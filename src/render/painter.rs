@@ -212,7 +212,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
                 continue;
             }
             let ink = shade(index);
-            while let Some((corners, _)) = fan.piece() {
+            while let Some((corners, _)) = fan.pieces.piece() {
                 let indices = if outcome == Outcome::Whole {
                     face.map(|i| old_corners.wrapping_add(usize::from(i)))
                 } else {
@@ -224,7 +224,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
                     [first, first + 1, first + 2]
                 };
                 self.record(indices, corners, &mut room, fan.ink(&ink));
-                fan.next();
+                fan.pieces.next();
             }
         }
         // From here on only the places count; where there is none, no face asks for it.

@@ -159,10 +159,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Step 3 of the pipeline, for one face. What is drawn of it is the fan's.
     #[inline(always)]
     pub(super) fn sort_out<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
-        let (pieces, carried) = fan.parts();
         match self.whole(face) {
-            Some(corners) => self.turned(corners, pieces),
-            None => self.sort_out_any(face, pieces, carried),
+            Some(corners) => self.turned(corners, &mut fan.pieces),
+            None => self.sort_out_any(face, fan),
         }
     }
 
@@ -178,14 +177,15 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     }
 
     /// The same for corners that are not kept, or must be clipped.
+    #[inline(always)]
+    pub(super) fn sort_out_any<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
+        self.sort_out_carrying(face, &mut fan.pieces, &mut fan.carried)
+    }
+
+    /// The same, once for all that corners may carry.
     #[cold]
     #[inline(never)]
-    pub(super) fn sort_out_any(
-        &self,
-        face: &[u16; 3],
-        pieces: &mut Pieces,
-        carried: &mut dyn Carries,
-    ) -> Outcome {
+    fn sort_out_carrying(&self, face: &[u16; 3], pieces: &mut Pieces, carried: &mut dyn Carries) -> Outcome {
         let corners = face.map(|index| self.corner(index));
         if corners.iter().all(|corner| corner.whole()) {
             return self.turned(corners, pieces);
@@ -205,10 +205,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         statistics: &mut Statistics,
         piece: &mut Piece<'_>,
     ) -> bool {
-        let (pieces, carried) = fan.parts();
-        let outcome = self.sort_out_any(face, pieces, carried);
+        let outcome = self.sort_out_any(face, fan);
         statistics.count(outcome);
-        outcome.is_drawn() && fan.put_into(piece)
+        outcome.is_drawn() && fan.pieces.put_into(piece)
     }
 
     /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles, with the depths of their corners if those were
@@ -289,7 +288,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
             let ink = shade();
             loop {
                 draw(piece, fan.ink(&ink))?;
-                if !fan.next_into(piece) {
+                if !fan.pieces.next_into(piece) {
                     break;
                 }
             }

@@ -156,9 +156,7 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footpr
             let (_, stack) = build.run(&format!("flash_{name}"))?;
             let size = Size { flash: flash.saturating_sub(empty), variables: statics, stack };
             sizes.insert((name, build), size);
-            for routine in float_routines(&image(name))? {
-                failures.push(format!("{build}: {name} holds {routine}, of software floating point"));
-            }
+            without_floats(&format!("{build}: {name}"), &image(name), failures)?;
             let from = Provenance::of(&image(name))?;
             for &part in without.iter().filter(|&part| is_for(part, build)) {
                 let Part(file, function) = part;
@@ -181,8 +179,8 @@ pub(crate) fn measure(rebase: bool, failures: &mut Vec<String>) -> Result<Footpr
     Ok(Footprint { sizes, code })
 }
 
-/// The float routines that are linked into an image.
-fn float_routines(image: &Path) -> Result<Vec<String>> {
+/// Fails for each float routine that is linked into an image.
+pub(crate) fn without_floats(name: &str, image: &Path, failures: &mut Vec<String>) -> Result<()> {
     let mut nm = Command::new("bash");
     nm.arg(cross::root().join("tools/cross")).args(["bash", "-c", "\"$NM\" \"$1\"", "nm"]).arg(image);
     let output = nm.output()?;
@@ -191,7 +189,9 @@ fn float_routines(image: &Path) -> Result<Vec<String>> {
     if !output.status.success() || !names.contains(&"Reset") {
         return Err(format!("{}: not the symbols of a firmware", image.display()).into());
     }
-    Ok(names.into_iter().filter(|name| is_float_routine(name)).map(str::to_string).collect())
+    let routines = names.into_iter().filter(|name| is_float_routine(name));
+    failures.extend(routines.map(|routine| format!("{name} holds {routine}, of software floating point")));
+    Ok(())
 }
 
 /// What a figure may be that once was `before`: 5 % more, but where that met its goal, by the same compiler, it has to meet it

@@ -31,6 +31,7 @@ mod trace;
 
 use cells::Choice;
 use pages::{Page, PAGES};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -42,7 +43,8 @@ const M3: &str = "thumbv7m-none-eabi";
 const USAGE: &str = "\
 tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footprint ...]
 tools/bench/run guard [--rebase]
-tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]";
+tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]
+tools/bench/run floats IMAGE...";
 
 /// What is asked for on the command line.
 enum Task {
@@ -54,6 +56,8 @@ enum Task {
     Guard { rebase: bool },
     /// Print cells.
     Cells(Choice),
+    /// Look for routines for floating point in any images.
+    Floats(Vec<String>),
 }
 
 impl Task {
@@ -61,6 +65,7 @@ impl Task {
         let (first, rest) = arguments.split_first().map_or(("", arguments), |(first, rest)| (first, rest));
         Ok(match first {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
+            "floats" => Self::Floats(rest.to_vec()),
             "guard" if rest.is_empty() => Self::Guard { rebase: false },
             "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
             "--check" => Self::Check { pages: named(rest)? },
@@ -77,6 +82,11 @@ impl Task {
             Self::Check { pages } => check(&pages, &mut failures)?,
             Self::Guard { rebase: false } => guard::check(&mut failures)?,
             Self::Guard { rebase: true } => guard::rebase(&mut failures)?,
+            Self::Floats(images) => {
+                for image in &images {
+                    footprint::without_floats(image, Path::new(image), &mut failures)?;
+                }
+            }
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
         }
         Ok(failures)

@@ -33,6 +33,59 @@ macro_rules! image {
     };
 }
 
+/// [`image!`] of faces with depth in bands: `$draw` draws what lies in a band.
+#[macro_export]
+macro_rules! depth_in_bands {
+    (|$faces:ident, $mesh:ident, $light:ident, $depth:ident, $band:ident| $draw:expr) => {
+        $crate::image!(
+            cube,
+            corners: [pinhole::Corner; $crate::image::CORNERS] = [pinhole::Corner::EMPTY; $crate::image::CORNERS],
+            records: [u16; $crate::image::RECORDS] = [0; $crate::image::RECORDS],
+            strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
+            storage: [u16; $crate::bands::pixels($crate::image::ROWS)] = [0; $crate::bands::pixels($crate::image::ROWS)],
+            {
+                let scene = $crate::image::Turntable::new();
+                let placed = scene.place(cube);
+                let $light = scene.light()?;
+                let mut $faces = placed.transform_depth(corners).faces(records).ok()?;
+                let $mesh = placed.mesh();
+                let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
+                while let Some(mut $band) = frame.next_band(strip).ok()? {
+                    let mut $depth = pinhole::DepthBuffer::new($band.area(), storage).ok()?;
+                    $draw.ok()?;
+                    $band.send(&mut $crate::image::Sink).ok()?;
+                }
+                Some(())
+            }
+        );
+    };
+}
+
+/// [`image!`] of lit faces in bands, into the bands' pixels: `$record` records the faces.
+#[macro_export]
+macro_rules! solid_in_bands {
+    (|$placed:ident, $corners:ident, $records:ident| $record:expr) => {
+        $crate::image!(
+            cube,
+            $corners: [pinhole::Corner; $crate::image::CORNERS] = [pinhole::Corner::EMPTY; $crate::image::CORNERS],
+            $records: [u16; $crate::image::RECORDS] = [0; $crate::image::RECORDS],
+            strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
+            {
+                let scene = $crate::image::Turntable::new();
+                let $placed = scene.place(cube);
+                let light = scene.light()?;
+                let mut faces = $record.ok()?;
+                let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
+                while let Some(mut band) = frame.next_band(strip).ok()? {
+                    let Ok(()) = faces.solid($crate::scene::flat($placed.mesh(), &light), &mut band.pixels());
+                    band.send(&mut $crate::image::Sink).ok()?;
+                }
+                Some(())
+            }
+        );
+    };
+}
+
 /// The cube, and one twice as large about the same centre: the near planes of [`Turntable`]'s camera and of
 /// [`Scene`](crate::scene::Scene)'s go through it, and both eyes are outside of it. The compiler does not know how many
 /// there are: it makes the code of a frame once.

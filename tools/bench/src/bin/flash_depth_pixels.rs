@@ -1,27 +1,9 @@
 //! Lit faces, in bands, with depth, into a band's pixels.
 #![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::bands::{bytes, pixels};
-use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
-use bench::{image, scene};
-use pinhole::{Corner, DepthBuffer, Frame};
+use bench::{depth_in_bands, scene};
 
-image!(
-    cube,
-    corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
-    records: [u16; RECORDS] = [0; RECORDS],
-    strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
-    storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
-    {
-        let scene = Turntable::new();
-        let placed = scene.place(cube);
-        let light = scene.light()?;
-        let mut faces = placed.transform_depth(corners).faces(records).ok()?;
-        let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
-        while let Some(mut band) = frame.next_band(strip).ok()? {
-            let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
-            faces.depth_tested(scene::flat(placed.mesh(), &light), &mut depth, &mut band.pixels()).ok()?;
-            band.send(&mut Sink).ok()?;
-        }
-        Some(())
-    }
-);
+depth_in_bands!(|faces, mesh, light, depth, band| faces.depth_tested(
+    scene::flat(mesh, &light),
+    &mut depth,
+    &mut band.pixels()
+));
