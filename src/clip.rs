@@ -24,8 +24,9 @@ use heapless::Vec;
 /// A triangle cut by six planes has at most 3 + 6 corners.
 pub const CORNERS: usize = 9;
 
-/// Places for the corners of a polygon while a plane cuts it, which brings two new ones.
-pub(crate) const PLACES: usize = CORNERS + 2;
+/// Places for the corners of a polygon while a plane cuts it, which brings two new ones, and takes one at least: of those
+/// that there were, one fewer than there may be in the end.
+pub(crate) const PLACES: usize = CORNERS + 1;
 
 /// The places of a polygon's corners, in their order.
 pub(crate) type Order = Vec<u8, CORNERS>;
@@ -168,31 +169,31 @@ fn beyond(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
     polygon.iter().fold(0, |bits, &at| bits | is_outside(corners, plane, at.into()) << (at & 31))
 }
 
-/// The part of the triangle of corners 0, 1 and 2 inside all planes, and whether they took any of it; fewer than three
-/// corners when nothing is left. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
-pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> (Order, bool) {
-    let mut polygon = Order::new();
-    (0..3).for_each(|corner| add(&mut polygon, corner));
+/// Makes `polygon` the part of the triangle of corners 0, 1 and 2 inside all planes, and tells whether they took any of it;
+/// fewer than three corners when nothing is left. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
+pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut Order) -> bool {
+    polygon.clear();
+    (0..3).for_each(|corner| add(polygon, corner));
     let mut taken = 0b111u32; // places, a bit each
     let mut crossed = false;
     // Nothing is cut before it is known that no plane has all of it beyond.
     let mut plane = 0;
     while plane < planes {
-        let beyond = beyond(corners, &polygon, plane);
+        let beyond = beyond(corners, polygon, plane);
         crossed |= beyond != 0;
         if beyond == taken {
             polygon.clear();
-            return (polygon, true);
+            return true;
         }
         plane = after(plane);
     }
     let mut plane = if crossed { 0 } else { planes };
     while plane < planes {
-        let beyond = beyond(corners, &polygon, plane);
+        let beyond = beyond(corners, polygon, plane);
         let is_beyond = |at: u8| beyond >> (at & 31) & 1 != 0;
         let Some(&(mut from)) = polygon.last() else { break };
         let mut kept = Order::new();
-        for &to in &polygon {
+        for &to in polygon.iter() {
             if is_beyond(from) != is_beyond(to) {
                 let free = taken.trailing_ones(); // below `PLACES` in a convex polygon
                 taken |= 1 << (free & 31);
@@ -205,10 +206,10 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize) -> (Order, bool
             }
             from = to;
         }
-        (polygon, taken) = (kept, taken & !beyond);
+        (*polygon, taken) = (kept, taken & !beyond);
         plane = after(plane);
     }
-    (polygon, crossed)
+    crossed
 }
 
 /// A corner in clip space with what varies over a face: colours, texture coordinates, …. For [`triangle`].
@@ -308,7 +309,8 @@ pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A
     let mut places = [a; PLACES];
     (places[1], places[2]) = (b, c);
     let mut result = Vec::new();
-    let (polygon, _) = triangle_at(&mut places, 6);
+    let mut polygon = Order::new();
+    triangle_at(&mut places, 6, &mut polygon);
     if polygon.len() < 3 {
         return result;
     }

@@ -1,6 +1,7 @@
 //! A vertex on the screen, in eight bytes.
 
 use crate::math::num::keep_rolled;
+use crate::math::Homogeneous;
 use crate::raster::ScreenPoint;
 
 /// A vertex's place on the screen: 8 bytes of scratch memory each, given by the caller.
@@ -28,6 +29,19 @@ pub(crate) struct Image {
 }
 
 impl Image {
+    /// Somewhere.
+    pub(crate) const ORIGIN: Self = Self { point: ScreenPoint::ORIGIN, depth: 0 };
+
+    /// In the room of a corner in clip space.
+    pub(crate) fn held(self) -> Homogeneous {
+        Homogeneous { xydw: [self.point.x(), self.point.y(), self.depth, 1] }
+    }
+
+    /// What [`held`](Self::held) made.
+    pub(crate) fn of_held(&Homogeneous { xydw: [x, y, depth, _] }: &Homogeneous) -> Self {
+        Self { point: ScreenPoint::inside(x, y), depth }
+    }
+
     /// 0 near … 65534 far, rounded to nearest.
     pub(crate) fn step(&self) -> u16 {
         ((self.depth + 128) >> 8) as u16 // FARTHEST rounds to 65534

@@ -243,23 +243,6 @@ impl Scissor {
         self.left..self.right
     }
 
-    /// The bounding box of both.
-    #[inline(always)]
-    pub(crate) fn or(&self, other: &Self) -> Self {
-        if self.is_empty() {
-            *other
-        } else if other.is_empty() {
-            *self
-        } else {
-            Self {
-                left: self.left.min(other.left),
-                top: self.top.min(other.top),
-                right: self.right.max(other.right),
-                bottom: self.bottom.max(other.bottom),
-            }
-        }
-    }
-
     /// What lies in both, of which the other is inside the guard band: so is that, however far this one reaches.
     pub(crate) fn within(&self, other: &Self) -> Self {
         let both = self.and(other);

@@ -41,7 +41,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
         let bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
         let mut faces = Faces { transformed: *self, bins, statistics: Statistics::default() };
-        faces.statistics = self.record_faces(&mut faces.bins)?;
+        self.record_faces(&mut faces.bins, &mut faces.statistics)?;
         Ok(faces)
     }
 
@@ -77,47 +77,62 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
     /// then.
-    #[inline(always)] // what it makes is large, and no stack is deeper than while it is made: it is made where it stays
+    #[inline(never)] // what it makes is large: inlined it would stand there once more while edges are drawn
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
-        let mut bins = Bins::new(records, self.placed.mesh.edges().len(), pixels(self.placed.area()));
-        let statistics = self.record_edges(&mut bins)?;
-        Ok(Edges { transformed: *self, bins, statistics })
+        let bins = Bins::new(records, self.placed.mesh.edges().len(), pixels(self.placed.area()));
+        let mut edges = Edges { transformed: *self, bins, statistics: Statistics::default() };
+        self.record_edges(&mut edges.bins, &mut edges.statistics)?;
+        Ok(edges)
     }
 
     /// Sorts out all faces, and then once more those that are kept.
-    #[inline(never)]
-    fn record_faces(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
+    #[inline(never)] // its lists are gone when it returns
+    fn record_faces(&self, bins: &mut Bins<'_>, statistics: &mut Statistics) -> Result<(), BinsError> {
         let list = self.placed.mesh.faces();
-        let (mut statistics, mut sorting) = (Statistics::default(), bins.sorting());
+        let mut sorting = bins.sorting();
         for (index, face) in list.iter().enumerate() {
-            if let Some(corners) = self.whole(face) {
-                if self.front(&corners, &mut statistics).is_some() {
-                    sorting.put(index, &self.reach(corners));
-                }
-            } else {
-                self.record_any(index, face, &mut sorting, &mut statistics);
-            }
+            self.record(index, face, &mut sorting, statistics);
         }
         sorting.turn(list.len())?;
         sorting.sort(|index| self.first_row(index));
-        Ok(statistics.with_the_rest_culled(list.len()))
+        *statistics = statistics.with_the_rest_culled(list.len());
+        Ok(())
     }
 
-    /// Keeps what is seen of a face that takes more than its corners' places; counts it.
+    /// Keeps what is seen of a face; counts it.
     #[inline(always)]
-    fn record_any(
+    fn record(
         &self,
         index: usize,
         face: &[u16; 3],
         sorting: &mut Sorting<'_, '_>,
         statistics: &mut Statistics,
     ) {
+        if self.record_whole(index, face, sorting, statistics) {
+            return;
+        }
         let mut reach = Scissor::EMPTY;
         let outcome = self.reach_of_cut(face, &mut reach);
         statistics.count(outcome);
         if outcome.is_drawn() {
             sorting.put(index, &reach);
         }
+    }
+
+    /// The same for one that takes no more than its corners' places; of others nothing, and false.
+    #[inline(never)] // its frame is gone when that is sorted out
+    fn record_whole(
+        &self,
+        index: usize,
+        face: &[u16; 3],
+        sorting: &mut Sorting<'_, '_>,
+        statistics: &mut Statistics,
+    ) -> bool {
+        let Some(corners) = self.whole(face) else { return false };
+        if self.front(&corners, statistics).is_some() {
+            sorting.put(index, &self.reach(corners));
+        }
+        true
     }
 
     /// Where a face begins that was kept.
@@ -152,10 +167,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         let mut fan = Fan::<()>::new();
         let outcome = self.sort_out_any(face, &mut fan);
         if outcome.is_drawn() {
-            while let Some((corners, _)) = fan.pieces.piece() {
-                *reach = reach.or(&Scissor::of(&corners.map(|c| c.point)));
-                fan.pieces.next();
-            }
+            *reach = fan.pieces.reach();
         }
         outcome
     }
@@ -169,17 +181,18 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     }
 
     /// Sorts out all edges, and then once more those that are kept.
-    #[inline(never)]
-    fn record_edges(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinsError> {
+    #[inline(never)] // its lists are gone when it returns
+    fn record_edges(&self, bins: &mut Bins<'_>, statistics: &mut Statistics) -> Result<(), BinsError> {
         let list = self.placed.mesh.edges();
-        let (mut statistics, mut sorting) = (Statistics::default(), bins.sorting());
+        let mut sorting = bins.sorting();
         for (index, &edge) in list.iter().enumerate() {
-            let ends = self.ends_of(edge, &mut statistics);
+            let ends = self.ends_of(edge, statistics);
             sorting.put(index, &ends.map_or(Scissor::EMPTY, |ends| reach_of_line(&ends)));
         }
         sorting.turn(list.len())?;
         sorting.sort(|index| self.first_row_of_edge(index));
-        Ok(statistics.with_the_rest_drawn(list.len()))
+        *statistics = statistics.with_the_rest_drawn(list.len());
+        Ok(())
     }
 }
 
@@ -244,24 +257,29 @@ impl<'a, V: Coordinate> Facing<'a, V> {
         corners: &'a mut [Corner],
         records: &'a mut [u16],
     ) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let (count, viewport) = (self.placed.mesh.faces().len(), pixels(self.placed.area()));
-        let mut bins = Bins::new(records, count, viewport);
-        let (mut statistics, mut sorting) = (Statistics::default(), bins.sorting());
-        self.each::<DEPTH, BinsError>(corners, |index, face, kept, whole| {
-            let transformed = self.transformed::<DEPTH>(kept);
-            match whole {
-                Some((corners, _)) => {
-                    statistics.count(Outcome::Whole);
-                    sorting.put(index, &transformed.reach(corners));
-                }
-                None => transformed.record_any(index, face, &mut sorting, &mut statistics),
-            }
+        let mut bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
+        let mut statistics = Statistics::default();
+        self.record::<DEPTH>(corners, &mut bins, &mut statistics)?;
+        Ok(Faces { transformed: self.transformed::<DEPTH>(corners), bins, statistics })
+    }
+
+    #[inline(never)] // its lists are gone when it returns
+    fn record<const DEPTH: bool>(
+        &self,
+        corners: &mut [Corner],
+        bins: &mut Bins<'_>,
+        statistics: &mut Statistics,
+    ) -> Result<(), BinsError> {
+        let (count, mut sorting) = (self.placed.mesh.faces().len(), bins.sorting());
+        self.each::<DEPTH, BinsError>(corners, |index, face, kept, _| {
+            self.transformed::<DEPTH>(kept).record(index, face, &mut sorting, statistics);
             Ok(())
         })?;
         let transformed = self.transformed::<DEPTH>(corners);
         sorting.turn(count)?;
         sorting.sort(|index| transformed.first_row(index));
-        Ok(Faces { transformed, bins, statistics: statistics.with_the_rest_culled(count) })
+        *statistics = statistics.with_the_rest_culled(count);
+        Ok(())
     }
 }
 
@@ -281,14 +299,24 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(always)]
     pub fn solid<T: Target, I: InkFor<T::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::shared(&band.area(), self.viewport(), None);
-        self.each(&window, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, band))
+        let window = self.take_in(&band.area(), None);
+        self.draw_solid(&window, shade, band)
+    }
+
+    #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
+    fn draw_solid<T: Target, I: InkFor<T::Color>>(
+        &mut self,
+        window: &Window,
+        shade: impl FnMut(usize) -> I,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        self.each(window, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, band))
     }
 
     /// What became of the faces, of all bands together. A face is drawn though it may cover no pixel.
@@ -301,10 +329,16 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         rectangle(&self.bins.bounds())
     }
 
-    pub(super) fn viewport(&self) -> &Rectangle {
-        self.transformed.placed.area()
+    /// What of the viewport lies in a band, and that of a depth buffer if there is one; takes in the faces that begin there.
+    #[inline(never)] // once for all ways to draw
+    pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Window {
+        let Self { transformed, bins, .. } = self;
+        let window = Window::shared(band, transformed.placed.area(), depth);
+        bins.take_in(&window.scissor.rows(), |index| transformed.first_row(index));
+        window
     }
 
+    /// Draws what was [taken in](Self::take_in) for this window.
     #[inline(always)]
     pub(super) fn each<I: Ink, E>(
         &mut self,
@@ -317,13 +351,12 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         let rows = window.scissor.rows();
         let mut fan = Fan::new();
         let mut piece = Piece::new(&window.viewport);
-        let first_row = |index: usize| view.first_row(index);
-        bins.band(rows.clone(), first_row, |index| {
+        bins.band(|index| {
             let Some(face) = list.get(index) else { return Ok(true) };
             let kept = view.whole(face);
             if let Some(kept) = kept {
                 put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
-            } else if !(view.sort_out_any(face, &mut fan).is_drawn() && fan.pieces.put_into(&mut piece)) {
+            } else if !(view.sort_out_any(face, &mut fan).is_drawn() && fan.pieces.next_into(&mut piece)) {
                 return Ok(true);
             }
             let (mut end, mut shaded) = (i32::MIN, None);
@@ -352,16 +385,27 @@ impl<V: Coordinate> Faces<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(always)]
     pub fn depth_tested<T: Target, I: InkFor<T::Color>>(
         &mut self,
         shade: impl FnMut(usize) -> I,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::shared(&band.area(), self.viewport(), Some(depth));
+        let window = self.take_in(&band.area(), Some(depth));
+        self.draw_depth_tested(&window, shade, depth, band)
+    }
+
+    #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
+    fn draw_depth_tested<T: Target, I: InkFor<T::Color>>(
+        &mut self,
+        window: &Window,
+        shade: impl FnMut(usize) -> I,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
         let mut against = band.against(depth);
-        self.each(&window, shade, |piece, ink| fill_nearer(piece, &ink, &window.scissor, &mut against, band))
+        self.each(window, shade, |piece, ink| fill_nearer(piece, &ink, &window.scissor, &mut against, band))
     }
 }
 
@@ -371,11 +415,21 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(always)]
     pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
-        let Window { scissor, .. } = Window::shared(&band.area(), self.viewport(), None);
-        self.each(&scissor, |_, _, [from, to]| {
-            band.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
+        let window = self.take_in(&band.area(), None);
+        self.draw_lines(&window, colour, band)
+    }
+
+    #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
+    fn draw_lines<T: Target>(
+        &mut self,
+        window: &Window,
+        colour: T::Color,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        self.each(window, |_, _, [from, to]| {
+            band.line(from.point.pixel(), to.point.pixel(), &window.scissor, colour)
         })
     }
 
@@ -389,27 +443,32 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         rectangle(&self.bins.bounds())
     }
 
-    pub(super) fn viewport(&self) -> &Rectangle {
-        self.transformed.placed.area()
+    /// What of the viewport lies in a band, and that of a depth buffer if there is one; takes in the edges that begin there.
+    #[inline(never)] // once for all ways to draw
+    pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Window {
+        let Self { transformed, bins, .. } = self;
+        let window = Window::shared(band, transformed.placed.area(), depth);
+        bins.take_in(&window.scissor.rows(), |index| transformed.first_row_of_edge(index));
+        window
     }
 
+    /// Draws what was [taken in](Self::take_in) for this window.
     #[inline(always)]
     pub(super) fn each<E>(
         &mut self,
-        scissor: &Scissor,
+        window: &Window,
         mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { transformed, bins, .. } = self;
         let (view, list) = (*transformed, transformed.placed.mesh.edges());
-        let rows = scissor.rows();
-        let first_row = |index: usize| view.first_row_of_edge(index);
-        bins.band(rows.clone(), first_row, |index| {
+        let end = window.scissor.rows().end;
+        bins.band(|index| {
             let edge = list.get(index);
             let Some(ends) = edge.and_then(|&edge| view.ends_of(edge, &mut Statistics::default())) else {
                 return Ok(true);
             };
             draw(&view, index, ends)?;
-            Ok(reach_of_line(&ends).rows().end <= rows.end)
+            Ok(reach_of_line(&ends).rows().end <= end)
         })
     }
 }

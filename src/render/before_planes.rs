@@ -1,9 +1,8 @@
 //! Corners in clip space, cut and brought to the screen: one code for edges, faces and all that they carry.
 
-use super::fan::{Carries, Outcome, Pieces};
-use super::Cull;
+use super::fan::Carries;
 use crate::camera::{DepthOf, Image, Placement};
-use crate::clip::{self, Cut};
+use crate::clip::{self, Cut, Order};
 use crate::math::Homogeneous;
 
 /// The corners of a point, an edge or a face, and the planes of the view volume cut at the guard band.
@@ -51,23 +50,18 @@ impl BeforePlanes<'_> {
         Some(([self.image(0), self.image(1)], cut))
     }
 
-    /// What becomes of a face, and what is left of it as a fan.
+    /// What is left of a face as a polygon, on the screen, and whether the planes took anything of it.
     #[inline(never)]
-    pub(super) fn face(mut self, cull: Cull, pieces: &mut Pieces) -> Outcome {
+    pub(super) fn face(mut self, polygon: &mut Order) -> bool {
         let planes = self.planes();
-        let (polygon, cut) = clip::triangle_at(&mut self, planes);
-        if polygon.len() < 3 {
-            return Outcome::Outside;
+        let cut = clip::triangle_at(&mut self, planes, polygon);
+        for &at in polygon.iter() {
+            let image = self.image(at.into());
+            if let Some(place) = self.places.get_mut(usize::from(at)) {
+                *place = image.held();
+            }
         }
-        pieces.begin(polygon, |at| self.image(at));
-        // Where no plane cuts it, it is only farther out than corners reach.
-        let outcome = cull.turned(pieces.area, if cut { Outcome::Cut } else { Outcome::Whole });
-        match outcome {
-            Outcome::Whole => pieces.end(),
-            Outcome::Cut => pieces.face_viewer(),
-            Outcome::Culled | Outcome::Degenerate | Outcome::Outside => {}
-        }
-        outcome
+        cut
     }
 
     #[inline(never)]

@@ -19,8 +19,8 @@ pub(super) struct Bins<'s> {
     order: &'s mut [u16],
     /// A bit for each item of the mesh: taken in, and not ended. While sorting: to be sorted.
     open: &'s mut [u16],
-    /// Its first row is that of the first bin.
-    viewport: Scissor,
+    /// The first row of the first bin.
+    top: i32,
     /// A bin has 2^shift rows.
     shift: u32,
     /// How many of `order` were taken in. While counting and sorting: how many items were kept.
@@ -29,13 +29,15 @@ pub(super) struct Bins<'s> {
     next: usize,
     /// Where the last band ended.
     row: i32,
-    /// The reach of all that were kept.
+    /// The reach of all that were kept, in the viewport. Before they are sorted: the viewport.
     bounds: Scissor,
 }
 
 /// The same while they are sorted.
 pub(super) struct Sorting<'b, 's> {
     bins: &'b mut Bins<'s>,
+    /// What reaches nothing of it is not kept.
+    viewport: Scissor,
     /// How many items each bin has; then where its next one goes. Where a bin ends is not kept: it would take most of what
     /// [`Bins`] take, which are moved and stay on the stack.
     ends: [u16; BINS],
@@ -86,43 +88,34 @@ impl<'s> Bins<'s> {
         let rows = viewport.rows();
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
         let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        Self { order, open, viewport, shift, taken: 0, next: 0, row: i32::MIN, bounds: Scissor::NOTHING }
+        Self { order, open, top: rows.start, shift, taken: 0, next: 0, row: i32::MIN, bounds: viewport }
     }
 
     /// First all items are [put](Sorting::put) in their order; the bins [turn](Sorting::turn), and the kept ones are
     /// [sorted](Sorting::sort).
     #[inline(always)]
     pub(super) fn sorting(&mut self) -> Sorting<'_, 's> {
-        Sorting { bins: self, ends: [0; BINS] }
+        let viewport = core::mem::replace(&mut self.bounds, Scissor::NOTHING);
+        Sorting { bins: self, viewport, ends: [0; BINS] }
     }
 
-    /// The reach of all that were kept.
+    /// The reach of all that were kept, in the viewport.
     pub(super) fn bounds(&self) -> Scissor {
-        // Of what lies in the viewport, as each of them does in part.
-        self.bounds.within(&self.viewport)
+        self.bounds
     }
 
     fn bin(&self, row: i32) -> usize {
-        (row.saturating_sub(self.viewport.rows().start).max(0) >> self.shift).min(BINS as i32 - 1) as usize
+        (row.saturating_sub(self.top).max(0) >> self.shift).min(BINS as i32 - 1) as usize
     }
 
-    /// Calls `draw` for the items that may lie in a band, in the order of the mesh, until it tells that
-    /// an item ends in or above the band. `first_row` is that by which they were sorted.
+    /// Calls `draw` for the items that may lie in the band that was [taken in](Self::take_in), in the order of the mesh,
+    /// until it tells that an item ends in or above the band.
     ///
     /// # Errors
     ///
     /// The first error of `draw`.
     #[inline(always)]
-    pub(super) fn band<E>(
-        &mut self,
-        rows: Range<i32>,
-        first_row: impl Fn(usize) -> i32,
-        mut draw: impl FnMut(usize) -> Result<bool, E>,
-    ) -> Result<(), E> {
-        if rows.is_empty() {
-            return Ok(());
-        }
-        self.take_in(&rows, first_row);
+    pub(super) fn band<E>(&mut self, mut draw: impl FnMut(usize) -> Result<bool, E>) -> Result<(), E> {
         for (word, bits) in self.open.iter_mut().enumerate() {
             let mut left = *bits;
             while left != 0 {
@@ -136,15 +129,19 @@ impl<'s> Bins<'s> {
         Ok(())
     }
 
-    #[inline(never)]
-    fn take_in(&mut self, rows: &Range<i32>, first_row: impl Fn(usize) -> i32) {
+    /// Takes in the items that begin in a band or above it. `first_row` is that by which they were sorted.
+    #[inline(always)]
+    pub(super) fn take_in(&mut self, rows: &Range<i32>, first_row: impl Fn(usize) -> i32) {
+        if rows.is_empty() {
+            return;
+        }
         if rows.start < self.row {
             // From the top: the same band once more, another frame, or another rectangle of it.
             self.open.fill(0);
             (self.taken, self.next) = (0, 0);
         }
         self.row = rows.end;
-        if rows.end <= self.viewport.rows().start {
+        if rows.end <= self.top {
             return;
         }
         let last = self.bin(rows.end - 1);
@@ -177,7 +174,7 @@ impl Sorting<'_, '_> {
     #[inline(never)] // small is better: once an item that is seen
     pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
         let (rows, columns) = (reach.rows(), reach.columns());
-        let (all_rows, all_columns) = (self.bins.viewport.rows(), self.bins.viewport.columns());
+        let (all_rows, all_columns) = (self.viewport.rows(), self.viewport.columns());
         let meets = |own: &Range<i32>, all: &Range<i32>| own.start < all.end && own.end > all.start;
         if reach.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
             return;
@@ -217,7 +214,7 @@ impl Sorting<'_, '_> {
 
     /// At last: the kept items once more, to their places, by the first rows of their reaches.
     #[inline(always)]
-    pub(super) fn sort(mut self, mut first_row: impl FnMut(usize) -> i32) {
+    pub(super) fn sort(&mut self, mut first_row: impl FnMut(usize) -> i32) {
         for word in 0..self.bins.open.len() {
             let mut left = self.bins.open.get_mut(word).map_or(0, core::mem::take);
             while left != 0 {
@@ -233,6 +230,8 @@ impl Sorting<'_, '_> {
             }
         }
         self.bins.taken = 0;
+        // Each of them lies in the viewport in part.
+        self.bins.bounds = self.bins.bounds.within(&self.viewport);
     }
 }
 
@@ -257,7 +256,8 @@ mod tests {
         sorting.sort(first_row);
         for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
             let mut met = [false; 3];
-            let Ok(()) = bins.band(from..to, first_row, |item| {
+            bins.take_in(&(from..to), first_row);
+            let Ok(()) = bins.band(|item| {
                 met[item] = true;
                 Ok::<_, Infallible>(ITEMS[item].1 <= to)
             });

@@ -2,9 +2,10 @@
 
 use super::{put, Cull, Ink};
 use crate::camera::Image;
-use crate::clip::{Carried, Order, CORNERS, PLACES};
-use crate::raster::{self, Piece, ScreenPoint};
-use heapless::Vec;
+use crate::clip::{Carried, Order, PLACES};
+use crate::math::num::keep_rolled;
+use crate::math::Homogeneous;
+use crate::raster::{self, Piece, Scissor};
 
 /// What becomes of a face.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -41,127 +42,94 @@ impl Cull {
 
 /// The triangles of one face, one after the other. There is room for one face, used for all of a mesh.
 pub(super) struct Pieces {
-    corners: [Image; 3],
-    /// [`raster::area`] of these: 0 when there is no triangle, or none any more.
-    pub(super) area: i64,
-    /// The corners of a face that was cut, none for a whole one.
-    polygon: Vec<Image, CORNERS>,
-    /// Where they were cut, which is where they are carried.
-    order: Order,
-    /// Whether it is taken from its last corner to its first.
+    /// Corners: in clip space while planes cut, then on the screen.
+    pub(super) places: [Homogeneous; PLACES],
+    /// Where those of the polygon stand, which is where they are carried.
+    pub(super) order: Order,
+    /// Whether planes took something of the face.
+    cut: bool,
+    /// Whether the polygon is taken from its last corner to its first.
     turned: bool,
-    /// The second corner of this triangle; the first is the polygon's.
+    /// The second corner of the next triangle is the one behind this; the first is the polygon's.
     at: u8,
 }
 
 impl Pieces {
-    /// A whole face.
-    #[inline(always)]
-    pub(super) fn whole(&mut self, corners: [Image; 3], area: i64) {
-        self.corners = corners;
-        self.area = area;
-        self.polygon.clear();
-    }
-
-    /// A convex polygon, with the area of all of it.
-    pub(super) fn begin(&mut self, order: Order, image: impl Fn(usize) -> Image) {
-        self.polygon.clear();
-        for &at in &order {
-            let _ = self.polygon.push(image(at.into())); // as many as the order can have
+    /// A face with all of its corners on the screen.
+    pub(super) fn whole(&mut self, corners: &[Image; 3]) {
+        for (place, corner) in self.places.iter_mut().zip(corners) {
+            *place = corner.held();
         }
-        self.order = order;
-        (self.turned, self.at) = (false, 0);
-        let mut area = 0; // < 7·2⁴⁵
-        while self.step() {
-            area += self.area;
+        (self.cut, self.turned, self.at) = (false, false, 0);
+        self.order.clear();
+        let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
+    }
+
+    /// A convex polygon, which is on the screen: what becomes of it. A whole one is only farther out than corners reach.
+    #[inline(never)] // its frame is gone when it returns
+    pub(super) fn begin(&mut self, cull: Cull, cut: bool) -> Outcome {
+        (self.cut, self.turned, self.at) = (cut, false, 0);
+        let (mut area, mut corners) = (0, [Image::ORIGIN; 3]);
+        while let Some(piece) = self.step(&mut corners) {
+            area += piece; // < 7·2⁴⁵
         }
-        self.area = area;
+        // All triangles of one that was cut are counter-clockwise from here on.
+        (self.turned, self.at) = (cut && area < 0, 0);
+        cull.turned(area, if cut { Outcome::Cut } else { Outcome::Whole })
     }
 
-    /// Takes a polygon's only triangle for a whole face.
-    pub(super) fn end(&mut self) {
-        self.polygon.clear();
-    }
-
-    /// To the first triangle of a polygon, all of which are counter-clockwise from here on.
-    pub(super) fn face_viewer(&mut self) {
-        (self.turned, self.at) = (self.area < 0, 0);
-        self.advance();
+    /// Where the polygon may cover pixels.
+    pub(super) fn reach(&self) -> Scissor {
+        let mut reach = Scissor::NOTHING;
+        for &at in &self.order {
+            keep_rolled();
+            if let Some(place) = self.places.get(usize::from(at)) {
+                reach = reach.enclosing(&Scissor::of(&[Image::of_held(place).point; 3]));
+            }
+        }
+        reach
     }
 
     /// Where the polygon's corner of this number stands.
     fn place(&self, corner: usize) -> usize {
-        if self.turned {
-            self.polygon.len().wrapping_sub(corner + 1) // where there are not so many, none stands there
-        } else {
-            corner
-        }
+        let corner = if self.turned { self.order.len().wrapping_sub(corner + 1) } else { corner };
+        self.order.get(corner).map_or(PLACES, |&place| place.into()) // where there are not so many, none stands there
     }
 
-    /// To the next triangle of the fan about the first corner, if there is one more.
+    /// The next triangle of the fan about the first corner, and its area, if there is one more.
     #[inline(never)] // rare: small is better
-    fn step(&mut self) -> bool {
+    fn step(&mut self, corners: &mut [Image; 3]) -> Option<i64> {
         let at = usize::from(self.at);
-        let corner = |at: usize| self.polygon.get(self.place(at)).copied();
-        let (Some(a), Some(b), Some(c)) = (corner(0), corner(at + 1), corner(at + 2)) else {
-            return false;
-        };
-        self.corners = [a, b, c];
-        self.area = raster::area(&self.points());
+        for (image, corner) in corners.iter_mut().zip([0, at + 1, at + 2]) {
+            *image = Image::of_held(self.places.get(self.place(corner))?);
+        }
         self.at += 1;
-        true
+        Some(raster::area(&corners.map(|corner| corner.point)))
     }
 
-    /// To the next triangle of the fan that faces as the polygon does: rounding of the corners may turn a
-    /// sliver over, which would be drawn on top of its neighbour.
+    /// The next triangle of the fan that faces as the polygon does, and its area, not zero: rounding of the corners may
+    /// turn a sliver over, which would be drawn on top of its neighbour.
     #[cold]
     #[inline(never)]
-    fn advance(&mut self) {
-        while self.step() {
-            if self.area > 0 {
-                return;
+    pub(super) fn next(&mut self, corners: &mut [Image; 3]) -> Option<i64> {
+        loop {
+            let area = self.step(corners)?;
+            if area > 0 || !self.cut {
+                return Some(area);
             }
         }
-        self.area = 0;
     }
 
-    pub(super) fn points(&self) -> [ScreenPoint; 3] {
-        self.corners.map(|c| c.point)
-    }
-
-    /// This triangle and its area, not zero.
-    #[inline(always)]
-    pub(super) fn piece(&self) -> Option<(&[Image; 3], i64)> {
-        (self.area != 0).then_some((&self.corners, self.area))
-    }
-
-    /// To the next triangle.
-    #[inline(always)]
-    pub(super) fn next(&mut self) {
-        if self.polygon.is_empty() {
-            self.area = 0;
-        } else {
-            self.advance();
-        }
-    }
-
-    /// Puts this triangle there, if there is one.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn put_into(&self, piece: &mut Piece<'_>) -> bool {
-        let some = self.piece();
-        if let Some((corners, area)) = some {
-            put::<true>(piece, corners, area);
-        }
-        some.is_some()
-    }
-
-    /// The same with the next one.
+    /// Puts it there, if there is one.
     #[cold]
     #[inline(never)]
     pub(super) fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
-        self.next();
-        self.put_into(piece)
+        let mut corners = [Image::ORIGIN; 3];
+        let area = self.next(&mut corners);
+        if let Some(area) = area {
+            put::<true>(piece, &corners, area);
+        }
+        area.is_some()
     }
 }
 
@@ -200,13 +168,11 @@ pub(super) struct Fan<K> {
 impl<K: Carried> Fan<K> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        let corner = Image { point: ScreenPoint::ORIGIN, depth: 0 };
         Self {
             pieces: Pieces {
-                corners: [corner; 3],
-                area: 0,
-                polygon: Vec::new(),
-                order: Vec::new(),
+                places: [Homogeneous::ZERO; PLACES],
+                order: Order::new(),
+                cut: false,
                 turned: false,
                 at: 0,
             },
@@ -214,17 +180,16 @@ impl<K: Carried> Fan<K> {
         }
     }
 
-    /// What this triangle is filled with.
+    /// What the triangle that was last is filled with.
     #[inline(always)]
     pub(super) fn ink<I: Ink<Carried = K>>(&self, ink: &I) -> I {
-        if self.pieces.polygon.is_empty() {
-            *ink
-        } else {
+        if self.pieces.cut {
             let at = usize::from(self.pieces.at);
             ink.piece([0, at, at + 1].map(|corner| {
-                let place = self.pieces.order.get(self.pieces.place(corner)).copied().unwrap_or(0);
-                self.carried.get(usize::from(place)).copied().unwrap_or_else(|| K::of(0))
+                self.carried.get(self.pieces.place(corner)).copied().unwrap_or_else(|| K::of(0))
             }))
+        } else {
+            *ink
         }
     }
 }

@@ -39,7 +39,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// [`depth_tested`](Self::depth_tested), to the bit. [`hidden_line`](Self::hidden_line) has an example.
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
-        let window = Window::of_depth(depth, self.area());
+        let window = Window::shared(&depth.area(), self.area(), None);
         let view = Transformed::<V, true>::new(self, cache);
         let Ok(statistics) = view.all(
             &window.viewport,
@@ -128,15 +128,26 @@ impl<V: Coordinate> Edges<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(always)]
     pub fn depth_tested<T: Target>(
         &mut self,
         colour: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::shared(&band.area(), self.viewport(), Some(depth));
-        self.each(&window.scissor, |_, _, ends| nearer(&ends, colour, &window.scissor, depth, band))
+        let window = self.take_in(&band.area(), Some(depth));
+        self.draw_depth_tested(&window, colour, depth, band)
+    }
+
+    #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
+    fn draw_depth_tested<T: Target>(
+        &mut self,
+        window: &Window,
+        colour: T::Color,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
+        self.each(window, |_, _, ends| nearer(&ends, colour, &window.scissor, depth, band))
     }
 
     /// What lies in a band, as [`Placed::hidden_line`] draws it.
@@ -144,16 +155,27 @@ impl<V: Coordinate> Edges<'_, V, true> {
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(always)]
     pub fn hidden_line<T: Target>(
         &mut self,
         colour: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = Window::shared(&band.area(), self.viewport(), Some(depth));
+        let window = self.take_in(&band.area(), Some(depth));
+        self.draw_unhidden(&window, colour, depth, band)
+    }
+
+    #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
+    fn draw_unhidden<T: Target>(
+        &mut self,
+        window: &Window,
+        colour: T::Color,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut T,
+    ) -> Result<(), T::Error> {
         let mut all = Vec::new();
-        self.each(&window.scissor, |view, edge, ends| {
+        self.each(window, |view, edge, ends| {
             let beside = view.beside(edge, &window.viewport, &mut all);
             unhidden(&ends, beside, colour, &window.scissor, depth, band)
         })
@@ -162,11 +184,16 @@ impl<V: Coordinate> Edges<'_, V, true> {
 
 impl<V: Coordinate> super::Faces<'_, V, true> {
     /// Keeps the depth of what lies in a band and draws nothing: see [`Placed::depth_only`].
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(always)]
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
-        let window = Window::of_depth(depth, self.viewport());
+        let window = self.take_in(&depth.area(), None);
+        self.keep_depth(&window, depth);
+    }
+
+    #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
+    fn keep_depth(&mut self, window: &Window, depth: &mut DepthBuffer<'_>) {
         let Ok(()) = self.each(
-            &window,
+            window,
             |_| Nothing,
             |piece, Nothing| {
                 keep(piece, &window.scissor, depth);
@@ -192,13 +219,13 @@ impl<V: Coordinate> Transformed<'_, V, true> {
             if !self.sort_out_any(&face, &mut fan).is_drawn() {
                 continue;
             }
-            while let Some((corners, area)) = fan.pieces.piece() {
+            let mut corners = [Image::ORIGIN; 3];
+            while let Some(area) = fan.pieces.next(&mut corners) {
                 let points = corners.map(|c| c.point);
                 let plane =
                     Plane::of_depth(&Triangle::new(points, area, viewport), &corners.map(|c| c.depth));
                 // There is room for the pieces of two faces.
                 let _ = all.push(Beside { points, plane });
-                fan.pieces.next();
             }
         }
         all

@@ -68,6 +68,7 @@ pub enum Cull {
 impl Camera {
     /// The mesh before this camera. All that depends on the object but not on its vertices is
     /// computed here, in integers.
+    #[inline(never)] // what it makes is large, and is made where it stays: inlined it would stand there twice
     pub fn place<'m, V: Coordinate>(
         &self,
         mesh: &'m Mesh<'m, V>,
@@ -294,12 +295,6 @@ impl Window {
     fn of(target: &Rectangle, viewport: &Rectangle) -> Self {
         let viewport = pixels(viewport);
         Self { scissor: inside(target).within(&viewport), viewport }
-    }
-
-    /// What a depth buffer holds of a viewport.
-    fn of_depth(depth: &DepthBuffer<'_>, viewport: &Rectangle) -> Self {
-        let viewport = pixels(viewport);
-        Self { scissor: depth.scissor().within(&viewport), viewport }
     }
 
     /// Less what a depth buffer does not hold.

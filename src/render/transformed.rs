@@ -4,7 +4,7 @@ use super::before_planes::BeforePlanes;
 use super::fan::{Carries, Fan, Outcome, Pieces};
 use super::{put, Cull, Ink, Placed, Statistics};
 use crate::camera::{Corner, DepthOf, Image, Placement};
-use crate::clip::{Carried, PLACES};
+use crate::clip::Carried;
 use crate::math::num::{after, keep_rolled};
 use crate::math::{Coordinate, Homogeneous};
 use crate::raster::{self, Piece, Scissor};
@@ -156,27 +156,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         corners.map(|corner| self.placed.placement.at::<DEPTH>(corner))
     }
 
-    /// Step 3 of the pipeline, for one face. What is drawn of it is the fan's.
-    #[inline(always)]
-    pub(super) fn sort_out<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
-        match self.whole(face) {
-            Some(corners) => self.turned(corners, &mut fan.pieces),
-            None => self.sort_out_any(face, fan),
-        }
-    }
-
-    /// The same for corners that have a place.
-    #[inline(always)]
-    fn turned(&self, corners: [Corner; 3], pieces: &mut Pieces) -> Outcome {
-        let area = raster::area(&corners.map(|corner| corner.offset::<DEPTH>()));
-        let outcome = self.placed.cull.turned(area, Outcome::Whole);
-        if outcome == Outcome::Whole {
-            pieces.whole(self.images(corners), area);
-        }
-        outcome
-    }
-
-    /// The same for corners that are not kept, or must be clipped.
+    /// Step 3 of the pipeline, for a face with corners that are not kept, or must be clipped. What is drawn of it is the fan's.
     #[inline(always)]
     pub(super) fn sort_out_any<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
         self.sort_out_carrying(face, &mut fan.pieces, &mut fan.carried)
@@ -188,11 +168,15 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     fn sort_out_carrying(&self, face: &[u16; 3], pieces: &mut Pieces, carried: &mut dyn Carries) -> Outcome {
         let corners = face.map(|index| self.corner(index));
         if corners.iter().all(|corner| corner.whole()) {
-            return self.turned(corners, pieces);
+            pieces.whole(&self.images(corners));
+            return pieces.begin(self.placed.cull, false);
         }
-        let mut places = [Homogeneous::ZERO; PLACES];
         carried.begin();
-        self.before_planes(face, &mut places, Some(carried)).face(self.placed.cull, pieces)
+        let cut = self.before_planes(face, &mut pieces.places, Some(carried)).face(&mut pieces.order);
+        match pieces.order.len() {
+            0..=2 => Outcome::Outside,
+            _ => pieces.begin(self.placed.cull, cut),
+        }
     }
 
     /// The first piece of a face that takes more than that, if it has any; counts the face.
@@ -207,7 +191,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ) -> bool {
         let outcome = self.sort_out_any(face, fan);
         statistics.count(outcome);
-        outcome.is_drawn() && fan.pieces.put_into(piece)
+        outcome.is_drawn() && fan.pieces.next_into(piece)
     }
 
     /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles, with the depths of their corners if those were
