@@ -3,7 +3,7 @@
 use super::depth::{Against, DepthBuffer};
 use super::reach;
 use super::shades::Shades;
-use crate::raster::{self, Piece, Pixel, Scissor, ScreenPoint, Span, Triangle};
+use crate::raster::{self, Piece, Plane, Pixel, Scissor, ScreenPoint, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
@@ -170,9 +170,20 @@ pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Colo
     run: impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
     let plane = piece.plane();
-    piece.triangle.spans(scissor).try_for_each(|span| {
-        against.buffer.test(span, &plane, |visible| target.fill_run(visible, run(visible)))
-    })
+    let mut spans = piece.triangle.spans(scissor);
+    spans.try_for_each(|span| span_shaded_nearer(target, span, &plane, against, &run))
+}
+
+/// One span of that.
+#[inline(never)] // what it works with is large, and is not there while the next span is found
+fn span_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
+    target: &mut T,
+    span: Span,
+    plane: &Plane,
+    against: &mut Against<'_, '_>,
+    run: &impl Fn(Span) -> R,
+) -> Result<(), T::Error> {
+    against.buffer.test(span, plane, |visible| target.fill_run(visible, run(visible)))
 }
 
 mod sealed {

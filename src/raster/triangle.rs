@@ -177,6 +177,13 @@ impl Large {
             return false;
         }
         self.set_up();
+        self.take(stretch);
+        true
+    }
+
+    /// As far down as both sides go, and are not cut.
+    #[inline(never)] // its frame is not there while sides are set up
+    fn take(&mut self, stretch: &mut Stretch<Wide>) {
         let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
         let rows = self.end.min(short_until).min(long_until) - y;
         let sides = if self.middle_left { [short, long] } else { [long, short] };
@@ -185,10 +192,10 @@ impl Large {
         self.short.skip(stretch.rows);
         self.long.skip(stretch.rows);
         self.row += stretch.rows;
-        true
     }
 
     /// Sets up the sides that end here.
+    #[inline(never)]
     fn set_up(&mut self) {
         let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;
         let further = row + Wide::ROWS;

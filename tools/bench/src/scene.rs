@@ -43,6 +43,18 @@ impl Model {
             + size_of_val(self.mesh.planes())
             + size_of_val(self.mesh.edges())
     }
+
+    /// Turned as it is shown. The compiler sees none of the numbers.
+    #[inline(always)]
+    pub fn turned(&self) -> Affine<ModelSpace, World> {
+        turned(black_box(self).axes)
+    }
+
+    /// Before it. `None` is for what the types cannot know: that its numbers have an image.
+    #[inline(always)]
+    pub fn camera(&self) -> Option<Camera> {
+        camera([0, 0, black_box(self).distance], Size::new(SIZE, SIZE))
+    }
 }
 
 include!(concat!(env!("OUT_DIR"), "/models.rs"));
@@ -71,25 +83,17 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The compiler sees none of the numbers. `None` is for what the types cannot know: that these have an image.
+    /// Of a model as it is shown.
     #[inline(always)]
     pub fn new(model: &'static Model) -> Option<Self> {
-        let Model { mesh, axes, distance, .. } = black_box(model);
-        Self::viewed(*mesh, *axes, [0, 0, *distance], Size::new(SIZE, SIZE))
+        let model = black_box(model);
+        Some(Self { mesh: model.mesh, camera: model.camera()?, model: model.turned() })
     }
 
     /// Of any mesh, turned to these axes, from an eye that looks at the origin, in 2⁻¹⁶.
     #[inline(always)]
     pub fn viewed(mesh: Mesh<'static>, axes: [[i32; 3]; 3], eye: [i32; 3], size: Size) -> Option<Self> {
-        let [x, y, z] = axes.map(vector);
-        let origin = Point3::from_ints(0, 0, 0);
-        let model = Affine::from_frame(x, y, z, origin);
-        let [ex, ey, ez] = eye.map(Scalar::from_bits);
-        let viewing = Viewing::look_at(Point3::new(ex, ey, ez), origin, Vector3::from_ints(0, 1, 0)).ok()?;
-        let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(20 << 16)));
-        let projection = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
-        let viewport = Viewport::new(Point::zero(), size).ok()?;
-        Some(Self { mesh, camera: Camera::new(&viewing, &projection, &viewport), model })
+        Some(Self { mesh, camera: camera(eye, size)?, model: turned(axes) })
     }
 
     /// The first thing in every frame.
@@ -107,6 +111,24 @@ impl Scene {
     pub fn shade<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
         flat(&self.mesh, light)
     }
+}
+
+/// Turned to these axes, in 2⁻¹⁶.
+fn turned(axes: [[i32; 3]; 3]) -> Affine<ModelSpace, World> {
+    let [x, y, z] = axes.map(vector);
+    Affine::from_frame(x, y, z, Point3::from_ints(0, 0, 0))
+}
+
+/// Of an eye that looks at the origin, in 2⁻¹⁶. In a function of its own: what it is made of is off the stack when it returns.
+#[inline(never)]
+fn camera(eye: [i32; 3], size: Size) -> Option<Camera> {
+    let [x, y, z] = eye.map(Scalar::from_bits);
+    let (origin, up) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    let viewing = Viewing::look_at(Point3::new(x, y, z), origin, up).ok()?;
+    let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(20 << 16)));
+    let projection = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
+    let viewport = Viewport::new(Point::zero(), size).ok()?;
+    Some(Camera::new(&viewing, &projection, &viewport))
 }
 
 /// Each face in the light that its normal has.

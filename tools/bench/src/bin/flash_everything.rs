@@ -21,10 +21,10 @@ image!(
     painter: Order = Order::new(),
     {
         // A dithered solid in hidden lines, before it one in painter's order, from two cameras.
-        let (scene, other) = (scene::Scene::new(cube)?, Turntable::new());
-        let (placed, light) = (scene.place(), other.light()?);
+        let (camera, model, other) = (cube.camera(), cube.turned(), Turntable::new());
+        let (placed, light) = (camera.as_ref()?.place(&cube.mesh, &model), other.light()?);
         painter.clear();
-        painter.add(&other.place(cube), scene.shade(&light)).ok()?;
+        painter.add(&other.place(cube), scene::flat(&cube.mesh, &light)).ok()?;
         let order = painter.order();
         let (projected, lines) = (placed.transform_depth(corners), placed.transform_depth(edge_corners));
         let (mut faces, mut edges) = (projected.faces(records).ok()?, lines.edges(edge_records).ok()?);
@@ -37,7 +37,7 @@ image!(
                 faces
                     .depth_tested(|face| scene::smooth(placed.mesh(), &light)(face).dithered(), &mut depth, &mut band)
                     .ok()?;
-                faces.solid(scene.shade(&light), &mut band).ok()?;
+                faces.solid(scene::flat(&cube.mesh, &light), &mut band).ok()?;
                 edges.hidden_line(scene::LINE, &mut depth, &mut band).ok()?;
                 edges.depth_tested(scene::LINE, &mut depth, &mut band).ok()?;
                 edges.draw(scene::LINE, &mut band).ok()?;
