@@ -105,12 +105,9 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         depth: &mut DepthBuffer<'_>,
         filling: F,
     ) {
-        if let Some(low) = Low::new(&piece.triangle, scissor, &mut self.ground) {
-            return self.rows_nearer(low, piece, depth.held(), filling);
-        }
-        let large = Large::new(&piece.triangle, scissor);
-        if !large.is_empty() {
-            self.large_nearer(large, &mut filling.over(piece), depth.held(), filling);
+        match Low::new(&piece.triangle, scissor, &mut self.ground) {
+            Some(low) => self.rows_nearer(low, piece, depth.held(), filling),
+            None => self.large_nearer(piece, scissor, depth, filling),
         }
     }
 
@@ -134,16 +131,21 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     #[inline(never)] // rare, and most of it a row's pixels
     fn large_nearer<F: Nearer<Cell>>(
         &mut self,
-        mut large: Large,
-        over: &mut F::Over,
-        held: &mut [u16],
+        piece: &Piece<'_>,
+        scissor: &Scissor,
+        depth: &mut DepthBuffer<'_>,
         filling: F,
     ) {
+        let mut large = Large::new(&piece.triangle, scissor);
+        if large.is_empty() {
+            return;
+        }
+        let (mut over, held) = (filling.over(piece), depth.held());
         let Self { cells, ground: Ground { places, .. }, .. } = self;
         let mut stretch = Stretch::default();
         while large.stretch(&mut stretch) {
             let start @ Start { x, y, .. } = Start { x: stretch.x, y: stretch.y, shear: 0 };
-            let mut filled = filling.rows(over, cells, held, start);
+            let mut filled = filling.rows(&mut over, cells, held, start);
             stretch.each(places.at(x, y), places.stride, |start, left, right| filled.row(start, left, right));
         }
     }

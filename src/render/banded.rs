@@ -108,7 +108,10 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         sorting: &mut Sorting<'_, '_>,
         statistics: &mut Statistics,
     ) {
-        if self.record_whole(index, face, sorting, statistics) {
+        if let Some(kept) = self.kept(face).filter(|kept| kept.iter().all(|corner| corner.whole())) {
+            if self.front(&kept.map(|corner| *corner), statistics).is_some() {
+                self.keep(index, kept, sorting);
+            }
             return;
         }
         let mut reach = Scissor::EMPTY;
@@ -119,20 +122,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         }
     }
 
-    /// The same for one that takes no more than its corners' places; of others nothing, and false.
-    #[inline(never)] // its frame is gone when that is sorted out
-    fn record_whole(
-        &self,
-        index: usize,
-        face: &[u16; 3],
-        sorting: &mut Sorting<'_, '_>,
-        statistics: &mut Statistics,
-    ) -> bool {
-        let Some(corners) = self.whole(face) else { return false };
-        if self.front(&corners, statistics).is_some() {
-            sorting.put(index, &self.reach(corners));
-        }
-        true
+    #[inline(never)] // its frame is gone when others are sorted out
+    fn keep(&self, index: usize, [a, b, c]: [&Corner; 3], sorting: &mut Sorting<'_, '_>) {
+        sorting.put(index, &self.reach([*a, *b, *c]));
     }
 
     /// Where a face begins that was kept.

@@ -138,7 +138,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
 
     /// A face's corners, if all of them were kept.
     #[inline(always)]
-    fn kept(&self, &[a, b, c]: &[u16; 3]) -> Option<[&Corner; 3]> {
+    pub(super) fn kept(&self, &[a, b, c]: &[u16; 3]) -> Option<[&Corner; 3]> {
         let corner = |index: u16| self.corners.get(usize::from(index));
         Some([corner(a)?, corner(b)?, corner(c)?])
     }
