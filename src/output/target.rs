@@ -3,7 +3,7 @@
 use super::depth::{Against, DepthBuffer};
 use super::reach;
 use super::shades::Shades;
-use crate::raster::{self, Piece, Plane, Pixel, Scissor, ScreenPoint, Span, Triangle};
+use crate::raster::{self, Piece, Pixel, Plane, Scissor, ScreenPoint, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;

@@ -9,7 +9,7 @@ use std::io::ErrorKind;
 use std::time::Duration;
 
 /// Bytes that the firmware may take of the stack, its own frames included.
-const STACK: usize = 6000;
+const STACK: usize = 4500;
 
 /// What differs, frame by frame; nothing where there are the same pictures, no more and no fewer.
 fn differences(seen: &[Picture], wanted: &[Picture]) -> Vec<String> {

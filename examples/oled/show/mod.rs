@@ -33,12 +33,13 @@ pub(crate) fn caption(frame: u32) -> &'static str {
 }
 
 /// The memory that is lent to the library for a frame, beside the bands': corners of vertices, numbers of faces and edges,
-/// and light at vertices. Of several objects each has its own.
+/// light at vertices, and a tree of nodes. Of several objects each has its own.
 pub(crate) struct Scratch {
     teapot: ([Corner; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
     balls: [([Corner; BALL_CORNERS], [u16; records(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
     rings: [([Corner; RING_CORNERS], [u16; records(RING_CORNERS)]); 2],
     ship: ([Corner; 8], [u16; records(12)], [u16; records(17)]),
+    solar_system: [Node; 7],
 }
 
 /// One number for each face or edge, and one for every 16 of them.
@@ -53,6 +54,16 @@ impl Scratch {
             balls: [([Corner::EMPTY; BALL_CORNERS], [0; records(BALL_COUNT)], [0; BALL_CORNERS]); 3],
             rings: [([Corner::EMPTY; RING_CORNERS], [0; records(RING_CORNERS)]); 2],
             ship: ([Corner::EMPTY; 8], [0; records(12)], [0; records(17)]),
+            // Joints: the way round the sun, and round the planet. Then what is seen: three balls, two orbits.
+            solar_system: [
+                Node::root(Affine::identity()),
+                Node::child(0, Affine::identity()),
+                Node::root(Affine::identity()),
+                Node::child(0, Affine::identity()),
+                Node::child(1, Affine::identity()),
+                Node::root(Affine::identity()),
+                Node::child(0, Affine::identity()),
+            ],
         }
     }
 
@@ -122,8 +133,7 @@ impl Scratch {
         let turn = Affine::<Model, Model>::rotation_y(Angle::degrees(22 * step - 30));
         let model = turn.then(&Affine::translation(Vector3::from_ints(1, 0, 0)));
         light(&model, FROM_ABOVE).levels(TEAPOT.vertex_normals(), levels);
-        let camera = camera([0, 14, 38], 27);
-        let placed = camera.place(&TEAPOT, &model);
+        let placed = place(&TEAPOT, &model, [0, 14, 38], 27);
         let mut faces = faces(&placed, corners, records);
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
@@ -135,11 +145,12 @@ impl Scratch {
     /// A sun, a planet about it and a moon about that, and their orbits.
     #[inline(never)]
     fn hierarchy<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let places = solar_system(step);
+        let mut solar = Hierarchy::new(&mut self.solar_system).expect("parents first");
+        turn(&mut solar, step);
+        let [a, b, c, d, e] = [2, 3, 4, 5, 6].map(|node| solar.world(node).expect("one of seven"));
         let [sun, planet, moon] = &mut self.balls;
-        shine(&places, [&mut sun.2, &mut planet.2, &mut moon.2]);
+        shine([a, b, c], [&mut sun.2, &mut planet.2, &mut moon.2]);
         let camera = camera([0, 20, 46], 36);
-        let [a, b, c, d, e] = &places;
         let placed = (camera.place(&BALL, a), camera.place(&BALL, b), camera.place(&BALL, c));
         let mut sun = (faces(&placed.0, &mut sun.0, &mut sun.1), &sun.2);
         let mut planet = (faces(&placed.1, &mut planet.0, &mut planet.1), &planet.2);
@@ -270,30 +281,23 @@ fn edges<'a>(
     placed.transform_depth(corners).edges(records).expect("records for all edges")
 }
 
-/// Where the sun, the planet, the moon and the two orbits are.
+/// Turns the joints; the sun, the planet, the moon and the two orbits have their sizes.
 #[inline(never)]
-fn solar_system(step: i32) -> [Affine<Model, World>; 5] {
-    // Joints: the way round the sun, and round the planet. Then what is seen: three balls, two orbits.
+fn turn(solar: &mut Hierarchy<'_>, step: i32) {
     let year = Angle::degrees(60 - 24 * step);
     let month = Angle::degrees(75 * step);
-    let flat = |radius: i16| Affine::<Model, Model>::scale(Scalar::from_num(radius));
     let out = |distance: i16| Affine::<Model, Model>::translation(Vector3::from_ints(distance, 0, 0));
-    let mut nodes = [
-        Node::root(out(18).then(&Affine::rotation_y(year))),
-        Node::child(0, out(7).then(&Affine::rotation_y(month))),
-        Node::root(flat(8)),
-        Node::child(0, flat(4)),
-        Node::child(1, flat(2)),
-        Node::root(flat(18)),
-        Node::child(0, flat(7)),
-    ];
-    let solar = Hierarchy::new(&mut nodes).expect("parents first");
-    [2, 3, 4, 5, 6].map(|node| solar.world(node).copied().unwrap_or(Affine::identity()))
+    solar.set_local(0, out(18).then(&Affine::rotation_y(year)));
+    solar.set_local(1, out(7).then(&Affine::rotation_y(month)));
+    for (node, radius) in [(2, 8), (3, 4), (4, 2), (5, 18), (6, 7)] {
+        solar.set_local(node, Affine::scale(Scalar::from_num(radius)));
+    }
+    solar.update();
 }
 
 /// The light at the vertices of the sun, the planet and the moon.
 #[inline(never)]
-fn shine([sun, planet, moon, ..]: &[Affine<Model, World>; 5], levels: [&mut [u16; BALL_CORNERS]; 3]) {
+fn shine([sun, planet, moon]: [&Affine<Model, World>; 3], levels: [&mut [u16; BALL_CORNERS]; 3]) {
     let [of_sun, of_planet, of_moon] = levels;
     for (ball, levels) in [(planet, of_planet), (moon, of_moon)] {
         let here = ball.apply(Point3::from_ints(0, 0, 0));
@@ -327,9 +331,19 @@ fn turning(step: i32) -> Affine<Model, World> {
     roll.then(&Affine::rotation_y(Angle::degrees(18 * step - 75)))
 }
 
+/// Before a camera of its own. Out of line: the camera leaves the stack.
+#[inline(never)]
+fn place(
+    mesh: &'static Mesh<'static>,
+    model: &Affine<Model, World>,
+    eye: [i16; 3],
+    degrees: i32,
+) -> Placed<'static> {
+    camera(eye, degrees).place(mesh, model)
+}
+
 fn place_ship(model: &Affine<Model, World>) -> Placed<'static> {
-    const MESH: &Mesh<'static> = &SHIP;
-    camera([0, 12, 26], 34).place(MESH, model)
+    place(&SHIP, model, [0, 12, 26], 34)
 }
 
 fn ship_colour(light: &Lambert, face: usize) -> Gray4 {
