@@ -203,29 +203,26 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         let own_corners = self.corners.len();
         let mut statistics = Statistics::default();
         let mut fan = Fan::new();
-        let own_place = |index: u16| old_corners.wrapping_add(usize::from(index));
         for (index, &face) in placed.mesh.faces().iter().enumerate() {
             // Corners without room are computed anew: the counting goes on.
             let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
             let view = Transformed::<V, true>::with_corners(placed, false, own);
-            if let Some(kept) = view.whole(&face) {
-                let outcome = placed.cull.turned(view.area(&kept), Outcome::Whole);
-                statistics.count(outcome);
-                if outcome.is_drawn() {
-                    let corners = view.images(kept);
-                    self.record(face.map(own_place), &corners, &mut room, shade(index));
+            let (kept, mut corners) = (view.whole(&face), [Image::ORIGIN; 3]);
+            let outcome = match kept {
+                Some(kept) => {
+                    corners = view.images(kept);
+                    placed.cull.turned(view.area(&kept), Outcome::Whole)
                 }
-                continue;
-            }
-            let outcome = view.sort_out_any(&face, &mut fan);
+                None => view.sort_out_any(&face, &mut fan),
+            };
             statistics.count(outcome);
-            if !outcome.is_drawn() {
+            if !outcome.is_drawn() || kept.is_none() && fan.pieces.next(&mut corners).is_none() {
                 continue;
             }
-            let (ink, mut corners) = (shade(index), [Image::ORIGIN; 3]);
-            while fan.pieces.next(&mut corners).is_some() {
+            let ink = shade(index);
+            loop {
                 let indices = if outcome == Outcome::Whole {
-                    face.map(own_place)
+                    face.map(|i| old_corners.wrapping_add(usize::from(i)))
                 } else {
                     let first = room.corners;
                     room.corners += 3;
@@ -234,7 +231,10 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
                     }
                     [first, first + 1, first + 2]
                 };
-                self.record(indices, &corners, &mut room, fan.ink(&ink));
+                self.record(indices, &corners, &mut room, if kept.is_some() { ink } else { fan.ink(&ink) });
+                if kept.is_some() || fan.pieces.next(&mut corners).is_none() {
+                    break;
+                }
             }
         }
         // From here on only the places count; where there is none, no face asks for it.
