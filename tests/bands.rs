@@ -133,6 +133,42 @@ fn a_viewport_beside_the_target_draws_background_and_one_larger_a_crop() {
 }
 
 /// What fails is the display's own error, at the band where it failed; the next frame is right.
+/// Between bands of a viewport that ends above row 0, one beside it and others above and below: nobody is asked for a colour
+/// there, and nothing of the bands behind is lost.
+#[test]
+fn a_band_beside_the_viewport_changes_nothing() {
+    for viewport in [(0, -64, 64, 64), (0, -32, 64, 64)] {
+        cube(viewport, |placed| {
+            let (mut corners, mut records) = ([Corner::EMPTY; 8], [0; 13]);
+            let mut faces = placed.transform(&mut corners).faces(&mut records).expect("room");
+            let (mut edge_corners, mut edge_records) = ([Corner::EMPTY; 8], [0; 20]);
+            let mut edges = placed.transform(&mut edge_corners).edges(&mut edge_records).expect("room");
+            let area = rectangle(viewport.0, viewport.1, viewport.2, viewport.3);
+            let (mut at_once, mut banded) = (Recorder::new(area), Recorder::new(area));
+            placed.solid(colour, &mut [], &mut at_once).expect("no error");
+            placed.wireframe(Gray8::WHITE, &mut [], &mut at_once).expect("no error");
+            for row in (0..64).step_by(4) {
+                let mut band = Recorder::new(rectangle(0, viewport.1 + row, 64, 4));
+                faces.solid(colour, &mut band).expect("no error");
+                edges.draw(Gray8::WHITE, &mut band).expect("no error");
+                for pixel in band.bounding_box().points() {
+                    if let Some(colour) = band.colour(pixel.x, pixel.y) {
+                        banded.draw_iter([Pixel(pixel, colour)]).expect("no error");
+                    }
+                }
+                for beside in [(64, viewport.1 + row, 8, 4), (0, viewport.1 - 8, 64, 4), (0, 99, 64, 4)] {
+                    let mut beside = Recorder::new(rectangle(beside.0, beside.1, beside.2, beside.3));
+                    let shade = |face| -> Gray8 { panic!("the colour of face {face}") };
+                    faces.solid(shade, &mut beside).expect("no error");
+                    edges.draw(Gray8::WHITE, &mut beside).expect("no error");
+                }
+            }
+            assert_eq!(luma(&banded), luma(&at_once), "{viewport:?}");
+            assert!(luma(&banded).iter().any(|&luma| luma > 0));
+        });
+    }
+}
+
 #[test]
 fn a_display_that_fails_in_the_middle_of_a_frame() {
     cube((0, 0, 64, 64), |placed| {

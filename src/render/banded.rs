@@ -338,6 +338,9 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         mut shade: impl FnMut(usize) -> I,
         mut draw: impl FnMut(&Piece<'_>, I) -> Result<(), E>,
     ) -> Result<(), E> {
+        if window.scissor.is_empty() {
+            return Ok(()); // what is open is that of another band
+        }
         let Self { transformed, bins, .. } = self;
         let (view, list) = (*transformed, transformed.placed.mesh.faces());
         let rows = window.scissor.rows();
@@ -451,6 +454,9 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         window: &Window,
         mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
+        if window.scissor.is_empty() {
+            return Ok(()); // what is open is that of another band
+        }
         let Self { transformed, bins, .. } = self;
         let (view, list) = (*transformed, transformed.placed.mesh.edges());
         let end = window.scissor.rows().end;
