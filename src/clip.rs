@@ -24,8 +24,8 @@ use heapless::Vec;
 /// A triangle cut by six planes has at most 3 + 6 corners.
 pub const CORNERS: usize = 9;
 
-/// Places for the corners of a polygon while a plane cuts it, which brings two new ones, and takes one at least: of those
-/// that there were, one fewer than there may be in the end.
+/// Places for the corners of a polygon while a plane cuts it: it finds at most `CORNERS − 1`, and adds two before it takes
+/// away any.
 pub(crate) const PLACES: usize = CORNERS + 1;
 
 /// The places of a polygon's corners, in their order.
@@ -158,7 +158,7 @@ pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
 }
 
 /// A convex polygon grows by at most one corner a plane, so there is room; if rounding should bend
-/// one, the corner too many is left out.
+/// one, the corner too many is left out, here or where there is no place for it.
 fn add(polygon: &mut Order, corner: u8) {
     let _ = polygon.push(corner); // one of `PLACES`
 }
@@ -195,11 +195,13 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut O
         let mut kept = Order::new();
         for &to in polygon.iter() {
             if is_beyond(from) != is_beyond(to) {
-                let free = taken.trailing_ones(); // below `PLACES` in a convex polygon
-                taken |= 1 << (free & 31);
-                let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
-                cut(corners, plane, free as usize, inside.into(), outside.into());
-                add(&mut kept, free as u8);
+                let free = taken.trailing_ones() as usize;
+                if free < PLACES {
+                    taken |= 1 << free;
+                    let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
+                    cut(corners, plane, free, inside.into(), outside.into());
+                    add(&mut kept, free as u8);
+                }
             }
             if !is_beyond(to) {
                 add(&mut kept, to);

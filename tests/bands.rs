@@ -132,8 +132,7 @@ fn a_viewport_beside_the_target_draws_background_and_one_larger_a_crop() {
     }
 }
 
-/// What fails is the display's own error, at the band where it failed; the next frame is right.
-/// Between bands of a viewport that ends above row 0, one beside it and others above and below: nobody is asked for a colour
+/// Between bands of a viewport that begins above row 0 come others beside, above and below it: nobody is asked for a colour
 /// there, and nothing of the bands behind is lost.
 #[test]
 fn a_band_beside_the_viewport_changes_nothing() {
@@ -169,6 +168,7 @@ fn a_band_beside_the_viewport_changes_nothing() {
     }
 }
 
+/// What fails is the display's own error, at the band where it failed; the next frame is right.
 #[test]
 fn a_display_that_fails_in_the_middle_of_a_frame() {
     cube((0, 0, 64, 64), |placed| {

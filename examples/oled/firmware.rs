@@ -2,7 +2,7 @@
 //! it says how deep its stack was.
 
 use crate::panel::{Error, Ssd0323};
-use crate::show::{self, Display, Scratch, Screen, FRAMES, SIZE};
+use crate::show::{self, Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};
 use core::cell::RefCell;
 use core::fmt::Write;
 use cortex_m as _; // its critical sections
@@ -16,7 +16,7 @@ use pinhole::Frame;
 
 const ROWS: u32 = 8;
 
-/// All memory but the stack.
+/// All memory but the stack and the nodes.
 struct Memory {
     scratch: Scratch,
     colours: [u8; Frame::<Gray4>::strip_bytes(SIZE.width, ROWS)],
@@ -28,6 +28,9 @@ static MEMORY: Mutex<RefCell<Memory>> = Mutex::new(RefCell::new(Memory {
     colours: [0; Frame::<Gray4>::strip_bytes(SIZE.width, ROWS)],
     depths: [0; (SIZE.width * ROWS) as usize],
 }));
+
+/// By themselves: a static that is not all zeros takes as much flash.
+static NODES: Mutex<RefCell<SolarSystem>> = Mutex::new(RefCell::new(SOLAR_SYSTEM));
 
 impl<SPI: SpiBus, DC: OutputPin> Display for Ssd0323<SPI, DC> {
     type Error = Error<SPI::Error, DC::Error>;
@@ -44,9 +47,10 @@ fn main() -> ! {
     let mut panel = Ssd0323::new(spi, data_command).expect("a panel");
     let command = critical_section::with(|token| {
         let Memory { scratch, colours, depths } = &mut *MEMORY.borrow_ref_mut(token);
+        let nodes = &mut *NODES.borrow_ref_mut(token);
         let mut screen = Screen::new(&mut panel, colours, depths);
         for frame in 0..FRAMES {
-            scratch.draw(frame, &mut screen).expect("a panel");
+            scratch.draw(frame, nodes, &mut screen).expect("a panel");
             // Whoever looks answers: the next frame, or no more, but this for a command.
             let _ = writeln!(serial, "{frame} {} {}", screen.sent(), show::caption(frame));
             let answer = serial.read();

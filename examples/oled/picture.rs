@@ -1,7 +1,7 @@
 //! What a panel shows, and the host's way to it.
 #![allow(dead_code)] // example and test each take what they need
 
-use crate::show::{Display, Scratch, Screen, SIZE};
+use crate::show::{Display, Scratch, Screen, SIZE, SOLAR_SYSTEM};
 use embedded_graphics::pixelcolor::{Gray4, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -38,7 +38,7 @@ impl Picture {
         let mut picture = Self { levels: vec![0xff; WIDTH * HEIGHT] };
         let (mut colours, mut depths) = (vec![0; WIDTH * HEIGHT / 2], vec![0; WIDTH * HEIGHT]);
         let mut screen = Screen::new(&mut picture, &mut colours, &mut depths);
-        let Ok(()) = Scratch::new().draw(frame, &mut screen);
+        let Ok(()) = Scratch::new().draw(frame, &mut { SOLAR_SYSTEM }, &mut screen);
         picture
     }
 

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Angle, Wire};
-use show::{Display, Scratch, Screen, FRAMES, SIZE};
+use show::{Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};
 use std::cell::Cell;
 use std::convert::Infallible;
 
@@ -31,13 +31,14 @@ pub(crate) struct Sent {
 /// The OLED's panel, each of its pixels some of the picture's.
 pub(crate) struct Oled {
     scratch: Box<Scratch>,
+    nodes: Box<SolarSystem>,
     /// The frame that it shows.
     shown: Option<u32>,
 }
 
 impl Oled {
     pub(crate) fn new() -> Self {
-        Self { scratch: Box::new(Scratch::new()), shown: None }
+        Self { scratch: Box::new(Scratch::new()), nodes: Box::new(SOLAR_SYSTEM), shown: None }
     }
 
     /// The frame of a moment, if the panel does not show it: after the one before it only what differs, as the firmware
@@ -56,10 +57,10 @@ impl Oled {
         let mut screen = Screen::new(&mut panel, &mut colours, &mut depths);
         if let Some(before) = frame.checked_sub(1).filter(|before| self.shown == Some(*before)) {
             // What is on the panel already, so that the screen knows it.
-            let Ok(()) = self.scratch.draw(before, &mut screen);
+            let Ok(()) = self.scratch.draw(before, &mut self.nodes, &mut screen);
         }
         on.set(true);
-        let Ok(()) = self.scratch.draw(frame, &mut screen);
+        let Ok(()) = self.scratch.draw(frame, &mut self.nodes, &mut screen);
         self.shown = Some(frame);
         Some(sent)
     }

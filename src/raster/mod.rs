@@ -215,7 +215,7 @@ impl Scissor {
     pub(crate) const NOTHING: Self =
         Self { left: i32::MAX, top: i32::MAX, right: i32::MIN, bottom: i32::MIN };
 
-    /// The bounding box of both, of which neither is empty but [`NOTHING`](Self::NOTHING).
+    /// The bounding box of both, of [`NOTHING`](Self::NOTHING) and another that one. An empty box counts with where it is.
     #[inline(always)]
     pub(crate) fn enclosing(&self, other: &Self) -> Self {
         Self {

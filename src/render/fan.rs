@@ -65,7 +65,8 @@ impl Pieces {
         let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
     }
 
-    /// A convex polygon, which is on the screen: what becomes of it. A whole one is only farther out than corners reach.
+    /// A convex polygon, which is on the screen: what becomes of it. One that is not cut is farther out than corners reach, or
+    /// was not kept.
     #[inline(never)] // its frame is gone when it returns
     pub(super) fn begin(&mut self, cull: Cull, cut: bool) -> Outcome {
         (self.cut, self.turned, self.at) = (cut, false, 0);
@@ -78,7 +79,7 @@ impl Pieces {
         cull.turned(area, if cut { Outcome::Cut } else { Outcome::Whole })
     }
 
-    /// Where the polygon may cover pixels.
+    /// Where the polygon may cover pixels, though a piece may be left out.
     pub(super) fn reach(&self) -> Scissor {
         let mut reach = Scissor::NOTHING;
         for &at in &self.order {

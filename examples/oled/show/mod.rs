@@ -33,14 +33,27 @@ pub(crate) fn caption(frame: u32) -> &'static str {
 }
 
 /// The memory that is lent to the library for a frame, beside the bands': corners of vertices, numbers of faces and edges,
-/// light at vertices, and a tree of nodes. Of several objects each has its own.
+/// and light at vertices. Of several objects each has its own. All zeros at first: it takes no flash.
 pub(crate) struct Scratch {
     teapot: ([Corner; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
     balls: [([Corner; BALL_CORNERS], [u16; records(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
     rings: [([Corner; RING_CORNERS], [u16; records(RING_CORNERS)]); 2],
     ship: ([Corner; 8], [u16; records(12)], [u16; records(17)]),
-    solar_system: [Node; 7],
 }
+
+/// A tree: joints, which are the way round the sun and round the planet; then what is seen, three balls and two orbits.
+pub(crate) type SolarSystem = [Node; 7];
+
+/// Not turned yet.
+pub(crate) const SOLAR_SYSTEM: SolarSystem = [
+    Node::root(Affine::identity()),
+    Node::child(0, Affine::identity()),
+    Node::root(Affine::identity()),
+    Node::child(0, Affine::identity()),
+    Node::child(1, Affine::identity()),
+    Node::root(Affine::identity()),
+    Node::child(0, Affine::identity()),
+];
 
 /// One number for each face or edge, and one for every 16 of them.
 const fn records(count: usize) -> usize {
@@ -54,16 +67,6 @@ impl Scratch {
             balls: [([Corner::EMPTY; BALL_CORNERS], [0; records(BALL_COUNT)], [0; BALL_CORNERS]); 3],
             rings: [([Corner::EMPTY; RING_CORNERS], [0; records(RING_CORNERS)]); 2],
             ship: ([Corner::EMPTY; 8], [0; records(12)], [0; records(17)]),
-            // Joints: the way round the sun, and round the planet. Then what is seen: three balls, two orbits.
-            solar_system: [
-                Node::root(Affine::identity()),
-                Node::child(0, Affine::identity()),
-                Node::root(Affine::identity()),
-                Node::child(0, Affine::identity()),
-                Node::child(1, Affine::identity()),
-                Node::root(Affine::identity()),
-                Node::child(0, Affine::identity()),
-            ],
         }
     }
 
@@ -72,6 +75,7 @@ impl Scratch {
     pub(crate) fn draw<D: Display>(
         &mut self,
         frame: u32,
+        nodes: &mut SolarSystem,
         screen: &mut Screen<'_, D>,
     ) -> Result<(), D::Error> {
         let step = (frame % STEPS) as i32;
@@ -83,7 +87,7 @@ impl Scratch {
             1 => self.hidden_line(step, screen),
             2 => self.flat(step, screen),
             3 => self.gouraud(step, screen),
-            4 => self.hierarchy(step, screen),
+            4 => self.hierarchy(step, nodes, screen),
             5 => self.dirty(step, screen),
             _ => self.labels(step, screen),
         }
@@ -144,8 +148,13 @@ impl Scratch {
 
     /// A sun, a planet about it and a moon about that, and their orbits.
     #[inline(never)]
-    fn hierarchy<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let mut solar = Hierarchy::new(&mut self.solar_system).expect("parents first");
+    fn hierarchy<D: Display>(
+        &mut self,
+        step: i32,
+        nodes: &mut SolarSystem,
+        screen: &mut Screen<'_, D>,
+    ) -> Result<(), D::Error> {
+        let mut solar = Hierarchy::new(nodes).expect("parents first");
         turn(&mut solar, step);
         let [a, b, c, d, e] = [2, 3, 4, 5, 6].map(|node| solar.world(node).expect("one of seven"));
         let [sun, planet, moon] = &mut self.balls;
