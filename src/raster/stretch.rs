@@ -70,23 +70,35 @@ impl Stretch<Wide> {
     #[inline(always)]
     pub(super) fn cut(&mut self, from: i32, to: i32) {
         let Self { rows, sides: [left, right], .. } = self;
-        let mut cut = |side: &mut Wide, limit: i32, is_outside: fn(i32, i32) -> bool| {
-            let outside = |row: i32| is_outside(side.pixel(row), limit);
-            let begins_outside = outside(0);
-            if outside(*rows - 1) != begins_outside {
-                // By bisection: the first row is as at the beginning, the last one is not.
-                let (mut same, mut other) = (0, *rows - 1);
-                while other - same > 1 {
-                    let middle = (same + other) >> 1;
-                    *(if outside(middle) == begins_outside { &mut same } else { &mut other }) = middle;
-                }
-                *rows = other;
-            }
-            if begins_outside {
-                *side = Wide::vertical(limit);
-            }
-        };
-        cut(left, from, |x, limit| x < limit);
-        cut(right, to, |x, limit| x > limit);
+        *rows = cut(left, from, *rows, false);
+        *rows = cut(right, to, *rows, true);
     }
+}
+
+/// Of so many rows, those in which a side lies to one side of a column, or in it, or all to the other; what lies outside becomes
+/// vertical there. `right`: outside is to the right.
+#[inline(never)] // once for both sides: small is better
+fn cut(side: &mut Wide, limit: i32, mut rows: i32, right: bool) -> i32 {
+    let outside = |row: i32| {
+        let pixel = side.pixel(row);
+        if right {
+            pixel > limit
+        } else {
+            pixel < limit
+        }
+    };
+    let begins_outside = outside(0);
+    if outside(rows - 1) != begins_outside {
+        // By bisection: the first row is as at the beginning, the last one is not.
+        let (mut same, mut other) = (0, rows - 1);
+        while other - same > 1 {
+            let middle = (same + other) >> 1;
+            *(if outside(middle) == begins_outside { &mut same } else { &mut other }) = middle;
+        }
+        rows = other;
+    }
+    if begins_outside {
+        *side = Wide::vertical(limit);
+    }
+    rows
 }

@@ -3,7 +3,7 @@
 use super::{put, Cull, Ink};
 use crate::camera::Image;
 use crate::clip::{Carried, Order, PLACES};
-use crate::math::num::keep_rolled;
+use crate::math::num::{after, keep_rolled};
 use crate::math::Homogeneous;
 use crate::raster::{self, Piece, Scissor};
 
@@ -101,8 +101,11 @@ impl Pieces {
     #[inline(never)] // rare: small is better
     fn step(&mut self, corners: &mut [Image; 3]) -> Option<i64> {
         let at = usize::from(self.at);
-        for (image, corner) in corners.iter_mut().zip([0, at + 1, at + 2]) {
+        let mut i = 0;
+        while let Some(image) = corners.get_mut(i) {
+            let corner = if i == 0 { 0 } else { at + i };
             *image = Image::of_held(self.places.get(self.place(corner))?);
+            i = after(i);
         }
         self.at += 1;
         Some(raster::area(&corners.map(|corner| corner.point)))
