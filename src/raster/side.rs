@@ -83,7 +83,7 @@ impl Divisor for ByDivision {
     const WIDTH: i32 = 2040 << 8;
     const HEIGHT: i32 = 1 << 13;
 
-    #[inline(never)] // of few triangles, three times: small is better
+    #[inline(never)] // three times a triangle that is wide, cut, or not drawn into memory: small is better
     fn divide(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32) {
         if dy <= 0 {
             return (0, 0);

@@ -50,17 +50,16 @@ pub(super) struct Pieces {
     cut: bool,
     /// Whether the polygon is taken from its last corner to its first.
     turned: bool,
-    /// The second corner of the next triangle is the one behind this; the first is the polygon's.
+    /// Where the fan stands: the next triangle's corners are the first one, and the two behind this.
     at: u8,
 }
 
 impl Pieces {
-    /// A face with all of its corners on the screen.
+    /// A face with all of its corners on the screen, to [begin](Self::begin) with.
     pub(super) fn whole(&mut self, corners: &[Image; 3]) {
         for (place, corner) in self.places.iter_mut().zip(corners) {
             *place = corner.held();
         }
-        (self.cut, self.turned, self.at) = (false, false, 0);
         self.order.clear();
         let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
     }
