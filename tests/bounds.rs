@@ -162,6 +162,29 @@ fn s3_a_view_from_its_matrix() {
     assert!((0.25..=0.5).contains(&rows) && eyes <= 0.5 + 0.125, "{rows} {eyes}");
 }
 
+/// Rounding moves a matrix that is barely rigid, to either side of the limit: what is taken is taken again.
+#[test]
+fn s3_a_view_rigid_to_the_limit_goes_back() {
+    let mut rng = Rng::new(0x5F);
+    let mut taken = 0;
+    for i in 0..50_000 {
+        let exact = bridge::pair::random_view(&mut rng).exact();
+        // A row's square is 4·10⁻⁶ off, but for some 10⁻¹⁰.
+        let long = (1.0 + 4e-6 - (f64::from(i) - 25_000.0) * 1e-13).sqrt();
+        let mut matrix = [[0.0; 4]; 4];
+        for (row, axis) in matrix.iter_mut().zip(exact.rows) {
+            row[..3].copy_from_slice(&axis);
+        }
+        matrix[i as usize % 3].iter_mut().for_each(|c| *c *= long);
+        matrix[3][3] = 1.0;
+        if let Ok(view) = Viewing::from_matrix(&matrix) {
+            assert_eq!(Viewing::from_matrix(&view.to_matrix()), Ok(view), "{matrix:?}");
+            taken += 1;
+        }
+    }
+    assert!((10_000..40_000).contains(&taken), "{taken}");
+}
+
 /// A projection's matrix, taken back, is the same projection.
 #[test]
 fn s4_a_projection_from_its_matrix() {

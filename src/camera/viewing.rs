@@ -225,7 +225,8 @@ impl Viewing {
     ///
     /// [`ViewingError::NotRigid`] where the last row is not (0, 0, 0, 1), a number is not finite,
     /// or the rows are left-handed, or a row's square is not 1 or its product with another not 0, to
-    /// 4·10⁻⁶: numbers rounded to six decimals pass; [`ViewingError::EyeOutside`] where the eye leaves the world.
+    /// 4·10⁻⁶, as given and as rounded: numbers rounded to six decimals pass; [`ViewingError::EyeOutside`] where
+    /// the eye leaves the world.
     ///
     /// ```
     /// use pinhole::{Point3, Viewing, ViewingError};
@@ -244,20 +245,16 @@ impl Viewing {
         let translation = [u[3], v[3], n[3]];
         let axes = [u, v, n].map(|row| [row[0], row[1], row[2]]);
         let [u, v, n] = axes;
-        // Written so that NaN fails.
-        let near = |value: f64, wanted: f64| value - wanted > -4e-6 && value - wanted < 4e-6;
-        let rigid = near(dot(u, u), 1.0)
-            && near(dot(v, v), 1.0)
-            && near(dot(n, n), 1.0)
-            && near(dot(u, v), 0.0)
-            && near(dot(v, n), 0.0)
-            && near(dot(n, u), 0.0);
-        if !rigid || dot(cross_f64(u, v), n) < 0.0 {
+        if !is_rigid(&axes) {
             return Err(ViewingError::NotRigid);
         }
         // |c| ≤ 1 + 2·10⁻⁶: brought to 2³⁰ at most.
         let nearest = |c: f64| ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30);
         let rows = axes.map(|row| row.map(|c| nearest(c * 1_073_741_824.0)));
+        // As rounded too, so that what `to_matrix` gives is taken back.
+        if !is_rigid(&rows.map(as_reals)) {
+            return Err(ViewingError::NotRigid);
+        }
         // −R⁻¹·t by the cofactors; the determinant is within 10⁻⁵ of 1.
         let cofactors = [cross_f64(v, n), cross_f64(n, u), cross_f64(u, v)];
         let determinant = dot(cofactors[0], u);
@@ -276,7 +273,7 @@ impl Viewing {
     /// bits. [`from_matrix`](Self::from_matrix) takes it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [u, v, n] = self.rows.map(|row| {
-            let [x, y, z] = row.map(|m| float(m.into(), -30));
+            let [x, y, z] = as_reals(row);
             // 31 × 48 bits, three of them: exact, then rounded.
             let along: i128 = row.iter().zip(self.eye).map(|(&m, e)| i128::from(m) * i128::from(e)).sum();
             [x, y, z, -(along as f64) * float(1, -62)]
@@ -346,6 +343,24 @@ const fn longs(v: Vector3<World>) -> [i64; 3] {
 const fn wide(p: Point3<World>) -> [i64; 3] {
     let [x, y, z] = p.bits();
     [(x as i64) << 16, (y as i64) << 16, (z as i64) << 16]
+}
+
+/// A row of a viewing matrix.
+fn as_reals(row: [i32; 3]) -> [f64; 3] {
+    row.map(|c| float(c.into(), -30))
+}
+
+/// Orthonormal and right-handed, as far as numbers of six decimals can be.
+fn is_rigid(&[u, v, n]: &[[f64; 3]; 3]) -> bool {
+    // Written so that NaN fails.
+    let near = |value: f64, wanted: f64| value - wanted > -4e-6 && value - wanted < 4e-6;
+    near(dot(u, u), 1.0)
+        && near(dot(v, v), 1.0)
+        && near(dot(n, n), 1.0)
+        && near(dot(u, v), 0.0)
+        && near(dot(v, n), 0.0)
+        && near(dot(n, u), 0.0)
+        && dot(cross_f64(u, v), n) > 0.0
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

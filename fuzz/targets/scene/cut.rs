@@ -67,9 +67,11 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();
     let [a, b, c] = face;
     let (exact, model) = (scene.camera.exact(), scene.model.exact());
-    // Exactly edge-on it has no pixels for the oracle, but cut corners are rounded.
-    let place = |i| exact.homogeneous_screen(exact.clip(&model, scene.model_point(i)));
-    if chain::dot(place(a), chain::cross(place(b), place(c))) == 0.0 {
+    // Edge-on it has no pixels for the oracle, but cut corners are rounded. Below 2⁻⁴⁰ of what it is a sum of, the
+    // determinant is mostly what f64 rounds, its sign too.
+    let [a_, b_, c_] = face.map(|i| exact.homogeneous_screen(exact.clip(&model, scene.model_point(i))));
+    let determinant = chain::dot(a_, chain::cross(b_, c_));
+    if determinant.abs() <= 2f64.powi(-40) * length(a_) * length(b_) * length(c_) {
         return;
     }
     // The oracle sees front faces; the other side is the front of the face turned over.
