@@ -31,8 +31,9 @@ impl<V: Coordinate> Placed<'_, V> {
     /// face that is seen is left out.
     ///
     /// The picture is the same as without, but for faces that are turned away and so thin on the screen that rounding
-    /// turns their corners to the front: less than 1/100 pixel, however long. Those are left out here, and with them
-    /// the few pixels that such a sliver may cover. In the [`Statistics`] all faces that are known by their planes are
+    /// turns their corners to the front: less than 1/100 pixel, however long, where vertices are within 1/256 px of their
+    /// places (see [`project`](Placed::project)). Those are left out here, and with them the few pixels that such a
+    /// sliver may cover. In the [`Statistics`] all faces that are known by their planes are
     /// `culled`, what would be `degenerate` or `outside` too.
     ///
     /// ```

@@ -12,6 +12,13 @@ use pinhole::Cull;
 /// cut's own rounding to 1/256 px, at the corner where it is largest; and how far off, in z/w, near and far may
 /// cut. None where the numbers leave their range.
 fn tolerance(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64)> {
+    let (px, depth) = before_rounding(scene, face)?;
+    // And another 1/256 px for the cut corners' own snap.
+    Some((2.0 / 256.0 + px, depth))
+}
+
+/// The same before places are rounded to 1/256 px.
+pub(crate) fn before_rounding(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64)> {
     let (exact, model) = (scene.camera.exact(), scene.model.exact());
     let largest = scene.vertices.iter().flatten().fold(1.0f64, |m, &c| m.max(f64::from(c).abs()));
     let stretch = (0..3).map(|j| length(core::array::from_fn(|i| model.m[i][j]))).fold(0.0, f64::max);
@@ -35,8 +42,8 @@ fn tolerance(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64)> {
     // The 12 is for VUP well off VPN: the roll's error grows as 1/sine.
     let factor = 12.0 + (1.0 / sine(scene) - 4.0).max(0.0);
     // What is cut moves along its edge by 2⁻³¹ of it too, and its plane by what d and w are rounded to: twice
-    // the budget, and another 1/256 px for the cut corners' own snap.
-    let px = 2.0 / 256.0 + 2.0 * factor * 2f64.powi(-30) * budget;
+    // the budget.
+    let px = 2.0 * factor * 2f64.powi(-30) * budget;
     // d and w are rounded to a few 2⁻³⁰ of their own reach, or of x's and y's over what is free.
     let depth = 2f64.powi(-26) * ((rho[2] + rho[3]) / least + 2.0 * budget / free);
     Some((px, depth))

@@ -1,6 +1,7 @@
 //! Faces asked by their planes, if they have any.
 
 use crate::bridge::draw::Ink;
+use crate::cut::before_rounding;
 use crate::input::Scene;
 use crate::{draw, sums_up, Drawing};
 use pinhole::{Corner, Mesh, Placed};
@@ -25,8 +26,9 @@ fn both(scene: &Scene, placed: &Placed<'_>) -> [(Drawing, Vec<usize>); 2] {
 }
 
 /// Whether a face is turned to the front before its corners are rounded to sub-pixels, by more than the error of places can
-/// make of one that is seen from the side. `None` where one of them has no place.
-fn is_front(placed: &Placed<'_>, face: [u16; 3]) -> Option<bool> {
+/// make of one that is seen from the side. `None` where one of them has no place, or numbers leave their range.
+fn is_front(scene: &Scene, placed: &Placed<'_>, face: [u16; 3]) -> Option<bool> {
+    let (error, _) = before_rounding(scene, face)?;
     let place = |index: u16| {
         let place = placed.project_unsnapped(index.into())?;
         place[..2].iter().all(|c| c.unsigned_abs() < 1 << 44).then(|| place.map(i128::from))
@@ -34,9 +36,10 @@ fn is_front(placed: &Placed<'_>, face: [u16; 3]) -> Option<bool> {
     let [a, b, c] = face.map(place);
     let (a, b, c) = (a?, b?, c?);
     let [x1, y1, x2, y2] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
-    // 2⁻¹⁶ pixel, in 2⁻³².
-    let sliver = [x1, y1, x2, y2].map(i128::abs).into_iter().max()? << 16;
-    Some(x2 * y1 - x1 * y2 > sliver)
+    // As thick as that and 2⁻¹⁶ pixel, in 2⁻³².
+    let thick = (error * 2f64.powi(32)) as i128 + (1 << 16);
+    let long = [x1, y1, x2, y2].map(i128::abs).into_iter().max()?;
+    Some(x2 * y1 - x1 * y2 > long * thick)
 }
 
 pub(crate) fn check(scene: &Scene) {
@@ -55,7 +58,11 @@ pub(crate) fn check(scene: &Scene) {
     let [(_, plain), (_, by_planes)] = both(scene, &placed);
     for &face in plain.iter().filter(|face| !by_planes.contains(face)) {
         // Faces that are cut, or reach far out where places saturate, have no area that could be looked at.
-        assert_ne!(is_front(&placed, scene.faces[face]), Some(true), "face {face} is left out: {scene:?}");
+        assert_ne!(
+            is_front(scene, &placed, scene.faces[face]),
+            Some(true),
+            "face {face} is left out: {scene:?}"
+        );
     }
     assert!(by_planes.iter().all(|face| plain.contains(face)), "{scene:?}");
 }
