@@ -41,7 +41,8 @@ fn main() -> ! {
     let device = ExclusiveDevice::new_no_delay(bus, select).unwrap();
     let mut display = Builder::new(ILI9341Rgb565, SpiInterface::new(device, command, &mut buffer))
         .reset_pin(reset)
-        .orientation(Orientation::new().rotate(Rotation::Deg90))
+        // Such a panel's columns run from right to left: a landscape that is not mirrored, MADCTL 0x28.
+        .orientation(Orientation::new().rotate(Rotation::Deg90).flip_vertical())
         .color_order(ColorOrder::Bgr)
         .init(&mut delay)
         .unwrap();
