@@ -23,7 +23,9 @@ use functions::Measured;
 use oracle::chain;
 use oracle::rng::Rng;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Mesh, Point3, Projection, Vector3, Viewing, Viewport, Visibility};
+use pinhole::{
+    Affine, Camera, MatrixError, Mesh, Point3, Projection, Vector3, Viewing, Viewport, Visibility,
+};
 use pinhole::{NumberError, Scalar}; // also for `quaternion`
 
 #[track_caller]
@@ -131,6 +133,19 @@ fn s2_a_matrix_read_back_is_the_same_transform() {
         for (kept, given) in kept.to_matrix().iter().zip(matrix) {
             assert!((kept[3] - given[3]).abs() <= 2f64.powi(-33), "{matrix:?}");
         }
+    }
+    // To the limit of what translations saturate at, and no further.
+    for (translation, wanted) in [
+        (2f64.powi(30), Ok(2f64.powi(30))),
+        (-2f64.powi(30), Ok(-2f64.powi(30))),
+        (2f64.powi(30) + 1.0, Err(MatrixError::OutOfRange)),
+        (f64::NEG_INFINITY, Err(MatrixError::NotFinite)),
+        (f64::NAN, Err(MatrixError::NotFinite)),
+    ] {
+        let mut matrix = Affine::<Model, World>::identity().to_matrix();
+        matrix[1][3] = translation;
+        let kept = Affine::<Model, World>::from_matrix(&matrix).map(|kept| kept.to_matrix()[1][3]);
+        assert_eq!(kept, wanted);
     }
 }
 

@@ -309,6 +309,16 @@ fn s2_rigid_inverse_is_the_transpose() {
         point([0; 3]),
     );
     assert_eq!(sheared.rigid_inverse().map(|_| ()), Err(InverseError::NotRigid));
+    // The same limit whether or not a coefficient is 1, which the whole block is scaled for.
+    for (long, rigid) in [(2f64.powi(-20), false), (2f64.powi(-22), true)] {
+        let c = (0.5f64).sqrt();
+        for (a, b) in [(1.0, 0.0), (c, c)] {
+            let row = [[a + a * long, -b - b * long, 0.0, 0.0], [b, a, 0.0, 0.0]];
+            let m = [row[0], row[1], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+            let inverse = Affine::<Model, World>::from_matrix(&m).expect("a matrix").rigid_inverse();
+            assert_eq!(inverse.is_ok(), rigid, "{m:?}");
+        }
+    }
 }
 
 #[test]

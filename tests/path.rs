@@ -107,6 +107,30 @@ fn closed_figures_close_without_drawing_twice() {
     check(&[(10, 10), (40, 10), (10, 10)]);
 }
 
+/// So far from the viewport's middle that a vertex is not kept in a `Corner`: joints are joints there too.
+#[test]
+fn joints_far_out_in_a_wide_viewport_are_drawn_once() {
+    const WIDTH: u32 = 4096;
+    let (w, h) = (WIDTH as i32 * ONE, SIZE as i32 * ONE);
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Orthographic([0, w, -h, 0], ONE, 100 * ONE),
+        viewport: (0, 0, WIDTH, SIZE),
+    };
+    let (open, closed) = ([(3, 3), (20, 3), (20, 30)], [(4000, 9), (4050, 9), (4020, 40), (4000, 9)]);
+    for path in [&open[..], &closed] {
+        let (vertices, model) = (in_pixels(path), back().library());
+        let mesh = Mesh::new(&vertices, -1, &[]).expect("a mesh");
+        let mut target = Recorder::sized(WIDTH, SIZE);
+        let Ok(_) = camera.library().place(&mesh, &model).polyline(Ink(1), &mut target) else {
+            panic!("a target")
+        };
+        for &(x, y) in path {
+            assert_eq!(target.count(x as i32, y as i32), 1, "({x}, {y}) of {path:?}");
+        }
+    }
+}
+
 #[test]
 fn repeated_vertices_draw_their_pixel_once() {
     check(&[(10, 10), (10, 10), (20, 10)]);

@@ -225,3 +225,16 @@ mod constant {
         assert_eq!(TURN, Affine::rotation_y(core::hint::black_box(Angle::degrees(33))));
     }
 }
+
+/// Faces beside edges belong to the edges that the mesh had when they were given.
+#[test]
+fn other_edges_have_no_faces_beside_them_yet() {
+    let (vertices, faces) = ([[0; 3], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 3]]);
+    let mesh = Mesh::new(&vertices, 0, &faces)
+        .and_then(|mesh| mesh.with_edges(&[[0, 2]]))
+        .and_then(|mesh| mesh.with_edge_faces(&[[0, 1]]))
+        .expect("a mesh");
+    assert_eq!(mesh.edge_faces(), [[0, 1]]);
+    let other = mesh.with_edges(&[[0, 1], [1, 2]]).expect("edges");
+    assert_eq!(other.edge_faces(), [[0; 2]; 0]);
+}

@@ -12,7 +12,7 @@ use oracle::rng::Rng;
 use oracle::volume::{self, distances, gap, largest};
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
-use pinhole::{ClipPoint, Mesh, Outcode, Projection, Visibility};
+use pinhole::{ClipPoint, Mesh, Outcode, Projection, Sphere, Visibility};
 
 fn projections() -> [Projection; 3] {
     let w = window([-ONE, ONE, -ONE, ONE]);
@@ -420,5 +420,44 @@ fn s5_whole_nodes_by_their_bounding_sphere() {
         "outside {}, partly {}, inside {}; {useless} undecided without need",
         tally[0], tally[1], tally[2]
     );
+    assert!(tally.iter().all(|&n| n > 1000));
+}
+
+/// What is far out and next to a plane: the plane's own coefficients are rounded, and that counts as far as the point is away.
+#[test]
+fn s5_points_far_out_are_outside_or_inside_only_where_they_are() {
+    let mut rng = Rng::new(0x507);
+    let mut tally = [0usize; 3];
+    for _ in 0..60_000 {
+        let w = [-ONE, ONE / 2 + rng.int(0, i64::from(ONE)) as i32, -ONE, ONE];
+        let projection = ProjectionBits::Frustum(w, ONE, 30_000 * ONE);
+        let camera = CameraBits { view: random_view(&mut rng), projection, viewport: (0, 0, 320, 200) };
+        let exact = camera.exact();
+        // Next to the plane through the right border: from far less than that counts to more.
+        let z = rng.log(1_000.0, 20_000.0);
+        let at =
+            [chain::fx(w[1]) * z + rng.real(-1.0, 1.0) * rng.log(1e-4, 1.0), z * rng.real(-0.5, 0.5), -z];
+        let world = core::array::from_fn(|i| {
+            exact.view.eye[i] + (0..3).map(|k| exact.view.rows[k][i] * at[k]).sum::<f64>()
+        });
+        let Some(world) = bits(world) else { continue };
+        let sphere = Sphere { centre: point(world), radius: scalar(0) };
+        let found = camera.library().visibility(&sphere, &ModelBits(Vec::new()).library());
+        let at = exact.view.apply(chain::fx3(world));
+        let m = exact.projection;
+        let plane: V4 = core::array::from_fn(|k| m[3][k] - m[0][k]);
+        let inside = chain::dot([plane[0], plane[1], plane[2]], at) + plane[3];
+        match found {
+            Visibility::Outside => assert!(inside < 1e-10, "{inside}: {camera:?} {world:?}"),
+            Visibility::Inside => assert!(inside > -1e-10, "{inside}: {camera:?} {world:?}"),
+            Visibility::Partly => {}
+        }
+        tally[match found {
+            Visibility::Outside => 0,
+            Visibility::Partly => 1,
+            Visibility::Inside => 2,
+        }] += 1;
+    }
+    println!("outside {}, partly {}, inside {}", tally[0], tally[1], tally[2]);
     assert!(tally.iter().all(|&n| n > 1000));
 }

@@ -1,7 +1,7 @@
 //! Whole objects against the view volume.
 
 use super::Camera;
-use crate::math::num::{add, mul_translation, scale, sqrt};
+use crate::math::num::{add, mul_translation, sqrt};
 use crate::math::{product, Affine, Row, Scalar, Sphere};
 use crate::space::{Model, World};
 
@@ -78,7 +78,10 @@ impl Camera {
             w.combined((65_535, -16), d, minus),
         ];
         let mut visibility = Visibility::Inside;
-        let away = centre.iter().map(|c| 64 - c.unsigned_abs().leading_zeros() as i32).max().unwrap_or(0);
+        let far_out = centre.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
+        let away = 64 - far_out.leading_zeros() as i32;
+        // 2⁶³ at most.
+        let all = add(i64::try_from(far_out).unwrap_or(i64::MAX), radius);
         for plane in &planes {
             if plane.overflow(away) > 0 {
                 visibility = Visibility::Partly; // beyond what the numbers tell
@@ -87,10 +90,10 @@ impl Camera {
             let distance = plane.apply(&centre);
             let squares: u64 = plane.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
             let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
-            let reach = mul_translation((length >> 1) as i32 + 1, plane.exponent - 29, radius);
-            // What rounding may have cost.
-            let slack = scale(distance.abs(), -20) + scale(reach, -20) + 16;
-            let reach = add(reach, slack);
+            let times_length =
+                |v: i64, shift| mul_translation((length >> 1) as i32 + 1, plane.exponent - 29 - shift, v);
+            // And what rounding may have cost: the plane's own coefficients count as far as the centre is from the eye.
+            let reach = add(times_length(radius, 0), add(times_length(all, 20), 16));
             if distance < -reach {
                 return Visibility::Outside;
             }

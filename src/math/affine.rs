@@ -193,11 +193,12 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         let linear = [[l[0], l[1], l[2]], [l[3], l[4], l[5]], [l[6], l[7], l[8]]];
         let (linear, exponent) = rounded(&linear, exponent + 30);
         let translation = [x[3], y[3], z[3]];
-        if translation.iter().any(|t| *t >= 1_073_741_824.0 || *t <= -1_073_741_824.0) {
+        let part = |i: usize| float::fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
+        let offset = [part(0)?, part(1)?, part(2)?];
+        if translation.iter().any(|t| t.abs() > 1_073_741_824.0) {
             return Err(MatrixError::OutOfRange);
         }
-        let part = |i: usize| float::fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
-        Ok(Self::from_parts(linear, exponent, [part(0)?, part(1)?, part(2)?]))
+        Ok(Self::from_parts(linear, exponent, offset))
     }
 
     /// The matrix, row by row; the translation is rounded to 53 bits where it needs more, beyond 2²¹
@@ -278,22 +279,22 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         }
     }
 
-    /// The inverse of a rigid transform, a rotation and a shift: `Rᵀ` and `−Rᵀ·o`, with no
+    /// The inverse of a rigid transform, a rotation, mirrored or not, and a shift: `Rᵀ` and `−Rᵀ·o`, with no
     /// division and no loss but the rounding of the translation, 3·2⁻³³.
     ///
     /// # Errors
     ///
-    /// [`InverseError::NotRigid`] where rows are not of length 1 or not orthogonal, to 2⁻²⁰.
+    /// [`InverseError::NotRigid`] where a row's square is not 1, or the product of two not 0, to 2⁻²⁰.
     pub fn rigid_inverse(&self) -> Result<Affine<B, A>, InverseError> {
         let [x, y, z] = &self.linear;
-        // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½.
+        // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½, and 1 has exponent 1.
         let one = scale(1 << 60, -2 * self.exponent);
-        let near = |value: i64, wanted: i64| (value - wanted).abs() <= 1 << 40;
+        let near = |value: i64, wanted: i64| (value - wanted).abs() <= one >> 20;
         let rigid = [x, y, z].iter().all(|row| near(dot(row, row), one))
             && near(dot(x, y), 0)
             && near(dot(y, z), 0)
             && near(dot(z, x), 0);
-        if !(-1..=1).contains(&self.exponent) || !rigid {
+        if !matches!(self.exponent, 0 | 1) || !rigid {
             return Err(InverseError::NotRigid);
         }
         Ok(self.returning(transposed(&self.linear), self.exponent))

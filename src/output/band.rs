@@ -159,11 +159,14 @@ impl<'s, C: Wire> Band<'s, C> {
     where
         C: Stored<[u8; N]>,
     {
+        const { assert!(C::BITS as usize == 8 * N, "Stored's bytes are not as many as Wire has bits") };
         let (cells, _) = self.bytes.as_chunks_mut();
         Pixels::new(cells, self.area)
     }
 
-    /// The same, no longer a band: for transfers that own their buffer.
+    /// The [`bytes`](Self::bytes), no longer a band: for transfers that own their buffer. A strip that is longer does not get
+    /// its end back: where frames are to be drawn into it again and again, have it as long as some rows of which the frame
+    /// has a multiple.
     pub fn into_bytes(self) -> &'s mut [u8] {
         self.bytes
     }

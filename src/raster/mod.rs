@@ -57,7 +57,7 @@ pub(crate) use along::Along;
 pub(crate) use depth::FARTHEST;
 pub use line::line;
 pub(crate) use line::{Course, Runs};
-pub use piece::Piece;
+pub(crate) use piece::Piece;
 pub(crate) use places::{place, Ground, Places, Rows, Start};
 pub use plane::Plane;
 pub(crate) use plane::Planes;

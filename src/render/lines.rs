@@ -209,10 +209,7 @@ impl<V: Coordinate> Transformed<'_, V, true> {
     fn beside<'b>(&self, edge: usize, viewport: &Scissor, all: &'b mut FacesBeside) -> &'b [Beside] {
         all.clear();
         let mesh = self.placed.mesh;
-        let beside = mesh.edge_faces().get(edge).copied().unwrap_or_default();
-        if mesh.edge_faces().is_empty() {
-            return all;
-        }
+        let Some(&beside) = mesh.edge_faces().get(edge) else { return all };
         let mut fan = Fan::<()>::new();
         for face in beside {
             let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };

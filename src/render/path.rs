@@ -1,7 +1,6 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
 use super::{Placed, Statistics, Transformed, Window};
-use crate::camera::Corner;
 use crate::math::Coordinate;
 use crate::output::Target;
 use crate::raster::{self, Pixel, Span};
@@ -64,18 +63,19 @@ impl<V: Coordinate> Placed<'_, V> {
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
         let line = Transformed::<V, false>::with_corners(self, false, &[]);
-        let pixel = |corner: Corner| corner.whole().then(|| self.placement.at::<false>(corner).point.pixel());
-        let corner = |index: usize| line.corner(index as u16);
+        let place = |index: usize| line.image(index as u16).map(|image| image.point.pixel());
         let count = vertices.len();
-        let first = pixel(corner(0));
+        let first = if count == 0 { None } else { place(0) };
         // Where all lies in one pixel, no later line comes back to it.
         let closed = count > 2
-            && pixel(corner(count - 1)) == first
-            && (1..count).any(|index| pixel(corner(index)) != first);
+            && first.is_some()
+            && place(count - 1) == first
+            && (1..count).any(|index| place(index) != first);
         // The pixel that the line before ended in, or will end in.
         let mut joint = if closed { first } else { None };
         for index in 1..count {
-            let to = corner(index);
+            // Of an end that a plane cuts off there is no joint.
+            let is_joint = place(index).is_some();
             match line.edge([(index - 1) as u16, index as u16], &mut statistics) {
                 Some([a, b]) => {
                     let (a, b) = (a.point.pixel(), b.point.pixel());
@@ -83,7 +83,7 @@ impl<V: Coordinate> Placed<'_, V> {
                         Some(span) => target.fill(span, colour),
                         None => Ok(()),
                     })?;
-                    joint = Some(b).filter(|_| to.whole());
+                    joint = Some(b).filter(|_| is_joint);
                 }
                 None => joint = None,
             }

@@ -367,7 +367,8 @@ impl<'a> Mesh<'a, Scalar> {
 }
 
 impl<'a, V> Mesh<'a, V> {
-    /// With the edges that a wireframe draws, each once: two vertices each, in any order.
+    /// With the edges that a wireframe draws, each once: two vertices each, in any order. Drops the faces beside edges
+    /// that were given before: they belong to other edges.
     ///
     /// # Errors
     ///
@@ -382,7 +383,7 @@ impl<'a, V> Mesh<'a, V> {
             }
             edge += 1;
         }
-        Ok(Self { edges, ..self })
+        Ok(Self { edges, edge_faces: &[], ..self })
     }
 
     /// Stands for no face beside an edge.

@@ -1,11 +1,16 @@
 //! The ST7789 at the end of its bus: mipidsi sets it up and opens windows, DMA fills them.
 
+use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_hal::{delay::DelayNs, digital::OutputPin, spi::SpiBus};
 use embedded_hal_bus::spi::{ExclusiveDevice, NoDelay};
 use mipidsi::dcs::{InterfaceExt, SetColumnAddress, SetPageAddress, WriteMemoryStart};
 use mipidsi::{interface::SpiInterface, models::ST7789, options::ColorInversion, Builder};
 use rp2040_hal::dma::{single_buffer, SingleChannel, WriteTarget};
+
+/// Where the glass's first pixel lies in the controller's memory, which is 240 × 320: (0, 80) on modules that show the
+/// lower part of it. mipidsi's own offset is for windows that it opens itself.
+const OFFSET: Point = Point::new(0, 0);
 
 /// At rest: its bus, a channel of DMA, and the pins that select it and tell commands from data.
 pub struct Panel<Bus, Channel, Pin> {
@@ -45,15 +50,15 @@ where
 
     /// Pixels in wire order into a window, by DMA.
     pub fn send(mut self, area: &Rectangle, strip: &'static mut [u8]) -> Transfer<Bus, Channel, Pin> {
-        let last = area.bottom_right().unwrap_or(area.top_left);
-        let [left, top, right, bottom] =
-            [area.top_left.x, area.top_left.y, last.x, last.y].map(|border| border as u16);
+        let (first, last) = (area.top_left + OFFSET, area.bottom_right().unwrap_or(area.top_left) + OFFSET);
+        let [left, top, right, bottom] = [first.x, first.y, last.x, last.y].map(|border| border as u16);
         let mut interface = self.interface();
         interface.write_command(SetColumnAddress::new(left, right)).ok().unwrap();
         interface.write_command(SetPageAddress::new(top, bottom)).ok().unwrap();
         interface.write_command(WriteMemoryStart).ok().unwrap();
 
-        let Self { bus, channel, mut select, command } = self;
+        let Self { bus, channel, mut select, mut command } = self;
+        command.set_high().unwrap(); // what follows is data
         select.set_low().unwrap();
         Transfer { running: single_buffer::Config::new(channel, strip, bus).start(), select, command }
     }
