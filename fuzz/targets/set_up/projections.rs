@@ -333,13 +333,13 @@ pub(crate) fn matrix(b: &mut Bytes<'_>) {
     let wanted = chain::mul4(&m, [x, y, z, 1.0]);
     let got = clip.xyzw().map(f64::from);
     let norm = |v: [f64; 4]| v.iter().fold(0.0f64, |n, c| n.max(c.abs()));
-    // What the documentation leaves: 2⁻³⁰ of each row's coefficients, 2⁻⁴³ of the largest coefficient or
-    // 2⁻⁵⁹ of the largest constant; and 2⁻²⁹ of the result.
+    // What the documentation leaves: 2⁻³⁰ of each row's coefficients, and 2⁻²⁹ of each number and of the result, where
+    // the largest coefficient has 10 bits or the largest constant 26.
     let linear = |r: &[f64; 4]| norm([r[0], r[1], r[2], 0.0]);
     let most = m.iter().map(linear).fold(0.0, f64::max);
     let constant = m.iter().map(|r| r[3].abs()).fold(0.0, f64::max);
     let reach = norm([x, y, z, 0.0]);
-    let floor = 8.0 * (most * 2f64.powi(-43)).max(constant * 2f64.powi(-59));
+    let floor = (most * 2f64.powi(-38)).max(constant * 2f64.powi(-54));
     let error = m.map(|r| 8.0 * linear(&r) * reach * 2f64.powi(-30) + floor);
     // z is 2·d − w, both rounded; so it takes part in w's error.
     let (size, worst) = (norm(wanted), norm(error));
