@@ -13,6 +13,9 @@ pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
+/// Where it begins: see memory.x.
+const RAM: u32 = 0x2000_0000;
+
 /// The examples, built for one target.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Firmware {
@@ -89,6 +92,22 @@ impl Firmware {
 
     /// The float routines that are linked into an example.
     pub(crate) fn float_routines(&self, example: &str) -> Vec<String> {
+        let listing = self.symbols(example);
+        let names = listing.lines().filter_map(|line| line.split_whitespace().last());
+        names.filter(|name| is_float_routine(name)).map(str::to_string).collect()
+    }
+
+    /// Bytes of RAM that an example's variables take: up to where the linker has the last of them end.
+    pub(crate) fn variables(&self, example: &str) -> u32 {
+        let listing = self.symbols(example);
+        let end =
+            listing.lines().find(|line| line.ends_with(" __euninit")).expect("the linker script's symbol");
+        let end = end.split_whitespace().next().expect("an address");
+        u32::from_str_radix(end, 16).expect("an address") - RAM
+    }
+
+    /// An example's symbols, a line each.
+    fn symbols(&self, example: &str) -> String {
         let nm = cross()
             .args(["bash", "-c", "\"$NM\" \"$1\"", "nm"])
             .arg(self.image(example))
@@ -96,9 +115,11 @@ impl Firmware {
             .expect("bash");
         assert!(nm.status.success(), "{}", String::from_utf8_lossy(&nm.stderr));
         let listing = String::from_utf8_lossy(&nm.stdout).into_owned();
-        let names: Vec<&str> = listing.lines().filter_map(|line| line.split_whitespace().last()).collect();
-        assert!(names.contains(&"Reset"), "not the symbols of a firmware: {listing}");
-        names.into_iter().filter(|name| is_float_routine(name)).map(str::to_string).collect()
+        assert!(
+            listing.lines().any(|line| line.ends_with(" Reset")),
+            "not the symbols of a firmware: {listing}"
+        );
+        listing
     }
 }
 

@@ -1,11 +1,13 @@
 //! The README's way from an empty folder to a picture: its code is that of `examples/first`, is short, and does what
 //! the README says, on the host and on an emulated microcontroller.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TARGET: &str = "thumbv7m-none-eabi";
@@ -32,15 +34,50 @@ fn from_an_empty_folder_to_a_picture() {
 /// The same pyramid from an STL file: the same pixels are lit, whatever the order of its faces.
 #[test]
 fn from_a_model_to_a_picture() {
-    let folder = Folder::new("model");
+    let printed = of_a_model("model", "part.stl", pyramid().as_bytes());
+    let lit = |printed: &str| {
+        printed.split_whitespace().map(|colour| u8::from(colour != "0000") + b'0').collect::<Vec<_>>()
+    };
+    assert!(lit(&printed) == lit(&on_the_host()), "not the pyramid's pixels");
+}
+
+/// A model of many faces: they are lit by their normals, those that point upwards more than those that do not.
+#[test]
+fn from_a_large_model_to_a_picture() {
+    let teapot = fs::read(Path::new(ROOT).join("assets/teapot.obj")).expect("the teapot");
+    let printed = of_a_model("teapot", "part.obj", &teapot);
+    let colours: BTreeSet<&str> = printed.split_whitespace().skip(3).collect();
+    assert!(colours.len() > 12, "{colours:?}");
+    let rows: Vec<Vec<&str>> = printed.lines().skip(1).map(|row| row.split_whitespace().collect()).collect();
+    let red = |colour: &&str| u32::from_str_radix(colour, 16).expect("a colour") >> 11;
+    let mean = |rows: &[Vec<&str>]| {
+        let reds: Vec<u32> = rows.iter().flatten().filter(|colour| **colour != "0000").map(red).collect();
+        reds.iter().sum::<u32>() / reds.len().max(1) as u32
+    };
+    let lit: Vec<Vec<&str>> =
+        rows.into_iter().filter(|row| row.iter().any(|colour| *colour != "0000")).collect();
+    let (upper, lower) = lit.split_at(lit.len() / 2);
+    assert!(
+        lit.len() > 15 && mean(upper) > mean(lower),
+        "{} rows, {} {}",
+        lit.len(),
+        mean(upper),
+        mean(lower)
+    );
+}
+
+/// What the README says to do with a model, and then what the firmware prints.
+fn of_a_model(name: &str, file: &str, model: &[u8]) -> String {
+    let folder = Folder::new(name);
     let main = [include_str!("screen.rs"), include_str!("host.rs"), "\nmod part;\n"].concat();
     let firmware = folder.follow_the_readme(&main, "");
-    fs::write(firmware.path.join("part.stl"), pyramid()).expect("part.stl");
-    let import = block("sh").replace("../pinhole", ROOT);
+    fs::write(firmware.path.join(file), model).expect("the model");
+    let import = block("sh").replace("../pinhole", ROOT).replace("part.stl", file);
     let mut import = import.split_whitespace();
     assert_eq!(import.next(), Some("cargo"));
     firmware.run(cargo().args(import));
-    let lists = block("rust,ignore");
+    let more = block("rust,ignore");
+    let (lists, shade) = more.trim_end().rsplit_once('\n').expect("lists, and what shades a face");
     let edited: Vec<&str> = block("rust")
         .leak()
         .lines()
@@ -48,17 +85,15 @@ fn from_a_model_to_a_picture() {
             list if list.starts_with("const FACES") => None,
             list if list.starts_with("const VERTICES") => Some("use crate::part::MESH;"),
             "let mesh" => Some("    let mesh = MESH;"),
-            "let (mut corners, mut records)" => Some(lists.trim_end()),
+            "let (mut corners, mut records)" => Some(lists),
+            "let Ok(_)" => Some(shade),
             _ => Some(line),
         })
         .collect();
     fs::write(firmware.path.join("src/picture.rs"), edited.join("\n")).expect("picture.rs");
-    let lit = |printed: &str| {
-        printed.split_whitespace().map(|colour| u8::from(colour != "0000") + b'0').collect::<Vec<_>>()
-    };
     let printed = firmware.run(cargo().arg("run"));
     assert!(printed.starts_with("4096 pixels sent"), "{printed}");
-    assert!(lit(&printed) == lit(&on_the_host()), "not the pyramid's pixels");
+    printed
 }
 
 /// The README's, as text.
@@ -193,8 +228,11 @@ impl Firmware<'_> {
         fs::copy(Path::new(ROOT).join(file), to).unwrap_or_else(|error| panic!("{file}: {error}"));
     }
 
-    /// What the command prints in the firmware's folder.
+    /// What the command prints in the firmware's folder. One at a time: all of them are built into the same place, under the
+    /// same name.
     fn run(&self, command: &mut Command) -> String {
+        static ONE: Mutex<()> = Mutex::new(());
+        let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
         let output = command.current_dir(&self.path).stdin(Stdio::null()).output().expect("a command");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         String::from_utf8(output.stdout).expect("text")
