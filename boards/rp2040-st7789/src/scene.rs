@@ -11,6 +11,8 @@ use pinhole::{
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 const ROWS: u32 = 8;
 pub const BANDS: u32 = SCREEN.size.height / ROWS;
+/// A transfer gives back what it sent: after a shorter band the strip would be shorter.
+const _: () = assert!(SCREEN.size.height % ROWS == 0);
 pub const FIRST_BAND: Rectangle = Rectangle::new(Point::zero(), Size::new(SCREEN.size.width, ROWS));
 pub const STRIP: usize = Frame::<Rgb565>::strip_bytes(SCREEN.size.width, ROWS);
 
