@@ -65,8 +65,8 @@ impl Homogeneous {
     }
 }
 
-/// What a corner of a face carries through the cut: what varies over a face in space, such as a colour. For
-/// [`Ink`](crate::Ink)s of one's own, which mostly take [`Barycentric`].
+/// What a corner of a face keeps when the face is clipped: any value that is linear in space, such as a colour.
+/// Only custom [`Ink`](crate::Ink)s need it; most take [`Barycentric`].
 ///
 /// ```
 /// use pinhole::clip::{Barycentric, Carried};
@@ -88,14 +88,14 @@ impl Carried for () {
     fn towards(&self, (): &(), _: i64) {}
 }
 
-/// How much of each of a face's corners a point of it is, in 2⁻³⁰: linear in space, not on the screen. Each
-/// cut rounds to nearest.
+/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each cut rounds to
+/// nearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Barycentric(pub(crate) [i32; 3]);
 
 impl Barycentric {
-    /// Of each corner, 0 … 2³⁰ in 2⁻³⁰: 2³⁰ together, but for the rounding of each to nearest.
+    /// One weight per corner, 0 … 2³⁰; together 2³⁰ but for rounding.
     pub const fn weights(self) -> [i32; 3] {
         self.0
     }
@@ -220,8 +220,8 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut O
 pub struct ClipVertex<const A: usize> {
     /// Where it is.
     pub point: ClipPoint,
-    /// What it carries, in any unit: all of an `i32`. Interpolated linearly in clip space, which is in space, and
-    /// rounded to nearest.
+    /// What it carries, in any unit: all of an `i32`. Interpolated linearly in clip space, hence linearly in
+    /// space; rounded to nearest.
     pub attributes: [i32; A],
 }
 

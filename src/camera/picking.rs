@@ -140,8 +140,8 @@ impl Camera {
     /// parallels stay parallel (its direction lies within 2⁻²⁶ of the view plane's), as all do
     /// under a parallel projection.
     ///
-    /// Each lies within 1/512 px and what turning its axis by 2⁻²⁸ rad moves it, for fields of view
-    /// from 26° to 120°. (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
+    /// Error: 1/512 px, and as far as the point moves when its axis turns by 2⁻²⁸ rad; for fields of view from 26°
+    /// to 120°. (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};

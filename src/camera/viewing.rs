@@ -269,8 +269,8 @@ impl Viewing {
         Ok(Self { rows, eye: [part(eye(0))?, part(eye(1))?, part(eye(2))?] })
     }
 
-    /// The matrix that it draws with: [`rows`](Self::rows) and the translation −R·eye, rounded to 53
-    /// bits. [`from_matrix`](Self::from_matrix) takes it back.
+    /// The matrix that it draws with: [`rows`](Self::rows) and the translation −R·eye, rounded to 53 bits.
+    /// [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [u, v, n] = self.rows.map(|row| {
             let [x, y, z] = as_reals(row);
@@ -308,8 +308,9 @@ impl Viewing {
         self.rows
     }
 
-    /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units, each within 2⁻¹³:
-    /// for reading. The pipeline subtracts the eye first and does not use it.
+    /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units; each within 2⁻¹³ where VUP is at
+    /// least 1/50 rad off VPN; nearer, the rows' error times the eye. For inspection only: the pipeline subtracts
+    /// the eye first.
     pub fn translation(&self) -> [i64; 3] {
         self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
     }

@@ -17,11 +17,10 @@ use core::marker::PhantomData;
 ///     | 0 0 0 1  |
 /// ```
 ///
-/// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Each composition keeps
-/// coefficients within 2⁻³⁰ of the largest one, and translations, of three products, within 3·2⁻³³
-/// world units; translations saturate at ±2³⁰ world units. Build transforms anew from angles every frame rather than
-/// accumulating them: then nothing drifts. (A million turns of 0.1°, each applied to the matrix so
-/// far, stretch a model by 0.037 % and leave it 0.057° behind.)
+/// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Each composition rounds coefficients
+/// to within 2⁻³⁰ of the largest one, and the translation to within 3·2⁻³³ world units; translations saturate at
+/// ±2³⁰. Rebuild transforms from angles every frame instead of accumulating them: then nothing drifts. (A million
+/// turns of 0.1°, each applied to the matrix so far, stretch a model by 0.037 % and leave it 0.057° behind.)
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
@@ -97,9 +96,10 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 0, [0; 3])
     }
 
-    /// About the line through `through` along `axis` (any length), right-handed:
-    /// `R = c·I + (1 − c)·a·aᵀ + s·[a]×` and the translation `through − R·through`. Coefficients
-    /// within 2⁻²⁷; the translation, given these, within 3·2⁻³³. (Rodrigues 1840; Goldman, *Matrices and transformations*, Graphics Gems, 1990.)
+    /// About the line through `through` along `axis` (any length), right-handed: `R = c·I + (1 − c)·a·aᵀ + s·[a]×`
+    /// and the translation `through − R·through`. Coefficients are within 2⁻²⁷; the translation is within 3·2⁻³³
+    /// world units of the one that belongs to these coefficients. (Rodrigues 1840; Goldman, *Matrices and
+    /// transformations*, Graphics Gems, 1990.)
     ///
     /// ```
     /// use pinhole::{space::World, Affine, Angle, AxisError, Point3, Vector3};
@@ -200,14 +200,14 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Ok(Self::from_parts(linear, exponent, [part(0)?, part(1)?, part(2)?]))
     }
 
-    /// The matrix, row by row; the translation is rounded to 53 bits where it needs more, beyond 2²¹
-    /// world units. [`from_matrix`](Self::from_matrix) takes it back.
+    /// The matrix, row by row; the translation is rounded to 53 bits where it needs more, beyond 2²¹ world units.
+    /// [`from_matrix`](Self::from_matrix) reads it back, to within its own bounds.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, z] = self.rows().map(|row| float::coefficients(&row, 0));
         [x, y, z, [0.0, 0.0, 0.0, 1.0]]
     }
 
-    /// The way back: `p = M⁻¹·p′`, from the cofactors.
+    /// The inverse, `p = M⁻¹·p′`, from the cofactors.
     ///
     /// The error relative to the inverse's largest coefficient is at most 2⁻²⁸ times the ratio
     /// of the transform's largest stretch to its smallest; the translation, given the coefficients, is
@@ -387,7 +387,7 @@ impl core::fmt::Display for MatrixError {
 
 impl core::error::Error for MatrixError {}
 
-/// Why there is no way back.
+/// Why a transform has no inverse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InverseError {

@@ -25,7 +25,7 @@ pub trait Wire: PixelColor {
     /// The bits, in the lowest [`BITS`](Self::BITS); higher ones do not count.
     fn encode(self) -> u32;
 
-    /// The colour of such bits: what [`encode`](Self::encode) made them of.
+    /// The colour that [`encode`](Self::encode) turns into these bits.
     fn decode(bits: u32) -> Self;
 }
 

@@ -50,7 +50,7 @@ macro_rules! dim_gray {
 dim_rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 dim_gray!(Gray2, Gray4, Gray8);
 
-/// One bit has no shades: on from half the light.
+/// One bit has no shades: off below half the light.
 impl Dim for BinaryColor {
     fn dim(self, level: u16) -> Self {
         if level >= 128 {

@@ -42,7 +42,7 @@ impl defmt::Format for Window {
 /// Constructors: [`perspective`](Self::perspective), [`frustum`](Self::frustum),
 /// [`orthographic`](Self::orthographic), [`oblique`](Self::oblique) (cavalier, cabinet),
 /// [`from_reference`](Self::from_reference) (PRP and window), [`from_planar`](Self::from_planar),
-/// [`from_matrix`](Self::from_matrix). What they are called in drawing depends on the view too:
+/// [`from_matrix`](Self::from_matrix). Their names in technical drawing depend on the view as well:
 ///
 /// | name | view | projection |
 /// |---|---|---|
