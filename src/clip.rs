@@ -34,7 +34,8 @@ pub(crate) type Order = Vec<u8, CORNERS>;
 /// Corners in numbered places, before planes. They may be any points that vary linearly along an edge: the
 /// clipper knows no more of them than this.
 pub(crate) trait Cut {
-    /// How far corner `at` lies from a plane, below 2⁵⁵ and negative outside.
+    /// How far corner `at` lies from a plane, negative outside. Two ends of an edge that is cut are less than 2⁶²
+    /// apart.
     fn distance(&self, plane: usize, at: usize) -> i64;
 
     /// Puts the point `t`·2⁻³¹ of the way from one corner to another into place `at`, which may be one of theirs.
@@ -117,7 +118,7 @@ impl Carried for Barycentric {
 /// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.
 #[inline(never)] // rare: small is better
 fn cut(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
-    // 0 ≤ in, out < 0, both below 2⁵⁵: t in 2⁻³¹, below 1.
+    // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
     let way = within - corners.distance(plane, outside);
     let t = fraction(within as u64, way as u64, 31) as i32;

@@ -301,8 +301,8 @@ impl Placement {
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the view volume cut at
-    /// the guard band; each scaled by a positive factor of its own, negative outside. Below 2⁶² for plane 5, at
-    /// most 2⁵⁴ for the others.
+    /// the guard band; each scaled by a positive factor of its own, negative outside. Plane 5: below 2⁶², and at
+    /// most 2⁴⁷ inside where d is not negative; the others: at most 2⁵⁴.
     #[inline(never)] // rare: small is better
     pub(crate) fn distance(&self, plane: usize, h: &Homogeneous) -> i64 {
         let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);

@@ -189,8 +189,9 @@ impl Viewing {
     ///
     /// # Errors
     ///
-    /// [`ViewingError::NotAxonometric`] where a component is zero or both are equal, and
-    /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹² of `up`. [`isometric`](Self::isometric) has an example.
+    /// [`ViewingError::NotAxonometric`] where a component is zero or both are equal but for the sign, and
+    /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹²·⁵ of `up`. [`isometric`](Self::isometric) has an
+    /// example.
     pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewingError> {
         if side.to_bits() == 0
             || up.to_bits() == 0
@@ -315,8 +316,8 @@ impl Viewing {
         self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
-    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step) and
-    /// saturated.
+    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step, of the view as it is)
+    /// and saturated.
     pub fn apply(&self, p: Point3<World>) -> Point3<View> {
         let p = p.bits();
         let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);

@@ -22,6 +22,9 @@ use core::marker::PhantomData;
 /// ±2³⁰. Rebuild transforms from angles every frame instead of accumulating them: then nothing drifts. (A million
 /// turns of 0.1°, each applied to the matrix so far, stretch a model by 0.037 % and leave it 0.057° behind.)
 ///
+/// `==` compares the stored numbers: the same map reached in two ways may differ. Compare
+/// [`to_matrix`](Self::to_matrix).
+///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
 /// let place = Affine::<Model, World>::rotation_z(Angle::QUARTER_TURN)
@@ -63,8 +66,8 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts(Self::identity().linear, 0, offset)
     }
 
-    /// The same factor along all axes, exact. Zero flattens everything into the origin, which
-    /// draws nothing.
+    /// The same factor along all axes, exact below 16384 and within 2⁻³⁰ of itself above. Zero flattens everything
+    /// into the origin, which draws nothing.
     pub fn scale(factor: Scalar) -> Self {
         Self::scale_axes(factor, factor, factor)
     }
@@ -439,7 +442,7 @@ pub(crate) fn product(
 ) -> i32 {
     let [x, y, z] = a;
     let sums = [row_times(x, b), row_times(y, b), row_times(z, b)];
-    // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp.
+    // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp, and a little more after an inverse.
     let exponent = a_exponent + b_exponent - 30;
     block(sums.as_flattened(), exponent, linear.as_flattened_mut()).clamp(-65_536, 65_536)
 }

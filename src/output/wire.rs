@@ -123,7 +123,7 @@ pub(super) const fn stride<C: Wire>(width: u32) -> usize {
     }
 }
 
-/// Fills pixels `from..to` of a row; those beyond its end are left out.
+/// Fills pixels `from..to` of a row, in which they lie.
 #[inline(always)]
 pub(super) fn fill<C: Wire>(row: &mut [u8], from: usize, to: usize, colour: C) {
     let bits = colour.encode();

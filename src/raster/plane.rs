@@ -29,8 +29,9 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// At the centre of a covered pixel, column `x` and row `y`, in 2⁻⁸ of the corners' unit: between their values, and
-    /// within `(w + h)/2 + 2¹⁰·⁶` of these units, w columns and h rows from a corner. Elsewhere it wraps.
+    /// At the centre of a covered pixel, column `x` and row `y`, in 2⁻⁸ of the corners' unit: between their
+    /// values, and within `(w + h)/2 + 34 + 2¹⁰·⁶` of these units, w columns and h rows from the first corner's
+    /// pixel. Elsewhere it wraps.
     #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> u32 {
         self.origin

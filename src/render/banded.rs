@@ -35,8 +35,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
-    /// then.
+    /// [`BinsError::Records`] when the records are too short, and says how many are needed, and
+    /// [`BinsError::TooMany`] beyond 65535 faces; nothing is recorded then.
     #[inline(never)] // what it makes is large: inlined it would stand there once more while faces are drawn
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
         let bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
@@ -75,8 +75,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
-    /// then.
+    /// [`BinsError::Records`] when the records are too short, and says how many are needed, and
+    /// [`BinsError::TooMany`] beyond 65535 edges; nothing is recorded then.
     #[inline(never)] // what it makes is large: inlined it would stand there once more while edges are drawn
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
         let bins = Bins::new(records, self.placed.mesh.edges().len(), pixels(self.placed.area()));
@@ -219,8 +219,8 @@ impl<'a, V: Coordinate> Facing<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
-    /// then.
+    /// [`BinsError::Records`] when the records are too short, and says how many are needed, and
+    /// [`BinsError::TooMany`] beyond 65535 faces; nothing is recorded then.
     pub fn faces(
         &self,
         corners: &'a mut [Corner],

@@ -15,9 +15,9 @@ impl<V: Coordinate> Placed<'_, V> {
     /// [`wireframe`](Self::wireframe).
     ///
     /// A pixel's depth is that of the line at the pixel's centre along the major axis, within 0.51 of a step for
-    /// lines within 512 pixels, beyond within ½ and 2⁻¹⁷ for every pixel. Call this after the solid things were
-    /// drawn [`depth_tested`](Self::depth_tested) into the same buffer. A line that lies in a face flickers: use
-    /// [`hidden_line`](Self::hidden_line) for a solid's own edges.
+    /// lines within 512 pixels, beyond within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. Call this after the solid things
+    /// were drawn [`depth_tested`](Self::depth_tested) into the same buffer. A line that lies in a face flickers:
+    /// use [`hidden_line`](Self::hidden_line) for a solid's own edges.
     ///
     /// # Errors
     ///

@@ -138,8 +138,9 @@ impl core::fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-/// The two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const`
-/// where the mesh is small, at run time where it is large. It looks at every face for every edge.
+/// The two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const` where the
+/// mesh is small, at run time where it is large. Faces from number 65535 on are left out (a `u16` cannot name
+/// them). Time grows with edges × (edges + faces).
 ///
 /// Where more than two faces meet in an edge, list it once for every two: each time it gets the next
 /// two.

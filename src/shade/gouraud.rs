@@ -63,9 +63,9 @@ impl Gouraud {
 
 /// The levels of each channel over a triangle, with their [`places`]: within 2⁻¹⁰ + 2⁻¹³ level of the exact ones.
 ///
-/// [`Planes::through`] is off by less than `(w + h)/2 + 2¹⁰·⁶` of the last place, of 24 or more, w columns and h rows from
-/// its corner, w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128 to 127/128 that
-/// dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
+/// [`Planes::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` of the last place, of 24 or more, w columns
+/// and h rows from its corner, w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128
+/// to 127/128 that dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]
 pub struct Ramps<C> {
     planes: [Plane; 3],
