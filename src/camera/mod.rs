@@ -117,6 +117,21 @@ impl Camera {
 
     /// Whether the far plane clips; by default it does not. Then what lies beyond is drawn, with the largest
     /// depth, 65534. Drawing against a depth buffer always ends at far.
+    ///
+    /// ```
+    /// # use embedded_graphics::geometry::{Point, Size};
+    /// # use pinhole::{Angle, Camera, Hidden, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let up = Vector3::from_ints(0, 1, 0);
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9
+    /// assert_eq!(camera.project(beyond).map(|(_, depth)| depth), Ok(65_534));
+    /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(Hidden::BeyondFar));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_far_clip(self, far_clip: bool) -> Self {
         Self { far_clip, ..self }

@@ -35,9 +35,9 @@ impl core::error::Error for Hidden {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ray {
-    /// On the near plane.
+    /// On the near plane, in world units.
     pub origin: Point3<World>,
-    /// Away from the viewer, of a length between 8192 and 32768.
+    /// Away from the viewer, in world units; its length is 16384 but for rounding.
     pub direction: Vector3<World>,
 }
 

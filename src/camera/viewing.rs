@@ -115,6 +115,15 @@ impl Viewing {
 
     /// From `eye` along `gaze`, with `up` upwards in the picture.
     ///
+    /// ```
+    /// use pinhole::{Point3, Vector3, Viewing, ViewingError};
+    /// let (eye, right) = (Point3::from_ints(1, 2, 3), Vector3::from_ints(9, 0, 0));
+    /// let viewing = Viewing::look_along(eye, right, Vector3::from_ints(0, 1, 0))?;
+    /// // Two units ahead of the eye and one above: the camera looks along −z.
+    /// assert_eq!(viewing.apply(Point3::from_ints(3, 3, 3)), Point3::from_ints(0, 1, -2));
+    /// # Ok::<(), ViewingError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As [`look_at`](Self::look_at).

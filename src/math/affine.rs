@@ -162,6 +162,14 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// The frame with these axes and origin: columns a, b, c, o. It leads from the frame's own
     /// coordinates to those in which it is given. Exact where the axes span no more than 30 bits,
     /// otherwise within 2⁻³⁰ of the largest coefficient.
+    ///
+    /// ```
+    /// use pinhole::{space::{Model, World}, Affine, Point3, Vector3};
+    /// // What lies along the model's x, y and z lies along the world's y, z and x, twice as long along the first.
+    /// let [a, b, c] = [[0, 2, 0], [0, 0, 1], [1, 0, 0]].map(|[x, y, z]| Vector3::from_ints(x, y, z));
+    /// let place = Affine::<Model, World>::from_frame(a, b, c, Point3::from_ints(10, 0, 0));
+    /// assert_eq!(place.apply(Point3::from_ints(1, 3, 5)), Point3::from_ints(15, 2, 3));
+    /// ```
     #[inline(never)] // set-up: small is better
     pub fn from_frame(a: Vector3<B>, b: Vector3<B>, c: Vector3<B>, origin: Point3<B>) -> Self {
         let (a, b, c) = (a.bits(), b.bits(), c.bits());

@@ -49,8 +49,8 @@ impl ClipPoint {
         self.exponent
     }
 
-    /// The quotients, rounded to the nearest 2⁻¹⁶ and saturated. `None` where w ≤ 0: such a point
-    /// lies in the plane of the eye or behind it and has no image.
+    /// The quotients, rounded to the nearest 2⁻¹⁶ (ties away from zero) and saturated. `None` where w ≤ 0: such a
+    /// point lies in the plane of the eye or behind it and has no image.
     pub fn ndc(&self) -> Option<Point3<Ndc>> {
         if self.w <= 0 {
             return None;

@@ -88,6 +88,25 @@ impl<V> Placed<'_, V> {
 
 impl<'m, V: Coordinate> Placed<'m, V> {
     /// Sets which faces are culled; the default is [`Cull::Back`].
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+    /// # use pinhole::{Affine, Angle, Camera, Cull, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let up = Vector3::from_ints(0, 1, 0);
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise
+    /// let placed = camera.place(&from_behind, &Affine::identity());
+    /// let mut display = MockDisplay::new();
+    /// let statistics = placed.solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// assert_eq!((statistics.drawn, statistics.culled), (0, 1));
+    /// let statistics = placed.with_cull(Cull::None).solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// assert_eq!((statistics.drawn, statistics.culled), (1, 0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn with_cull(self, cull: Cull) -> Self {
         Self { cull, ..self }
@@ -149,6 +168,24 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// to 700 px; ARCHITECTURE.md has the formula for all others. Depth is within 1 of
     /// `65535·(z/w + 1)/2` there, where far is at least twice near: what rounding costs grows as
     /// far/(far − near).
+    ///
+    /// ```
+    /// # use embedded_graphics::geometry::{Point, Size};
+    /// # use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let up = Vector3::from_ints(0, 1, 0);
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let mesh = Mesh::new(&[[0, 0, 0], [0, 0, 8]], 0, &[])?;
+    /// let placed = camera.place(&mesh, &Affine::identity());
+    /// let (at, depth) = placed.project(0).ok_or("hidden")?;
+    /// assert_eq!((at.x(), at.y()), (32 * 256, 32 * 256)); // the centre of 64 × 64 pixels
+    /// assert!(depth > 0 && depth < 65_534);
+    /// assert_eq!(placed.project(1), None); // behind the eye
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
         let index = u16::try_from(index).ok().filter(|_| index < self.mesh.vertices().len())?;
         let image = Transformed::<V, true>::with_corners(self, false, &[]).image(index)?;

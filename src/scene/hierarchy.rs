@@ -37,8 +37,8 @@ impl Node {
     }
 }
 
-/// A tree of nodes in the caller's memory. Parents come before their children, so one forward
-/// pass updates all, without recursion and without memory of its own.
+/// A tree of nodes in the caller's memory. Parents come before their children, so one forward pass updates all,
+/// without recursion and without memory of its own. Only the first 65536 nodes can be parents.
 ///
 /// ```
 /// use pinhole::{space::Model, Affine, Angle, Hierarchy, HierarchyError, Node, Point3, Vector3};

@@ -449,6 +449,16 @@ impl<'a, V> Mesh<'a, V> {
     /// surface that the faces approximate, or the mean of the normals of the faces around the vertex. For smooth
     /// shading: see [`Lambert::levels`](crate::Lambert::levels).
     ///
+    /// ```
+    /// use pinhole::{Mesh, MeshError};
+    /// const UP: [i16; 3] = [0, 0, 32_767];
+    /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
+    /// assert_eq!(mesh.with_vertex_normals(&[UP; 3])?.vertex_normals(), [UP; 3]);
+    /// let too_few = mesh.with_vertex_normals(&[UP; 2]);
+    /// assert_eq!(too_few, Err(MeshError::VertexNormalCount { vertices: 3, normals: 2 }));
+    /// # Ok::<(), MeshError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`MeshError::VertexNormalCount`] when there is not one per vertex.

@@ -15,8 +15,8 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
 /// ```
 pub trait Dim: PixelColor {
-    /// This colour at `level`/256 of its light, each channel rounded to nearest; levels beyond 256
-    /// count as 256.
+    /// This colour at `level`/256 of its light, each channel rounded to nearest, halves up; levels beyond 256
+    /// count as 256. A `BinaryColor` is off below 128, else unchanged.
     #[must_use]
     fn dim(self, level: u16) -> Self;
 }

@@ -49,8 +49,8 @@ impl core::fmt::Display for LightError {
 impl core::error::Error for LightError {}
 
 impl Lambert {
-    /// Light from the direction `towards_light` (any length) on an object placed by `model`;
-    /// `ambient`/256 of full light everywhere, at most 256.
+    /// Light from the direction `towards_light` (any length) on an object placed by `model`; `ambient`/256 of full
+    /// light everywhere (more than 256 counts as 256).
     ///
     /// # Errors
     ///

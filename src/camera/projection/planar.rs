@@ -98,8 +98,9 @@ impl PlanarProjection {
     ///     | 0  0  −1/(Q·dz)      1 + z_p/(Q·dz)      |
     /// ```
     ///
-    /// All others are special cases. A `distance` of `None` is infinite: the parallel projections
-    /// along `direction`, the oblique ones among them. (Foley et al., section 6.4, equation 6.17.)
+    /// All others are special cases. A negative `distance` puts the centre on the other side of the plane; one of
+    /// `None` is infinite: the parallel projections along `direction`, the oblique ones among them. (Foley et al.,
+    /// section 6.4, equation 6.17.)
     ///
     /// # Errors
     ///

@@ -104,8 +104,8 @@ pub struct Dirty<const N: usize> {
 const LARGEST: u32 = u16::MAX as u32;
 
 impl<const N: usize> Dirty<N> {
-    /// For the pixels of `area`, at most 65535 × 65535 (what is beyond is never marked). The first
-    /// frame is all of it.
+    /// For the pixels of `area`, cut to 65535 × 65535: what is beyond is never sent. The first frame is all of
+    /// what remains.
     ///
     /// A capacity `N` of 0 does not compile.
     pub fn new(area: Rectangle, cost: WindowCost) -> Self {
