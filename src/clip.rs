@@ -34,7 +34,8 @@ pub(crate) type Order = Vec<u8, CORNERS>;
 /// Corners in numbered places, before planes. They may be any points that vary linearly along an edge: the
 /// clipper knows no more of them than this.
 pub(crate) trait Cut {
-    /// How far corner `at` lies from a plane, below 2⁵⁵ and negative outside.
+    /// How far corner `at` lies from a plane, negative outside. Two ends of an edge that is cut are less than 2⁶²
+    /// apart.
     fn distance(&self, plane: usize, at: usize) -> i64;
 
     /// Puts the point `t`·2⁻³¹ of the way from one corner to another into place `at`, which may be one of theirs.
@@ -65,8 +66,8 @@ impl Homogeneous {
     }
 }
 
-/// What a corner of a face carries through the cut: what varies over a face in space, such as a colour. For
-/// [`Ink`](crate::Ink)s of one's own, which mostly take [`Barycentric`].
+/// What a corner of a face keeps when the face is clipped: any value that is linear in space, such as a colour.
+/// Only custom [`Ink`](crate::Ink)s need it; most take [`Barycentric`].
 ///
 /// ```
 /// use pinhole::clip::{Barycentric, Carried};
@@ -88,14 +89,14 @@ impl Carried for () {
     fn towards(&self, (): &(), _: i64) {}
 }
 
-/// How much of each of a face's corners a point of it is, in 2⁻³⁰: linear in space, not on the screen. Each
-/// cut rounds to nearest.
+/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each cut rounds to
+/// nearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Barycentric(pub(crate) [i32; 3]);
 
 impl Barycentric {
-    /// Of each corner, 0 … 2³⁰ in 2⁻³⁰: 2³⁰ together, but for the rounding of each to nearest.
+    /// One weight per corner, 0 … 2³⁰; together 2³⁰ but for rounding.
     pub const fn weights(self) -> [i32; 3] {
         self.0
     }
@@ -117,7 +118,7 @@ impl Carried for Barycentric {
 /// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.
 #[inline(never)] // rare: small is better
 fn cut(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
-    // 0 ≤ in, out < 0, both below 2⁵⁵: t in 2⁻³¹, below 1.
+    // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
     let way = within - corners.distance(plane, outside);
     let t = fraction(within as u64, way as u64, 31) as i32;
@@ -220,8 +221,8 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut O
 pub struct ClipVertex<const A: usize> {
     /// Where it is.
     pub point: ClipPoint,
-    /// What it carries, in any unit: all of an `i32`. Interpolated linearly in clip space, which is in space, and
-    /// rounded to nearest.
+    /// What it carries, in any unit: all of an `i32`. Interpolated linearly in clip space, hence linearly in
+    /// space; rounded to nearest.
     pub attributes: [i32; A],
 }
 

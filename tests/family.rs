@@ -212,7 +212,7 @@ fn s4_n_point_perspectives_have_n_vanishing_points_where_the_axes_go() {
         let camera = Camera::new(&library, &family.library().expect("a projection"), &viewport);
         let points = camera.vanishing_points();
         let count = vpn.iter().filter(|&&c| c != 0).count();
-        // Within 2⁻²⁶ of the view plane a point may be missing.
+        // Within 2⁻²⁵ of the view plane a point may be missing.
         let length = chain::length(chain::fx3(vpn));
         let close_to_plane = vpn.iter().any(|&c| c != 0 && fx(c).abs() / length < 2f64.powi(-20));
         assert!(close_to_plane || points.iter().flatten().count() == count, "{vpn:?} {points:?}");

@@ -12,9 +12,9 @@ use crate::raster::ScreenPoint;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Corner {
-    /// Half sub-pixels to the right of the viewport's centre, and 2¹⁹ + 1: what is left without the last one is rounded.
-    /// Without depth that is what is held, 19 bits; with it all 20 are, the uppermost of the word, and below them the upper
-    /// 12 of the depth's 24. Never 0, which is none.
+    /// Half sub-pixels right of the viewport's centre, biased by 2¹⁹ + 1: positive, and rounded by the lowest
+    /// bit's loss. Without depth: shifted right by one, 19 bits. With depth: all 20 on top, below them the upper
+    /// 12 bits of depth. 0 is no place.
     right: u32,
     /// The same downwards, and the lower 12 bits of the depth.
     down: u32,

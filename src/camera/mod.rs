@@ -27,11 +27,8 @@ use crate::raster::GUARD_BAND;
 use depth_by_w::DepthByW;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Viewing, projection and viewport, folded into four linear forms over view coordinates: what a mesh is
-/// [placed](Self::place) before. Where vertices land is bounded at [`Placed::project`](crate::Placed::project).
-///
-/// x and y are measured from the viewport's centre in units of 2^`unit` sub-pixels times w, so
-/// that one reciprocal and one product a coordinate finish a vertex; depth is folded likewise.
+/// Viewing, projection and viewport, folded into four linear forms: a mesh is [placed](Self::place) before it.
+/// [`Placed::project`](crate::Placed::project) says how exactly vertices land.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -46,8 +43,8 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A camera that stands still is a constant: 224 bytes of flash, and no code for what made it. One that
-/// cannot be does not compile.
+/// A camera that never moves can be a `const`: 224 bytes of flash, no set-up code, and wrong parameters do not
+/// compile.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -118,8 +115,23 @@ impl Camera {
         }
     }
 
-    /// Whether the far plane cuts: at first it does not. Without it, what lies beyond is drawn and its depth is the
-    /// largest one, 65534; what is drawn against a depth buffer ends there in any case.
+    /// Whether the far plane clips; by default it does not. Then what lies beyond is drawn, with the largest
+    /// depth, 65534. Drawing against a depth buffer always ends at far.
+    ///
+    /// ```
+    /// # use embedded_graphics::geometry::{Point, Size};
+    /// # use pinhole::{Angle, Camera, Hidden, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let up = Vector3::from_ints(0, 1, 0);
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9
+    /// assert_eq!(camera.project(beyond).map(|(_, depth)| depth), Ok(65_534));
+    /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(Hidden::BeyondFar));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_far_clip(self, far_clip: bool) -> Self {
         Self { far_clip, ..self }

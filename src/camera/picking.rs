@@ -35,9 +35,9 @@ impl core::error::Error for Hidden {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ray {
-    /// On the near plane.
+    /// On the near plane, in world units.
     pub origin: Point3<World>,
-    /// Away from the viewer, of a length between 8192 and 32768.
+    /// Away from the viewer, in world units; its length is 16384 but for rounding.
     pub direction: Vector3<World>,
 }
 
@@ -107,8 +107,8 @@ impl Camera {
     /// where it lies outside the world, or the view is too flat to tell (its determinant vanishes
     /// in 45 bits).
     ///
-    /// Its error is that of the screen point and the depth, carried back: half a sub-pixel and half
-    /// a step of depth, and 2⁻¹⁷.
+    /// Its error is what half a sub-pixel and half a step of depth amount to there, and 2⁻¹⁷; for a pair that
+    /// `project` returned, `project`'s own error comes on top.
     pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
         let [across, down] = self.planes_through(at);
         let [_, _, d, w] = &self.rows;
@@ -120,7 +120,8 @@ impl Camera {
     /// The half-line whose points project to `at`: for picking. `None` where its start lies
     /// outside the world or the view is too flat to tell.
     ///
-    /// What is seen at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the line.
+    /// What is seen at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the line; for a place that
+    /// `project` returned, what `project`'s error amounts to there comes on top.
     pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
@@ -136,12 +137,11 @@ impl Camera {
         Some(Ray { origin, direction: Vector3::new(x, y, z) })
     }
 
-    /// The finite vanishing points of the world's x, y and z axes: `None` for an axis whose
-    /// parallels stay parallel (its direction lies within 2⁻²⁶ of the view plane's), as all do
-    /// under a parallel projection.
+    /// The finite vanishing points of the world's x, y and z axes: `None` for an axis whose parallels stay
+    /// parallel (its direction lies within 2⁻²⁵ of the view plane), as all do under a parallel projection.
     ///
-    /// Each lies within 1/512 px and what turning its axis by 2⁻²⁸ rad moves it, for fields of view
-    /// from 26° to 120°. (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
+    /// Error: 1/512 px, and as far as the point moves when its axis turns by 2⁻²⁸ rad; for fields of view from 26°
+    /// to 120°. (Carlbom and Paciorek, *Planar geometric projections and viewing transformations*, 1978.)
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};

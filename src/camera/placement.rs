@@ -27,8 +27,7 @@ pub(crate) struct Placement {
     y: Form,
     /// Power of two that justifies a vertex coordinate.
     factor: i32,
-    /// Least w for which the fast path keeps all its bits, and surely lies behind near where that is a matter
-    /// of w alone.
+    /// The least w for which 32 bits suffice; where near is a matter of w alone, also safely behind it.
     least_w: i32,
     /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
     right: i32,
@@ -301,9 +300,9 @@ impl Placement {
         [along(x, cx), along(y, cy), (self.fine_depth(d, r) >> 11) - (4 << 21)]
     }
 
-    /// Signed distances from the planes in the order near, left, right, top, bottom, far of the
-    /// view volume cut at the guard band; each scaled by a positive factor of its own, negative
-    /// outside. At most 2⁵⁴.
+    /// Signed distances from the planes in the order near, left, right, top, bottom, far of the view volume cut at
+    /// the guard band; each scaled by a positive factor of its own, negative outside. Plane 5: below 2⁶², and at
+    /// most 2⁴⁷ inside where d is not negative; the others: at most 2⁵⁴.
     #[inline(never)] // rare: small is better
     pub(crate) fn distance(&self, plane: usize, h: &Homogeneous) -> i64 {
         let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
@@ -317,8 +316,8 @@ impl Placement {
                 (GUARD_BAND * 256 + centre, 0, up, v)
             }
             _ => {
-                // w − d, where d is stored times 65535/65536, 2³⁰ of it at most. Beyond a difference of 14 bits w
-                // gives way: 47 + 14 bits at most.
+                // w − d; d is stored as 65535/65536 of itself and multiplied by at most 2³⁰. Where the exponents
+                // differ by more than 14, w is shifted down instead.
                 let up = self.d_over_w.min(14);
                 (65_535, (self.d_over_w - up).min(63), -(1 << (16 + up)), d)
             }

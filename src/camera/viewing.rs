@@ -115,6 +115,15 @@ impl Viewing {
 
     /// From `eye` along `gaze`, with `up` upwards in the picture.
     ///
+    /// ```
+    /// use pinhole::{Point3, Vector3, Viewing, ViewingError};
+    /// let (eye, right) = (Point3::from_ints(1, 2, 3), Vector3::from_ints(9, 0, 0));
+    /// let viewing = Viewing::look_along(eye, right, Vector3::from_ints(0, 1, 0))?;
+    /// // Two units ahead of the eye and one above: the camera looks along −z.
+    /// assert_eq!(viewing.apply(Point3::from_ints(3, 3, 3)), Point3::from_ints(0, 1, -2));
+    /// # Ok::<(), ViewingError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// As [`look_at`](Self::look_at).
@@ -189,8 +198,9 @@ impl Viewing {
     ///
     /// # Errors
     ///
-    /// [`ViewingError::NotAxonometric`] where a component is zero or both are equal, and
-    /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹² of `up`. [`isometric`](Self::isometric) has an example.
+    /// [`ViewingError::NotAxonometric`] where a component is zero or both are equal but for the sign, and
+    /// [`ViewingError::ParallelUp`] where `side` is below 2⁻¹²·⁵ of `up`. [`isometric`](Self::isometric) has an
+    /// example.
     pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewingError> {
         if side.to_bits() == 0
             || up.to_bits() == 0
@@ -269,8 +279,8 @@ impl Viewing {
         Ok(Self { rows, eye: [part(eye(0))?, part(eye(1))?, part(eye(2))?] })
     }
 
-    /// The matrix that it draws with: [`rows`](Self::rows) and the translation −R·eye, rounded to 53
-    /// bits. [`from_matrix`](Self::from_matrix) takes it back.
+    /// The matrix that it draws with: [`rows`](Self::rows) and the translation −R·eye, rounded to 53 bits.
+    /// [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [u, v, n] = self.rows.map(|row| {
             let [x, y, z] = as_reals(row);
@@ -308,14 +318,15 @@ impl Viewing {
         self.rows
     }
 
-    /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units, each within 2⁻¹³:
-    /// for reading. The pipeline subtracts the eye first and does not use it.
+    /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units; each within 2⁻¹³ where VUP is at
+    /// least 1/50 rad off VPN; nearer, the rows' error times the eye. For inspection only: the pipeline subtracts
+    /// the eye first.
     pub fn translation(&self) -> [i64; 3] {
         self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
-    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step) and
-    /// saturated.
+    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step, of the view as it is)
+    /// and saturated.
     pub fn apply(&self, p: Point3<World>) -> Point3<View> {
         let p = p.bits();
         let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);

@@ -71,7 +71,7 @@ impl Viewport {
         self.area.size
     }
 
-    /// The corner at the smallest x and y.
+    /// The corner at the smallest x and y, in pixels of the target.
     pub const fn top_left(&self) -> Point {
         self.area.top_left
     }

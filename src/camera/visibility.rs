@@ -21,8 +21,10 @@ impl Camera {
     /// Where a sphere lies against the six planes of the view volume (the far one included). On
     /// the safe side by less than 2⁻²⁰ of its size and distance: `Outside` and `Inside` are certain.
     ///
-    /// A node that is `Outside` need not be placed; one that is `Inside` will not be clipped. A radius
-    /// of `Scalar::MAX` stands for any: such a sphere is `Partly` visible.
+    /// A node that is `Outside` need not be placed; one that is `Inside` will not be clipped. The far plane counts
+    /// even where the camera does not clip there: leaving such an object out then changes the picture (not when
+    /// drawing against depth, which ends at far). A radius of `Scalar::MAX` stands for any: such a sphere is
+    /// `Partly` visible.
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};

@@ -17,11 +17,13 @@ use core::marker::PhantomData;
 ///     | 0 0 0 1  |
 /// ```
 ///
-/// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Each composition keeps
-/// coefficients within 2⁻³⁰ of the largest one, and translations, of three products, within 3·2⁻³³
-/// world units; translations saturate at ±2³⁰ world units. Build transforms anew from angles every frame rather than
-/// accumulating them: then nothing drifts. (A million turns of 0.1°, each applied to the matrix so
-/// far, stretch a model by 0.037 % and leave it 0.057° behind.)
+/// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Each composition rounds coefficients
+/// to within 2⁻³⁰ of the largest one, and the translation to within 3·2⁻³³ world units; translations saturate at
+/// ±2³⁰. Rebuild transforms from angles every frame instead of accumulating them: then nothing drifts. (A million
+/// turns of 0.1°, each applied to the matrix so far, stretch a model by 0.037 % and leave it 0.057° behind.)
+///
+/// `==` compares the stored numbers: the same map reached in two ways may differ. Compare
+/// [`to_matrix`](Self::to_matrix).
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
@@ -64,8 +66,8 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts(Self::identity().linear, 0, offset)
     }
 
-    /// The same factor along all axes, exact. Zero flattens everything into the origin, which
-    /// draws nothing.
+    /// The same factor along all axes, exact below 16384 and within 2⁻³⁰ of itself above. Zero flattens everything
+    /// into the origin, which draws nothing.
     pub fn scale(factor: Scalar) -> Self {
         Self::scale_axes(factor, factor, factor)
     }
@@ -97,9 +99,10 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 0, [0; 3])
     }
 
-    /// About the line through `through` along `axis` (any length), right-handed:
-    /// `R = c·I + (1 − c)·a·aᵀ + s·[a]×` and the translation `through − R·through`. Coefficients
-    /// within 2⁻²⁷; the translation, given these, within 3·2⁻³³. (Rodrigues 1840; Goldman, *Matrices and transformations*, Graphics Gems, 1990.)
+    /// About the line through `through` along `axis` (any length), right-handed: `R = c·I + (1 − c)·a·aᵀ + s·[a]×`
+    /// and the translation `through − R·through`. Coefficients are within 2⁻²⁷; the translation is within 3·2⁻³³
+    /// world units of the one that belongs to these coefficients. (Rodrigues 1840; Goldman, *Matrices and
+    /// transformations*, Graphics Gems, 1990.)
     ///
     /// ```
     /// use pinhole::{space::World, Affine, Angle, AxisError, Point3, Vector3};
@@ -159,6 +162,14 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// The frame with these axes and origin: columns a, b, c, o. It leads from the frame's own
     /// coordinates to those in which it is given. Exact where the axes span no more than 30 bits,
     /// otherwise within 2⁻³⁰ of the largest coefficient.
+    ///
+    /// ```
+    /// use pinhole::{space::{Model, World}, Affine, Point3, Vector3};
+    /// // What lies along the model's x, y and z lies along the world's y, z and x, twice as long along the first.
+    /// let [a, b, c] = [[0, 2, 0], [0, 0, 1], [1, 0, 0]].map(|[x, y, z]| Vector3::from_ints(x, y, z));
+    /// let place = Affine::<Model, World>::from_frame(a, b, c, Point3::from_ints(10, 0, 0));
+    /// assert_eq!(place.apply(Point3::from_ints(1, 3, 5)), Point3::from_ints(15, 2, 3));
+    /// ```
     #[inline(never)] // set-up: small is better
     pub fn from_frame(a: Vector3<B>, b: Vector3<B>, c: Vector3<B>, origin: Point3<B>) -> Self {
         let (a, b, c) = (a.bits(), b.bits(), c.bits());
@@ -201,14 +212,14 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Ok(Self::from_parts(linear, exponent, offset))
     }
 
-    /// The matrix, row by row; the translation is rounded to 53 bits where it needs more, beyond 2²¹
-    /// world units. [`from_matrix`](Self::from_matrix) takes it back.
+    /// The matrix, row by row; the translation is rounded to 53 bits where it needs more, beyond 2²¹ world units.
+    /// [`from_matrix`](Self::from_matrix) reads it back, to within its own bounds.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, z] = self.rows().map(|row| float::coefficients(&row, 0));
         [x, y, z, [0.0, 0.0, 0.0, 1.0]]
     }
 
-    /// The way back: `p = M⁻¹·p′`, from the cofactors.
+    /// The inverse, `p = M⁻¹·p′`, from the cofactors.
     ///
     /// The error relative to the inverse's largest coefficient is at most 2⁻²⁸ times the ratio
     /// of the transform's largest stretch to its smallest; the translation, given the coefficients, is
@@ -388,7 +399,7 @@ impl core::fmt::Display for MatrixError {
 
 impl core::error::Error for MatrixError {}
 
-/// Why there is no way back.
+/// Why a transform has no inverse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InverseError {
@@ -440,7 +451,7 @@ pub(crate) fn product(
 ) -> i32 {
     let [x, y, z] = a;
     let sums = [row_times(x, b), row_times(y, b), row_times(z, b)];
-    // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp.
+    // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp, and a little more after an inverse.
     let exponent = a_exponent + b_exponent - 30;
     block(sums.as_flattened(), exponent, linear.as_flattened_mut()).clamp(-65_536, 65_536)
 }

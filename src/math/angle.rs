@@ -34,8 +34,8 @@ impl Angle {
         self.0
     }
 
-    /// `numerator / denominator` of a turn, rounded to the nearest 2⁻³² turn; whole turns fall
-    /// away. A denominator of zero counts as no turn.
+    /// `numerator / denominator` of a turn, rounded to the nearest 2⁻³² turn, ties up, for negative angles too;
+    /// whole turns fall away. A denominator of zero counts as no turn.
     #[inline(never)] // set-up: small is better
     pub const fn turns(numerator: i32, denominator: u32) -> Self {
         if denominator == 0 {
@@ -48,7 +48,7 @@ impl Angle {
         Self(((fraction(part as u64, denominator as u64, 33) + 1) >> 1) as u32)
     }
 
-    /// Whole degrees, rounded to the nearest 2⁻³² turn.
+    /// Whole degrees, rounded to the nearest 2⁻³² turn, ties up as in [`turns`](Self::turns).
     pub const fn degrees(degrees: i32) -> Self {
         Self::turns(degrees, 360)
     }

@@ -4,8 +4,8 @@ use super::num::{divide, excess, scale};
 use super::Point3;
 use crate::space::Ndc;
 
-/// A point of clip space: homogeneous, stands for (x/w, y/w, z/w). 30-bit integers with one
-/// exponent: each value is `integer · 2^exponent`. Only a [`Projection`](crate::Projection) makes one.
+/// A homogeneous point of clip space; stands for (x/w, y/w, z/w). Four 30-bit integers share one exponent: each
+/// value is `integer · 2^exponent`. Only a [`Projection`](crate::Projection) makes one.
 ///
 /// ```
 /// use pinhole::{Projection, Window, Scalar, Point3, space::View};
@@ -49,8 +49,8 @@ impl ClipPoint {
         self.exponent
     }
 
-    /// The quotients, rounded to the nearest 2⁻¹⁶ and saturated. `None` where w ≤ 0: such a point
-    /// lies in the plane of the eye or behind it and has no image.
+    /// The quotients, rounded to the nearest 2⁻¹⁶ (ties away from zero) and saturated. `None` where w ≤ 0: such a
+    /// point lies in the plane of the eye or behind it and has no image.
     pub fn ndc(&self) -> Option<Point3<Ndc>> {
         if self.w <= 0 {
             return None;
@@ -122,13 +122,13 @@ impl Outcode {
         self.0
     }
 
-    /// The planes that both lie outside of: any, and the line between them is invisible.
+    /// The planes that both points lie outside of. If there is one, the line between them is invisible.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 
-    /// The planes that either lies outside of: none, and the line between them is visible.
+    /// The planes that either point lies outside of. If there is none, the line between them is wholly visible.
     #[must_use]
     pub const fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)

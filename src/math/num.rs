@@ -57,7 +57,8 @@ const RECIPROCAL: [u8; 256] = [
     8, 7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0,
 ];
 
-/// A Cortex-M0: without division, wide products and a count of leading zeros, and with eight registers.
+/// A Cortex-M0: without division, wide products and a count of leading zeros, and with eight registers. Not a
+/// Cortex-M23 (ARMv8-M Baseline), which divides and has atomics but no wide products: the same bits, slower.
 pub(crate) const CORTEX_M0: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// A positive number's reciprocal: `1/v = mantissa · 2^(shift − 61)`.

@@ -70,17 +70,17 @@ macro_rules! triple {
                 self.bits
             }
 
-            /// The x coordinate.
+            /// The x coordinate, in units of the space, step 2⁻¹⁶.
             pub const fn x(self) -> Scalar {
                 Scalar::from_bits(self.bits[0])
             }
 
-            /// The y coordinate.
+            /// The y coordinate, in units of the space, step 2⁻¹⁶.
             pub const fn y(self) -> Scalar {
                 Scalar::from_bits(self.bits[1])
             }
 
-            /// The z coordinate.
+            /// The z coordinate, in units of the space, step 2⁻¹⁶.
             pub const fn z(self) -> Scalar {
                 Scalar::from_bits(self.bits[2])
             }
@@ -108,7 +108,11 @@ macro_rules! triple {
 triple!(Point3);
 triple!(Vector3);
 
-/// The f32 door for vectors as sensor filters deliver them.
+/// The f32 door for vectors as sensor filters deliver them: as [`Vector3::from_f32`].
+///
+/// # Errors
+///
+/// [`NumberError`] when a number is NaN, infinite or outside ±32768.
 impl<S> TryFrom<micromath::vector::F32x3> for Vector3<S> {
     type Error = NumberError;
 

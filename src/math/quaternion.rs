@@ -68,7 +68,13 @@ impl Quaternion {
     }
 }
 
-/// From micromath's, of any length from 2⁻⁸ to 2¹⁵; each part keeps its 24 bits down to 2⁻³².
+/// From micromath's quaternion. Parts are cut off below 2⁻³²: at lengths from 2⁻⁸ to 2¹⁵ the largest part keeps
+/// all its 24 bits.
+///
+/// # Errors
+///
+/// [`QuaternionError::Zero`] where all parts are below 2⁻³², [`QuaternionError::Number`] where one is NaN,
+/// infinite or beyond ±32768.
 impl TryFrom<micromath::Quaternion> for Quaternion {
     type Error = QuaternionError;
 

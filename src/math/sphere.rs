@@ -14,9 +14,10 @@ use crate::space::Model;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sphere {
-    /// The centre.
+    /// The centre, in model units.
     pub centre: Point3<Model>,
-    /// The radius; a negative one counts as zero, and `Scalar::MAX` stands for any that is larger.
+    /// The radius, in model units. Negative counts as zero; `Scalar::MAX` means too large to tell: such a sphere
+    /// is always [`Partly`](crate::Visibility::Partly) visible.
     pub radius: Scalar,
 }
 

@@ -87,11 +87,11 @@ impl<C: Wire> Frame<C> {
     /// The next band, filled with the background: as many rows as the strip has room for and the frame
     /// still has. `None` after the last one, and for a frame without pixels.
     ///
-    /// The strip's bytes decide: one that is longer than some rows by less than a row is not filled, and one
-    /// that is longer by a row gives that row too. A depth strip needs a number for each pixel of the band.
+    /// A band has as many whole rows as the strip holds; bytes left over are unused. A depth strip needs a number
+    /// for each pixel of the band.
     ///
-    /// Whatever becomes of a band, the next call goes on below it; a frame is begun anew with a new
-    /// `Frame`, or a clone.
+    /// Each call goes on below the last band, sent or not. To start again make a new `Frame`, or clone one
+    /// beforehand.
     ///
     /// # Errors
     ///
@@ -142,7 +142,7 @@ impl<'s, C: Wire> Band<'s, C> {
         self.bytes
     }
 
-    /// Its pixels to draw into, without a rectangle for every run: where a pixel has whole bytes, `N` of them.
+    /// Its pixels as the fastest target, for colours of whole bytes (`N` each).
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};

@@ -70,7 +70,7 @@ impl<'a> DepthBuffer<'a> {
         Ok(buffer)
     }
 
-    /// Nothing is seen any more: for the next frame. [`new`](Self::new) has done it for the first.
+    /// Sets every depth to [`NOTHING`](Self::NOTHING), before each frame but the first.
     pub fn clear(&mut self) {
         let (before, words, after) = pod_align_to_mut::<u16, u32>(self.values);
         before.fill(Self::NOTHING);

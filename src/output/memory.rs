@@ -34,7 +34,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         self.cells.get_mut(from..from.wrapping_add(width as usize))
     }
 
-    /// Fills a triangle. With two cells alike, of which the compiler does not know that here: it keeps them in one register.
+    /// Fills a triangle. `two` is the same cell twice; the compiler must not know, or it would use two registers.
     #[inline(never)] // its loop needs all registers
     pub(super) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
         match Small::new(triangle, scissor, &mut self.ground) {

@@ -12,8 +12,8 @@ pub(super) trait Nearer<Cell>: Copy {
     /// Over a triangle.
     fn over(self, piece: &Piece<'_>) -> Self::Over;
 
-    /// Into these cells, counted from there; the depths of the same pixels are held. Once for what is over a triangle, unless there
-    /// is no shear: then as often as it has stretches.
+    /// Begins filling these cells at `start`; the depths of the same pixels are held. Called once per triangle if
+    /// there is shear, else once per stretch.
     fn rows<'a>(
         self,
         over: &'a mut Self::Over,

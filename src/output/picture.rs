@@ -62,7 +62,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
         Ok(Self { area: Rectangle::new(Point::zero(), size), cells })
     }
 
-    /// The same as a target of its own, without a rectangle for every run.
+    /// The same pixels as the fastest target.
     #[inline(always)]
     pub fn pixels(&mut self) -> Pixels<'_, C> {
         Pixels::new(self.cells, self.area)

@@ -29,7 +29,7 @@ pub struct Pixels<'a, C, Cell = C> {
 /// assert_eq!((Rgb565::RED.stored(), Rgb565::RED.stored()), (Rgb565::RED, [0xf8, 0x00]));
 /// ```
 pub trait Stored<Cell>: PixelColor {
-    /// What stands for it.
+    /// The colour as a cell of memory.
     fn stored(self) -> Cell;
 }
 

@@ -9,18 +9,18 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// What pixels are drawn into: any `embedded-graphics` DrawTarget, or [`Pixels`](crate::Pixels), which lie in memory: the
-/// same picture in a fraction of the instructions.
+/// What is drawn into: any `embedded-graphics` DrawTarget, or, in a fraction of the instructions,
+/// [`Pixels`](crate::Pixels) in memory, with the same picture.
 ///
 /// A DrawTarget gets a `fill_solid` or a `fill_contiguous` for every run of pixels.
 pub trait Target: sealed::Sealed {
-    /// Of its pixels.
+    /// The colour of a pixel.
     type Color: PixelColor;
 
-    /// What drawing may come to.
+    /// What drawing can fail with.
     type Error;
 
-    /// All pixels that there are.
+    /// Its pixels.
     fn area(&self) -> Rectangle;
 
     /// Those of them that 2D drawing may reach.

@@ -25,7 +25,7 @@ pub trait Wire: PixelColor {
     /// The bits, in the lowest [`BITS`](Self::BITS); higher ones do not count.
     fn encode(self) -> u32;
 
-    /// The colour of such bits: what [`encode`](Self::encode) made them of.
+    /// The colour that [`encode`](Self::encode) turns into these bits.
     fn decode(bits: u32) -> Self;
 }
 
@@ -123,7 +123,7 @@ pub(super) const fn stride<C: Wire>(width: u32) -> usize {
     }
 }
 
-/// Fills pixels `from..to` of a row; those beyond its end are left out.
+/// Fills pixels `from..to` of a row, in which they lie.
 #[inline(always)]
 pub(super) fn fill<C: Wire>(row: &mut [u8], from: usize, to: usize, colour: C) {
     let bits = colour.encode();

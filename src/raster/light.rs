@@ -7,8 +7,9 @@ impl Plane {
     /// Lights in 8.10, 0 … 255 · 2¹⁰, with the half that rounds: the upper 8 bits at a pixel are its light, rounded to
     /// nearest, with an error of less than 2⁻⁹ before that.
     ///
-    /// Most small triangles keep 10 bits of fraction, so that 32 bits are enough, and are off by `((w + h)·½ + 35)·2⁻¹⁸`, w and h
-    /// at most 128; all others have 16, and the error of [`Planes::through`], `((w + h)·½ + 2¹⁰·⁶)·2⁻²⁴`, w + h ≤ 2¹⁵.
+    /// Most small triangles keep 10 bits of fraction, so that 32 bits are enough, and are off by
+    /// `((w + h)·½ + 35)·2⁻¹⁸`, w and h at most 128; all others have 16, and the error of [`Planes::through`],
+    /// `((w + h)·½ + 34 + 2¹⁰·⁶)·2⁻²⁴`, w + h ≤ 2¹⁵.
     #[inline(never)]
     pub(crate) fn of_light(triangle: &Triangle<'_>, lights: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);

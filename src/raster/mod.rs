@@ -153,7 +153,7 @@ impl ScreenPoint {
     }
 }
 
-/// A pixel, as the end of a line: ±32767 by its type.
+/// The pixel where a line ends: −32768 … 32767.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pixel {
@@ -163,8 +163,8 @@ pub struct Pixel {
     pub y: i16,
 }
 
-/// The pixels that may be written: columns `left` to `right` and rows `top` to `bottom`, the last
-/// ones excluded. Empty where it ends before it begins.
+/// The pixels that may be written: columns `left` to `right`, rows `top` to `bottom`, ends excluded. Empty where
+/// an end is not beyond its beginning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scissor {
@@ -175,7 +175,7 @@ pub struct Scissor {
 }
 
 impl Scissor {
-    /// From limits in pixels; those beyond ±32768 are brought there: nothing is drawn outside.
+    /// Limits in pixels, clamped to ±32768: nothing is drawn beyond.
     pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }.near()
     }

@@ -58,8 +58,7 @@ impl Ground {
     }
 }
 
-/// What the ends of rows are counted from: where column `x` is in the first row, and in every row so many pixels farther left
-/// than in the one above as the shear says.
+/// The origin that row ends are counted from: column `x` in the first row, moving left by `shear` pixels per row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
     pub(crate) x: i32,

@@ -29,8 +29,9 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// At the centre of a covered pixel, column `x` and row `y`, in 2⁻⁸ of the corners' unit: between their values, and
-    /// within `(w + h)/2 + 2¹⁰·⁶` of these units, w columns and h rows from a corner. Elsewhere it wraps.
+    /// At the centre of a covered pixel, column `x` and row `y`, in 2⁻⁸ of the corners' unit: between their
+    /// values, and within `(w + h)/2 + 34 + 2¹⁰·⁶` of these units, w columns and h rows from the first corner's
+    /// pixel. Elsewhere it wraps.
     #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> u32 {
         self.origin
@@ -50,7 +51,7 @@ impl Plane {
         Self { down: self.down.wrapping_sub(self.right.wrapping_mul(by as u32)), ..self }
     }
 
-    /// From a pixel to its right neighbour, to be added wrapping.
+    /// The change from a pixel to its right neighbour, in 2⁻⁸ of the corners' unit; add it wrapping.
     #[inline(always)]
     pub fn step(&self) -> u32 {
         self.right
@@ -67,7 +68,7 @@ pub(crate) struct Planes<'t> {
     triangle: &'t Triangle<'t>,
     /// The reciprocal of the area, with its sign turned: 2¹⁶/den = mantissa · 2^−places.
     mantissa: i32,
-    /// Nothing like enough beyond 512 pixels: see [`Planes::through`].
+    /// Forced far too small beyond 512 pixels, so that the long way is taken.
     places: i32,
     extent: Extent,
     /// The area's magnitude, cut to 31 bits beyond 128 pixels.
@@ -105,7 +106,7 @@ impl Extent {
         self.0 >> 17 != 0
     }
 
-    /// 32 less the bits of the largest difference between corners; far less than nothing beyond 128 pixels.
+    /// 32 less the bits of the largest difference between corners; −64 beyond 128 pixels.
     #[inline(always)]
     fn room(self) -> i32 {
         if self.is_small() {

@@ -52,10 +52,10 @@ pub(crate) trait Divisor {
 
 /// In one division of 32 bits, for triangles within 32 pixels across and 30 down.
 ///
-/// The start is in multiples of 2⁻¹⁷, of m / dy rounded to zero the one below: less than m / dy whatever its sign, by less than
-/// two of them. The step is rounded down to a multiple of 2⁻¹⁸. So what is kept falls behind T by less than 2⁻¹⁶ at first and 2⁻¹⁸ in each
-/// of the (dy − 1) / 256 rows that may follow, which is at most 1/dy where `dy · (4 + (dy − 1) / 256) ≤ 2¹⁸`. That of 30·256 is
-/// 253 440.
+/// The start is `m/dy` in 2⁻¹⁷, truncated, less one: below `m/dy`, by less than two units. The step is rounded
+/// down to a multiple of 2⁻¹⁸. So what is kept falls behind T by less than 2⁻¹⁶ at first and 2⁻¹⁸ in each of the
+/// (dy − 1) / 256 rows that may follow, which is at most 1/dy where `dy · (4 + (dy − 1) / 256) ≤ 2¹⁸`. That of
+/// 30·256 is 253 440.
 pub(crate) struct AtOnce;
 
 impl Divisor for AtOnce {

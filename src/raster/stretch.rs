@@ -24,8 +24,7 @@ impl<S: Step> Stretch<S> {
         (left.next(), right.next())
     }
 
-    /// For each row where the column counted from stands, and its ends; from where it does so in the first row to where it does in
-    /// the row below the last.
+    /// Calls `row` with each row's base index and ends; returns the base index below the last row.
     #[inline(always)]
     pub(crate) fn each(
         mut self,

@@ -27,7 +27,7 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     mul_wide(x2, y1) + mul_wide(-x1, y2)
 }
 
-/// A triangle ready to be drawn: what an [`InkFor`](crate::InkFor) of one's own is made ready for.
+/// A triangle about to be drawn, as a custom [`InkFor`](crate::InkFor) gets it.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle<'v> {
@@ -71,8 +71,8 @@ impl<'v> Triangle<'v> {
         }
     }
 
-    /// What varies linearly over it, for inks of one's own: values 0 … 2²⁴ − 1 at its corners, in their
-    /// order; larger ones count as the largest.
+    /// The plane through a value at each corner, in their order, 0 … 2²⁴ − 1 (larger ones count as that), for
+    /// custom inks.
     pub fn plane(&self, values: [u32; 3]) -> Plane {
         Planes::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
     }

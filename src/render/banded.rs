@@ -11,8 +11,8 @@ use crate::raster::{Piece, Scissor};
 
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible faces of a mesh, ready to be drawn band by band, or into any target whose pixels are part
-/// of the picture: see [`Transformed::faces`]; [`Placed::transform`](crate::Placed::transform) has an example.
+/// The visible faces of a mesh, recorded once, to be drawn band by band, or into any part of the picture: see
+/// [`Transformed::faces`]; [`Placed::transform`](crate::Placed::transform) has an example.
 #[derive(Debug)]
 pub struct Faces<'a, V = i16, const DEPTH: bool = false> {
     transformed: Transformed<'a, V, DEPTH>,
@@ -30,13 +30,13 @@ pub struct Edges<'a, V = i16, const DEPTH: bool = false> {
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
-    /// Sorts out the faces, and the visible ones by the rows where they begin. `records` are numbers
-    /// lent for the frame: one for each visible face, and one for every 16 faces of the mesh.
+    /// Culls the faces and sorts the visible ones by their first row. `records` is scratch for the frame: one
+    /// number per visible face, and one per 16 faces of the mesh, rounded up.
     ///
     /// # Errors
     ///
-    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
-    /// then.
+    /// [`BinsError::Records`] when the records are too short, and says how many are needed, and
+    /// [`BinsError::TooMany`] beyond 65535 faces; nothing is recorded then.
     #[inline(never)] // what it makes is large: inlined it would stand there once more while faces are drawn
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
         let bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
@@ -45,8 +45,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         Ok(faces)
     }
 
-    /// Sorts out the edges, and the visible ones by the rows where they begin. `records` are numbers
-    /// lent for the frame: one for each visible edge, and one for every 16 edges of the mesh.
+    /// Sorts the visible edges by their first row. `records` is scratch for the frame: one number per visible
+    /// edge, and one per 16 edges of the mesh, rounded up.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -75,8 +75,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
-    /// then.
+    /// [`BinsError::Records`] when the records are too short, and says how many are needed, and
+    /// [`BinsError::TooMany`] beyond 65535 edges; nothing is recorded then.
     #[inline(never)] // what it makes is large: inlined it would stand there once more while edges are drawn
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
         let bins = Bins::new(records, self.placed.mesh.edges().len(), pixels(self.placed.area()));
@@ -189,8 +189,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
 }
 
 impl<'a, V: Coordinate> Facing<'a, V> {
-    /// As [`Transformed::faces`] of [`Placed::transform`](crate::Placed::transform), for drawing in bands: vertices are placed
-    /// where a face may be seen.
+    /// Like `placed.transform(corners).faces(records)` ([`Transformed::faces`]), for drawing in bands, but
+    /// transforms only vertices of faces that may be visible.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -219,8 +219,8 @@ impl<'a, V: Coordinate> Facing<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`BinsError`] when the records are too short, and says how many are needed; nothing is recorded
-    /// then.
+    /// [`BinsError::Records`] when the records are too short, and says how many are needed, and
+    /// [`BinsError::TooMany`] beyond 65535 faces; nothing is recorded then.
     pub fn faces(
         &self,
         corners: &'a mut [Corner],
@@ -311,7 +311,7 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         self.each(window, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, band))
     }
 
-    /// What became of the faces, of all bands together. A face is drawn though it may cover no pixel.
+    /// Counts for the whole frame, whichever bands were drawn; `drawn` includes faces that cover no pixel.
     pub const fn statistics(&self) -> Statistics {
         self.statistics
     }
@@ -372,10 +372,10 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate> Faces<'_, V, true> {
-    /// Draws what lies in a band where it is nearer than what `depth` holds, which is made for the
-    /// [area](crate::Band::area) of the band: outside it nothing is drawn, so that the depth of another band
-    /// leaves this one empty. See [`Placed::depth_tested`](crate::Placed::depth_tested).
-    /// `shade` is asked once for each face that a band meets.
+    /// Draws the faces in a band where they are nearer than `depth`. Make that for the band's
+    /// [area](crate::Band::area): nothing is drawn outside it, so with another band's buffer this one stays empty.
+    /// See [`Placed::depth_tested`](crate::Placed::depth_tested). `shade` is asked once for each face that a band
+    /// meets.
     ///
     /// # Errors
     ///

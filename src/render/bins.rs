@@ -25,7 +25,7 @@ pub(super) struct Bins<'s> {
     shift: u32,
     /// How many of `order` were taken in. While counting and sorting: how many items were kept.
     taken: usize,
-    /// The bin of the first one that was not, or one before it.
+    /// The bin of the first item not yet taken in, or a lower bound for it.
     next: usize,
     /// Where the last band ended.
     row: i32,

@@ -8,7 +8,8 @@ use crate::output::{DepthBuffer, Target};
 use crate::raster::{self, Piece, Scissor};
 use core::hint::black_box;
 
-/// A placed mesh whose faces are drawn by what their planes tell: [`Placed::facing`] makes it, and has an example.
+/// A placed mesh whose back faces are culled by their planes, before vertices are transformed: [`Placed::facing`]
+/// makes it, and has an example.
 #[derive(Clone, Copy, Debug)]
 pub struct Facing<'a, V = i16> {
     pub(super) placed: &'a Placed<'a, V>,
@@ -16,19 +17,17 @@ pub struct Facing<'a, V = i16> {
 }
 
 impl<V: Coordinate> Placed<'_, V> {
-    /// Looks at the [plane](crate::Mesh::with_planes) of each face first, and places a vertex when the first face needs
-    /// it that may be seen. Draws at once, or [records](Facing::faces) for bands.
+    /// Tests each face's [plane](crate::Mesh::with_planes) first, and transforms a vertex only when a face that
+    /// may be visible needs it. Draws at once, or [records](Facing::faces) for bands.
     ///
-    /// Worth it for closed meshes of some hundred faces and more, half of which are turned away: what it saves grows with
-    /// the mesh. For some dozen faces, and for land seen from above, it costs more than it saves, and so it does where
-    /// the mesh has no planes or the placed one [shows both sides](Cull::None): these are drawn as without, but vertices one
-    /// by one. (Figures are in `docs/growth.md`; the eye alone takes as long as some ten vertices.) Painter's order, and
-    /// lines that faces hide, take no planes.
+    /// Worth it for closed meshes of some hundred faces and more. It costs more than it saves for some dozen
+    /// faces, for terrain seen from above, for meshes without planes and for [`Cull::None`]. (Figures are in
+    /// `docs/growth.md`; the eye alone takes as long as some ten vertices.) [`Painter`](crate::Painter) and hidden
+    /// lines do not use planes.
     ///
-    /// A face is known to be turned away where the eye lies behind its plane by more than 1/290 of the eye's distance,
-    /// or of the mesh's largest coordinate if that is more, both as the object's own coordinates measure them; in
-    /// parallel projections where its normal points away from the viewer by more than an angle whose sine is 1/290. No
-    /// face that is seen is left out.
+    /// A face is culled where the eye lies behind its plane by more than 1/290 of the larger of the eye's distance
+    /// and the mesh's largest coordinate, in model units; in parallel projections where its normal points away
+    /// from the viewer by more than an angle whose sine is 1/290. No visible face is left out.
     ///
     /// The picture is the same as without, but for faces that are turned away and so thin on the screen that rounding
     /// turns their corners to the front: less than 1/100 pixel, however long, where vertices are within 1/256 px of their
@@ -71,7 +70,8 @@ impl<V: Coordinate> Placed<'_, V> {
 }
 
 impl<'a, V: Coordinate> Facing<'a, V> {
-    /// As [`Placed::solid`]. A vertex that has no place on the screen is looked at again for each face that has it.
+    /// As [`Placed::solid`]. A vertex that must be clipped, or lies too far out for a [`Corner`], is computed
+    /// again for each face that shares it.
     ///
     /// # Errors
     ///
@@ -89,7 +89,8 @@ impl<'a, V: Coordinate> Facing<'a, V> {
         })
     }
 
-    /// As [`Placed::depth_tested`]. A vertex that has no place on the screen is looked at again for each face that has it.
+    /// As [`Placed::depth_tested`]. A vertex that must be clipped, or lies too far out for a [`Corner`], is
+    /// computed again for each face that shares it.
     ///
     /// # Errors
     ///

@@ -9,9 +9,9 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// What a face is filled with: a colour, or something that varies over the face. The closures that
 /// shade faces return one.
 ///
-/// Every `PixelColor` is an ink, and then nothing is computed or carried that one colour does not need.
-/// [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are colours of light for any target, dithered or
-/// not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up in 256 levels of light.
+/// Every `PixelColor` is an ink, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are
+/// colours of light for any target, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up
+/// in 256 levels of light.
 ///
 /// Colours of the mesh, of its faces and of its vertices are three closures:
 ///
@@ -78,7 +78,7 @@ pub trait Ink: Copy {
     fn piece(&self, corners: [Self::Carried; 3]) -> Self;
 }
 
-/// An [`Ink`] for targets with pixels of `C`. One of one's own, that runs from corner to corner:
+/// An [`Ink`] for targets with pixels of `C`. A custom ink, interpolated from corner to corner:
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
@@ -126,14 +126,13 @@ pub trait InkFor<C: PixelColor>: Ink {
     /// What is worked out once for each triangle.
     type Fill;
 
-    /// Made ready for a triangle, whose corners are in the order of the face's.
+    /// Prepares the ink for a triangle, whose corners come in the face's order.
     fn over(&self, triangle: &Triangle<'_>) -> Self::Fill;
 
-    /// The colours of one run of covered pixels, a row, one pixel high: as many as it has, or more.
+    /// The colours of a horizontal span from left to right: at least `span.width`.
     fn run(fill: &Self::Fill, span: Span) -> impl Iterator<Item = C>;
 
-    /// The colour, where there is but one: then triangles are filled with that, without [`over`](Self::over) and
-    /// [`run`](Self::run).
+    /// The colour, if it is a single one: [`over`](Self::over) and [`run`](Self::run) are then not called.
     #[inline(always)]
     fn even(&self) -> Option<C> {
         None

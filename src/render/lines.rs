@@ -15,9 +15,9 @@ impl<V: Coordinate> Placed<'_, V> {
     /// [`wireframe`](Self::wireframe).
     ///
     /// A pixel's depth is that of the line at the pixel's centre along the major axis, within 0.51 of a step for
-    /// lines within 512 pixels, beyond within ½ and 2⁻¹⁷ for every pixel. A line that lies in a face
-    /// fights with it: [`hidden_line`](Self::hidden_line) is for the edges of solid meshes. It is called like that, after
-    /// what is solid was drawn [`depth_tested`](Self::depth_tested) into the same depth.
+    /// lines within 512 pixels, beyond within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. Call this after the solid things
+    /// were drawn [`depth_tested`](Self::depth_tested) into the same buffer. A line that lies in a face flickers:
+    /// use [`hidden_line`](Self::hidden_line) for a solid's own edges.
     ///
     /// # Errors
     ///
@@ -35,8 +35,8 @@ impl<V: Coordinate> Placed<'_, V> {
         view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
     }
 
-    /// Keeps the depth of the faces and draws nothing: what hides lines. The depth is that of
-    /// [`depth_tested`](Self::depth_tested), to the bit. [`hidden_line`](Self::hidden_line) has an example.
+    /// Draws only the faces' depth: what hides lines. Bit for bit the depth of
+    /// [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
         let window = Window::shared(&depth.area(), self.area(), None);
@@ -56,10 +56,10 @@ impl<V: Coordinate> Placed<'_, V> {
     /// [`depth_only`](Self::depth_only) left, of this mesh and of others: a wireframe of a solid, on any
     /// target, also of one bit.
     ///
-    /// A pixel of an edge is drawn where the edge is as near as what is held there, or where what is held
-    /// is a face beside the edge ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)): the centre of a pixel
-    /// lies to one side of the edge, and on a steep face that is far from it in depth. Without the faces
-    /// beside them, edges come out dotted: up to half of their pixels are missing.
+    /// A pixel of an edge is drawn where the edge is at least as near as the buffer, or where the buffer holds one
+    /// of the edge's own two faces ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)): a pixel's centre
+    /// lies to one side of the edge, and on a steep face its depth differs much. Without the faces beside them,
+    /// edges come out dotted: up to half of their pixels are missing.
     ///
     /// So nothing is drawn that lies more than two steps behind what is nearest at the pixel's centre, unless
     /// that is a face beside it. Within a pixel of where another face begins to hide an edge, the picture may
@@ -295,7 +295,7 @@ fn unhidden<T: Target>(
     seen(ends, false, &is_beside, colour, scissor, depth, target)
 }
 
-/// A line, where it is as near as what is held, or what is held, at a pixel, is to be drawn over; `keeps`: and its depth is kept.
+/// A line, drawn where it is as near as the buffer or `is_drawn_over` says so; with `keeps` its depth is stored.
 #[inline(never)] // once for both; asked is only where the line is behind what is held
 fn seen<T: Target>(
     ends: &[Image; 2],

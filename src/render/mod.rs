@@ -54,11 +54,11 @@ pub struct Placed<'m, V = i16> {
     cull: Cull,
 }
 
-/// Which faces are left out for the way they turn on the screen.
+/// Which faces are culled by their winding on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cull {
-    /// Those turned away: right for closed meshes.
+    /// Back faces: right for closed meshes.
     #[default]
     Back,
     /// None: both sides show.
@@ -87,16 +87,33 @@ impl<V> Placed<'_, V> {
 }
 
 impl<'m, V: Coordinate> Placed<'m, V> {
-    /// Draws other faces than the front ones; at first it is [`Cull::Back`].
+    /// Sets which faces are culled; the default is [`Cull::Back`].
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+    /// # use pinhole::{Affine, Angle, Camera, Cull, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let up = Vector3::from_ints(0, 1, 0);
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise
+    /// let placed = camera.place(&from_behind, &Affine::identity());
+    /// let mut display = MockDisplay::new();
+    /// let statistics = placed.solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// assert_eq!((statistics.drawn, statistics.culled), (0, 1));
+    /// let statistics = placed.with_cull(Cull::None).solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// assert_eq!((statistics.drawn, statistics.culled), (1, 0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn with_cull(self, cull: Cull) -> Self {
         Self { cull, ..self }
     }
 
-    /// Puts the vertices on the screen, each once, for drawing in bands: without depth.
-    ///
-    /// `corners` is best as long as the vertex list; what lies beyond its end is computed whenever it is
-    /// needed.
+    /// Transforms every vertex once, without depth, for drawing in bands. Vertices beyond the end of `corners` are
+    /// computed again whenever they are needed.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -130,8 +147,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         Transformed::new(self, corners)
     }
 
-    /// The same with depth, for drawing against depth strips. Depth ends at the far plane: what lies
-    /// beyond is cut off, whether or not the camera asks for that.
+    /// Like [`transform`](Self::transform), with depth, for drawing against depth strips. What lies beyond the far
+    /// plane is clipped, whatever the camera says.
     pub fn transform_depth<'a>(&'a self, corners: &'a mut [Corner]) -> Transformed<'a, V, true> {
         Transformed::new(self, corners)
     }
@@ -151,6 +168,24 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// to 700 px; ARCHITECTURE.md has the formula for all others. Depth is within 1 of
     /// `65535·(z/w + 1)/2` there, where far is at least twice near: what rounding costs grows as
     /// far/(far − near).
+    ///
+    /// ```
+    /// # use embedded_graphics::geometry::{Point, Size};
+    /// # use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let up = Vector3::from_ints(0, 1, 0);
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let mesh = Mesh::new(&[[0, 0, 0], [0, 0, 8]], 0, &[])?;
+    /// let placed = camera.place(&mesh, &Affine::identity());
+    /// let (at, depth) = placed.project(0).ok_or("hidden")?;
+    /// assert_eq!((at.x(), at.y()), (32 * 256, 32 * 256)); // the centre of 64 × 64 pixels
+    /// assert!(depth > 0 && depth < 65_534);
+    /// assert_eq!(placed.project(1), None); // behind the eye
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
         let index = u16::try_from(index).ok().filter(|_| index < self.mesh.vertices().len())?;
         let image = Transformed::<V, true>::with_corners(self, false, &[]).image(index)?;
@@ -167,8 +202,8 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         (d >= 0 && w > 0).then(|| self.placement.unsnapped(&h))
     }
 
-    /// Draws the mesh's edges, each as a Bresenham line of one colour. Pixels of a clipped edge are
-    /// those of the whole edge; the near plane's and the guard band's cuts are rounded to 1/256 px.
+    /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not
+    /// change an edge's pixels; ends cut by the near or far plane or the guard band are rounded to 1/256 px.
     ///
     /// `cache` holds transformed vertices; one as long as the vertex list computes each once, a
     /// shorter one (even an empty one) computes the rest whenever an edge needs them. The picture
@@ -213,13 +248,13 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// meshes, also those that pierce each other. `shade` gives face `i` its colour, and is asked once
     /// for each face drawn. `cache` is as in [`wireframe`](Self::wireframe).
     ///
-    /// A pixel's depth is that of the plane through the face's corners at the pixel's centre, in steps
-    /// of 65536 that are linear on the screen, 0 near to 65534 far: within 0.54 of a step for faces
-    /// within 512 pixels, for larger ones within ½ and 2⁻¹⁷ for every column and row of the viewport. (A
-    /// face that reaches the far plane, whose 65535 stands for nothing, is drawn half a step nearer
-    /// there: within 1.1.) So faces two steps apart are told apart; of equal depths the first drawn
-    /// stays. Depth ends at the far plane: what lies beyond is cut off, whether or not the camera asks
-    /// for that. Nothing is drawn outside the depth buffer.
+    /// **Depth** is that of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
+    /// the screen. Of equal depths the first drawn stays. What lies beyond the far plane is clipped, whatever the
+    /// camera says. Nothing is drawn outside the depth buffer.
+    ///
+    /// **Error**: within 0.54 of a step for faces within 512 pixels; for larger ones within ½ + 2⁻¹³ and 2⁻¹⁷ for
+    /// every column and row of the viewport. A face that reaches the far plane is drawn half a step nearer there
+    /// (65535 stands for nothing): within 1.1. So faces two steps apart are told apart.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};

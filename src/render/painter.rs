@@ -20,8 +20,8 @@ use heapless::Vec;
 /// each other, can come out wrong: that is painter's order. (Newell, Newell and Sancha, *A
 /// solution to the hidden surface problem*, 1972, go further.)
 ///
-/// Memory: 8 bytes a corner, and 10 and an ink, mostly a colour, a face. Meshes are transformed when recorded,
-/// each vertex once.
+/// Memory: 8 bytes per corner; 10 bytes and an ink (usually a colour) per face. Meshes are transformed when
+/// recorded, each vertex once.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};

@@ -28,10 +28,8 @@ impl<V: Coordinate> Placed<'_, V> {
         Ok(statistics)
     }
 
-    /// Draws the vertices, in their order, as one poly-line; it is closed where the last vertex
-    /// repeats the first. A pixel where two of its lines join is drawn once: it belongs to the
-    /// first of them, or to the last line where that closes the figure. Lines are clipped as those of
-    /// [`wireframe`](Self::wireframe).
+    /// Draws the vertices in order as one poly-line, closed if the last repeats the first. The pixel at a joint is
+    /// drawn once, with the line that ends there. Lines are clipped as those of [`wireframe`](Self::wireframe).
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};

@@ -4,7 +4,8 @@ use super::{fill, InkFor};
 use crate::output::Target;
 use crate::raster::{self, Pixel, ScreenPoint, Triangle};
 
-/// Fills a triangle, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the target.
+/// Fills a triangle, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the
+/// target. Corners are in the target's coordinates, in 1/256 pixel.
 ///
 /// # Errors
 ///
@@ -35,8 +36,8 @@ pub fn fill_triangle<T: Target, I: InkFor<T::Color>>(
     }
 }
 
-/// Draws a line, both ends included, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the
-/// target.
+/// Draws a line, both ends included, as the rules of [`raster`](crate::raster) say which pixels are its own,
+/// clipped to the target. Ends are pixels in the target's coordinates.
 ///
 /// # Errors
 ///

@@ -2,9 +2,8 @@
 
 use super::fan::Outcome;
 
-/// Counts of what a draw did, in edges or in faces. Each one handed in is in exactly one of
-/// `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts those of the drawn that were
-/// cut first.
+/// Counts of what a draw did, in faces, edges, segments of a poly-line or points. Each one handed in is in exactly
+/// one of `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts those of the drawn that were cut first.
 ///
 /// Drawn means handed to the rasteriser: a face between four pixel centres, or beside the target,
 /// is drawn and covers none.

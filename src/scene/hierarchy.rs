@@ -16,7 +16,7 @@ pub struct Node {
 }
 
 impl Node {
-    /// A node of the world itself, as if the world were its parent's model space.
+    /// A node without a parent: `local` places it in the world.
     pub const fn root(local: Affine<Model, Model>) -> Self {
         Self { parent: None, local, world: Affine::identity() }
     }
@@ -37,8 +37,8 @@ impl Node {
     }
 }
 
-/// A tree of nodes in the caller's memory. Parents come before their children, so one forward
-/// pass updates all, without recursion and without memory of its own.
+/// A tree of nodes in the caller's memory. Parents come before their children, so one forward pass updates all,
+/// without recursion and without memory of its own. Only the first 65536 nodes can be parents.
 ///
 /// ```
 /// use pinhole::{space::Model, Affine, Angle, Hierarchy, HierarchyError, Node, Point3, Vector3};
@@ -96,8 +96,8 @@ impl<'a> Hierarchy<'a> {
         Ok(hierarchy)
     }
 
-    /// Moves a node within its parent; [`update`](Self::update) moves all below it. Whether there
-    /// is such a node.
+    /// Sets where a node sits in its parent; [`update`](Self::update) moves all below it. Returns whether there is
+    /// such a node.
     pub fn set_local(&mut self, node: usize, local: Affine<Model, Model>) -> bool {
         match self.nodes.get_mut(node) {
             Some(node) => {

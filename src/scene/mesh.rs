@@ -72,10 +72,9 @@ pub enum MeshError {
         /// The vertex it names.
         index: u16,
     },
-    /// The faces beside edges come two to an edge, by their places in the list; or
-    /// [`Mesh::NO_FACE`](Mesh::NO_FACE).
+    /// Each edge needs two faces, by index, or [`Mesh::NO_FACE`](Mesh::NO_FACE).
     EdgeFaces {
-        /// The edge's place in the list, or how many there are, where pairs are missing.
+        /// The edge's index; or, where the lists differ in length, the length of the one given.
         edge: usize,
     },
     /// Normals come one per face.
@@ -139,8 +138,9 @@ impl core::fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-/// The two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const`
-/// where the mesh is small, at run time where it is large. It looks at every face for every edge.
+/// The two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const` where the
+/// mesh is small, at run time where it is large. Faces from number 65535 on are left out (a `u16` cannot name
+/// them). Time grows with edges × (edges + faces).
 ///
 /// Where more than two faces meet in an edge, list it once for every two: each time it gets the next
 /// two.
@@ -250,9 +250,9 @@ impl<'a> Mesh<'a, i16> {
         })
     }
 
-    /// The plane of each face, for [`with_planes`](Mesh::with_planes), of a mesh that has normals: `N` is how many faces it
-    /// has. In 2⁻¹⁴ of what the largest coordinate is rounded up to, a power of two; rounded to nearest. Best in a `const`;
-    /// 0 for faces that are not there, or have no normal.
+    /// The plane of each face, for [`with_planes`](Mesh::with_planes), of a mesh that has normals: `N` is how many
+    /// faces it has. In units of 2⁻¹⁴ of the power of two that bounds the mesh's coordinates, rounded to nearest.
+    /// Best in a `const`. 0 where there is no such face or normal.
     ///
     /// ```
     /// use pinhole::Mesh;
@@ -280,7 +280,7 @@ impl<'a> Mesh<'a, i16> {
         planes
     }
 
-    /// That of one face.
+    /// The plane of one face: see [`face_planes`](Mesh::face_planes).
     pub const fn face_plane(&self, face: usize) -> i16 {
         if let Some((corner, normal)) = self.corner_and_normal(face) {
             let [x, y, z] = *corner;
@@ -355,7 +355,7 @@ impl<'a> Mesh<'a, Scalar> {
         planes
     }
 
-    /// That of one face.
+    /// The plane of one face: see [`face_planes`](Mesh::face_planes).
     pub const fn face_plane(&self, face: usize) -> i16 {
         if let Some((corner, normal)) = self.corner_and_normal(face) {
             let [x, y, z] = *corner;
@@ -424,12 +424,13 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { normals, planes: &[], ..self })
     }
 
-    /// With the plane of each face, for [`Placed::facing`](crate::Placed::facing): where it lies along the face's
-    /// normal, which [`face_planes`](Mesh::face_planes) finds. After the normals, to which they belong.
+    /// With each face's plane, for [`Placed::facing`](crate::Placed::facing): its signed distance from the origin
+    /// along the normal, as [`face_planes`](Mesh::face_planes) finds it. Call [`with_normals`](Self::with_normals)
+    /// first: planes belong to those normals.
     ///
-    /// Normals decide what is seen then. They must be those of the faces as the mesh has them, after its vertices were rounded,
-    /// of unit length and no part off by more than 2⁻¹⁵: with others, smoothed ones say, faces that are seen are
-    /// left out. One of [0, 0, 0] leaves its face in.
+    /// What is visible is then decided by the normals. They must be the faces' own, from the rounded vertices, of
+    /// unit length, each part within 2⁻¹⁵; with others, smoothed ones for instance, visible faces are left out. A
+    /// normal [0, 0, 0] never leaves its face out.
     ///
     /// # Errors
     ///
@@ -445,9 +446,19 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { planes, ..self })
     }
 
-    /// With a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): that of the
-    /// surface which the faces stand for, or the mean of the faces' about the vertex. For light that runs
-    /// smoothly over the edges: see [`Lambert::levels`](crate::Lambert::levels).
+    /// With a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the
+    /// surface that the faces approximate, or the mean of the normals of the faces around the vertex. For smooth
+    /// shading: see [`Lambert::levels`](crate::Lambert::levels).
+    ///
+    /// ```
+    /// use pinhole::{Mesh, MeshError};
+    /// const UP: [i16; 3] = [0, 0, 32_767];
+    /// let mesh = Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
+    /// assert_eq!(mesh.with_vertex_normals(&[UP; 3])?.vertex_normals(), [UP; 3]);
+    /// let too_few = mesh.with_vertex_normals(&[UP; 2]);
+    /// assert_eq!(too_few, Err(MeshError::VertexNormalCount { vertices: 3, normals: 2 }));
+    /// # Ok::<(), MeshError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -507,8 +518,8 @@ impl<'a, V> Mesh<'a, V> {
         self.vertex_normals
     }
 
-    /// What `of_vertices` has for the corners of a face, in the order in which the face names them; the
-    /// type's default where it has nothing, or there is no such face.
+    /// Looks up a face's three corners, in the face's order, in a list with one entry per vertex. What is missing
+    /// is the type's default.
     ///
     /// ```
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;

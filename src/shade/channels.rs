@@ -5,8 +5,9 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888, RgbColor,
 };
 
-/// A colour made of channels, each a number of levels from dark to full: what [`Gouraud`](super::Gouraud)
-/// and [`Dithered`](super::Dithered) need of a target.
+/// A colour made of channels, each a number of levels from dark to full: what [`Flat`](super::Flat),
+/// [`Gouraud`](super::Gouraud), [`Lit`](super::Lit), [`Dithered`](super::Dithered) and
+/// [`ShadeTable::new`](super::ShadeTable::new) need of a target.
 ///
 /// Colours are given as `Rgb888` whatever the target. Red, green and blue each become levels of their
 /// channel, `value · MAX/255`; greys take the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as

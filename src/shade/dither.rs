@@ -5,10 +5,9 @@ use super::levels::{levels, more, upper, whole};
 use super::{Channels, Flat, Gouraud, Lit};
 use core::marker::PhantomData;
 
-/// An ink, [`Flat`] or [`Gouraud`], in more shades than the target has: each pixel takes the level below
-/// or the level above, as the one of 64 thresholds says that stands at its place in an 8 × 8 pattern.
-/// (Bayer, *An optimum method for two-level rendition of continuous-tone pictures*, 1973; Foley et al.,
-/// *Computer Graphics*, 2nd ed., section 13.1.2.)
+/// An ink, [`Flat`], [`Gouraud`] or [`Lit`], in more shades than the target has: each pixel is rounded down or up
+/// by comparing with a threshold, one of 64 in an 8 × 8 pattern. (Bayer, *An optimum method for two-level
+/// rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed., section 13.1.2.)
 ///
 /// **The pattern** goes by the pixel's coordinates in the frame. So it stands still while things move,
 /// and is the same in every band and on both sides of an edge. Its thresholds are 1/128, 3/128 … 127/128.

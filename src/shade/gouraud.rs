@@ -12,12 +12,11 @@ use core::marker::PhantomData;
 /// **Error.** Each channel of a pixel is the exact one at its centre, rounded to nearest in levels of the
 /// target: off by at most ½ + 2⁻⁹ level, for any triangle in the guard band and any slope of colour.
 ///
-/// **Cut faces.** Where the near plane, the far plane or the guard band cuts a face, the new corners get
-/// the colours that those points of the face have in space, rounded to 1/256 of a step of `Rgb888`: off
-/// by another 2⁻⁹ level at most. Over what is left colours are linear on the screen again, piece by piece,
-/// which is not the same as over the whole face, but goes over into it: as a corner passes a plane, no
-/// colour jumps by more than 1 in 255 (`tests/shading/cut.rs`), and from there on they drift towards those
-/// of perspective.
+/// **Cut faces.** Where the near plane, the far plane or the guard band cuts a face, the new corners get the
+/// colours that those points of the face have in space, rounded to 1/256 of a step of `Rgb888`: off by another 2⁻⁹
+/// level at most. On the remaining pieces colours are linear on the screen again. That differs from the whole
+/// face, but no colour jumps by more than 1/255 as a corner passes a plane (`tests/shading/cut.rs`); from there
+/// they move towards perspective-correct ones.
 ///
 /// For one colour and a light at each corner [`Gouraud::lit`] takes less work, and
 /// [`ShadeTable::lit`](crate::ShadeTable::lit) least.
@@ -64,9 +63,9 @@ impl Gouraud {
 
 /// The levels of each channel over a triangle, with their [`places`]: within 2⁻¹⁰ + 2⁻¹³ level of the exact ones.
 ///
-/// [`Planes::through`] is off by less than `(w + h)/2 + 2¹⁰·⁶` of the last place, of 24 or more, w columns and h rows from
-/// its corner, w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128 to 127/128 that
-/// dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
+/// [`Planes::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` of the last place, of 24 or more, w columns
+/// and h rows from its corner, w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128
+/// to 127/128 that dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]
 pub struct Ramps<C> {
     planes: [Plane; 3],

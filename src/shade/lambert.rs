@@ -7,9 +7,9 @@ use crate::space::{Model, World};
 
 /// One directional light and an ambient part, made ready for one object.
 ///
-/// Normals go through the inverse transpose of the model transform. Where that is a rotation with
-/// an even scale, the light is brought to the model instead, and a face costs three products.
-/// (Lambert's law: Foley et al., *Computer Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
+/// Normals go through the inverse transpose of the model transform. Where that is a rotation with a uniform scale,
+/// the light is brought to the model instead, and a face costs three products. (Lambert's law: Foley et al.,
+/// *Computer Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Lambert, LightError, Vector3};
@@ -49,8 +49,8 @@ impl core::fmt::Display for LightError {
 impl core::error::Error for LightError {}
 
 impl Lambert {
-    /// Light from the direction `towards_light` (any length) on an object placed by `model`;
-    /// `ambient`/256 of full light everywhere, at most 256.
+    /// Light from the direction `towards_light` (any length) on an object placed by `model`; `ambient`/256 of full
+    /// light everywhere (more than 256 counts as 256).
     ///
     /// # Errors
     ///
@@ -109,8 +109,8 @@ impl Lambert {
         ((dot.max(0) as u32).wrapping_add(self.ambient) >> 22).min(256) as u16
     }
 
-    /// The [`level`](Self::level) for each of these normals, to the start of `levels`, as far as both go:
-    /// the light at the vertices, once a frame, for [`Gouraud`](super::Gouraud).
+    /// Writes each normal's [`level`](Self::level) to `levels`, as far as both slices go: once a frame, for
+    /// [`Gouraud`](super::Gouraud).
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Lambert, Vector3};

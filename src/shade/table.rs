@@ -9,11 +9,11 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 /// work out and a load at each pixel in place of three channels. Light is as of [`Gouraud`](crate::Gouraud); the look-up
 /// is that of renderers for displays with a table of colours.
 ///
-/// **Error.** Light runs linearly on the screen from corner to corner, 0 … 256 there, and becomes an entry's number 0 … 255
-/// rounded to nearest: off by at most ½ + 2⁻⁹, for any triangle in the guard band. In a table of [`new`](Self::new) each
-/// channel of a pixel is off by at most ½ level of the target for the entry's rounding, and by
-/// `(½ + 2⁻⁹) · MAX/255` for the light's. At all corners full light is the last entry all over, and none the first.
-/// [`Gouraud::lit`](crate::Gouraud::lit) is finer, and can be dithered.
+/// **Error.** Light is linear on the screen; it is rounded to an entry 0 … 255: off by at most ½ + 2⁻⁹, for any
+/// triangle in the guard band. In a table of [`new`](Self::new) each channel of a pixel is off by at most ½ level
+/// of the target for the entry's rounding, and by `(½ + 2⁻⁹) · MAX/255` for the light's. Full light at all corners
+/// gives the last entry throughout, no light the first. [`Gouraud::lit`](crate::Gouraud::lit) is finer, and can be
+/// dithered.
 ///
 /// **Cut faces.** As of [`Gouraud`](crate::Gouraud); the light at new corners is rounded to 2⁻¹⁰ of an entry.
 ///

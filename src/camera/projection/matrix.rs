@@ -57,9 +57,9 @@ impl Projection {
         Ok(Self { rows: [x, y, d, w] })
     }
 
-    /// The matrix as it is drawn with, up to a power of two that brings the largest number of the
-    /// last row to between ½ and 1. Exact but for z, which is computed from (z + w)/2 and rounded to
-    /// 53 bits where it needs more; [`from_matrix`](Self::from_matrix) takes it back.
+    /// The matrix as it is drawn with, up to a power of two that brings the largest number of the last row to
+    /// between ½ and 1. Exact but for z, which is computed from (z + w)/2 and rounded to 53 bits where it needs
+    /// more; [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, d, w] = &self.rows;
         let largest = coefficients(w, 0).into_iter().fold(0.0f64, |a, b| a.max(b.abs()));

@@ -42,7 +42,7 @@ impl defmt::Format for Window {
 /// Constructors: [`perspective`](Self::perspective), [`frustum`](Self::frustum),
 /// [`orthographic`](Self::orthographic), [`oblique`](Self::oblique) (cavalier, cabinet),
 /// [`from_reference`](Self::from_reference) (PRP and window), [`from_planar`](Self::from_planar),
-/// [`from_matrix`](Self::from_matrix). What they are called in drawing depends on the view too:
+/// [`from_matrix`](Self::from_matrix). Their names in technical drawing depend on the view as well:
 ///
 /// | name | view | projection |
 /// |---|---|---|
@@ -73,7 +73,8 @@ pub enum ProjectionError {
     NearNotPositive,
     /// Far must lie beyond near, back behind front.
     NearNotBeforeFar,
-    /// near·far/(far − near) must stay below 2³⁰ for depth to mean anything: move them apart.
+    /// near·far/(far − near) must stay below 2³⁰ for a perspective, near/(far − near) for a parallel projection
+    /// and a [`ReferenceVolume`], for depth to mean anything: move them apart.
     NearTooCloseToFar,
     /// The window needs left < right and bottom < top.
     EmptyWindow,
@@ -110,8 +111,8 @@ impl core::fmt::Display for ProjectionError {
 impl core::error::Error for ProjectionError {}
 
 impl Projection {
-    /// A view point in clip space, each of x, y, z, w within 2⁻³⁰ of the largest of them, and 2⁻²⁹ (in
-    /// units of the matrix).
+    /// A view point in clip space, each of x, y, z, w within 2⁻³⁰ of the largest of them, and 2⁻²⁹ (in units of
+    /// the matrix), of the matrix as it is.
     pub fn apply(&self, p: Point3<View>) -> ClipPoint {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let [x, y, d, w] = self.rows.map(|row| row.apply(&p));

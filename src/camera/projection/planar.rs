@@ -98,8 +98,9 @@ impl PlanarProjection {
     ///     | 0  0  −1/(Q·dz)      1 + z_p/(Q·dz)      |
     /// ```
     ///
-    /// All others are special cases. A `distance` of `None` is infinite: the parallel projections
-    /// along `direction`, the oblique ones among them. (Foley et al., section 6.4, equation 6.17.)
+    /// All others are special cases. A negative `distance` puts the centre on the other side of the plane; one of
+    /// `None` is infinite: the parallel projections along `direction`, the oblique ones among them. (Foley et al.,
+    /// section 6.4, equation 6.17.)
     ///
     /// # Errors
     ///
@@ -149,11 +150,10 @@ impl PlanarProjection {
         Ok(Self { rows })
     }
 
-    /// The image of a point, rounded to 2⁻¹⁶ and saturated. The rounding of the coefficients adds up
-    /// to 2⁻²⁸/(w·dz) of the largest of point, plane and image (dz is 1 but in
-    /// [`general`](Self::general)). `None` where the ray runs
-    /// along the plane (w = 0). A point behind the centre has an image too, upside down: this is
-    /// the arithmetic of the matrix.
+    /// The image of a point, rounded to 2⁻¹⁶ and saturated. Rounded coefficients add at most 2⁻²⁸/(w·dz) of the
+    /// largest coordinate of point, plane and image; dz is 1 except in [`general`](Self::general). `None` where
+    /// the ray runs along the plane (w = 0). A point behind the centre has an image too, upside down: this is the
+    /// arithmetic of the matrix.
     pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let [x, y, z, w] = self.rows.map(|row| row.apply(&p));
@@ -187,8 +187,8 @@ impl Projection {
     /// What a planar projection shows through a `window` of its plane, with depth between the
     /// planes z = −near and z = −far (distances along −z, near < far).
     ///
-    /// The camera looks along −z: where the centre of projection lies at smaller z (as with d > 0), it is
-    /// the far plane that is closer to it, and the picture is mirrored, as the matrix has it.
+    /// The camera looks along −z. If the centre of projection lies at smaller z than the volume (as with d > 0),
+    /// the far plane is the one closer to it and the picture is mirrored, as the matrix says.
     ///
     /// x and y are the planar image's, mapped from the window to −1 … 1; depth is linear on the
     /// screen, `d = (w at far)/(far − near) · (−z − near)`.

@@ -104,9 +104,8 @@ impl ReferenceVolume {
         Ok(Self { rows: [x, y, z], kind: Kind::Parallel })
     }
 
-    /// A view point in the canonical volume's coordinates, rounded to 2⁻¹⁶ and saturated. The rounding
-    /// of the coefficients adds up to 2⁻²⁸ of the largest product of a coefficient and a coordinate, or
-    /// of the constant, and 2⁻³¹.
+    /// A view point in the canonical volume's coordinates, rounded to 2⁻¹⁶ and saturated. Rounded coefficients add
+    /// at most 2⁻²⁸ of the largest term (a coefficient times its coordinate, or the constant) and 2⁻³¹.
     pub fn normalise(&self, p: Point3<View>) -> Point3<Canonical> {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let shrink = match self.kind {

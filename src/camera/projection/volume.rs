@@ -140,6 +140,17 @@ impl Projection {
     ///
     /// (OpenGL 1.x, `glOrtho`.)
     ///
+    /// ```
+    /// use pinhole::{space::View, Point3, Projection, ProjectionError, Scalar, Window};
+    /// let [one, two, three] = [1, 2, 3].map(Scalar::from_num);
+    /// let window = Window { left: -two, right: two, bottom: -one, top: one };
+    /// let lens = Projection::orthographic(window, one, three)?;
+    /// let ndc = |z| lens.apply(Point3::<View>::from_ints(1, 1, z)).ndc();
+    /// assert_eq!(ndc(-1), Point3::from_f32(0.5, 1.0, -1.0).ok()); // on the near plane
+    /// assert_eq!(ndc(-3), Point3::from_f32(0.5, 1.0, 1.0).ok()); // on the far plane: no smaller
+    /// # Ok::<(), ProjectionError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`ProjectionError::EmptyWindow`], [`WindowTooSmall`](ProjectionError::WindowTooSmall),

@@ -35,11 +35,10 @@ impl WindowCost {
 /// The rectangles of a target that differ from what it shows: those drawn in the last frame, which are
 /// erased, and those of this one. Integers only; 16 bytes a rectangle.
 ///
-/// For every frame, [`mark`](Self::mark) what is drawn, then [`take`](Self::take) the rectangles and
-/// draw each anew with its background: everything outside them is as it was. Marks are merged where
-/// the rectangle about both costs no more bytes than both apart. What has no marks costs nothing: a
-/// thing at rest need not be marked. When it moves again, mark where it was and where it is, as its last
-/// mark is forgotten; when it comes to rest it is sent once more.
+/// For every frame, [`mark`](Self::mark) what is drawn, then [`take`](Self::take) the rectangles and draw each
+/// anew with its background: everything outside them is as it was. Marks are merged where the rectangle about both
+/// costs no more bytes than both apart. What rests need not be marked. When it starts to move, mark both its old
+/// and its new place, since its last mark is gone; in the frame after it stops it is sent once more.
 ///
 /// `N` is how many rectangles are marked in a frame, and how many are taken, at most. Two for each thing
 /// that moves are room for where it was and where it is; a third one for leaving out the corners that
@@ -105,8 +104,8 @@ pub struct Dirty<const N: usize> {
 const LARGEST: u32 = u16::MAX as u32;
 
 impl<const N: usize> Dirty<N> {
-    /// For the pixels of `area`, at most 65535 × 65535 (what is beyond is never marked). The first
-    /// frame is all of it.
+    /// For the pixels of `area`, cut to 65535 × 65535: what is beyond is never sent. The first frame is all of
+    /// what remains.
     ///
     /// A capacity `N` of 0 does not compile.
     pub fn new(area: Rectangle, cost: WindowCost) -> Self {
@@ -138,7 +137,7 @@ impl<const N: usize> Dirty<N> {
         self.area
     }
 
-    /// This frame draws in `rectangle`. What lies outside the area is left away.
+    /// Marks what this frame draws; parts outside the area do not count.
     pub fn mark(&mut self, rectangle: Rectangle) {
         let price = self.price();
         if let Some(cells) = self.cells(&rectangle) {
