@@ -250,7 +250,7 @@ pub(crate) fn matrix(b: &mut Bytes<'_>) {
     let linear: Vec<f64> = m[..3].iter().flat_map(|row| &row[..3]).copied().collect();
     let shift = [m[0][3], m[1][3], m[2][3]];
     let finite = linear.iter().chain(&shift).all(|c| c.is_finite());
-    let far = shift.iter().any(|c| c.abs() >= 2f64.powi(30));
+    let far = shift.iter().any(|c| c.abs() > 2f64.powi(30));
     match Affine::<Model, World>::from_matrix(&m) {
         Err(MatrixError::NotAffine) => assert!(m[3] != [0.0, 0.0, 0.0, 1.0], "{m:?}"),
         Err(MatrixError::OutOfRange) => assert!(far, "{m:?}"),
