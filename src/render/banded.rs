@@ -2,11 +2,12 @@
 
 use super::bins::{Bins, BinsError, Sorting};
 use super::{
-    fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Outcome, Statistics, Transformed, Window,
+    fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Outcome, Recorded, Statistics, Transformed,
+    Window,
 };
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
-use crate::output::{rectangle, DepthBuffer, Target};
+use crate::output::{DepthBuffer, Target};
 use crate::raster::{Piece, Scissor};
 
 use embedded_graphics_core::primitives::Rectangle;
@@ -14,20 +15,12 @@ use embedded_graphics_core::primitives::Rectangle;
 /// The visible faces of a mesh, recorded once, to be drawn band by band, or into any part of the picture: see
 /// [`Transformed::faces`]; [`Placed::transform`](crate::Placed::transform) has an example.
 #[derive(Debug)]
-pub struct Faces<'a, V = i16, const DEPTH: bool = false> {
-    transformed: Transformed<'a, V, DEPTH>,
-    bins: Bins<'a>,
-    statistics: Statistics,
-}
+pub struct Faces<'a, V = i16, const DEPTH: bool = false>(Recorded<'a, V, DEPTH>);
 
 /// The visible edges of a mesh, ready to be drawn band by band: see [`Transformed::edges`]; they are
 /// drawn like the faces of the example at [`Placed::transform`](crate::Placed::transform).
 #[derive(Debug)]
-pub struct Edges<'a, V = i16, const DEPTH: bool = false> {
-    transformed: Transformed<'a, V, DEPTH>,
-    bins: Bins<'a>,
-    statistics: Statistics,
-}
+pub struct Edges<'a, V = i16, const DEPTH: bool = false>(Recorded<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// Culls the faces and sorts the visible ones by their first row. `records` is scratch for the frame: one
@@ -39,9 +32,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// [`BinsError::TooMany`] beyond 65535 faces; nothing is recorded then.
     #[inline(never)] // what it makes is large: inlined it would stand there once more while faces are drawn
     pub fn faces(&self, records: &'a mut [u16]) -> Result<Faces<'a, V, DEPTH>, BinsError> {
-        let bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
-        let mut faces = Faces { transformed: *self, bins, statistics: Statistics::default() };
-        self.record_faces(&mut faces.bins, &mut faces.statistics)?;
+        let mut faces = Faces(Recorded::new(*self, records, self.placed.mesh.faces().len()));
+        self.record_faces(&mut faces.0)?;
         Ok(faces)
     }
 
@@ -79,22 +71,21 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     /// [`BinsError::TooMany`] beyond 65535 edges; nothing is recorded then.
     #[inline(never)] // what it makes is large: inlined it would stand there once more while edges are drawn
     pub fn edges(&self, records: &'a mut [u16]) -> Result<Edges<'a, V, DEPTH>, BinsError> {
-        let bins = Bins::new(records, self.placed.mesh.edges().len(), pixels(self.placed.area()));
-        let mut edges = Edges { transformed: *self, bins, statistics: Statistics::default() };
-        self.record_edges(&mut edges.bins, &mut edges.statistics)?;
+        let mut edges = Edges(Recorded::new(*self, records, self.placed.mesh.edges().len()));
+        self.record_edges(&mut edges.0)?;
         Ok(edges)
     }
 
     /// Sorts out all faces, and then once more those that are kept.
     #[inline(never)] // its lists are gone when it returns
-    fn record_faces(&self, bins: &mut Bins<'_>, statistics: &mut Statistics) -> Result<(), BinsError> {
+    fn record_faces(&self, faces: &mut Recorded<'_, V, DEPTH>) -> Result<(), BinsError> {
+        let Recorded { bins, statistics, .. } = faces;
         let list = self.placed.mesh.faces();
         let mut sorting = bins.sorting();
         for (index, face) in list.iter().enumerate() {
             self.record(index, face, &mut sorting, statistics);
         }
-        sorting.turn(list.len())?;
-        sorting.sort(|index| self.first_row(index));
+        sorting.finish(list.len(), |index| self.first_row(index))?;
         *statistics = statistics.with_the_rest_culled(list.len());
         Ok(())
     }
@@ -174,15 +165,15 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
 
     /// Sorts out all edges, and then once more those that are kept.
     #[inline(never)] // its lists are gone when it returns
-    fn record_edges(&self, bins: &mut Bins<'_>, statistics: &mut Statistics) -> Result<(), BinsError> {
+    fn record_edges(&self, edges: &mut Recorded<'_, V, DEPTH>) -> Result<(), BinsError> {
+        let Recorded { bins, statistics, .. } = edges;
         let list = self.placed.mesh.edges();
         let mut sorting = bins.sorting();
         for (index, &edge) in list.iter().enumerate() {
             let ends = self.ends_of(edge, statistics);
             sorting.put(index, &ends.map_or(Scissor::EMPTY, |ends| reach_of_line(&ends)));
         }
-        sorting.turn(list.len())?;
-        sorting.sort(|index| self.first_row_of_edge(index));
+        sorting.finish(list.len(), |index| self.first_row_of_edge(index))?;
         *statistics = statistics.with_the_rest_drawn(list.len());
         Ok(())
     }
@@ -252,7 +243,7 @@ impl<'a, V: Coordinate> Facing<'a, V> {
         let mut bins = Bins::new(records, self.placed.mesh.faces().len(), pixels(self.placed.area()));
         let mut statistics = Statistics::default();
         self.record::<DEPTH>(corners, &mut bins, &mut statistics)?;
-        Ok(Faces { transformed: self.transformed::<DEPTH>(corners), bins, statistics })
+        Ok(Faces(Recorded { transformed: self.transformed::<DEPTH>(corners), bins, statistics }))
     }
 
     #[inline(never)] // its lists are gone when it returns
@@ -268,8 +259,7 @@ impl<'a, V: Coordinate> Facing<'a, V> {
             Ok(())
         })?;
         let transformed = self.transformed::<DEPTH>(corners);
-        sorting.turn(count)?;
-        sorting.sort(|index| transformed.first_row(index));
+        sorting.finish(count, |index| transformed.first_row(index))?;
         *statistics = statistics.with_the_rest_culled(count);
         Ok(())
     }
@@ -313,21 +303,18 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
 
     /// Counts for the whole frame, whichever bands were drawn; `drawn` includes faces that cover no pixel.
     pub const fn statistics(&self) -> Statistics {
-        self.statistics
+        self.0.statistics
     }
 
     /// A rectangle around all pixels that are covered; without pixels where none is.
     pub fn bounds(&self) -> Rectangle {
-        rectangle(&self.bins.bounds())
+        self.0.bounds()
     }
 
     /// What of the viewport lies in a band, and that of a depth buffer if there is one; takes in the faces that begin there.
     #[inline(never)] // once for all ways to draw
     pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Window {
-        let Self { transformed, bins, .. } = self;
-        let window = Window::shared(band, transformed.placed.area(), depth);
-        bins.take_in(&window.scissor.rows(), |index| transformed.first_row(index));
-        window
+        self.0.take_in(band, depth, Transformed::first_row)
     }
 
     /// Draws what was [taken in](Self::take_in) for this window.
@@ -338,16 +325,11 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         mut shade: impl FnMut(usize) -> I,
         mut draw: impl FnMut(&Piece<'_>, I) -> Result<(), E>,
     ) -> Result<(), E> {
-        if window.scissor.is_empty() {
-            return Ok(()); // what is open is that of another band
-        }
-        let Self { transformed, bins, .. } = self;
-        let (view, list) = (*transformed, transformed.placed.mesh.faces());
         let rows = window.scissor.rows();
         let mut fan = Fan::new();
         let mut piece = Piece::new(&window.viewport);
-        bins.band(|index| {
-            let Some(face) = list.get(index) else { return Ok(true) };
+        self.0.each(window, |view, index| {
+            let Some(face) = view.placed.mesh.faces().get(index) else { return Ok(true) };
             let kept = view.whole(face);
             if let Some(kept) = kept {
                 put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
@@ -430,21 +412,18 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
 
     /// What became of the edges.
     pub const fn statistics(&self) -> Statistics {
-        self.statistics
+        self.0.statistics
     }
 
     /// A rectangle around all pixels that are drawn; without pixels where none is.
     pub fn bounds(&self) -> Rectangle {
-        rectangle(&self.bins.bounds())
+        self.0.bounds()
     }
 
     /// What of the viewport lies in a band, and that of a depth buffer if there is one; takes in the edges that begin there.
     #[inline(never)] // once for all ways to draw
     pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Window {
-        let Self { transformed, bins, .. } = self;
-        let window = Window::shared(band, transformed.placed.area(), depth);
-        bins.take_in(&window.scissor.rows(), |index| transformed.first_row_of_edge(index));
-        window
+        self.0.take_in(band, depth, Transformed::first_row_of_edge)
     }
 
     /// Draws what was [taken in](Self::take_in) for this window.
@@ -454,18 +433,13 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         window: &Window,
         mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
-        if window.scissor.is_empty() {
-            return Ok(()); // what is open is that of another band
-        }
-        let Self { transformed, bins, .. } = self;
-        let (view, list) = (*transformed, transformed.placed.mesh.edges());
         let end = window.scissor.rows().end;
-        bins.band(|index| {
-            let edge = list.get(index);
+        self.0.each(window, |view, index| {
+            let edge = view.placed.mesh.edges().get(index);
             let Some(ends) = edge.and_then(|&edge| view.ends_of(edge, &mut Statistics::default())) else {
                 return Ok(true);
             };
-            draw(&view, index, ends)?;
+            draw(view, index, ends)?;
             Ok(reach_of_line(&ends).rows().end <= end)
         })
     }
@@ -474,13 +448,15 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
 #[cfg(feature = "defmt")]
 impl<V, const DEPTH: bool> defmt::Format for Faces<'_, V, DEPTH> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "faces within {}: {}", self.bins.bounds(), self.statistics);
+        let Self(Recorded { bins, statistics, .. }) = self;
+        defmt::write!(f, "faces within {}: {}", bins.bounds(), statistics);
     }
 }
 
 #[cfg(feature = "defmt")]
 impl<V, const DEPTH: bool> defmt::Format for Edges<'_, V, DEPTH> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "edges within {}: {}", self.bins.bounds(), self.statistics);
+        let Self(Recorded { bins, statistics, .. }) = self;
+        defmt::write!(f, "edges within {}: {}", bins.bounds(), statistics);
     }
 }

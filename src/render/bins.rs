@@ -190,9 +190,25 @@ impl Sorting<'_, '_> {
         }
     }
 
-    /// Then, after all of `items` were looked at: whether there is room for those that were kept.
+    /// Then, after all of `items` were looked at: those that were kept to their places, by the first rows of their reaches.
+    ///
+    /// # Errors
+    ///
+    /// [`BinsError`] where there is no room for them.
+    #[inline(always)]
+    pub(super) fn finish(
+        &mut self,
+        items: usize,
+        first_row: impl FnMut(usize) -> i32,
+    ) -> Result<(), BinsError> {
+        self.make_room(items)?;
+        self.sort(first_row);
+        Ok(())
+    }
+
+    /// Bins begin where those before them end.
     #[inline(never)]
-    pub(super) fn turn(&mut self, items: usize) -> Result<(), BinsError> {
+    fn make_room(&mut self, items: usize) -> Result<(), BinsError> {
         if items > usize::from(u16::MAX) {
             return Err(BinsError::TooMany { items });
         }
@@ -212,9 +228,9 @@ impl Sorting<'_, '_> {
         Ok(())
     }
 
-    /// At last: the kept items once more, to their places, by the first rows of their reaches.
+    /// The kept items once more, to their places.
     #[inline(always)]
-    pub(super) fn sort(&mut self, mut first_row: impl FnMut(usize) -> i32) {
+    fn sort(&mut self, mut first_row: impl FnMut(usize) -> i32) {
         for word in 0..self.bins.open.len() {
             let mut left = self.bins.open.get_mut(word).map_or(0, core::mem::take);
             while left != 0 {
@@ -252,8 +268,7 @@ mod tests {
         let first_row = |item: usize| reach(item).rows().start;
         let mut sorting = bins.sorting();
         (0..3).for_each(|item| sorting.put(item, &reach(item)));
-        assert_eq!(sorting.turn(3), Ok(()));
-        sorting.sort(first_row);
+        assert_eq!(sorting.finish(3, first_row), Ok(()));
         for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
             let mut met = [false; 3];
             bins.take_in(&(from..to), first_row);

@@ -20,6 +20,7 @@ mod lines;
 mod painter;
 mod path;
 mod plain;
+mod recorded;
 mod smooth;
 mod statistics;
 mod transformed;
@@ -31,6 +32,7 @@ use fan::{Fan, Outcome};
 pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};
 pub use plain::{draw_line, fill_triangle};
+use recorded::Recorded;
 pub use statistics::Statistics;
 pub use transformed::Transformed;
 
@@ -137,7 +139,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
-    ///     faces.solid(|_face| Gray8::WHITE, &mut band)?;
+    ///     faces.solid(|_face| Gray8::WHITE, &mut band.pixels())?;
     ///     band.send(&mut display)?;
     /// }
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
