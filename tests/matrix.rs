@@ -186,12 +186,7 @@ fn what_is_no_affine_matrix_is_refused() {
             for j in 0..4 {
                 let mut m = identity;
                 m[i][j] = bad;
-                let refused = read(&m);
-                assert!(
-                    refused == Err(MatrixError::NotFinite)
-                        || (j == 3 && refused == Err(MatrixError::OutOfRange)),
-                    "{m:?}"
-                );
+                assert_eq!(read(&m), Err(MatrixError::NotFinite), "{m:?}");
             }
         }
     }
@@ -201,9 +196,9 @@ fn what_is_no_affine_matrix_is_refused() {
         assert_eq!(read(&m), Err(MatrixError::NotAffine));
     }
     let mut m = identity;
-    m[1][3] = (30f64).exp2();
+    m[1][3] = (30f64).exp2() + 1.0;
     assert_eq!(read(&m), Err(MatrixError::OutOfRange));
-    m[1][3] = -(30f64).exp2() + 1.0;
+    m[1][3] = -(30f64).exp2();
     assert!(read(&m).is_ok());
 }
 

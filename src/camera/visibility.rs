@@ -59,7 +59,8 @@ impl Camera {
         };
         let centre = [place(0), place(1), place(2)];
         let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
-                                                                                                      // Half of the root of at most 9·2⁵⁸, in 2^(exponent − 28), rounded up.
+
+        // Half of the root of that, in 2^(exponent − 28), rounded up.
         let stretch = (sqrt(squares) >> 1) as i32 + 4;
         let radius = i64::from(sphere.radius.to_bits().max(0)) << 16;
         let radius = mul_translation(stretch, exponent - 28, radius);
@@ -82,7 +83,7 @@ impl Camera {
         let mut visibility = Visibility::Inside;
         let far_out = centre.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
         let away = 64 - far_out.leading_zeros() as i32;
-        // 2⁶³ at most.
+        // How far its points are from the eye, at most; it saturates.
         let all = add(i64::try_from(far_out).unwrap_or(i64::MAX), radius);
         for plane in &planes {
             if plane.overflow(away) > 0 {

@@ -85,14 +85,16 @@ impl Angle {
         let index = (within + (1 << 23)) >> 24; // 0 … 64
         let rest = within - (index << 24); // ±2²³
         let (sin, cos) = (table(index), table(64 - index)); // in 2⁻³⁰
-                                                            // 2π in 2⁻²⁸ times rest·2⁸: δ in 2⁻³⁶, |δ| < 2²⁹·⁷.
+
+        // 2π in 2⁻²⁸ times rest·2⁸: δ in 2⁻³⁶, |δ| < 2²⁹·⁷.
         let delta = mul_high(rest << 8, 1_686_629_713);
         let square = mul_high(delta, delta); // δ² in 2⁻⁴⁰
         let fourth = mul_high(square, square) >> 8; // δ⁴ in 2⁻⁴⁰, < 2¹⁵
         let versine = (square >> 1) - ((fourth * 2731) >> 16); // 1 − cos δ in 2⁻⁴⁰; 2731/2¹⁶ = 1/24
         let cube = mul_high(delta, square); // δ³ in 2⁻⁴⁴
         let sine = delta - (mul_high(cube, 715_827_883) >> 8); // sin δ in 2⁻³⁶; 715827883 = 2³²/6
-                                                               // Both corrections in 2⁻³⁴: |·| < 2²⁷·⁷. Rounded to nearest at the end.
+
+        // Both corrections in 2⁻³⁴: |·| < 2²⁷·⁷. Rounded to nearest at the end.
         let up = mul_high(cos, sine) - (mul_high(sin, versine) >> 4);
         let down = mul_high(sin, sine) + (mul_high(cos, versine) >> 4);
         let (s, c) = (sin + ((up + 8) >> 4), cos - ((down + 8) >> 4));

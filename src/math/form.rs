@@ -144,7 +144,8 @@ impl Halves {
         }
         let [x, y, z] = v;
         let dot = |[a, b, c]: [i32; 3]| (a * x).wrapping_add(b * y).wrapping_add(c * z); // products ≤ 2³⁰
-                                                                                         // Three low products of at most 2²⁹ each, and 15 bits: below 2³¹.
+
+        // Three low products of at most 2²⁹ each, and 15 bits: below 2³¹.
         ((dot(self.low) + self.rest) >> 15).wrapping_add(dot(self.high)).wrapping_add(self.offset)
     }
 

@@ -270,8 +270,9 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     fn record(&mut self, indices: [usize; 3], corners: &[Image; 3], room: &mut Room, ink: I) {
         room.faces += 1;
         let [a, b, c] = corners.map(|c| (c.depth.unsigned_abs() + 128) >> 8); // to whole steps
-                                                                              // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
-                                                                              // of a third by so little that the order of sums is kept.
+
+        // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
+        // of a third by so little that the order of sums is kept.
         let mean = ((a + b + c) * 21_845) >> 16;
         let _ = self.faces.push(Face {
             // Beyond 65535 the mesh is refused at the end, and these never meet a picture.
