@@ -27,7 +27,10 @@ pub(crate) struct Failure;
 
 impl Panel {
     pub(crate) fn new() -> Self {
-        let controller = Controller::new();
+        Self::of(Controller::new())
+    }
+
+    pub(crate) fn of(controller: Controller) -> Self {
         Self(Rc::new(RefCell::new(Wires { controller, data: false, until_failure: None })))
     }
 

@@ -21,6 +21,8 @@ pub(crate) enum Held {
     Upright,
     /// Turned a quarter to the left, so that what was its right border is on top.
     Landscape,
+    /// The same of a glass whose columns run from right to left: what is its right border is the memory's left one.
+    LandscapeMirrored,
 }
 
 /// What the last command was, and what it still waits for.
@@ -40,6 +42,8 @@ pub(crate) struct Controller {
     rows: (u16, u16),
     /// Where the next pixel goes.
     cursor: (u16, u16),
+    /// Whether the glass has blue where others have red: then the bit that exchanges them must be set.
+    bgr: bool,
     /// MADCTL and COLMOD.
     access: u8,
     format: Option<u8>,
@@ -57,6 +61,7 @@ pub(crate) struct Controller {
 const MIRROR_ROWS: u8 = 0x80;
 const MIRROR_COLUMNS: u8 = 0x40;
 const EXCHANGE: u8 = 0x20;
+const BGR: u8 = 0x08;
 
 impl Controller {
     /// As after power is put on: the memory holds whatever it holds.
@@ -67,6 +72,7 @@ impl Controller {
             columns: (0, COLUMNS - 1),
             rows: (0, ROWS - 1),
             cursor: (0, 0),
+            bgr: false,
             access: 0,
             format: None,
             state: State::Parameters(0, 0, Vec::new()),
@@ -77,6 +83,11 @@ impl Controller {
             cut_off: 0,
             errors: Vec::new(),
         }
+    }
+
+    /// The same before a glass of the other order of colours.
+    pub(crate) fn with_bgr(self) -> Self {
+        Self { bgr: true, ..self }
     }
 
     /// Bytes and windows (memory writes) since the last call.
@@ -109,7 +120,7 @@ impl Controller {
                 let memory = std::mem::take(&mut self.memory);
                 let (bytes, windows, cut_off) = (self.bytes, self.windows, self.cut_off);
                 let errors = std::mem::take(&mut self.errors);
-                *self = Self { memory, bytes, windows, cut_off, errors, ..Self::new() };
+                *self = Self { memory, bytes, windows, cut_off, errors, bgr: self.bgr, ..Self::new() };
                 0
             }
             0x11 => {
@@ -188,8 +199,12 @@ impl Controller {
             }
             (0x36, &[access]) => {
                 self.access = access;
-                if access & !(MIRROR_ROWS | MIRROR_COLUMNS | EXCHANGE) != 0 {
-                    self.wrong(format!("MADCTL {access:#04x}: this glass is RGB and refreshed as it stands"));
+                let order = if self.bgr { BGR } else { 0 };
+                if access & !(MIRROR_ROWS | MIRROR_COLUMNS | EXCHANGE) != order {
+                    let colours = if self.bgr { "BGR" } else { "RGB" };
+                    self.wrong(format!(
+                        "MADCTL {access:#04x}: this glass is {colours} and refreshed as it stands"
+                    ));
                 }
             }
             (0x3a, &[format]) => {
@@ -232,6 +247,7 @@ impl Controller {
         let at = |x: usize, y: usize| match held {
             Held::Upright => (x, y),
             Held::Landscape => (usize::from(COLUMNS) - 1 - y, x),
+            Held::LandscapeMirrored => (y, x),
         };
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| at(x, y)));
         pixels.map(|(x, y)| self.memory[y * usize::from(COLUMNS) + x]).collect()
