@@ -390,7 +390,6 @@ fn s4_worked_set_ups_draw_their_golden_pictures() {
     assert!(all == include_str!("reference.golden"), "{all}");
 }
 
-/// The projectors of the worked set-ups are what SPEC 4 says: along DOP, or through the PRP.
 /// The shade of a letter in the golden pictures.
 fn shade(c: char) -> u8 {
     match c {

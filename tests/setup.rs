@@ -38,7 +38,8 @@ fn meshes() {
     assert_eq!(mesh.with_vertex_normals(&normals).expect("one each").vertex_normals(), normals);
     assert_eq!(mesh.corners_of(0, &[7]).iter().filter(|&&c| c == 7).count(), 1);
     assert_eq!(mesh.corners_of(1, &[7; 9]), [0; 3]); // no such face
-                                                     // As many vertices as a u16 can name, and one more.
+
+    // As many vertices as a u16 can name, and one more.
     let many = vec![[1i16, 2, 3]; 65537];
     assert!(Mesh::new(&many[..65536], 0, &[[0, 65535, 9]]).is_ok());
     assert!(matches!(Mesh::new(&many, 0, &[]), Err(MeshError::TooManyVertices { .. })));

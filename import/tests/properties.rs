@@ -3,6 +3,7 @@
 use pinhole_import::{quantise, read_obj, read_stl, ImportError, ImportedMesh, Triangles};
 use proptest::collection::vec;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use std::collections::HashSet;
 use std::path::Path;
 
@@ -62,8 +63,20 @@ const STL: &[&str] = &[
     "\n",
 ];
 
+/// The same cases in every run, unless the environment says otherwise: `PROPTEST_RNG_SEED`, `PROPTEST_CASES`.
+fn cases() -> ProptestConfig {
+    let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
+    if std::env::var_os("PROPTEST_CASES").is_none() {
+        config.cases = 2000;
+    }
+    if config.rng_seed == RngSeed::Random {
+        config.rng_seed = RngSeed::Fixed(0x9119);
+    }
+    config
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(cases())]
 
     #[test]
     fn any_bytes_are_a_mesh_or_refused(bytes in vec(any::<u8>(), 0..600)) {
@@ -109,7 +122,8 @@ proptest! {
         let positions: Vec<[f64; 3]> =
             positions.iter().map(|p: &[f64; 3]| p.map(|c| c * 2f64.powi(scale))).collect();
         let faces: Vec<[usize; 3]> = (2..positions.len()).map(|i| [i - 2, i - 1, i]).collect();
-        let Ok(mesh) = quantise(&Triangles { positions: positions.clone(), faces }) else { return Ok(()) };
+        // Positions at random are hardly ever on a line.
+        let mesh = quantise(&Triangles { positions: positions.clone(), faces }).expect("faces");
         let step = 2f64.powi(i32::from(mesh.exponent));
         let mut worst = 0.0_f64;
         for p in &positions {

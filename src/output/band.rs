@@ -251,8 +251,8 @@ impl<'s, C: Wire> Band<'s, C> {
     fn row(&mut self, row: u32) -> (&mut [u8], usize) {
         let row = row as usize;
         if C::BITS >= 8 {
+            // A pixel inside has a place.
             return (self.bytes, row.wrapping_mul(self.area.size.width as usize));
-            // a pixel inside has a place
         }
         let start = row.wrapping_mul(self.stride);
         (self.bytes.get_mut(start..start.wrapping_add(self.stride)).unwrap_or_default(), 0)

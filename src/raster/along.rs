@@ -129,8 +129,8 @@ mod tests {
             }
         }
         assert!(beyond < 1 << 7, "{beyond}"); // 2⁻¹³
+                                              // 2¹⁴ pixels.
         assert!((1 << 16..(1 << 17) + (1 << 7)).contains(&largest), "{largest}");
-        // 2¹⁴ pixels
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! Builds `examples/oled` and `examples/hello.rs` for five targets by `tools/cross` and runs them under QEMU: the first on
 //! an emulated board with a display, whose picture is taken after every frame; the second prints checksums. Without the
-//! tools the tests say so and pass, except under `CI=true`.
+//! tools the tests say so and pass, except with `CI` set.
 #![allow(clippy::duplicate_mod)] // both have the teapot
 
 mod cross;

@@ -227,8 +227,7 @@ proptest! {
         }
     }
 
-    /// Nothing is drawn outside the bounds, and something in their first and last row and column, where faces are
-    /// more than slivers: the bounds are those of pixel centres in bounding boxes.
+    /// Nothing is drawn outside the bounds, which lie in the picture.
     #[test]
     fn bounds_hold_all_that_is_drawn(scene in scene()) {
         let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);

@@ -1,6 +1,6 @@
 //! What the firmware logs, decoded, is what the host says of the same frames; and what each type's Format says is right.
 //!
-//! Without the tools for it the test says so and passes, except under `CI=true`.
+//! Without the tools for it the test says so and passes, except with `CI` set.
 
 #[path = "../src/film.rs"]
 mod film;
@@ -104,7 +104,7 @@ fn device() -> Option<(Vec<u8>, Vec<u8>)> {
         Err(error) => Some(format!("bash: {error}\n")),
     };
     if let Some(lacking) = lacking {
-        assert!(std::env::var("CI").as_deref() != Ok("true"), "{TARGET}: {lacking}");
+        assert!(std::env::var_os("CI").is_none(), "{TARGET}: {lacking}");
         // Not by eprintln, which the test harness shows only when a test fails.
         write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: defmt on {TARGET}\n{lacking}").expect("stderr");
         return None;

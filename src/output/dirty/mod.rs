@@ -216,6 +216,24 @@ impl<const N: usize> Dirty<N> {
     }
 }
 
+#[cfg(feature = "defmt")]
+impl<const N: usize> defmt::Format for Dirty<N> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (marks, last) = (self.now.len(), self.last.len());
+        let Rectangle { top_left, size } = self.area;
+        defmt::write!(
+            f,
+            "dirty of {} at {}: {=usize}/{=usize} marks, {=usize} before, all: {=bool}",
+            size,
+            top_left,
+            marks,
+            N,
+            last,
+            self.all
+        );
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Dirty, WindowCost};
@@ -319,23 +337,5 @@ mod tests {
         pages.take();
         pages.mark(at(3, 7, 30, 2));
         assert_eq!(pages.take(), [at(3, 0, 30, 16)]);
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<const N: usize> defmt::Format for Dirty<N> {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        let (marks, last) = (self.now.len(), self.last.len());
-        let Rectangle { top_left, size } = self.area;
-        defmt::write!(
-            f,
-            "dirty of {} at {}: {=usize}/{=usize} marks, {=usize} before, all: {=bool}",
-            size,
-            top_left,
-            marks,
-            N,
-            last,
-            self.all
-        );
     }
 }
