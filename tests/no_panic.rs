@@ -1,5 +1,5 @@
-//! No input panics: extremes in every place at once, drawn every way, in debug with its overflow
-//! checks. And whatever the scene, nothing is written outside viewport ∩ target.
+//! No input panics: extremes in every place at once, drawn every way in a plain colour (others: `shading`, `properties`, the
+//! fuzz targets), in debug with its overflow checks. And whatever the scene, nothing is written outside viewport ∩ target.
 
 mod bridge;
 mod oracle;
@@ -108,7 +108,22 @@ fn draw_every_way<V: Coordinate>(
     let mut depths = [0; 20 * 15];
     let mut depth = DepthBuffer::new(target.bounding_box(), &mut depths).expect("as large as the target");
     placed.facing().depth_tested(|face| Ink(face as u16), cache, &mut depth, &mut target).expect("no error");
+    placed.depth_tested(|face| Ink(face as u16), cache, &mut depth, &mut target).expect("no error");
+    placed.depth_only(cache, &mut depth);
     placed.wireframe(Ink(1), cache, &mut target).expect("no error");
+    placed.wireframe_depth_tested(Ink(1), cache, &mut depth, &mut target).expect("no error");
+    placed.hidden_line(Ink(1), cache, &mut depth, &mut target).expect("no error");
+    placed.points(Ink(1), &mut target).expect("no error");
+    placed.polyline(Ink(1), &mut target).expect("no error");
+    let (mut records, mut more) = ([0; 6], [0; 6]); // of five, and one for every 16
+    let transformed = placed.transform_depth(cache);
+    let mut faces = transformed.faces(&mut records).expect("room");
+    let mut edges = transformed.edges(&mut more).expect("room");
+    faces.solid(|face| Ink(face as u16), &mut target).expect("no error");
+    faces.depth_tested(|face| Ink(face as u16), &mut depth, &mut target).expect("no error");
+    edges.draw(Ink(1), &mut target).expect("no error");
+    edges.depth_tested(Ink(1), &mut depth, &mut target).expect("no error");
+    edges.hidden_line(Ink(1), &mut depth, &mut target).expect("no error");
     let mut painter = Painter::<Ink, 30, 16>::new();
     let _ = painter.add(&placed, |_| Ink(2));
     let _ = painter.add(&placed, |_| Ink(3));

@@ -116,9 +116,9 @@ fn spin(arguments: &[&str]) -> Output {
     programs::example("spin", arguments)
 }
 
-/// A path of this test's own.
+/// A path that no other test file has.
 fn scratch(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("spin-{name}"))
 }
 
 #[test]

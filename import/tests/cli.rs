@@ -8,9 +8,11 @@ fn import(arguments: &[&Path]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_pinhole-import")).args(arguments).output().unwrap()
 }
 
-/// A path for a file of this test run.
+/// A path that no other test file has.
 fn scratch(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli");
+    std::fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
 }
 
 #[test]
