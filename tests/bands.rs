@@ -218,8 +218,8 @@ fn a_band_is_sent_in_one_piece() {
     });
 }
 
-/// A mesh of 65 536 vertices, in chunks that share storage for 300: every band draws chunk after chunk, in one order
-/// over all of them.
+/// A mesh of 65 536 vertices, in chunks of 512 that share storage: every band draws chunk after chunk, in one order over
+/// all of them. Then all of it recorded once, with storage for 300.
 #[test]
 fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     // A field of 256 x 256 posts, hilly enough to hide parts of itself.

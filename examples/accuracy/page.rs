@@ -24,10 +24,11 @@ cargo run --release --example accuracy
 
 and CI checks that it is current (`-- --check`). The reference is f64 from the same quantised inputs: the bits of
 angles, eyes, vertices and matrices, never the library's own intermediate results (`tests/oracle`). All inputs come from
-a seeded generator. Every bound on this page stands in the documentation of the function, is asserted by the test named
-beside it, and is at most twice the largest error that it finds (but for `Camera::visibility` and `Placed::facing`, whose
-margins are derived and err on the safe side). A Cortex-M0, whose multiplier keeps 32 bits, computes the same bits as all other cores
-(`both_forms_give_the_same_bits`, `tests/device`), so this page holds for it too.
+a seeded generator. Every bound on this page stands in the documentation of the function and is asserted by the test named
+beside it. That a bound is at most twice the largest error found is asserted for the functions of `tests/bounds.rs`; the
+margins of `Camera::visibility` and `Placed::facing` are derived, and err on the safe side. A Cortex-M0, whose multiplier
+keeps 32 bits, computes the same bits as all other cores (`both_forms_give_the_same_bits`, `tests/device`), so this page
+holds for it too.
 ";
 
 const CHAIN: &str = "\

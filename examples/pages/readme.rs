@@ -18,7 +18,7 @@ pub(crate) fn with_table() -> Result<String, String> {
 }
 
 fn table() -> Result<String, String> {
-    let mut lines = vec!["| | pinhole | others | measured by |".into(), "|---|--:|---|---|".into()];
+    let mut lines = vec!["| | pinhole | others | ours measured by |".into(), "|---|--:|---|---|".into()];
     errors(&mut lines)?;
     speed(&mut lines)?;
     memory(&mut lines)?;

@@ -27,10 +27,11 @@ cleared, the object placed, its vertices transformed, its faces sorted out, lit 
 in memory: nothing is sent. Camera and light are set up before. The compiler knows none of the numbers. Every picture
 is that of the host, compared by checksum, and the scenes cover the pixels that `tools/bench/scenes.json` says.
 
-*At once* draws into memory for the whole frame, with a depth for each pixel, as into any DrawTarget; in *bands* the same
-goes through strips of so many rows, by `Band::pixels`. (A whole frame by `Picture::pixels` takes less than either: see
-[speed.md](speed.md). S3 and S4 are drawn by planes there, and without here: of their faces the corners are looked at.) *Empty* is a frame in which nothing is drawn: what the clears cost. The last columns divide the bands of
-16 rows by what is drawn at once, and both less the empty frame; for the torus with depth the former is to be at most 1.25.
+*At once* draws the whole frame into memory through the generic `DrawTarget` interface, with a depth for each pixel; in
+*bands* the same goes through strips of so many rows, by `Band::pixels`. (A whole frame by `Picture::pixels` takes less than
+either: see [speed.md](speed.md). S3 and S4 are drawn by planes there, and without here: of their faces the corners are
+looked at.) *Empty* is a frame in which nothing is drawn: what the clears cost. The last columns divide the bands of 16 rows
+by what is drawn at once, and both less the empty frame; for the torus with depth the former is to be at most 1.25.
 
 | scene | | at once | one band of 240 rows | bands of 16 rows | of 8 rows | 16 rows / at once | without the clears |
 |---|---|--:|--:|--:|--:|--:|--:|

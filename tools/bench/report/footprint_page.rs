@@ -22,19 +22,19 @@ where an image holds a routine for floating point. ";
 const FLASH: &str = "
 ## Flash
 
-Code, constants and start values of a firmware with one purpose, less those of one that does nothing: it has the same
-mesh, start and end. Fat LTO. The display is a stub. Each turns a cube by an angle and places it before a
-camera, which is a constant of 224 bytes; the second row makes it at run time (`look_at` and `perspective`), which
-costs the difference, once, in any other. *Everything* draws wireframes, hidden and depth-tested lines, flat faces,
-smooth faces with dither and depth, painter's order and points, in bands and dirty rectangles, from two cameras, one of them made at run
-time. The goals are those of thumbv7m at opt-level 3.
+Code, constants and start values of a single-purpose firmware, minus an empty one, which has the same mesh, start and end.
+Fat LTO. The display is a stub. Each turns a cube by an angle and places it before a camera, which is a constant of 224
+bytes; the second row makes it at run time (`look_at` and `perspective`): add this difference once to any other row.
+*Everything* draws wireframes, hidden and depth-tested lines, flat faces, smooth faces with dither and depth, painter's order
+and points, in bands and dirty rectangles, from two cameras, one of them made at run time. The goals are those of thumbv7m at
+opt-level 3.
 
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the README does: faster, and larger. The other rows in bands
 draw into it as into any DrawTarget (`&mut band`). *By planes* is `Placed::facing()`, of a mesh with planes.
 
-The target, the ink, and what gives a face its ink are type parameters, and every closure is a type of its own: a way to draw is linked
-once for each call that has a closure of its own, though two give the same colours. One call in a loop over objects is linked once, and so are
-calls that are given one function.
+The target, the ink, and what gives a face its ink are type parameters: each closure type instantiates the drawing code
+again, even if two closures return the same colours. One call in a loop over objects is linked once, and so are calls that
+are given one function.
 
 | bytes | goal |";
 

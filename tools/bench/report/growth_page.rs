@@ -26,10 +26,10 @@ Count what a frame has of each thing, and add up count × constant, from the col
     instructions = Σ count × constant
     time         = instructions × cycles per instruction / clock  +  pixels sent × 16 / SPI clock
 
-The last two run beside each other where DMA sends one band while the next is drawn: then the longer of them counts. Cycles
-for an instruction are your core's and its flash's: draw one frame of any scene on the board, count its cycles, and divide by what
-the formula says. The counts are of one frame; `Statistics` tells how many faces were drawn. What says *more* comes on top of
-what the same face or edge takes anyway:
+With double-buffered DMA, drawing and sending overlap, so take the longer of the two. Cycles per instruction depend on core
+and flash: draw one frame of any scene on the board, count its cycles, and divide by what the formula says. The counts are of
+one frame; `Statistics` tells how many faces were drawn. What says *more* comes on top of what the same face or edge takes
+anyway:
 
 * *frame*: 1.
 * *vertex*: of the mesh, all of them, in every way. Where faces are asked by their planes (`Placed::facing`) count all of them, too:
@@ -39,18 +39,17 @@ what the same face or edge takes anyway:
 * *large face*: of those drawn, one that is higher than 31 rows or lies across the left or right border of the picture, and each
   that is cut.
 * *face to be clipped*: has a corner before the near plane or far outside the picture; none, where the object is before
-  the camera as a whole. *Face cut*: of those, what a plane cuts, also if it is turned away, which is known only then. By
-  planes, those turned away count for neither.
+  the camera as a whole. *Face cut*: those that a clip plane actually cuts, back faces included (their side is known only
+  after cutting). With `facing`, back faces are in neither count.
 * *row of a face*: over all drawn faces, the rows of pixels in each. *Pixel of a face*: the same, hidden later or not.
 * *pixel of the picture*: width × height; it is cleared, and so is its depth.
-* *band*; *face in a band*: over all bands, the faces that begin, end or go on in each: drawn faces and one more
-  for every border between bands that a face lies across. Of these, *large* is as above, but without those that are cut: such a face
-  is cut anew in each band that it may reach. In bands, *face* is each of the mesh, drawn or not.
+* *band*; *face in a band*: the sum over bands of the faces touching each: drawn faces plus one for every band border a face
+  crosses. Of these, *large* is as above, but without those that are cut: such a face is cut anew in each band that it may
+  reach. In bands, *face* is each of the mesh, drawn or not.
 * *edge across the border*: of those drawn, one that lies partly outside the picture, on any side. *Edge to be clipped*: has an
   end before the near plane or far outside the picture. *Edge cut*: of those, what is drawn in part.
 
-Who knows only the faces and the pixels that they cover together guesses the rows, and from the height of a face, on average, how
-many are large:
+If you know only faces and covered pixels, estimate the rows, and from the average height of a face how many are large:
 ";
 
 const CHECKED: &str = "
@@ -58,7 +57,7 @@ const CHECKED: &str = "
 
 The cases below had no part in the fit. *Off* is what the formula says, over what was counted: above 0 it says too much. The last
 column is the same with guessed rows and large faces. The means of these columns, with their signs and without, stand below each
-table of constants. What rows and pixels take is told apart from the faces by the fit alone; [profile.md](profile.md) has it by
+table of constants. Only the fit separates per-row and per-pixel cost from per-face cost; [profile.md](profile.md) has it by
 following each instruction: on the M3, what these constants give for S2, S3 and S4 is within a tenth of that without depth, and
 within a fifth with depth.
 

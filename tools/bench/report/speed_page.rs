@@ -62,8 +62,10 @@ A shade table has 256 colours: a channel of a pixel is within ½ + MAX/510 of it
 const CELLS_HEAD: &str = "
 ## The cells
 
-*Best rival* is the fastest other library on that scene and core: S3L small3dlib, TGX tgx, 3DG embedded-3dgfx 0.7.2, each
+*Best rival* is the fastest of S3L (small3dlib), TGX (tgx) and 3DG (embedded-3dgfx 0.7.2) on that scene and core, each
 measured once, with the targets, on the same scenes and emulator; which versions of S3L and TGX these were was not noted.
+The lines and triangles of embedded-graphics itself, which need our projection in S1, stand
+[below](#rivals-in-the-same-run).
 *Of target* is below 1 where the target is beaten; *best rival / ours* says how many times as many instructions the best rival
 takes.
 
