@@ -60,11 +60,17 @@ fn speed(lines: &mut Vec<String>) -> Result<(), String> {
         let cell = [scene, variant, core];
         let row = page.row("The cells", &cell)?;
         let (best, theirs) = (row.get("best rival")?, row.after("best rival")?);
-        let published = page.row("Rivals in the same run", &cell)?.get("3DG")?;
-        let others = match best {
+        let rivals = page.row("Rivals in the same run", &cell)?;
+        let published = rivals.get("3DG")?;
+        let mut others = match best {
             "3DG" => format!("3DG {published}"),
             _ => format!("{best} {theirs}, 3DG {published}"),
         };
+        // Where it draws the scene at all.
+        let lines_of_2d = rivals.get("EG")?;
+        if lines_of_2d != "–" {
+            others = format!("EG {lines_of_2d}, {others}");
+        }
         let command =
             ["tools/bench/run cells", scene, if variant.is_empty() { "plain" } else { variant }, core];
         lines.push(format!("| {what} | {} | {others} | `{}` |", row.get("instructions")?, command.join(" ")));
