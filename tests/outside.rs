@@ -6,8 +6,13 @@ mod oracle;
 
 use bridge::draw::{cube_camera as camera, turned_cube as draw, Ink, CUBE, CUBE_FACES, WAYS};
 use bridge::pair::ModelBits;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+use embedded_graphics_core::primitives::Rectangle;
+use oracle::rng::Rng;
 use oracle::target::{Call, Recorder, Refused};
-use pinhole::{Mesh, Painter};
+use pinhole::{Frame, Mesh, Painter, Picture};
 
 #[test]
 fn what_the_target_refuses_comes_back_at_every_call() {
@@ -70,4 +75,49 @@ fn a_painter_serves_again_after_a_target_failed() {
     let mut target = Recorder::sized(40, 30);
     assert_eq!(painter.draw(&mut target), Ok(statistics));
     assert_eq!(target.calls, whole.calls);
+}
+
+/// Rectangles at the ends of their range, filled in a picture and in a band: each pixel that lies in one, and no other.
+#[test]
+fn rectangles_of_any_place_and_size_are_filled() {
+    let (old, new) = (Gray8::new(9), Gray8::new(200));
+    let mut rng = Rng::new(0x3F);
+    let mut met = 0;
+    for _ in 0..20_000 {
+        let size = Size::new(1 + rng.below(20) as u32, 1 + rng.below(20) as u32);
+        let mut place = || match rng.below(6) {
+            0 => i32::MIN + rng.below(40) as i32,
+            1 => i32::MAX - rng.below(40) as i32,
+            _ => rng.int(-30, 30) as i32,
+        };
+        let at = Point::new(place(), place());
+        let mut extent = || match rng.below(5) {
+            0 => u32::MAX - rng.below(40) as u32,
+            1 => (1 << 31) + rng.below(40) as u32,
+            _ => rng.below(50) as u32,
+        };
+        let area = Rectangle::new(at, Size::new(extent(), extent()));
+        let holds = |x: i32, y: i32| {
+            let along = |p: i32, from: i32, extent: u32| {
+                (0..i64::from(extent)).contains(&(i64::from(p) - i64::from(from)))
+            };
+            along(x, at.x, area.size.width) && along(y, at.y, area.size.height)
+        };
+        let mut memory = vec![old; (size.width * size.height) as usize];
+        let mut strip = vec![old.luma(); memory.len()];
+        let Ok(()) = Picture::new(&mut memory, size).expect("room").fill_solid(&area, new);
+        let mut frame = Frame::new(Rectangle::new(Point::zero(), size), old);
+        let mut band = frame.next_band(&mut strip).expect("room").expect("rows");
+        let Ok(()) = band.fill_solid(&area, new);
+        let seen: Vec<Gray8> = band.colours().collect();
+        // As many colours as a display would be sent: those of rows below are not asked for.
+        let Ok(()) = band.fill_contiguous(&area, std::iter::repeat_n(old, 3000));
+        for (i, (picture, band)) in memory.into_iter().zip(seen).enumerate() {
+            let (x, y) = (i as u32 % size.width, i as u32 / size.width);
+            let wanted = if holds(x as i32, y as i32) { new } else { old };
+            assert_eq!((picture, band), (wanted, wanted), "({x}, {y}) of {size:?}: {area:?}");
+            met += usize::from(wanted == new);
+        }
+    }
+    assert!(met > 100_000, "{met}");
 }

@@ -1,6 +1,6 @@
 //! The edges of a mesh, and how the faces hang together along them.
 
-use crate::normals::cosine;
+use crate::normals::turn;
 use crate::{Edges, Problem, Topology};
 
 /// One side of a face: an edge, the lower vertex first, the face, and whether the face runs along it upwards. In one
@@ -103,9 +103,7 @@ impl Sides {
                 Edges::All => true,
                 Edges::None => false,
                 Edges::Feature { degrees } => match (meeting(sides), sides) {
-                    (Meeting::Surface, [a, b]) => {
-                        cosine(crosses[a.face()], crosses[b.face()]) < degrees.to_radians().cos()
-                    }
+                    (Meeting::Surface, [a, b]) => turn(crosses[a.face()], crosses[b.face()]) > degrees,
                     _ => true,
                 },
             };

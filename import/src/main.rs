@@ -131,6 +131,11 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     let (model, output) = (path("MODEL"), path("output"));
     let name = given.get_one::<String>("name").map_or("MESH", String::as_str);
 
+    if let (Ok(from), Ok(to)) = (model.canonicalize(), output.canonicalize()) {
+        if from == to {
+            return Err(format!("{}: is the model itself", output.display()));
+        }
+    }
     let bar = progress();
     let mesh = pinhole_import::import_with(&model, &options(given), |step| {
         bar.set_message(doing(step));

@@ -131,15 +131,17 @@ impl ImportedMesh {
                  pub const OFFSET: [i32; 3] = [{x}, {y}, {z}];"
             );
         } else {
-            let _ = writeln!(out, "// No OFFSET: the centre, {:?}, is beyond I16F16.", self.offset);
+            let _ =
+                writeln!(out, "// No OFFSET: I16F16 cannot hold the centre, {:?}, as it is.", self.offset);
         }
         out
     }
 
-    /// The offset as `I16F16`, if that can hold it.
+    /// The offset as `I16F16`, if that can hold it as it is.
     fn offset_bits(&self) -> Option<[i32; 3]> {
-        let bits = self.offset.map(|c| (c * 65536.0).round());
-        bits.iter().all(|c| c.abs() < 2_147_483_648.0).then(|| bits.map(|c| c as i32))
+        let bits = self.offset.map(|c| c * 65536.0);
+        let is_held = |c: &f64| c.abs() < 2_147_483_648.0 && c.fract() == 0.0;
+        bits.iter().all(is_held).then(|| bits.map(|c| c as i32))
     }
 }
 

@@ -135,3 +135,13 @@ fn the_readme_has_the_options_of_the_help() {
     assert_eq!(options(readme, "| `--"), known);
     assert!(known.len() == 13, "{help}");
 }
+
+#[test]
+fn the_model_is_not_overwritten() {
+    let model = scratch("kept.obj");
+    std::fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let done = import(&[&model, Path::new("-o"), &model]);
+    assert_eq!(done.status.code(), Some(2), "{done:?}");
+    assert!(String::from_utf8(done.stderr).unwrap().contains("is the model itself"));
+    assert!(std::fs::read_to_string(&model).unwrap().starts_with("v 0 0 0"));
+}

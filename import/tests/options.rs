@@ -419,3 +419,37 @@ fn planes_want_the_normals_of_faces() {
         );
     }
 }
+
+/// What turns by 90°, or by 0°, does not turn by more.
+#[test]
+fn feature_edges_are_exact_where_the_angle_is() {
+    let edges = |path: &Path, degrees: f64| {
+        import(path, &Options { edges: Edges::Feature { degrees }, ..Options::default() })
+            .unwrap()
+            .edges
+            .len()
+    };
+    assert_eq!([89.0, 90.0, 91.0].map(|degrees| edges(&block(), degrees)), [12, 0, 0]);
+    // Coplanar triangles of different size: their border, and not what parts them.
+    let plane = file("coplanar.obj", "v 0 0 0\nv 16 -8 0\nv 21 -3 -5\nv 15 0 -5\nf 1 2 3 4\n");
+    assert_eq!([0.0, 30.0].map(|degrees| edges(&plane, degrees)), [4, 4]);
+}
+
+/// The offset that is written is what was subtracted, or it is not written.
+#[test]
+fn offsets_are_what_was_subtracted() {
+    let small = "v .30001 .4 .5\nv .30601 .4 .5\nv .30001 .407 .5\nv .30001 .4 .508\n";
+    let far = "v 32767.3 0 0\nv 32767.9 1 0\nv 32767.5 .5 .3\nv 32767.4 .2 .1\n";
+    let plain = "v 1 2 3\nv 5 2 3\nv 1 9 3\nv 1 2 4\n";
+    for (name, vertices, is_held) in [("small", small, false), ("far", far, false), ("plain", plain, true)] {
+        let path =
+            file(&format!("offset-{name}.obj"), &format!("{vertices}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+        let mesh = import(&path, &Options::default()).unwrap();
+        let written = mesh.to_rust("a test").contains("pub const OFFSET");
+        assert_eq!(
+            (written, mesh.to_rust_mesh("M", &path, "a test").unwrap().contains("M_OFFSET")),
+            (is_held, is_held),
+            "{name}"
+        );
+    }
+}

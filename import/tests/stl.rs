@@ -128,6 +128,12 @@ fn text_is_read_as_people_write_it() {
     let (first, second) = (facet(0), facet(1));
     let two = import(format!("solid a\n{first}endsolid a\nsolid b\n{second}endsolid b\n")).unwrap();
     assert_eq!((two.faces.len(), two.vertices.len()), (2, 6));
+    // Named and not first in their lines.
+    let run_on = import(
+        format!("solid a\n{first} endsolid a b\nsolid b\n{second}").replace("endfacet\n ", "endfacet "),
+    )
+    .unwrap();
+    assert_eq!((run_on.faces.len(), run_on.vertices.len()), (2, 6));
     let unended = import(format!("solid a\n{first}solid b\n{second}")).unwrap();
     assert_eq!(unended, ImportedMesh { warnings: unended.warnings.clone(), ..two });
 }

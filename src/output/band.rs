@@ -345,7 +345,14 @@ impl<C: Wire> DrawTarget for Band<'_, C> {
             wire::copy(bytes, from, from.wrapping_add(area.size.width as usize), colours);
             return Ok(());
         }
-        for row in 0..area.size.height {
+        // Rows below the band need no colours.
+        let (top, bottom) =
+            (area.top_left.y, self.area.top_left.y.saturating_add_unsigned(self.area.size.height));
+        if area.size.width == 0 || bottom <= top {
+            return Ok(());
+        }
+        let rows = area.size.height.min(bottom.wrapping_sub(top) as u32);
+        for row in 0..rows {
             for column in 0..area.size.width {
                 let Some(colour) = colours.next() else { return Ok(()) };
                 let Point { x, y } = area.top_left;

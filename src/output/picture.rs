@@ -1,5 +1,6 @@
 //! A picture in memory.
 
+use super::inside;
 use super::memory::clear;
 use super::pixels::Pixels;
 use super::target::Target;
@@ -71,10 +72,12 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     /// What is more than a run, or not in the picture whole.
     #[inline(never)]
     fn fill_part(&mut self, area: &Rectangle, colour: C) {
-        let Rectangle { top_left: Point { x, y }, size: Size { width, height } } =
-            area.intersection(&self.area);
-        let height = height as i32; // of the picture at most
-        let Ok(()) = self.pixels().fill(Span { x, y, width: width as i32, height }, colour);
+        // Not by `Rectangle::intersection`, whose sums overflow.
+        let both = inside(area).within(&inside(&self.area));
+        let (columns, rows) = (both.columns(), both.rows());
+        // Of the picture at most, which begins at 0.
+        let (width, height) = (columns.end.wrapping_sub(columns.start), rows.end.wrapping_sub(rows.start));
+        let Ok(()) = self.pixels().fill(Span { x: columns.start, y: rows.start, width, height }, colour);
     }
 
     /// The colours, row by row.

@@ -190,7 +190,9 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     where
         I: Ink,
     {
-        if self.area.get_or_insert(*placed.area()) != placed.area() {
+        if self.corners.is_empty() {
+            self.area = Some(*placed.area());
+        } else if self.area.as_ref() != Some(placed.area()) {
             return Err(RecordError::OtherViewport);
         }
         let (old_corners, old_faces) = (self.corners.len(), self.faces.len());

@@ -31,7 +31,9 @@ pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
         if is(word, "facet") {
             out.lines.push(words.line as u32);
             facet(&mut words, &mut out.binary)?;
-        } else if !is(word, "solid") && !ended {
+        } else if is(word, "solid") || ended {
+            words.words = "".split_ascii_whitespace(); // a name may be any words
+        } else {
             return Err(words.refuse("neither `facet` nor `endsolid` stands here"));
         }
     }
@@ -90,12 +92,6 @@ impl<'t> Words<'t> {
             }
             self.words = self.lines.next()?.split_ascii_whitespace();
             self.line += 1;
-            if let Some(first) = self.words.next() {
-                if is(first, "solid") || is(first, "endsolid") {
-                    self.words = "".split_ascii_whitespace(); // a name may be any words
-                }
-                return Some(first);
-            }
         }
     }
 

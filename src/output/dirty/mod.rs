@@ -156,8 +156,8 @@ impl<const N: usize> Dirty<N> {
     /// empty.
     ///
     /// They cost no more bytes than one rectangle about all marks; and as long as the marks of two frames
-    /// are `N` at most, no more than each by itself. They overlap only where that is less than
-    /// another window, or there is no room for more of them.
+    /// are `N` at most, no more than each by itself. They overlap only where cutting saves less
+    /// than another window costs, or there is no room for more of them.
     pub fn take(&mut self) -> Vec<Rectangle, N> {
         let price = self.price();
         let now = core::mem::take(&mut self.now);
