@@ -87,8 +87,8 @@ fn server(folder: &Path) -> Option<(Running, String)> {
     let Ok(child) = started else {
         assert!(std::env::var_os("CI").is_none(), "Xvfb is missing: apt-get install xvfb");
         // Not by eprintln, which the test harness shows only when a test fails.
-        writeln!(std::io::stderr(), "\nSKIPPED, NOT TESTED: no window was opened: apt-get install xvfb")
-            .unwrap();
+        write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: no window was opened: apt-get install xvfb\n")
+            .expect("stderr");
         return None;
     };
     let running = Running(child);
