@@ -11,6 +11,8 @@ mod camera;
 pub mod clip;
 mod math;
 mod output;
+#[cfg(test)]
+mod random;
 pub mod raster;
 mod render;
 mod scene;

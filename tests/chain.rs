@@ -161,9 +161,7 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
         (ndc[1] * w - m[1][3] + m[1][2] * depth) / m[1][1],
         -depth,
     ];
-    let r = exact_view.rows;
-    let at: V3 =
-        core::array::from_fn(|i| exact_view.eye[i] + (0..3).map(|k| r[k][i] * at_view[k]).sum::<f64>());
+    let at = exact_view.back(at_view);
     if at.iter().any(|c| c.abs() > WORLD) {
         return None;
     }

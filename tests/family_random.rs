@@ -181,8 +181,7 @@ fn case(rng: &mut Rng, kind: Kind, reach: Reach) -> Option<Case> {
     };
     let view = random_view(rng);
     let exact = view.exact();
-    let world: V3 =
-        core::array::from_fn(|i| exact.eye[i] + (0..3).map(|k| exact.rows[k][i] * at[k]).sum::<f64>());
+    let world = exact.back(at);
     if world.iter().any(|c| c.abs() > 32000.0) {
         return None;
     }

@@ -76,9 +76,7 @@ fn s4_any_matrix_within_1_256_px() {
         let c = case(&mut rng);
         let bits_view = random_view(&mut rng);
         let view = bits_view.exact();
-        let world =
-            core::array::from_fn(|i| view.eye[i] + (0..3).map(|k| view.rows[k][i] * c.at[k]).sum::<f64>());
-        let Some(world) = bits(world) else { continue };
+        let Some(world) = bits(view.back(c.at)) else { continue };
         let at = view.apply(chain::fx3(world));
         let clip = chain::mul4(&c.matrix, [at[0], at[1], at[2], 1.0]);
         let exact_viewport = Viewport::new(5, -7, 480, 320);

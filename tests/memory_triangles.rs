@@ -115,10 +115,10 @@ fn r9_in_bands_that_do_not_begin_at_the_origin() {
 
 const SIZE: Size = Size::new(90, 70);
 
-/// Colours and depths of a mesh, through the picture's pixels or as any target; depth has so many rows.
+/// Colours and depths of a mesh, through the picture's pixels or as any target, with depth for an area.
 fn tested<I: InkFor<Rgb565>>(
     mesh: &Mesh<'_>,
-    rows: u32,
+    area: Rectangle,
     shade: impl Fn(usize) -> I,
     fast: bool,
 ) -> (Vec<Rgb565>, Vec<u16>) {
@@ -130,8 +130,7 @@ fn tested<I: InkFor<Rgb565>>(
     let camera = Camera::new(&view, &lens, &viewport);
     let model = Affine::<Model, World>::identity();
     let mut pixels = vec![Rgb565::CSS_BLACK; (SIZE.width * SIZE.height) as usize];
-    let area = bridge::rectangle(0, 0, SIZE.width, rows);
-    let mut held = vec![0; (SIZE.width * rows) as usize];
+    let mut held = vec![0; (area.size.width * area.size.height) as usize];
     let mut corners = vec![Corner::EMPTY; mesh.vertices().len()];
     let mut picture = Picture::new(&mut pixels, SIZE).expect("enough memory");
     let mut depth = DepthBuffer::new(area, &mut held).expect("enough memory");
@@ -149,7 +148,16 @@ fn depth_and_colours_are_those_of_any_target() {
     let mut seen = 0;
     for reach in [60, 300, 1500, 9000] {
         for case in 0..60 {
-            let rows = [SIZE.height, SIZE.height - 9, SIZE.height + 9][case % 3];
+            // Depths stand where pixels do in the first three only.
+            let Size { width, height } = SIZE;
+            let area = [
+                bridge::rectangle(0, 0, width, height),
+                bridge::rectangle(0, 0, width, height - 9),
+                bridge::rectangle(0, 0, width, height + 9),
+                bridge::rectangle(0, 0, width - 1, height),
+                bridge::rectangle(0, 1, width, height),
+                bridge::rectangle(-5, -3, width + 20, height / 2),
+            ][case % 6];
             // About points in 2^-10 units, some of them before near, and beyond the picture's border.
             let mut vertices = Vec::new();
             for _ in 0..20 {
@@ -165,13 +173,13 @@ fn depth_and_colours_are_those_of_any_target() {
             let smooth = |face: usize| {
                 Gouraud::new([Rgb888::CSS_GOLD, Rgb888::new(face as u8, 9, 99), Rgb888::CSS_RED])
             };
-            let fast = tested(&mesh, rows, plain, true);
-            assert!(fast == tested(&mesh, rows, plain, false), "{vertices:?}");
-            assert!(tested(&mesh, rows, smooth, true) == tested(&mesh, rows, smooth, false), "{vertices:?}");
-            assert!(tested(&mesh, rows, lit, true) == tested(&mesh, rows, lit, false), "{vertices:?}");
+            let fast = tested(&mesh, area, plain, true);
+            assert!(fast == tested(&mesh, area, plain, false), "{vertices:?}");
+            assert!(tested(&mesh, area, smooth, true) == tested(&mesh, area, smooth, false), "{vertices:?}");
+            assert!(tested(&mesh, area, lit, true) == tested(&mesh, area, lit, false), "{vertices:?}");
             let dithered = |face| smooth(face).dithered();
             assert!(
-                tested(&mesh, rows, dithered, true) == tested(&mesh, rows, dithered, false),
+                tested(&mesh, area, dithered, true) == tested(&mesh, area, dithered, false),
                 "{vertices:?}"
             );
             seen += fast.1.iter().filter(|&&depth| depth != DepthBuffer::NOTHING).count();

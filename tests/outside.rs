@@ -82,7 +82,8 @@ fn a_painter_serves_again_after_a_target_failed() {
 fn rectangles_of_any_place_and_size_are_filled() {
     let (old, new) = (Gray8::new(9), Gray8::new(200));
     let mut rng = Rng::new(0x3F);
-    let mut met = 0;
+    const GIVEN: i64 = 3000;
+    let (mut met, mut met_by_each) = (0, 0);
     for _ in 0..20_000 {
         let size = Size::new(1 + rng.below(20) as u32, 1 + rng.below(20) as u32);
         let mut place = || match rng.below(6) {
@@ -109,15 +110,23 @@ fn rectangles_of_any_place_and_size_are_filled() {
         let mut frame = Frame::new(Rectangle::new(Point::zero(), size), old);
         let mut band = frame.next_band(&mut strip).expect("room").expect("rows");
         let Ok(()) = band.fill_solid(&area, new);
-        let seen: Vec<Gray8> = band.colours().collect();
-        // As many colours as a display would be sent: those of rows below are not asked for.
-        let Ok(()) = band.fill_contiguous(&area, std::iter::repeat_n(old, 3000));
-        for (i, (picture, band)) in memory.into_iter().zip(seen).enumerate() {
-            let (x, y) = (i as u32 % size.width, i as u32 / size.width);
-            let wanted = if holds(x as i32, y as i32) { new } else { old };
-            assert_eq!((picture, band), (wanted, wanted), "({x}, {y}) of {size:?}: {area:?}");
+        let solid: Vec<Gray8> = band.colours().collect();
+        // A colour for each pixel of the rectangle, row by row; fewer leave the rest as it was.
+        let nth = |n: i64| Gray8::new((n % 199) as u8);
+        let Ok(()) = band.fill_contiguous(&area, (0..GIVEN).map(nth));
+        for (i, (picture, (solid, each))) in
+            memory.into_iter().zip(solid.into_iter().zip(band.colours())).enumerate()
+        {
+            let [x, y] = [i as u32 % size.width, i as u32 / size.width].map(|p| p as i32);
+            let wanted = if holds(x, y) { new } else { old };
+            assert_eq!((picture, solid), (wanted, wanted), "({x}, {y}) of {size:?}: {area:?}");
             met += usize::from(wanted == new);
+            let [column, row] = [(x, at.x), (y, at.y)].map(|(p, from)| i64::from(p) - i64::from(from));
+            let place = row.checked_mul(area.size.width.into()).and_then(|start| start.checked_add(column));
+            let given = place.filter(|n| holds(x, y) && (0..GIVEN).contains(n));
+            assert_eq!(each, given.map_or(solid, nth), "({x}, {y}) of {size:?}: {area:?}");
+            met_by_each += usize::from(given.is_some());
         }
     }
-    assert!(met > 100_000, "{met}");
+    assert!(met > 100_000 && met_by_each > 10_000, "{met}, {met_by_each}");
 }

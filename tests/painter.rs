@@ -136,6 +136,42 @@ fn nothing_recorded_draws_nothing() {
     assert!(target.calls.is_empty());
 }
 
+/// A mesh without vertices leaves nothing behind, not even its viewport.
+#[test]
+fn an_empty_mesh_leaves_the_viewport_open() {
+    let (empty, mesh) = (Mesh::new(&[], 0, &[]), Mesh::new(&VERTICES, 0, &FACE));
+    let (empty, mesh) = (empty.expect("a mesh"), mesh.expect("a mesh"));
+    let model = ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library();
+    let other = bridge::draw::cube_camera((3, 4, 9, 9)).library();
+    let mut painter = Painter::<Ink, 4, 4>::new();
+    painter.add(&other.place(&empty, &model), |_| Ink(0)).expect("no room needed");
+    painter.add(&camera().place(&mesh, &model), |_| Ink(7)).expect("the first that draws anything");
+    assert_eq!(painter.add(&other.place(&mesh, &model), |_| Ink(0)), Err(RecordError::OtherViewport));
+    let mut target = Recorder::sized(16, 16);
+    painter.draw(&mut target).expect("no error");
+    assert_eq!(order(&target.calls), [7]);
+}
+
+/// Put in order, drawn, added to, and put in order again: as if all had been there at first.
+#[test]
+fn what_is_added_later_is_put_in_order_too() {
+    let mut rng = Rng::new(0x9C);
+    let (camera, mesh) = (camera(), Mesh::new(&VERTICES, 0, &FACE).expect("a mesh"));
+    for _ in 0..200 {
+        let depths: Vec<i32> = (0..20).map(|_| (ONE * 5 / 4) << rng.below(7)).collect();
+        let mut painter = Painter::<Ink, 60, 20>::new();
+        for (i, &z) in depths.iter().enumerate() {
+            let model = ModelBits(vec![Step::Move([0, 0, -z])]).library();
+            painter.add(&camera.place(&mesh, &model), |_| Ink(i as u16)).expect("enough room");
+            if rng.one_in(3) || i == 19 {
+                let mut target = Recorder::sized(16, 16);
+                painter.order().draw(&mut target).expect("no error");
+                assert_eq!(order(&target.calls), paint(&depths[..=i]), "{depths:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn drawing_forgets_what_was_recorded_also_when_the_target_refuses() {
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");

@@ -9,7 +9,7 @@ mod oracle;
 use bridge::pair::{bits, random_view, ONE};
 use bridge::{point, reals, rectangle, vector};
 use definition::{Family, Picture, Projectors};
-use oracle::chain::{self, dot, length, View, V3};
+use oracle::chain::{self, dot, length, V3};
 use oracle::rng::Rng;
 use pinhole::raster::ScreenPoint;
 use pinhole::{Camera, Hidden, Viewing, Viewport};
@@ -59,10 +59,6 @@ fn sensitivity(picture: &Picture, at: V3, px: f64, steps: f64) -> f64 {
     across * 2f64.sqrt() + along * slant
 }
 
-fn to_world(view: &View, at: V3) -> V3 {
-    core::array::from_fn(|i| view.eye[i] + (0..3).map(|k| view.rows[k][i] * at[k]).sum::<f64>())
-}
-
 #[test]
 fn unproject_gives_the_projected_point_back() {
     let mut rng = Rng::new(0x61);
@@ -75,7 +71,7 @@ fn unproject_gives_the_projected_point_back() {
         let picture = family.picture();
         let n = picture.front + (picture.back - picture.front) * rng.real(0.001, 0.999);
         let at = picture.back_to([rng.real(-1.0, 1.0), rng.real(-1.0, 1.0)], n);
-        let Some(world) = bits(to_world(&view, at)) else { continue };
+        let Some(world) = bits(view.back(at)) else { continue };
         let at = view.apply(chain::fx3(world));
         let camera = camera(view_bits.library().expect("a view"), &family);
         let Ok((screen, depth)) = camera.project(point(world)) else {

@@ -333,12 +333,34 @@ fn s5_at_most_nine_corners_on_a_grid() {
     assert!(counts[7] > 0);
 }
 
+/// How often each answer was given.
+#[derive(Debug, Default)]
+struct Tally {
+    outside: usize,
+    partly: usize,
+    inside: usize,
+}
+
+impl Tally {
+    fn count(&mut self, found: Visibility) {
+        *match found {
+            Visibility::Outside => &mut self.outside,
+            Visibility::Partly => &mut self.partly,
+            Visibility::Inside => &mut self.inside,
+        } += 1;
+    }
+
+    fn assert_each_above(&self, least: usize) {
+        assert!([self.outside, self.partly, self.inside].iter().all(|&n| n > least), "{self:?}");
+    }
+}
+
 /// A node's sphere: never `Outside` with a vertex inside the volume, never `Inside` with one outside;
 /// and `Partly` only where the exact sphere comes near to a plane's border.
 #[test]
 fn s5_whole_nodes_by_their_bounding_sphere() {
     let mut rng = Rng::new(0x506);
-    let mut tally = [0usize; 3];
+    let mut tally = Tally::default();
     let mut useless = 0;
     for _ in 0..30_000 {
         let distance = rng.log(1.0, 300.0);
@@ -354,10 +376,7 @@ fn s5_whole_nodes_by_their_bounding_sphere() {
         // A mesh somewhere about the volume.
         let at =
             [distance * rng.real(-1.5, 1.5), distance * rng.real(-1.5, 1.5), -distance * rng.real(-0.3, 1.6)];
-        let world = core::array::from_fn(|i| {
-            exact.view.eye[i] + (0..3).map(|k| exact.view.rows[k][i] * at[k]).sum::<f64>()
-        });
-        let Some(world) = bits(world) else { continue };
+        let Some(world) = bits(exact.view.back(at)) else { continue };
         let size = rng.log(0.01, distance);
         let exponent = (size / 1000.0).log2().floor().clamp(-32.0, 0.0) as i8;
         let vertices: Vec<[i16; 3]> = (0..6).map(|_| [0; 3].map(|_| rng.int(-1000, 1000) as i16)).collect();
@@ -379,11 +398,7 @@ fn s5_whole_nodes_by_their_bounding_sphere() {
             Visibility::Inside => assert!(clips.iter().all(|p| margin(p) > -1e-6), "{camera:?} {model:?}"),
             Visibility::Partly => {}
         }
-        tally[match found {
-            Visibility::Outside => 0,
-            Visibility::Partly => 1,
-            Visibility::Inside => 2,
-        }] += 1;
+        tally.count(found);
         // A rigid model: the exact sphere against the exact planes.
         if !scaling {
             let centre = exact.view.apply_placed(&exact_model, bridge::reals(sphere.centre));
@@ -410,18 +425,15 @@ fn s5_whole_nodes_by_their_bounding_sphere() {
             }
         }
     }
-    println!(
-        "outside {}, partly {}, inside {}; {useless} undecided without need",
-        tally[0], tally[1], tally[2]
-    );
-    assert!(tally.iter().all(|&n| n > 1000));
+    println!("{tally:?}; {useless} undecided without need");
+    tally.assert_each_above(1000);
 }
 
 /// What is far out and next to a plane: the plane's own coefficients are rounded, and that counts as far as the point is away.
 #[test]
 fn s5_points_far_out_are_outside_or_inside_only_where_they_are() {
     let mut rng = Rng::new(0x507);
-    let mut tally = [0usize; 3];
+    let mut tally = Tally::default();
     for _ in 0..60_000 {
         let w = [-ONE, ONE / 2 + rng.int(0, i64::from(ONE)) as i32, -ONE, ONE];
         let projection = ProjectionBits::Frustum(w, ONE, 30_000 * ONE);
@@ -431,12 +443,13 @@ fn s5_points_far_out_are_outside_or_inside_only_where_they_are() {
         let z = rng.log(1_000.0, 20_000.0);
         let at =
             [chain::fx(w[1]) * z + rng.real(-1.0, 1.0) * rng.log(1e-4, 1.0), z * rng.real(-0.5, 0.5), -z];
-        let world = core::array::from_fn(|i| {
-            exact.view.eye[i] + (0..3).map(|k| exact.view.rows[k][i] * at[k]).sum::<f64>()
-        });
-        let Some(world) = bits(world) else { continue };
+        let Some(world) = bits(exact.view.back(at)) else { continue };
         let sphere = Sphere { centre: point(world), radius: scalar(0) };
-        let found = camera.library().visibility(&sphere, &ModelBits(Vec::new()).library());
+        let (library, identity) = (camera.library(), ModelBits(Vec::new()).library());
+        let found = library.visibility(&sphere, &identity);
+        // A negative radius is none.
+        let negative = Sphere { radius: scalar(-rng.log(1.0, f64::from(i32::MAX)) as i32), ..sphere };
+        assert_eq!(library.visibility(&negative, &identity), found, "{camera:?} {negative:?}");
         let at = exact.view.apply(chain::fx3(world));
         let m = exact.projection;
         let plane: V4 = core::array::from_fn(|k| m[3][k] - m[0][k]);
@@ -446,12 +459,8 @@ fn s5_points_far_out_are_outside_or_inside_only_where_they_are() {
             Visibility::Inside => assert!(inside > -1e-10, "{inside}: {camera:?} {world:?}"),
             Visibility::Partly => {}
         }
-        tally[match found {
-            Visibility::Outside => 0,
-            Visibility::Partly => 1,
-            Visibility::Inside => 2,
-        }] += 1;
+        tally.count(found);
     }
-    println!("outside {}, partly {}, inside {}", tally[0], tally[1], tally[2]);
-    assert!(tally.iter().all(|&n| n > 1000));
+    println!("{tally:?}");
+    tally.assert_each_above(1000);
 }

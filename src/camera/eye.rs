@@ -80,6 +80,7 @@ mod tests {
     use super::*;
     use crate::camera::{Camera, Projection, Viewing, Viewport, Window};
     use crate::math::{Affine, Angle, Point3, Scalar, Vector3};
+    use crate::random::Random;
     use crate::space::{Model, World};
     use embedded_graphics_core::geometry::{Point, Size};
 
@@ -97,11 +98,7 @@ mod tests {
 
     #[test]
     fn each_number_of_the_eye_is_within_its_error() {
-        let (mut state, mut largest, mut counted) = (5_u64, 0.0_f64, 0);
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 40) as f64 / f64::from(1 << 23) - 1.0
-        };
+        let (mut random, mut largest, mut counted) = (Random(5), 0.0_f64, 0);
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
         let number = Scalar::from_num::<f64>;
         let lens =
@@ -112,12 +109,20 @@ mod tests {
         for i in 0..20_000 {
             // Near and far, sheared, mirrored, thin, small.
             let mut vector = |size: f64| {
-                Vector3::new(number(random() * size), number(random() * size), number(random() * size))
+                Vector3::new(
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                )
             };
             let size = [1.0, 0.1, 0.004][i % 3];
             let (x, y, z) = (vector(size), vector(size), vector([1.0, 0.01][i / 3 % 2] * size));
             let mut place = |size: f64| {
-                Point3::new(number(random() * size), number(random() * size), number(random() * size))
+                Point3::new(
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                )
             };
             let (origin, eye) = (place(1.0), place([1.5, 10.0, 60.0][i / 6 % 3]));
             let model = Affine::<Model, World>::from_frame(x, y, z, origin);

@@ -374,6 +374,7 @@ mod tests {
     use super::*;
     use crate::camera::{Projection, Viewing, Viewport, Window};
     use crate::math::{Angle, Point3, Scalar, Vector3};
+    use crate::random::Random;
     use embedded_graphics_core::geometry::{Point, Size};
 
     /// Vertices through the fast path against the same through the clipper's, bit by bit; how many had a place.
@@ -385,13 +386,9 @@ mod tests {
         let camera = Camera::new(&viewing, lens, &viewport);
         let model = Affine::rotation_y(Angle::degrees(33));
         let placement = Placement::new(&camera, &model, -14, 16, true);
-        let (mut state, mut places) = (seed, 0);
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 48) as i16
-        };
+        let (mut random, mut places) = (Random(seed), 0);
         for _ in 0..20_000 {
-            let vertex = [random(), random(), random()];
+            let vertex = random.vertex();
             let h = placement.clip(vertex);
             let plain = placement.project::<_, false>(&vertex, placement.asks_for_d(false, true), true);
             let deep = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
@@ -438,11 +435,7 @@ mod tests {
     fn depth_of_a_corner_is_within_0_7_of_its_unit() {
         let number = Scalar::from_num::<f64>;
         let viewport = Viewport::new(Point::zero(), Size::new(240, 180)).unwrap();
-        let (mut state, mut largest, mut counts) = (7_u64, [0.0_f64; 2], [0; 2]);
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 48) as i16
-        };
+        let (mut random, mut largest, mut counts) = (Random(7), [0.0_f64; 2], [0; 2]);
         for (near, far) in
             [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 1.4), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)]
         {
@@ -463,7 +456,7 @@ mod tests {
                         Placement::new(&camera, &Affine::rotation_y(Angle::degrees(33)), -14, 16, true);
                     let way = usize::from(placement.by_d);
                     for _ in 0..20_000 {
-                        if let Some(error) = depth_error(&placement, [random(), random(), random()]) {
+                        if let Some(error) = depth_error(&placement, random.vertex()) {
                             largest[way] = largest[way].max(error);
                             counts[way] += 1;
                         }

@@ -43,15 +43,15 @@ mod sealed {
 /// `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋` for justified coordinates v, the offset cut to 15 bits below
 /// the unit. Coordinates are [justified](Form::justify) to the top of 32 bits.
 #[cfg(not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32")))))]
-pub(crate) type Form = Wide;
+pub(crate) type Form = LongForm;
 #[cfg(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(crate) type Form = Halves;
+pub(crate) type Form = SplitForm;
 
 /// A form for cores that multiply 32 × 32 bits to 64 and add them up at one go.
 #[cfg(any(test, not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))))]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
-pub(crate) struct Wide {
+pub(crate) struct LongForm {
     /// In 2⁻³², the rounding half included.
     offset: i64,
     /// Each below 2³⁰ − 2¹⁵ in absolute value, times 2.
@@ -59,7 +59,7 @@ pub(crate) struct Wide {
 }
 
 #[cfg(any(test, not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))))]
-impl Wide {
+impl LongForm {
     /// What coordinates are multiplied by, for a left shift that brings the largest to the top of 32 bits.
     pub(crate) const fn justify(shift: u32, _narrow: bool) -> i32 {
         1 << (shift & 31)
@@ -84,7 +84,7 @@ impl Wide {
     }
 }
 
-/// The rounding half added, and bits dropped that no [`Halves`] keeps. An offset leaves room for that half: all that the
+/// The rounding half added, and bits dropped that no [`SplitForm`] keeps. An offset leaves room for that half: all that the
 /// form comes to has.
 fn cut(offset: i64) -> i64 {
     offset.wrapping_add(1 << 31) >> 17 << 17
@@ -106,7 +106,7 @@ fn sum([a, b, c]: [i32; 3], offset: i64, [x, y, z]: [i32; 3]) -> i32 {
 #[cfg(any(test, target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
-pub(crate) struct Halves {
+pub(crate) struct SplitForm {
     low: [i32; 3],
     high: [i32; 3],
     /// The offset in 2⁻¹⁵, and in whole units.
@@ -116,7 +116,7 @@ pub(crate) struct Halves {
 
 #[cfg(any(test, target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[cfg_attr(test, allow(dead_code))] // the host's tests use a part of it
-impl Halves {
+impl SplitForm {
     /// Narrow coordinates are brought to the top of 16 bits instead, by a shift of 16 less: 0 … 15.
     pub(crate) const fn justify(shift: u32, narrow: bool) -> i32 {
         1 << (if narrow { shift & 15 } else { shift & 31 })
@@ -164,14 +164,12 @@ impl Halves {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     #[test]
     fn both_forms_give_the_same_bits() {
-        let mut state = 7u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 33) as i32
-        };
+        let mut random = Random(7);
+        let mut random = || random.below(1 << 31) as i32;
         let limit = (1 << 30) - (1 << 15) - 1;
         for i in 0..200_000 {
             let m = [0; 3].map(|_| match random() % 8 {
@@ -186,11 +184,11 @@ mod tests {
                 _ => (random() << 1) & !0xffff,
             });
             let offset = (i64::from(random()) - (1 << 30)) << (random() % 30) | i64::from(random());
-            let (wide, halves) = (Wide::new(m, offset), Halves::new(m, offset));
-            assert_eq!(wide.numbers(), halves.numbers(), "{i}: {m:?} {offset}");
-            assert_eq!(wide.at(v, true), halves.at(v.map(|c| c >> 16), true), "{i}: {m:?} {v:?} {offset}");
+            let (long, split) = (LongForm::new(m, offset), SplitForm::new(m, offset));
+            assert_eq!(long.numbers(), split.numbers(), "{i}: {m:?} {offset}");
+            assert_eq!(long.at(v, true), split.at(v.map(|c| c >> 16), true), "{i}: {m:?} {v:?} {offset}");
             let v = v.map(|c| c ^ random() >> 16);
-            assert_eq!(wide.at(v, false), halves.at(v, false), "{i}: {m:?} {v:?} {offset}");
+            assert_eq!(long.at(v, false), split.at(v, false), "{i}: {m:?} {v:?} {offset}");
         }
     }
 }

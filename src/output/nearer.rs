@@ -54,7 +54,7 @@ impl<Cell: Copy> Nearer<Cell> for [Cell; 2] {
     {
         let (cells, held) = as_long(cells, held);
         let depth = depth.sheared(shear);
-        Even { two: self, cells, held, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
+        OneCell { two: self, cells, held, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
     }
 }
 
@@ -72,7 +72,7 @@ pub(super) fn as_long<'a, Cell>(
 }
 
 /// Rows of one cell.
-struct Even<'a, Cell> {
+struct OneCell<'a, Cell> {
     two: [Cell; 2],
     cells: &'a mut [Cell],
     held: &'a mut [u16],
@@ -82,7 +82,7 @@ struct Even<'a, Cell> {
     z: u32,
 }
 
-impl<Cell: Copy> Filled for Even<'_, Cell> {
+impl<Cell: Copy> Filled for OneCell<'_, Cell> {
     #[inline(always)]
     fn row(&mut self, start: usize, left: i32, right: i32) {
         let Self { two, cells, held, step, down, z } = self;

@@ -79,16 +79,14 @@ impl Along {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     const DEEPEST: i64 = super::super::FARTHEST as i64;
 
     #[test]
     fn depth_along_a_line_is_that_of_the_point_on_it() {
-        let mut state = 7u64;
-        let mut below = |n: i64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((state >> 33) as i64) % n
-        };
+        let mut random = Random(7);
+        let mut below = |n| random.below(n);
         // Of a step, in 2⁻²⁰: beyond 1/2 and n·2⁻¹⁷; and the largest, whatever n.
         let (mut beyond, mut largest) = (i128::MIN, 0);
         for i in 0..400_000 {

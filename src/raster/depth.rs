@@ -52,23 +52,11 @@ impl Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use crate::raster::{area, triangle, ScreenPoint};
 
     /// Half a step, in 2⁻²⁰; a pixel's 2⁻¹⁷ is 8 of these.
     const HALF: i128 = 1 << 19;
-
-    struct Random(u64);
-
-    impl Random {
-        fn below(&mut self, n: i64) -> i64 {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((self.0 >> 33) as i64) % n
-        }
-
-        fn within(&mut self, n: i64) -> i32 {
-            (self.below(2 * n + 1) - n) as i32
-        }
-    }
 
     /// Largest distance of a covered pixel's stored depth from the exact plane, in 2⁻²⁰ steps, rounded
     /// up; the plane in rationals, over all covered pixels of a scissor.

@@ -172,15 +172,7 @@ impl Long {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-
-    pub(crate) struct Random(pub(crate) u64);
-
-    impl Random {
-        pub(crate) fn within(&mut self, n: i64) -> i32 {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (((self.0 >> 33) as i64) % (2 * n + 1) - n) as i32
-        }
-    }
+    use crate::random::Random;
 
     /// xr and yr, dx and dy of edges within `width` and `height`, and how many rows they meet.
     pub(crate) fn edge(random: &mut Random, i: i64, width: i64, height: i64) -> ((i32, i32), i32, i32, i32) {

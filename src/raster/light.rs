@@ -61,36 +61,32 @@ impl Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use crate::raster::{area, triangle, Scissor, ScreenPoint};
 
-    /// Uniform in −n … n.
-    fn within(state: &mut u64, n: i64) -> i64 {
-        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (*state >> 33) as i64 % (2 * n + 1) - n
-    }
-
     /// The largest distance of a covered pixel's light from the exact one, in 2⁻²⁴, rounded up.
-    fn worst(state: &mut u64, reach: i64, viewport: i32, cases: u32) -> i128 {
+    fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
         let (mut worst, side) = (0, i64::from(viewport) * 256);
         let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
         for case in 0..cases {
-            let middle = [0; 2].map(|_| within(state, side));
-            let mut corner = || middle.map(|m| (m + within(state, reach)).clamp(-1 << 21, 1 << 21));
+            let middle = [0; 2].map(|_| i64::from(random.within(side)));
+            let mut corner =
+                || middle.map(|m| (m + i64::from(random.within(reach))).clamp(-1 << 21, 1 << 21));
             let (a, b, mut c) = (corner(), corner(), corner());
             if case % 4 == 0 {
                 // As thin as can be.
-                let k = within(state, 256).abs();
-                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + within(state, 1));
+                let k = i64::from(random.within(256)).abs();
+                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(random.within(1)));
                 c = c.map(|v| v.clamp(-1 << 21, 1 << 21));
             }
             let points = [a, b, c].map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap());
             if area(&points) == 0 {
                 continue;
             }
-            let lights = [0; 3].map(|_| match within(state, 2) {
+            let lights = [0; 3].map(|_| match random.within(2) {
                 0 => 0,
                 1 => 255 << 10,
-                _ => within(state, 255 << 10).abs() as i32,
+                _ => random.within(255 << 10).abs(),
             });
             let plane = Plane::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
             let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
@@ -115,18 +111,18 @@ mod tests {
     /// Where they share a reciprocal and where they do not.
     #[test]
     fn depth_and_light_at_once_are_those_of_each() {
-        let state = &mut 8;
+        let random = &mut Random(8);
         let scissor = Scissor::new(-600, -600, 600, 600);
         for case in 0..60_000 {
             let reach = [100, 1_000, 4_100, 20_000, 200_000][case % 5];
-            let middle = [0; 2].map(|_| within(state, 100_000));
+            let middle = [0; 2].map(|_| random.within(100_000));
             let corners = [0; 3].map(|_| {
-                let [x, y] = middle.map(|m| (m + within(state, reach)) as i32);
+                let [x, y] = middle.map(|m| m + random.within(reach));
                 ScreenPoint::from_subpixels(x, y).unwrap()
             });
             let apart = [1 << 10, 1 << 18, 1 << 22][case % 3];
-            let depths = [0; 3].map(|_| (1 << 23) + within(state, apart) as i32);
-            let lights = [0; 3].map(|_| within(state, 255 << 10).abs() as i32);
+            let depths = [0; 3].map(|_| (1 << 23) + random.within(apart));
+            let lights = [0; 3].map(|_| random.within(255 << 10).abs());
             if area(&corners) != 0 {
                 let triangle = Triangle::new(corners, area(&corners), &scissor);
                 let each = [Plane::of_depth(&triangle, &depths), Plane::of_light(&triangle, &lights)];
@@ -139,10 +135,10 @@ mod tests {
 
     #[test]
     fn light_over_a_triangle_stays_within_the_bound() {
-        let state = &mut 7;
+        let random = &mut Random(7);
         // Below 64 pixels in 18 bits, 2⁶ of these; all others in 24.
-        let small = [600, 4_000, 16_000].map(|reach| worst(state, reach, 600, 30_000));
-        let large = [65_000, 300_000, 2_000_000].map(|reach| worst(state, reach, 8192, 1_000));
+        let small = [600, 4_000, 16_000].map(|reach| worst(random, reach, 600, 30_000));
+        let large = [65_000, 300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
         let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
         let (bound, bound_large) = ((128 + 35) << 6, (1 << 14) + 2 + 1552);
         assert!(bound <= 1 << 15 && bound_large <= 1 << 15, "2⁻⁹");

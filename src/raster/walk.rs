@@ -230,8 +230,8 @@ fn span(x: i32, y: i32, end: i32) -> Option<Span> {
 mod tests {
     extern crate std;
 
-    use super::super::edge::tests::Random;
     use super::*;
+    use crate::random::Random;
     use crate::raster::{area, Plane};
     use std::vec::Vec;
 

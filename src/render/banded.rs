@@ -2,8 +2,8 @@
 
 use super::bins::{Bins, BinsError, Sorting};
 use super::{
-    fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Outcome, Recorded, Statistics, Transformed,
-    Window,
+    fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Limits, Outcome, Recorded, Statistics,
+    Transformed,
 };
 use crate::camera::{Corner, Image};
 use crate::math::Coordinate;
@@ -287,18 +287,18 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         shade: impl FnMut(usize) -> I,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = self.take_in(&band.area(), None);
-        self.draw_solid(&window, shade, band)
+        let limits = self.take_in(&band.area(), None);
+        self.draw_solid(&limits, shade, band)
     }
 
     #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
     fn draw_solid<T: Target, I: InkFor<T::Color>>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         shade: impl FnMut(usize) -> I,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(window, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, band))
+        self.each(limits, shade, |piece, ink| fill(&piece.triangle, &ink, &limits.scissor, band))
     }
 
     /// Counts for the whole frame, whichever bands were drawn; `drawn` includes faces that cover no pixel.
@@ -313,22 +313,22 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
 
     /// What of the viewport lies in a band, and that of a depth buffer if there is one; takes in the faces that begin there.
     #[inline(never)] // once for all ways to draw
-    pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Window {
+    pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Limits {
         self.0.take_in(band, depth, Transformed::first_row)
     }
 
-    /// Draws what was [taken in](Self::take_in) for this window.
+    /// Draws what was [taken in](Self::take_in) for these limits.
     #[inline(always)]
     pub(super) fn each<I: Ink, E>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         mut shade: impl FnMut(usize) -> I,
         mut draw: impl FnMut(&Piece<'_>, I) -> Result<(), E>,
     ) -> Result<(), E> {
-        let rows = window.scissor.rows();
+        let rows = limits.scissor.rows();
         let mut fan = Fan::new();
-        let mut piece = Piece::new(&window.viewport);
-        self.0.each(window, |view, index| {
+        let mut piece = Piece::new(&limits.viewport);
+        self.0.each(limits, |view, index| {
             let Some(face) = view.placed.mesh.faces().get(index) else { return Ok(true) };
             let kept = view.whole(face);
             if let Some(kept) = kept {
@@ -369,20 +369,20 @@ impl<V: Coordinate> Faces<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = self.take_in(&band.area(), Some(depth));
-        self.draw_depth_tested(&window, shade, depth, band)
+        let limits = self.take_in(&band.area(), Some(depth));
+        self.draw_depth_tested(&limits, shade, depth, band)
     }
 
     #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
     fn draw_depth_tested<T: Target, I: InkFor<T::Color>>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         shade: impl FnMut(usize) -> I,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
         let mut against = band.against(depth);
-        self.each(window, shade, |piece, ink| fill_nearer(piece, &ink, &window.scissor, &mut against, band))
+        self.each(limits, shade, |piece, ink| fill_nearer(piece, &ink, &limits.scissor, &mut against, band))
     }
 }
 
@@ -394,19 +394,19 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
     /// The target's own, at the first span that it refuses.
     #[inline(always)]
     pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
-        let window = self.take_in(&band.area(), None);
-        self.draw_lines(&window, colour, band)
+        let limits = self.take_in(&band.area(), None);
+        self.draw_lines(&limits, colour, band)
     }
 
     #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
     fn draw_lines<T: Target>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         colour: T::Color,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(window, |_, _, [from, to]| {
-            band.line(from.point.pixel(), to.point.pixel(), &window.scissor, colour)
+        self.each(limits, |_, _, [from, to]| {
+            band.line(from.point.pixel(), to.point.pixel(), &limits.scissor, colour)
         })
     }
 
@@ -422,19 +422,19 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
 
     /// What of the viewport lies in a band, and that of a depth buffer if there is one; takes in the edges that begin there.
     #[inline(never)] // once for all ways to draw
-    pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Window {
+    pub(super) fn take_in(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Limits {
         self.0.take_in(band, depth, Transformed::first_row_of_edge)
     }
 
-    /// Draws what was [taken in](Self::take_in) for this window.
+    /// Draws what was [taken in](Self::take_in) for these limits.
     #[inline(always)]
     pub(super) fn each<E>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let end = window.scissor.rows().end;
-        self.0.each(window, |view, index| {
+        let end = limits.scissor.rows().end;
+        self.0.each(limits, |view, index| {
             let edge = view.placed.mesh.edges().get(index);
             let Some(ends) = edge.and_then(|&edge| view.ends_of(edge, &mut Statistics::default())) else {
                 return Ok(true);

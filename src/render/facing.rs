@@ -1,6 +1,6 @@
 //! Faces that are turned away, known by their planes before a vertex is placed.
 
-use super::{fill, fill_nearer, put, Cull, Fan, Ink, InkFor, Placed, Statistics, Transformed, Window};
+use super::{fill, fill_nearer, put, Cull, Fan, Ink, InkFor, Limits, Placed, Statistics, Transformed};
 use crate::camera::{Corner, Eye};
 use crate::math::num::keep_rolled;
 use crate::math::Coordinate;
@@ -83,9 +83,9 @@ impl<'a, V: Coordinate> Facing<'a, V> {
         cache: &mut [Corner],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::new(target, self.placed.area());
-        self.all::<false, I, T::Error>(cache, &window.viewport, shade, |piece, ink| {
-            fill(&piece.triangle, &ink, &window.scissor, target)
+        let limits = Limits::new(target, self.placed.area());
+        self.all::<false, I, T::Error>(cache, &limits.viewport, shade, |piece, ink| {
+            fill(&piece.triangle, &ink, &limits.scissor, target)
         })
     }
 
@@ -103,10 +103,10 @@ impl<'a, V: Coordinate> Facing<'a, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::new(target, self.placed.area()).with_depth(depth);
+        let limits = Limits::new(target, self.placed.area()).with_depth(depth);
         let mut against = target.against(depth);
-        self.all::<true, I, T::Error>(cache, &window.viewport, shade, |piece, ink| {
-            fill_nearer(piece, &ink, &window.scissor, &mut against, target)
+        self.all::<true, I, T::Error>(cache, &limits.viewport, shade, |piece, ink| {
+            fill_nearer(piece, &ink, &limits.scissor, &mut against, target)
         })
     }
 
@@ -258,6 +258,7 @@ impl<V> defmt::Format for Facing<'_, V> {
 mod tests {
     use crate::camera::{Camera, Projection, Viewing, Viewport};
     use crate::math::{Affine, Angle, Point3, Scalar, Vector3};
+    use crate::random::Random;
     use crate::scene::Mesh;
     use crate::space::{Model, World};
     use embedded_graphics_core::geometry::{Point, Size};
@@ -282,11 +283,7 @@ mod tests {
     #[test]
     fn faces_are_left_out_only_where_the_eye_is_behind_their_plane() {
         const FACES: usize = 27;
-        let mut state = 11_u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 40) as f64 / f64::from(1 << 23) - 1.0
-        };
+        let mut random = Random(11);
         let number = Scalar::from_num::<f64>;
         let bits = |v: V| v.map(|c| f64::from(number(c).to_bits()) / 65_536.0); // what the library is given
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
@@ -303,9 +300,9 @@ mod tests {
                 faces[face] = [0, 1, 2].map(|corner| (3 * face + corner) as u16);
                 loop {
                     // Large ones, and small ones.
-                    let (size, about) = ([0.5, 0.02][face % 2], [0; 3].map(|_| 0.5 * random()));
+                    let (size, about) = ([0.5, 0.02][face % 2], [0; 3].map(|_| 0.5 * random.unit()));
                     for vertex in &mut vertices[3 * face..3 * face + 3] {
-                        *vertex = about.map(|c| (reach * (c + size * random())) as i16);
+                        *vertex = about.map(|c| (reach * (c + size * random.unit())) as i16);
                     }
                     let [a, b, c] = faces[face].map(|vertex| vertices[usize::from(vertex)].map(f64::from));
                     let normal = cross(minus(b, a), minus(c, a));
@@ -321,7 +318,7 @@ mod tests {
             let planes: [i16; FACES] = mesh.face_planes();
             let mesh = mesh.with_planes(&planes).unwrap();
             // Sheared, mirrored, thin.
-            let mut vector = |size: f64| bits([0; 3].map(|_| size * random()));
+            let mut vector = |size: f64| bits([0; 3].map(|_| size * random.unit()));
             let thin = [1.0, 0.05][i / 2 % 2];
             let (x, y, z, origin) = (vector(1.0), vector(1.0), vector(thin), vector(1.0));
             let eye = vector([1.2, 4.0, 40.0][i / 4 % 3]);

@@ -1,6 +1,6 @@
 //! Lines against depth: those that are nearer, and those that faces do not hide.
 
-use super::{Edges, Fan, Placed, Statistics, Transformed, Window};
+use super::{Edges, Fan, Limits, Placed, Statistics, Transformed};
 use crate::camera::{Corner, Image};
 use crate::clip::CORNERS;
 use crate::math::Coordinate;
@@ -30,22 +30,22 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::shared(&target.area(), self.area(), Some(depth));
+        let limits = Limits::shared(&target.area(), self.area(), Some(depth));
         let view = Transformed::<V, true>::new(self, cache);
-        view.all_edges(|_, ends| nearer(&ends, colour, &window.scissor, depth, target))
+        view.all_edges(|_, ends| nearer(&ends, colour, &limits.scissor, depth, target))
     }
 
     /// Draws only the faces' depth: what hides lines. Bit for bit the depth of
     /// [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [Corner], depth: &mut DepthBuffer<'_>) -> Statistics {
-        let window = Window::shared(&depth.area(), self.area(), None);
+        let limits = Limits::shared(&depth.area(), self.area(), None);
         let view = Transformed::<V, true>::new(self, cache);
         let Ok(statistics) = view.all(
-            &window.viewport,
+            &limits.viewport,
             |_| Nothing,
             |piece, Nothing| {
-                keep(piece, &window.scissor, depth);
+                keep(piece, &limits.scissor, depth);
                 Ok::<(), core::convert::Infallible>(())
             },
         );
@@ -112,12 +112,12 @@ impl<V: Coordinate> Placed<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::shared(&target.area(), self.area(), Some(depth));
+        let limits = Limits::shared(&target.area(), self.area(), Some(depth));
         let view = Transformed::<V, true>::new(self, cache);
         let mut all = Vec::new();
         view.all_edges(|edge, ends| {
-            let beside = view.beside(edge, &window.viewport, &mut all);
-            unhidden(&ends, beside, colour, &window.scissor, depth, target)
+            let beside = view.beside(edge, &limits.viewport, &mut all);
+            unhidden(&ends, beside, colour, &limits.scissor, depth, target)
         })
     }
 }
@@ -135,19 +135,19 @@ impl<V: Coordinate> Edges<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = self.take_in(&band.area(), Some(depth));
-        self.draw_depth_tested(&window, colour, depth, band)
+        let limits = self.take_in(&band.area(), Some(depth));
+        self.draw_depth_tested(&limits, colour, depth, band)
     }
 
     #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
     fn draw_depth_tested<T: Target>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         colour: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(window, |_, _, ends| nearer(&ends, colour, &window.scissor, depth, band))
+        self.each(limits, |_, _, ends| nearer(&ends, colour, &limits.scissor, depth, band))
     }
 
     /// What lies in a band, as [`Placed::hidden_line`] draws it.
@@ -162,22 +162,22 @@ impl<V: Coordinate> Edges<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let window = self.take_in(&band.area(), Some(depth));
-        self.draw_unhidden(&window, colour, depth, band)
+        let limits = self.take_in(&band.area(), Some(depth));
+        self.draw_unhidden(&limits, colour, depth, band)
     }
 
     #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
     fn draw_unhidden<T: Target>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         colour: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
         let mut all = Vec::new();
-        self.each(window, |view, edge, ends| {
-            let beside = view.beside(edge, &window.viewport, &mut all);
-            unhidden(&ends, beside, colour, &window.scissor, depth, band)
+        self.each(limits, |view, edge, ends| {
+            let beside = view.beside(edge, &limits.viewport, &mut all);
+            unhidden(&ends, beside, colour, &limits.scissor, depth, band)
         })
     }
 }
@@ -186,17 +186,17 @@ impl<V: Coordinate> super::Faces<'_, V, true> {
     /// Keeps the depth of what lies in a band and draws nothing: see [`Placed::depth_only`].
     #[inline(always)]
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
-        let window = self.take_in(&depth.area(), None);
-        self.keep_depth(&window, depth);
+        let limits = self.take_in(&depth.area(), None);
+        self.keep_depth(&limits, depth);
     }
 
     #[inline(never)] // its frame is gone when it returns, and is not there while items are taken in
-    fn keep_depth(&mut self, window: &Window, depth: &mut DepthBuffer<'_>) {
+    fn keep_depth(&mut self, limits: &Limits, depth: &mut DepthBuffer<'_>) {
         let Ok(()) = self.each(
-            window,
+            limits,
             |_| Nothing,
             |piece, Nothing| {
-                keep(piece, &window.scissor, depth);
+                keep(piece, &limits.scissor, depth);
                 Ok::<(), core::convert::Infallible>(())
             },
         );

@@ -221,7 +221,7 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         cache: &mut [Corner],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let Window { scissor, .. } = Window::new(target, self.area());
+        let Limits { scissor, .. } = Limits::new(target, self.area());
         Transformed::<V, false>::new(self, cache)
             .all_edges(|_, [from, to]| target.line(from.point.pixel(), to.point.pixel(), &scissor, colour))
     }
@@ -241,9 +241,9 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         cache: &mut [Corner],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::new(target, self.area());
+        let limits = Limits::new(target, self.area());
         Transformed::<V, false>::new(self, cache)
-            .all(&window.viewport, shade, |piece, ink| fill(&piece.triangle, &ink, &window.scissor, target))
+            .all(&limits.viewport, shade, |piece, ink| fill(&piece.triangle, &ink, &limits.scissor, target))
     }
 
     /// Draws the faces, one colour each, where they are nearer than what `depth` holds: right for all
@@ -301,16 +301,16 @@ impl<'m, V: Coordinate> Placed<'m, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let window = Window::new(target, self.area()).with_depth(depth);
+        let limits = Limits::new(target, self.area()).with_depth(depth);
         let mut against = target.against(depth);
-        Transformed::<V, true>::new(self, cache).all(&window.viewport, shade, |piece, ink| {
-            fill_nearer(piece, &ink, &window.scissor, &mut against, target)
+        Transformed::<V, true>::new(self, cache).all(&limits.viewport, shade, |piece, ink| {
+            fill_nearer(piece, &ink, &limits.scissor, &mut against, target)
         })
     }
 }
 
-/// Where it may be drawn, and the viewport, to which what varies over it is referred.
-struct Window {
+/// Where it may be drawn, and the pixels of the viewport, to which what varies over a triangle is referred.
+struct Limits {
     scissor: Scissor,
     viewport: Scissor,
 }
@@ -321,7 +321,7 @@ fn pixels(viewport: &Rectangle) -> Scissor {
     Scissor::as_given(x, y, x.wrapping_add_unsigned(size.width), y.wrapping_add_unsigned(size.height))
 }
 
-impl Window {
+impl Limits {
     #[inline(always)]
     fn new(target: &impl Target, viewport: &Rectangle) -> Self {
         Self::of(&target.area(), viewport)
@@ -342,10 +342,10 @@ impl Window {
     /// The same for what is drawn in several ways in one firmware: in bands, in painter's order, lines against depth.
     #[inline(never)]
     fn shared(target: &Rectangle, viewport: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Self {
-        let window = Self::of(target, viewport);
+        let limits = Self::of(target, viewport);
         match depth {
-            Some(depth) => window.with_depth(depth),
-            None => window,
+            Some(depth) => limits.with_depth(depth),
+            None => limits,
         }
     }
 }

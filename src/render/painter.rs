@@ -1,7 +1,7 @@
 //! Painter's order: from far to near, over everything recorded.
 
 use super::transformed::project;
-use super::{fill, Fan, Ink, InkFor, Outcome, Placed, Statistics, Transformed, Window};
+use super::{fill, Fan, Ink, InkFor, Limits, Outcome, Placed, Statistics, Transformed};
 use crate::camera::{Corner, Image};
 use crate::math::num::keep_rolled;
 use crate::math::Coordinate;
@@ -136,15 +136,15 @@ impl<I: Copy> PaintersOrder<'_, I> {
         I: InkFor<T::Color>,
     {
         let Some(area) = &self.area else { return Ok(()) };
-        let window = Window::shared(&target.area(), area, None);
+        let limits = Limits::shared(&target.area(), area, None);
         let mut at = self.first;
         while let Some(face) = self.faces.get(usize::from(at)) {
             let points = face
                 .corners
                 .map(|i| self.corners.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
-            if !Scissor::of(&points).and(&window.scissor).is_empty() {
-                let triangle = Triangle::new(points, raster::area(&points), &window.viewport);
-                fill(&triangle, &face.ink, &window.scissor, target)?;
+            if !Scissor::of(&points).and(&limits.scissor).is_empty() {
+                let triangle = Triangle::new(points, raster::area(&points), &limits.viewport);
+                fill(&triangle, &face.ink, &limits.scissor, target)?;
             }
             at = face.next;
         }

@@ -1,6 +1,6 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
-use super::{Placed, Statistics, Transformed, Window};
+use super::{Limits, Placed, Statistics, Transformed};
 use crate::math::Coordinate;
 use crate::output::Target;
 use crate::raster::{self, Pixel, Span};
@@ -13,7 +13,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// The target's own, at the first pixel that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn points<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let Window { scissor, .. } = Window::new(target, self.area());
+        let Limits { scissor, .. } = Limits::new(target, self.area());
         let mut statistics = Statistics::default();
         for index in 0..self.mesh.vertices().len() {
             match self.project(index) {
@@ -56,7 +56,7 @@ impl<V: Coordinate> Placed<'_, V> {
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
     pub fn polyline<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let Window { scissor, .. } = Window::new(target, self.area());
+        let Limits { scissor, .. } = Limits::new(target, self.area());
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.

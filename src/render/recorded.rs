@@ -1,7 +1,7 @@
 //! Items of a mesh, faces or edges, that are recorded once and met band by band.
 
 use super::bins::Bins;
-use super::{pixels, Statistics, Transformed, Window};
+use super::{pixels, Limits, Statistics, Transformed};
 use crate::output::{rectangle, DepthBuffer};
 
 use embedded_graphics_core::primitives::Rectangle;
@@ -34,14 +34,14 @@ impl<'a, V, const DEPTH: bool> Recorded<'a, V, DEPTH> {
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
         first_row: impl Fn(&Transformed<'a, V, DEPTH>, usize) -> i32,
-    ) -> Window {
+    ) -> Limits {
         let Self { transformed, bins, .. } = self;
-        let window = Window::shared(band, transformed.placed.area(), depth);
-        bins.take_in(&window.scissor.rows(), |index| first_row(transformed, index));
-        window
+        let limits = Limits::shared(band, transformed.placed.area(), depth);
+        bins.take_in(&limits.scissor.rows(), |index| first_row(transformed, index));
+        limits
     }
 
-    /// Calls `draw` for the items that were [taken in](Self::take_in) for this window, in the mesh's order. It tells whether
+    /// Calls `draw` for the items that were [taken in](Self::take_in) for these limits, in the mesh's order. It tells whether
     /// the item ends there: then no band below meets it.
     ///
     /// # Errors
@@ -50,10 +50,10 @@ impl<'a, V, const DEPTH: bool> Recorded<'a, V, DEPTH> {
     #[inline(always)]
     pub(super) fn each<E>(
         &mut self,
-        window: &Window,
+        limits: &Limits,
         mut draw: impl FnMut(&Transformed<'a, V, DEPTH>, usize) -> Result<bool, E>,
     ) -> Result<(), E> {
-        if window.scissor.is_empty() {
+        if limits.scissor.is_empty() {
             return Ok(()); // what is open is that of another band
         }
         let view = self.transformed;

@@ -13,6 +13,8 @@ use super::fan::Outcome;
 /// let [cube, ball] = [4, 9].map(|drawn| Statistics { drawn, culled: 2 * drawn, ..Statistics::default() });
 /// let both = cube.and(ball);
 /// assert_eq!((both.drawn, both.culled, both.outside), (13, 26, 0));
+/// let many = Statistics { drawn: u32::MAX - 4, ..both };
+/// assert_eq!(both.and(many).drawn, u32::MAX);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -148,38 +148,33 @@ impl<C: Channels, R: Rounding> Iterator for Run<C, R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use crate::raster::{area, triangle, Scissor, ScreenPoint};
     use embedded_graphics_core::pixelcolor::Gray8;
 
-    /// Uniform in −n … n.
-    fn within(state: &mut u64, n: i64) -> i32 {
-        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((*state >> 33) as i64 % (2 * n + 1) - n) as i32
-    }
-
     /// The largest distance of a covered pixel's level from the exact one, in 2⁻²⁴, rounded up.
-    fn worst(state: &mut u64, reach: i64, viewport: i32, cases: u32) -> i128 {
+    fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
         let (mut worst, side) = (0, i64::from(viewport) * 256);
         let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
         for case in 0..cases {
-            let middle = [0; 2].map(|_| i64::from(within(state, side)));
+            let middle = [0; 2].map(|_| i64::from(random.within(side)));
             let mut corner =
-                || middle.map(|m| (m + i64::from(within(state, reach))).clamp(-1 << 21, 1 << 21));
+                || middle.map(|m| (m + i64::from(random.within(reach))).clamp(-1 << 21, 1 << 21));
             let (a, b, mut c) = (corner(), corner(), corner());
             if case % 4 == 0 {
                 // As thin as can be.
-                let k = i64::from(within(state, 256)).abs();
-                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(within(state, 1)));
+                let k = i64::from(random.within(256)).abs();
+                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(random.within(1)));
                 c = c.map(|v| v.clamp(-1 << 21, 1 << 21));
             }
             let points = [a, b, c].map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap());
             if area(&points) == 0 {
                 continue;
             }
-            let colours = [0; 3].map(|_| match within(state, 2) {
+            let colours = [0; 3].map(|_| match random.within(2) {
                 0 => 0,
                 1 => 65_280,
-                _ => within(state, 65_280).unsigned_abs() as u16,
+                _ => random.within(65_280).unsigned_abs() as u16,
             });
             let face = Gouraud(colours.map(|c| Flat([c; 3])));
             let ramps = face.over::<Gray8>(&Triangle::new(points, area(&points), &scissor));
@@ -207,9 +202,9 @@ mod tests {
 
     #[test]
     fn levels_over_a_triangle_stay_within_the_bound() {
-        let state = &mut 5;
-        let small = [600, 20_000, 65_000].map(|reach| worst(state, reach, 600, 30_000));
-        let large = [300_000, 2_000_000].map(|reach| worst(state, reach, 8192, 1_000));
+        let random = &mut Random(5);
+        let small = [600, 20_000, 65_000].map(|reach| worst(random, reach, 600, 30_000));
+        let large = [300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
         let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
         // In 2⁻²⁴: 1024 rows and columns by ½, 2 and the reciprocal; 2¹⁵ by ½.
         assert!(small <= 512 + 2 + 1552 && large <= (1 << 14) + 2 + 1552, "{small} {large}");

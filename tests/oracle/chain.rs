@@ -173,6 +173,11 @@ impl View {
         let relative = Affine { m: model.m, t: core::array::from_fn(|i| model.t[i] - self.eye[i]) };
         mul3(&self.rows, relative.apply(p))
     }
+
+    /// What [`apply`](Self::apply) brings here: the rows are orthonormal.
+    pub(crate) fn back(&self, at: V3) -> V3 {
+        core::array::from_fn(|i| self.eye[i] + (0..3).map(|k| self.rows[k][i] * at[k]).sum::<f64>())
+    }
 }
 
 /// SPEC 4: the frustum, near and far positive distances.

@@ -4,10 +4,14 @@ use crate::bridge;
 use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use crate::oracle::rng::Rng;
 use crate::oracle::shade::Lit;
-use crate::target::{flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Picture};
+use crate::target::{
+    flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Own, Picture,
+};
+use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     Affine, Camera, Corner, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, InkFor, Mesh, Painter, Shaded,
+    Stored,
 };
 
 const FACES: usize = 14;
@@ -127,5 +131,47 @@ fn bands_of_every_height_make_the_whole() {
     for _ in 0..60 {
         let scene = Scene::random(&mut rng);
         for_every_colour!(every_ink(&scene));
+    }
+}
+
+/// The same through the band's memory, of one byte a pixel to four.
+fn through_pixels<C: Colour + Stored<[u8; N]>, const N: usize>(scene: &Scene) {
+    let camera = scene.camera();
+    let mesh = Mesh::new(&scene.vertices, -6, &scene.faces).expect("a mesh");
+    let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+    let pixels = (scene.frame.size.width * scene.frame.size.height) as usize;
+    let (mut corners, mut records) = ([Corner::EMPTY; VERTICES], [0; FACES + 1]);
+    let projected = placed.transform_depth(&mut corners);
+    let mut faces = projected.faces(&mut records).expect("room");
+    for rows in [1, 7, scene.frame.size.height] {
+        let [one, other] = [false, true].map(|fast| {
+            let mut frame = Frame::new(scene.frame, C::decode(0));
+            let mut strip = vec![0xff; Frame::<C>::strip_bytes(scene.frame.size.width, rows)];
+            let mut bytes = Vec::new();
+            while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
+                let mut storage = vec![0; pixels];
+                let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
+                let smooth = |face: usize| scene.inks[face].1.dithered();
+                let Ok(()) = match fast {
+                    true => faces.depth_tested(smooth, &mut depth, &mut band.pixels()),
+                    false => faces.depth_tested(smooth, &mut depth, &mut band),
+                };
+                bytes.extend_from_slice(band.bytes());
+            }
+            bytes
+        });
+        assert!(one == other, "{}, {rows} rows", core::any::type_name::<C>());
+    }
+}
+
+#[test]
+fn through_their_memory_bands_are_the_same() {
+    let mut rng = Rng::new(0x81);
+    for _ in 0..60 {
+        let scene = Scene::random(&mut rng);
+        through_pixels::<Gray8, 1>(&scene);
+        through_pixels::<Rgb565, 2>(&scene);
+        through_pixels::<Rgb888, 3>(&scene);
+        through_pixels::<Own, 4>(&scene);
     }
 }

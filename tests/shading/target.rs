@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::{
 };
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Camera, Channels, Gouraud, InkFor, Mesh, Placed, Scalar, ShadeTable, Shaded, Wire};
+use pinhole::{Camera, Channels, Gouraud, InkFor, Mesh, Placed, Scalar, ShadeTable, Shaded, Stored, Wire};
 use std::convert::Infallible;
 
 /// A colour whose channels the tests can read.
@@ -48,6 +48,47 @@ impl Colour for BinaryColor {
     }
 }
 
+/// A colour of one's own: 32 bits on the wire, and channels whose highest levels are no powers of two less one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Own([u8; 3]);
+
+impl PixelColor for Own {
+    type Raw = ();
+}
+
+impl Channels for Own {
+    const GREY: bool = false;
+    const MAX: [u8; 3] = [100, 1, 200];
+    fn from_channels(levels: [u8; 3]) -> Self {
+        Self(levels)
+    }
+}
+
+impl Wire for Own {
+    const BITS: u32 = 32;
+    fn encode(self) -> u32 {
+        let [r, g, b] = self.0;
+        u32::from_be_bytes([0xa5, b, g, r])
+    }
+    fn decode(bits: u32) -> Self {
+        let [_, b, g, r] = bits.to_be_bytes();
+        Self([r, g, b])
+    }
+}
+
+impl Stored<[u8; 4]> for Own {
+    fn stored(self) -> [u8; 4] {
+        self.encode().to_be_bytes()
+    }
+}
+
+impl Colour for Own {
+    const DEPTHS: Depths = Depths(&[100, 1, 200]);
+    fn levels(self) -> Vec<i128> {
+        self.0.map(i128::from).to_vec()
+    }
+}
+
 /// Runs a generic test for every kind of colour.
 macro_rules! for_every_colour {
     ($test:ident($($argument:expr),*)) => {{
@@ -57,6 +98,7 @@ macro_rules! for_every_colour {
         $test::<embedded_graphics_core::pixelcolor::Gray4>($($argument),*);
         $test::<embedded_graphics_core::pixelcolor::Gray2>($($argument),*);
         $test::<embedded_graphics_core::pixelcolor::BinaryColor>($($argument),*);
+        $test::<crate::target::Own>($($argument),*);
     }};
 }
 pub(crate) use for_every_colour;

@@ -1,0 +1,33 @@
+//! The same numbers at random for every test here.
+
+/// A congruential generator modulo 2⁶⁴; its upper half is what is given out. (Knuth, *The Art of Computer Programming*,
+/// vol. 2, 3rd ed., section 3.3.4, table 1, line 26.)
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    /// 32 bits.
+    pub(crate) fn bits(&mut self) -> u32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 32) as u32
+    }
+
+    /// 0 … n − 1; n at most 2³¹.
+    pub(crate) fn below(&mut self, n: i64) -> i64 {
+        i64::from(self.bits() >> 1) % n
+    }
+
+    /// −n … n; n below 2³⁰.
+    pub(crate) fn within(&mut self, n: i64) -> i32 {
+        (self.below(2 * n + 1) - n) as i32
+    }
+
+    /// −1 … 1.
+    pub(crate) fn unit(&mut self) -> f64 {
+        f64::from(self.bits() >> 8) / f64::from(1 << 23) - 1.0
+    }
+
+    /// Any vertex.
+    pub(crate) fn vertex(&mut self) -> [i16; 3] {
+        [0; 3].map(|_| (self.bits() >> 16) as i16)
+    }
+}
