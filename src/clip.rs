@@ -89,27 +89,28 @@ impl Carried for () {
     fn towards(&self, (): &(), _: i64) {}
 }
 
-/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each cut rounds to
-/// nearest.
+/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each cut rounds the first
+/// two to nearest; the third is what they leave of 1, so that it may be off by twice as much.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Barycentric(pub(crate) [i32; 3]);
+pub struct Barycentric([i32; 2]);
 
 impl Barycentric {
-    /// One weight per corner, 0 … 2³⁰; together 2³⁰ but for rounding.
+    /// One weight per corner, together 2³⁰: 0 … 2³⁰, and of the third −6 … 2³⁰ + 6, a unit for each plane that may cut.
     pub const fn weights(self) -> [i32; 3] {
-        self.0
+        let [a, b] = self.0;
+        [a, b, (1 << 30) - a - b] // a, b: 0 … 2³⁰
     }
 }
 
 impl Carried for Barycentric {
     fn of(corner: usize) -> Self {
-        Self([0, 1, 2].map(|i| i32::from(i == corner) << 30))
+        Self([0, 1].map(|i| i32::from(i == corner) << 30))
     }
 
     fn towards(&self, other: &Self, t: i64) -> Self {
-        let ([a, b, c], [p, q, r], t) = (self.0, other.0, t as i32); // below 2³¹
-        Self([between(a, p, t), between(b, q, t), between(c, r, t)])
+        let ([a, b], [p, q], t) = (self.0, other.0, t as i32); // below 2³¹
+        Self([between(a, p, t), between(b, q, t)])
     }
 }
 

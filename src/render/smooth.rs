@@ -61,7 +61,7 @@ macro_rules! smooth {
             type Carried = Barycentric;
 
             fn piece(&self, corners: [Barycentric; 3]) -> Self {
-                self.part(corners.map(|c| c.0))
+                self.part(corners.map(|c| c.weights()))
             }
         }
 
@@ -101,7 +101,7 @@ impl<C: PixelColor> Ink for Shaded<'_, C> {
     type Carried = Barycentric;
 
     fn piece(&self, corners: [Barycentric; 3]) -> Self {
-        self.part(corners.map(|c| c.0))
+        self.part(corners.map(|c| c.weights()))
     }
 }
 

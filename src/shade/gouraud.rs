@@ -158,8 +158,14 @@ mod tests {
         let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
         for case in 0..cases {
             let middle = [0; 2].map(|_| i64::from(random.within(side)));
-            let mut corner =
-                || middle.map(|m| (m + i64::from(random.within(reach))).clamp(-1 << 21, 1 << 21));
+            let mut corner = || {
+                middle.map(|m| {
+                    // Every fourth one as large as can be.
+                    let end = (2 * random.below(2) - 1) * reach;
+                    let away = if case % 4 == 1 { end } else { i64::from(random.within(reach)) };
+                    (m + away + i64::from(random.within(1))).clamp(-1 << 21, 1 << 21)
+                })
+            };
             let (a, b, mut c) = (corner(), corner(), corner());
             if case % 4 == 0 {
                 // As thin as can be.
@@ -206,8 +212,9 @@ mod tests {
         let small = [600, 20_000, 65_000].map(|reach| worst(random, reach, 600, 30_000));
         let large = [300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
         let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
-        // In 2⁻²⁴: 1024 rows and columns by ½, 2 and the reciprocal; 2¹⁵ by ½.
-        assert!(small <= 512 + 2 + 1552 && large <= (1 << 14) + 2 + 1552, "{small} {large}");
-        assert!(small > 256 && large > 1 << 13, "{small} {large}");
+        // In 2⁻²⁴: 1024 rows and columns by ½, 34 for the origin, and the reciprocal, of whose 1552 no more than 400 is
+        // asserted, as none is met; 2¹⁵ rows and columns by ½.
+        assert!(small <= 512 + 34 + 400 && large <= (1 << 14) + 34 + 1552, "{small} {large}");
+        assert!(small > 473 && large > 9000, "{small} {large}");
     }
 }

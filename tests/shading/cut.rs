@@ -8,6 +8,7 @@ use crate::target::{
     draw, for_every_colour, gouraud, lit, mesh, random_colour, random_lights, shaded, Colour, Picture, SIZE,
 };
 use embedded_graphics_core::pixelcolor::Gray8;
+use pinhole::clip::{Barycentric, Carried};
 use pinhole::{Affine, Camera, InkFor, Scalar};
 
 /// From the origin along −z, 90 degrees high.
@@ -193,4 +194,35 @@ fn colours_do_not_jump_at_the_near_plane() {
     }
     println!("{faces} faces, {seen} pixels: {worst} levels of 255");
     assert!(faces > 500 && worst <= 2, "{faces} faces, {seen} pixels: {worst}");
+}
+
+/// Weights after six cuts against those in f64: the first two are off by half a unit for each cut, the third by a unit.
+#[test]
+fn weights_are_one_in_all_and_those_of_the_point() {
+    let mut rng = Rng::new(0x94);
+    let mut largest = [0f64; 2];
+    for _ in 0..50_000 {
+        let whole = [0, 1, 2].map(|corner| [0, 1, 2].map(|i| f64::from(u8::from(i == corner))));
+        let mut points: Vec<(Barycentric, V3)> = (0..3).map(|i| (Barycentric::of(i), whole[i])).collect();
+        for cut in 1..=6 {
+            let [(a, p), (b, q)] = [0; 2].map(|_| points[rng.below(points.len())]);
+            let t = match rng.below(4) {
+                0 => rng.int(0, 9),
+                1 => (1 << 31) - rng.int(1, 9),
+                _ => rng.int(0, (1 << 31) - 1),
+            };
+            let exact: V3 = core::array::from_fn(|i| p[i] + (q[i] - p[i]) * t as f64 / f64::from(1u32 << 31));
+            let weights = a.towards(&b, t).weights();
+            assert_eq!(weights.iter().sum::<i32>(), 1 << 30);
+            assert!(weights.iter().all(|w| (-6..=(1 << 30) + 6).contains(w)), "{weights:?}");
+            for (i, (weight, exact)) in weights.into_iter().zip(exact).enumerate() {
+                let off = (f64::from(weight) - exact * f64::from(1 << 30)).abs() / f64::from(cut);
+                largest[i / 2] = largest[i / 2].max(off);
+            }
+            points.push((a.towards(&b, t), exact));
+        }
+    }
+    println!("off by {largest:?} for each cut");
+    assert!(largest[0] <= 0.501 && largest[1] <= 1.001, "{largest:?}");
+    assert!(largest[0] > 0.4 && largest[1] > 0.6, "{largest:?}");
 }
