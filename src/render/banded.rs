@@ -325,11 +325,11 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         mut shade: impl FnMut(usize) -> I,
         mut draw: impl FnMut(&Piece<'_>, I) -> Result<(), E>,
     ) -> Result<(), E> {
-        let rows = limits.scissor.rows();
+        let (faces, rows) = (self.0.transformed.placed.mesh.faces(), limits.scissor.rows());
         let mut fan = Fan::new();
         let mut piece = Piece::new(&limits.viewport);
         self.0.each(limits, |view, index| {
-            let Some(face) = view.placed.mesh.faces().get(index) else { return Ok(true) };
+            let Some(face) = faces.get(index) else { return Ok(true) };
             let kept = view.whole(face);
             if let Some(kept) = kept {
                 put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
@@ -433,9 +433,9 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         limits: &Limits,
         mut draw: impl FnMut(&Transformed<'_, V, DEPTH>, usize, [Image; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let end = limits.scissor.rows().end;
+        let (edges, end) = (self.0.transformed.placed.mesh.edges(), limits.scissor.rows().end);
         self.0.each(limits, |view, index| {
-            let edge = view.placed.mesh.edges().get(index);
+            let edge = edges.get(index);
             let Some(ends) = edge.and_then(|&edge| view.ends_of(edge, &mut Statistics::default())) else {
                 return Ok(true);
             };
