@@ -10,6 +10,7 @@ use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use oracle::hidden::{self, Vertex};
 use oracle::rng::Rng;
+use oracle::target::Recorder;
 use pinhole::{Corner, DepthBuffer, Frame, Mesh};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -231,4 +232,36 @@ fn edges_of_many_faces_are_seen_by_all_of_them() {
         all.behind_centre += score.behind_centre;
     }
     assert!(all.seen > 2000 && all.missed * 100 <= all.seen && all.behind_centre == 0, "{all:?}");
+}
+
+/// What stands for no face is none, also where a mesh has a face of that number: the wall hides the edge behind it.
+#[test]
+fn no_face_stays_no_face_in_large_meshes() {
+    let vertices = [[-4, -4, 0], [4, -4, 0], [4, 4, 0], [-4, 4, 0], [-2, 0, -2], [2, 1, -2]];
+    let (edges, beside) = ([[4, 5]], [[Mesh::<i16>::NO_FACE; 2]]);
+    let camera = CameraBits {
+        view: ViewBits::LookAt([0, 0, 8 * ONE], [0; 3], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 30, (1, 1), ONE, 20 * ONE),
+        viewport: (0, 0, 64, 64),
+    }
+    .library();
+    let model = ModelBits::default().library();
+    for count in [2, 65_535, 65_536, 65_537] {
+        // Face 65535 is one of the wall's, if there is one.
+        let mut faces = vec![[0, 0, 0]; count];
+        let last = (count - 1).min(65_535);
+        (faces[last - 1], faces[last]) = ([0, 1, 2], [0, 2, 3]);
+        let mesh = Mesh::new(&vertices, 0, &faces)
+            .and_then(|m| m.with_edges(&edges))
+            .and_then(|m| m.with_edge_faces(&beside))
+            .expect("a mesh");
+        let placed = camera.place(&mesh, &model);
+        let mut storage = vec![0; 64 * 64];
+        let mut depth = DepthBuffer::new(bridge::rectangle(0, 0, 64, 64), &mut storage).expect("storage");
+        placed.depth_only(&mut [], &mut depth);
+        let mut target = Recorder::<BinaryColor>::sized(64, 64);
+        let statistics = placed.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target);
+        assert_eq!(statistics.expect("no error").drawn, 1);
+        assert!(target.pixels.is_empty(), "{count} faces: {} pixels", target.pixels.len());
+    }
 }

@@ -5,14 +5,16 @@ mod bridge;
 mod definition;
 mod oracle;
 
+use bridge::draw::Ink;
 use bridge::pair::{bits, random_view, window, CameraBits, ModelBits, ProjectionBits, Step, ONE};
 use bridge::{point, scalar};
 use oracle::chain::{self, V4};
 use oracle::rng::Rng;
+use oracle::target::Recorder;
 use oracle::volume::{self, distances, gap, largest};
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
-use pinhole::{ClipPoint, Mesh, Outcode, Projection, Sphere, Visibility};
+use pinhole::{ClipPoint, Cull, Mesh, Outcode, Projection, Sphere, Visibility};
 
 fn projections() -> [Projection; 3] {
     let w = window([-ONE, ONE, -ONE, ONE]);
@@ -426,6 +428,59 @@ fn s5_whole_nodes_by_their_bounding_sphere() {
         }
     }
     println!("{tally:?}; {useless} undecided without need");
+    tally.assert_each_above(1000);
+}
+
+/// What is inside is not clipped, at any ratio of far to near: where that is large, the far plane is a matter of the last bits.
+#[test]
+fn s5_what_is_inside_is_not_clipped() {
+    let mut rng = Rng::new(0x508);
+    let mut tally = Tally::default();
+    let faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+    for _ in 0..60_000 {
+        let near = rng.log(1.0, 65_536.0 * 4.0) as i32;
+        let far =
+            (f64::from(near) * rng.log(1.001, 4e9)).clamp(f64::from(near) + 2.0, f64::from(i32::MAX)) as i32;
+        let tan = rng.log(0.01, 4.0);
+        let side = (f64::from(near) * tan).max(1.0) as i32;
+        let camera = CameraBits {
+            view: random_view(&mut rng),
+            projection: ProjectionBits::Frustum([-side, side, -side, side], near, far),
+            viewport: (0, 0, 320, 200),
+        };
+        let exact = camera.exact();
+        // Next to near, next to far, and between.
+        let [first, last] = [near, far].map(chain::fx);
+        let size = rng.log(1e-5, 0.3) * last;
+        let depth = match rng.below(5) {
+            0 => first + size * rng.real(0.9, 1.9),
+            1 => last - size * rng.real(0.9, 1.9),
+            2 => first - size * rng.real(0.9, 1.9),
+            3 => last + size * rng.real(0.9, 1.9),
+            _ => rng.log(first, last),
+        };
+        let Some(world) = bits(exact.view.back([0.0, 0.0, -depth])) else { continue };
+        let exponent = (size / 1000.0).log2().floor().clamp(-32.0, 5.0) as i8;
+        let vertices = [0; 4].map(|_| [0; 3].map(|_| rng.int(-1000, 1000) as i16));
+        let mut model = ModelBits::random_rotation(&mut rng);
+        model.0.push(Step::Move(world));
+        let mesh = Mesh::new(&vertices, exponent, &faces).expect("a mesh");
+        let (library, model) = (camera.library().with_far_clip(true), model.library());
+        let found = library.visibility(&mesh.bounding_sphere(), &model);
+        tally.count(found);
+        if found != Visibility::Partly {
+            let placed = library.place(&mesh, &model).with_cull(Cull::None);
+            let mut target = Recorder::<Ink>::sized(320, 200);
+            let drawn = placed.solid(|_| Ink(1), &mut [], &mut target).expect("no error");
+            match found {
+                Visibility::Inside => {
+                    assert_eq!((drawn.clipped, drawn.outside), (0, 0), "{camera:?} {world:?}")
+                }
+                _ => assert!(target.pixels.is_empty(), "{camera:?} {world:?}"),
+            }
+        }
+    }
+    println!("{tally:?}");
     tally.assert_each_above(1000);
 }
 

@@ -18,10 +18,12 @@ pub enum Visibility {
 }
 
 impl Camera {
-    /// Where a sphere lies against the six planes of the view volume (the far one included). On
-    /// the safe side by less than 2⁻²⁰ of its size and distance: `Outside` and `Inside` are certain.
+    /// Where a sphere lies against the six planes of the view volume (the far one included). `Outside` and `Inside`
+    /// are certain: on the safe side by less than 2⁻²⁰ of its size and distance, against the far plane of a perspective by as
+    /// much and 2⁻²⁸·far/near of that distance.
     ///
-    /// A node that is `Outside` need not be placed; one that is `Inside` will not be clipped. The far plane counts
+    /// A node that is `Outside` need not be placed: but for vertices within 1/512 pixel of the border, which rounding to 1/256
+    /// may bring into the picture, nothing of it shows. One that is `Inside` will not be clipped. The far plane counts
     /// even where the camera does not clip there: leaving such an object out then changes the picture (not when
     /// drawing against depth, which ends at far). A radius of `Scalar::MAX` stands for any: such a sphere is
     /// `Partly` visible.
@@ -85,18 +87,21 @@ impl Camera {
         let away = 64 - far_out.leading_zeros() as i32;
         // How far its points are from the eye, at most; it saturates.
         let all = add(i64::try_from(far_out).unwrap_or(i64::MAX), radius);
+        let times_length = |row: &Row, v: i64, shift: i32| {
+            let squares: u64 = row.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
+            let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
+            mul_translation((length >> 1) as i32 + 1, row.exponent - 29 - shift, v)
+        };
+        // What rounding may have cost: coefficients count as far as points are from the eye. Those of a plane, and those of w and
+        // d, which nearly cancel each other in the far one.
+        let of_rows = add(times_length(w, all, 28), 16);
         for plane in &planes {
             if plane.overflow(away) > 0 {
                 visibility = Visibility::Partly; // beyond what the numbers tell
                 continue;
             }
             let distance = plane.apply(&centre);
-            let squares: u64 = plane.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
-            let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
-            let times_length =
-                |v: i64, shift| mul_translation((length >> 1) as i32 + 1, plane.exponent - 29 - shift, v);
-            // And what rounding may have cost: the plane's own coefficients count as far as the centre is from the eye.
-            let reach = add(times_length(radius, 0), add(times_length(all, 20), 16));
+            let reach = add(times_length(plane, radius, 0), add(times_length(plane, all, 20), of_rows));
             if distance < -reach {
                 return Visibility::Outside;
             }

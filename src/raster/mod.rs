@@ -197,6 +197,10 @@ impl Scissor {
         Self { left, top, right, bottom }
     }
 
+    /// All that 3D geometry reaches: the viewport of what has none.
+    pub(crate) const GUARD_BAND: Self =
+        Self { left: -GUARD_BAND, top: -GUARD_BAND, right: GUARD_BAND, bottom: GUARD_BAND };
+
     pub(crate) const EMPTY: Self = Self { left: 0, top: 0, right: 0, bottom: 0 };
 
     /// The pixels whose centres lie in the bounding box of a triangle: it covers no others.

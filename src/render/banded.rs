@@ -306,7 +306,8 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         self.0.statistics
     }
 
-    /// A rectangle around all pixels that are covered; without pixels where none is.
+    /// A rectangle of the viewport around all faces that are drawn: no pixel outside it is covered. Without pixels where none
+    /// is drawn.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }
@@ -415,7 +416,7 @@ impl<V: Coordinate, const DEPTH: bool> Edges<'_, V, DEPTH> {
         self.0.statistics
     }
 
-    /// A rectangle around all pixels that are drawn; without pixels where none is.
+    /// A rectangle of the viewport around all edges that are drawn: no pixel outside it is. Without pixels where none is drawn.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }

@@ -6,6 +6,7 @@ use crate::clip::CORNERS;
 use crate::math::Coordinate;
 use crate::output::{DepthBuffer, Target};
 use crate::raster::{self, Along, Piece, Plane, Scissor, ScreenPoint, Triangle};
+use crate::scene::Mesh;
 
 use heapless::Vec;
 
@@ -212,7 +213,9 @@ impl<V: Coordinate> Transformed<'_, V, true> {
         let Some(&beside) = mesh.edge_faces().get(edge) else { return all };
         let mut fan = Fan::<()>::new();
         for face in beside {
-            let Some(&face) = mesh.faces().get(usize::from(face)) else { continue };
+            // A large mesh has a face of that number, which cannot be named.
+            let named = mesh.faces().get(usize::from(face)).filter(|_| face != Mesh::<V>::NO_FACE);
+            let Some(&face) = named else { continue };
             if !self.sort_out_any(&face, &mut fan).is_drawn() {
                 continue;
             }

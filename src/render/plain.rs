@@ -2,7 +2,7 @@
 
 use super::{fill, InkFor};
 use crate::output::Target;
-use crate::raster::{self, Pixel, ScreenPoint, Triangle};
+use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
 
 /// Fills a triangle, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the
 /// target. Corners are in the target's coordinates, in 1/256 pixel.
@@ -30,8 +30,9 @@ pub fn fill_triangle<T: Target, I: InkFor<T::Color>>(
         (0, _) => Ok(()), // R6
         (area, Some(colour)) => target.plain_triangle(corners, area, colour),
         (area, None) => {
-            let all = target.reach();
-            fill(&Triangle::new(corners, area, &all), &ink, &all, target)
+            // The same viewport for a band as for all of the picture: so are the colours.
+            let triangle = Triangle::new(corners, area, &Scissor::GUARD_BAND);
+            fill(&triangle, &ink, &target.reach(), target)
         }
     }
 }

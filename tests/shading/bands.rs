@@ -8,10 +8,12 @@ use crate::target::{
     flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Own, Picture,
 };
 use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
+use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
+use pinhole::raster::ScreenPoint;
 use pinhole::{
-    Affine, Camera, Corner, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, InkFor, Mesh, Painter, Shaded,
-    Stored,
+    fill_triangle, Affine, Camera, Corner, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, InkFor, Mesh,
+    Painter, Shaded, Stored,
 };
 
 const FACES: usize = 14;
@@ -173,5 +175,43 @@ fn through_their_memory_bands_are_the_same() {
         through_pixels::<Rgb565, 2>(&scene);
         through_pixels::<Rgb888, 3>(&scene);
         through_pixels::<Own, 4>(&scene);
+    }
+}
+
+/// Triangles drawn in 2D: what runs over them does not begin anew with every band.
+#[test]
+fn flat_triangles_in_bands_make_the_whole() {
+    let mut rng = Rng::new(0x82);
+    let area = Rectangle::new(Point::zero(), Size::new(200, 120));
+    for case in 0..4_000 {
+        let reach = [20_000, 60_000, 2_000_000][case % 3];
+        let corner = |rng: &mut Rng| {
+            let [x, y] = [0; 2].map(|_| rng.int(-reach, reach) as i32);
+            ScreenPoint::from_subpixels(x, y).expect("in the guard band")
+        };
+        let [a, b, mut c] = [0; 3].map(|_| corner(&mut rng));
+        if case % 2 == 0 {
+            // Steep: next to the line through both.
+            let mut between = |a: i32, b: i32| a / 2 + b / 2 + rng.int(-3000, 3000) as i32;
+            let (x, y) = (between(a.x(), b.x()), between(a.y(), b.y()));
+            c = ScreenPoint::from_subpixels(x, y).unwrap_or(c);
+        }
+        let smooth = gouraud([0; 3].map(|_| random_colour(&mut rng)));
+        let mut whole = Picture::<Rgb888>::new(area);
+        let Ok(()) = fill_triangle([a, b, c], smooth, &mut whole);
+        let wanted = whole.before(Rgb888::default());
+        for rows in [1, 8] {
+            let mut frame = Frame::new(area, Rgb888::default());
+            let mut strip = vec![0; Frame::<Rgb888>::strip_bytes(area.size.width, rows)];
+            let mut colours = Vec::new();
+            while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
+                let Ok(()) = match case % 4 {
+                    0 | 1 => fill_triangle([a, b, c], smooth, &mut band),
+                    _ => fill_triangle([a, b, c], smooth, &mut band.pixels()),
+                };
+                colours.extend(band.colours());
+            }
+            assert!(colours == wanted, "{:?}, {rows} rows", [a, b, c]);
+        }
     }
 }

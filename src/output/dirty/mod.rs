@@ -25,7 +25,8 @@ impl WindowCost {
     pub const MIPI_DCS: u16 = 11;
 
     /// A pixel of `pixel_bits`, [`Wire::BITS`](crate::Wire::BITS) (beyond 256 they count as 256), and
-    /// windows of `window_bytes` in commands before their first pixel. A row of pixels takes whole bytes.
+    /// windows of `window_bytes` in commands before their first pixel. A row of pixels takes whole bytes; with
+    /// [steps](Dirty::with_steps) a row of these does, and each counts whole. 2³¹ bytes and more count as equal.
     pub const fn new(pixel_bits: u32, window_bytes: u16) -> Self {
         let pixel_bits = if pixel_bits < 256 { pixel_bits as u16 } else { 256 };
         Self { pixel_bits, window_bytes }
