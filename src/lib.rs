@@ -11,8 +11,6 @@ mod camera;
 pub mod clip;
 mod math;
 mod output;
-#[cfg(test)]
-mod random;
 pub mod raster;
 mod render;
 mod scene;

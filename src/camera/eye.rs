@@ -79,8 +79,8 @@ impl Eye {
 mod tests {
     use super::*;
     use crate::camera::{Camera, Projection, Viewing, Viewport, Window};
+    use crate::math::random::Random;
     use crate::math::{Affine, Angle, Point3, Scalar, Vector3};
-    use crate::random::Random;
     use crate::space::{Model, World};
     use embedded_graphics_core::geometry::{Point, Size};
 

@@ -373,8 +373,8 @@ fn form(row: &Row, unit: i32, exponent: i32) -> Form {
 mod tests {
     use super::*;
     use crate::camera::{Projection, Viewing, Viewport, Window};
+    use crate::math::random::Random;
     use crate::math::{Angle, Point3, Scalar, Vector3};
-    use crate::random::Random;
     use embedded_graphics_core::geometry::{Point, Size};
 
     /// Vertices through the fast path against the same through the clipper's, bit by bit; how many had a place.

@@ -164,7 +164,7 @@ impl SplitForm {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
 
     #[test]
     fn both_forms_give_the_same_bits() {

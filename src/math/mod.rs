@@ -10,6 +10,8 @@ mod normal;
 pub(crate) mod num;
 mod point;
 mod quaternion;
+#[cfg(test)]
+pub(crate) mod random;
 pub(crate) mod row;
 mod sphere;
 pub(crate) mod unit;

@@ -79,7 +79,7 @@ impl Along {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
 
     const DEEPEST: i64 = super::super::FARTHEST as i64;
 

@@ -52,7 +52,7 @@ impl Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
     use crate::raster::{area, triangle, ScreenPoint};
 
     /// Half a step, in 2⁻²⁰; a pixel's 2⁻¹⁷ is 8 of these.

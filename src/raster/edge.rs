@@ -172,7 +172,7 @@ impl Long {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
 
     /// xr and yr, dx and dy of edges within `width` and `height`, and how many rows they meet.
     pub(crate) fn edge(random: &mut Random, i: i64, width: i64, height: i64) -> ((i32, i32), i32, i32, i32) {

@@ -61,7 +61,7 @@ impl Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
     use crate::raster::{area, triangle, Scissor, ScreenPoint};
 
     /// The largest distance of a covered pixel's light from the exact one, in 2⁻²⁴, rounded up.

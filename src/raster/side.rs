@@ -103,7 +103,7 @@ mod tests {
     use super::super::edge::tests::edge;
     use super::super::edge::{column, first_row};
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
 
     /// T·dy − S·dy, in 2⁻²⁰: from 0 to one lattice unit. S is a digit more, or what is kept is less than T by up to a lattice unit.
     fn assert_side_behind(m: i32, dx: i32, dy: i32, (start, step): (i32, i32), row: i32, less: bool) {

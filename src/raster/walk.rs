@@ -231,7 +231,7 @@ mod tests {
     extern crate std;
 
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
     use crate::raster::{area, Plane};
     use std::vec::Vec;
 

@@ -257,8 +257,8 @@ impl<V> defmt::Format for Facing<'_, V> {
 #[cfg(test)]
 mod tests {
     use crate::camera::{Camera, Projection, Viewing, Viewport};
+    use crate::math::random::Random;
     use crate::math::{Affine, Angle, Point3, Scalar, Vector3};
-    use crate::random::Random;
     use crate::scene::Mesh;
     use crate::space::{Model, World};
     use embedded_graphics_core::geometry::{Point, Size};

@@ -148,7 +148,7 @@ impl<C: Channels, R: Rounding> Iterator for Run<C, R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
+    use crate::math::random::Random;
     use crate::raster::{area, triangle, Scissor, ScreenPoint};
     use embedded_graphics_core::pixelcolor::Gray8;
 
