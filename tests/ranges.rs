@@ -7,10 +7,12 @@ mod oracle;
 use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use bridge::{point, reals, rectangle, scalar, vector};
 use definition::Family;
-use pinhole::space::{Model, World};
+use oracle::chain::mul4;
+use oracle::rng::Rng;
+use pinhole::space::{Model, View, World};
 use pinhole::{
-    Affine, Camera, InverseError, Mesh, PlanarProjection, Projection, ProjectionError, Viewing, Viewport,
-    Visibility,
+    Affine, Camera, InverseError, Mesh, PlanarProjection, Point3, Projection, ProjectionError,
+    ReferenceVolume, Scalar, Viewing, Viewport, Visibility, Window,
 };
 
 /// far/(far − near) is 8·10⁵, and times the object's 2000 units from the eye that passes 2³⁰, where a row's
@@ -104,4 +106,144 @@ fn a_mesh_brought_back_from_afar_is_in_its_place() {
         let found = [0, 1, 2].map(|i| placed.project(i).map(|(p, _)| (p.x(), p.y())));
         assert_eq!(found, [Some((0, 0)), Some((4096, 4096)), Some((2048, 2048))], "{factor}");
     }
+}
+
+fn window([left, right, bottom, top]: [i32; 4]) -> Window {
+    let [left, right, bottom, top] = [left, right, bottom, top].map(scalar);
+    Window { left, right, bottom, top }
+}
+
+/// A point of whole units, for which f64 has the products with 30-bit coefficients, or 2⁻¹⁶ beside one.
+fn any_point(rng: &mut Rng) -> [i32; 3] {
+    [0; 3].map(|_| rng.int(-32_767, 32_766) as i32 * ONE + rng.int(-1, 1) as i32)
+}
+
+/// Two products of 2³⁴ that differ by 16.
+#[test]
+fn what_is_left_of_large_products_is_right() {
+    let row = |c: [f64; 2]| [c[0], c[1], 0.0, 0.0];
+    let large = 2f64.powi(20);
+    let matrix = [row([large, -large]), row([0.0, 1.0]), [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+    let shear = Affine::<Model, World>::from_matrix(&matrix).expect("a matrix");
+    let image = shear.apply(point([16_384 * ONE + 1, 16_384 * ONE, 0]));
+    assert_eq!(reals(image), [16.0, 16_384.0, 0.0]);
+}
+
+/// Windows of one step of 2⁻¹⁶ and more, at any distance from the axis.
+#[test]
+fn clip_points_are_the_matrix_times_the_point_however_large_the_products() {
+    let far_aside = [30_000, 30_001, -1, 1].map(|c| c * ONE);
+    let frustum = Projection::frustum(window(far_aside), scalar(30_000 * ONE), scalar(32_000 * ONE));
+    for (x, wanted) in [(30_000, -1.0), (30_001, 1.0)] {
+        let clip = frustum.expect("a window").apply(point([x * ONE, 0, -30_000 * ONE]));
+        let [x, ..] = reals(clip.ndc().expect("in front of the eye"));
+        assert!((x - wanted).abs() < 1e-4, "{x} instead of {wanted}"); // 30 bits of 30 000
+    }
+    let (mut rng, mut seen) = (Rng::new(11), 0);
+    for _ in 0..100_000 {
+        let mut side = || {
+            let low = rng.int(-32_767, 32_000) as i32 * ONE;
+            [low, low.saturating_add(1 << rng.below(27))]
+        };
+        let ([left, right], [bottom, top]) = (side(), side());
+        let near = rng.int(1, 30_000) as i32 * ONE;
+        let (window, near, far) = (window([left, right, bottom, top]), scalar(near), scalar(near + ONE));
+        let lens = match rng.below(2) {
+            0 => Projection::frustum(window, near, far),
+            _ => Projection::orthographic(window, near, far),
+        };
+        let Ok(lens) = lens else { continue };
+        let p = any_point(&mut rng);
+        let (matrix, [x, y, z]) = (lens.to_matrix(), p.map(|c| f64::from(c) / 65_536.0));
+        let wanted = mul4(&matrix, [x, y, z, 1.0]);
+        let terms = matrix.iter().flat_map(|m| [m[0] * x, m[1] * y, m[2] * z, m[3]]);
+        let term = terms.fold(0f64, |a, t| a.max(t.abs()));
+        let clip = lens.apply(point(p));
+        let largest = wanted.iter().fold(0f64, |a, c| a.max(c.abs()));
+        // The matrix stands for all its multiples, this one and the clip point's differ by a power of two.
+        let got = clip.xyzw().map(|c| f64::from(c) * 2f64.powi(clip.exponent()));
+        let unit = got.iter().fold(0f64, |a, c| a.max(c.abs())) / largest;
+        let unit = 2f64.powf(unit.log2().round());
+        for (got, wanted) in got.iter().zip(wanted) {
+            let bound = largest * 2f64.powi(-30) + 2f64.powi(-29) / unit + term * 2f64.powi(-50); // f64 rounds, too
+            assert!((got / unit - wanted).abs() <= bound, "{lens:?} {p:?}: {clip:?} for {wanted}");
+        }
+        seen += 1;
+    }
+    assert!(seen > 50_000);
+}
+
+/// A PRP far aside: its shear and the distance cancel each other.
+#[test]
+fn canonical_points_hold_however_large_the_products() {
+    let hold = |prp: [i32; 3], sides: [i32; 4], front: i32, back: i32, p: [i32; 3]| {
+        let real = |v: i32| f64::from(v) / 65_536.0;
+        let volume = ReferenceVolume::perspective(point(prp), window(sides), scalar(front), scalar(back));
+        let Ok(volume) = volume else { return false };
+        let (got, depth) = (reals(volume.normalise(point(p))), real(prp[2]) - real(back));
+        let n = real(p[2]) - real(prp[2]);
+        let mut wanted = [0.0, 0.0, n / depth];
+        let mut term = 1f64;
+        for i in 0..2 {
+            let (low, high, at) = (real(sides[2 * i]), real(sides[2 * i + 1]), real(prp[i]));
+            let centre = (low + high) / 2.0;
+            let stretch = 2.0 * real(prp[2]) / ((high - low) * depth);
+            let slope = (centre - at) / real(prp[2]);
+            wanted[i] = (real(p[i]) - at + n * slope) * stretch;
+            let coordinate = p.map(real).into_iter().fold(0f64, |a, c| a.max(c.abs()));
+            // The larger coefficient, of p or of n along the shear, and the constant: the centre.
+            term = term.max((stretch * coordinate * slope.abs().max(1.0)).max((stretch * centre).abs()));
+        }
+        for (got, wanted) in got.into_iter().zip(wanted) {
+            let wanted = wanted.clamp(-32_768.0, 32_768.0);
+            let bound = 2f64.powi(-17) + term * 2f64.powi(-27) + 2f64.powi(-31);
+            assert!((got - wanted).abs() <= bound, "{prp:?} {sides:?} {back}, {p:?}: {got} for {wanted}");
+        }
+        true
+    };
+    let aside = [32_000 * ONE, 0, 32_000 * ONE];
+    let half = ONE / 2;
+    let p = [-32_000 * ONE - half, 0, -32_000 * ONE];
+    assert!(hold(aside, [-half, half, -half, half], 1000 * ONE, -32_768 * ONE, p));
+    let (mut rng, mut seen) = (Rng::new(12), 0);
+    for _ in 0..100_000 {
+        let mut side = || {
+            let low = rng.int(-32_767, 32_000) as i32 * ONE;
+            [low, low.saturating_add(1 << rng.below(27))]
+        };
+        let ([left, right], [bottom, top]) = (side(), side());
+        let mut prp = any_point(&mut rng);
+        prp[2] = prp[2].saturating_abs();
+        let back = -(rng.int(1, 32_767) as i32) * ONE;
+        seen += usize::from(hold(prp, [left, right, bottom, top], 0, back, any_point(&mut rng)));
+    }
+    assert!(seen > 20_000, "{seen}");
+}
+
+/// Planes within a few steps of 2⁻¹⁶ of the eye: w alone passes what a coordinate may be.
+#[test]
+fn planar_images_hold_on_planes_close_to_the_eye() {
+    let onto = PlanarProjection::eye_at_origin(scalar(1)).expect("a plane");
+    let image: Option<Point3<View>> = onto.apply(point([32_767, 16_000, 32_767].map(|c| c * ONE)));
+    assert_eq!(image, Some(point([1, 0, 1])));
+    let mut rng = Rng::new(13);
+    for _ in 0..100_000 {
+        let d = 1 << rng.below(31);
+        let onto = PlanarProjection::eye_at_origin(scalar(d)).expect("a plane");
+        let p = any_point(&mut rng);
+        let Some(image) = onto.apply(point::<View>(p)) else {
+            assert_eq!(p[2], 0);
+            continue;
+        };
+        for (got, c) in [image.x(), image.y(), image.z()].into_iter().zip(p) {
+            let wanted = f64::from(c) * f64::from(d) / f64::from(p[2]);
+            let wanted = wanted.clamp(i32::MIN.into(), i32::MAX.into());
+            assert!(
+                (f64::from(got.to_bits()) - wanted).abs()
+                    <= 0.5 + 2f64.powi(-16) + wanted.abs() * 2f64.powi(-28),
+                "{d}: {p:?}"
+            );
+        }
+    }
+    assert_eq!(onto.homogeneous(point([ONE, 0, ONE]))[3], Scalar::MAX);
 }

@@ -325,7 +325,7 @@ impl Viewing {
         self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
-    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step, of the view as it is)
+    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step, of the view as it is)
     /// and saturated.
     pub fn apply(&self, p: Point3<World>) -> Point3<View> {
         let p = p.bits();

@@ -18,7 +18,7 @@ use core::marker::PhantomData;
 /// ```
 ///
 /// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Each composition rounds coefficients
-/// to within 2⁻³⁰ of the largest one, and the translation to within 3·2⁻³³ world units; translations saturate at
+/// to within 2⁻³⁰ of the largest one, and the translation to within 2⁻³³ world units; translations saturate at
 /// ±2³⁰. Rebuild transforms from angles every frame instead of accumulating them: then nothing drifts. (A million
 /// turns of 0.1°, each applied to the matrix so far, stretch a model by 0.037 % and leave it 0.057° behind.)
 ///
@@ -100,7 +100,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     }
 
     /// About the line through `through` along `axis` (any length), right-handed: `R = c·I + (1 − c)·a·aᵀ + s·[a]×`
-    /// and the translation `through − R·through`. Coefficients are within 2⁻²⁷; the translation is within 3·2⁻³³
+    /// and the translation `through − R·through`. Coefficients are within 2⁻²⁷; the translation is within 2⁻³³
     /// world units of the one that belongs to these coefficients. (Rodrigues 1840; Goldman, *Matrices and
     /// transformations*, Graphics Gems, 1990.)
     ///
@@ -223,7 +223,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     ///
     /// The error relative to the inverse's largest coefficient is at most 2⁻²⁸ times the ratio
     /// of the transform's largest stretch to its smallest; the translation, given the coefficients, is
-    /// within 3·2⁻³³.
+    /// within 2⁻³³.
     ///
     /// # Errors
     ///
@@ -291,7 +291,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     }
 
     /// The inverse of a rigid transform, a rotation, mirrored or not, and a shift: `Rᵀ` and `−Rᵀ·o`, with no
-    /// division and no loss but the rounding of the translation, 3·2⁻³³.
+    /// division and no loss but the rounding of the translation, 2⁻³³.
     ///
     /// # Errors
     ///
@@ -319,14 +319,14 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     }
 
     /// First this, then `next`: the matrix product `next · self`, coefficients within 2⁻³⁰ of the
-    /// largest one, the translation within 3·2⁻³³.
+    /// largest one, the translation within 2⁻³³.
     pub fn then<C: SetUp>(&self, next: &Affine<B, C>) -> Affine<A, C> {
         let mut both = Affine::from_parts([[0; 3]; 3], 0, next.apply_bits(&self.offset));
         both.exponent = product(&next.linear, next.exponent, &self.linear, self.exponent, &mut both.linear);
         both
     }
 
-    /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁵ of such a step) and saturated at the
+    /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and saturated at the
     /// ends of [`Scalar`].
     pub fn apply(&self, p: Point3<A>) -> Point3<B> {
         let p = p.bits().map(|c| i64::from(c) << 16);

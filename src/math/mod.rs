@@ -26,7 +26,7 @@ pub(crate) use normal::to_short;
 pub use normal::NormalMap;
 pub use point::{Point3, Vector3};
 pub use quaternion::{Quaternion, QuaternionError};
-pub(crate) use row::Row;
+pub(crate) use row::{homogeneous, Row};
 pub use sphere::Sphere;
 
 /// The crate's public scalar: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶. It

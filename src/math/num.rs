@@ -307,17 +307,37 @@ pub(crate) const fn add(a: i64, b: i64) -> i64 {
 
 /// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶². Wants |m| ≤ 2³⁰ and |t| ≤ 2⁶².
 pub(crate) const fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
-    let m = m as i64;
-    // t = high·2³² + low: m·high ≤ 2⁶⁰, m·low < 2⁶², so the 96-bit product is high·2³² + low word.
-    let low = m * (t & 0xffff_ffff);
-    let high = m * (t >> 32) + (low >> 32);
-    // Shifted right by 32 or more, the high word rounds by itself; the low one has the rounding bit where
-    // the shift is exactly 32, and is nothing beyond.
-    let high = add(scale(high, exponent + 32), 0);
-    if high << 1 == i64::MIN {
-        return high; // SATURATED, or its negative
+    add(Product::ZERO.plus(m, t).scaled(exponent), 0)
+}
+
+/// A sum of up to three products of a coefficient (at most 2³⁰ in absolute value) and a translation (2⁶²), exactly:
+/// high·2³² + low.
+#[derive(Clone, Copy)]
+pub(crate) struct Product {
+    /// At most 3·2⁶⁰ in absolute value, and carries.
+    high: i64,
+    low: u32,
+}
+
+impl Product {
+    pub(crate) const ZERO: Self = Self { high: 0, low: 0 };
+
+    #[inline(always)]
+    pub(crate) const fn plus(self, m: i32, t: i64) -> Self {
+        let m = m as i64;
+        // t in two words: m·upper ≤ 2⁶⁰, m·lower < 2⁶².
+        let low = self.low as i64 + m * (t as u32 as i64);
+        Self { high: self.high + m * (t >> 32) + (low >> 32), low: low as u32 }
     }
-    add(high, scale(low & 0xffff_ffff, exponent))
+
+    /// Times 2^exponent, rounded to nearest; beyond ±(2⁶³ − 2³²) anything that far.
+    #[inline(always)]
+    pub(crate) const fn scaled(self, exponent: i32) -> i64 {
+        let (down, up) = (min(exponent, 0), max(exponent, 0));
+        // Shifted right by 32 or more, the high word rounds by itself; the low one has the rounding bit where
+        // the shift is exactly 32, and is nothing beyond.
+        scale(scale(self.high, 32 + down).saturating_add(scale(self.low as i64, down)), up)
+    }
 }
 
 /// The bits that any of the numbers has: as many as the largest.
@@ -453,29 +473,45 @@ mod tests {
         }
     }
 
+    /// `n · 2^exponent`, rounded to nearest (ties up).
+    fn scaled(n: i128, exponent: i32) -> i128 {
+        match exponent {
+            0.. => n << exponent,
+            _ => (n + (1 << (-exponent - 1))) >> -exponent,
+        }
+    }
+
     #[test]
     fn translations_scale_rounded_and_saturated() {
         let mut state = 4;
         for _ in 0..200_000 {
             let m = (random(&mut state) as i32) >> 1;
             let t = (random(&mut state) as i64) >> (1 + random(&mut state) % 50);
-            let exponent = (random(&mut state) % 140) as i32 - 100;
-            let exact = i128::from(m) * i128::from(t);
-            let got = i128::from(mul_translation(m, exponent, t));
+            let exponent = (random(&mut state) % 134) as i32 - 100;
             let limit = i128::from(SATURATED);
-            if exponent < 0 {
-                let half = 1i128 << (-exponent - 1);
-                let want = ((exact + half) >> -exponent).clamp(-limit, limit);
-                assert!((got - want).abs() <= 1, "{m} {exponent} {t}: {got} {want}");
-            } else {
-                let want = (exact << exponent.min(30)).clamp(-limit, limit);
-                if exponent < 30 {
-                    // Where the high word alone saturates, the low one no longer counts.
-                    let low = 1i128 << (33 + exponent);
-                    let slack = if want.abs() > limit - low { low } else { 0 };
-                    assert!((got - want).abs() <= slack, "{m} {exponent} {t}");
-                }
-            }
+            let want = scaled(i128::from(m) * i128::from(t), exponent).clamp(-limit, limit);
+            assert_eq!(i128::from(mul_translation(m, exponent, t)), want, "{m} {exponent} {t}");
+        }
+    }
+
+    #[test]
+    fn products_that_cancel_each_other_are_summed_exactly() {
+        let mut state = 5;
+        for _ in 0..200_000 {
+            let m = [0; 3].map(|_| (random(&mut state) as i32) >> 1);
+            let [x, y, z] = [0; 3].map(|_| (random(&mut state) as i64) >> (1 + random(&mut state) % 20));
+            // Half of them cancel: m·x against m·x, but for the last bits.
+            let (m, y) = match random(&mut state) % 2 {
+                0 => ([m[0], -m[0], m[2]], (x ^ y & 0xff)),
+                _ => (m, y),
+            };
+            let exponent = (random(&mut state) % 80) as i32 - 60;
+            let t = [x, y, z];
+            let sum = (0..3).fold(Product::ZERO, |sum, i| sum.plus(m[i], t[i]));
+            let exact = (0..3).map(|i| i128::from(m[i]) * i128::from(t[i])).sum();
+            let limit = (1 << 63) - (1 << 32);
+            let (got, want) = (i128::from(sum.scaled(exponent)), scaled(exact, exponent));
+            assert_eq!(got.clamp(-limit, limit), want.clamp(-limit, limit), "{m:?} {exponent} {t:?}");
         }
     }
 }

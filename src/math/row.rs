@@ -1,6 +1,8 @@
 //! A linear form over a space: the stuff of matrices.
 
-use super::num::{add, after, bits_of, excess, keep_rolled, magnitude, mul_translation, row_times, scale};
+use super::num::{
+    add, after, bits_of, excess, keep_rolled, magnitude, max, mul_translation, row_times, scale, Product,
+};
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
 /// constant in 2⁻³² that keeps what a coefficient's rounding would lose far from the origin.
@@ -49,18 +51,24 @@ pub(crate) fn forms(linear: &[[i32; 3]; 3], exponent: i32, p: &[i64; 3], offset:
     [form(x, exponent, p, a), form(y, exponent, p, b), form(z, exponent, p, c)]
 }
 
-/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating.
+/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating. The products are summed exactly:
+/// those that cancel each other may be far larger than what is left.
 #[inline(never)] // set-up: small is better
 pub(crate) fn form(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
-    let (mut sum, mut i) = (offset, 0);
+    let (mut sum, mut i) = (Product::ZERO, 0);
     while let (Some(m), Some(c)) = (linear.get(i), p.get(i)) {
-        // Most of a camera's are 0.
-        if *m != 0 {
-            sum = add(sum, mul_translation(*m, exponent - 30, *c));
-        }
+        sum = sum.plus(*m, *c);
         i = after(i);
     }
-    sum
+    add(offset, sum.scaled(exponent - 30))
+}
+
+/// Forms of one homogeneous point over a vector in 2⁻³²: in units of 2^(shift − 32), and that shift, which is 0 where
+/// none of them can pass 2⁶¹. None saturates.
+pub(crate) fn homogeneous<const N: usize>(rows: &[Row; N], p: &[i64; 3]) -> ([i64; N], i32) {
+    let reach = excess(bits_of(p), 0);
+    let shift = rows.iter().fold(0, |shift, row| max(shift, row.overflow(reach)));
+    (rows.map(|row| form(&row.linear, row.exponent - shift, p, scale(row.offset, -shift))), shift)
 }
 
 impl Row {

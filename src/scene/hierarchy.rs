@@ -109,7 +109,7 @@ impl<'a> Hierarchy<'a> {
     }
 
     /// World transform = parent's world · local, for all nodes in order. Each level adds the rounding of
-    /// [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 3·2⁻³³.
+    /// [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
     pub fn update(&mut self) {
         for i in 0..self.nodes.len() {
             let (before, rest) = self.nodes.split_at_mut(i); // i < len: never panics

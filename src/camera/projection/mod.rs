@@ -12,7 +12,7 @@ pub(super) use parts::ratio as quotient;
 pub use planar::PlanarProjection;
 pub use reference::ReferenceVolume;
 
-use crate::math::{ClipPoint, Point3, Row, Scalar};
+use crate::math::{homogeneous, ClipPoint, Point3, Row, Scalar};
 use crate::space::View;
 
 /// A rectangle of the near plane (perspective) or of any plane z = const (orthographic), in view
@@ -112,12 +112,11 @@ impl core::error::Error for ProjectionError {}
 
 impl Projection {
     /// A view point in clip space, each of x, y, z, w within 2⁻³⁰ of the largest of them, and 2⁻²⁹ (in units of
-    /// the matrix), of the matrix as it is.
+    /// the matrix), of the matrix as it is. Where products pass 2²⁹ and cancel each other, 2⁻⁵⁹ of them comes on top.
     pub fn apply(&self, p: Point3<View>) -> ClipPoint {
         let p = p.bits().map(|c| i64::from(c) << 16);
-        let [x, y, d, w] = self.rows.map(|row| row.apply(&p));
-        // z = 2d − w, all four quartered so that nothing passes 2⁶².
-        ClipPoint::new([x >> 2, y >> 2, (d >> 1) - (w >> 2), w >> 2], 2 - 32)
+        let ([x, y, d, w], shift) = homogeneous(&self.rows, &p);
+        ClipPoint::new([x, y, 2 * d - w, w], shift - 32) // each below 2⁶¹, so that z = 2d − w is below 2⁶³
     }
 
     pub(super) const fn rows(&self) -> &[Row; 4] {

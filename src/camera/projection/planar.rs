@@ -3,7 +3,7 @@
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
 use crate::math::num::{excess, scale, sqrt, SATURATED};
-use crate::math::{to_scalar, Point3, Row, Scalar, Vector3};
+use crate::math::{homogeneous, to_scalar, Point3, Row, Scalar, Vector3};
 use crate::space::View;
 
 /// Projects points of view space onto a plane z = const along rays from a centre or along a
@@ -150,13 +150,13 @@ impl PlanarProjection {
         Ok(Self { rows })
     }
 
-    /// The image of a point, rounded to 2⁻¹⁶ and saturated. Rounded coefficients add at most 2⁻²⁸/(w·dz) of the
+    /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and saturated. Rounded coefficients add at most 2⁻²⁸/(w·dz) of the
     /// largest coordinate of point, plane and image; dz is 1 except in [`general`](Self::general). `None` where
-    /// the ray runs along the plane (w = 0). A point behind the centre has an image too, upside down: this is the
+    /// the ray runs along the plane (w = 0, or rounds to it). A point behind the centre has an image too, upside down: this is the
     /// arithmetic of the matrix.
     pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {
         let p = p.bits().map(|c| i64::from(c) << 16);
-        let [x, y, z, w] = self.rows.map(|row| row.apply(&p));
+        let ([x, y, z, w], _) = homogeneous(&self.rows, &p);
         if w == 0 {
             return None;
         }

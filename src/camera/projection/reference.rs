@@ -3,7 +3,7 @@
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
 use crate::math::num::{mul_translation, scale, SATURATED};
-use crate::math::{to_scalar, Point3, Row, Scalar};
+use crate::math::{homogeneous, to_scalar, Point3, Row, Scalar};
 use crate::space::{Canonical, View};
 
 /// A view volume by projection reference point (PRP), window on the view plane, and front and back
@@ -104,17 +104,18 @@ impl ReferenceVolume {
         Ok(Self { rows: [x, y, z], kind: Kind::Parallel })
     }
 
-    /// A view point in the canonical volume's coordinates, rounded to 2⁻¹⁶ and saturated. Rounded coefficients add
-    /// at most 2⁻²⁸ of the largest term (a coefficient times its coordinate, or the constant) and 2⁻³¹.
+    /// A view point in the canonical volume's coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and
+    /// saturated. Rounded coefficients add at most 2⁻²⁷ of the largest coefficient times the largest coordinate (or of the
+    /// constant, where that is larger) and 2⁻³¹.
     pub fn normalise(&self, p: Point3<View>) -> Point3<Canonical> {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let shrink = match self.kind {
             Kind::Parallel => ONE,
             Kind::Perspective { to_back, .. } => ratio(1 << 16, to_back),
         };
-        Point3::from_bits(self.rows.map(|row| {
-            let v = row.apply(&p);
-            to_scalar(mul_translation(shrink.0 as i32, shrink.1, v)) // |m| ≤ 2³⁰
+        let (xyz, shift) = homogeneous(&self.rows, &p);
+        Point3::from_bits(xyz.map(|v| {
+            to_scalar(mul_translation(shrink.0 as i32, shrink.1 + shift, v)) // |m| ≤ 2³⁰
         }))
     }
 
