@@ -223,7 +223,8 @@ pub struct ClipVertex<const A: usize> {
     /// Where it is.
     pub point: ClipPoint,
     /// What it carries, in any unit: all of an `i32`. Interpolated linearly in clip space, hence linearly in
-    /// space; rounded to nearest.
+    /// space; rounded to nearest, from a place on the edge of 31 bits: within 1 of the edge's own where its ends are less than
+    /// 2³¹ apart.
     pub attributes: [i32; A],
 }
 
@@ -287,7 +288,8 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 
 /// The part of a triangle inside the view volume −w ≤ x, y, z ≤ w: a convex polygon of up to nine
 /// corners in the triangle's order, empty where nothing is inside. New corners are within 2⁻²⁷ of
-/// the largest corner's coordinates but where edges run nearly along planes, and neighbours that share an edge get the same ones.
+/// the largest corner's coordinates but where edges run nearly along planes, and neighbours that share an edge get the
+/// same ones.
 /// (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
 ///
 /// ```

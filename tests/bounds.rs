@@ -213,38 +213,51 @@ fn s4_a_projection_from_its_matrix() {
 }
 
 /// All vertices lie inside, and the radius is at most √3 times half the longest side of their box, which no
-/// sphere round them falls short of; rounded up by at most 4·2⁻¹⁶ and 2⁻²⁸ of itself.
+/// sphere round them falls short of; rounded up by at most 9·2⁻¹⁶ and 2⁻²⁸ of itself.
 #[test]
 fn s5_bounding_spheres() {
     let mut rng = Rng::new(0x60);
-    let mut widest = 0f64;
-    for _ in 0..20_000 {
-        let exponent = rng.int(-15, 0) as i8;
-        let reach = rng.int(1, 32_767);
-        let mut any = || [0; 3].map(|_| rng.int(-reach, reach) as i16);
-        let vertices: [[i16; 3]; 6] = core::array::from_fn(|_| any());
-        let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
-        let sphere = mesh.bounding_sphere();
+    let (mut widest, mut steps) = (0f64, 0f64);
+    for k in 0..20_000 {
+        let (sphere, places) = if k % 2 == 0 {
+            let exponent = rng.int(-15, 0) as i8;
+            let reach = rng.int(1, 32_767);
+            let mut any = || [0; 3].map(|_| rng.int(-reach, reach) as i16);
+            let vertices: [[i16; 3]; 6] = core::array::from_fn(|_| any());
+            let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
+            (mesh.bounding_sphere(), vertices.map(|v| chain::vertex(v, exponent)))
+        } else {
+            // Two corners of a cube, and what lies between: no sphere is smaller than √3 times half a side.
+            let side = rng.log(1.0, 1e9) as i64;
+            let low = rng.int(-1_000_000_000, 1_000_000_000);
+            let between = [0; 3].map(|_| (low + rng.int(0, side)) as i32);
+            let vertices = [low as i32, (low + side) as i32].map(|c| [c; 3]);
+            let vertices = [vertices[0], vertices[1], between, between, between, between];
+            let fixed = vertices.map(|v| v.map(Scalar::from_bits));
+            let mesh = Mesh::from_fixed(&fixed, &[]).expect("a mesh");
+            (mesh.bounding_sphere(), vertices.map(|v| v.map(chain::fx)))
+        };
         let (centre, radius) = (bridge::reals(sphere.centre), chain::fx(sphere.radius.to_bits()));
-        let places = vertices.map(|v| chain::vertex(v, exponent));
         let mut longest = 0f64;
         for i in 0..3 {
             let side = places.iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p[i]), b.max(p[i])));
             longest = longest.max((side.1 - side.0) / 2.0);
         }
         if sphere.radius == Scalar::MAX {
-            assert!(3f64.sqrt() * longest > 32_767.0, "{vertices:?}·2^{exponent}");
+            assert!(3f64.sqrt() * longest > 32_767.0, "{places:?}");
             continue; // stands for any radius: see the next test
         }
         for p in places {
             let away = chain::length(core::array::from_fn(|i| p[i] - centre[i]));
-            assert!(away <= radius, "{away} of {radius}: {vertices:?}·2^{exponent}");
+            assert!(away <= radius, "{away} of {radius}: {places:?}");
         }
-        let room = 3f64.sqrt() * longest + 4.0 / 65_536.0 + radius * 2f64.powi(-28);
-        assert!(radius <= room, "{radius} of {room}: {vertices:?}·2^{exponent}");
-        widest = widest.max(radius / room);
+        let least = 3f64.sqrt() * longest + radius * 2f64.powi(-28);
+        steps = steps.max((radius - least) * 65_536.0);
+        assert!(steps <= 9.0, "{steps}: {radius} of {least}: {places:?}");
+        widest = widest.max(radius / least);
     }
     assert!(widest >= 0.5, "{widest}");
+    assert!(steps >= 4.5, "{steps} of 9");
 }
 
 /// A mesh whose sphere no `Scalar` describes is never called outside, nor inside.

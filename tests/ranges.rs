@@ -139,6 +139,9 @@ fn clip_points_are_the_matrix_times_the_point_however_large_the_products() {
         let [x, ..] = reals(clip.ndc().expect("in front of the eye"));
         assert!((x - wanted).abs() < 1e-4, "{x} instead of {wanted}"); // 30 bits of 30 000
     }
+    let narrow = Projection::orthographic(window([-1, 1, -1, 1]), scalar(0), scalar(ONE)).expect("a window");
+    let ndc = narrow.apply(point([-ONE, ONE, -ONE])).ndc().expect("in front");
+    assert_eq!((ndc.x(), ndc.y(), ndc.z().to_bits()), (Scalar::MIN, Scalar::MAX, ONE));
     let (mut rng, mut seen) = (Rng::new(11), 0);
     for _ in 0..100_000 {
         let mut side = || {

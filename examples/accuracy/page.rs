@@ -90,7 +90,7 @@ Bounds that other tests hold, with their own measurements:
 | `Placed::hidden_line` | 99.8 % of what is seen is drawn; nothing more than two steps behind what is nearest at the pixel's centre, but for the edge's own faces | `tests/hidden_line.rs` |
 | `Gouraud`, `Flat` | ½ + 2⁻⁹ level of the target's channel | `tests/shading/` |
 | `Dithered`, mean of 8 × 8 pixels of one colour | 1/128 + 2⁻¹⁶ level | `tests/shading/dither.rs` |
-| `Mesh::bounding_sphere`, radius | √3 times the least, 4·2⁻¹⁶ and 2⁻²⁸ of itself | `s5_bounding_spheres` |
+| `Mesh::bounding_sphere`, radius | √3 times the least, 9·2⁻¹⁶ and 2⁻²⁸ of itself | `s5_bounding_spheres` |
 | `Viewing::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
 | `Affine::to_matrix`, `Projection::to_matrix` and back | exact | `s2_a_matrix_read_back_is_the_same_transform`, `s4_a_projection_from_its_matrix` |
 | `Viewing::isometric`, rows | 2⁻³² | `s4_isometric_rows` |

@@ -108,7 +108,9 @@ impl Camera {
     /// in 45 bits).
     ///
     /// Its error is what half a sub-pixel and half a step of depth amount to there, and 2⁻¹⁷; for a pair that
-    /// `project` returned, `project`'s own error comes on top.
+    /// `project` returned, `project`'s own error comes on top. For fields of view up to 150° and rows of
+    /// [`Viewing::from_matrix`](crate::Viewing::from_matrix) that are rigid to 2⁻²⁹: what these are off moves the point by as
+    /// much of its distance.
     pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
         let [across, down] = self.planes_through(at);
         let [_, _, d, w] = &self.rows;
@@ -121,7 +123,8 @@ impl Camera {
     /// outside the world or the view is too flat to tell.
     ///
     /// What is seen at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the line; for a place that
-    /// `project` returned, what `project`'s error amounts to there comes on top.
+    /// `project` returned, what `project`'s error amounts to there comes on top. For the same views as
+    /// [`unproject`](Self::unproject).
     pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;

@@ -318,9 +318,8 @@ impl Viewing {
         self.rows
     }
 
-    /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units; each within 2⁻¹³ where VUP is at
-    /// least 1/50 rad off VPN; nearer, the rows' error times the eye. For inspection only: the pipeline subtracts
-    /// the eye first.
+    /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units; each within
+    /// 2⁻¹³ over the sine of the angle between VUP and VPN. For inspection only: the pipeline subtracts the eye first.
     pub fn translation(&self) -> [i64; 3] {
         self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
     }

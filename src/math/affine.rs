@@ -228,7 +228,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// # Errors
     ///
     /// [`InverseError::Singular`] where the axes lie in a plane: the determinant, relative to the
-    /// product of the rows' lengths, is below 2⁻²⁴.
+    /// product of the rows' lengths, is below about 2⁻²⁴ (2⁻²⁵ … 2⁻²³).
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Angle, InverseError, Point3, Scalar, Vector3};

@@ -60,12 +60,8 @@ impl ClipPoint {
             // (|c| < 2³¹) · 2¹⁶ + w/2 stays below 2⁴⁸.
             let n = (u64::from(c.unsigned_abs()) << 16) + u64::from(w / 2);
             let (q, _) = divide(n, w);
-            let q = q.min(i32::MAX as u64) as i32;
-            if c < 0 {
-                -q
-            } else {
-                q
-            }
+            let q = if c < 0 { -(q as i64) } else { q as i64 };
+            q.clamp(i32::MIN.into(), i32::MAX.into()) as i32
         })))
     }
 

@@ -53,8 +53,8 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
 }
 
 impl<A, B> NormalMap<A, B> {
-    /// Maps a normal (2⁻¹⁵, any length) to a unit normal (2⁻¹⁵, 32767 stands for 1), each component within 2⁻¹⁵;
-    /// zero where the image has no direction.
+    /// Maps a normal (2⁻¹⁵, any length) to a unit normal (2⁻¹⁵, 32767 stands for 1), each component within 2⁻¹⁵ and
+    /// κ·2⁻³⁰, where κ is the transform's largest stretch over its smallest; zero where the image has no direction.
     pub fn apply(&self, normal: [i16; 3]) -> [i16; 3] {
         let ([x, y, z], normal) = (&self.rows, normal.map(i32::from)); // three products of at most 2⁴⁵
         let image = [dot(x, &normal), dot(y, &normal), dot(z, &normal)];

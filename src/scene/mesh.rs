@@ -539,7 +539,7 @@ impl<'a, V> Mesh<'a, V> {
 
 impl<V: Coordinate> Mesh<'_, V> {
     /// A sphere round all vertices, about the centre of their bounding box: its radius is at most
-    /// √3 times the smallest one's, rounded up by at most 4·2⁻¹⁶ and 2⁻²⁸ of itself; `Scalar::MAX` where
+    /// √3 times the smallest one's, rounded up by at most 9·2⁻¹⁶ and 2⁻²⁸ of itself; `Scalar::MAX` where
     /// the sphere's numbers leave [`Scalar`]. For [`Camera::visibility`](crate::Camera::visibility);
     /// compute it once.
     pub fn bounding_sphere(&self) -> Sphere {

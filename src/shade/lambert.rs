@@ -81,8 +81,8 @@ impl Lambert {
         })
     }
 
-    /// The light on a face, or at a vertex, with this unit normal (model space, 2⁻¹⁵), 0 … 256: within 1 of
-    /// `ambient + (256 − ambient) · max(0, cos)`.
+    /// The light on a face, or at a vertex, with this unit normal (model space, 2⁻¹⁵), 0 … 256: within 1 and
+    /// κ·2⁻²² (κ: the model's largest stretch over its smallest) of `ambient + (256 − ambient) · max(0, cos)`.
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
         let [a, b, c] = normal;

@@ -13,7 +13,7 @@ impl Projection {
     /// ```
     ///
     /// A factor of 1 is the **cavalier** projection, ½ the **cabinet** projection, 0 the
-    /// orthographic one. Coefficients of x and y are within 2⁻²⁹·(1 + factor) of the row's largest.
+    /// orthographic one. Coefficients of x and y are within 2⁻²⁹·(1 + |factor|) of the row's largest.
     /// Usual angles are 30° and 45°. The window lies in the plane z = 0; near
     /// and far are distances along −z and may be negative.
     /// (Foley et al., *Computer Graphics*, 2nd ed., section 6.1.2.)

@@ -17,7 +17,7 @@ impl Projection {
     ///     | 0               0           −1            0           |
     /// ```
     ///
-    /// cot(fov/2) is within 2⁻²⁷/sin(fov) of itself, (z + w)/2 within 2⁻³⁰ of itself.
+    /// cot(fov/2) is within 2⁻²⁷/sin(fov) of itself, (z + w)/2 within 2⁻³⁰ of itself and 2⁻³³.
     ///
     /// (*OpenGL Programming Guide*, appendix on homogeneous coordinates; Marschner and Shirley,
     /// *Fundamentals of Computer Graphics*, section on perspective projection.)
@@ -68,7 +68,7 @@ impl Projection {
     ///     | 0         0         −1            0           |
     /// ```
     ///
-    /// Coefficients of x and y are within 2⁻²⁹ of the row's largest, (z + w)/2 within 2⁻³⁰ of itself.
+    /// Coefficients of x and y are within 2⁻²⁹ of the row's largest, (z + w)/2 within 2⁻³⁰ of itself and 2⁻³³.
     ///
     /// (OpenGL 1.x, `glFrustum`; *OpenGL Programming Guide*, appendix on homogeneous coordinates.)
     ///
