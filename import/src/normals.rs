@@ -6,6 +6,25 @@ pub(crate) fn cross([a, b, c]: [[i16; 3]; 3]) -> [i64; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| d(b, i) * d(c, j) - d(b, j) * d(c, i))
 }
 
+/// Whether three points lie on one line, as far as f64 tells: where it does not, they may as well.
+pub(crate) fn on_one_line([a, b, c]: [[f64; 3]; 3]) -> bool {
+    let side = |to: [f64; 3]| about_one([0, 1, 2].map(|axis| to[axis] - a[axis]));
+    let (u, v) = (side(b), side(c));
+    [(1, 2), (2, 0), (0, 1)].iter().all(|&(i, j)| u[i] * v[j] == u[j] * v[i])
+}
+
+/// The vector times a power of two, so that products of such are too small for f64 only where they do not count.
+fn about_one(vector: [f64; 3]) -> [f64; 3] {
+    let largest = vector.iter().fold(0.0f64, |largest, c| c.abs().max(largest));
+    // Without its mantissa; what is too small to be divided by stays.
+    let power = f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits());
+    if power.is_normal() {
+        vector.map(|c| c / power)
+    } else {
+        vector
+    }
+}
+
 /// The cosine of the angle between two vectors that are not zero.
 pub(crate) fn cosine(a: [i64; 3], b: [i64; 3]) -> f64 {
     let (a, b) = (direction(a), direction(b));

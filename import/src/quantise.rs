@@ -4,7 +4,7 @@ use crate::edges::Sides;
 use crate::grid::{extent, Grid};
 use crate::mesh::{ImportedMesh, Report, Topology};
 use crate::model::{Model, Warning};
-use crate::normals::{cross, of_vertices, unit};
+use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::weld::weld;
 use crate::{decimate, order, Edges, Options, Problem, Step, Triangles};
 
@@ -51,7 +51,8 @@ pub(crate) fn make(
     begins(Step::Weld);
     // Adding 0.0 makes one of the two zeros.
     let bits: Vec<_> = read.iter().map(|p| p.map(|c| (c + 0.0).to_bits())).collect();
-    let mut exact = weld(&bits, &faces, |_| false);
+    // What has no area must not decide about the grid either.
+    let mut exact = weld(&bits, &faces, |corners| on_one_line(corners.map(|p| p.map(f64::from_bits))));
     drop(bits);
     let vertices_read = read.len();
     if exact.faces.is_empty() {

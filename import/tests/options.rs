@@ -74,6 +74,39 @@ fn bounds(mesh: &ImportedMesh) -> [[f64; 3]; 2] {
     [fold(f64::min), fold(f64::max)]
 }
 
+/// A tetrahedron with edges of 1, and a face far away whose corners lie on one line.
+fn with_sliver(far: f64) -> PathBuf {
+    let text = format!(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nv {far} 0 0\nv {} 0 0\nf 1 5 6\n",
+        2.0 * far
+    );
+    file(&format!("sliver-{far:e}.obj"), &text)
+}
+
+#[test]
+fn faces_on_a_line_decide_nothing() {
+    for far in [1e3, 1e9, 1e-9, 1e150] {
+        let options = Options { fit: Some(2.0), ..Options::default() };
+        let mesh = import(&with_sliver(far), &options).unwrap_or_else(|e| panic!("{e}"));
+        let report = mesh.report;
+        assert_eq!((mesh.faces.len(), report.degenerate, report.unused), (4, 1, 2), "{far:e}");
+        assert_eq!((report.extent, report.scale, mesh.offset), (2.0, 2.0, [1.0; 3]), "{far:e}");
+        let sliver = mesh.warnings.iter().find(|w| w.message.contains("without area")).unwrap();
+        assert_eq!(sliver.message, "faces without area dropped: 1, the first at line 11");
+    }
+}
+
+#[test]
+fn small_and_large_faces_have_an_area() {
+    // Their squares are beyond f64.
+    for size in [1e-170, 1e200] {
+        let text = format!("v 0 0 0\nv {size:e} 0 0\nv 0 {size:e} 0\nf 1 2 3\n");
+        let options = Options { fit: Some(1.0), ..Options::default() };
+        let mesh = import(&file(&format!("size-{size:e}.obj"), &text), &options).unwrap();
+        assert_eq!((mesh.faces.len(), mesh.report.extent), (1, 1.0));
+    }
+}
+
 #[test]
 fn the_axis_that_points_upwards_becomes_y_and_nothing_is_mirrored() {
     let whole = import(&block(), &Options::default()).unwrap();
