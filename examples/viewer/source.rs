@@ -51,7 +51,7 @@ impl Source {
 
     /// What one sees of it first.
     pub fn state(&self) -> State {
-        State::new(self.own.is_some())
+        State::new(self.own.is_some(), self.own.as_ref().is_some_and(|own| own.cull))
     }
 
     /// As a state looks at it.

@@ -30,6 +30,8 @@ pub struct State {
     pub(crate) help: bool,
     /// Whether there is a camera to go back to.
     own: bool,
+    /// `cull` at the beginning.
+    own_cull: bool,
 }
 
 /// What there is to look at.
@@ -103,8 +105,9 @@ const STEP: f64 = 5.0;
 const DRAG: f64 = 0.5;
 
 impl State {
-    /// What one sees first: a model in the usual perspective, or a scene with its own camera.
-    pub fn new(own_camera: bool) -> Self {
+    /// What one sees first: a model in the usual perspective, or a scene with its own camera; with faces turned away or
+    /// without them.
+    pub fn new(own_camera: bool, cull: bool) -> Self {
         let usual = Named::ALL[0];
         Self {
             thing: Thing::Model,
@@ -115,7 +118,7 @@ impl State {
             mode: Mode::Solid,
             format: Format::Rgb565,
             dither: true,
-            cull: false,
+            cull,
             rows: Some(8),
             step: 0,
             turning: false,
@@ -123,6 +126,7 @@ impl State {
             information: true,
             help: false,
             own: own_camera,
+            own_cull: cull,
         }
     }
 
@@ -180,7 +184,7 @@ impl State {
             Action::Help => self.help ^= true,
             Action::Turn => self.turning ^= true,
             Action::Thing => self.thing = next(&[Thing::Model, Thing::Oled, Thing::First], self.thing, 1),
-            Action::Reset => *self = Self { help: self.help, ..Self::new(self.own) },
+            Action::Reset => *self = Self { help: self.help, ..Self::new(self.own, self.own_cull) },
             Action::Screenshot | Action::Quit => {}
         }
     }

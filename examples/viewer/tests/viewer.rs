@@ -385,3 +385,26 @@ fn a_scene_begins_with_its_own_camera() {
     press(&mut state, "0 p");
     assert_eq!(viewer.draw(&state).unwrap().statistics.drawn, 1);
 }
+
+#[test]
+fn a_scene_s_culling_is_that_of_its_file() {
+    // One triangle turned to the eye, and one turned away.
+    let json = r#"{"vertices": [[-1, -1, 0], [0, -1, 0], [-1, 1, 0], [1, -1, 0], [1, 1, 0]],
+        "triangles": [[0, 1, 2], [1, 4, 3]],
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]], "width": 64, "height": 64, "cull": "CULL"}"#;
+    for (cull, culled) in [("none", 0), ("back", 1)] {
+        let source = Source::read(&file(&format!("cull_{cull}.json"), &json.replace("CULL", cull))).unwrap();
+        let (mut state, size) = (source.state(), source.size().unwrap());
+        let mut viewer = Viewer::new(source, size);
+        let mut after = |keys: &str| {
+            press(&mut state, keys);
+            let statistics = viewer.draw(&state).unwrap().statistics;
+            (statistics.drawn, statistics.culled)
+        };
+        assert_eq!(after(""), (2 - culled, culled), "{cull}");
+        // The key turns it over, and there is a way back.
+        assert_eq!(after("k"), (1 + culled, 1 - culled), "{cull}");
+        assert_eq!(after("0"), (2 - culled, culled), "{cull}");
+    }
+}
