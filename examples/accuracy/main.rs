@@ -40,7 +40,7 @@ fn main() -> ExitCode {
         let page = match page::page() {
             Ok(page) => page,
             Err(bound) => {
-                eprintln!("{bound}");
+                command::complain(bound);
                 return Ok(ExitCode::from(1));
             }
         };

@@ -87,14 +87,14 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     film.finish()?;
     let sample = (0..).zip(pictures).filter(|(frame, _)| film::on_sheet(*frame, frames, 12));
     film::write_sheet(&sheet, size, &sample.map(|(_, picture)| picture).collect::<Vec<_>>())?;
-    println!("{}", gif.display());
-    println!("{}", sheet.display());
+    command::say(gif.display())?;
+    command::say(sheet.display())?;
     let Statistics { drawn, culled, clipped, outside, degenerate } = total;
-    println!(
+    command::say(format_args!(
         "{} nodes; {frames} frames: {drawn} faces drawn, {culled} culled, {clipped} clipped, {outside} outside, \
          {degenerate} degenerate",
         robot.nodes().len(),
-    );
+    ))?;
     Ok(())
 }
 

@@ -43,7 +43,9 @@ fn main() -> ExitCode {
         pictures.push(("two strips and DMA", display.pixels()));
         let (display, others) = task::show(&mut scene, Display::new(SIZE))?;
         pictures.push(("async task", display.pixels()));
-        println!("another task ran {others} times while the bands of the async one were on their way");
+        command::say(format_args!(
+            "another task ran {others} times while the bands of the async one were on their way"
+        ))?;
 
         for (name, picture) in &pictures {
             if *picture != pictures[0].1 {
@@ -54,7 +56,7 @@ fn main() -> ExitCode {
         let file = out.join("bands.png");
         let png = still::png(SIZE, &pictures[0].1)?;
         std::fs::write(&file, png).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
-        println!("{}: the same picture three times", file.display());
+        command::say(format_args!("{}: the same picture three times", file.display()))?;
         Ok(ExitCode::SUCCESS)
     })
 }

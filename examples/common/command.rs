@@ -3,6 +3,8 @@
 
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use embedded_graphics::geometry::Size;
+use std::fmt::Display;
+use std::io::{ErrorKind, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -11,9 +13,25 @@ use std::process::ExitCode;
 /// in it, and exit code 2.
 pub(crate) fn run<E: ToString>(example: impl FnOnce() -> Result<ExitCode, E>) -> ExitCode {
     example().unwrap_or_else(|problem| {
-        eprintln!("{}", problem.to_string().replace(char::is_control, " "));
+        complain(problem.to_string().replace(char::is_control, " "));
         ExitCode::from(2)
     })
+}
+
+/// A line to standard output. Who closes it (`| head`) has read enough, and the example goes on without.
+pub(crate) fn say(line: impl Display) -> Result<(), String> {
+    let mut out = std::io::stdout().lock();
+    match writeln!(out, "{line}").and_then(|()| out.flush()) {
+        Err(problem) if problem.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("standard output: cannot be written: {problem}"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A line to standard error, if anybody reads that; there is no other place to say that nobody does.
+pub(crate) fn complain(line: impl Display) {
+    let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 /// The arguments; asked for help, it gives that and ends.
@@ -129,7 +147,7 @@ impl Generated {
         self.finish_showing(page.as_bytes(), |old| {
             let old = String::from_utf8_lossy(old);
             if let Some((old, new)) = old.lines().zip(page.lines()).find(|(old, new)| old != new) {
-                eprintln!("- {old}\n+ {new}");
+                complain(format_args!("- {old}\n+ {new}"));
             }
         })
     }
@@ -138,7 +156,7 @@ impl Generated {
         let (example, out) = (self.example, self.out.display());
         if !self.check {
             std::fs::write(&self.out, content).map_err(|e| format!("{out}: cannot be written: {e}"))?;
-            println!("{out}");
+            say(&out)?;
             return Ok(ExitCode::SUCCESS);
         }
         let file = std::fs::read(&self.out).map_err(|e| format!("{out}: cannot be read: {e}"))?;
@@ -146,7 +164,9 @@ impl Generated {
             return Ok(ExitCode::SUCCESS);
         }
         difference(&file);
-        eprintln!("{out}: not current: run cargo run --release --example {example} -- --out {out}");
+        complain(format_args!(
+            "{out}: not current: run cargo run --release --example {example} -- --out {out}"
+        ));
         Ok(ExitCode::from(1))
     }
 }

@@ -59,7 +59,7 @@ fn run(from: &Path, to: &Path) -> Result<(), String> {
     let counts = picture.counts();
     let bytes: Vec<u8> = counts.iter().flat_map(|count| count.to_le_bytes()).collect();
     files::write(&[(to, bytes)])?;
-    println!(
+    command::say(format_args!(
         "{}: {} x {} pixels, {} triangles, {} lines; {} pixels drawn, the most often {} times",
         to.display(),
         input.width,
@@ -68,6 +68,5 @@ fn run(from: &Path, to: &Path) -> Result<(), String> {
         input.lines.len(),
         counts.iter().filter(|&&count| count > 0).count(),
         counts.iter().max().unwrap_or(&0),
-    );
-    Ok(())
+    ))
 }

@@ -33,7 +33,7 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
     let pixels: Vec<Rgb888> = screen.0.iter().map(|&colour| colour.into()).collect();
     let png = still::png(screen.size(), &pixels)?;
     std::fs::write(&file, png).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
-    println!("{}: a picture", file.display());
+    command::say(format_args!("{}: a picture", file.display()))?;
     Ok(ExitCode::SUCCESS)
 }
 

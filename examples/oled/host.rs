@@ -72,7 +72,10 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
     let mut emulator = Emulator::start(core, firmware, PATIENCE)?;
     let mut pictures = Vec::new();
     while let Some((report, picture)) = emulator.frame()? {
-        println!("frame {:2}: {:4} bytes sent, {}", report.frame, report.bytes, report.caption);
+        command::say(format_args!(
+            "frame {:2}: {:4} bytes sent, {}",
+            report.frame, report.bytes, report.caption
+        ))?;
         let (size, pixels) = picture.enlarged(4);
         write(&format!("{:02}.png", report.frame), still::png(size, &pixels)?)?;
         pictures.push(picture);
@@ -81,8 +84,12 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
     let stack = emulator.finish()?;
     write("contact-sheet.png", sheet(&pictures)?)?;
     write("oled.gif", film(&pictures)?)?;
-    println!("{}: {} pictures of the display, contact-sheet.png, oled.gif", out.display(), pictures.len());
-    println!("{stack} bytes of stack");
+    let count = pictures.len();
+    command::say(format_args!(
+        "{}: {count} pictures of the display, contact-sheet.png, oled.gif",
+        out.display()
+    ))?;
+    command::say(format_args!("{stack} bytes of stack"))?;
     Ok(())
 }
 

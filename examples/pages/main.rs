@@ -42,9 +42,11 @@ fn main() -> ExitCode {
             let file = root().join(path);
             if !check {
                 std::fs::write(&file, content).map_err(|e| format!("{path}: cannot be written: {e}"))?;
-                println!("{path}");
+                command::say(path)?;
             } else if read(path).as_ref() != Ok(&content) {
-                eprintln!("{path}: not current: run cargo run --release --example pages");
+                command::complain(format_args!(
+                    "{path}: not current: run cargo run --release --example pages"
+                ));
                 current = false;
             }
         }

@@ -108,10 +108,9 @@ fn run(options: &Options) -> Result<(), String> {
     }
     files::write(&outputs)?;
     if let Some(text) = &text {
-        print!("{text}");
+        command::say(text.trim_end_matches('\n'))?;
     }
-    tell(options, &scene, &used, statistics.filter(|_| told), &outputs);
-    Ok(())
+    tell(options, &scene, &used, statistics.filter(|_| told), &outputs)
 }
 
 fn tell(
@@ -120,32 +119,33 @@ fn tell(
     used: &Scene,
     statistics: Option<Statistics>,
     outputs: &[(&Path, Vec<u8>)],
-) {
+) -> Result<(), String> {
     if let Some(Statistics { drawn, culled, clipped, outside, degenerate, .. }) = statistics {
         let (what, count) = match options.style.mode.of_lines() {
             false => ("triangles", scene.triangles.len()),
             true => ("edges", (drawn + outside) as usize),
         };
-        println!(
+        command::say(format_args!(
             "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them cut), \
              {culled} culled, {outside} outside, {degenerate} without area",
             options.scene.display(),
             scene.width,
             scene.height,
             scene.vertices.len(),
-        );
+        ))?;
     }
     if options.stats {
         let (part, pixels) = quantised::moved(scene, used);
-        println!(
+        command::say(format_args!(
             "in the crate's numbers a vertex moves by at most {part:.2e} of the mesh's extent; all rounding of \
              the input by at most {pixels:.2e} px"
-        );
+        ))?;
     }
     for (path, bytes) in outputs {
-        println!("{}: {} bytes", path.display(), bytes.len());
+        command::say(format_args!("{}: {} bytes", path.display(), bytes.len()))?;
     }
     if outputs.is_empty() && options.ascii.is_none() {
-        println!("nothing was written: give --png, --ids, --depth or --used");
+        command::say("nothing was written: give --png, --ids, --depth or --used")?;
     }
+    Ok(())
 }

@@ -112,20 +112,20 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     gif.finish()?;
     film::write_sheet(&sheet_file, size, &sheet)?;
 
-    println!("{preview}{}\n{}", gif_file.display(), sheet_file.display());
+    command::say(format_args!("{preview}{}\n{}", gif_file.display(), sheet_file.display()))?;
     let (vertices, edges) = (mesh.vertices.len(), mesh.edges.len());
-    println!(
+    command::say(format_args!(
         "{vertices} vertices, {} faces, {edges} edges; {} x {} pixels",
         mesh.faces.len(),
         size.width,
         size.height
-    );
+    ))?;
     if !inside.is_empty() {
-        println!("not a closed surface: the inside is drawn too");
+        command::say("not a closed surface: the inside is drawn too")?;
     }
-    println!("solid:     {solid}");
-    println!("wireframe: {wireframe}");
-    println!("painter's order: {misordered}");
+    command::say(format_args!("solid:     {solid}"))?;
+    command::say(format_args!("wireframe: {wireframe}"))?;
+    command::say(format_args!("painter's order: {misordered}"))?;
     Ok(())
 }
 

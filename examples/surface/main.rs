@@ -73,10 +73,12 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     }
     film.finish()?;
     film::write_sheet(&sheet, size, &sample)?;
-    println!("{}", gif.display());
-    println!("{}", sheet.display());
+    command::say(gif.display())?;
+    command::say(sheet.display())?;
     let Statistics { drawn, culled, .. } = total;
-    println!("{frames} frames in bands of {ROWS} rows: {drawn} faces drawn, {culled} culled");
+    command::say(format_args!(
+        "{frames} frames in bands of {ROWS} rows: {drawn} faces drawn, {culled} culled"
+    ))?;
     Ok(())
 }
 

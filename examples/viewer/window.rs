@@ -149,7 +149,7 @@ fn run(mut viewer: Viewer, mut state: State, size: Size, scale: u32, script: &Sc
                 Some(Action::Screenshot) => {
                     let file = free_name();
                     write(&file, size, &viewer, &state)?;
-                    println!("{}: what the window shows", file.display());
+                    command::say(format_args!("{}: what the window shows", file.display()))?;
                 }
                 Some(action) => state.apply(action),
                 None => {}

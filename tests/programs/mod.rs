@@ -12,11 +12,18 @@ pub(crate) fn example<S: AsRef<OsStr>>(name: &str, arguments: &[S]) -> Output {
 
 /// The same in a folder.
 pub(crate) fn example_in<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S]) -> Output {
+    command(folder, name, arguments).output().unwrap()
+}
+
+/// The same, not yet run.
+pub(crate) fn command<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S]) -> Command {
     let tests = std::env::current_exe().unwrap();
     let program =
         tests.with_file_name("../examples").join(name).with_extension(std::env::consts::EXE_EXTENSION);
     assert!(program.exists(), "cargo test builds {name}, cargo test --test does not");
-    Command::new(program).args(arguments).current_dir(folder).output().unwrap()
+    let mut command = Command::new(program);
+    command.args(arguments).current_dir(folder);
+    command
 }
 
 /// An empty folder of a test's own.

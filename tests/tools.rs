@@ -1,0 +1,62 @@
+//! What all host examples do alike with standard output and with files.
+
+mod programs;
+
+use programs::{command, folder};
+use std::fs;
+use std::path::Path;
+use std::process::Stdio;
+
+/// A triangle for `render`, and one for `coverage`.
+const MODEL: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const COUNTED: &str = r#"{"width": 2, "height": 1, "triangles": [[0, 0, 257, 0, 0, 257]]}"#;
+
+/// Command lines that write files into the folder where they run, and say so.
+const SAYING: [(&str, &str); 9] = [
+    ("render", "m.obj --png p.png --size 16x16"),
+    ("render", "m.obj --ascii --stats"),
+    ("coverage", "in.json out"),
+    ("spin", "--size 16 --frames 2 --out spin"),
+    ("arm", "--size 16 --frames 2 --out arm"),
+    ("surface", "--size 16 --frames 2 --out surface"),
+    ("bands", "--out bands"),
+    ("gallery", "--out gallery.png"),
+    ("first", ""),
+];
+
+fn fill(folder: &Path) {
+    fs::write(folder.join("m.obj"), MODEL).unwrap();
+    fs::write(folder.join("in.json"), COUNTED).unwrap();
+}
+
+#[test]
+fn who_stops_reading_ends_nothing() {
+    for (name, line) in SAYING {
+        let to = folder("tools", "closed");
+        fill(&to);
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let words: Vec<_> = line.split_whitespace().collect();
+        let done = command(&to, name, &words).stdout(writer).stderr(Stdio::piped()).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert!(done.status.success() && said.is_empty(), "{name} {line}: {:?} {said}", done.status);
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_cannot_be_said_is_an_error() {
+    for (name, line) in SAYING {
+        let to = folder("tools", "full");
+        fill(&to);
+        let full = fs::File::options().write(true).open("/dev/full").unwrap();
+        let words: Vec<_> = line.split_whitespace().collect();
+        let done = command(&to, name, &words).stdout(full).stderr(Stdio::piped()).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(2), "{name} {line}: {said}");
+        assert!(
+            said.starts_with("standard output: cannot be written: ") && said.lines().count() == 1,
+            "{said}"
+        );
+    }
+}
