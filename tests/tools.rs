@@ -2,7 +2,7 @@
 
 mod programs;
 
-use programs::{command, folder};
+use programs::{command, example_in, folder, refusal};
 use std::fs;
 use std::path::Path;
 use std::process::Stdio;
@@ -58,5 +58,41 @@ fn what_cannot_be_said_is_an_error() {
             said.starts_with("standard output: cannot be written: ") && said.lines().count() == 1,
             "{said}"
         );
+    }
+}
+
+/// A scene whose mesh is that of a file.
+const SCENE: &str = r#"{"mesh": "m.obj", "width": 8, "height": 8,
+    "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+    "projection": [[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]}"#;
+
+#[test]
+fn what_is_read_is_not_overwritten_by_any_name() {
+    for (input, name, line) in [
+        ("m.obj", "render", "m.obj --png"),
+        ("m.obj", "render", "m.obj --ids new --gif"),
+        ("s.json", "render", "s.json --used"),
+        ("m.obj", "render", "s.json --depth"),
+        ("in.json", "coverage", "in.json"),
+    ] {
+        let to = folder("tools", "itself");
+        fill(&to);
+        fs::write(to.join("s.json"), SCENE).unwrap();
+        #[cfg_attr(not(unix), allow(unused_mut))]
+        let mut names = vec![input];
+        #[cfg(unix)]
+        {
+            fs::hard_link(to.join(input), to.join("hard")).unwrap();
+            std::os::unix::fs::symlink(input, to.join("soft")).unwrap();
+            names.extend(["hard", "soft"]);
+        }
+        let before = (fs::read(to.join(input)).unwrap(), fs::read_dir(&to).unwrap().count());
+        for output in names {
+            let words: Vec<_> = line.split(' ').chain([output]).collect();
+            let said = refusal(&example_in(&to, name, &words));
+            assert!(said.starts_with(&format!("{output}: is the input itself")), "{words:?}: {said}");
+            let after = (fs::read(to.join(input)).unwrap(), fs::read_dir(&to).unwrap().count());
+            assert!(after == before, "{words:?}");
+        }
     }
 }

@@ -1,8 +1,20 @@
-//! Files that are written whole, all of them or none.
+//! Files that are written whole, all of them or none, and never what was read.
+#![allow(dead_code)] // not every example is given a file
 
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+
+#[path = "../../import/src/same.rs"]
+mod same;
+
+/// Refuses outputs that are the input, by whatever name.
+pub(crate) fn apart<'a>(input: &Path, outputs: impl IntoIterator<Item = &'a Path>) -> Result<(), String> {
+    match outputs.into_iter().find(|output| same::is_same(input, output)) {
+        Some(output) => Err(format!("{}: is the input itself: name another file", output.display())),
+        None => Ok(()),
+    }
+}
 
 /// Writes each file beside its place first, and moves them there when all are complete. An error
 /// names the file; what stood there before stays.

@@ -46,6 +46,7 @@ fn main() -> ExitCode {
 }
 
 fn run(from: &Path, to: &Path) -> Result<(), String> {
+    files::apart(from, [to])?;
     let text = fs::read(from).map_err(|e| format!("{}: cannot be read: {e}", from.display()))?;
     let input = Input::parse(&text).map_err(|e| format!("{}: {e}", from.display()))?;
     drop(text);

@@ -56,6 +56,8 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<(), String> {
     let named = |e: String| format!("{}: {e}", options.scene.display());
+    let apart = |input: &Path| files::apart(input, options.outputs());
+    apart(&options.scene)?;
     let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
     let scene = match &options.look {
         Some(look) => {
@@ -66,7 +68,11 @@ fn run(options: &Options) -> Result<(), String> {
             }
             model::scene(mesh, look)?
         }
-        None => Scene::read(&options.scene)?,
+        None => {
+            let scene = Scene::read(&options.scene)?;
+            scene.mesh_file.as_deref().map_or(Ok(()), apart)?;
+            scene
+        }
     };
     let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
     // Of any of the drawings: they draw the same faces or edges.

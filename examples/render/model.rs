@@ -125,6 +125,7 @@ pub(crate) fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
         height: look.height,
         viewport: [0, 0, look.width as i32, look.height as i32], // at most 4096
         cull: false,
+        mesh_file: None,
     })
 }
 

@@ -31,6 +31,13 @@ pub(crate) struct Options {
     pub(crate) unasked: bool,
 }
 
+impl Options {
+    /// The files to write.
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
+        [&self.png, &self.gif, &self.ids, &self.depth, &self.used].into_iter().flatten().map(PathBuf::as_path)
+    }
+}
+
 /// What is asked for; the error is one line.
 pub(crate) fn read() -> Result<Options, String> {
     let mut given = crate::command::matches(command())?;

@@ -2,7 +2,7 @@
 
 use crate::json::{Field, Json};
 use pinhole_import::Triangles;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(crate) type Matrix = [[f64; 4]; 4];
 
@@ -22,6 +22,8 @@ pub(crate) struct Scene {
     pub(crate) viewport: [i32; 4],
     /// Whether faces turned away are left out.
     pub(crate) cull: bool,
+    /// The file of its mesh, where it names one.
+    pub(crate) mesh_file: Option<PathBuf>,
 }
 
 impl Scene {
@@ -44,11 +46,12 @@ impl Scene {
                     "cull",
                 ])
                 .map_err(problem)?;
+        let mut mesh_file = None;
         let triangles = match (mesh, vertices, triangles) {
             (Some(mesh), None, None) => {
                 // Its own errors name the mesh's file.
                 let path = file.parent().unwrap_or(Path::new("")).join(mesh.text().map_err(problem)?);
-                read_mesh(&path)?
+                read_mesh(mesh_file.insert(path))?
             }
             (None, vertices, triangles) => lists(vertices, triangles).map_err(problem)?,
             _ => return Err(problem("mesh: is given together with vertices or triangles".into())),
@@ -83,6 +86,7 @@ impl Scene {
                 height: height as u32,
                 viewport,
                 cull,
+                mesh_file,
             })
         };
         rest().map_err(problem)

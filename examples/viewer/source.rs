@@ -1,18 +1,21 @@
 //! What is looked at: a file, or the mesh of the firmware examples.
 
+use crate::files;
 use crate::firmware;
 use crate::model::{self, Fit, Look, Up};
 use crate::scene::{self, Matrix, Scene};
 use crate::state::State;
 use embedded_graphics::geometry::Size;
 use pinhole_import::Triangles;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A mesh, and a camera where its file has one.
 pub struct Source {
     mesh: Triangles,
     up: Up,
     own: Option<Scene>,
+    /// Where it comes from.
+    file: Option<PathBuf>,
 }
 
 impl Source {
@@ -27,10 +30,10 @@ impl Source {
             let own = Scene::read(file)?;
             let positions = own.vertices.iter().map(|&v| in_the_world(&own, v)).collect();
             let mesh = Triangles { positions, faces: own.triangles.clone() };
-            return Ok(Self { mesh, up: Up::Y, own: Some(own) });
+            return Ok(Self { mesh, up: Up::Y, own: Some(own), file: Some(file.into()) });
         }
         let up = if is("stl") { Up::Z } else { Up::Y };
-        Ok(Self { mesh: scene::read_mesh(file)?, up, own: None })
+        Ok(Self { mesh: scene::read_mesh(file)?, up, own: None, file: Some(file.into()) })
     }
 
     /// The teapot of the firmware examples.
@@ -41,12 +44,22 @@ impl Source {
             positions: teapot.vertices().iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
             faces: teapot.faces().iter().map(|face| face.map(usize::from)).collect(),
         };
-        Self { mesh, up: Up::Y, own: None }
+        Self { mesh, up: Up::Y, own: None, file: None }
     }
 
     /// The size of the picture that its file asks for.
     pub fn size(&self) -> Option<Size> {
         self.own.as_ref().map(|own| Size::new(own.width, own.height))
+    }
+
+    /// Refuses to overwrite what it was read from.
+    ///
+    /// # Errors
+    ///
+    /// A line that names the output.
+    pub fn apart_from(&self, output: &Path) -> Result<(), String> {
+        let mesh = self.own.as_ref().and_then(|own| own.mesh_file.as_deref());
+        self.file.as_deref().into_iter().chain(mesh).try_for_each(|input| files::apart(input, [output]))
     }
 
     /// What one sees of it first.

@@ -24,6 +24,8 @@ fn main() -> ExitCode {
             Some(file) => Source::read(&file)?,
             None => Source::built_in(),
         };
+        let screenshot: Option<PathBuf> = given.remove_one("screenshot");
+        screenshot.as_deref().map_or(Ok(()), |file| source.apart_from(file))?;
         let size = size(&mut given, &source)?;
         let mut state = source.state();
         let mut viewer = Viewer::new(source, size);
@@ -33,7 +35,7 @@ fn main() -> ExitCode {
             viewer.draw(&state)?; // so that what changes is what the last key changed
         }
         let stay = Duration::from_millis(given.remove_one("stay").unwrap_or_default());
-        let script = Script { screenshot: given.remove_one("screenshot"), stay };
+        let script = Script { screenshot, stay };
         let scale = given.remove_one::<u32>("scale").unwrap_or(2);
         run(viewer, state, size, scale, &script)?;
         Ok(ExitCode::SUCCESS)

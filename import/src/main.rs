@@ -1,5 +1,7 @@
 //! `pinhole-import MODEL -o OUT.rs`: a model as Rust source.
 
+mod same;
+
 use clap::builder::PossibleValuesParser;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -131,10 +133,8 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     let (model, output) = (path("MODEL"), path("output"));
     let name = given.get_one::<String>("name").map_or("MESH", String::as_str);
 
-    if let (Ok(from), Ok(to)) = (model.canonicalize(), output.canonicalize()) {
-        if from == to {
-            return Err(format!("{}: is the model itself", output.display()));
-        }
+    if same::is_same(&model, &output) {
+        return Err(format!("{}: is the model itself", output.display()));
     }
     let bar = progress();
     let mesh = pinhole_import::import_with(&model, &options(given), |step| {

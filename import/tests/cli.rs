@@ -140,8 +140,22 @@ fn the_readme_has_the_options_of_the_help() {
 fn the_model_is_not_overwritten() {
     let model = scratch("kept.obj");
     std::fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-    let done = import(&[&model, Path::new("-o"), &model]);
-    assert_eq!(done.status.code(), Some(2), "{done:?}");
-    assert!(String::from_utf8(done.stderr).unwrap().contains("is the model itself"));
-    assert!(std::fs::read_to_string(&model).unwrap().starts_with("v 0 0 0"));
+    #[cfg_attr(not(unix), allow(unused_mut))]
+    let mut names = vec![model.clone(), scratch("../cli/kept.obj")];
+    #[cfg(unix)]
+    {
+        let [hard, soft] = ["hard.rs", "soft.rs"].map(scratch);
+        for name in [&hard, &soft] {
+            let _ = std::fs::remove_file(name); // from an earlier run
+        }
+        std::fs::hard_link(&model, &hard).unwrap();
+        std::os::unix::fs::symlink(&model, &soft).unwrap();
+        names.extend([hard, soft]);
+    }
+    for output in names {
+        let done = import(&[&model, Path::new("-o"), &output]);
+        assert_eq!(done.status.code(), Some(2), "{output:?}: {done:?}");
+        assert!(String::from_utf8(done.stderr).unwrap().contains("is the model itself"));
+        assert!(std::fs::read_to_string(&model).unwrap().starts_with("v 0 0 0"));
+    }
 }

@@ -408,3 +408,20 @@ fn a_scene_s_culling_is_that_of_its_file() {
         assert_eq!(after("0"), (2 - culled, culled), "{cull}");
     }
 }
+
+#[test]
+fn a_file_that_is_shown_is_not_a_picture_s() {
+    let model = file("shown.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let scene = file(
+        "shown.json",
+        r#"{"mesh": "shown.obj", "width": 64, "height": 64,
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]]}"#,
+    );
+    for (read, kept) in [(&model, &model), (&scene, &scene), (&scene, &model)] {
+        let source = Source::read(read).unwrap();
+        let said = source.apart_from(kept).unwrap_err();
+        assert!(said.starts_with(kept.to_str().unwrap()) && said.contains("is the input itself"), "{said}");
+        source.apart_from(&read.with_extension("png")).unwrap();
+    }
+}
