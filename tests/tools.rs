@@ -96,3 +96,72 @@ fn what_is_read_is_not_overwritten_by_any_name() {
         }
     }
 }
+
+/// As where a disk is full: no file takes a byte, and the signal that says so is ignored.
+#[cfg(target_os = "linux")]
+fn without_room(folder: &Path, name: &str, words: &[&str]) -> std::process::Output {
+    let tool = command(folder, name, words);
+    let mut shell = std::process::Command::new("sh");
+    shell.args(["-c", "trap '' 25; ulimit -f 0; exec \"$@\"", "sh"]).current_dir(folder);
+    shell.arg(tool.get_program()).args(tool.get_args()).output().unwrap()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_write_that_fails_leaves_what_was_there() {
+    for (name, line, output) in [
+        ("render", "m.obj --size 16x16 --png", "p.png"),
+        ("coverage", "in.json", "out"),
+        ("gallery", "--out", "gallery.png"),
+        ("bands", "--out .", "bands.png"),
+        ("spin", "--size 16 --frames 2 --out .", "spin.gif"),
+        ("surface", "--size 16 --frames 2 --out .", "surface.gif"),
+    ] {
+        for before in [None, Some("before")] {
+            let to = folder("tools", "no_room");
+            fill(&to);
+            if let Some(before) = before {
+                fs::write(to.join(output), before).unwrap();
+            }
+            let count = fs::read_dir(&to).unwrap().count();
+            let last = Some(output).filter(|_| !line.ends_with('.'));
+            let words: Vec<_> = line.split(' ').chain(last).collect();
+            let done = without_room(&to, name, &words);
+            let said = String::from_utf8(done.stderr).unwrap();
+            assert_eq!((done.status.code(), said.lines().count()), (Some(2), 1), "{name}: {said}");
+            assert!(said.contains(output) && said.contains("cannot be written"), "{said}");
+            assert_eq!(fs::read_to_string(to.join(output)).ok().as_deref(), before, "{name}");
+            assert_eq!(fs::read_dir(&to).unwrap().count(), count, "{name}");
+        }
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_device_that_takes_nothing_leaves_the_files_as_they_were() {
+    let to = folder("tools", "device");
+    fill(&to);
+    fs::write(to.join("p.png"), "before").unwrap();
+    let words = ["m.obj", "--size", "16x16", "--png", "p.png", "--depth", "new", "--ids", "/dev/full"];
+    let said = refusal(&example_in(&to, "render", &words));
+    assert!(said.starts_with("/dev/full: cannot be written: "), "{said}");
+    assert_eq!(fs::read(to.join("p.png")).unwrap(), b"before");
+    assert!(!to.join("new").exists());
+    // One that takes it does so as before, and stays what it is.
+    let words = ["m.obj", "--size", "1x1", "--depth", "new", "--ids", "/dev/stdout"];
+    let done = example_in(&to, "render", &words);
+    assert!(done.status.success() && done.stdout.len() > 4 && to.join("new").exists(), "{done:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_replaced_keeps_its_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let to = folder("tools", "permissions");
+    fill(&to);
+    fs::write(to.join("out"), "before").unwrap();
+    fs::set_permissions(to.join("out"), fs::Permissions::from_mode(0o640)).unwrap();
+    let done = example_in(&to, "coverage", &["in.json", "out"]);
+    assert!(done.status.success(), "{done:?}");
+    assert_eq!(fs::metadata(to.join("out")).unwrap().permissions().mode() & 0o777, 0o640);
+}

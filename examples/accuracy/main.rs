@@ -9,7 +9,11 @@ mod bridge;
 #[path = "../common/command.rs"]
 mod command;
 mod figures;
+#[path = "../common/files.rs"]
+mod files;
 mod functions;
+#[path = "../common/generated.rs"]
+mod generated;
 #[path = "../../tools/bench/report/grouped.rs"]
 mod grouped;
 #[path = "../../tests/oracle/mod.rs"]
@@ -29,7 +33,7 @@ mod quaternion;
 #[path = "../../src/math/unit.rs"]
 mod unit;
 
-use command::Generated;
+use generated::Generated;
 use pinhole::{NumberError, Scalar}; // for `quaternion`
 use std::process::ExitCode;
 

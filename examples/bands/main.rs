@@ -12,6 +12,8 @@ mod blocking;
 #[path = "../common/command.rs"]
 mod command;
 mod display;
+#[path = "../common/files.rs"]
+mod files;
 mod ping_pong;
 mod scene;
 #[path = "../common/still.rs"]
@@ -55,7 +57,7 @@ fn main() -> ExitCode {
         command::folder(&out)?;
         let file = out.join("bands.png");
         let png = still::png(SIZE, &pictures[0].1)?;
-        std::fs::write(&file, png).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
+        files::write(&[(&*file, png)])?;
         command::say(format_args!("{}: the same picture three times", file.display()))?;
         Ok(ExitCode::SUCCESS)
     })

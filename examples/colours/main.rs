@@ -8,6 +8,10 @@
 mod canvas;
 #[path = "../common/command.rs"]
 mod command;
+#[path = "../common/files.rs"]
+mod files;
+#[path = "../common/generated.rs"]
+mod generated;
 mod scene;
 #[path = "../common/sheet.rs"]
 mod sheet;
@@ -15,11 +19,11 @@ mod sheet;
 mod still;
 
 use canvas::Canvas;
-use command::Generated;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
+use generated::Generated;
 use pinhole::{Channels, Dithered, Gouraud, InkFor, Lit, Wire};
 use scene::{Inks, Scene};
 use sheet::{write, BACKGROUND, FAINT, INK};

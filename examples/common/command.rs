@@ -1,7 +1,7 @@
 //! What the examples share of a command line: help, values and folders that many take, and one way to refuse.
-#![allow(dead_code)] // not every example has a film's options, or a file that is checked
+#![allow(dead_code)] // not every example has a film's options
 
-use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
+use clap::{value_parser, Arg, ArgMatches, Command};
 use embedded_graphics::geometry::Size;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
@@ -102,71 +102,5 @@ impl Film {
             frames: given.remove_one("frames").unwrap_or_default(),
             out: given.remove_one("out").unwrap_or_default(),
         }
-    }
-}
-
-/// A file of the repository that an example makes.
-pub(crate) struct Generated {
-    example: &'static str,
-    out: PathBuf,
-    check: bool,
-}
-
-impl Generated {
-    pub(crate) fn arguments(
-        example: &'static str,
-        about: &'static str,
-        out: &'static str,
-    ) -> Result<Self, String> {
-        let mut given = matches(Self::command(example, about, out))?;
-        Ok(Self::from(example, &mut given))
-    }
-
-    /// For an example that can be told more.
-    pub(crate) fn command(example: &'static str, about: &'static str, out: &'static str) -> Command {
-        let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
-        Command::new(example)
-            .about(about)
-            .arg(option("out", "FILE", "The file", out).value_parser(value_parser!(PathBuf)))
-            .arg(check.help("Write nothing; exit code 1 if the file is not what would be written"))
-    }
-
-    /// `example` as it follows `--example`.
-    pub(crate) fn from(example: &'static str, given: &mut ArgMatches) -> Self {
-        let out = given.remove_one("out").unwrap_or_default();
-        Self { example, out, check: given.get_flag("check") }
-    }
-
-    /// Writes the file, or compares it.
-    pub(crate) fn finish(self, content: &[u8]) -> Result<ExitCode, String> {
-        self.finish_showing(content, |_| ())
-    }
-
-    /// The same for a page; the first line that changed shows.
-    pub(crate) fn finish_page(self, page: &str) -> Result<ExitCode, String> {
-        self.finish_showing(page.as_bytes(), |old| {
-            let old = String::from_utf8_lossy(old);
-            if let Some((old, new)) = old.lines().zip(page.lines()).find(|(old, new)| old != new) {
-                complain(format_args!("- {old}\n+ {new}"));
-            }
-        })
-    }
-
-    fn finish_showing(self, content: &[u8], difference: impl FnOnce(&[u8])) -> Result<ExitCode, String> {
-        let (example, out) = (self.example, self.out.display());
-        if !self.check {
-            std::fs::write(&self.out, content).map_err(|e| format!("{out}: cannot be written: {e}"))?;
-            say(&out)?;
-            return Ok(ExitCode::SUCCESS);
-        }
-        let file = std::fs::read(&self.out).map_err(|e| format!("{out}: cannot be read: {e}"))?;
-        if file == content {
-            return Ok(ExitCode::SUCCESS);
-        }
-        difference(&file);
-        complain(format_args!(
-            "{out}: not current: run cargo run --release --example {example} -- --out {out}"
-        ));
-        Ok(ExitCode::from(1))
     }
 }

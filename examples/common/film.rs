@@ -2,6 +2,7 @@
 
 use crate::animation::Animation;
 use crate::canvas::Canvas;
+use crate::files::{self, unwritable, Part};
 use crate::still;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
@@ -10,11 +11,13 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::fs::File;
 use std::io::{BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// An endless animation, written frame by frame.
+/// An endless animation, written frame by frame; before it is finished, nothing of it is in its place.
 pub(crate) struct Gif {
     animation: Animation<BufWriter<File>>,
+    part: Part,
+    file: PathBuf,
     index: HashMap<u16, u8>,
 }
 
@@ -24,17 +27,23 @@ impl Gif {
     pub(crate) fn create(file: &Path, size: Size, palette: &[Rgb565]) -> Result<Self, Box<dyn Error>> {
         let colours: Vec<_> = palette.iter().map(|&c| rgb(c)).collect();
         let index = (0..=255).zip(palette).map(|(i, c)| (c.into_storage(), i)).collect();
-        Ok(Gif { animation: Animation::new(create(file)?, size, &colours)?, index })
+        let (part, writer) = Part::begin(file).map_err(|e| unwritable(file, e))?;
+        let animation = Animation::new(BufWriter::new(writer), size, &colours)?;
+        Ok(Gif { animation, part, file: file.into(), index })
     }
 
     pub(crate) fn add(&mut self, pixels: &[Rgb565]) -> Result<(), Box<dyn Error>> {
         let index = |c: &Rgb565| self.index.get(&c.into_storage()).copied();
         let indexed: Option<Vec<u8>> = pixels.iter().map(index).collect();
-        Ok(self.animation.add(indexed.ok_or("a colour is missing in the palette")?, 6)?)
+        let indexed = indexed.ok_or("a colour is missing in the palette")?;
+        Ok(self.animation.add(indexed, 6).map_err(|e| unwritable(&self.file, e))?)
     }
 
     pub(crate) fn finish(self) -> Result<(), Box<dyn Error>> {
-        Ok(self.animation.finish()?.flush()?)
+        let Self { animation, part, file, .. } = self;
+        let mut writer = animation.finish().map_err(|e| unwritable(&file, e))?;
+        writer.flush().and_then(|()| part.settle()).map_err(|e| unwritable(&file, e))?;
+        Ok(())
     }
 }
 
@@ -59,14 +68,7 @@ pub(crate) fn write_sheet(
         sheet.fill_contiguous(&area, picture.pixels().iter().copied())?;
     }
     let pixels: Vec<Rgb888> = sheet.pixels().iter().map(|&c| c.into()).collect();
-    let mut out = create(file)?;
-    out.write_all(&still::png(sheet.size(), &pixels)?)?;
-    Ok(out.flush()?)
-}
-
-fn create(file: &Path) -> Result<BufWriter<File>, String> {
-    let created = File::create(file).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
-    Ok(BufWriter::new(created))
+    Ok(files::write(&[(file, still::png(sheet.size(), &pixels)?)])?)
 }
 
 fn rgb(colour: Rgb565) -> [u8; 3] {

@@ -7,6 +7,8 @@
 
 #[path = "../common/command.rs"]
 mod command;
+#[path = "../common/files.rs"]
+mod files;
 #[allow(unreachable_pub)] // as a file of its own it is right
 mod picture;
 #[path = "../common/still.rs"]
@@ -32,7 +34,7 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
     let file = folder.join("first.png");
     let pixels: Vec<Rgb888> = screen.0.iter().map(|&colour| colour.into()).collect();
     let png = still::png(screen.size(), &pixels)?;
-    std::fs::write(&file, png).map_err(|e| format!("{}: cannot be written: {e}", file.display()))?;
+    files::write(&[(&*file, png)])?;
     command::say(format_args!("{}: a picture", file.display()))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -9,6 +9,10 @@ mod canvas;
 mod cell;
 #[path = "../common/command.rs"]
 mod command;
+#[path = "../common/files.rs"]
+mod files;
+#[path = "../common/generated.rs"]
+mod generated;
 mod house;
 #[path = "../common/sheet.rs"]
 mod sheet;
@@ -17,11 +21,11 @@ mod still;
 mod views;
 
 use canvas::Canvas;
-use command::Generated;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_5X8, FONT_6X10};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
+use generated::Generated;
 use pinhole::{Camera, Viewport};
 use sheet::{write, BACKGROUND, FAINT, INK};
 use std::error::Error;

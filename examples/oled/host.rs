@@ -1,6 +1,8 @@
 //! The host's side: takes the pictures of the emulated display, or draws them itself.
 
-use crate::command::{self, Generated};
+use crate::command;
+use crate::files;
+use crate::generated::Generated;
 use crate::picture::Picture;
 use crate::show::{FRAMES, SCENES, SIZE, STEPS};
 use crate::still;
@@ -67,7 +69,7 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
         std::fs::remove_dir_all(out).map_err(unwritable)?;
     }
     command::folder(out)?;
-    let write = |name: &str, bytes: Vec<u8>| std::fs::write(out.join(name), bytes).map_err(unwritable);
+    let write = |name: &str, bytes: Vec<u8>| files::write(&[(&*out.join(name), bytes)]);
 
     let mut emulator = Emulator::start(core, firmware, PATIENCE)?;
     let mut pictures = Vec::new();

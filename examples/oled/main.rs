@@ -16,8 +16,14 @@ mod animation;
 mod command;
 #[cfg(all(unix, not(target_os = "none")))]
 mod emulator;
+#[cfg(not(target_os = "none"))]
+#[path = "../common/files.rs"]
+mod files;
 #[cfg(target_os = "none")]
 mod firmware;
+#[cfg(not(target_os = "none"))]
+#[path = "../common/generated.rs"]
+mod generated;
 #[cfg(not(target_os = "none"))]
 mod host;
 #[cfg(target_os = "none")]

@@ -9,6 +9,8 @@
 mod command;
 mod constants;
 mod figure;
+#[path = "../common/files.rs"]
+mod files;
 #[path = "../../tools/bench/report/grouped.rs"]
 mod grouped;
 mod links;
@@ -41,7 +43,7 @@ fn main() -> ExitCode {
             let content = content()?;
             let file = root().join(path);
             if !check {
-                std::fs::write(&file, content).map_err(|e| format!("{path}: cannot be written: {e}"))?;
+                files::write(&[(&*file, content)])?;
                 command::say(path)?;
             } else if read(path).as_ref() != Ok(&content) {
                 command::complain(format_args!(

@@ -12,6 +12,8 @@ mod canvas;
 #[path = "../common/command.rs"]
 mod command;
 mod depth;
+#[path = "../common/files.rs"]
+mod files;
 #[path = "../common/film.rs"]
 mod film;
 mod scene;

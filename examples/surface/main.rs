@@ -11,6 +11,8 @@ mod animation;
 mod canvas;
 #[path = "../common/command.rs"]
 mod command;
+#[path = "../common/files.rs"]
+mod files;
 #[path = "../common/film.rs"]
 mod film;
 mod rgb332;

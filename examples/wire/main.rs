@@ -9,13 +9,17 @@
 mod canvas;
 #[path = "../common/command.rs"]
 mod command;
+#[path = "../common/files.rs"]
+mod files;
+#[path = "../common/generated.rs"]
+mod generated;
 #[path = "../../tools/bench/report/grouped.rs"]
 mod grouped;
 mod page;
 #[path = "../../tests/panel/mod.rs"]
 mod panel;
 
-use command::Generated;
+use generated::Generated;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

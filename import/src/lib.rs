@@ -34,6 +34,7 @@ mod normals;
 mod obj;
 mod options;
 mod order;
+mod part;
 mod quantise;
 mod rust;
 mod script;

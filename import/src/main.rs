@@ -1,5 +1,6 @@
 //! `pinhole-import MODEL -o OUT.rs`: a model as Rust source.
 
+mod part;
 mod same;
 
 use clap::builder::PossibleValuesParser;
@@ -154,7 +155,8 @@ fn run(given: &ArgMatches) -> Result<String, String> {
         mesh.to_rust_mesh(name, &model, &command)
             .ok_or_else(|| format!("--name {name}: is not a constant's: capital letters, digits and _"))?
     };
-    std::fs::write(&output, source).map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
+    part::write(&output, source.as_bytes())
+        .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
     Ok(format!("{}: {}", output.display(), report(&mesh)))
 }
 

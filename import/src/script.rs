@@ -1,6 +1,6 @@
 //! For build scripts.
 
-use crate::{import, rust, ImportError, Options, Problem};
+use crate::{import, part, rust, ImportError, Options, Problem};
 use std::path::{Path, PathBuf};
 
 /// Imports a model in a `build.rs`: writes `$OUT_DIR/NAME.rs`, with the name in lower case, which has the constant `NAME`,
@@ -36,5 +36,5 @@ pub fn build(model: &Path, name: &str, options: &Options) -> Result<(), ImportEr
         Problem::Write(missing).at(model, None)
     })?;
     let file = folder.join(format!("{}.rs", name.to_lowercase()));
-    std::fs::write(&file, source).map_err(|e| Problem::Write(e).at(&file, None))
+    part::write(&file, source.as_bytes()).map_err(|e| Problem::Write(e).at(&file, None))
 }

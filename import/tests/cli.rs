@@ -159,3 +159,32 @@ fn the_model_is_not_overwritten() {
         assert!(std::fs::read_to_string(&model).unwrap().starts_with("v 0 0 0"));
     }
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_write_that_fails_leaves_what_was_there() {
+    let folder = scratch("full");
+    let _ = std::fs::remove_dir_all(&folder); // from an earlier run
+    std::fs::create_dir(&folder).unwrap();
+    let (model, output) = (folder.join("m.obj"), folder.join("m.rs"));
+    std::fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    for before in [None, Some("before")] {
+        if let Some(before) = before {
+            std::fs::write(&output, before).unwrap();
+        }
+        // As where a disk is full: no file takes a byte, and the signal that says so is ignored.
+        let mut shell = Command::new("sh");
+        shell.args([
+            "-c",
+            "trap '' 25; ulimit -f 0; exec \"$@\"",
+            "sh",
+            env!("CARGO_BIN_EXE_pinhole-import"),
+        ]);
+        let done = shell.arg(&model).arg("-o").arg(&output).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(2), "{said}");
+        assert!(said.contains("m.rs: cannot be written: "), "{said}");
+        assert_eq!(std::fs::read_to_string(&output).ok().as_deref(), before);
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1 + before.iter().count());
+    }
+}

@@ -1,0 +1,67 @@
+//! Files that are written whole or not at all. The command and `build` write so, and the host examples of pinhole do.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// A file that is not in its place yet; dropped, it goes.
+pub(crate) struct Part {
+    beside: PathBuf,
+    /// Its place, through links to the file itself.
+    to: PathBuf,
+}
+
+/// Writes a file; where that fails, what stood there before stays.
+pub(crate) fn write(to: &Path, bytes: &[u8]) -> io::Result<()> {
+    Part::write(to, bytes)?.settle()
+}
+
+impl Part {
+    /// Begins a file beside its place.
+    pub(crate) fn begin(to: &Path) -> io::Result<(Self, File)> {
+        let to = fs::canonicalize(to).unwrap_or_else(|_| to.to_path_buf());
+        let mut name = to.file_name().ok_or(io::ErrorKind::InvalidInput)?.to_os_string();
+        name.push(format!(".{}.part", std::process::id()));
+        let there = fs::metadata(&to);
+        let beside = match &there {
+            Ok(there) if there.is_dir() => {
+                return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"))
+            }
+            // What is there and no file (/dev/stdout) must not be replaced.
+            Ok(there) if !there.is_file() => std::env::temp_dir().join(name),
+            _ => to.with_file_name(name),
+        };
+        let replaced = there.ok().filter(fs::Metadata::is_file);
+        if replaced.is_some() {
+            File::options().append(true).open(&to)?; // what must not be written must not be replaced either
+        }
+        let part = Self { beside, to };
+        let file = File::create(&part.beside)?;
+        if let Some(replaced) = replaced {
+            file.set_permissions(replaced.permissions())?;
+        }
+        Ok((part, file))
+    }
+
+    /// All of a file, beside its place.
+    pub(crate) fn write(to: &Path, bytes: &[u8]) -> io::Result<Self> {
+        let (part, mut file) = Self::begin(to)?;
+        file.write_all(bytes)?;
+        Ok(part)
+    }
+
+    /// Moves it to its place.
+    pub(crate) fn settle(self) -> io::Result<()> {
+        if fs::metadata(&self.to).is_ok_and(|there| !there.is_file()) {
+            return fs::copy(&self.beside, &self.to).map(|_| ());
+        }
+        fs::rename(&self.beside, &self.to)
+    }
+}
+
+impl Drop for Part {
+    fn drop(&mut self) {
+        // Moved away already, or not wanted any more.
+        let _ = fs::remove_file(&self.beside);
+    }
+}
