@@ -119,6 +119,10 @@ fn a_model_alone_becomes_a_picture_that_it_fills() {
     let lying = Picture::of("lying", &to.join("tall.stl"), &["--up", "y", "--size", "80x60"]);
     let [[left, right], [top, bottom]] = extent(&lying.drawn(), 80);
     assert!(right - left > bottom - top);
+    // Of its name only the last extension goes.
+    write(&to, "tall.v2.obj", obj([1.0; 3]));
+    assert!(example_in(&to, "render", &["tall.v2.obj", "--size", "9x9"]).status.success());
+    assert!(to.join("target/render/tall.v2.png").exists());
     // A scene has its outputs named, as before: nothing is written.
     let (vertices, triangles) = cuboid([1.0; 3]);
     let identity = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];

@@ -65,8 +65,9 @@ pub(crate) fn read() -> Result<Options, String> {
     let nothing = outputs.iter().all(|(_, file)| file.is_none()) && ascii.is_none() && !stats;
     let unasked = nothing && look.is_some();
     if unasked {
-        let name = scene.file_stem().unwrap_or_default();
-        png = Some(Path::new("target/render").join(name).with_extension("png"));
+        let mut name = scene.file_stem().unwrap_or_default().to_os_string();
+        name.push(".png"); // not by with_extension: of a.v2.obj the stem is a.v2
+        png = Some(Path::new("target/render").join(name));
     }
     let frames = frames.unwrap_or(36);
     Ok(Options { scene, png, gif, frames, ids, depth, used, ascii, style, format, stats, look, unasked })
