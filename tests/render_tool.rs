@@ -261,7 +261,8 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     refuse("scene.json", "[1]", "is an array and should be an object");
     refuse("scene.txt", &scene().to_string(), "is neither a scene");
     refuse("mesh.obj", "v 0 0\n", "mesh.obj:1:");
-    refuse("mesh.stl", "facet", "ends before byte 5");
+    refuse("mesh.stl", "facet", "mesh.stl:1: the file ends within a facet");
+    refuse("mesh.stl", "fac", "ends before byte 3");
 }
 
 #[test]

@@ -39,6 +39,7 @@ mod quantise;
 mod rust;
 mod script;
 mod stl;
+mod text;
 mod weld;
 
 pub use error::{ImportError, Problem};

@@ -1,6 +1,7 @@
 //! OBJ text to triangles, by `tobj`. Only positions and faces are read.
 
 use crate::model::{Model, Places, Warning};
+use crate::text::text;
 use crate::{ImportError, Problem};
 use std::path::Path;
 
@@ -9,8 +10,7 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
     if let Some(byte) = bytes.iter().position(|&byte| byte == 0) {
         return Err(Problem::NotText { byte }.at(file, None));
     }
-    let text = String::from_utf8_lossy(bytes);
-    let Kept { text, face_lines } = positions_and_faces(text.trim_start_matches('\u{feff}'));
+    let Kept { text, face_lines } = positions_and_faces(&text(bytes));
     let models = load(&text).map_err(|(problem, line)| problem.at(file, line))?;
     let mut model = Model::default();
     let mut lines = Vec::new();

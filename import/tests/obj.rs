@@ -318,6 +318,19 @@ fn warnings(text: &str) -> Vec<(Option<usize>, String)> {
 }
 
 #[test]
+fn carriage_returns_alone_end_lines_too() {
+    let text = "v 0 0 0\nv 1 0 0\n# a remark\nv 0 1 0\nf 1 2 3\n";
+    assert_eq!(import(&text.replace('\n', "\r")).unwrap(), import(text).unwrap());
+    let text = text.replace("v 1 0 0", "v 1 0").replace('\n', "\r");
+    assert_error(
+        &text,
+        Some(2),
+        |p| matches!(p, Problem::Syntax(_)),
+        "model.obj:2: a vertex needs three numbers",
+    );
+}
+
+#[test]
 fn lines_go_on_after_a_backslash() {
     let whole = import(CUBE).unwrap();
     let broken = CUBE.replace("f 4 3 2 1", "f 4 \\\n3 2\\ \n 1").replace("v -1 -1 -1", "v -1\\\n-1 -1 # \\");

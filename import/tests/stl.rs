@@ -111,6 +111,10 @@ fn text_is_read_as_people_write_it() {
         ("a line before", format!("\n  {tetrahedron}")),
         ("normals that are none", tetrahedron.replace("0 0 0\nouter", "nan -nan(ind) 1,5\nouter")),
         ("no normals", tetrahedron.replace(" normal 0 0 0", "")),
+        ("carriage returns alone", tetrahedron.replace('\n', "\r")),
+        ("one line", tetrahedron.replace('\n', " ")),
+        ("one line, and no name", tetrahedron.replace(" tetrahedron", "").replace('\n', "  ")),
+        ("no `solid`", tetrahedron.replace("solid tetrahedron\nfacet", "facet")),
         ("facets in a line", tetrahedron.replace("\nouter", " outer").replace("\nvertex", "  vertex")),
         ("exponents", tetrahedron.replace("vertex 1 ", "vertex +10.0E-1 ")),
     ];
@@ -134,6 +138,10 @@ fn text_is_read_as_people_write_it() {
     )
     .unwrap();
     assert_eq!((run_on.faces.len(), run_on.vertices.len()), (2, 6));
+    let one_line = format!("solid a\n{first}endsolid a\nsolid b c\n{second}endsolid b").replace('\n', " ");
+    let one_line = import(one_line).unwrap();
+    assert!(one_line.warnings.iter().all(|w| w.message.contains("not closed")), "{:?}", one_line.warnings);
+    assert_eq!(one_line, ImportedMesh { warnings: one_line.warnings.clone(), ..two.clone() });
     let unended = import(format!("solid a\n{first}solid b\n{second}")).unwrap();
     assert_eq!(unended, ImportedMesh { warnings: unended.warnings.clone(), ..two });
 }
@@ -167,9 +175,17 @@ fn what_is_wrong_with_text_is_named_with_its_line() {
     for text in ["solid", "solid nothing in it\nendsolid\n"] {
         assert_eq!(import(text).unwrap_err().to_string(), "model.stl: has no faces");
     }
-    // Text that is not STL is read as binary, and has not its length.
-    let error = import("Dear reader, ".repeat(20)).unwrap_err();
-    assert!(matches!(error.problem, Problem::Truncated { given: 260, .. }), "{error}");
+    // In one line a name like a facet cannot be told from one, and is not guessed at.
+    let error = import(good.replace("solid a", "solid facet").replace('\n', " ")).unwrap_err();
+    assert_eq!(error.to_string(), "model.stl:1: after the facet's normal should stand `outer loop`");
+    // Lines that end in carriage returns are counted.
+    let error = import(good.replace("vertex 1 0 0", "vertex 1 0 x").replace('\n', "\r")).unwrap_err();
+    assert_eq!(error.to_string(), "model.stl:5: a vertex needs three numbers");
+    // Text that is not STL says so, and is not counted by its bytes.
+    for text in ["Dear reader, ".repeat(20), format!("# by hand\n{good}")] {
+        let error = import(text).unwrap_err();
+        assert_eq!(error.to_string(), "model.stl: is text, but no ASCII STL: that begins with `solid`");
+    }
 }
 
 #[test]

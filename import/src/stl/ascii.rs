@@ -1,7 +1,7 @@
 //! ASCII STL as people write it to binary STL, and what is wrong with it by lines, which `stl_io` does not name.
 //!
-//! Taken are key words in any case, any number of words in a line, several solids (they become one), facets without a sound
-//! normal (which exporters write for slivers), and an end without `endsolid`.
+//! Taken are key words in any case, any number of words in a line, also all of them, several solids (they become one), facets
+//! without a sound normal (which exporters write for slivers), a start without `solid`, and an end without `endsolid`.
 
 use super::{COUNT, HEADER};
 use crate::Problem;
@@ -19,11 +19,7 @@ type Refusal = (Problem, Option<usize>);
 
 /// Reads it all.
 pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
-    let mut words = Words {
-        line: 0,
-        words: "".split_ascii_whitespace(),
-        lines: text.trim_start_matches('\u{feff}').lines(),
-    };
+    let mut words = Words { line: 0, words: "".split_ascii_whitespace(), lines: text.lines() };
     let mut out = Text { binary: vec![0; HEADER + COUNT], lines: Vec::new(), unended: None };
     let mut ended = false;
     while let Some(word) = words.next() {
@@ -32,7 +28,7 @@ pub(super) fn to_binary(text: &str) -> Result<Text, Refusal> {
             out.lines.push(words.line as u32);
             facet(&mut words, &mut out.binary)?;
         } else if is(word, "solid") || ended {
-            words.words = "".split_ascii_whitespace(); // a name may be any words
+            words.skip_name();
         } else {
             return Err(words.refuse("neither `facet` nor `endsolid` stands here"));
         }
@@ -92,6 +88,16 @@ impl<'t> Words<'t> {
             }
             self.words = self.lines.next()?.split_ascii_whitespace();
             self.line += 1;
+        }
+    }
+
+    /// The name of a solid is the rest of its line, whatever words these are; but facets, if they stand there, are none.
+    fn skip_name(&mut self) {
+        if !self.words.clone().any(|word| is(word, "outer")) {
+            self.words = "".split_ascii_whitespace();
+        }
+        while self.words.clone().next().is_some_and(|word| !is(word, "facet")) {
+            self.words.next();
         }
     }
 

@@ -3,6 +3,7 @@
 mod ascii;
 
 use crate::model::{Model, Places, Warning};
+use crate::text::text;
 use crate::weld::Numbered;
 use crate::{ImportError, Problem, Triangles};
 use std::io::Cursor;
@@ -17,8 +18,8 @@ const TRIANGLE: usize = 50;
 pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
     let as_it_is = |problem: Problem| problem.at(file, None);
     if is_text(&bytes) {
-        let ascii::Text { binary, lines, unended } = ascii::to_binary(&String::from_utf8_lossy(&bytes))
-            .map_err(|(problem, line)| problem.at(file, line))?;
+        let ascii::Text { binary, lines, unended } =
+            ascii::to_binary(&text(&bytes)).map_err(|(problem, line)| problem.at(file, line))?;
         let triangles = triangles(binary).map_err(as_it_is)?;
         let cut = |line| Warning {
             line: Some(line),
@@ -30,7 +31,12 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
     let given = bytes.len() as u64;
     let needed = declared_length(&bytes).unwrap_or((HEADER + COUNT) as u64);
     if given < needed {
-        return Err(as_it_is(Problem::Truncated { needed, given }));
+        // No count of triangles has four bytes of text: so many are in no file of a size that is read.
+        let is_text = bytes.get(..HEADER + COUNT).is_some_and(|head| !head.contains(&0));
+        return Err(as_it_is(match is_text {
+            true => Problem::Syntax("is text, but no ASCII STL: that begins with `solid`"),
+            false => Problem::Truncated { needed, given },
+        }));
     }
     let mut warnings = Vec::new();
     if given > needed {
@@ -46,13 +52,15 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
     Ok(Model { triangles, places: Places::Records, warnings })
 }
 
-/// Whether the file is one of text. A binary one may begin with "solid" too, but then it has its length, or a zero in its
-/// header or its count.
+/// Whether the file is one of text, with a solid or, without that line, a facet. A binary one may begin with "solid" too,
+/// but then it has its length, or a zero in its header or its count.
 fn is_text(bytes: &[u8]) -> bool {
     let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
-    let solid = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let begins = |word: &[u8]| start.get(..5).is_some_and(|start| start.eq_ignore_ascii_case(word));
     let head = &bytes[..bytes.len().min(HEADER + COUNT)];
-    solid && declared_length(bytes) != Some(bytes.len() as u64) && !head.contains(&0)
+    (begins(b"solid") || begins(b"facet"))
+        && declared_length(bytes) != Some(bytes.len() as u64)
+        && !head.contains(&0)
 }
 
 /// How long a binary file with this start must be.
