@@ -223,6 +223,7 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     change("triangles", json!([[0, 1, -1]]), "triangles[0][2]: -1 is not");
     change("triangles", json!([[0, 1, 1.5]]), "triangles[0][2]: 1.5 is not a whole number");
     change("triangles", json!([[0, 1, 2, 3]]), "triangles[0]: has 4 entries and needs 3");
+    change("triangles", json!([]), "triangles: has no faces");
     change("vertices", json!([]), "triangles[0][0]: names a vertex, and there are none");
     for field in ["model", "view", "projection"] {
         change(field, json!([[1, 0, 0, 0], [0, 1, 0, 0]]), &format!("{field}: has 2 entries and needs 4"));
@@ -249,6 +250,10 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     change("cull", json!("front"), "cull: is \"front\"");
     change("cull", json!(1), "cull: is a number");
     change("colour", json!(1), "colour: is no field");
+    let mut unnamed = scene();
+    unnamed.as_object_mut().unwrap().retain(|field, _| field != "vertices" && field != "triangles");
+    unnamed["mesh"] = json!("");
+    refuse("scene.json", &unnamed.to_string(), "mesh: is empty and should name a file");
     change("mesh", json!("m.obj"), "mesh: is given together with");
     refuse(
         "scene.json",
@@ -261,6 +266,8 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     refuse("scene.json", "[1]", "is an array and should be an object");
     refuse("scene.txt", &scene().to_string(), "is neither a scene");
     refuse("mesh.obj", "v 0 0\n", "mesh.obj:1:");
+    refuse("mesh.obj", "v 0 0 0\n", "mesh.obj: has no faces");
+    refuse("mesh.stl", "solid\nendsolid\n", "mesh.stl: has no faces");
     refuse("mesh.stl", "facet", "mesh.stl:1: the file ends within a facet");
     refuse("mesh.stl", "fac", "ends before byte 3");
 }
@@ -272,6 +279,8 @@ fn bad_meshes_of_a_scene_are_named_themselves() {
         ("m.obj", Some("v 0 0 0\nf 1 2 3\n"), "m.obj:2: the face names a vertex that does not exist"),
         ("m.json", Some("{\"vertices\": [[0, 0, 0]]}"), "m.json: triangles: is missing"),
         ("m.json", Some("{\"vertices\": [], \"triangles\": [], \"width\": 3}"), "m.json: width: is no field"),
+        ("m.json", Some("{\"vertices\": [], \"triangles\": []}"), "m.json: triangles: has no faces"),
+        ("m.obj", Some("v 0 0 0\n"), "m.obj: has no faces"),
         ("m.ply", Some("ply"), "m.ply: is not a model"),
         ("absent.obj", None, "absent.obj: cannot be read"),
     ] {
@@ -299,6 +308,7 @@ fn bad_command_lines_are_one_line() {
     let below = text(&to.join("scene.json/below")).to_string();
     for (arguments, named) in [
         (&[][..], "SCENE"),
+        (&["m.txt", "--size", "9x9"], "m.txt: is neither a scene (.json) nor a mesh"),
         (&["absent.json"], "absent.json: cannot be read"),
         (&[scene, scene], "unexpected argument"),
         (&[scene, "--mode", "hidden-line", "--depth", &same], "--depth: needs --mode solid"),

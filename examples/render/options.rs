@@ -106,15 +106,15 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
 fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look>, String> {
     let is = |extension: &str| scene.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
     if !(is("obj") || is("stl")) {
+        if !is("json") {
+            return Err(format!("{}: is neither a scene (.json) nor a mesh (.obj, .stl)", scene.display()));
+        }
         for name in ["projection", "from", "yaw", "pitch", "fov", "size", "up", "gif", "frames"] {
             if given.contains_id(name) {
                 return Err(format!("--{name}: a scene has its own camera; this is for .obj and .stl"));
             }
         }
-        return match is("json") {
-            true => Ok(None),
-            false => Err(format!("{}: is neither a scene (.json) nor a mesh (.obj, .stl)", scene.display())),
-        };
+        return Ok(None);
     }
     let projections = Named::ALL.map(|named| (named.name, named));
     let projection = choice(given, "projection", &projections)?.unwrap_or(Named::ALL[0]);

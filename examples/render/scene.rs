@@ -50,7 +50,11 @@ impl Scene {
         let triangles = match (mesh, vertices, triangles) {
             (Some(mesh), None, None) => {
                 // Its own errors name the mesh's file.
-                let path = file.parent().unwrap_or(Path::new("")).join(mesh.text().map_err(problem)?);
+                let name = mesh.text().map_err(problem)?;
+                if name.is_empty() {
+                    return Err(problem(mesh.error("is empty and should name a file")));
+                }
+                let path = file.parent().unwrap_or(Path::new("")).join(name);
                 read_mesh(mesh_file.insert(path))?
             }
             (None, vertices, triangles) => lists(vertices, triangles).map_err(problem)?,
@@ -131,7 +135,13 @@ pub(crate) fn bounds(vertices: &[[f64; 3]]) -> ([f64; 3], [f64; 3]) {
 /// A mesh of any format, all its triangles in the file's order.
 pub(crate) fn read_mesh(file: &Path) -> Result<Triangles, String> {
     if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
-        return pinhole_import::read_triangles(file).map_err(|e| e.to_string());
+        let mesh = pinhole_import::read_triangles(file).map_err(|e| e.to_string())?;
+        // As the importer has it.
+        return if mesh.faces.is_empty() {
+            Err(format!("{}: has no faces", file.display()))
+        } else {
+            Ok(mesh)
+        };
     }
     let json = parse(file)?;
     let [vertices, triangles] = Field::root(&json)
@@ -162,5 +172,8 @@ fn lists(vertices: Option<Field<'_>>, triangles: Option<Field<'_>>) -> Result<Tr
     };
     let triangles = needed(triangles, "triangles")?;
     let faces = triangles.list()?.map(|t| t.array(corner)).collect::<Result<Vec<_>, _>>()?;
+    if faces.is_empty() {
+        return Err(triangles.error("has no faces"));
+    }
     Ok(Triangles { positions, faces })
 }

@@ -344,9 +344,12 @@ fn files_are_those_of_render() {
     assert_eq!(source.size(), None);
     let mut viewer = Viewer::new(source, SIZE);
     assert_eq!(viewer.draw(&pressed("")).unwrap().statistics.drawn, 2);
-    for (name, text, said) in
-        [("bad.obj", "v 0 0\n", "bad.obj:1"), ("bad.json", "{}", "bad.json: "), ("bad.txt", "", "bad.txt")]
-    {
+    for (name, text, said) in [
+        ("none.obj", "v 0 0 0\n", "none.obj: has no faces"),
+        ("bad.obj", "v 0 0\n", "bad.obj:1"),
+        ("bad.json", "{}", "bad.json: "),
+        ("bad.txt", "", "bad.txt"),
+    ] {
         let error = Source::read(&file(name, text)).err().unwrap();
         assert!(error.contains(said) && error.lines().count() == 1, "{error}");
     }
