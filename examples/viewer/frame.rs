@@ -59,11 +59,11 @@ impl Viewer {
     ///
     /// # Errors
     ///
-    /// A line that says why the scene cannot be drawn.
+    /// A line that names the scene's file and says why it cannot be drawn.
     pub fn draw(&mut self, state: &State) -> Result<&Shown, String> {
         if !self.drawn.is_some_and(|drawn| drawn.draws_as(state)) {
             self.shown = match state.thing {
-                Thing::Model => self.model(state)?,
+                Thing::Model => self.model(state).map_err(|e| self.source.named(&e))?,
                 Thing::Oled | Thing::First => self.firmware(state),
             };
             self.drawn = Some(*state);

@@ -62,6 +62,11 @@ impl Source {
         self.file.as_deref().into_iter().chain(mesh).try_for_each(|input| files::apart(input, [output]))
     }
 
+    /// A line about it, with the name of its file.
+    pub fn named(&self, problem: &str) -> String {
+        self.file.as_ref().map_or(problem.into(), |file| format!("{}: {problem}", file.display()))
+    }
+
     /// What one sees of it first.
     pub fn state(&self) -> State {
         State::new(self.own.is_some(), self.own.as_ref().is_some_and(|own| own.cull))

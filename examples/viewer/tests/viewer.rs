@@ -428,3 +428,17 @@ fn a_file_that_is_shown_is_not_a_picture_s() {
         source.apart_from(&read.with_extension("png")).unwrap();
     }
 }
+
+#[test]
+fn what_cannot_be_drawn_is_named_by_its_file() {
+    let scene = file(
+        "lopsided.json",
+        r#"{"vertices": [[-1, -1, 0], [1, -1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2]], "width": 64, "height": 64,
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]]}"#,
+    );
+    let source = Source::read(&scene).unwrap();
+    let state = source.state();
+    let said = Viewer::new(source, SIZE).draw(&state).unwrap_err();
+    assert!(said.starts_with(&format!("{}: view: ", scene.display())), "{said}");
+}
