@@ -13,6 +13,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::sdl2::{Keycode, Mod, MouseButton};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay, SimulatorEvent, Window};
 use pinhole_viewer::{write_png, Action, Source, State, Viewer};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -70,11 +71,21 @@ fn arguments() -> Command {
         )
 }
 
+/// Width and height of a display.
+const SIDES: RangeInclusive<u32> = 16..=1024;
+
 fn size(given: &mut ArgMatches, source: &Source) -> Result<Size, String> {
-    let usual = source.size().unwrap_or(Size::new(320, 240));
-    let usual = format!("{}x{}", usual.width, usual.height);
-    let text = given.remove_one::<String>("size").unwrap_or(usual);
-    command::size(&text, 16..=1024)
+    if let Some(text) = given.remove_one::<String>("size") {
+        return command::size(&text, SIDES);
+    }
+    let size = source.size().unwrap_or(Size::new(320, 240));
+    if SIDES.contains(&size.width) && SIDES.contains(&size.height) {
+        return Ok(size);
+    }
+    let Size { width, height } = size;
+    let (low, high) = (SIDES.start(), SIDES.end());
+    Err(source
+        .named(&format!("is of {width} x {height} pixels, a display of {low} to {high}: give it by --size")))
 }
 
 /// What happens without a hand.

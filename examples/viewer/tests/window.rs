@@ -129,19 +129,48 @@ fn read_png(file: &Path) -> Option<Vec<[u8; 3]>> {
     Some(bytes.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect())
 }
 
+fn program() -> PathBuf {
+    let tests = std::env::current_exe().unwrap();
+    let program = tests.with_file_name("../examples/viewer").with_extension(std::env::consts::EXE_EXTENSION);
+    assert!(program.exists(), "cargo test --features viewer builds the example");
+    program
+}
+
+/// A program that cannot open a window refused: exit code 2, and one line, which is given.
+fn refusal(mut viewer: Command) -> String {
+    let done = viewer.env("SDL_VIDEODRIVER", "none-such").output().unwrap();
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert_eq!((done.status.code(), said.lines().count()), (Some(2), 1), "{said}");
+    said
+}
+
+#[test]
+fn a_scene_too_small_for_a_display_says_so_itself() {
+    let scene = Path::new(env!("CARGO_TARGET_TMPDIR")).join("small.json");
+    let text = r#"{"vertices": [[-1, -1, 0], [1, -1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2]],
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]], "width": 8, "height": 64}"#;
+    fs::write(&scene, text).unwrap();
+    let viewer = |size: &[&str]| {
+        let mut viewer = Command::new(program());
+        viewer.arg(&scene).args(size);
+        refusal(viewer)
+    };
+    let expected = "is of 8 x 64 pixels, a display of 16 to 1024: give it by --size\n";
+    assert_eq!(viewer(&[]), format!("{}: {expected}", scene.display()));
+    let said = viewer(&["--size", "8x64"]);
+    assert!(said.starts_with("--size: 8x64 is not WxH, each from 16 to 1024"), "{said}");
+}
+
 #[test]
 fn the_window_shows_what_the_host_renders() {
-    let tests = std::env::current_exe().unwrap();
-    let program: PathBuf =
-        tests.with_file_name("../examples/viewer").with_extension(std::env::consts::EXE_EXTENSION);
-    assert!(program.exists(), "cargo test --features viewer builds the example");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
     let _ = fs::remove_dir_all(&folder); // from an earlier run
     fs::create_dir_all(&folder).unwrap();
     let Some((_server, display)) = server(&folder) else { return };
     for (number, keys) in ["s - - - - r left", "l p p c h", "c c c c d up b", "m b"].into_iter().enumerate() {
         let png = folder.join(format!("{number}.png"));
-        let viewer = Command::new(&program)
+        let viewer = Command::new(program())
             .args(["--scale", "1", "--stay", "60000", "--keys", keys, "--screenshot"])
             .arg(&png)
             .env("DISPLAY", &display)
