@@ -14,6 +14,7 @@ use embedded_graphics_simulator::sdl2::{Keycode, Mod, MouseButton};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay, SimulatorEvent, Window};
 use pinhole_viewer::{write_png, Action, Source, State, Viewer};
 use std::ops::RangeInclusive;
+use std::panic;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -129,7 +130,7 @@ fn run(mut viewer: Viewer, mut state: State, size: Size, scale: u32, script: &Sc
             let Ok(()) = viewer.show(&state, time, &mut display);
             shown = Some(state);
         }
-        window.update(&display);
+        update(&mut window, &display);
         if let Some(file) = &script.screenshot {
             write(file, size, &viewer, &state)?;
             std::thread::sleep(script.stay);
@@ -171,6 +172,20 @@ fn run(mut viewer: Viewer, mut state: State, size: Size, scale: u32, script: &Sc
         state.tick();
         std::thread::sleep(Duration::from_millis(4)); // the window waits for its frame rate, too
     }
+}
+
+/// Opens the window the first time. Where SDL refuses (an unknown `SDL_VIDEODRIVER`, no X server) the simulator panics,
+/// and gives no other answer; said here in one line, as all that is wrong. A release build does not come back from a panic.
+fn update(window: &mut Window, display: &SimulatorDisplay<Rgb888>) {
+    let usual = panic::take_hook();
+    panic::set_hook(Box::new(|why| {
+        let problem = why.payload().downcast_ref::<String>().map_or("SDL refuses", String::as_str);
+        let problem = problem.rsplit("value: ").next().unwrap_or(problem); // what `unwrap` writes before it
+        command::complain(format_args!("no window can be opened: {problem}"));
+        std::process::exit(2)
+    }));
+    window.update(display);
+    panic::set_hook(usual);
 }
 
 /// What the window shows, without the time.

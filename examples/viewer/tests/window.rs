@@ -163,6 +163,17 @@ fn a_scene_too_small_for_a_display_says_so_itself() {
 }
 
 #[test]
+fn a_window_that_cannot_be_opened_is_one_line() {
+    let png = Path::new(env!("CARGO_TARGET_TMPDIR")).join("unseen.png");
+    let _ = fs::remove_file(&png); // from an earlier run
+    let mut viewer = Command::new(program());
+    viewer.arg("--screenshot").arg(&png);
+    let said = refusal(viewer);
+    assert!(said.starts_with("no window can be opened: ") && said.contains("none-such"), "{said}");
+    assert!(!png.exists());
+}
+
+#[test]
 fn the_window_shows_what_the_host_renders() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window");
     let _ = fs::remove_dir_all(&folder); // from an earlier run
