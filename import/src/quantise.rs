@@ -70,6 +70,9 @@ pub(crate) fn make(
     if let Some(wanted) = options.decimate.filter(|&wanted| wanted < exact.faces.len()) {
         begins(Step::Decimate);
         decimated = decimate::decimate(&mut exact, &mut positions, wanted)?;
+        if exact.faces.is_empty() {
+            return Err(Problem::Options("decimation to so few triangles leaves none: allow more"));
+        }
         if exact.faces.len() > wanted {
             let message = format!("{} triangles are left: the shape allows no fewer", exact.faces.len());
             warnings.push(Warning { line: None, message });

@@ -61,6 +61,19 @@ fn what_is_not_reduced_as_far_as_wanted_is_said_and_only_that() {
     assert_eq!(said, mesh.faces.len() > 4, "{} {:?}", mesh.faces.len(), mesh.warnings);
 }
 
+#[cfg(feature = "decimate")]
+#[test]
+fn none_left_is_said_of_the_number_and_not_of_the_model() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("tetrahedron.obj");
+    std::fs::write(&path, text).unwrap();
+    let error = import(&path, &Options { decimate: Some(1), ..Options::default() }).unwrap_err();
+    assert!(
+        error.to_string().ends_with(": decimation to so few triangles leaves none: allow more"),
+        "{error}"
+    );
+}
+
 #[cfg(not(feature = "decimate"))]
 #[test]
 fn a_build_without_it_says_how_to_get_it() {
