@@ -40,7 +40,10 @@ fn command() -> Command {
     let choice = |name: &'static str, values: &[&'static str]| {
         Arg::new(name).long(name).value_parser(PossibleValuesParser::new(values.to_vec()))
     };
-    let number = |name: &'static str| Arg::new(name).long(name).value_parser(value_parser!(f64));
+    // Negative ones too: that they make no sense is said better than that they are unexpected.
+    let number = |name: &'static str| {
+        Arg::new(name).long(name).allow_negative_numbers(true).value_parser(value_parser!(f64))
+    };
     Command::new("pinhole-import")
         .about("Turns a model into Rust source for pinhole")
         .version(env!("CARGO_PKG_VERSION"))
@@ -92,6 +95,7 @@ fn command() -> Command {
             Arg::new("decimate")
                 .long("decimate")
                 .value_name("N")
+                .allow_negative_numbers(true)
                 .value_parser(value_parser!(usize))
                 .help(DECIMATE),
         )

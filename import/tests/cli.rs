@@ -83,7 +83,10 @@ fn what_makes_no_sense_is_refused() {
     std::fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     let mut cases = vec![
         ("--fit 0", "the length to fit is not a positive number"),
+        ("--fit -1", "the length to fit is not a positive number"),
         ("--fit x", "--fit"),
+        ("--feature-angle -3 --edges feature", "feature angle is not between 0 and 180"),
+        ("--decimate -1", "invalid value '-1' for '--decimate <N>'"),
         ("--feature-angle 200 --edges feature", "feature angle is not between 0 and 180"),
         ("--up w", "[possible values: x, y, z, -x, -y, -z]"),
         ("--name leg", "--name leg: is not a constant's"),
