@@ -43,6 +43,8 @@ pub(crate) fn read() -> Result<Options, String> {
     let mut given = crate::command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
     let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
+    let painted = ["colour", "background", "format"].into_iter().find(|name| given.contains_id(name));
+    let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
     let (style, format) = style(&mut given)?;
     let look = look(&mut given, &scene, ascii.is_some())?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
@@ -68,6 +70,9 @@ pub(crate) fn read() -> Result<Options, String> {
         let mut name = scene.file_stem().unwrap_or_default().to_os_string();
         name.push(".png"); // not by with_extension: of a.v2.obj the stem is a.v2
         png = Some(Path::new("target/render").join(name));
+    }
+    if let Some(name) = painted.filter(|_| png.is_none() && gif.is_none()) {
+        return Err(format!("--{name}: is that of a picture: give --png FILE, too"));
     }
     let frames = frames.unwrap_or(36);
     Ok(Options { scene, png, gif, frames, ids, depth, used, ascii, style, format, stats, look, unasked })
@@ -131,6 +136,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
             [Some(yaw), Some(pitch)]
         }
     };
+    let given_fov = given.contains_id("fov");
     let mut angle = |name: &str, from: Option<f64>, usual: f64, low: f64, high: f64| {
         let value = given.remove_one::<f64>(name).or(from).unwrap_or(usual);
         if !(low..=high).contains(&value) {
@@ -141,6 +147,9 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
     };
     let yaw = angle("yaw", from[0], projection.yaw, -360.0, 360.0)?;
     let pitch = angle("pitch", from[1], projection.pitch, -90.0, 90.0)?;
+    if given_fov && !projection.kind.meets_in_the_eye() {
+        return Err(format!("--fov: {} has no field of view", projection.name));
+    }
     let field_of_view = angle("fov", None, projection.field_of_view(), 1.0, 170.0)?;
     // Other programs read these, and know the defaults.
     let raw = ["ids", "depth", "used"].iter().any(|name| given.contains_id(name));

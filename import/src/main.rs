@@ -4,6 +4,7 @@ mod part;
 mod same;
 
 use clap::builder::PossibleValuesParser;
+use clap::parser::ValueSource;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
 use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Step};
@@ -133,7 +134,21 @@ fn options(given: &ArgMatches) -> Options {
     }
 }
 
+/// Refuses what was typed and would change nothing.
+fn refuse_idle(given: &ArgMatches) -> Result<(), String> {
+    let typed = |name| given.value_source(name) == Some(ValueSource::CommandLine);
+    let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
+    if typed("feature-angle") && word("edges") != "feature" {
+        return Err("--feature-angle: is that of --edges feature: give this, too".into());
+    }
+    if typed("name") && given.get_flag("arrays") {
+        return Err("--name: is that of a mesh, and --arrays writes lists, whose names are fixed".into());
+    }
+    Ok(())
+}
+
 fn run(given: &ArgMatches) -> Result<String, String> {
+    refuse_idle(given)?;
     let path = |name: &str| given.get_one::<PathBuf>(name).cloned().unwrap_or_default();
     let (model, output) = (path("MODEL"), path("output"));
     let name = given.get_one::<String>("name").map_or("MESH", String::as_str);

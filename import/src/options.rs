@@ -37,6 +37,7 @@ pub struct Options {
     /// Which edges the mesh gets.
     pub edges: Edges,
     /// The two faces beside each edge, which hidden lines need. An edge of more faces is then listed once for every two.
+    /// Wants `edges`.
     pub edge_faces: bool,
     /// A normal for each face.
     pub normals: bool,
@@ -83,6 +84,9 @@ impl Options {
         }
         if self.planes && !self.normals {
             return Err(Problem::Options("planes belong to the normals of faces: ask for these too"));
+        }
+        if self.edge_faces && self.edges == Edges::None {
+            return Err(Problem::Options("the faces beside edges belong to edges: ask for these too"));
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use crate::mesh::{ImportedMesh, Report, Topology};
 use crate::model::{Model, Warning};
 use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::weld::weld;
-use crate::{decimate, order, Edges, Options, Problem, Step, Triangles};
+use crate::{decimate, order, Options, Problem, Step, Triangles};
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Turns, scales and orders nothing: it
 /// has the default [`Options`].
@@ -110,8 +110,7 @@ pub(crate) fn make(
     begins(Step::Derive);
     let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[usize::from(i)]))).collect();
     let sides = Sides::of(&corners);
-    let selected =
-        sides.select(options.edges, options.edge_faces && options.edges != Edges::None, &crosses)?;
+    let selected = sides.select(options.edges, options.edge_faces, &crosses)?;
     let normals = if options.normals { crosses.iter().map(|&c| unit(c)).collect() } else { Vec::new() };
     let vertex_normals =
         if options.vertex_normals { of_vertices(&vertices, &corners, &crosses) } else { Vec::new() };
