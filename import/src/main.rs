@@ -89,7 +89,11 @@ fn command() -> Command {
                 .default_value("box")
                 .help("What becomes the origin: the centre of the bounding box, or the file's origin"),
         )
-        .arg(number("fit").value_name("LENGTH").help("Scale so that the longest side has this length"))
+        .arg(
+            number("fit")
+                .value_name("LENGTH")
+                .help("Scale so that the longest side has this length, before --decimate"),
+        )
         .arg(flag("flip").help("Turn the faces over, for a model that is inside out"))
         .arg(flag("keep-order").help("Leave faces and vertices in the file's order"))
         .arg(

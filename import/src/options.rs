@@ -23,7 +23,8 @@ pub struct Options {
     pub up: Axis,
     /// Turns the faces over, for a file that has them clockwise.
     pub flip: bool,
-    /// Scales the model so that the longest side of its bounding box has this length.
+    /// Scales the model so that the longest side of its bounding box has this length. Decimation comes after that, and may
+    /// leave it shorter; [`Report::extent`](crate::Report::extent) has what is left.
     pub fit: Option<f64>,
     /// The most triangles there may be, after an edge-collapse simplification by
     /// [meshopt](https://docs.rs/meshopt) (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics",

@@ -241,6 +241,9 @@ fn a_broken_line_is_named() {
     for number in ["NaN", "inf", "-infinity", "1e999"] {
         let text = format!("{three}v 0 {number} 0\nf 1 2 4\n");
         assert_error(&text, Some(4), not_finite, "model.obj:4: a coordinate is not a finite number");
+        // One that no face names is no part of the model.
+        let text = format!("{three}v 0 {number} 0\nf 1 2 3\n");
+        assert_eq!(import(&text).unwrap().vertices, import(&format!("{three}f 1 2 3\n")).unwrap().vertices);
     }
     assert_error(
         &format!("{three}v 1e300 0 0 1e-300\nf 1 2 4\n"),
