@@ -322,6 +322,10 @@ fn lines_of_large_meshes_are_all_there() {
         // 92 of 100 columns and rows, and each of their pixels has an edge.
         let drawn = picture.drawn().iter().filter(|drawn| **drawn).count();
         assert!(drawn.abs_diff(80 * 80 * 92 * 92 / 10_000) < 160, "{mode}: {drawn}");
+        // 45 000 triangles are three times 21 845 at most; an edge where two parts meet is in both.
+        let done = example("render", &[text(&file), "--projection", "front", "--mode", mode, "--stats"]);
+        let said = String::from_utf8(done.stdout).unwrap();
+        assert!(said.contains(" edges (in 3 parts, and twice where these meet) "), "{said}");
     }
 }
 

@@ -116,20 +116,29 @@ fn run(options: &Options) -> Result<(), String> {
     if let Some(text) = &text {
         command::say(text.trim_end_matches('\n'))?;
     }
-    tell(options, &scene, &used, statistics.filter(|_| told), &outputs)
+    let parts = if options.style.mode.of_lines() { subject.parts.len() } else { 1 };
+    tell(options, &scene, &used, parts, statistics.filter(|_| told), &outputs)
 }
 
 fn tell(
     options: &Options,
     scene: &Scene,
     used: &Scene,
+    parts: usize,
     statistics: Option<Statistics>,
     outputs: &[(&Path, Vec<u8>)],
 ) -> Result<(), String> {
     if let Some(Statistics { drawn, culled, clipped, outside, degenerate, .. }) = statistics {
         let (what, count) = match options.style.mode.of_lines() {
-            false => ("triangles", scene.triangles.len()),
-            true => ("edges", (drawn + outside) as usize),
+            false => ("triangles".into(), scene.triangles.len()),
+            true => {
+                let edges = match parts {
+                    1 => "edges".into(),
+                    // Each part draws all edges of its own faces.
+                    parts => format!("edges (in {parts} parts, and twice where these meet)"),
+                };
+                (edges, (drawn + outside) as usize)
+            }
         };
         command::say(format_args!(
             "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them cut), \

@@ -64,7 +64,7 @@ pub(crate) struct Style {
 
 /// What of a mesh does not change with the camera.
 pub(crate) struct Subject {
-    parts: Vec<Part>,
+    pub(crate) parts: Vec<Part>,
     /// At the corners of the triangles.
     normals: Vec<[[i16; 3]; 3]>,
 }
