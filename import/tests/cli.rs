@@ -194,3 +194,25 @@ fn a_write_that_fails_leaves_what_was_there() {
         assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1 + before.iter().count());
     }
 }
+
+#[test]
+fn who_stops_reading_ends_nothing() {
+    let (model, output) = (scratch("unread.obj"), scratch("unread.rs"));
+    std::fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap(); // not closed: a warning
+    let _ = std::fs::remove_file(&output); // from an earlier run
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pinhole-import"));
+    command.arg(&model).arg("-o").arg(&output).stdout(writer.try_clone().unwrap()).stderr(writer);
+    assert!(command.status().unwrap().success());
+    assert!(output.exists());
+    #[cfg(target_os = "linux")]
+    {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_pinhole-import"));
+        let done = command.arg(&model).arg("-o").arg(&output).stdout(full).output().unwrap();
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(2), "{said}");
+        assert!(said.contains("standard output: cannot be written: "), "{said}");
+    }
+}
