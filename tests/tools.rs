@@ -141,11 +141,12 @@ fn a_write_that_fails_leaves_what_was_there() {
 fn a_device_that_takes_nothing_leaves_the_files_as_they_were() {
     let to = folder("tools", "device");
     fill(&to);
-    fs::write(to.join("p.png"), "before").unwrap();
-    let words = ["m.obj", "--size", "16x16", "--png", "p.png", "--depth", "new", "--ids", "/dev/full"];
+    fs::write(to.join("ids"), "before").unwrap();
+    // The picture is what is drawn last.
+    let words = ["m.obj", "--size", "16x16", "--ids", "ids", "--depth", "new", "--png", "/dev/full"];
     let said = refusal(&example_in(&to, "render", &words));
     assert!(said.starts_with("/dev/full: cannot be written: "), "{said}");
-    assert_eq!(fs::read(to.join("p.png")).unwrap(), b"before");
+    assert_eq!(fs::read(to.join("ids")).unwrap(), b"before");
     assert!(!to.join("new").exists());
     // One that takes it does so as before, and stays what it is.
     let words = ["m.obj", "--size", "1x1", "--depth", "new", "--ids", "/dev/stdout"];
