@@ -5,7 +5,8 @@ use embedded_graphics::prelude::*;
 use std::collections::BTreeMap;
 use std::error::Error;
 
-/// The picture as a PNG file: the same bytes for the same pixels. Up to 256 colours become a palette.
+/// The picture as a PNG file: the same bytes for the same pixels. Up to 256 colours become a palette, up to 16 in half a byte
+/// a pixel.
 pub(crate) fn png(size: Size, pixels: &[Rgb888]) -> Result<Vec<u8>, Box<dyn Error>> {
     let bytes = |c: Rgb888| [c.r(), c.g(), c.b()];
     let mut palette: BTreeMap<[u8; 3], u8> = pixels.iter().map(|&c| (bytes(c), 0)).collect();
@@ -19,7 +20,15 @@ pub(crate) fn png(size: Size, pixels: &[Rgb888]) -> Result<Vec<u8>, Box<dyn Erro
         }
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(palette.keys().flatten().copied().collect::<Vec<u8>>());
-        pixels.iter().map(|&c| palette[&bytes(c)]).collect()
+        let indices: Vec<u8> = pixels.iter().map(|&c| palette[&bytes(c)]).collect();
+        if palette.len() <= 16 {
+            encoder.set_depth(png::BitDepth::Four);
+            let row =
+                |row: &[u8]| row.chunks(2).map(|pair| pair[0] << 4 | pair.get(1).unwrap_or(&0)).collect();
+            indices.chunks(size.width as usize).flat_map::<Vec<u8>, _>(row).collect()
+        } else {
+            indices
+        }
     } else {
         encoder.set_color(png::ColorType::Rgb);
         pixels.iter().flat_map(|&c| bytes(c)).collect()
