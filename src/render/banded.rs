@@ -2,10 +2,11 @@
 
 use super::bins::{Bins, BinsError, Sorting};
 use super::{
-    fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Limits, Outcome, Recorded, Statistics,
-    Transformed,
+    fill, fill_nearer, pixels, put, Facing, Fan, Ink, InkFor, Limits, Outcome, Polygon, Progress, Recorded,
+    Statistics, Transformed,
 };
 use crate::camera::{Corner, Image};
+use crate::clip::PLACES;
 use crate::math::Coordinate;
 use crate::output::{DepthBuffer, Target};
 use crate::raster::{Piece, Scissor};
@@ -147,12 +148,13 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[cold]
     #[inline(never)]
     fn reach_of_cut(&self, face: &[u16; 3], reach: &mut Scissor) -> Outcome {
-        let mut fan = Fan::<()>::new();
-        let outcome = self.sort_out_any(face, &mut fan);
-        if outcome.is_drawn() {
-            *reach = fan.pieces.reach();
+        let (mut polygon, mut progress) = (Polygon::new(), Progress::BEGIN);
+        let cut = self.polygon(face, &mut polygon, &mut [(); PLACES]);
+        progress.begin(&polygon, self.placed.cull, cut);
+        if progress.outcome.is_drawn() {
+            *reach = polygon.reach();
         }
-        outcome
+        progress.outcome
     }
 
     /// Where an edge begins that was kept.
@@ -331,11 +333,14 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
         let mut piece = Piece::new(&limits.viewport);
         self.0.each(limits, |view, index| {
             let Some(face) = faces.get(index) else { return Ok(true) };
-            let kept = view.whole(face);
-            if let Some(kept) = kept {
+            if let Some(kept) = view.whole(face) {
+                fan.whole();
                 put::<DEPTH>(&mut piece, &view.images(kept), view.area(&kept));
-            } else if !(view.sort_out_any(face, &mut fan).is_drawn() && fan.pieces.next_into(&mut piece)) {
-                return Ok(true);
+            } else {
+                fan.clear();
+                if !view.triangle_into(face, &mut fan, &mut piece) {
+                    return Ok(true);
+                }
             }
             let (mut end, mut shaded) = (i32::MIN, None);
             loop {
@@ -343,9 +348,9 @@ impl<V: Coordinate, const DEPTH: bool> Faces<'_, V, DEPTH> {
                 end = end.max(reach.end);
                 if reach.start < rows.end && reach.end > rows.start {
                     let ink = *shaded.get_or_insert_with(|| shade(index));
-                    draw(&piece, if kept.is_some() { ink } else { fan.ink(&ink) })?;
+                    draw(&piece, fan.ink(&ink))?;
                 }
-                if kept.is_some() || !fan.pieces.next_into(&mut piece) {
+                if !view.triangle_into(face, &mut fan, &mut piece) {
                     break;
                 }
             }

@@ -40,22 +40,21 @@ impl Cull {
     }
 }
 
-/// The triangles of one face, one after the other. There is room for one face, used for all of a mesh.
-pub(super) struct Pieces {
+/// What the planes leave of a face, on the screen.
+pub(super) struct Polygon {
     /// Corners: in clip space while planes cut, then on the screen.
     pub(super) places: [Homogeneous; PLACES],
     /// Where those of the polygon stand, which is where they are carried.
     pub(super) order: Order,
-    /// Whether planes took something of the face.
-    cut: bool,
-    /// Whether the polygon is taken from its last corner to its first.
-    turned: bool,
-    /// Where the fan stands: the next triangle's corners are the first one, and the two behind this.
-    at: u8,
 }
 
-impl Pieces {
-    /// A face with all of its corners on the screen, to [begin](Self::begin) with.
+impl Polygon {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self { places: [Homogeneous::ZERO; PLACES], order: Order::new() }
+    }
+
+    /// A face with all of its corners on the screen.
     pub(super) fn whole(&mut self, corners: &[Image; 3]) {
         for (place, corner) in self.places.iter_mut().zip(corners) {
             *place = corner.held();
@@ -64,21 +63,7 @@ impl Pieces {
         let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
     }
 
-    /// A convex polygon, which is on the screen: what becomes of it. One that is not cut is farther out than corners reach, or
-    /// was not kept.
-    #[inline(never)] // its frame is gone when it returns
-    pub(super) fn begin(&mut self, cull: Cull, cut: bool) -> Outcome {
-        (self.cut, self.turned, self.at) = (cut, false, 0);
-        let (mut area, mut corners) = (0, [Image::ORIGIN; 3]);
-        while let Some(piece) = self.step(&mut corners) {
-            area += piece; // < 7·2⁴⁵
-        }
-        // All triangles of one that was cut are counter-clockwise from here on.
-        (self.turned, self.at) = (cut && area < 0, 0);
-        cull.turned(area, if cut { Outcome::Cut } else { Outcome::Whole })
-    }
-
-    /// Where the polygon may cover pixels, though a piece may be left out.
+    /// Where it may cover pixels, though a triangle may be left out.
     pub(super) fn reach(&self) -> Scissor {
         let mut reach = Scissor::NOTHING;
         for &at in &self.order {
@@ -89,46 +74,96 @@ impl Pieces {
         }
         reach
     }
+}
 
-    /// Where the polygon's corner of this number stands.
-    fn place(&self, corner: usize) -> usize {
-        let corner = if self.turned { self.order.len().wrapping_sub(corner + 1) } else { corner };
-        self.order.get(corner).map_or(PLACES, |&place| place.into()) // where there are not so many, none stands there
+/// How far one has come with the triangles of a polygon: the fan about its first corner.
+pub(super) struct Progress {
+    /// What becomes of the face: known with its first triangle.
+    pub(super) outcome: Outcome,
+    /// Whether the polygon is taken from its last corner to its first.
+    turned: bool,
+    /// Where the fan stands: the next triangle's corners are the first one, and the two behind this.
+    at: u8,
+    /// Where it ends.
+    end: u8,
+}
+
+impl Progress {
+    /// Of a face that was not looked at.
+    pub(super) const BEGIN: Self = Self { outcome: Outcome::Outside, turned: false, at: 0, end: 1 };
+
+    /// Of a face that is drawn with its corners as they are.
+    const WHOLE: Self = Self { outcome: Outcome::Whole, turned: false, at: 0, end: 0 };
+
+    /// Whether there may be one more triangle.
+    #[inline(always)]
+    fn goes_on(&self) -> bool {
+        self.at < self.end
     }
 
-    /// The next triangle of the fan about the first corner, and its area, if there is one more.
+    /// A convex polygon: what becomes of it. One that is not cut is farther out than corners reach, or was not kept.
+    #[inline(never)] // its frame is gone when it returns
+    pub(super) fn begin(&mut self, polygon: &Polygon, cull: Cull, cut: bool) {
+        (self.turned, self.at) = (false, 0);
+        let (mut area, mut corners) = (0, [Image::ORIGIN; 3]);
+        while let Some(piece) = self.step(polygon, &mut corners) {
+            area += piece; // < 7·2⁴⁵
+        }
+        self.outcome = match self.at {
+            0 => Outcome::Outside,
+            _ => cull.turned(area, if cut { Outcome::Cut } else { Outcome::Whole }),
+        };
+        // All triangles of one that was cut are counter-clockwise from here on.
+        self.turned = cut && area < 0;
+        (self.at, self.end) = (0, if self.outcome.is_drawn() { self.at } else { 0 });
+    }
+
+    /// Where the polygon's corner of this number stands.
+    fn place(&self, order: &Order, corner: usize) -> usize {
+        let corner = if self.turned { order.len().wrapping_sub(corner + 1) } else { corner };
+        order.get(corner).map_or(PLACES, |&place| place.into()) // where there are not so many, none stands there
+    }
+
+    /// The next triangle, and its area, if there is one more.
     #[inline(never)] // rare: small is better
-    fn step(&mut self, corners: &mut [Image; 3]) -> Option<i64> {
+    fn step(&mut self, polygon: &Polygon, corners: &mut [Image; 3]) -> Option<i64> {
         let at = usize::from(self.at);
         let mut i = 0;
         while let Some(image) = corners.get_mut(i) {
             let corner = if i == 0 { 0 } else { at + i };
-            *image = Image::of_held(self.places.get(self.place(corner))?);
+            *image = Image::of_held(polygon.places.get(self.place(&polygon.order, corner))?);
             i = after(i);
         }
-        self.at += 1;
+        self.at += 1; // fewer than CORNERS
         Some(raster::area(&corners.map(|corner| corner.point)))
     }
 
-    /// The next triangle of the fan that faces as the polygon does, and its area, not zero: rounding of the corners may
+    /// The next triangle that faces as the polygon does, and its area, not zero: rounding of the corners may
     /// turn a sliver over, which would be drawn on top of its neighbour.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn next(&mut self, corners: &mut [Image; 3]) -> Option<i64> {
-        loop {
-            let area = self.step(corners)?;
-            if area > 0 || !self.cut {
+    pub(super) fn next(&mut self, polygon: &Polygon, corners: &mut [Image; 3]) -> Option<i64> {
+        while self.goes_on() {
+            let area = self.step(polygon, corners)?;
+            if area > 0 || self.outcome != Outcome::Cut {
                 return Some(area);
             }
         }
+        None
     }
 
-    /// Puts it there, if there is one.
-    #[cold]
+    /// Puts the next triangle there, if there is one; the first time it begins with the polygon.
     #[inline(never)]
-    pub(super) fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
+    pub(super) fn next_into(
+        &mut self,
+        polygon: &Polygon,
+        cull: Cull,
+        cut: bool,
+        piece: &mut Piece<'_>,
+    ) -> bool {
+        if self.at == 0 {
+            self.begin(polygon, cull, cut);
+        }
         let mut corners = [Image::ORIGIN; 3];
-        let area = self.next(&mut corners);
+        let area = self.next(polygon, &mut corners);
         if let Some(area) = area {
             put::<true>(piece, &corners, area);
         }
@@ -162,37 +197,52 @@ impl<K: Carried> Carries for [K; PLACES] {
     }
 }
 
-/// The triangles of one face, with what their corners carry.
+/// The triangles of one face, one after the other, with what their corners carry. The polygon is not kept from one to the
+/// next but made again: few faces are cut, fewer to more than one triangle, and all loops over faces have this in their frame.
 pub(super) struct Fan<K> {
-    pub(super) pieces: Pieces,
-    pub(super) carried: [K; PLACES],
+    pub(super) progress: Progress,
+    /// Of the last triangle's corners.
+    carried: [K; 3],
 }
 
 impl<K: Carried> Fan<K> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self {
-            pieces: Pieces {
-                places: [Homogeneous::ZERO; PLACES],
-                order: Order::new(),
-                cut: false,
-                turned: false,
-                at: 0,
-            },
-            carried: [K::of(0); PLACES],
-        }
+        Self { progress: Progress::BEGIN, carried: [K::of(0); 3] }
+    }
+
+    /// Goes on to another face.
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        self.progress = Progress::BEGIN;
+    }
+
+    /// Goes on to a face that is drawn with its corners as they are.
+    #[inline(always)]
+    pub(super) fn whole(&mut self) {
+        self.progress = Progress::WHOLE;
+    }
+
+    /// Whether there may be one more triangle.
+    #[inline(always)]
+    pub(super) fn goes_on(&self) -> bool {
+        self.progress.goes_on()
+    }
+
+    /// Of what the polygon's corners carry, the last triangle's.
+    pub(super) fn take(&mut self, order: &Order, carried: &[K; PLACES]) {
+        let at = usize::from(self.progress.at);
+        self.carried = [0, at, at + 1].map(|corner| {
+            carried.get(self.progress.place(order, corner)).copied().unwrap_or_else(|| K::of(0))
+        });
     }
 
     /// What the triangle that was last is filled with.
     #[inline(always)]
     pub(super) fn ink<I: Ink<Carried = K>>(&self, ink: &I) -> I {
-        if self.pieces.cut {
-            let at = usize::from(self.pieces.at);
-            ink.piece([0, at, at + 1].map(|corner| {
-                self.carried.get(self.pieces.place(corner)).copied().unwrap_or_else(|| K::of(0))
-            }))
-        } else {
-            *ink
+        match self.progress.outcome {
+            Outcome::Cut => ink.piece(self.carried),
+            _ => *ink,
         }
     }
 }

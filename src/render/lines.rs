@@ -1,8 +1,8 @@
 //! Lines against depth: those that are nearer, and those that faces do not hide.
 
-use super::{Edges, Fan, Limits, Placed, Statistics, Transformed};
+use super::{Edges, Limits, Placed, Polygon, Progress, Statistics, Transformed};
 use crate::camera::{Corner, Image};
-use crate::clip::CORNERS;
+use crate::clip::PLACES;
 use crate::math::Coordinate;
 use crate::output::{DepthBuffer, Target};
 use crate::raster::{self, Along, Piece, Plane, Scissor, ScreenPoint, Triangle};
@@ -115,11 +115,7 @@ impl<V: Coordinate> Placed<'_, V> {
     ) -> Result<Statistics, T::Error> {
         let limits = Limits::shared(&target.area(), self.area(), Some(depth));
         let view = Transformed::<V, true>::new(self, cache);
-        let mut all = Vec::new();
-        view.all_edges(|edge, ends| {
-            let beside = view.beside(edge, &limits.viewport, &mut all);
-            unhidden(&ends, beside, colour, &limits.scissor, depth, target)
-        })
+        view.all_edges(|edge, ends| view.unhidden(edge, &ends, colour, &limits, depth, target))
     }
 }
 
@@ -175,11 +171,7 @@ impl<V: Coordinate> Edges<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let mut all = Vec::new();
-        self.each(limits, |view, edge, ends| {
-            let beside = view.beside(edge, &limits.viewport, &mut all);
-            unhidden(&ends, beside, colour, &limits.scissor, depth, band)
-        })
+        self.each(limits, |view, edge, ends| view.unhidden(edge, &ends, colour, limits, depth, band))
     }
 }
 
@@ -205,35 +197,61 @@ impl<V: Coordinate> super::Faces<'_, V, true> {
 }
 
 impl<V: Coordinate> Transformed<'_, V, true> {
-    /// The faces beside an edge, as their depth was kept: piece by piece where they were cut. They are made where they stay.
+    /// A line, where it is as near as what is held, or a face beside its edge is what is held.
+    #[inline(always)]
+    fn unhidden<T: Target>(
+        &self,
+        edge: usize,
+        ends: &[Image; 2],
+        colour: T::Color,
+        limits: &Limits,
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
+        let (mut beside, mut first) = (FacesBeside::new(), 0);
+        loop {
+            let others = self.beside(edge, first, &limits.viewport, &mut beside);
+            let is_beside = |held, x, y| beside.iter().any(|face| face.is(held, x, y));
+            seen(ends, false, &is_beside, colour, &limits.scissor, depth, target)?;
+            if !others {
+                return Ok(());
+            }
+            first += beside.len();
+        }
+    }
+
+    /// The faces beside an edge, as their depth was kept, piece by piece where they were cut: from this piece on as many as there
+    /// is room for. Tells whether there are others. They are made where they stay.
     #[inline(never)]
-    fn beside<'b>(&self, edge: usize, viewport: &Scissor, all: &'b mut FacesBeside) -> &'b [Beside] {
-        all.clear();
-        let mesh = self.placed.mesh;
-        let Some(&beside) = mesh.edge_faces().get(edge) else { return all };
-        let mut fan = Fan::<()>::new();
-        for face in beside {
+    fn beside(&self, edge: usize, first: usize, viewport: &Scissor, beside: &mut FacesBeside) -> bool {
+        beside.clear();
+        let (mesh, mut polygon, mut piece) = (self.placed.mesh, Polygon::new(), 0);
+        for &face in mesh.edge_faces().get(edge).into_iter().flatten() {
             // A large mesh has a face of that number, which cannot be named.
             let named = mesh.faces().get(usize::from(face)).filter(|_| face != Mesh::<V>::NO_FACE);
-            let Some(&face) = named else { continue };
-            if !self.sort_out_any(&face, &mut fan).is_drawn() {
-                continue;
-            }
-            let mut corners = [Image::ORIGIN; 3];
-            while let Some(area) = fan.pieces.next(&mut corners) {
+            let Some(face) = named else { continue };
+            let (mut progress, mut corners) = (Progress::BEGIN, [Image::ORIGIN; 3]);
+            let cut = self.polygon(face, &mut polygon, &mut [(); PLACES]);
+            progress.begin(&polygon, self.placed.cull, cut);
+            while let Some(area) = progress.next(&polygon, &mut corners) {
                 let points = corners.map(|c| c.point);
-                let plane =
-                    Plane::of_depth(&Triangle::new(points, area, viewport), &corners.map(|c| c.depth));
-                // There is room for the pieces of two faces.
-                let _ = all.push(Beside { points, plane });
+                if piece >= first {
+                    let plane =
+                        Plane::of_depth(&Triangle::new(points, area, viewport), &corners.map(|c| c.depth));
+                    if beside.push(Beside { points, plane }).is_err() {
+                        return true;
+                    }
+                }
+                piece += 1; // fewer than 2·CORNERS
             }
         }
-        all
+        false
     }
 }
 
-/// The pieces of two faces.
-type FacesBeside = Vec<Beside, { 2 * (CORNERS - 2) }>;
+/// The faces beside an edge, or pieces of them. Where there are more than these a line is drawn once more: few faces are cut to more
+/// than two, and room on the stack is dear.
+type FacesBeside = Vec<Beside, 2>;
 
 /// A face beside an edge, or a piece of it.
 struct Beside {
@@ -282,20 +300,6 @@ fn nearer<T: Target>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     seen(ends, true, &|_, _, _| false, colour, scissor, depth, target)
-}
-
-/// A line, where it is as near as what is held, or a face beside it is what is held.
-#[inline(always)]
-fn unhidden<T: Target>(
-    ends: &[Image; 2],
-    beside: &[Beside],
-    colour: T::Color,
-    scissor: &Scissor,
-    depth: &mut DepthBuffer<'_>,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    let is_beside = |held, x, y| beside.iter().any(|face| face.is(held, x, y));
-    seen(ends, false, &is_beside, colour, scissor, depth, target)
 }
 
 /// A line, drawn where it is as near as the buffer or `is_drawn_over` says so; with `keeps` its depth is stored.

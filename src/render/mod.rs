@@ -28,7 +28,7 @@ mod transformed;
 pub use banded::{Edges, Faces};
 pub use bins::BinsError;
 pub use facing::Facing;
-use fan::{Fan, Outcome};
+use fan::{Fan, Outcome, Polygon, Progress};
 pub use ink::{Ink, InkFor};
 pub use painter::{Painter, PaintersOrder, RecordError};
 pub use plain::{draw_line, fill_triangle};

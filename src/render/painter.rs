@@ -1,12 +1,12 @@
 //! Painter's order: from far to near, over everything recorded.
 
 use super::transformed::project;
-use super::{fill, Fan, Ink, InkFor, Limits, Outcome, Placed, Statistics, Transformed};
-use crate::camera::{Corner, Image};
+use super::{fill, put, Fan, Ink, InkFor, Limits, Outcome, Placed, Statistics, Transformed};
+use crate::camera::Corner;
 use crate::math::num::keep_rolled;
 use crate::math::Coordinate;
 use crate::output::Target;
-use crate::raster::{self, Scissor, ScreenPoint, Triangle};
+use crate::raster::{self, Piece, Scissor, ScreenPoint, Triangle};
 
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
@@ -204,21 +204,30 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         project::<V, true>(placed, false, own);
         let own_corners = self.corners.len();
         let mut statistics = Statistics::default();
-        let mut fan = Fan::new();
+        let viewport = Scissor::GUARD_BAND; // places alone are asked for
+        let (mut fan, mut piece) = (Fan::new(), Piece::new(&viewport));
+        // Where corners are not kept, or are being added to.
+        let bare = Transformed::<V, true>::with_corners(placed, false, &[]);
         for (index, &face) in placed.mesh.faces().iter().enumerate() {
             // Corners without room are computed anew: the counting goes on.
             let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
             let view = Transformed::<V, true>::with_corners(placed, false, own);
-            let (kept, mut corners) = (view.whole(&face), [Image::ORIGIN; 3]);
-            let outcome = match kept {
+            let kept = view.whole(&face);
+            let (outcome, is_drawn) = match kept {
                 Some(kept) => {
-                    corners = view.images(kept);
-                    placed.cull.turned(view.area(&kept), Outcome::Whole)
+                    let area = view.area(&kept);
+                    put::<true>(&mut piece, &view.images(kept), area);
+                    let outcome = placed.cull.turned(area, Outcome::Whole);
+                    (outcome, outcome.is_drawn())
                 }
-                None => view.sort_out_any(&face, &mut fan),
+                None => {
+                    fan.clear();
+                    let is_drawn = view.triangle_into(&face, &mut fan, &mut piece);
+                    (fan.progress.outcome, is_drawn)
+                }
             };
             statistics.count(outcome);
-            if !outcome.is_drawn() || kept.is_none() && fan.pieces.next(&mut corners).is_none() {
+            if !is_drawn {
                 continue;
             }
             let ink = shade(index);
@@ -228,25 +237,25 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
                 } else {
                     let first = room.corners;
                     room.corners += 3;
-                    for corner in corners {
-                        let _ = self.corners.push(Corner::bare(corner.point));
+                    for point in piece.triangle.corners() {
+                        let _ = self.corners.push(Corner::bare(*point));
                     }
                     [first, first + 1, first + 2]
                 };
-                self.record(indices, &corners, &mut room, if kept.is_some() { ink } else { fan.ink(&ink) });
-                if kept.is_some() || fan.pieces.next(&mut corners).is_none() {
+                let ink = if kept.is_some() { ink } else { fan.ink(&ink) };
+                self.record(indices, &piece.depths, &mut room, ink);
+                if kept.is_some() || !bare.triangle_into(&face, &mut fan, &mut piece) {
                     break;
                 }
             }
         }
         // From here on only the places count; where there is none, no face asks for it.
         let own = self.corners.get_mut(old_corners..own_corners).unwrap_or_default();
-        let view = Transformed::<V, true>::with_corners(placed, false, &[]);
         for (index, corner) in own.iter_mut().enumerate() {
             let place = if corner.whole() {
                 Some(placed.placement.at::<true>(*corner))
             } else {
-                view.image(index as u16) // fewer than 65537 vertices
+                bare.image(index as u16) // fewer than 65537 vertices
             };
             *corner = Corner::bare(place.map_or(ScreenPoint::ORIGIN, |place| place.point));
         }
@@ -269,9 +278,9 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
 
     /// Keeps a triangle if there is room, and counts it in any case.
     #[inline(always)]
-    fn record(&mut self, indices: [usize; 3], corners: &[Image; 3], room: &mut Room, ink: I) {
+    fn record(&mut self, indices: [usize; 3], depths: &[i32; 3], room: &mut Room, ink: I) {
         room.faces += 1;
-        let [a, b, c] = corners.map(|c| (c.depth.unsigned_abs() + 128) >> 8); // to whole steps
+        let [a, b, c] = depths.map(|depth| (depth.unsigned_abs() + 128) >> 8); // to whole steps
 
         // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
         // of a third by so little that the order of sums is kept.

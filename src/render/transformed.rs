@@ -1,10 +1,10 @@
 //! Vertices on the screen, and what becomes of faces and edges there.
 
 use super::before_planes::BeforePlanes;
-use super::fan::{Carries, Fan, Outcome, Pieces};
+use super::fan::{Carries, Fan, Polygon};
 use super::{put, Cull, Ink, Placed, Statistics};
 use crate::camera::{Corner, DepthOf, Image, Placement};
-use crate::clip::Carried;
+use crate::clip::{Carried, PLACES};
 use crate::math::num::{after, keep_rolled};
 use crate::math::{Coordinate, Homogeneous};
 use crate::raster::{self, Piece, Scissor};
@@ -156,30 +156,43 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         corners.map(|corner| self.placed.placement.at::<DEPTH>(corner))
     }
 
-    /// Step 3 of the pipeline, for a face with corners that are not kept, or must be clipped. What is drawn of it is the fan's.
-    #[inline(always)]
-    pub(super) fn sort_out_any<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>) -> Outcome {
-        self.sort_out_carrying(face, &mut fan.pieces, &mut fan.carried)
-    }
-
-    /// The same, once for all that corners may carry.
+    /// Step 3 of the pipeline, for a face with corners that are not kept, or must be clipped: what is left of it. Tells
+    /// whether planes took something.
     #[cold]
     #[inline(never)]
-    fn sort_out_carrying(&self, face: &[u16; 3], pieces: &mut Pieces, carried: &mut dyn Carries) -> Outcome {
+    pub(super) fn polygon(&self, face: &[u16; 3], polygon: &mut Polygon, carried: &mut dyn Carries) -> bool {
         let corners = face.map(|index| self.corner(index));
         if corners.iter().all(|corner| corner.whole()) {
-            pieces.whole(&self.images(corners));
-            return pieces.begin(self.placed.cull, false);
+            polygon.whole(&self.images(corners));
+            return false;
         }
         carried.begin();
-        let cut = self.before_planes(face, &mut pieces.places, Some(carried)).face(&mut pieces.order);
-        match pieces.order.len() {
-            0..=2 => Outcome::Outside,
-            _ => pieces.begin(self.placed.cull, cut),
-        }
+        self.before_planes(face, &mut polygon.places, Some(carried)).face(&mut polygon.order)
     }
 
-    /// The first piece of a face that takes more than that, if it has any; counts the face.
+    /// Puts the next triangle of such a face there, if there is one more; with the first one it is known what becomes of the
+    /// face.
+    #[inline(always)]
+    pub(super) fn triangle_into<K: Carried>(
+        &self,
+        face: &[u16; 3],
+        fan: &mut Fan<K>,
+        piece: &mut Piece<'_>,
+    ) -> bool {
+        fan.goes_on() && self.triangle(face, fan, piece)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn triangle<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>, piece: &mut Piece<'_>) -> bool {
+        let (mut polygon, mut carried) = (Polygon::new(), [K::of(0); PLACES]);
+        let cut = self.polygon(face, &mut polygon, &mut carried);
+        let is_drawn = fan.progress.next_into(&polygon, self.placed.cull, cut, piece);
+        fan.take(&polygon.order, &carried);
+        is_drawn
+    }
+
+    /// The first triangle of a face that takes more than its corners' places, if it has any; counts the face.
     #[cold]
     #[inline(never)]
     fn first_of_any<K: Carried>(
@@ -189,9 +202,10 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
         statistics: &mut Statistics,
         piece: &mut Piece<'_>,
     ) -> bool {
-        let outcome = self.sort_out_any(face, fan);
-        statistics.count(outcome);
-        outcome.is_drawn() && fan.pieces.next_into(piece)
+        fan.clear();
+        let is_drawn = self.triangle_into(face, fan, piece);
+        statistics.count(fan.progress.outcome);
+        is_drawn
     }
 
     /// Step 3 and 4 for all faces in the mesh's order: `draw` gets triangles, with the depths of their corners if those were
@@ -272,7 +286,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
             let ink = shade();
             loop {
                 draw(piece, fan.ink(&ink))?;
-                if !fan.pieces.next_into(piece) {
+                if !self.triangle_into(face, fan, piece) {
                     break;
                 }
             }

@@ -188,3 +188,16 @@ proptest! {
         }
     }
 }
+
+/// In a static, as a firmware's may be: the area is cut, and steps of nothing are steps of one.
+#[test]
+fn made_at_compile_time() {
+    const AREA: Rectangle = Rectangle::new(Point::new(-3, 5), Size::new(70_000, 9));
+    const DIRTY: Dirty<2> = Dirty::new(AREA, WindowCost::new(4, 6)).with_steps(2, 0);
+    let mut dirty = DIRTY;
+    assert_eq!(dirty.area(), Rectangle::new(AREA.top_left, Size::new(65_535, 9)));
+    assert_eq!(dirty.take(), [dirty.area()]);
+    dirty.mark(Rectangle::new(Point::new(0, 6), Size::new(2, 1)));
+    // Columns count from -3 in twos.
+    assert_eq!(dirty.take(), [Rectangle::new(Point::new(-1, 6), Size::new(4, 1))]);
+}

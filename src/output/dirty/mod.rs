@@ -104,16 +104,31 @@ pub struct Dirty<const N: usize> {
 /// Rectangles are no larger than this.
 const LARGEST: u32 = u16::MAX as u32;
 
+const fn step(n: u16) -> NonZeroU16 {
+    match NonZeroU16::new(n) {
+        Some(n) => n,
+        None => NonZeroU16::MIN,
+    }
+}
+
+const fn at_most_largest(extent: u32) -> u32 {
+    if extent < LARGEST {
+        extent
+    } else {
+        LARGEST
+    }
+}
+
 impl<const N: usize> Dirty<N> {
     /// For the pixels of `area`, cut to 65535 × 65535: what is beyond is never sent. The first frame is all of
-    /// what remains.
+    /// what remains. It lives as long as what the target shows: a variable of the program, or a static.
     ///
     /// A capacity `N` of 0 does not compile.
-    pub fn new(area: Rectangle, cost: WindowCost) -> Self {
+    pub const fn new(area: Rectangle, cost: WindowCost) -> Self {
         const { assert!(N > 0, "Dirty<0> has no room for any rectangle") };
-        let size = Size::new(area.size.width.min(LARGEST), area.size.height.min(LARGEST));
+        let (width, height) = (at_most_largest(area.size.width), at_most_largest(area.size.height));
         Self {
-            area: Rectangle::new(area.top_left, size),
+            area: Rectangle::new(area.top_left, Size::new(width, height)),
             cost,
             columns: NonZeroU16::MIN,
             rows: NonZeroU16::MIN,
@@ -128,9 +143,11 @@ impl<const N: usize> Dirty<N> {
     /// two pixels of Gray4, 8 rows where a byte is a column of eight (SSD1306). Where the area is no
     /// multiple, its last rectangles end with it. The first frame is all of the area again.
     #[must_use]
-    pub fn with_steps(self, columns: u16, rows: u16) -> Self {
-        let step = |n| NonZeroU16::new(n).unwrap_or(NonZeroU16::MIN);
-        Self { columns: step(columns), rows: step(rows), ..Self::new(self.area, self.cost) }
+    pub const fn with_steps(self, columns: u16, rows: u16) -> Self {
+        let mut anew = Self::new(self.area, self.cost);
+        core::mem::forget(self); // nothing to drop, which a const function must not do
+        (anew.columns, anew.rows) = (step(columns), step(rows));
+        anew
     }
 
     /// The pixels it stands for.
@@ -159,6 +176,7 @@ impl<const N: usize> Dirty<N> {
     /// They cost no more bytes than one rectangle about all marks; and as long as the marks of two frames
     /// are `N` at most, no more than each by itself. They overlap only where cutting saves less
     /// than another window costs, or there is no room for more of them.
+    #[inline(never)] // its lists are gone when it returns
     pub fn take(&mut self) -> Vec<Rectangle, N> {
         let price = self.price();
         let now = core::mem::take(&mut self.now);

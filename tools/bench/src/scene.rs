@@ -19,7 +19,7 @@ const FACE: Rgb565 = Rgb565::new(31, 52, 14);
 const AMBIENT: u16 = 48;
 
 /// The pixels of a frame.
-pub fn area() -> Rectangle {
+pub const fn area() -> Rectangle {
     Rectangle::new(Point::zero(), Size::new(SIZE, SIZE))
 }
 

@@ -2,50 +2,103 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::{bytes, pixels};
 use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
+use bench::scene::Model;
 use bench::{image, scene};
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Corner, DepthBuffer, Dirty, Frame, Painter, WindowCost};
+use heapless::Vec;
+use pinhole::{Corner, DepthBuffer, Dirty, Frame, Lambert, Painter, Placed, WindowCost};
 
 /// The cube's, and those that cuts make.
 const FACES: usize = 12;
 type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 
+/// What is there all frame long.
+struct Object {
+    placed: Placed<'static>,
+    light: Lambert,
+}
+
+/// What is lent for a frame.
+struct Buffers {
+    corners: [Corner; CORNERS],
+    edge_corners: [Corner; CORNERS],
+    records: [u16; RECORDS],
+    edge_records: [u16; RECORDS + 8],
+    strip: [u8; bytes(ROWS)],
+    storage: [u16; pixels(ROWS)],
+}
+
+impl Buffers {
+    const EMPTY: Self = Self {
+        corners: [Corner::EMPTY; CORNERS],
+        edge_corners: [Corner::EMPTY; CORNERS],
+        records: [0; RECORDS],
+        edge_records: [0; RECORDS + 8],
+        strip: [0; bytes(ROWS)],
+        storage: [0; pixels(ROWS)],
+    };
+}
+
+/// A solid, before a camera made at run time. In a function of its own, as each step: what it takes is off the stack when it returns.
+#[inline(never)]
+fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
+    let camera = cube.camera();
+    objects.clear();
+    let placed = camera.as_ref()?.place(&cube.mesh, &cube.turned());
+    objects.push(Object { placed, light: Turntable::new().light()? }).ok()
+}
+
+/// Before it one in painter's order, of another camera.
+#[inline(never)]
+fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<()> {
+    painter.clear();
+    painter.add(&Turntable::new().place(cube), scene::flat(&cube.mesh, light)).ok()
+}
+
+/// Dithered, with hidden lines, and then all else.
+#[inline(never)]
+fn draw(
+    Object { placed, light }: &Object,
+    painter: &mut Order,
+    dirty: &mut Dirty<4>,
+    buffers: &mut Buffers,
+) -> Option<()> {
+    let Buffers { corners, edge_corners, records, edge_records, strip, storage } = buffers;
+    let (projected, lines) = (placed.transform_depth(corners), placed.transform_depth(edge_corners));
+    let mut faces = projected.faces(records);
+    let mut edges = lines.edges(edge_records);
+    let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
+    let (mesh, order) = (placed.mesh(), painter.order());
+    dirty.mark(faces.bounds());
+    for &area in &dirty.take() {
+        let mut frame = Frame::new(area, scene::BACKGROUND);
+        while let Some(mut band) = frame.next_band(strip).ok()? {
+            let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
+            faces
+                .depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band)
+                .ok()?;
+            faces.solid(scene::flat(mesh, light), &mut band).ok()?;
+            edges.hidden_line(scene::LINE, &mut depth, &mut band).ok()?;
+            edges.depth_tested(scene::LINE, &mut depth, &mut band).ok()?;
+            edges.draw(scene::LINE, &mut band).ok()?;
+            order.draw(&mut band).ok()?;
+            band.send(&mut Sink).ok()?;
+        }
+    }
+    placed.points(scene::LINE, &mut Sink).ok()?;
+    Some(())
+}
+
 image!(
     cube,
-    corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
-    edge_corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
-    records: [u16; RECORDS] = [0; RECORDS],
-    edge_records: [u16; RECORDS + 8] = [0; RECORDS + 8],
-    strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
-    storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)],
+    objects: Vec<Object, 1> = Vec::new(),
     painter: Order = Order::new(),
+    dirty: Dirty<4> = Dirty::new(scene::area(), WindowCost::new(11, 2)),
+    buffers: Buffers = Buffers::EMPTY,
     {
-        // A dithered solid in hidden lines, before it one in painter's order, from two cameras.
-        let (camera, model, other) = (cube.camera(), cube.turned(), Turntable::new());
-        let (placed, light) = (camera.as_ref()?.place(&cube.mesh, &model), other.light()?);
-        painter.clear();
-        painter.add(&other.place(cube), scene::flat(&cube.mesh, &light)).ok()?;
-        let order = painter.order();
-        let (projected, lines) = (placed.transform_depth(corners), placed.transform_depth(edge_corners));
-        let (mut faces, mut edges) = (projected.faces(records).ok()?, lines.edges(edge_records).ok()?);
-        let mut dirty = Dirty::<4>::new(scene::area(), WindowCost::new(11, 2));
-        dirty.mark(faces.bounds());
-        for area in dirty.take() {
-            let mut frame = Frame::new(area, scene::BACKGROUND);
-            while let Some(mut band) = frame.next_band(strip).ok()? {
-                let mut depth = DepthBuffer::new(band.area(), storage).ok()?;
-                faces
-                    .depth_tested(|face| scene::smooth(placed.mesh(), &light)(face).dithered(), &mut depth, &mut band)
-                    .ok()?;
-                faces.solid(scene::flat(&cube.mesh, &light), &mut band).ok()?;
-                edges.hidden_line(scene::LINE, &mut depth, &mut band).ok()?;
-                edges.depth_tested(scene::LINE, &mut depth, &mut band).ok()?;
-                edges.draw(scene::LINE, &mut band).ok()?;
-                order.draw(&mut band).ok()?;
-                band.send(&mut Sink).ok()?;
-            }
-        }
-        placed.points(scene::LINE, &mut Sink).ok()?;
-        Some(())
+        place(cube, objects)?;
+        let object = objects.first()?;
+        record(cube, &object.light, painter)?;
+        draw(object, painter, dirty, buffers)
     }
 );
