@@ -7,6 +7,8 @@ use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
+#[cfg(not(target_os = "none"))]
+use embedded_graphics_core::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
@@ -46,8 +48,10 @@ macro_rules! depth_in_bands {
             {
                 let scene = $crate::image::Turntable::new();
                 let placed = scene.place(cube);
-                let $light = scene.light()?;
-                let mut $faces = placed.transform_depth(corners).faces(records).ok()?;
+                let $light = scene.light();
+                let $light = $light.as_ref()?;
+                let mut $faces = placed.transform_depth(corners).faces(records);
+                let $faces = $faces.as_mut().ok()?;
                 let $mesh = placed.mesh();
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut $band) = frame.next_band(strip).ok()? {
@@ -73,11 +77,13 @@ macro_rules! solid_in_bands {
             {
                 let scene = $crate::image::Turntable::new();
                 let $placed = scene.place(cube);
-                let light = scene.light()?;
-                let mut faces = $record.ok()?;
+                let light = scene.light();
+                let light = light.as_ref()?;
+                let mut faces = $record;
+                let faces = faces.as_mut().ok()?;
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut band) = frame.next_band(strip).ok()? {
-                    let Ok(()) = faces.solid($crate::scene::flat($placed.mesh(), &light), &mut band.pixels());
+                    let Ok(()) = faces.solid($crate::scene::flat($placed.mesh(), light), &mut band.pixels());
                     band.send(&mut $crate::image::Sink).ok()?;
                 }
                 Some(())
@@ -121,8 +127,10 @@ pub const ROWS: u32 = 8;
 
 /// Before the cube, and a constant, as that of a firmware whose camera stands still.
 const CAMERA: Camera = {
-    let (eye, origin, up) =
-        (Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    // So far above the larger cube that the near plane cuts its top where that shows.
+    let (height, distance) = (Scalar::from_bits(5 << 15), Scalar::from_bits(9 << 14));
+    let eye = Point3::new(Scalar::ZERO, height, distance);
+    let (origin, up) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     let Ok(viewing) = Viewing::look_at(eye, origin, up) else { panic!("the direction") };
     let size = Size::new(SIZE, SIZE);
     let Ok(viewport) = Viewport::new(Point::zero(), size) else { panic!("the size") };
@@ -159,17 +167,46 @@ impl Default for Turntable {
     }
 }
 
-/// Of each of the cubes, how many faces are cut: before [`Turntable`]'s camera, and before [`Scene`](crate::scene::Scene)'s.
+/// Of each of the cubes, how many faces that are cut show on the screen: before [`Turntable`]'s camera, and before
+/// [`Scene`](crate::scene::Scene)'s.
 #[cfg(not(target_os = "none"))]
 pub fn cut() -> Option<Vec<[u32; 2]>> {
     let cut = |placed: Placed<'_>| {
-        let Ok(statistics) = placed.solid(|_| Rgb565::new(1, 1, 1), &mut [Corner::EMPTY; CORNERS], &mut Sink);
-        statistics.clipped
+        let is_cut = |face: usize| {
+            let corners = placed.mesh().faces().get(face).copied().unwrap_or_default();
+            corners.iter().any(|&corner| placed.project(corner.into()).is_none())
+        };
+        let mut screen = Screen(Default::default());
+        let own_colour = |face: usize| Rgb565::from(RawU16::new(face as u16));
+        let Ok(_) = placed.solid(own_colour, &mut [Corner::EMPTY; CORNERS], &mut screen);
+        screen.0.into_iter().filter(|&face| is_cut(face.into())).count() as u32
     };
     cubes()
         .iter()
         .map(|cube| Some([cut(Turntable::new().place(cube)), cut(Scene::new(cube)?.place())]))
         .collect()
+}
+
+/// A display that knows which colours it shows, or has shown.
+#[cfg(not(target_os = "none"))]
+struct Screen(std::collections::BTreeSet<u16>);
+
+#[cfg(not(target_os = "none"))]
+impl OriginDimensions for Screen {
+    fn size(&self) -> Size {
+        Size::new(SIZE, SIZE)
+    }
+}
+
+#[cfg(not(target_os = "none"))]
+impl DrawTarget for Screen {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        self.0.extend(pixels.into_iter().map(|Pixel(_, colour)| RawU16::from(colour).into_inner()));
+        Ok(())
+    }
 }
 
 /// A display that costs next to nothing: a driver's code is not the library's.

@@ -3,7 +3,7 @@
 use bench::{depth_in_bands, scene};
 
 depth_in_bands!(|faces, mesh, light, depth, band| faces.depth_tested(
-    scene::flat(mesh, &light),
+    scene::flat(mesh, light),
     &mut depth,
     &mut band
 ));

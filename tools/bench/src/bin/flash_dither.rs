@@ -3,7 +3,7 @@
 use bench::{depth_in_bands, scene};
 
 depth_in_bands!(|faces, mesh, light, depth, band| faces.depth_tested(
-    |face| scene::smooth(mesh, &light)(face).dithered(),
+    |face| scene::smooth(mesh, light)(face).dithered(),
     &mut depth,
     &mut band
 ));

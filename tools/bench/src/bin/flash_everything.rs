@@ -21,7 +21,6 @@ struct Object {
 /// What is lent for a frame.
 struct Buffers {
     corners: [Corner; CORNERS],
-    edge_corners: [Corner; CORNERS],
     records: [u16; RECORDS],
     edge_records: [u16; RECORDS + 8],
     strip: [u8; bytes(ROWS)],
@@ -31,7 +30,6 @@ struct Buffers {
 impl Buffers {
     const EMPTY: Self = Self {
         corners: [Corner::EMPTY; CORNERS],
-        edge_corners: [Corner::EMPTY; CORNERS],
         records: [0; RECORDS],
         edge_records: [0; RECORDS + 8],
         strip: [0; bytes(ROWS)],
@@ -63,10 +61,10 @@ fn draw(
     dirty: &mut Dirty<4>,
     buffers: &mut Buffers,
 ) -> Option<()> {
-    let Buffers { corners, edge_corners, records, edge_records, strip, storage } = buffers;
-    let (projected, lines) = (placed.transform_depth(corners), placed.transform_depth(edge_corners));
+    let Buffers { corners, records, edge_records, strip, storage } = buffers;
+    let projected = placed.transform_depth(corners);
     let mut faces = projected.faces(records);
-    let mut edges = lines.edges(edge_records);
+    let mut edges = projected.edges(edge_records);
     let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
     let (mesh, order) = (placed.mesh(), painter.order());
     dirty.mark(faces.bounds());
