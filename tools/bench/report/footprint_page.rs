@@ -44,7 +44,7 @@ const STACK_TEXT: &str = "
 Of the same images: variables (vertices, records of faces, the strips of colour and depth, which are 8 rows of 240 pixels here), and the stack,
 painted first and looked at afterwards: from the top of RAM to the deepest byte that changed while the program ran,
 set-up and the program's own frames included. There is no heap. Each draws two frames in a loop, which the one that does nothing
-has too: the cube whole, and a cube twice as large, through which the near plane goes. So what cutting takes is in these figures.
+has too: the cube whole, and a cube twice as large, which the near plane cuts where it shows. So what cutting takes is in these figures.
 
 | bytes |";
 

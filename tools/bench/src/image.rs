@@ -93,7 +93,7 @@ macro_rules! solid_in_bands {
 }
 
 /// The cube, and one twice as large about the same centre: the near planes of [`Turntable`]'s camera and of
-/// [`Scene`](crate::scene::Scene)'s go through it, and both eyes are outside of it. The compiler does not know how many
+/// [`Scene`](crate::scene::Scene)'s cut it where it shows, and both eyes are outside of it. The compiler does not know how many
 /// there are: it makes the code of a frame once.
 pub fn cubes() -> &'static [Model] {
     static CUBES: [Model; 2] = {
