@@ -265,3 +265,69 @@ fn no_face_stays_no_face_in_large_meshes() {
         assert!(target.pixels.is_empty(), "{count} faces: {} pixels", target.pixels.len());
     }
 }
+
+/// Faces that the near plane cuts to several triangles: an edge is drawn where it is as near as what is held, and where a face
+/// beside it is what is held, whichever of its triangles that is. Each edge and each face drawn by itself tells both; but a
+/// face's border belongs to it here, which the fill rule may leave to a neighbour.
+#[test]
+fn edges_of_faces_that_are_cut() {
+    const SIDE: u32 = 64;
+    let area = bridge::rectangle(0, 0, SIDE, SIDE);
+    let mut rng = Rng::new(0x4c);
+    let (mut cut, mut by_face, mut borders, mut drawn) = (0, 0u32, 0u32, 0u32);
+    for round in 0..200 {
+        let solid = if round % 2 == 0 { splinters(&mut rng) } else { cube() };
+        let solid = Solid::new(solid.vertices, solid.exponent, solid.faces);
+        let whole = Mesh::new(&solid.vertices, solid.exponent, &solid.faces).expect("a mesh");
+        let eye = rng.direction().map(|c| (c * rng.real(1.5, 3.0) * f64::from(ONE)) as i32);
+        let to = [0; 3].map(|_| rng.int(-i64::from(ONE), i64::from(ONE)) as i32);
+        let camera = CameraBits {
+            view: ViewBits::LookAt(eye, to, [0, ONE, ONE / 7]),
+            projection: ProjectionBits::Perspective(1 << 30, (1, 1), ONE, 20 * ONE),
+            viewport: (0, 0, SIDE, SIDE),
+        }
+        .library();
+        let model = ModelBits(vec![Step::X(rng.bits()), Step::Y(rng.bits())]).library();
+        let alone: Vec<Vec<u16>> = (solid.faces.iter())
+            .map(|&face| {
+                let mut storage = vec![0; (SIDE * SIDE) as usize];
+                let faces = [face];
+                let mesh = Mesh::new(&solid.vertices, solid.exponent, &faces).expect("a face");
+                let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
+                cut += camera.place(&mesh, &model).depth_only(&mut [], &mut depth).clipped;
+                storage
+            })
+            .collect();
+        let mut storage = vec![0; (SIDE * SIDE) as usize];
+        let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
+        camera.place(&whole, &model).depth_only(&mut [], &mut depth);
+        let held = depth.values().to_vec();
+        for (edge, pair) in solid.edges.iter().zip(&solid.edge_faces()) {
+            let (edges, beside) = ([*edge], [*pair]);
+            let mesh = whole.with_edges(&edges).and_then(|m| m.with_edge_faces(&beside)).expect("an edge");
+            let placed = camera.place(&mesh, &model);
+            let mut storage = vec![0; (SIDE * SIDE) as usize];
+            let mut own = DepthBuffer::new(area, &mut storage).expect("storage");
+            let mut line = Recorder::<BinaryColor>::sized(SIDE, SIDE);
+            placed.wireframe_depth_tested(BinaryColor::On, &mut [], &mut own, &mut line).expect("no error");
+            let mut target = Recorder::<BinaryColor>::sized(SIDE, SIDE);
+            placed.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target).expect("no error");
+            assert_eq!(depth.values(), held, "depth is looked at only");
+            for &(x, y) in line.pixels.keys() {
+                let at = (y * SIDE as i32 + x) as usize;
+                let is_drawn = target.pixels.contains_key(&(x, y));
+                let nearer = own.values()[at] <= held[at];
+                let is_face =
+                    |&face: &u16| alone.get(usize::from(face)).is_some_and(|face| face[at] == held[at]);
+                let face = held[at] != DepthBuffer::NOTHING && pair.iter().any(is_face);
+                assert!(is_drawn || !(nearer || face), "round {round}, {edge:?}: ({x}, {y}) is missing");
+                drawn += u32::from(is_drawn);
+                by_face += u32::from(!nearer && face);
+                borders += u32::from(is_drawn && !nearer && !face);
+            }
+            assert!(target.pixels.keys().all(|at| line.pixels.contains_key(at)), "beside the line");
+        }
+    }
+    println!("{cut} faces cut; of {drawn} pixels {by_face} by a face, {borders} on its border");
+    assert!(cut > 1000 && by_face > 1000 && borders * 100 < drawn, "{cut} {by_face} {borders} {drawn}");
+}
