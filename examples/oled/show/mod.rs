@@ -11,6 +11,7 @@ use embedded_graphics::mono_font::{ascii::FONT_5X8, MonoTextStyle};
 use embedded_graphics::pixelcolor::{Gray4, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::text::Text;
+use heapless::Vec;
 use meshes::{
     BALL, BALL_CORNERS, BALL_COUNT, LEFT_TIP, NOSE, RIGHT_TIP, RING, RING_CORNERS, SHIP, TEAPOT,
     TEAPOT_FACES, TEAPOT_VERTICES,
@@ -18,7 +19,7 @@ use meshes::{
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, Camera, Corner, Dim, Edges, Faces, Gouraud, Hierarchy, Lambert, Mesh, Node, Placed,
-    Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+    Point3, Projection, Scalar, Transformed, Vector3, Viewing, Viewport,
 };
 
 /// Frames of a scene.
@@ -32,14 +33,19 @@ pub(crate) fn caption(frame: u32) -> &'static str {
     SCENES.get((frame / STEPS) as usize).copied().unwrap_or_default()
 }
 
-/// The memory that is lent to the library for a frame, beside the bands': corners of vertices, numbers of faces and edges,
-/// and light at vertices. Of several objects each has its own. All zeros at first: it takes no flash.
+/// The memory of a frame, beside the bands': what stands before the camera, and what is lent to the library, corners of
+/// vertices, numbers of faces and edges, and light at vertices. Of several objects each has its own. All zeros at first: it
+/// takes no flash.
 pub(crate) struct Scratch {
+    stage: Stage,
     teapot: ([Corner; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
     balls: [([Corner; BALL_CORNERS], [u16; records(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
     rings: [([Corner; RING_CORNERS], [u16; records(RING_CORNERS)]); 2],
     ship: ([Corner; 8], [u16; records(12)], [u16; records(17)]),
 }
+
+/// Objects of a scene; 176 bytes each, and none of them on the stack.
+type Stage = Vec<Placed<'static>, 5>;
 
 /// A tree: joints, which are the way round the sun and round the planet; then what is seen, three balls and two orbits.
 pub(crate) type SolarSystem = [Node; 7];
@@ -63,6 +69,7 @@ const fn records(count: usize) -> usize {
 impl Scratch {
     pub(crate) const fn new() -> Self {
         Self {
+            stage: Vec::new(),
             teapot: ([Corner::EMPTY; TEAPOT_VERTICES], [0; records(TEAPOT_FACES)], [0; TEAPOT_VERTICES]),
             balls: [([Corner::EMPTY; BALL_CORNERS], [0; records(BALL_COUNT)], [0; BALL_CORNERS]); 3],
             rings: [([Corner::EMPTY; RING_CORNERS], [0; records(RING_CORNERS)]); 2],
@@ -96,8 +103,8 @@ impl Scratch {
     #[inline(never)]
     fn wireframe<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, _, records) = &mut self.ship;
-        let placed = place_ship(&turning(step));
-        let mut edges = placed.transform(corners).edges(records).expect("records for all edges");
+        let placed = place_ship(&mut self.stage, &turning(step));
+        let mut edges = edges(&placed.transform(corners), records);
         screen.mark(edges.bounds());
         screen.show(SCENES[0], |band, _| {
             let Ok(()) = edges.draw(Gray4::WHITE, band);
@@ -107,10 +114,9 @@ impl Scratch {
     #[inline(never)]
     fn hidden_line<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, face_records, edge_records) = &mut self.ship;
-        let placed = place_ship(&turning(step));
-        let transformed = placed.transform_depth(corners);
-        let mut faces = transformed.faces(face_records).expect("records for all faces");
-        let mut edges = transformed.edges(edge_records).expect("records for all edges");
+        let transformed = place_ship(&mut self.stage, &turning(step)).transform_depth(corners);
+        let mut faces = faces(&transformed, face_records);
+        let mut edges = edges(&transformed, edge_records);
         screen.mark(edges.bounds());
         screen.show(SCENES[1], |band, depth| {
             faces.depth_only(depth);
@@ -123,8 +129,8 @@ impl Scratch {
         let (corners, records, _) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
-        let placed = place_ship(&model);
-        let mut faces = faces(&placed, corners, records);
+        let placed = place_ship(&mut self.stage, &model);
+        let mut faces = faces(&placed.transform_depth(corners), records);
         screen.mark(faces.bounds());
         screen.show(SCENES[2], |band, depth| {
             let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face), depth, band);
@@ -137,8 +143,8 @@ impl Scratch {
         let turn = Affine::<Model, Model>::rotation_y(Angle::degrees(22 * step - 30));
         let model = turn.then(&Affine::translation(Vector3::from_ints(1, 0, 0)));
         light(&model, FROM_ABOVE).levels(TEAPOT.vertex_normals(), levels);
-        let placed = place(&TEAPOT, &model, [0, 14, 38], 27);
-        let mut faces = faces(&placed, corners, records);
+        let placed = place_one(&mut self.stage, &TEAPOT, &model, [0, 14, 38], 27);
+        let mut faces = faces(&placed.transform_depth(corners), records);
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
             let ink = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
@@ -159,21 +165,22 @@ impl Scratch {
         let [a, b, c, d, e] = [2, 3, 4, 5, 6].map(|node| solar.world(node).expect("one of seven"));
         let [sun, planet, moon] = &mut self.balls;
         shine([a, b, c], [&mut sun.2, &mut planet.2, &mut moon.2]);
-        let camera = camera([0, 20, 46], 36);
-        let placed = (camera.place(&BALL, a), camera.place(&BALL, b), camera.place(&BALL, c));
-        let mut sun = (faces(&placed.0, &mut sun.0, &mut sun.1), &sun.2);
-        let mut planet = (faces(&placed.1, &mut planet.0, &mut planet.1), &planet.2);
-        let mut moon = (faces(&placed.2, &mut moon.0, &mut moon.1), &moon.2);
+        let objects = [(&BALL, a), (&BALL, b), (&BALL, c), (&RING, d), (&RING, e)];
+        place(&mut self.stage, &objects, [0, 20, 46], 36);
+        let [a, b, c, d, e] = self.stage.as_slice() else { return Ok(()) };
+        let mut of_sun = faces(&a.transform_depth(&mut sun.0), &mut sun.1);
+        let mut of_planet = faces(&b.transform_depth(&mut planet.0), &mut planet.1);
+        let mut of_moon = faces(&c.transform_depth(&mut moon.0), &mut moon.1);
         let [far, near] = &mut self.rings;
-        let placed = (camera.place(&RING, d), camera.place(&RING, e));
-        let mut far = edges(&placed.0, &mut far.0, &mut far.1);
-        let mut near = edges(&placed.1, &mut near.0, &mut near.1);
-        screen.mark(planet.0.bounds());
-        screen.mark(moon.0.bounds());
+        let mut far = edges(&d.transform_depth(&mut far.0), &mut far.1);
+        let mut near = edges(&e.transform_depth(&mut near.0), &mut near.1);
+        screen.mark(of_planet.bounds());
+        screen.mark(of_moon.bounds());
         screen.mark(near.bounds());
         screen.show(SCENES[4], |band, depth| {
-            for (faces, levels) in [&mut sun, &mut planet, &mut moon] {
-                let ink = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, *levels)).dithered();
+            let balls = [(&mut of_sun, &sun.2), (&mut of_planet, &planet.2), (&mut of_moon, &moon.2)];
+            for (faces, levels) in balls {
+                let ink = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
                 let Ok(()) = faces.depth_tested(ink, depth, band);
             }
             for (edges, grey) in [(&mut far, 4), (&mut near, 7)] {
@@ -185,22 +192,16 @@ impl Scratch {
     /// A small ship before a large planet and stars, which stand still: only about the ship is anything drawn.
     #[inline(never)]
     fn dirty<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let camera = camera([0, 0, 60], 36);
-        let [(corners, records, levels), ..] = &mut self.balls;
-        let planet = Affine::<Model, Model>::scale(Scalar::from_num(16))
-            .then(&Affine::translation(Vector3::from_ints(22, -4, 0)));
-        light(&planet, Vector3::from_ints(-4, 2, -1)).levels(BALL.vertex_normals(), levels);
-        let placed = camera.place(&BALL, &planet);
-        let mut ground = faces(&placed, corners, records);
+        let (planet, model) = (planet(), flight(step));
+        place(&mut self.stage, &[(&BALL, &planet), (&SHIP, &model)], [0, 0, 60], 36);
+        let [ball, small] = self.stage.as_slice() else { return Ok(()) };
 
+        let [(corners, records, levels), ..] = &mut self.balls;
+        light(&planet, Vector3::from_ints(-4, 2, -1)).levels(BALL.vertex_normals(), levels);
+        let mut ground = faces(&ball.transform_depth(corners), records);
         let (corners, records, _) = &mut self.ship;
-        let model = Affine::<Model, Model>::scale(Scalar::from_num(7) / 10)
-            .then::<Model>(&Affine::rotation_z(Angle::degrees(40 * step)))
-            .then::<Model>(&Affine::rotation_y(Angle::degrees(105)))
-            .then(&Affine::translation(Vector3::from_ints(-30 + 8 * step as i16, 8 - step as i16, 20)));
         let sun = light(&model, Vector3::from_ints(-2, 4, 5));
-        let placed = camera.place(&SHIP, &model);
-        let mut ship = faces(&placed, corners, records);
+        let mut ship = faces(&small.transform_depth(corners), records);
         screen.mark(ship.bounds());
         screen.show(SCENES[5], |band, depth| {
             for (i, &(x, y)) in STARS.iter().enumerate() {
@@ -219,10 +220,10 @@ impl Scratch {
         let (corners, face_records, edge_records) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
-        let placed = place_ship(&model);
+        let placed = place_ship(&mut self.stage, &model);
         let transformed = placed.transform_depth(corners);
-        let mut faces = transformed.faces(face_records).expect("records for all faces");
-        let mut edges = transformed.edges(edge_records).expect("records for all edges");
+        let mut faces = faces(&transformed, face_records);
+        let mut edges = edges(&transformed, edge_records);
         let style = MonoTextStyle::new(&FONT_5X8, Gray4::WHITE);
         let names = [(NOSE, "nose"), (LEFT_TIP, "port"), (RIGHT_TIP, "starboard")];
         let names = names.map(|(vertex, name)| {
@@ -271,23 +272,21 @@ const STARS: [(i32, i32); 12] = [
     (121, 18),
 ];
 
-/// A placed mesh's faces, and its edges, for bands. Out of line, as what follows: all but the result leaves the stack.
+/// Faces, and edges, for bands. Out of line, as what follows: all but the result leaves the stack.
 #[inline(never)]
-fn faces<'a>(
-    placed: &'a Placed<'_>,
-    corners: &'a mut [Corner],
+fn faces<'a, const DEPTH: bool>(
+    transformed: &Transformed<'a, i16, DEPTH>,
     records: &'a mut [u16],
-) -> Faces<'a, i16, true> {
-    placed.transform_depth(corners).faces(records).expect("records for all faces")
+) -> Faces<'a, i16, DEPTH> {
+    transformed.faces(records).expect("records for all faces")
 }
 
 #[inline(never)]
-fn edges<'a>(
-    placed: &'a Placed<'_>,
-    corners: &'a mut [Corner],
+fn edges<'a, const DEPTH: bool>(
+    transformed: &Transformed<'a, i16, DEPTH>,
     records: &'a mut [u16],
-) -> Edges<'a, i16, true> {
-    placed.transform_depth(corners).edges(records).expect("records for all edges")
+) -> Edges<'a, i16, DEPTH> {
+    transformed.edges(records).expect("records for all edges")
 }
 
 /// Turns the joints; the sun, the planet, the moon and the two orbits have their sizes.
@@ -340,19 +339,52 @@ fn turning(step: i32) -> Affine<Model, World> {
     roll.then(&Affine::rotation_y(Angle::degrees(18 * step - 75)))
 }
 
-/// Before a camera of its own. Out of line: the camera leaves the stack.
+/// Where the large planet stands.
 #[inline(never)]
-fn place(
+fn planet() -> Affine<Model, World> {
+    Affine::<Model, Model>::scale(Scalar::from_num(16))
+        .then(&Affine::translation(Vector3::from_ints(22, -4, 0)))
+}
+
+/// Where the ship flies past it.
+#[inline(never)]
+fn flight(step: i32) -> Affine<Model, World> {
+    Affine::<Model, Model>::scale(Scalar::from_num(7) / 10)
+        .then::<Model>(&Affine::rotation_z(Angle::degrees(40 * step)))
+        .then::<Model>(&Affine::rotation_y(Angle::degrees(105)))
+        .then(&Affine::translation(Vector3::from_ints(-30 + 8 * step as i16, 8 - step as i16, 20)))
+}
+
+/// Before a camera of their own. Out of line: the camera leaves the stack.
+#[inline(never)]
+fn place(stage: &mut Stage, objects: &[Object<'_>], eye: [i16; 3], degrees: i32) {
+    show_to(&camera(eye, degrees), objects, stage);
+}
+
+#[inline(never)]
+fn show_to(camera: &Camera, objects: &[Object<'_>], stage: &mut Stage) {
+    stage.clear();
+    for (mesh, model) in objects {
+        let _ = stage.push(camera.place(mesh, model)); // no scene has more than there is room for
+    }
+}
+
+/// A mesh, and where it is.
+type Object<'a> = (&'static Mesh<'static>, &'a Affine<Model, World>);
+
+fn place_one<'s>(
+    stage: &'s mut Stage,
     mesh: &'static Mesh<'static>,
     model: &Affine<Model, World>,
     eye: [i16; 3],
     degrees: i32,
-) -> Placed<'static> {
-    camera(eye, degrees).place(mesh, model)
+) -> &'s Placed<'static> {
+    place(stage, &[(mesh, model)], eye, degrees);
+    stage.first().expect("one")
 }
 
-fn place_ship(model: &Affine<Model, World>) -> Placed<'static> {
-    place(&SHIP, model, [0, 12, 26], 34)
+fn place_ship<'s>(stage: &'s mut Stage, model: &Affine<Model, World>) -> &'s Placed<'static> {
+    place_one(stage, &SHIP, model, [0, 12, 26], 34)
 }
 
 fn ship_colour(light: &Lambert, face: usize) -> Gray4 {

@@ -50,13 +50,12 @@ impl<'a, D: Display> Screen<'a, D> {
         caption: &str,
         mut draw: impl FnMut(&mut Band<'_, Gray4>, &mut DepthBuffer<'_>),
     ) -> Result<(), D::Error> {
-        let caption = Text::new(caption, Point::new(1, 61), MonoTextStyle::new(&FONT_5X8, Gray4::new(9)));
-        for area in self.dirty.take() {
+        for &area in &self.dirty.take() {
             let mut frame = Frame::new(area, Gray4::BLACK);
             while let Some(mut band) = frame.next_band(self.colours).expect("a strip of one row or more") {
                 let mut depth = DepthBuffer::new(band.area(), self.depths).expect("a depth for each pixel");
                 draw(&mut band, &mut depth);
-                let Ok(_) = caption.draw(&mut band);
+                write(caption, &mut band);
                 self.sent += band.bytes().len();
                 self.display.write(&band.area(), band.bytes())?;
             }
@@ -68,4 +67,11 @@ impl<'a, D: Display> Screen<'a, D> {
     pub(crate) fn sent(&mut self) -> usize {
         core::mem::take(&mut self.sent)
     }
+}
+
+/// In the lower left corner. Out of line: what letters take of the stack is not there while solids are drawn.
+#[inline(never)]
+fn write(caption: &str, band: &mut Band<'_, Gray4>) {
+    let style = MonoTextStyle::new(&FONT_5X8, Gray4::new(9));
+    let Ok(_) = Text::new(caption, Point::new(1, 61), style).draw(band);
 }
