@@ -484,6 +484,48 @@ fn s5_what_is_inside_is_not_clipped() {
     tally.assert_each_above(1000);
 }
 
+/// Next to the borders of windows far aside of the axis, where coefficients are large: what has a place in the picture is not
+/// outside.
+#[test]
+fn s5_points_in_the_picture_are_not_outside_however_far_aside_it_is() {
+    let mut rng = Rng::new(0x509);
+    let (mut tally, mut shown) = (Tally::default(), 0);
+    for _ in 0..200_000 {
+        let near = rng.log(65_536.0, 65_536.0 * 16_000.0) as i32;
+        let width = rng.log(16.0, f64::from(near)) as i32;
+        let aside = (rng.log(1.0, 1e5) * f64::from(width)).min(2e9) as i32;
+        let sides = [aside, aside.saturating_add(width)];
+        let sides = if rng.below(2) == 0 { sides } else { [-sides[1], -sides[0]] };
+        let camera = CameraBits {
+            view: random_view(&mut rng),
+            projection: ProjectionBits::Frustum(
+                [sides[0], sides[1], -width / 2, width / 2 + 1],
+                near,
+                2 * near,
+            ),
+            viewport: (0, 0, 320, 200),
+        };
+        let depth = chain::fx(near) * rng.real(1.1, 1.9);
+        // Next to the left border, or to the right one.
+        let border = f64::from(sides[rng.below(2)]) / f64::from(near);
+        let off = rng.log(1e-9, 0.1) * if rng.below(2) == 0 { 1.0 } else { -1.0 };
+        let x = depth * (border + f64::from(width) / f64::from(near) * off);
+        let Some(world) = bits(camera.exact().view.back([x, 0.0, -depth])) else { continue };
+        let mut model = ModelBits::random_rotation(&mut rng);
+        model.0.push(Step::Move(world));
+        let mesh = Mesh::new(&[[1, 1, 1]], -20, &[]).expect("a mesh");
+        let (library, model) = (camera.library(), model.library());
+        let found = library.visibility(&mesh.bounding_sphere(), &model);
+        tally.count(found);
+        let Some((at, _)) = library.place(&mesh, &model).project(0) else { continue };
+        let inside = (1..320 * 256).contains(&at.x()) && (1..200 * 256).contains(&at.y());
+        shown += u32::from(inside);
+        assert!(!inside || found != Visibility::Outside, "{camera:?} {world:?}: {at:?}");
+    }
+    println!("{shown} {tally:?}");
+    assert!(shown > 1000);
+}
+
 /// What is far out and next to a plane: the plane's own coefficients are rounded, and that counts as far as the point is away.
 #[test]
 fn s5_points_far_out_are_outside_or_inside_only_where_they_are() {
