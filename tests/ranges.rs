@@ -118,6 +118,16 @@ fn any_point(rng: &mut Rng) -> [i32; 3] {
     [0; 3].map(|_| rng.int(-32_767, 32_766) as i32 * ONE + rng.int(-1, 1) as i32)
 }
 
+/// Of windows of one step of 2⁻¹⁶ and more, at any distance from the axis.
+fn any_sides(rng: &mut Rng) -> [i32; 4] {
+    let mut side = || {
+        let low = rng.int(-32_767, 32_000) as i32 * ONE;
+        [low, low.saturating_add(1 << rng.below(27))]
+    };
+    let ([left, right], [bottom, top]) = (side(), side());
+    [left, right, bottom, top]
+}
+
 /// Two products of 2³⁴ that differ by 16.
 #[test]
 fn what_is_left_of_large_products_is_right() {
@@ -144,13 +154,9 @@ fn clip_points_are_the_matrix_times_the_point_however_large_the_products() {
     assert_eq!((ndc.x(), ndc.y(), ndc.z().to_bits()), (Scalar::MIN, Scalar::MAX, ONE));
     let (mut rng, mut seen) = (Rng::new(11), 0);
     for _ in 0..100_000 {
-        let mut side = || {
-            let low = rng.int(-32_767, 32_000) as i32 * ONE;
-            [low, low.saturating_add(1 << rng.below(27))]
-        };
-        let ([left, right], [bottom, top]) = (side(), side());
+        let sides = any_sides(&mut rng);
         let near = rng.int(1, 30_000) as i32 * ONE;
-        let (window, near, far) = (window([left, right, bottom, top]), scalar(near), scalar(near + ONE));
+        let (window, near, far) = (window(sides), scalar(near), scalar(near + ONE));
         let lens = match rng.below(2) {
             0 => Projection::frustum(window, near, far),
             _ => Projection::orthographic(window, near, far),
@@ -210,15 +216,11 @@ fn canonical_points_hold_however_large_the_products() {
     assert!(hold(aside, [-half, half, -half, half], 1000 * ONE, -32_768 * ONE, p));
     let (mut rng, mut seen) = (Rng::new(12), 0);
     for _ in 0..100_000 {
-        let mut side = || {
-            let low = rng.int(-32_767, 32_000) as i32 * ONE;
-            [low, low.saturating_add(1 << rng.below(27))]
-        };
-        let ([left, right], [bottom, top]) = (side(), side());
+        let sides = any_sides(&mut rng);
         let mut prp = any_point(&mut rng);
         prp[2] = prp[2].saturating_abs();
         let back = -(rng.int(1, 32_767) as i32) * ONE;
-        seen += usize::from(hold(prp, [left, right, bottom, top], 0, back, any_point(&mut rng)));
+        seen += usize::from(hold(prp, sides, 0, back, any_point(&mut rng)));
     }
     assert!(seen > 20_000, "{seen}");
 }
