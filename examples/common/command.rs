@@ -3,11 +3,14 @@
 
 use clap::{value_parser, Arg, ArgMatches, Command};
 use embedded_graphics::geometry::Size;
-use std::fmt::Display;
-use std::io::{ErrorKind, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+
+#[path = "../../import/src/say.rs"]
+mod say;
+
+pub(crate) use say::{complain, say};
 
 /// Runs an example: what is wrong with what the user gave is one line, whatever a file or its name has
 /// in it, and exit code 2.
@@ -16,22 +19,6 @@ pub(crate) fn run<E: ToString>(example: impl FnOnce() -> Result<ExitCode, E>) ->
         complain(problem.to_string().replace(char::is_control, " "));
         ExitCode::from(2)
     })
-}
-
-/// A line to standard output. Who closes it (`| head`) has read enough, and the example goes on without.
-pub(crate) fn say(line: impl Display) -> Result<(), String> {
-    let mut out = std::io::stdout().lock();
-    match writeln!(out, "{line}").and_then(|()| out.flush()) {
-        Err(problem) if problem.kind() != ErrorKind::BrokenPipe => {
-            Err(format!("standard output: cannot be written: {problem}"))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// A line to standard error, if anybody reads that; there is no other place to say that nobody does.
-pub(crate) fn complain(line: impl Display) {
-    let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 /// The arguments; asked for help, it gives that and ends.

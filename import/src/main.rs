@@ -2,13 +2,14 @@
 
 mod part;
 mod same;
+mod say;
 
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
 use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Step};
-use std::io::{ErrorKind, Write};
+use say::{complain, say};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
@@ -23,28 +24,13 @@ const AXES: [(&str, Axis); 6] = [
 ];
 
 fn main() -> ExitCode {
-    match run(&command().get_matches()).and_then(|report| say(&report)) {
+    match run(&command().get_matches()).and_then(say) {
         Ok(()) => ExitCode::SUCCESS,
         Err(problem) => {
-            complain(&problem);
+            complain(problem);
             ExitCode::from(2)
         }
     }
-}
-
-/// To standard output. Who closes it (`| head`) has read enough.
-fn say(report: &str) -> Result<(), String> {
-    match writeln!(std::io::stdout(), "{report}") {
-        Err(problem) if problem.kind() != ErrorKind::BrokenPipe => {
-            Err(format!("standard output: cannot be written: {problem}"))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// To standard error, if anybody reads that.
-fn complain(line: &str) {
-    let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 fn command() -> Command {
@@ -180,7 +166,7 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     bar.finish_and_clear();
     let mesh = mesh.map_err(|e| e.to_string())?;
     for warning in &mesh.warnings {
-        complain(&format!("{}: warning: {warning}", model.display()));
+        complain(format_args!("{}: warning: {warning}", model.display()));
     }
 
     let command = command_line([&model, &output]);

@@ -1,0 +1,20 @@
+//! Lines to whoever reads them. The command says so what it has to say, and the host examples of pinhole do.
+
+use std::fmt::Display;
+use std::io::{ErrorKind, Write};
+
+/// A line to standard output. Who closes it (`| head`) has read enough, and the program goes on without.
+pub(crate) fn say(line: impl Display) -> Result<(), String> {
+    let mut out = std::io::stdout().lock();
+    match writeln!(out, "{line}").and_then(|()| out.flush()) {
+        Err(problem) if problem.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("standard output: cannot be written: {problem}"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A line to standard error, if anybody reads that; there is no other place to say that nobody does.
+pub(crate) fn complain(line: impl Display) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
