@@ -197,24 +197,27 @@ impl<K: Carried> Carries for [K; PLACES] {
     }
 }
 
-/// The triangles of one face, one after the other, with what their corners carry. The polygon is not kept from one to the
-/// next but made again: few faces are cut, fewer to more than one triangle, and all loops over faces have this in their frame.
+/// The triangles of one face, one after the other, with what their corners carry. The polygon is not kept, as all loops over
+/// faces have this in their frame, but one corner of it: most faces that a plane cuts are two triangles. For every two more
+/// the polygon is made again.
 pub(super) struct Fan<K> {
     pub(super) progress: Progress,
     /// Of the last triangle's corners.
     carried: [K; 3],
+    /// The next triangle is the last one's first and third corner, and this, if it is known.
+    next: Option<(Image, K)>,
 }
 
 impl<K: Carried> Fan<K> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self { progress: Progress::BEGIN, carried: [K::of(0); 3] }
+        Self { progress: Progress::BEGIN, carried: [K::of(0); 3], next: None }
     }
 
     /// Goes on to another face.
     #[inline(always)]
     pub(super) fn clear(&mut self) {
-        self.progress = Progress::BEGIN;
+        (self.progress, self.next) = (Progress::BEGIN, None);
     }
 
     /// Goes on to a face that is drawn with its corners as they are.
@@ -229,12 +232,26 @@ impl<K: Carried> Fan<K> {
         self.progress.goes_on()
     }
 
-    /// Of what the polygon's corners carry, the last triangle's.
-    pub(super) fn take(&mut self, order: &Order, carried: &[K; PLACES]) {
+    /// Of the polygon's corners, what the last triangle's carry, and the next one.
+    pub(super) fn take(&mut self, polygon: &Polygon, carried: &[K; PLACES]) {
         let at = usize::from(self.progress.at);
-        self.carried = [0, at, at + 1].map(|corner| {
-            carried.get(self.progress.place(order, corner)).copied().unwrap_or_else(|| K::of(0))
-        });
+        let place = |corner| self.progress.place(&polygon.order, corner);
+        let carries = |corner| carried.get(place(corner)).copied().unwrap_or_else(|| K::of(0));
+        self.carried = [0, at, at + 1].map(carries);
+        let next = polygon.places.get(place(at + 2));
+        self.next = next.map(|corner| (Image::of_held(corner), carries(at + 2)));
+    }
+
+    /// Puts the next triangle there, if it is known and faces as the polygon does.
+    pub(super) fn next_into(&mut self, piece: &mut Piece<'_>) -> bool {
+        let Some((next, carried)) = self.next.take() else { return false };
+        let ([a, _, c], [x, _, z]) = (*piece.triangle.corners(), piece.depths);
+        let corners = [Image { point: a, depth: x }, Image { point: c, depth: z }, next];
+        self.carried = [self.carried[0], self.carried[2], carried];
+        self.progress.at += 1; // fewer than CORNERS
+        let area = raster::area(&corners.map(|corner| corner.point));
+        put::<true>(piece, &corners, area);
+        area > 0
     }
 
     /// What the triangle that was last is filled with.

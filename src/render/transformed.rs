@@ -185,10 +185,13 @@ impl<'a, V: Coordinate, const DEPTH: bool> Transformed<'a, V, DEPTH> {
     #[cold]
     #[inline(never)]
     fn triangle<K: Carried>(&self, face: &[u16; 3], fan: &mut Fan<K>, piece: &mut Piece<'_>) -> bool {
+        if fan.next_into(piece) {
+            return true;
+        }
         let (mut polygon, mut carried) = (Polygon::new(), [K::of(0); PLACES]);
         let cut = self.polygon(face, &mut polygon, &mut carried);
         let is_drawn = fan.progress.next_into(&polygon, self.placed.cull, cut, piece);
-        fan.take(&polygon.order, &carried);
+        fan.take(&polygon, &carried);
         is_drawn
     }
 

@@ -58,7 +58,7 @@ fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<
 fn draw(
     Object { placed, light }: &Object,
     painter: &mut Order,
-    dirty: &mut Dirty<4>,
+    dirty: &mut Dirty<2>,
     buffers: &mut Buffers,
 ) -> Option<()> {
     let Buffers { corners, records, edge_records, strip, storage } = buffers;
@@ -91,7 +91,7 @@ image!(
     cube,
     objects: Vec<Object, 1> = Vec::new(),
     painter: Order = Order::new(),
-    dirty: Dirty<4> = Dirty::new(scene::area(), WindowCost::new(11, 2)),
+    dirty: Dirty<2> = Dirty::new(scene::area(), WindowCost::new(11, 2)),
     buffers: Buffers = Buffers::EMPTY,
     {
         place(cube, objects)?;
