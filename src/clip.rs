@@ -18,15 +18,15 @@
 //! ```
 
 use crate::math::num::{after, fraction};
-use crate::math::{ClipPoint, Homogeneous};
+use crate::math::{ClipCoords, ClipPoint};
 use heapless::Vec;
 
 /// A triangle cut by six planes has at most 3 + 6 corners.
 pub const CORNERS: usize = 9;
 
-/// Places for the corners of a polygon while a plane cuts it: it finds at most `CORNERS − 1`, and adds two before it takes
+/// PixelLayout for the corners of a polygon while a plane cuts it: it finds at most `CORNERS − 1`, and adds two before it takes
 /// away any.
-pub(crate) const PLACES: usize = CORNERS + 1;
+pub(crate) const CLIP_SLOTS: usize = CORNERS + 1;
 
 /// The places of a polygon's corners, in their order.
 pub(crate) type Order = Vec<u8, CORNERS>;
@@ -49,7 +49,7 @@ fn between(a: i32, b: i32, t: i32) -> i32 {
     a.wrapping_add(moved as i32) // between a and b
 }
 
-impl Homogeneous {
+impl ClipCoords {
     /// For places not yet taken.
     pub(crate) const ZERO: Self = Self { xydw: [0; 4] };
 
@@ -67,14 +67,14 @@ impl Homogeneous {
 }
 
 /// What a corner of a face keeps when the face is clipped: any value that is linear in space, such as a colour.
-/// Only custom [`Ink`](crate::Ink)s need it; most take [`Barycentric`].
+/// Only custom [`Shader`](crate::Shader)s need it; most take [`Barycentric`].
 ///
 /// ```
-/// use pinhole::clip::{Barycentric, Carried};
+/// use pinhole::clip::{Barycentric, Varying};
 /// let (a, b) = (Barycentric::of(0), Barycentric::of(1));
 /// assert_eq!(a.towards(&b, 1 << 29).weights(), [3 << 28, 1 << 28, 0]); // a quarter of the way
 /// ```
-pub trait Carried: Copy {
+pub trait Varying: Copy {
     /// What corner 0, 1 or 2 of the whole face carries.
     fn of(corner: usize) -> Self;
 
@@ -83,7 +83,7 @@ pub trait Carried: Copy {
     fn towards(&self, other: &Self, t: i64) -> Self;
 }
 
-impl Carried for () {
+impl Varying for () {
     fn of(_: usize) {}
 
     fn towards(&self, (): &(), _: i64) {}
@@ -103,7 +103,7 @@ impl Barycentric {
     }
 }
 
-impl Carried for Barycentric {
+impl Varying for Barycentric {
     fn of(corner: usize) -> Self {
         Self([0, 1].map(|i| i32::from(i == corner) << 30))
     }
@@ -162,7 +162,7 @@ pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
 /// A convex polygon grows by at most one corner a plane, so there is room; if rounding should bend
 /// one, the corner too many is left out, here or where there is no place for it.
 fn add(polygon: &mut Order, corner: u8) {
-    let _ = polygon.push(corner); // one of `PLACES`
+    let _ = polygon.push(corner); // one of `CLIP_SLOTS`
 }
 
 /// Which corners of a polygon lie outside of a plane: a bit for each place.
@@ -198,7 +198,7 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut O
         for &to in polygon.iter() {
             if is_beyond(from) != is_beyond(to) {
                 let free = taken.trailing_ones() as usize;
-                if free < PLACES {
+                if free < CLIP_SLOTS {
                     taken |= 1 << free;
                     let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
                     cut(corners, plane, free, inside.into(), outside.into());
@@ -312,7 +312,7 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);
     let [a, b, c] = corners.map(|c| Aligned::new(&c.point, exponent, c.attributes));
-    let mut places = [a; PLACES];
+    let mut places = [a; CLIP_SLOTS];
     (places[1], places[2]) = (b, c);
     let mut result = Vec::new();
     let mut polygon = Order::new();

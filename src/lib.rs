@@ -9,29 +9,33 @@
 pub mod book;
 mod camera;
 pub mod clip;
+mod fast;
 mod math;
-mod output;
+mod pipeline;
 pub mod raster;
-mod render;
 mod scene;
-mod shade;
+mod shading;
 pub mod space;
+mod surface;
 
 pub use camera::{
-    Camera, Corner, Hidden, PlanarProjection, Projection, ProjectionError, Ray, ReferenceVolume, Side,
-    VanishingPoint, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
+    Camera, PlanarProjection, ProjectError, Projection, ProjectionError, Ray, ReferenceVolume, ScreenVertex,
+    Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMap, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
-pub use output::{
-    Band, BandError, DepthBuffer, DepthBufferError, Dirty, Frame, Picture, PictureError, Pixels, Stored,
-    Target, WindowCost, Wire,
-};
-pub use render::{
-    draw_line, fill_triangle, BinsError, Cull, Edges, Faces, Facing, Ink, InkFor, Painter, PaintersOrder,
-    Placed, RecordError, Statistics, Transformed,
+pub use pipeline::{
+    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshInstance, Painter, PainterError,
+    PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
-pub use shade::{Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shaded};
+pub use shading::{
+    Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shader, SpanShader,
+    TableShader,
+};
+pub use surface::{
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Picture, PictureError, PixelFormat,
+    Pixels, StoredPixel, Target, TransferCost,
+};

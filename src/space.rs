@@ -37,7 +37,7 @@
 //! let _ = spin.then(&Affine::<World, World>::identity());
 //! ```
 //!
-//! Only a [`Viewing`](crate::Viewing) leads into view space:
+//! Only a [`ViewTransform`](crate::ViewTransform) leads into view space:
 //!
 //! ```
 //! use pinhole::{space::{Model, World}, Affine};

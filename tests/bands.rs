@@ -12,10 +12,11 @@ use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
 use oracle::target::{Call, Recorder, Refused};
 use pinhole::{
-    BandError, BinsError, Corner, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, Placed, Statistics,
+    BandError, BinError, Cull, DepthBuffer, DepthBufferError, Frame, Mesh, MeshInstance, ScreenVertex,
+    Statistics,
 };
 
-fn cube<R>(viewport: (i32, i32, u32, u32), then: impl FnOnce(&Placed<'_>) -> R) -> R {
+fn cube<R>(viewport: (i32, i32, u32, u32), then: impl FnOnce(&MeshInstance<'_>) -> R) -> R {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
     let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]).library();
     then(&cube_camera(viewport).library().place(&mesh, &model))
@@ -26,10 +27,10 @@ fn colour(face: usize) -> Gray8 {
 }
 
 /// The cube in bands of so many rows, sent to a display.
-fn draw(placed: &Placed<'_>, rows: u32, display: &mut Recorder<Gray8>) -> Result<Statistics, Refused> {
-    let (mut corners, mut records) = ([Corner::EMPTY; 8], [0; 13]);
+fn draw(placed: &MeshInstance<'_>, rows: u32, display: &mut Recorder<Gray8>) -> Result<Statistics, Refused> {
+    let (mut corners, mut records) = ([ScreenVertex::EMPTY; 8], [0; 13]);
     let area = display.bounding_box();
-    let mut faces = placed.transform_depth(&mut corners).faces(&mut records).expect("room");
+    let mut faces = placed.transform_depth(&mut corners).bin_faces(&mut records).expect("room");
     let mut frame = Frame::new(area, Gray8::BLACK);
     let pixels = Frame::<Gray8>::strip_bytes(area.size.width, rows);
     let (mut strip, mut storage) = (vec![0; pixels], vec![0; pixels]);
@@ -45,12 +46,12 @@ fn luma(display: &Recorder<Gray8>) -> Vec<u8> {
     display.bounding_box().points().map(|p| display.colour(p.x, p.y).map_or(0, |c| c.luma())).collect()
 }
 
-fn whole(placed: &Placed<'_>, area: (i32, i32, u32, u32)) -> Vec<u8> {
+fn whole(placed: &MeshInstance<'_>, area: (i32, i32, u32, u32)) -> Vec<u8> {
     let area = rectangle(area.0, area.1, area.2, area.3);
     let mut display = Recorder::new(area);
     let mut storage = vec![0; (area.size.width * area.size.height) as usize];
     let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-    placed.depth_tested(colour, &mut [Corner::EMPTY; 8], &mut depth, &mut display).expect("no error");
+    placed.depth_tested(colour, &mut [ScreenVertex::EMPTY; 8], &mut depth, &mut display).expect("no error");
     luma(&display)
 }
 
@@ -84,17 +85,17 @@ fn a_depth_strip_too_short_says_what_it_needs() {
 #[test]
 fn without_records_nothing_is_drawn_and_the_error_names_the_need() {
     cube((0, 0, 64, 64), |placed| {
-        let mut corners = [Corner::EMPTY; 8];
+        let mut corners = [ScreenVertex::EMPTY; 8];
         let projected = placed.transform(&mut corners);
         // Three sides of the cube are seen: six faces, and one number for every 16 of twelve.
         let (mut records, mut enough) = ([], [0; 7]);
-        let error = projected.faces(&mut records).map(|_| ()).expect_err("no room");
-        assert_eq!(error, BinsError::Records { needed: 7, given: 0 });
+        let error = projected.bin_faces(&mut records).map(|_| ()).expect_err("no room");
+        assert_eq!(error, BinError::Storage { needed: 7, given: 0 });
         assert!(error.to_string().contains('7'));
-        assert_eq!(projected.faces(&mut enough).expect("room").statistics().drawn, 6);
+        assert_eq!(projected.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
         // Corners are no capacity: without any, each is computed where it is needed.
         let none = placed.transform(&mut []);
-        assert_eq!(none.faces(&mut enough).expect("room").statistics().drawn, 6);
+        assert_eq!(none.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
     });
 }
 
@@ -106,10 +107,10 @@ fn more_faces_than_records_can_count_are_refused() {
     let model = ModelBits(vec![]).library();
     let mut records = vec![0; 80_000];
     let placed = camera.place(&mesh, &model);
-    let error = placed.transform(&mut []).faces(&mut records).map(|_| ()).expect_err("too many");
-    assert_eq!(error, BinsError::TooMany { items: 65_536 });
+    let error = placed.transform(&mut []).bin_faces(&mut records).map(|_| ()).expect_err("too many");
+    assert_eq!(error, BinError::TooMany { items: 65_536 });
     let mesh = Mesh::new(&CUBE, 0, &faces[1..]).expect("a mesh");
-    assert!(camera.place(&mesh, &model).transform(&mut []).faces(&mut records).is_ok());
+    assert!(camera.place(&mesh, &model).transform(&mut []).bin_faces(&mut records).is_ok());
 }
 
 #[test]
@@ -138,10 +139,10 @@ fn a_viewport_beside_the_target_draws_background_and_one_larger_a_crop() {
 fn a_band_beside_the_viewport_changes_nothing() {
     for viewport in [(0, -64, 64, 64), (0, -32, 64, 64)] {
         cube(viewport, |placed| {
-            let (mut corners, mut records) = ([Corner::EMPTY; 8], [0; 13]);
-            let mut faces = placed.transform(&mut corners).faces(&mut records).expect("room");
-            let (mut edge_corners, mut edge_records) = ([Corner::EMPTY; 8], [0; 20]);
-            let mut edges = placed.transform(&mut edge_corners).edges(&mut edge_records).expect("room");
+            let (mut corners, mut records) = ([ScreenVertex::EMPTY; 8], [0; 13]);
+            let mut faces = placed.transform(&mut corners).bin_faces(&mut records).expect("room");
+            let (mut edge_corners, mut edge_records) = ([ScreenVertex::EMPTY; 8], [0; 20]);
+            let mut edges = placed.transform(&mut edge_corners).bin_edges(&mut edge_records).expect("room");
             let area = rectangle(viewport.0, viewport.1, viewport.2, viewport.3);
             let (mut at_once, mut banded) = (Recorder::new(area), Recorder::new(area));
             placed.solid(colour, &mut [], &mut at_once).expect("no error");
@@ -187,9 +188,9 @@ fn a_display_that_fails_in_the_middle_of_a_frame() {
 #[test]
 fn a_band_that_fails_can_be_drawn_again() {
     cube((0, 0, 64, 64), |placed| {
-        let (mut corners, mut records) = ([Corner::EMPTY; 8], [0; 7]);
+        let (mut corners, mut records) = ([ScreenVertex::EMPTY; 8], [0; 7]);
         let projected = placed.transform(&mut corners);
-        let mut faces = projected.faces(&mut records).expect("room");
+        let mut faces = projected.bin_faces(&mut records).expect("room");
         let mut good = Recorder::sized(64, 64);
         placed.solid(colour, &mut [], &mut good).expect("no error");
         for after in [0, 1, 20] {
@@ -246,7 +247,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
 
     // In chunks: geometry again for every band, storage for two rows of posts.
     let chunk_faces: Vec<[u16; 3]> = (0..255).flat_map(|x| quad(x, 0)).collect();
-    let mut corners = [Corner::EMPTY; 512];
+    let mut corners = [ScreenVertex::EMPTY; 512];
     let mut frame = Frame::new(area, Gray8::BLACK);
     let (mut strip, mut picture) = (vec![0; 96 * 16], Vec::<u8>::new());
     while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
@@ -269,7 +270,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     // Recorded once, with storage for 300 of the vertices: the others are computed where they are needed.
     let mut records = vec![0; faces.len() + faces.len().div_ceil(16)];
     let projected = placed.transform_depth(&mut corners[..300]);
-    let mut recorded = projected.faces(&mut records).expect("room");
+    let mut recorded = projected.bin_faces(&mut records).expect("room");
     let (mut frame, mut picture) = (Frame::new(area, Gray8::BLACK), Vec::<u8>::new());
     while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
         let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");

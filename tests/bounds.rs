@@ -24,7 +24,7 @@ use oracle::chain;
 use oracle::rng::Rng;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Camera, MatrixError, Mesh, Point3, Projection, Vector3, Viewing, Viewport, Visibility,
+    Affine, Camera, MatrixError, Mesh, Point3, Projection, Vector3, ViewTransform, Viewport, Visibility,
 };
 use pinhole::{NumberError, Scalar}; // also for `quaternion`
 
@@ -108,7 +108,7 @@ fn s6_viewports() {
 fn s4_isometric_rows() {
     let (half, third, sixth) = (0.5f64.sqrt(), (1.0f64 / 3.0).sqrt(), (1.0f64 / 6.0).sqrt());
     let exact = [[half, 0.0, -half], [-sixth, 2.0 * sixth, -sixth], [third, third, third]];
-    let rows = Viewing::isometric(Point3::from_ints(0, 0, 0)).rows();
+    let rows = ViewTransform::isometric(Point3::from_ints(0, 0, 0)).rows();
     let mut worst = 0f64;
     for (row, exact) in rows.iter().zip(exact) {
         for (got, exact) in row.iter().zip(exact) {
@@ -161,7 +161,7 @@ fn s3_a_view_from_its_matrix() {
             [r[0], r[1], r[2], -chain::dot(r, exact.eye)]
         };
         let matrix = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
-        let ours = Viewing::from_matrix(&matrix).expect("a rigid matrix");
+        let ours = ViewTransform::from_matrix(&matrix).expect("a rigid matrix");
         for (got, exact) in ours.rows().iter().flatten().zip(exact.rows.iter().flatten()) {
             rows = rows.max((f64::from(*got) - exact * 1_073_741_824.0).abs());
         }
@@ -169,7 +169,7 @@ fn s3_a_view_from_its_matrix() {
             eyes = eyes.max((*got as f64 - exact * 4_294_967_296.0).abs());
         }
         // What it draws with goes through the door once more: the rows are the same bits.
-        let again = Viewing::from_matrix(&ours.to_matrix()).expect("a rigid matrix");
+        let again = ViewTransform::from_matrix(&ours.to_matrix()).expect("a rigid matrix");
         assert_eq!(again.rows(), ours.rows());
     }
     println!("rows {rows}·2⁻³⁰, eye {eyes}·2⁻³²");
@@ -192,8 +192,8 @@ fn s3_a_view_rigid_to_the_limit_goes_back() {
         }
         matrix[i as usize % 3].iter_mut().for_each(|c| *c *= long);
         matrix[3][3] = 1.0;
-        if let Ok(view) = Viewing::from_matrix(&matrix) {
-            assert_eq!(Viewing::from_matrix(&view.to_matrix()), Ok(view), "{matrix:?}");
+        if let Ok(view) = ViewTransform::from_matrix(&matrix) {
+            assert_eq!(ViewTransform::from_matrix(&view.to_matrix()), Ok(view), "{matrix:?}");
             taken += 1;
         }
     }
@@ -278,7 +278,7 @@ fn s5_a_sphere_beyond_the_scalars_is_partly_visible() {
         let at = if corner > 0 { corner } else { 15_000 };
         let window = bridge::pair::window([-10 << 16, 10 << 16, -10 << 16, 10 << 16]);
         let lens = Projection::orthographic(window, Scalar::from_num(1), Scalar::from_num(2000));
-        let view = Viewing::look_along(
+        let view = ViewTransform::look_along(
             Point3::from_ints(at, at, at + 1000),
             Vector3::from_ints(0, 0, -1),
             Vector3::from_ints(0, 1, 0),

@@ -4,7 +4,7 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::{solid, Ink};
+use bridge::draw::{solid, Shader};
 use bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use oracle::coverage::Area;
 use oracle::rng::Rng;
@@ -65,11 +65,11 @@ fn once(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent:
             target.count(x as i32, y as i32),
             1,
             "({x}, {y}): {camera:?} {model:?} {vertices:?}·2^{exponent} {faces:?} {statistics:?}\n{}",
-            target.picture(width as i32, height as i32, |Ink(f)| char::from(b'a' + (f % 26) as u8))
+            target.picture(width as i32, height as i32, |Shader(f)| char::from(b'a' + (f % 26) as u8))
         );
     }
-    let mut painter = Painter::<Ink, 800, 800>::new();
-    painter.add(&placed, |face| Ink(face as u16)).expect("enough room");
+    let mut painter = Painter::<Shader, 800, 800>::new();
+    painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
     let mut painted = Recorder::sized(width, height);
     assert_eq!(painter.draw(&mut painted), Ok(statistics));
     assert!(painted.pixels == target.pixels, "the painter draws another picture");

@@ -4,14 +4,14 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::Ink;
+use bridge::draw::Shader;
 use bridge::pair::{bits, random_view, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use oracle::coverage::{self, Area};
 use oracle::line;
 use oracle::rng::Rng;
 use oracle::target::Recorder;
 use pinhole::raster::ScreenPoint;
-use pinhole::{Corner, Cull, Mesh, Painter, RecordError, Statistics};
+use pinhole::{Cull, Mesh, Painter, PainterError, ScreenVertex, Statistics};
 use std::collections::BTreeMap;
 
 const WIDTH: i64 = 40;
@@ -66,7 +66,7 @@ fn at(p: ScreenPoint) -> (i64, i64) {
     (p.x().into(), p.y().into())
 }
 
-fn counts(target: &Recorder<Ink>) -> BTreeMap<(i32, i32), u32> {
+fn counts(target: &Recorder<Shader>) -> BTreeMap<(i32, i32), u32> {
     target.pixels.iter().map(|(&p, &(_, n))| (p, n)).collect()
 }
 
@@ -92,8 +92,8 @@ fn r9_faces_are_the_exact_coverage_of_their_corners() {
                 };
                 whole += 1;
                 let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-                let mut cache = [Corner::default(); 12];
-                let s = placed.solid(|_| Ink(1), &mut cache, &mut target).expect("no error");
+                let mut cache = [ScreenVertex::default(); 12];
+                let s = placed.solid(|_| Shader(1), &mut cache, &mut target).expect("no error");
                 let t = [at(a), at(b), at(c)];
                 // Front is counter-clockwise with y up: the edge function is negative with y down.
                 let area = coverage::edge(t[0], t[1], t[2]);
@@ -141,7 +141,7 @@ fn l1_edges_are_the_exact_lines_between_their_ends() {
                 continue;
             };
             let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-            placed.wireframe(Ink(1), &mut [], &mut target).expect("no error");
+            placed.wireframe(Shader(1), &mut [], &mut target).expect("no error");
             let pixel = |p: ScreenPoint| {
                 let (x, y) = at(p);
                 (x.div_euclid(256), y.div_euclid(256))
@@ -163,14 +163,15 @@ fn l3_an_edge_is_the_same_from_both_ends_wherever_it_is_cut() {
         let mut scene = scene(&mut rng);
         let (camera, model) = (scene.camera.library(), scene.model.library());
         let mut first = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-        let s = camera.place(&scene.mesh(), &model).wireframe(Ink(1), &mut [], &mut first).expect("no error");
+        let s =
+            camera.place(&scene.mesh(), &model).wireframe(Shader(1), &mut [], &mut first).expect("no error");
         cut += s.clipped;
         for edge in &mut scene.edges {
             edge.swap(0, 1);
         }
         let mut second = Recorder::sized(WIDTH as u32, HEIGHT as u32);
         let t =
-            camera.place(&scene.mesh(), &model).wireframe(Ink(1), &mut [], &mut second).expect("no error");
+            camera.place(&scene.mesh(), &model).wireframe(Shader(1), &mut [], &mut second).expect("no error");
         assert_eq!(s, t);
         assert!(first.pixels == second.pixels, "{:?} {:?} {:?}", scene.camera, scene.model, scene.edges);
     }
@@ -190,7 +191,7 @@ fn r7_a_face_is_the_same_from_every_corner_wherever_it_is_cut() {
                 let mesh = Mesh::new(&scene.vertices, EXPONENT, &face).expect("a mesh");
                 let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
                 let s =
-                    camera.place(&mesh, &model).solid(|_| Ink(1), &mut [], &mut target).expect("no error");
+                    camera.place(&mesh, &model).solid(|_| Shader(1), &mut [], &mut target).expect("no error");
                 cut += s.clipped;
                 pictures.push((counts(&target), s));
             }
@@ -218,12 +219,12 @@ fn a_shorter_cache_draws_the_same_picture() {
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), scene.mesh());
         let placed = camera.place(&mesh, &model);
         let draw = |length: usize| {
-            let mut cache = vec![Corner::default(); length];
+            let mut cache = vec![ScreenVertex::default(); length];
             let mut solid = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-            let s = placed.solid(|face| Ink(face as u16), &mut cache, &mut solid).expect("no error");
+            let s = placed.solid(|face| Shader(face as u16), &mut cache, &mut solid).expect("no error");
             // A cache full of another scene's corners does no harm.
             let mut lines = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-            let w = placed.wireframe(Ink(9), &mut cache, &mut lines).expect("no error");
+            let w = placed.wireframe(Shader(9), &mut cache, &mut lines).expect("no error");
             (solid.calls, lines.calls, s, w)
         };
         let whole = draw(scene.vertices.len());
@@ -250,7 +251,7 @@ fn every_primitive_is_counted_exactly_once() {
             .solid(
                 |_| {
                     shaded += 1;
-                    Ink(0)
+                    Shader(0)
                 },
                 &mut [],
                 &mut target,
@@ -259,11 +260,11 @@ fn every_primitive_is_counted_exactly_once() {
         assert_eq!(total(s) as usize, scene.faces.len());
         assert_eq!(shaded, s.drawn, "shade is asked once for each face drawn");
         assert!(s.clipped <= s.drawn);
-        let w = placed.wireframe(Ink(0), &mut [], &mut target).expect("no error");
+        let w = placed.wireframe(Shader(0), &mut [], &mut target).expect("no error");
         assert_eq!(total(w) as usize, scene.edges.len());
         assert_eq!((w.culled, w.degenerate), (0, 0));
-        let mut painter = Painter::<Ink, 200, 100>::new();
-        painter.add(&placed, |_| Ink(0)).expect("enough room");
+        let mut painter = Painter::<Shader, 200, 100>::new();
+        painter.add(&placed, |_| Shader(0)).expect("enough room");
         assert_eq!(painter.draw(&mut target), Ok(s));
         for (sum, n) in all.iter_mut().zip([s.drawn, s.culled, s.clipped, s.outside, s.degenerate]) {
             *sum += n;
@@ -291,8 +292,8 @@ fn clipped_counts_what_was_cut_and_nothing_else() {
         let placed = camera.place(&mesh, &model);
         assert_eq!(placed.project(1).is_none(), clipped == 1, "{x}");
         let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-        let faces = placed.solid(|_| Ink(0), &mut [], &mut target).expect("no error");
-        let edges = placed.wireframe(Ink(0), &mut [], &mut target).expect("no error");
+        let faces = placed.solid(|_| Shader(0), &mut [], &mut target).expect("no error");
+        let edges = placed.wireframe(Shader(0), &mut [], &mut target).expect("no error");
         assert_eq!((faces.drawn, faces.clipped), (1, clipped), "a face with a corner at {x}");
         assert_eq!((edges.drawn, edges.clipped), (1, clipped), "an edge with an end at {x}");
     }
@@ -305,12 +306,12 @@ fn a_painter_takes_one_viewport() {
     let (model, mesh) = (scene.model.library(), scene.mesh());
     let camera = scene.camera.library();
     let other = CameraBits { viewport: (1, 0, 40, 30), ..scene.camera }.library();
-    let mut painter = Painter::<Ink, 200, 100>::new();
-    painter.add(&camera.place(&mesh, &model), |_| Ink(0)).expect("enough room");
-    let refused = painter.add(&other.place(&mesh, &model), |_| Ink(0));
-    assert!(matches!(refused, Err(RecordError::OtherViewport)));
+    let mut painter = Painter::<Shader, 200, 100>::new();
+    painter.add(&camera.place(&mesh, &model), |_| Shader(0)).expect("enough room");
+    let refused = painter.add(&other.place(&mesh, &model), |_| Shader(0));
+    assert!(matches!(refused, Err(PainterError::OtherViewport)));
     painter.clear();
-    assert!(painter.add(&other.place(&mesh, &model), |_| Ink(0)).is_ok());
+    assert!(painter.add(&other.place(&mesh, &model), |_| Shader(0)).is_ok());
 }
 
 #[test]

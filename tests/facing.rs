@@ -7,13 +7,13 @@ mod oracle;
 #[path = "../assets/teapot.rs"]
 mod teapot;
 
-use bridge::draw::Ink;
+use bridge::draw::Shader;
 use bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use oracle::rng::Rng;
 use oracle::target::{Call, Recorder};
-use pinhole::{Corner, Cull, DepthBuffer, Mesh, MeshError, Placed, Scalar, Statistics};
+use pinhole::{Cull, DepthBuffer, Mesh, MeshError, MeshInstance, Scalar, ScreenVertex, Statistics};
 use std::cell::RefCell;
 
 const WIDTH: u32 = 90;
@@ -21,7 +21,7 @@ const HEIGHT: u32 = 60;
 
 /// What came of a drawing.
 struct Drawing {
-    calls: Vec<Call<Ink>>,
+    calls: Vec<Call<Shader>>,
     depths: Vec<u16>,
     statistics: Statistics,
     /// The faces drawn, in order.
@@ -30,7 +30,7 @@ struct Drawing {
 
 fn draw(
     depth: bool,
-    with: impl FnOnce(&dyn Fn(usize) -> Ink, Option<&mut DepthBuffer<'_>>, &mut Recorder<Ink>) -> Statistics,
+    with: impl FnOnce(&dyn Fn(usize) -> Shader, Option<&mut DepthBuffer<'_>>, &mut Recorder<Shader>) -> Statistics,
 ) -> Drawing {
     let mut target = Recorder::sized(WIDTH, HEIGHT);
     let area = target.bounding_box();
@@ -38,7 +38,7 @@ fn draw(
     let faces = RefCell::new(Vec::new());
     let shade = |face: usize| {
         faces.borrow_mut().push(face as u16);
-        Ink(face as u16)
+        Shader(face as u16)
     };
     let statistics = if depth {
         let mut buffer = DepthBuffer::new(area, &mut depths).unwrap();
@@ -49,8 +49,8 @@ fn draw(
     Drawing { calls: target.calls, depths, statistics, faces: faces.into_inner() }
 }
 
-fn plain<V: pinhole::Coordinate>(placed: &Placed<'_, V>, depth: bool) -> Drawing {
-    let mut cache = vec![Corner::EMPTY; placed.mesh().vertices().len()];
+fn plain<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, depth: bool) -> Drawing {
+    let mut cache = vec![ScreenVertex::EMPTY; placed.mesh().vertices().len()];
     draw(depth, |shade, depth, target| {
         match depth {
             Some(depth) => placed.depth_tested(shade, &mut cache, depth, target),
@@ -61,11 +61,15 @@ fn plain<V: pinhole::Coordinate>(placed: &Placed<'_, V>, depth: bool) -> Drawing
 }
 
 /// `cache`: what is lent, with another picture's corners in it.
-fn by_planes<V: pinhole::Coordinate>(placed: &Placed<'_, V>, depth: bool, cache: &mut [Corner]) -> Drawing {
+fn by_planes<V: pinhole::Coordinate>(
+    placed: &MeshInstance<'_, V>,
+    depth: bool,
+    cache: &mut [ScreenVertex],
+) -> Drawing {
     draw(depth, |shade, depth, target| {
         match depth {
-            Some(depth) => placed.facing().depth_tested(shade, cache, depth, target),
-            None => placed.facing().solid(shade, cache, target),
+            Some(depth) => placed.cull_by_planes().depth_tested(shade, cache, depth, target),
+            None => placed.cull_by_planes().solid(shade, cache, target),
         }
         .unwrap()
     })
@@ -73,25 +77,25 @@ fn by_planes<V: pinhole::Coordinate>(placed: &Placed<'_, V>, depth: bool, cache:
 
 /// In bands of 7 rows: what was drawn where, and the faces asked for.
 fn in_bands<V: pinhole::Coordinate>(
-    placed: &Placed<'_, V>,
+    placed: &MeshInstance<'_, V>,
     depth: bool,
     planes: bool,
-    corners: &mut [Corner],
-) -> (Vec<Call<Ink>>, Statistics) {
+    corners: &mut [ScreenVertex],
+) -> (Vec<Call<Shader>>, Statistics) {
     let count = placed.mesh().faces().len();
     let mut records = vec![0; count + count.div_ceil(16)];
     let mut calls = Vec::new();
     let rows = (0..HEIGHT as i32)
         .step_by(7)
-        .map(|top| Recorder::<Ink>::new(Rectangle::new(Point::new(0, top), Size::new(WIDTH, 7))));
-    let shade = |face| Ink(face as u16);
+        .map(|top| Recorder::<Shader>::new(Rectangle::new(Point::new(0, top), Size::new(WIDTH, 7))));
+    let shade = |face| Shader(face as u16);
     let statistics = if depth {
         let transformed;
         let mut faces = if planes {
-            placed.facing().faces_with_depth(corners, &mut records).unwrap()
+            placed.cull_by_planes().bin_faces_with_depth(corners, &mut records).unwrap()
         } else {
             transformed = placed.transform_depth(corners);
-            transformed.faces(&mut records).unwrap()
+            transformed.bin_faces(&mut records).unwrap()
         };
         for mut band in rows {
             let mut depths = vec![0; WIDTH as usize * 7];
@@ -103,10 +107,10 @@ fn in_bands<V: pinhole::Coordinate>(
     } else {
         let transformed;
         let mut faces = if planes {
-            placed.facing().faces(corners, &mut records).unwrap()
+            placed.cull_by_planes().bin_faces(corners, &mut records).unwrap()
         } else {
             transformed = placed.transform(corners);
-            transformed.faces(&mut records).unwrap()
+            transformed.bin_faces(&mut records).unwrap()
         };
         for mut band in rows {
             faces.solid(shade, &mut band).unwrap();
@@ -127,17 +131,17 @@ struct Tally {
 }
 
 /// Twice the area before corners are rounded, positive to the front: in 2⁻⁶⁴ pixels.
-fn exact_area<V: pinhole::Coordinate>(placed: &Placed<'_, V>, face: [u16; 3]) -> Option<i128> {
+fn exact_area<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, face: [u16; 3]) -> Option<i128> {
     let [a, b, c] = face.map(|index| placed.project_unsnapped(index.into()).map(|p| p.map(i128::from)));
     let (a, b, c) = (a?, b?, c?);
     Some((c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]))
 }
 
-fn compare<V: pinhole::Coordinate>(placed: &Placed<'_, V>, tally: &mut Tally) {
+fn compare<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, tally: &mut Tally) {
     let (count, faces) = (placed.mesh().vertices().len(), placed.mesh().faces().len() as u32);
     // Of another model.
-    let mut stale = vec![Corner::EMPTY; count + 3];
-    let _ = placed.solid(|_| Ink(0), &mut stale, &mut Recorder::sized(9, 9));
+    let mut stale = vec![ScreenVertex::EMPTY; count + 3];
+    let _ = placed.solid(|_| Shader(0), &mut stale, &mut Recorder::sized(9, 9));
     stale.rotate_right(5);
     for depth in [false, true] {
         let expected = plain(placed, depth);
@@ -244,7 +248,7 @@ fn without_planes_all_faces_are_looked_at() {
     for i in 0..24 {
         let camera = camera(&mut rng, [5.0, 17.0, 300.0][i % 3], false).library();
         let placed = camera.place(&mesh, &ModelBits::random_rotation(&mut rng).library());
-        let mut corners = vec![Corner::EMPTY; 400];
+        let mut corners = vec![ScreenVertex::EMPTY; 400];
         let (expected, found) = (plain(&placed, true), by_planes(&placed, true, &mut corners));
         assert_eq!(found.statistics, expected.statistics);
         assert_eq!(found.faces, expected.faces);

@@ -10,10 +10,10 @@ use definition::Family;
 use oracle::chain::{self, fx, V3};
 use oracle::rng::Rng;
 use pinhole::space::World;
-use pinhole::{Angle, Camera, Point3, Projection, Scalar, Side, Viewing, ViewingError, Viewport};
+use pinhole::{Angle, Camera, Point3, Projection, Scalar, Side, ViewTransform, ViewTransformError, Viewport};
 
 /// 100 px a unit about (2000, 2000), in a viewport of 4000 × 4000.
-fn drawing(view: &Viewing, projection: &Projection) -> Camera {
+fn drawing(view: &ViewTransform, projection: &Projection) -> Camera {
     let area = rectangle(0, 0, 4000, 4000);
     Camera::new(view, projection, &Viewport::new(area.top_left, area.size).expect("a viewport"))
 }
@@ -32,7 +32,7 @@ fn at(camera: &Camera, p: [i32; 3]) -> (f64, f64) {
 /// 1/256 px at both ends.
 const PX: f64 = 2.0 / 256.0 / 100.0;
 
-fn foreshortening(view: &Viewing) -> [f64; 3] {
+fn foreshortening(view: &ViewTransform) -> [f64; 3] {
     let camera = drawing(view, &orthographic());
     let o = at(&camera, [0; 3]);
     [0, 1, 2].map(|axis| {
@@ -63,7 +63,7 @@ fn s4_multiview_keeps_faces_parallel_to_the_plane_at_their_exact_size() {
         assert_eq!(chain::cross(right, up), near, "right-handed");
         for _ in 0..300 {
             let vrp = [0; 3].map(|_| rng.int(-100, 100) as i32 * ONE);
-            let camera = drawing(&Viewing::multiview(point(vrp), side), &orthographic());
+            let camera = drawing(&ViewTransform::multiview(point(vrp), side), &orthographic());
             let p = [0; 3].map(|_| rng.int(-1000, 1000) as i32 * (ONE / 64));
             let world = [0, 1, 2].map(|i| vrp[i] + p[i]);
             let got = at(&camera, world);
@@ -82,13 +82,13 @@ fn s4_multiview_keeps_faces_parallel_to_the_plane_at_their_exact_size() {
 
 #[test]
 fn s4_isometric_foreshortens_all_three_by_root_two_thirds() {
-    let view = Viewing::isometric(point([0; 3]));
+    let view = ViewTransform::isometric(point([0; 3]));
     for (axis, f) in foreshortening(&view).into_iter().enumerate() {
         close(f, (2f64 / 3.0).sqrt(), PX / 10.0, &format!("axis {axis}"));
     }
     // The same view as by its VPN, to the last bits of its rows.
     let by_vpn =
-        Viewing::from_reference(point([0; 3]), vector([ONE; 3]), vector([0, ONE, 0])).expect("a view");
+        ViewTransform::from_reference(point([0; 3]), vector([ONE; 3]), vector([0, ONE, 0])).expect("a view");
     for (a, b) in view.rows().iter().flatten().zip(by_vpn.rows().iter().flatten()) {
         assert!((a - b).abs() <= 2, "{view:?} {by_vpn:?}");
     }
@@ -111,7 +111,7 @@ fn s4_dimetric_foreshortens_two_alike() {
     let mut rng = Rng::new(0x52);
     for _ in 0..1000 {
         let (side, up) = (rng.int(1, 400_000) as i32, rng.int(-400_000, 400_000) as i32);
-        let view = match Viewing::dimetric(point([0; 3]), scalar(side), scalar(up)) {
+        let view = match ViewTransform::dimetric(point([0; 3]), scalar(side), scalar(up)) {
             Ok(view) => view,
             Err(error) => {
                 assert!(up == 0 || up.abs() == side || side < up.abs() / 2000, "{error}");
@@ -125,8 +125,8 @@ fn s4_dimetric_foreshortens_two_alike() {
         close(z, x, PX / 5.0, "z as x");
     }
     for (side, up) in [(0, ONE), (ONE, 0), (ONE, ONE), (ONE, -ONE), (-ONE, ONE)] {
-        let got = Viewing::dimetric(point([0; 3]), scalar(side), scalar(up));
-        assert_eq!(got, Err(ViewingError::NotAxonometric), "{side} {up}");
+        let got = ViewTransform::dimetric(point([0; 3]), scalar(side), scalar(up));
+        assert_eq!(got, Err(ViewTransformError::NotAxonometric), "{side} {up}");
     }
 }
 
@@ -135,7 +135,7 @@ fn s4_trimetric_foreshortens_each_differently() {
     let mut rng = Rng::new(0x53);
     for _ in 0..1000 {
         let vpn = [0; 3].map(|_| rng.int(-400_000, 400_000) as i32);
-        let Ok(view) = Viewing::trimetric(point([0; 3]), vector(vpn)) else { continue };
+        let Ok(view) = ViewTransform::trimetric(point([0; 3]), vector(vpn)) else { continue };
         let n = chain::normalise(chain::fx3(vpn));
         let f = foreshortening(&view);
         for i in 0..3 {
@@ -145,14 +145,14 @@ fn s4_trimetric_foreshortens_each_differently() {
         close(f.iter().map(|f| f * f).sum(), 2.0, PX, "sum");
     }
     for vpn in [[ONE, 2 * ONE, 0], [ONE, ONE, 2 * ONE], [ONE, 2 * ONE, -ONE], [0, 0, 0]] {
-        let got = Viewing::trimetric(point([0; 3]), vector(vpn));
-        assert_eq!(got, Err(ViewingError::NotAxonometric), "{vpn:?}");
+        let got = ViewTransform::trimetric(point([0; 3]), vector(vpn));
+        assert_eq!(got, Err(ViewTransformError::NotAxonometric), "{vpn:?}");
     }
 }
 
 #[test]
 fn s4_oblique_a_receding_unit_has_its_length_and_angle() {
-    let front = Viewing::multiview(point([0; 3]), Side::Front);
+    let front = ViewTransform::multiview(point([0; 3]), Side::Front);
     let w = window([-20 * ONE, 20 * ONE, -20 * ONE, 20 * ONE]);
     let mut rng = Rng::new(0x54);
     let mut cases = vec![
@@ -171,7 +171,7 @@ fn s4_oblique_a_receding_unit_has_its_length_and_angle() {
         let camera = drawing(&front, &projection);
         let o = at(&camera, [0; 3]);
         assert_eq!(o, (0.0, 0.0));
-        // Faces parallel to the plane keep their size.
+        // BinnedFaces parallel to the plane keep their size.
         assert_eq!(at(&camera, [5 * ONE, 0, 0]), (5.0, 0.0));
         assert_eq!(at(&camera, [0, -5 * ONE, 0]), (0.0, -5.0));
         // Ten units of depth, away from the viewer.
@@ -284,7 +284,8 @@ fn s4_parallel_projections_have_no_vanishing_points() {
 fn s4_worked_vanishing_points() {
     let area = rectangle(0, 0, 240, 240);
     let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
-    let view = Viewing::from_reference(point::<World>([0; 3]), vector([0, 0, ONE]), vector([0, ONE, 0]));
+    let view =
+        ViewTransform::from_reference(point::<World>([0; 3]), vector([0, 0, ONE]), vector([0, ONE, 0]));
     let family =
         Family::Reference([ONE / 2, ONE / 2, ONE], [-ONE, 3 * ONE, -ONE, 3 * ONE], ONE / 2, -4 * ONE);
     let camera = Camera::new(&view.expect("a view"), &family.library().expect("a projection"), &viewport);
@@ -294,8 +295,11 @@ fn s4_worked_vanishing_points() {
     assert_eq!((z.x, z.y), (90 * 256, 150 * 256));
     assert_eq!(z.ndc, Point3::new(scalar(-ONE / 4), scalar(-ONE / 4), scalar(0)));
     // Two-point: VPN (1, 0, 1), PRP (0, 0, 10): the 45° directions meet the plane 10 units to either side.
-    let view =
-        Viewing::from_reference(point([2 * ONE, ONE / 2, 0]), vector([ONE, 0, ONE]), vector([0, ONE, 0]));
+    let view = ViewTransform::from_reference(
+        point([2 * ONE, ONE / 2, 0]),
+        vector([ONE, 0, ONE]),
+        vector([0, ONE, 0]),
+    );
     let family =
         Family::Reference([0, 0, 10 * ONE], [-10 * ONE, 20 * ONE, -10 * ONE, 20 * ONE], ONE / 2, -4 * ONE);
     let camera = Camera::new(&view.expect("a view"), &family.library().expect("a projection"), &viewport);
@@ -315,7 +319,7 @@ fn s4_worked_vanishing_points() {
 fn s4_vanishing_points_beyond_all_numbers_keep_their_side() {
     let family = Family::FieldOfView((1 << 20) + 1, (240, 240), ONE, 9 * ONE);
     for up in [1, -1] {
-        let view = Viewing::look_along(point([0; 3]), vector([0, up, -5000]), vector([0, ONE, 0]));
+        let view = ViewTransform::look_along(point([0; 3]), vector([0, up, -5000]), vector([0, ONE, 0]));
         let camera = drawing(&view.expect("a view"), &family.library().expect("a projection"));
         let [_, y, _] = camera.vanishing_points();
         let y = y.expect("finite");

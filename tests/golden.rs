@@ -4,7 +4,7 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::{solid, wireframe, Ink, CUBE, CUBE_EDGES, CUBE_FACES};
+use bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
 use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use oracle::chain::{snap, vertex};
 use oracle::coverage::{covers, edge, Area};
@@ -103,15 +103,15 @@ fn draw(scene: &(CameraBits, ModelBits), way: &str) -> String {
         "wireframe" => wireframe(&placed, &mut target).expect("no error"),
         "solid" => solid(&placed, &mut target).expect("no error"),
         _ => {
-            let mut painter = Painter::<Ink, 8, 12>::new();
-            painter.add(&placed, |face| Ink(face as u16)).expect("enough room");
+            let mut painter = Painter::<Shader, 8, 12>::new();
+            painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
             painter.draw(&mut target).expect("no error")
         }
     };
     target.picture(
         WIDTH,
         HEIGHT,
-        |Ink(face)| {
+        |Shader(face)| {
             if way == "wireframe" {
                 '#'
             } else {

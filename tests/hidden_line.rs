@@ -1,4 +1,4 @@
-//! Hidden lines, on one bit a pixel, against an oracle that knows every face.
+//! ProjectError lines, on one bit a pixel, against an oracle that knows every face.
 
 mod bridge;
 mod oracle;
@@ -11,7 +11,7 @@ use embedded_graphics_core::pixelcolor::BinaryColor;
 use oracle::hidden::{self, Vertex};
 use oracle::rng::Rng;
 use oracle::target::Recorder;
-use pinhole::{Corner, DepthBuffer, Frame, Mesh};
+use pinhole::{DepthBuffer, Frame, Mesh, ScreenVertex};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A solid whose edges are drawn.
@@ -118,11 +118,11 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
     let (library, model) = (camera.library(), model.library());
     let placed = library.place(&mesh, &model);
     // Drawn: one bit a pixel, 16 rows at a time.
-    let mut corners = vec![Corner::EMPTY; solid.vertices.len()];
+    let mut corners = vec![ScreenVertex::EMPTY; solid.vertices.len()];
     let projected = placed.transform_depth(&mut corners);
     let (mut records, mut more) = (vec![0; 2 * solid.faces.len()], vec![0; 2 * solid.edges.len()]);
-    let mut faces = projected.faces(&mut records).expect("room");
-    let mut edges = projected.edges(&mut more).expect("room");
+    let mut faces = projected.bin_faces(&mut records).expect("room");
+    let mut edges = projected.bin_edges(&mut more).expect("room");
     let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
     let mut frame = Frame::new(area, BinaryColor::Off);
     let mut strip = vec![0; Frame::<BinaryColor>::strip_bytes(WIDTH, 16)];
@@ -132,7 +132,7 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
         let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
         faces.depth_only(&mut depth);
         let Ok(()) = edges.hidden_line(BinaryColor::On, &mut depth, &mut band);
-        picture.extend(band.colours());
+        picture.extend(band.colors());
     }
     assert_eq!(faces.statistics().clipped + faces.statistics().outside, 0);
     // Seen: from the snapped vertices, depth as the chain has it before rounding.
@@ -266,7 +266,7 @@ fn no_face_stays_no_face_in_large_meshes() {
     }
 }
 
-/// Faces that the near plane cuts to several triangles: an edge is drawn where it is as near as what is held, and where a face
+/// BinnedFaces that the near plane cuts to several triangles: an edge is drawn where it is as near as what is held, and where a face
 /// beside it is what is held, whichever of its triangles that is. Each edge and each face drawn by itself tells both; but a
 /// face's border belongs to it here, which the fill rule may leave to a neighbour.
 #[test]

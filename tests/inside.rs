@@ -6,14 +6,14 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::{Ink, CUBE, CUBE_FACES};
+use bridge::draw::{Shader, CUBE, CUBE_FACES};
 use bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use oracle::chain::{self, cross, dot, vertex, V3};
 use oracle::coverage::Area;
 use oracle::eye::{self, Face};
 use oracle::rng::Rng;
 use oracle::target::Recorder;
-use pinhole::{Corner, Cull, Mesh};
+use pinhole::{Cull, Mesh, ScreenVertex};
 
 const WIDTH: u32 = 30;
 const HEIGHT: u32 = 20;
@@ -71,12 +71,14 @@ fn bodies(rng: &mut Rng) -> Vec<Body> {
 }
 
 /// How often each pixel is drawn by front faces, and by back faces.
-fn counts(camera: &CameraBits, model: &ModelBits, body: &Body) -> (Recorder<Ink>, Recorder<Ink>) {
+fn counts(camera: &CameraBits, model: &ModelBits, body: &Body) -> (Recorder<Shader>, Recorder<Shader>) {
     let draw = |faces: &[[u16; 3]], cull: Cull| {
         let mesh = Mesh::new(&body.vertices, body.exponent, faces).expect("a mesh");
         let mut target = Recorder::sized(WIDTH, HEIGHT);
         let placed = camera.library().place(&mesh, &model.library()).with_cull(cull);
-        placed.solid(|f| Ink(f as u16), &mut [Corner::default(); 16], &mut target).expect("no error");
+        placed
+            .solid(|f| Shader(f as u16), &mut [ScreenVertex::default(); 16], &mut target)
+            .expect("no error");
         target
     };
     let turned: Vec<[u16; 3]> = body.faces.iter().map(|&[a, b, c]| [a, c, b]).collect();

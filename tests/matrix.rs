@@ -10,7 +10,7 @@ use bridge::{point, rectangle};
 use oracle::chain::{self, length, Viewport, M4, V3};
 use oracle::rng::Rng;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, MatrixError, Projection, ProjectionError, Viewing, ViewingError};
+use pinhole::{Affine, Camera, MatrixError, Projection, ProjectionError, ViewTransform, ViewTransformError};
 
 const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 320.0;
@@ -216,7 +216,7 @@ fn a_viewing_matrix_within_its_rounding_and_back() {
         for (row, axis) in m.iter_mut().zip(axes) {
             *row = [axis[0], axis[1], axis[2], -chain::dot(axis, eye)];
         }
-        let viewing = Viewing::from_matrix(&m).expect("a rigid matrix");
+        let viewing = ViewTransform::from_matrix(&m).expect("a rigid matrix");
         for (found, axis) in viewing.rows().iter().zip(axes) {
             for (found, c) in found.iter().zip(axis) {
                 axes_worst = axes_worst.max((f64::from(*found) / (30f64).exp2() - c).abs());
@@ -226,7 +226,7 @@ fn a_viewing_matrix_within_its_rounding_and_back() {
             // The translation is rounded to 53 bits already, and so is what is made of it.
             eye_worst = eye_worst.max((*found as f64 / (32f64).exp2() - e).abs() - 4e-16 * reach);
         }
-        assert_eq!(Viewing::from_matrix(&viewing.to_matrix()), Ok(viewing));
+        assert_eq!(ViewTransform::from_matrix(&viewing.to_matrix()), Ok(viewing));
     }
     let (bound, eye_bound) = ((-31f64).exp2(), (-33f64).exp2());
     assert!(axes_worst <= bound && 2.0 * axes_worst >= bound, "2^{}", axes_worst.log2());
@@ -246,23 +246,23 @@ fn what_is_no_viewing_matrix_is_refused() {
                 [0.0, 0.0, 0.0, 1.0],
             ]
         };
-        let read = |m: M4| Viewing::from_matrix(&m).err();
+        let read = |m: M4| ViewTransform::from_matrix(&m).err();
         assert_eq!(read(matrix(u, v, n, 0.0)), None);
-        assert_eq!(read(matrix(v, u, n, 0.0)), Some(ViewingError::NotRigid), "left-handed");
-        assert_eq!(read(matrix(u, v, n, 60_000.0)), Some(ViewingError::EyeOutside));
-        assert_eq!(read(matrix(u, v, n, f64::NAN)), Some(ViewingError::EyeOutside));
+        assert_eq!(read(matrix(v, u, n, 0.0)), Some(ViewTransformError::NotRigid), "left-handed");
+        assert_eq!(read(matrix(u, v, n, 60_000.0)), Some(ViewTransformError::EyeOutside));
+        assert_eq!(read(matrix(u, v, n, f64::NAN)), Some(ViewTransformError::EyeOutside));
         // Both sides of the bound: the square of the length, and the product of two axes.
-        for (off, refused) in [(1.9e-6, None), (2.1e-6, Some(ViewingError::NotRigid))] {
+        for (off, refused) in [(1.9e-6, None), (2.1e-6, Some(ViewTransformError::NotRigid))] {
             assert_eq!(read(matrix(u, v, n.map(|c| c * (1.0 + off)), 0.0)), refused);
             let leaning = core::array::from_fn(|i| u[i] + 2.0 * off * v[i]);
             assert_eq!(read(matrix(leaning, v, n, 0.0)), refused);
         }
         let mut m = matrix(u, v, n, 0.0);
         m[rng.below(3)][rng.below(3)] = f64::NAN;
-        assert_eq!(read(m), Some(ViewingError::NotRigid));
+        assert_eq!(read(m), Some(ViewTransformError::NotRigid));
         m = matrix(u, v, n, 0.0);
         m[3][rng.below(4)] += 1.0;
-        assert_eq!(read(m), Some(ViewingError::NotRigid));
+        assert_eq!(read(m), Some(ViewTransformError::NotRigid));
     }
 }
 

@@ -12,8 +12,8 @@ use oracle::coverage::{covers, rows, Area, P};
 use oracle::rng::Rng;
 use pinhole::space::{Model, World};
 use pinhole::{
-    fill_triangle, Affine, Angle, Camera, Corner, Cull, DepthBuffer, Dim, Frame, Gouraud, InkFor, Mesh,
-    Picture, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+    fill_triangle, Affine, Angle, Camera, Cull, DepthBuffer, Dim, Frame, Gouraud, Mesh, Picture, Point3,
+    Projection, Scalar, ScreenVertex, SpanShader, Vector3, ViewTransform, Viewport,
 };
 
 const INK: Gray8 = Gray8::new(1);
@@ -116,7 +116,7 @@ fn r9_in_bands_that_do_not_begin_at_the_origin() {
 const SIZE: Size = Size::new(90, 70);
 
 /// Colours and depths of a mesh, through the picture's pixels or as any target, with depth for an area.
-fn tested<I: InkFor<Rgb565>>(
+fn tested<I: SpanShader<Rgb565>>(
     mesh: &Mesh<'_>,
     area: Rectangle,
     shade: impl Fn(usize) -> I,
@@ -124,14 +124,14 @@ fn tested<I: InkFor<Rgb565>>(
 ) -> (Vec<Rgb565>, Vec<u16>) {
     let viewport = Viewport::new(bridge::rectangle(0, 0, 0, 0).top_left, SIZE).expect("a viewport");
     let (eye, up) = (Point3::from_ints(0, 1, 6), Vector3::from_ints(0, 1, 0));
-    let view = Viewing::look_at(eye, Point3::from_ints(0, 0, 0), up).expect("a direction");
+    let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), up).expect("a direction");
     let [near, far] = [2, 12].map(Scalar::from_num);
     let lens = Projection::perspective(Angle::degrees(60), SIZE, near, far).expect("near before far");
     let camera = Camera::new(&view, &lens, &viewport);
     let model = Affine::<Model, World>::identity();
     let mut pixels = vec![Rgb565::CSS_BLACK; (SIZE.width * SIZE.height) as usize];
     let mut held = vec![0; (area.size.width * area.size.height) as usize];
-    let mut corners = vec![Corner::EMPTY; mesh.vertices().len()];
+    let mut corners = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let mut picture = Picture::new(&mut pixels, SIZE).expect("enough memory");
     let mut depth = DepthBuffer::new(area, &mut held).expect("enough memory");
     let placed = camera.place(mesh, &model).with_cull(Cull::None);

@@ -4,7 +4,7 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::Ink;
+use bridge::draw::Shader;
 use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -14,7 +14,8 @@ use oracle::rng::Rng;
 use oracle::target::Recorder;
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::{
-    draw_line, fill_triangle, Camera, Coordinate, Corner, Cull, DepthBuffer, Mesh, Painter, Placed, Viewport,
+    draw_line, fill_triangle, Camera, Coordinate, Cull, DepthBuffer, Mesh, MeshInstance, Painter,
+    ScreenVertex, Viewport,
 };
 use std::convert::Infallible;
 
@@ -93,7 +94,7 @@ fn wild_model(rng: &mut Rng) -> ModelBits {
 
 fn draw_every_way<V: Coordinate>(
     rng: &mut Rng,
-    placed: Placed<'_, V>,
+    placed: MeshInstance<'_, V>,
     viewport: (i32, i32, u32, u32),
 ) -> u32 {
     let placed = placed.with_cull([Cull::Back, Cull::None][rng.below(2)]);
@@ -101,32 +102,35 @@ fn draw_every_way<V: Coordinate>(
         let _ = placed.project(v);
     }
     let mut target = Recorder::sized(20, 15);
-    let mut cache = [Corner::default(); 6];
+    let mut cache = [ScreenVertex::default(); 6];
     let cache = &mut cache[..rng.below(7)];
-    placed.solid(|face| Ink(face as u16), cache, &mut target).expect("no error");
-    placed.facing().solid(|face| Ink(face as u16), cache, &mut target).expect("no error");
+    placed.solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
+    placed.cull_by_planes().solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
     let mut depths = [0; 20 * 15];
     let mut depth = DepthBuffer::new(target.bounding_box(), &mut depths).expect("as large as the target");
-    placed.facing().depth_tested(|face| Ink(face as u16), cache, &mut depth, &mut target).expect("no error");
-    placed.depth_tested(|face| Ink(face as u16), cache, &mut depth, &mut target).expect("no error");
+    placed
+        .cull_by_planes()
+        .depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target)
+        .expect("no error");
+    placed.depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target).expect("no error");
     placed.depth_only(cache, &mut depth);
-    placed.wireframe(Ink(1), cache, &mut target).expect("no error");
-    placed.wireframe_depth_tested(Ink(1), cache, &mut depth, &mut target).expect("no error");
-    placed.hidden_line(Ink(1), cache, &mut depth, &mut target).expect("no error");
-    placed.points(Ink(1), &mut target).expect("no error");
-    placed.polyline(Ink(1), &mut target).expect("no error");
+    placed.wireframe(Shader(1), cache, &mut target).expect("no error");
+    placed.wireframe_depth_tested(Shader(1), cache, &mut depth, &mut target).expect("no error");
+    placed.hidden_line(Shader(1), cache, &mut depth, &mut target).expect("no error");
+    placed.points(Shader(1), &mut target).expect("no error");
+    placed.polyline(Shader(1), &mut target).expect("no error");
     let (mut records, mut more) = ([0; 6], [0; 6]); // of five, and one for every 16
     let transformed = placed.transform_depth(cache);
-    let mut faces = transformed.faces(&mut records).expect("room");
-    let mut edges = transformed.edges(&mut more).expect("room");
-    faces.solid(|face| Ink(face as u16), &mut target).expect("no error");
-    faces.depth_tested(|face| Ink(face as u16), &mut depth, &mut target).expect("no error");
-    edges.draw(Ink(1), &mut target).expect("no error");
-    edges.depth_tested(Ink(1), &mut depth, &mut target).expect("no error");
-    edges.hidden_line(Ink(1), &mut depth, &mut target).expect("no error");
-    let mut painter = Painter::<Ink, 30, 16>::new();
-    let _ = painter.add(&placed, |_| Ink(2));
-    let _ = painter.add(&placed, |_| Ink(3));
+    let mut faces = transformed.bin_faces(&mut records).expect("room");
+    let mut edges = transformed.bin_edges(&mut more).expect("room");
+    faces.solid(|face| Shader(face as u16), &mut target).expect("no error");
+    faces.depth_tested(|face| Shader(face as u16), &mut depth, &mut target).expect("no error");
+    edges.draw(Shader(1), &mut target).expect("no error");
+    edges.depth_tested(Shader(1), &mut depth, &mut target).expect("no error");
+    edges.hidden_line(Shader(1), &mut depth, &mut target).expect("no error");
+    let mut painter = Painter::<Shader, 30, 16>::new();
+    let _ = painter.add(&placed, |_| Shader(2));
+    let _ = painter.add(&placed, |_| Shader(3));
     painter.draw(&mut target).expect("no error");
     assert_eq!(target.outside, 0);
     let (x, y, width, height) = viewport;

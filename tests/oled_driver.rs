@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{PrimitiveStyle, Rectangle};
 use panel::{Error, Ssd0323, SIZE};
-use pinhole::{Dirty, Frame, WindowCost, Wire};
+use pinhole::{DirtyRegions, Frame, PixelFormat, TransferCost};
 use ssd0323::{Failure, Pin, Wires};
 
 type Panel = Ssd0323<Wires, Pin>;
@@ -142,7 +142,7 @@ fn it_is_cleared_and_draws_pairs() {
 fn bands_of_dirty_rectangles_leave_what_one_picture_would() {
     let (wires, mut panel) = panel();
     let screen = Rectangle::new(Point::zero(), SIZE);
-    let mut dirty = Dirty::<4>::new(screen, WindowCost::new(Gray4::BITS, 6)).with_steps(2, 1);
+    let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Gray4::BITS, 6)).with_steps(2, 1);
     let mut strip = [0; Frame::<Gray4>::strip_bytes(128, 8)];
     for (left, top) in [(3, 3), (8, 5), (61, 20), (62, 21), (110, 50), (117, 53)] {
         let thing = window(left, top, 11, 11);

@@ -4,7 +4,7 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::{cube_camera as camera, turned_cube as draw, Ink, CUBE, CUBE_FACES, WAYS};
+use bridge::draw::{cube_camera as camera, turned_cube as draw, Shader, CUBE, CUBE_FACES, WAYS};
 use bridge::pair::ModelBits;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -60,18 +60,18 @@ fn a_painter_serves_again_after_a_target_failed() {
     let model = ModelBits::default().library();
     let camera = camera.library();
     let placed = camera.place(&mesh, &model);
-    let mut painter = Painter::<Ink, 64, 64>::new();
-    painter.add(&placed, |_| Ink(1)).expect("enough room");
+    let mut painter = Painter::<Shader, 64, 64>::new();
+    painter.add(&placed, |_| Shader(1)).expect("enough room");
     let mut whole = Recorder::sized(40, 30);
     let statistics = painter.draw(&mut whole).expect("no error");
     for n in 0..whole.calls.len() {
         painter.clear();
-        painter.add(&placed, |_| Ink(1)).expect("enough room");
+        painter.add(&placed, |_| Shader(1)).expect("enough room");
         let mut target = Recorder::failing(40, 30, n);
         assert_eq!(painter.draw(&mut target).err(), Some(Refused(n)));
     }
     painter.clear();
-    painter.add(&placed, |_| Ink(1)).expect("enough room");
+    painter.add(&placed, |_| Shader(1)).expect("enough room");
     let mut target = Recorder::sized(40, 30);
     assert_eq!(painter.draw(&mut target), Ok(statistics));
     assert_eq!(target.calls, whole.calls);
@@ -110,12 +110,12 @@ fn rectangles_of_any_place_and_size_are_filled() {
         let mut frame = Frame::new(Rectangle::new(Point::zero(), size), old);
         let mut band = frame.next_band(&mut strip).expect("room").expect("rows");
         let Ok(()) = band.fill_solid(&area, new);
-        let solid: Vec<Gray8> = band.colours().collect();
+        let solid: Vec<Gray8> = band.colors().collect();
         // A colour for each pixel of the rectangle, row by row; fewer leave the rest as it was.
         let nth = |n: i64| Gray8::new((n % 199) as u8);
         let Ok(()) = band.fill_contiguous(&area, (0..GIVEN).map(nth));
         for (i, (picture, (solid, each))) in
-            memory.into_iter().zip(solid.into_iter().zip(band.colours())).enumerate()
+            memory.into_iter().zip(solid.into_iter().zip(band.colors())).enumerate()
         {
             let [x, y] = [i as u32 % size.width, i as u32 / size.width].map(|p| p as i32);
             let wanted = if holds(x, y) { new } else { old };

@@ -3,11 +3,11 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::Ink;
+use bridge::draw::Shader;
 use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use oracle::rng::Rng;
 use oracle::target::{Call, Recorder};
-use pinhole::{Mesh, Painter, RecordError};
+use pinhole::{Mesh, Painter, PainterError};
 
 /// 1 … 1000 along −z.
 fn camera() -> pinhole::Camera {
@@ -24,10 +24,10 @@ const VERTICES: [[i16; 3]; 3] = [[-600, -300, 0], [600, -300, 0], [0, 600, 0]];
 const FACE: [[u16; 3]; 1] = [[0, 1, 2]];
 
 /// The order in which colours first appear.
-fn order(calls: &[Call<Ink>]) -> Vec<u16> {
+fn order(calls: &[Call<Shader>]) -> Vec<u16> {
     let mut order = Vec::new();
     for call in calls {
-        if let Call::Solid(_, Ink(colour)) = call {
+        if let Call::Solid(_, Shader(colour)) = call {
             if order.last() != Some(colour) {
                 order.push(*colour);
             }
@@ -38,10 +38,10 @@ fn order(calls: &[Call<Ink>]) -> Vec<u16> {
 
 fn paint(depths: &[i32]) -> Vec<u16> {
     let (camera, mesh) = (camera(), Mesh::new(&VERTICES, 0, &FACE).expect("a mesh"));
-    let mut painter = Painter::<Ink, 300, 100>::new();
+    let mut painter = Painter::<Shader, 300, 100>::new();
     for (i, &z) in depths.iter().enumerate() {
         let model = ModelBits(vec![Step::Move([0, 0, -z])]).library();
-        painter.add(&camera.place(&mesh, &model), |_| Ink(i as u16)).expect("enough room");
+        painter.add(&camera.place(&mesh, &model), |_| Shader(i as u16)).expect("enough room");
     }
     let mut target = Recorder::sized(16, 16);
     let statistics = painter.draw(&mut target).expect("no error");
@@ -86,14 +86,14 @@ fn faces_of_one_mesh_are_sorted_too() {
         faces.push([k, k + 1, k + 2]);
     }
     let mesh = Mesh::new(&vertices, 0, &faces).expect("a mesh");
-    let mut painter = Painter::<Ink, 18, 6>::new();
+    let mut painter = Painter::<Shader, 18, 6>::new();
     let model = ModelBits::default().library();
-    painter.add(&camera().place(&mesh, &model), |face| Ink(face as u16)).expect("exactly enough room");
+    painter.add(&camera().place(&mesh, &model), |face| Shader(face as u16)).expect("exactly enough room");
     let mut target = Recorder::sized(16, 16);
     painter.draw(&mut target).expect("no error");
     assert_eq!(order(&target.calls), [2, 4, 0, 1, 5, 3]);
     // The nearest one is what remains.
-    assert!(target.pixels.values().all(|&(c, n)| (c, n) == (Ink(3), 6)));
+    assert!(target.pixels.values().all(|&(c, n)| (c, n) == (Shader(3), 6)));
 }
 
 #[test]
@@ -101,36 +101,42 @@ fn full_says_what_to_raise_and_to_how_much() {
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
     let (camera, model) = (camera(), ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library());
     let placed = camera.place(&mesh, &model);
-    let mut painter = Painter::<Ink, 7, 9>::new();
+    let mut painter = Painter::<Shader, 7, 9>::new();
     for _ in 0..2 {
-        painter.add(&placed, |_| Ink(0)).expect("enough room");
+        painter.add(&placed, |_| Shader(0)).expect("enough room");
     }
-    assert!(matches!(painter.add(&placed, |_| Ink(0)), Err(RecordError::Corners { needed: 9, capacity: 7 })));
-    let mut painter = Painter::<Ink, 9, 2>::new();
+    assert!(matches!(
+        painter.add(&placed, |_| Shader(0)),
+        Err(PainterError::Vertices { needed: 9, capacity: 7 })
+    ));
+    let mut painter = Painter::<Shader, 9, 2>::new();
     for _ in 0..2 {
-        painter.add(&placed, |_| Ink(0)).expect("enough room");
+        painter.add(&placed, |_| Shader(0)).expect("enough room");
     }
-    assert!(matches!(painter.add(&placed, |_| Ink(1)), Err(RecordError::Faces { needed: 3, capacity: 2 })));
+    assert!(matches!(
+        painter.add(&placed, |_| Shader(1)),
+        Err(PainterError::Faces { needed: 3, capacity: 2 })
+    ));
     // What was recorded before is drawn.
     let mut target = Recorder::sized(16, 16);
     assert_eq!(painter.draw(&mut target).expect("no error").drawn, 2);
-    assert!(target.pixels.values().all(|&(c, n)| (c, n) == (Ink(0), 2)));
+    assert!(target.pixels.values().all(|&(c, n)| (c, n) == (Shader(0), 2)));
     // And with exactly that much it fits.
-    let mut painter = Painter::<Ink, 9, 3>::new();
+    let mut painter = Painter::<Shader, 9, 3>::new();
     for _ in 0..3 {
-        painter.add(&placed, |_| Ink(0)).expect("enough room");
+        painter.add(&placed, |_| Shader(0)).expect("enough room");
     }
 }
 
 #[test]
 fn nothing_recorded_draws_nothing() {
     let mut target = Recorder::sized(16, 16);
-    let mut painter = Painter::<Ink, 4, 4>::new();
+    let mut painter = Painter::<Shader, 4, 4>::new();
     assert_eq!(painter.draw(&mut target).expect("no error").drawn, 0);
     assert!(target.calls.is_empty());
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
     let model = ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library();
-    painter.add(&camera().place(&mesh, &model), |_| Ink(0)).expect("enough room");
+    painter.add(&camera().place(&mesh, &model), |_| Shader(0)).expect("enough room");
     painter.clear();
     assert_eq!(painter.draw(&mut target).expect("no error").drawn, 0);
     assert!(target.calls.is_empty());
@@ -143,10 +149,10 @@ fn an_empty_mesh_leaves_the_viewport_open() {
     let (empty, mesh) = (empty.expect("a mesh"), mesh.expect("a mesh"));
     let model = ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library();
     let other = bridge::draw::cube_camera((3, 4, 9, 9)).library();
-    let mut painter = Painter::<Ink, 4, 4>::new();
-    painter.add(&other.place(&empty, &model), |_| Ink(0)).expect("no room needed");
-    painter.add(&camera().place(&mesh, &model), |_| Ink(7)).expect("the first that draws anything");
-    assert_eq!(painter.add(&other.place(&mesh, &model), |_| Ink(0)), Err(RecordError::OtherViewport));
+    let mut painter = Painter::<Shader, 4, 4>::new();
+    painter.add(&other.place(&empty, &model), |_| Shader(0)).expect("no room needed");
+    painter.add(&camera().place(&mesh, &model), |_| Shader(7)).expect("the first that draws anything");
+    assert_eq!(painter.add(&other.place(&mesh, &model), |_| Shader(0)), Err(PainterError::OtherViewport));
     let mut target = Recorder::sized(16, 16);
     painter.draw(&mut target).expect("no error");
     assert_eq!(order(&target.calls), [7]);
@@ -159,10 +165,10 @@ fn what_is_added_later_is_put_in_order_too() {
     let (camera, mesh) = (camera(), Mesh::new(&VERTICES, 0, &FACE).expect("a mesh"));
     for _ in 0..200 {
         let depths: Vec<i32> = (0..20).map(|_| (ONE * 5 / 4) << rng.below(7)).collect();
-        let mut painter = Painter::<Ink, 60, 20>::new();
+        let mut painter = Painter::<Shader, 60, 20>::new();
         for (i, &z) in depths.iter().enumerate() {
             let model = ModelBits(vec![Step::Move([0, 0, -z])]).library();
-            painter.add(&camera.place(&mesh, &model), |_| Ink(i as u16)).expect("enough room");
+            painter.add(&camera.place(&mesh, &model), |_| Shader(i as u16)).expect("enough room");
             if rng.one_in(3) || i == 19 {
                 let mut target = Recorder::sized(16, 16);
                 painter.order().draw(&mut target).expect("no error");
@@ -177,9 +183,9 @@ fn drawing_forgets_what_was_recorded_also_when_the_target_refuses() {
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
     let (camera, model) = (camera(), ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library());
     let placed = camera.place(&mesh, &model);
-    let mut painter = Painter::<Ink, 3, 1>::new();
+    let mut painter = Painter::<Shader, 3, 1>::new();
     for fails in [None, Some(0), Some(3)] {
-        painter.add(&placed, |_| Ink(0)).expect("enough room");
+        painter.add(&placed, |_| Shader(0)).expect("enough room");
         let mut target = Recorder::sized(16, 16);
         target.fails_at = fails;
         assert_eq!(painter.draw(&mut target).is_err(), fails.is_some());
@@ -208,8 +214,8 @@ fn faces_go_by_the_mean_depth_of_their_corners() {
         let faces: Vec<[u16; 3]> = (0..20).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         let mesh = Mesh::new(&vertices, -4, &faces).expect("a mesh");
         let placed = camera.place(&mesh, &model).with_cull(pinhole::Cull::None);
-        let mut painter = Painter::<Ink, 60, 20>::new();
-        painter.add(&placed, |face| Ink(face as u16)).expect("enough room");
+        let mut painter = Painter::<Shader, 60, 20>::new();
+        painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
         let mut target = Recorder::sized(16, 16);
         painter.draw(&mut target).expect("no error");
         let sum = |face: u16| -> Option<u32> {
@@ -233,10 +239,10 @@ fn faces_go_by_the_mean_depth_of_their_corners() {
 fn memory_is_as_stated() {
     use core::mem::size_of;
     // 8 bytes a corner; 10 bytes and a colour a face.
-    assert_eq!(size_of::<pinhole::Corner>(), 8);
-    let empty = size_of::<Painter<Ink, 0, 0>>();
-    assert_eq!(size_of::<Painter<Ink, 100, 0>>() - empty, 800);
-    assert!(size_of::<Painter<Ink, 0, 100>>() - empty <= 1200);
+    assert_eq!(size_of::<pinhole::ScreenVertex>(), 8);
+    let empty = size_of::<Painter<Shader, 0, 0>>();
+    assert_eq!(size_of::<Painter<Shader, 100, 0>>() - empty, 800);
+    assert!(size_of::<Painter<Shader, 0, 100>>() - empty <= 1200);
 }
 
 #[test]
@@ -251,17 +257,17 @@ fn as_many_as_an_index_can_name_and_no_more() {
         let faces = vec![last; 65_535];
         let whole = Mesh::new(&vertices, 0, &faces).expect("a mesh");
         let none = Mesh::new(&vertices[..1], 0, &[]).expect("a mesh");
-        let mut painter = Painter::<Ink, 65_600, 65_600>::new();
+        let mut painter = Painter::<Shader, 65_600, 65_600>::new();
         let mut shaded = 0u16;
         painter
             .add(&camera.place(&whole, &model), |_| {
                 shaded = shaded.wrapping_add(1);
-                Ink(shaded)
+                Shader(shaded)
             })
             .expect("65536 corners and 65535 faces");
         assert!(matches!(
-            painter.add(&camera.place(&none, &model), |_| Ink(0)),
-            Err(RecordError::Corners { needed: 65_537, .. })
+            painter.add(&camera.place(&none, &model), |_| Shader(0)),
+            Err(PainterError::Vertices { needed: 65_537, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
         assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
@@ -272,11 +278,11 @@ fn as_many_as_an_index_can_name_and_no_more() {
         let many = Mesh::new(&VERTICES, 0, &FACES_10922).expect("a mesh");
         let one = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
         for mesh in [&many, &many, &many, &many, &many, &many, &one, &one, &one] {
-            painter.add(&camera.place(mesh, &model), |_| Ink(0)).expect("enough room");
+            painter.add(&camera.place(mesh, &model), |_| Shader(0)).expect("enough room");
         }
         assert!(matches!(
-            painter.add(&camera.place(&one, &model), |_| Ink(0)),
-            Err(RecordError::Faces { needed: 65_536, .. })
+            painter.add(&camera.place(&one, &model), |_| Shader(0)),
+            Err(PainterError::Faces { needed: 65_536, .. })
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
         assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);

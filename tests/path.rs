@@ -4,7 +4,7 @@
 mod bridge;
 mod oracle;
 
-use bridge::draw::Ink;
+use bridge::draw::Shader;
 use bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use oracle::chain::{self, snap};
 use oracle::coverage::Area;
@@ -32,14 +32,14 @@ fn draw(
     vertices: &[[i16; 3]],
     exponent: i8,
     points: bool,
-) -> (Recorder<Ink>, Statistics) {
+) -> (Recorder<Shader>, Statistics) {
     let mesh = Mesh::new(vertices, exponent, &[]).expect("a mesh");
     let mut target = Recorder::sized(SIZE, SIZE);
     let placed_model = model.library();
     let library = camera.library();
     let placed = library.place(&mesh, &placed_model);
     let statistics =
-        if points { placed.points(Ink(1), &mut target) } else { placed.polyline(Ink(1), &mut target) };
+        if points { placed.points(Shader(1), &mut target) } else { placed.polyline(Shader(1), &mut target) };
     assert_eq!(target.outside, 0);
     (target, statistics.expect("no error"))
 }
@@ -107,7 +107,7 @@ fn closed_figures_close_without_drawing_twice() {
     check(&[(10, 10), (40, 10), (10, 10)]);
 }
 
-/// So far from the viewport's middle that a vertex is not kept in a `Corner`: joints are joints there too.
+/// So far from the viewport's middle that a vertex is not kept in a `ScreenVertex`: joints are joints there too.
 #[test]
 fn joints_far_out_in_a_wide_viewport_are_drawn_once() {
     const WIDTH: u32 = 4096;
@@ -122,7 +122,7 @@ fn joints_far_out_in_a_wide_viewport_are_drawn_once() {
         let (vertices, model) = (in_pixels(path), back().library());
         let mesh = Mesh::new(&vertices, -1, &[]).expect("a mesh");
         let mut target = Recorder::sized(WIDTH, SIZE);
-        let Ok(_) = camera.library().place(&mesh, &model).polyline(Ink(1), &mut target) else {
+        let Ok(_) = camera.library().place(&mesh, &model).polyline(Shader(1), &mut target) else {
             panic!("a target")
         };
         for &(x, y) in path {

@@ -12,11 +12,11 @@ use definition::{Family, Picture, Projectors};
 use oracle::chain::{self, dot, length, V3};
 use oracle::rng::Rng;
 use pinhole::raster::ScreenPoint;
-use pinhole::{Camera, Hidden, Viewing, Viewport};
+use pinhole::{Camera, ProjectError, ViewTransform, Viewport};
 
 const SIZE: f64 = 400.0;
 
-fn camera(view: Viewing, family: &Family) -> Camera {
+fn camera(view: ViewTransform, family: &Family) -> Camera {
     let area = rectangle(0, 0, 400, 400);
     let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
     Camera::new(&view, &family.library().expect("a projection"), &viewport)
@@ -124,37 +124,39 @@ fn unproject_gives_the_projected_point_back() {
 
 #[test]
 fn why_a_point_is_hidden() {
-    let view = Viewing::look_at(point([0, 0, 5 * ONE]), point([0; 3]), vector([0, ONE, 0])).expect("a view");
+    let view =
+        ViewTransform::look_at(point([0, 0, 5 * ONE]), point([0; 3]), vector([0, ONE, 0])).expect("a view");
     let family = Family::FieldOfView(1 << 30, (400, 400), ONE, 10 * ONE);
     let plain = camera(view, &family);
     let far = plain.with_far_clip(true);
     let at = |x: i32, y: i32, z: i32| point([x, y, z]);
     // Near is at z = 4: exactly on it is seen, one step before it is not.
     assert!(plain.project(at(0, 0, 4 * ONE)).is_ok_and(|(_, d)| d == 0));
-    assert_eq!(plain.project(at(0, 0, 4 * ONE + 1)), Err(Hidden::BeforeNear));
-    assert_eq!(plain.project(at(0, 0, 5 * ONE)), Err(Hidden::BeforeNear));
-    assert_eq!(plain.project(at(0, 0, 9 * ONE)), Err(Hidden::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 4 * ONE + 1)), Err(ProjectError::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 5 * ONE)), Err(ProjectError::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 9 * ONE)), Err(ProjectError::BeforeNear));
     // Far is at z = −5, to the rounding of the projection's coefficients.
     assert!(far.project(at(0, 0, -5 * ONE + 1)).is_ok());
-    assert_eq!(far.project(at(0, 0, -5 * ONE - 1)), Err(Hidden::BeyondFar));
+    assert_eq!(far.project(at(0, 0, -5 * ONE - 1)), Err(ProjectError::BeyondFar));
     assert!(plain.project(at(0, 0, -6 * ONE)).is_ok_and(|(_, d)| d == 65_534));
     // 200 px a unit at distance 1: the guard band is 8192 px from the origin, the centre at 200.
     let edge = |px: f64| ((px - 200.0) / 200.0 * 65536.0) as i32;
     assert!(plain.project(at(edge(8191.9), 0, 4 * ONE)).is_ok());
-    assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(Hidden::OutsideGuardBand));
-    assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(Hidden::OutsideGuardBand));
+    assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(ProjectError::OutsideGuardBand));
+    assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(ProjectError::OutsideGuardBand));
     // A point outside the viewport has a place too.
     let (p, _) = plain.project(at(-2 * ONE, 0, 4 * ONE)).expect("a place");
     assert_eq!((p.x(), p.y()), (-200 * 256, 200 * 256));
     // The reasons differ in words.
-    let words = [Hidden::BeforeNear, Hidden::BeyondFar, Hidden::OutsideGuardBand].map(|h| h.to_string());
+    let words = [ProjectError::BeforeNear, ProjectError::BeyondFar, ProjectError::OutsideGuardBand]
+        .map(|h| h.to_string());
     assert!(words[0] != words[1] && words[1] != words[2]);
 }
 
 #[test]
 fn rays_of_a_perspective_meet_in_its_centre() {
-    let view =
-        Viewing::look_at(point([ONE, 2 * ONE, 5 * ONE]), point([0; 3]), vector([0, ONE, 0])).expect("a view");
+    let view = ViewTransform::look_at(point([ONE, 2 * ONE, 5 * ONE]), point([0; 3]), vector([0, ONE, 0]))
+        .expect("a view");
     let camera = camera(view, &Family::FieldOfView(1 << 29, (400, 400), ONE, 100 * ONE));
     for x in [-100, 0, 199, 400] {
         for y in [-300, 0, 123, 400] {
@@ -175,8 +177,11 @@ fn rays_of_a_perspective_meet_in_its_centre() {
 #[test]
 fn what_lies_outside_the_world_has_no_place() {
     // Orthographic, a window wider than the world: its corners lie outside.
-    let view =
-        Viewing::look_at(point([30_000 * ONE, 0, 0]), point([30_000 * ONE, 0, -ONE]), vector([0, ONE, 0]));
+    let view = ViewTransform::look_at(
+        point([30_000 * ONE, 0, 0]),
+        point([30_000 * ONE, 0, -ONE]),
+        vector([0, ONE, 0]),
+    );
     let family = Family::Orthographic([-10_000 * ONE, 10_000 * ONE, -ONE, ONE], 0, ONE);
     let camera = camera(view.expect("a view"), &family);
     let at = |x: i32| ScreenPoint::from_subpixels(x * 256, 200 * 256).expect("inside");
@@ -207,13 +212,13 @@ fn near_cuts_where_it_should_whatever_near_and_far() {
             Family::EyeAtOrigin(-n, w, n, f),
         ] {
             let eye = [0; 3].map(|_| rng.int(-10_000 << 16, 10_000 << 16) as i32);
-            let view =
-                Viewing::look_along(point(eye), vector([0, 0, -ONE]), vector([0, ONE, 0])).expect("a view");
+            let view = ViewTransform::look_along(point(eye), vector([0, 0, -ONE]), vector([0, ONE, 0]))
+                .expect("a view");
             let at = if matches!(family, Family::Reference(..)) { 0 } else { n };
             let camera = camera(view, &family);
             let found = |beyond: i32| camera.project(point([eye[0], eye[1], eye[2] - at - beyond]));
             assert!(found(2 + (f >> 28)).is_ok(), "{family:?} {eye:?}");
-            assert_eq!(found(-2 - (f >> 28)), Err(Hidden::BeforeNear), "{family:?} {eye:?}");
+            assert_eq!(found(-2 - (f >> 28)), Err(ProjectError::BeforeNear), "{family:?} {eye:?}");
             exactly[usize::from(found(0).is_ok())] += 1;
         }
     }

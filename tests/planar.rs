@@ -11,15 +11,15 @@ use definition::Family;
 use oracle::chain::{self, fx};
 use oracle::rng::Rng;
 use pinhole::space::{View, World};
-use pinhole::{PlanarProjection, Point3, Projection, ProjectionError, Vector3, Viewing};
+use pinhole::{PlanarProjection, Point3, Projection, ProjectionError, Vector3, ViewTransform};
 
 /// Half a unit of the last place of I16F16, and a little for what was rounded before.
 const HALF: f64 = 0.502 / 65536.0;
 
-fn example_a() -> Viewing {
+fn example_a() -> ViewTransform {
     let (vrp, vpn, vup) =
         (Point3::from_ints(1, 2, 3), Vector3::from_ints(2, -1, 2), Vector3::from_ints(0, 1, 0));
-    Viewing::from_reference(vrp, vpn, vup).expect("a view")
+    ViewTransform::from_reference(vrp, vpn, vup).expect("a view")
 }
 
 fn five() -> [PlanarProjection; 3] {

@@ -12,7 +12,7 @@ use oracle::rng::Rng;
 use pinhole::space::{Model, View, World};
 use pinhole::{
     Affine, Camera, InverseError, Mesh, PlanarProjection, Point3, Projection, ProjectionError,
-    ReferenceVolume, Scalar, Viewing, Viewport, Visibility, Window,
+    ReferenceVolume, Scalar, ViewTransform, Viewport, Visibility, Window,
 };
 
 /// far/(far − near) is 8·10⁵, and times the object's 2000 units from the eye that passes 2³⁰, where a row's
@@ -47,7 +47,7 @@ fn depth_of_a_picture_on_a_plane_close_to_the_eye() {
     assert_eq!(far.library().err(), Some(ProjectionError::OutOfRange));
     let family = Family::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 16_000 * ONE);
     let area = rectangle(0, 0, 40, 40);
-    let view = Viewing::look_along(point([0; 3]), vector([0, 0, -ONE]), vector([0, ONE, 0]));
+    let view = ViewTransform::look_along(point([0; 3]), vector([0, 0, -ONE]), vector([0, ONE, 0]));
     let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
     let camera = Camera::new(&view.expect("a view"), &family.library().expect("a projection"), &viewport);
     let (_, depth) = camera.project(point([0, 0, -2 * ONE])).expect("seen");
@@ -86,7 +86,8 @@ fn two_equal_axes_have_no_inverse() {
 fn a_mesh_brought_back_from_afar_is_in_its_place() {
     let (turned, straight) = ([0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0]);
     let last = [0.0, 0.0, 0.0, 1.0];
-    let viewing = Viewing::from_matrix(&[[1.0, 0.0, 0.0, 0.0], turned, straight, last]).expect("a view");
+    let viewing =
+        ViewTransform::from_matrix(&[[1.0, 0.0, 0.0, 0.0], turned, straight, last]).expect("a view");
     for factor in [1.0, 8.0, 10.0, 0.1, 1.01, 500.0] {
         let row = |axis: usize, c: f64| core::array::from_fn(|i| if i == axis { c } else { 0.0 });
         let scale = 8.0 * factor;

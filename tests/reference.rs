@@ -5,7 +5,7 @@ mod bridge;
 mod definition;
 mod oracle;
 
-use bridge::draw::{Ink, CUBE_EDGES};
+use bridge::draw::{Shader, CUBE_EDGES};
 use bridge::pair::{window, ViewBits, ONE};
 use bridge::{point, reals, rectangle, scalar};
 use definition::{Family, Projectors};
@@ -14,7 +14,7 @@ use oracle::coverage::{covers, edge, Area};
 use oracle::rng::Rng;
 use oracle::target::Recorder;
 use pinhole::space::{Model, View, World};
-use pinhole::{Affine, Camera, Corner, Mesh, Painter, Projection, ProjectionError, ReferenceVolume};
+use pinhole::{Affine, Camera, Mesh, Painter, Projection, ProjectionError, ReferenceVolume, ScreenVertex};
 
 const HALF: f64 = 0.5 / 65536.0;
 
@@ -314,20 +314,20 @@ fn solid(s: &SetUp, size: u32) -> String {
     let mesh = Mesh::new(&CUBE, 0, &FACES).expect("a mesh");
     let camera = s.camera(size);
     let mut target = Recorder::sized(size, size);
-    let mut painter = Painter::<Ink, 8, 12>::new();
+    let mut painter = Painter::<Shader, 8, 12>::new();
     let model = Affine::<Model, World>::identity();
-    painter.add(&camera.place(&mesh, &model), |face| Ink(face as u16)).expect("room");
+    painter.add(&camera.place(&mesh, &model), |face| Shader(face as u16)).expect("room");
     painter.draw(&mut target).expect("no error");
-    target.picture(size as i32, size as i32, |Ink(face)| letter(usize::from(face)))
+    target.picture(size as i32, size as i32, |Shader(face)| letter(usize::from(face)))
 }
 
 fn wireframe(s: &SetUp, size: u32) -> String {
     let mesh = Mesh::new(&CUBE, 0, &FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
     let camera = s.camera(size);
     let mut target = Recorder::sized(size, size);
-    let mut cache = [Corner::default(); 8];
+    let mut cache = [ScreenVertex::default(); 8];
     let model = Affine::<Model, World>::identity();
-    camera.place(&mesh, &model).wireframe(Ink(0), &mut cache, &mut target).expect("no error");
+    camera.place(&mesh, &model).wireframe(Shader(0), &mut cache, &mut target).expect("no error");
     target.picture(size as i32, size as i32, |_| '+')
 }
 

@@ -79,7 +79,7 @@ impl Picture {
         Self::read(&png)
     }
 
-    fn colours(&self) -> BTreeSet<[u8; 3]> {
+    fn colors(&self) -> BTreeSet<[u8; 3]> {
         self.pixels.iter().copied().collect()
     }
 
@@ -109,7 +109,7 @@ fn a_model_alone_becomes_a_picture_that_it_fills() {
     let picture = Picture::read(&to.join("target/render/tall.png"));
     assert_eq!((picture.width, picture.height), (640, 480));
     // Twelve sides of which three show, each in one colour, before one background.
-    assert_eq!(picture.colours().len(), 4);
+    assert_eq!(picture.colors().len(), 4);
     let [[left, right], [top, bottom]] = extent(&picture.drawn(), 640);
     // z is up in a file for 3D printers: it is higher than wide, in the middle, and fills 92 of 100 rows.
     assert!(bottom - top > 3 * (right - left) / 2, "{left} {right} {top} {bottom}");
@@ -260,7 +260,7 @@ fn colours_are_those_that_were_named() {
         [("DarkSeaGreen", [143, 188, 143]), ("slate-grey", [112, 128, 144]), ("#fd0", [255, 221, 0])]
     {
         let picture = of("named", &["--color", name, "--background", "BLACK", "--mode", "wireframe"]);
-        assert_eq!(picture.colours(), [[0; 3], colour].into(), "{name}");
+        assert_eq!(picture.colors(), [[0; 3], colour].into(), "{name}");
     }
 }
 
@@ -268,7 +268,7 @@ fn colours_are_those_that_were_named() {
 fn formats_have_no_other_colours() {
     let of = |name, options: &[&str]| Picture::of(name, &teapot(), &[&["--size", "80x60"], options].concat());
     let grey = |options: &[&str], step: u8| {
-        let met = of("grey", options).colours();
+        let met = of("grey", options).colors();
         assert!(met.iter().all(|[r, g, b]| r == g && g == b && r % step == 0), "{met:?}");
         met.len()
     };
@@ -283,7 +283,7 @@ fn formats_have_no_other_colours() {
     assert!(changes(&dithered) > 4 * changes(&nearest));
     // 31 and 63 levels.
     let level = |v: u8, most: u32| (0..=most).any(|n| (n * 510 + most) / (2 * most) == u32::from(v));
-    let met = of("rgb565", &["--format", "rgb565"]).colours();
+    let met = of("rgb565", &["--format", "rgb565"]).colors();
     assert!(met.iter().all(|&[r, g, b]| level(r, 31) && level(g, 63) && level(b, 31)), "{met:?}");
 }
 
@@ -293,11 +293,11 @@ fn modes_are_what_they_say() {
     let of = |file: &Path, mode: &str| Picture::of(mode, file, &["--size", "100x80", "--mode", mode]);
     // A cube's sides are flat, its edges sharp: three colours and the background.
     let flat = of(&cube, "flat");
-    assert_eq!(flat.colours().len(), 4);
+    assert_eq!(flat.colors().len(), 4);
     assert!(of(&cube, "solid").pixels == flat.pixels);
-    assert!(of(&cube, "gouraud").colours().len() > 20);
+    assert!(of(&cube, "gouraud").colors().len() > 20);
     let smooth = of(&teapot(), "solid");
-    assert!(smooth.colours().len() > of(&teapot(), "flat").colours().len());
+    assert!(smooth.colors().len() > of(&teapot(), "flat").colors().len());
     // Of all lines those that are not hidden: one corner's three edges less, and the sides' diagonals.
     let (wire, less) = (of(&cube, "wireframe").drawn(), of(&cube, "hidden-line").drawn());
     assert!(wire.iter().zip(&less).all(|(wire, less)| *wire || !less));
@@ -346,7 +346,7 @@ fn light_falls_on_the_side_that_is_seen() {
         Picture::of(name, &write(&to, name, scene.to_string()), &[])
     };
     let (plain, mirrored) = (draw("plain.json", 1.0), draw("mirrored.json", -1.0));
-    assert_eq!(plain.colours().len(), 4);
+    assert_eq!(plain.colors().len(), 4);
     assert!(plain.pixels == mirrored.pixels);
 }
 

@@ -11,7 +11,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use oracle::chain::{self, V3};
 use oracle::rng::Rng;
 use pinhole::space::{Model, View, World};
-use pinhole::{Affine, Angle, Point3, Projection, Vector3, Viewing, Viewport};
+use pinhole::{Affine, Angle, Point3, Projection, Vector3, ViewTransform, Viewport};
 
 /// The library's image of a point, against the exact one.
 fn check(model: &ModelBits, p: [i32; 3], bound: f64) {
@@ -219,8 +219,9 @@ fn look_at_looks_along_minus_z_with_y_up() {
     let above = reals(ours.apply(point(ints(10, 5, -7))));
     assert!(above[0].abs() <= HALF && above[1] > 0.5);
     // The same view by the other doors.
-    let along = Viewing::look_along(point(eye), vector(ints(-7, 5, 27)), vector(ints(0, 1, 0)));
-    let reference = Viewing::from_reference(point(eye), vector(ints(7, -5, -27)), vector(ints(0, 1, 0)));
+    let along = ViewTransform::look_along(point(eye), vector(ints(-7, 5, 27)), vector(ints(0, 1, 0)));
+    let reference =
+        ViewTransform::from_reference(point(eye), vector(ints(7, -5, -27)), vector(ints(0, 1, 0)));
     assert_eq!(along, Ok(ours));
     assert_eq!(reference, Ok(ours));
 }

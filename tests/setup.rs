@@ -10,7 +10,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use oracle::rng::Rng;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Lambert, LightError, Mesh, MeshError, NumberError, Point3, Scalar, Vector3, Viewing,
+    Affine, Angle, Lambert, LightError, Mesh, MeshError, NumberError, Point3, Scalar, Vector3, ViewTransform,
     Viewport,
 };
 
@@ -120,10 +120,10 @@ fn no_set_up_panics() {
     for _ in 0..100_000 {
         let mut v = || [0; 3].map(|_| wild(&mut rng));
         let (a, b, c) = (v(), v(), v());
-        if let Ok(view) = Viewing::look_at(point(a), point(b), vector(c)) {
+        if let Ok(view) = ViewTransform::look_at(point(a), point(b), vector(c)) {
             let _ = (view.apply(point(c)), view.translation());
         }
-        if let Ok(view) = Viewing::from_reference(point(a), vector(b), vector(c)) {
+        if let Ok(view) = ViewTransform::from_reference(point(a), vector(b), vector(c)) {
             let _ = (view.apply(point(c)), view.translation());
         }
         let (n, f) = (wild(&mut rng), wild(&mut rng));
@@ -193,9 +193,9 @@ mod constant {
         ($eye:expr) => {{
             let eye = $eye;
             let viewings = [
-                Viewing::look_at(eye, Point3::from_ints(0, 1, 0), UP),
-                Viewing::look_along(eye, Vector3::from_ints(-3, 1, 4), UP),
-                Viewing::from_reference(eye, Vector3::from_ints(1, 2, 3), UP),
+                ViewTransform::look_at(eye, Point3::from_ints(0, 1, 0), UP),
+                ViewTransform::look_along(eye, Vector3::from_ints(-3, 1, 4), UP),
+                ViewTransform::from_reference(eye, Vector3::from_ints(1, 2, 3), UP),
             ];
             let projections = [
                 Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
@@ -227,7 +227,7 @@ mod constant {
     }
 }
 
-/// Faces beside edges belong to the edges that the mesh had when they were given.
+/// BinnedFaces beside edges belong to the edges that the mesh had when they were given.
 #[test]
 fn other_edges_have_no_faces_beside_them_yet() {
     let (vertices, faces) = ([[0; 3], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 3]]);

@@ -5,7 +5,7 @@ mod bridge;
 mod definition;
 mod oracle;
 
-use bridge::draw::Ink;
+use bridge::draw::Shader;
 use bridge::pair::{bits, random_view, window, CameraBits, ModelBits, ProjectionBits, Step, ONE};
 use bridge::{point, scalar};
 use oracle::chain::{self, V4};
@@ -202,7 +202,7 @@ fn s5_triangles_are_f64s_with_their_attributes() {
             if near_tie {
                 continue;
             }
-            // Edges along a plane: what moving the corners by 2⁻³⁰ does in f64.
+            // BinnedEdges along a plane: what moving the corners by 2⁻³⁰ does in f64.
             let mut moved = 0f64;
             for k in [0x000, 0xfff, 0x12e, 0x7a5, 0xb34, 0x4d9, 0xc63, 0x8f0, 0x369, 0xa5a] {
                 let again = polygon(core::array::from_fn(|j| {
@@ -470,8 +470,8 @@ fn s5_what_is_inside_is_not_clipped() {
         tally.count(found);
         if found != Visibility::Partly {
             let placed = library.place(&mesh, &model).with_cull(Cull::None);
-            let mut target = Recorder::<Ink>::sized(320, 200);
-            let drawn = placed.solid(|_| Ink(1), &mut [], &mut target).expect("no error");
+            let mut target = Recorder::<Shader>::sized(320, 200);
+            let drawn = placed.solid(|_| Shader(1), &mut [], &mut target).expect("no error");
             match found {
                 Visibility::Inside => {
                     assert_eq!((drawn.clipped, drawn.outside), (0, 0), "{camera:?} {world:?}")

@@ -17,10 +17,10 @@ use mipidsi::Builder;
 use panel::bus::{Failure, NoDelay, Panel};
 use panel::films::{Film, Memory, BACKGROUND, FRAMES};
 use panel::measure::{film, pixel_bytes, reference, sum, Way};
-use panel::screen::{Kind, Screen, Stored};
+use panel::screen::{Kind, Screen, StoredPixel};
 use panel::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
 use panel::{Controller, Held};
-use pinhole::{Frame, Wire};
+use pinhole::{Frame, PixelFormat};
 
 /// The spinning cube, for what any film would show.
 const CUBE: Film = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
@@ -163,7 +163,7 @@ fn the_spinning_cube_costs_no_more_than_what_changed() {
     fn test<M: Kind<ColorFormat: Colour>>() {
         for axis in AXES {
             for turn in [20, 36, FRAMES] {
-                for cost in film::<M>(Film::Cube { axis, turn }, turn, Way::Dirty) {
+                for cost in film::<M>(Film::Cube { axis, turn }, turn, Way::DirtyRegions) {
                     assert!(cost.bytes * 100 <= cost.changed * 105, "{} about {axis:?}: {cost:?}", M::NAME);
                 }
             }
@@ -177,7 +177,7 @@ fn the_spinning_cube_costs_no_more_than_what_changed() {
 #[test]
 fn so_does_one_that_spins_slowly() {
     for axis in AXES {
-        let cost = sum(&film::<ST7789>(Film::Cube { axis, turn: 360 }, 360, Way::Dirty));
+        let cost = sum(&film::<ST7789>(Film::Cube { axis, turn: 360 }, 360, Way::DirtyRegions));
         assert!(cost.bytes * 100 <= cost.changed * 105, "about {axis:?}: {cost:?}");
     }
 }
@@ -187,7 +187,7 @@ fn so_does_one_that_spins_slowly() {
 #[test]
 fn a_small_thing_before_what_stands_still_costs_little() {
     fn test<M: Kind<ColorFormat: Colour>>() {
-        let costs = film::<M>(Film::Small, FRAMES, Way::Dirty);
+        let costs = film::<M>(Film::Small, FRAMES, Way::DirtyRegions);
         let all = sum(&costs);
         assert!(all.bytes < all.changed, "{all:?}");
         let frame = pixel_bytes::<M::ColorFormat>(M::SIZE);

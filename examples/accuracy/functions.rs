@@ -156,7 +156,7 @@ pub(crate) fn unit_vectors() -> [Measured; 1] {
         }
     }
     [Measured::new(
-        "unit vectors (`Viewing`, `Lambert`, axes)",
+        "unit vectors (`ViewTransform`, `Lambert`, axes)",
         "1",
         worst,
         1.5 * two(-30.0),
@@ -400,9 +400,9 @@ pub(crate) fn views() -> [Measured; 3] {
     }
     let test = "s3_views";
     [
-        Measured::new("`Viewing`: u, v, n", "1 ÷ sine of VUP and VPN", rows, two(-28.0), test),
-        Measured::new("`Viewing::translation`", "1", column, two(-13.0), test),
-        Measured::new("`Viewing::apply`, the view as it is", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
+        Measured::new("`ViewTransform`: u, v, n", "1 ÷ sine of VUP and VPN", rows, two(-28.0), test),
+        Measured::new("`ViewTransform::translation`", "1", column, two(-13.0), test),
+        Measured::new("`ViewTransform::apply`, the view as it is", "2⁻¹⁶", image, 0.5 + two(-17.0), test),
     ]
 }
 

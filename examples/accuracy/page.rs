@@ -7,7 +7,7 @@ use crate::population::{DESIGNS, POPULATIONS, RANGES};
 use crate::sweep::{sweep, Pair, Sweep, COUNT};
 use std::fmt::Write as _;
 
-/// What [`pinhole::Placed::project`] and [`pinhole::Camera::project`] promise, in px and in steps.
+/// What [`pinhole::MeshInstance::project`] and [`pinhole::Camera::project`] promise, in px and in steps.
 const PLACE: f64 = 1.0 / 256.0;
 const DEPTH: f64 = 1.0;
 /// From this ratio of far to near on.
@@ -26,7 +26,7 @@ and CI checks that it is current (`-- --check`). The reference is f64 from the s
 angles, eyes, vertices and matrices, never the library's own intermediate results (`tests/oracle`). All inputs come from
 a seeded generator. Every bound on this page stands in the documentation of the function and is asserted by the test named
 beside it. That a bound is at most twice the largest error found is asserted for the functions of `tests/bounds.rs`; the
-margins of `Camera::visibility` and `Placed::facing` are derived, and err on the safe side. A Cortex-M0, whose multiplier
+margins of `Camera::visibility` and `MeshInstance::facing` are derived, and err on the safe side. A Cortex-M0, whose multiplier
 keeps 32 bits, computes the same bits as all other cores (`both_forms_give_the_same_bits`, `tests/device`), so this page
 holds for it too.
 ";
@@ -35,7 +35,7 @@ const CHAIN: &str = "\
 ## Vertices on the screen
 
 Each line is COUNT visible vertices before random cameras. An error is the larger one of those in x and in y, in
-pixels; *before* the snap to 1/256 px (`Placed::project_unsnapped`) and *after* it (`Placed::project`, for points
+pixels; *before* the snap to 1/256 px (`MeshInstance::project_unsnapped`) and *after* it (`MeshInstance::project`, for points
 `Camera::project`). The snap alone costs up to 1/512 = 1.95·10⁻³ px.
 
 | population | world | least distance z | viewport | cameras |
@@ -79,21 +79,21 @@ Bounds that other tests hold, with their own measurements:
 
 | function | bound | test |
 |---|---|---|
-| `Placed::project`, any projection, viewport and focal length | the budget in ARCHITECTURE.md, \"Numbers\" | `tests/chain.rs`, `tests/family_random.rs` |
-| `Placed::project`, r/z > 300, 480 × 320 px, focal lengths to 700 px | 1/512 + 6.5·10⁻⁶·r/z px | `vertices_of_objects_beyond_300_times_their_distance` |
+| `MeshInstance::project`, any projection, viewport and focal length | the budget in ARCHITECTURE.md, \"Numbers\" | `tests/chain.rs`, `tests/family_random.rs` |
+| `MeshInstance::project`, r/z > 300, 480 × 320 px, focal lengths to 700 px | 1/512 + 6.5·10⁻⁶·r/z px | `vertices_of_objects_beyond_300_times_their_distance` |
 | `Camera::unproject` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
 | `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
 | `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_whole_nodes_by_their_bounding_sphere` |
-| `Placed::facing`: the eye behind a plane | known beyond 1/290 of the eye's distance or the mesh's largest coordinate, on the safe side | `faces_are_left_out_only_where_the_eye_is_behind_their_plane` |
-| `Placed::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹³ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |
-| `Placed::wireframe_depth_tested`, `hidden_line`: the depth of a line | ½ + n·2⁻¹⁷ + 2⁻¹³ step, n pixels from an end, at least 1 | `depth_along_a_line_is_that_of_the_point_on_it` |
-| `Placed::hidden_line` | 99.8 % of what is seen is drawn; nothing more than two steps behind what is nearest at the pixel's centre, but for the edge's own faces | `tests/hidden_line.rs` |
+| `MeshInstance::facing`: the eye behind a plane | known beyond 1/290 of the eye's distance or the mesh's largest coordinate, on the safe side | `faces_are_left_out_only_where_the_eye_is_behind_their_plane` |
+| `MeshInstance::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹³ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |
+| `MeshInstance::wireframe_depth_tested`, `hidden_line`: the depth of a line | ½ + n·2⁻¹⁷ + 2⁻¹³ step, n pixels from an end, at least 1 | `depth_along_a_line_is_that_of_the_point_on_it` |
+| `MeshInstance::hidden_line` | 99.8 % of what is seen is drawn; nothing more than two steps behind what is nearest at the pixel's centre, but for the edge's own faces | `tests/hidden_line.rs` |
 | `Gouraud`, `Flat` | ½ + 2⁻⁹ level of the target's channel | `tests/shading/` |
 | `Dithered`, mean of 8 × 8 pixels of one colour | 1/128 + 2⁻¹⁶ level | `tests/shading/dither.rs` |
 | `Mesh::bounding_sphere`, radius | √3 times the least, 9·2⁻¹⁶ and 2⁻²⁸ of itself | `s5_bounding_spheres` |
-| `Viewing::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
+| `ViewTransform::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
 | `Affine::to_matrix`, `Projection::to_matrix` and back | exact | `s2_a_matrix_read_back_is_the_same_transform`, `s4_a_projection_from_its_matrix` |
-| `Viewing::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
+| `ViewTransform::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
 | `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_own_and_micromaths` |
 | `Lambert::level` | 1 of 256 | `tests/light.rs` |
 | `Dim::dim` | ½ step of a channel | `colours_dim_by_rounding_each_channel` |

@@ -28,7 +28,7 @@ use embedded_graphics::prelude::*;
 use pinhole::space::World;
 use pinhole::{
     Affine, Angle, Camera, Cull, Dim, Hierarchy, Lambert, Mesh, Painter, Point3, Projection, Scalar,
-    Statistics, Vector3, Viewing, Viewport,
+    Statistics, Vector3, ViewTransform, Viewport,
 };
 use robot::{Form, Paint};
 use std::collections::BTreeMap;
@@ -102,7 +102,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
 
 /// In front of the robot, to its right and above.
 fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
-    let viewing = Viewing::look_at(
+    let viewing = ViewTransform::look_at(
         Point3::from_f32(6.4, 4.2, 4.9)?,
         Point3::from_f32(0.25, 1.2, 0.15)?,
         Vector3::from_ints(0, 1, 0),

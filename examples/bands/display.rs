@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::Wire;
+use pinhole::PixelFormat;
 use std::convert::Infallible;
 
 pub(crate) struct Display {

@@ -6,8 +6,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
 use pinhole::{
-    Affine, Angle, Band, BinsError, Camera, Corner, DepthBuffer, DepthBufferError, Dim, Faces, Frame,
-    Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+    Affine, Angle, Band, BinError, BinnedFaces, Camera, DepthBuffer, DepthBufferError, Dim, Frame, Lambert,
+    Mesh, MeshInstance, Point3, Projection, Scalar, ScreenVertex, Vector3, ViewTransform, Viewport,
 };
 use std::error::Error;
 
@@ -30,16 +30,16 @@ const VERTICES: usize = teapot::VERTICES.len();
 const RECORDS: usize = 600 + teapot::FACES.len().div_ceil(16);
 
 pub(crate) struct Scene {
-    placed: Placed<'static>,
+    placed: MeshInstance<'static>,
     light: Lambert,
-    corners: [Corner; VERTICES],
+    corners: [ScreenVertex; VERTICES],
     records: [u16; RECORDS],
     depth: [u16; (SIZE.width * ROWS) as usize],
 }
 
 /// What is drawn into every band of a frame.
 pub(crate) struct Recorded<'a> {
-    faces: Faces<'a, i16, true>,
+    faces: BinnedFaces<'a, i16, true>,
     light: &'a Lambert,
     depth: &'a mut [u16],
 }
@@ -47,7 +47,7 @@ pub(crate) struct Recorded<'a> {
 impl Scene {
     pub(crate) fn new() -> Result<Self, Box<dyn Error>> {
         let viewport = Viewport::new(Point::zero(), SIZE)?;
-        let viewing = Viewing::look_at(
+        let viewing = ViewTransform::look_at(
             Point3::from_ints(0, 16, 32),
             Point3::from_ints(0, 0, 0),
             Vector3::from_ints(0, 1, 0),
@@ -58,15 +58,15 @@ impl Scene {
         Ok(Self {
             placed: Camera::new(&viewing, &projection, &viewport).place(&TEAPOT, &model),
             light: Lambert::new(&model, Vector3::from_ints(-4, 6, 5), 60)?,
-            corners: [Corner::EMPTY; VERTICES],
+            corners: [ScreenVertex::EMPTY; VERTICES],
             records: [0; RECORDS],
             depth: [0; (SIZE.width * ROWS) as usize],
         })
     }
 
     /// A frame: every vertex is transformed, every face sorted out, once.
-    pub(crate) fn record(&mut self) -> Result<(Frame<Rgb565>, Recorded<'_>), BinsError> {
-        let faces = self.placed.transform_depth(&mut self.corners).faces(&mut self.records)?;
+    pub(crate) fn record(&mut self) -> Result<(Frame<Rgb565>, Recorded<'_>), BinError> {
+        let faces = self.placed.transform_depth(&mut self.corners).bin_faces(&mut self.records)?;
         let frame = Frame::new(Rectangle::new(Point::zero(), SIZE), Rgb565::new(2, 6, 5));
         Ok((frame, Recorded { faces, light: &self.light, depth: &mut self.depth }))
     }

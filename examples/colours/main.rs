@@ -24,7 +24,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rg
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use generated::Generated;
-use pinhole::{Channels, Dithered, Gouraud, InkFor, Lit, Wire};
+use pinhole::{Channels, Dithered, Gouraud, Lit, PixelFormat, SpanShader};
 use scene::{Inks, Scene};
 use sheet::{write, BACKGROUND, FAINT, INK};
 use std::error::Error;
@@ -102,12 +102,14 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
     still::png(size, sheet.pixels())
 }
 
-fn pictures<C: Channels + Wire + Into<Rgb888>>(scene: &Scene) -> Result<[Vec<Rgb888>; 2], Box<dyn Error>>
+fn pictures<C: Channels + PixelFormat + Into<Rgb888>>(
+    scene: &Scene,
+) -> Result<[Vec<Rgb888>; 2], Box<dyn Error>>
 where
-    Gouraud: InkFor<C>,
-    Lit: InkFor<C>,
-    Dithered<Gouraud>: InkFor<C>,
-    Dithered<Lit>: InkFor<C>,
+    Gouraud: SpanShader<C>,
+    Lit: SpanShader<C>,
+    Dithered<Gouraud>: SpanShader<C>,
+    Dithered<Lit>: SpanShader<C>,
 {
     let nearest = picture::<C, _, _>(scene, (|ink| ink, |ink| ink))?;
     Ok([nearest, picture::<C, _, _>(scene, (Gouraud::dithered, Lit::dithered))?])
@@ -116,11 +118,11 @@ where
 /// The scene in one kind of colour, band by band.
 fn picture<C, I, L>(scene: &Scene, inks: Inks<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
 where
-    C: Channels + Wire + Into<Rgb888>,
-    I: InkFor<C>,
-    L: InkFor<C>,
+    C: Channels + PixelFormat + Into<Rgb888>,
+    I: SpanShader<C>,
+    L: SpanShader<C>,
 {
     let mut pixels = Vec::new();
-    scene.draw(ROWS, inks, |band| pixels.extend(band.colours().map(Into::into)))?;
+    scene.draw(ROWS, inks, |band| pixels.extend(band.colors().map(Into::into)))?;
     Ok(pixels)
 }

@@ -10,8 +10,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Band, Camera, Channels, Corner, Cull, DepthBuffer, Frame, Gouraud, InkFor, Lambert, Lit,
-    Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport, Wire,
+    Affine, Angle, Band, Camera, Channels, Cull, DepthBuffer, Frame, Gouraud, Lambert, Lit, Mesh,
+    PixelFormat, Point3, Projection, Scalar, ScreenVertex, SpanShader, Vector3, ViewTransform, Viewport,
 };
 use std::error::Error;
 
@@ -40,7 +40,7 @@ pub(crate) struct Scene {
 
 impl Scene {
     pub(crate) fn new(size: Size) -> Result<Self, Box<dyn Error>> {
-        let viewing = Viewing::look_at(
+        let viewing = ViewTransform::look_at(
             Point3::from_ints(0, 15, 42),
             Point3::from_f32(1.2, -0.6, 0.0)?,
             Vector3::from_ints(0, 1, 0),
@@ -57,7 +57,7 @@ impl Scene {
     }
 
     /// Draws in bands of so many rows, with what becomes of smooth inks left open.
-    pub(crate) fn draw<C: Channels + Wire, I: InkFor<C>, L: InkFor<C>>(
+    pub(crate) fn draw<C: Channels + PixelFormat, I: SpanShader<C>, L: SpanShader<C>>(
         &self,
         rows: u32,
         (smooth, lit): Inks<I, L>,
@@ -66,15 +66,15 @@ impl Scene {
         let pot = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES)?;
         let wall = Mesh::new(&WALL, 0, &WALL_FACES)?;
         let (mut pot_corners, mut wall_corners) =
-            ([Corner::EMPTY; teapot::VERTICES.len()], [Corner::EMPTY; 4]);
+            ([ScreenVertex::EMPTY; teapot::VERTICES.len()], [ScreenVertex::EMPTY; 4]);
         let (mut pot_records, mut wall_records) = (vec![0; 2 * teapot::FACES.len()], [0; 3]);
 
         // The inside shows through the gap about the lid.
         let placed = self.camera.place(&pot, &self.model).with_cull(Cull::None);
         let projected = placed.transform_depth(&mut pot_corners);
-        let mut pot_faces = projected.faces(&mut pot_records)?;
+        let mut pot_faces = projected.bin_faces(&mut pot_records)?;
         let placed = self.camera.place(&wall, &Affine::identity());
-        let mut wall_faces = placed.transform_depth(&mut wall_corners).faces(&mut wall_records)?;
+        let mut wall_faces = placed.transform_depth(&mut wall_corners).bin_faces(&mut wall_records)?;
 
         let width = self.area.size.width;
         let mut strip = vec![0; Frame::<C>::strip_bytes(width, rows)];

@@ -8,7 +8,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
 use pinhole::raster::area;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Corner, Dim, Lambert, Mesh, Painter, VanishingPoint, Vector3, Viewport};
+use pinhole::{Affine, Camera, Dim, Lambert, Mesh, Painter, ScreenVertex, VanishingPoint, Vector3, Viewport};
 use std::error::Error;
 
 pub(crate) const PAPER: Rgb888 = Rgb888::new(255, 254, 250);
@@ -60,7 +60,7 @@ pub(crate) fn draw(
     let mut edges = |list: &[[u16; 2]], colour: Rgb888, dashed: bool| -> Result<(), Box<dyn Error>> {
         let mesh = Mesh::new(&VERTICES, EXPONENT, &[])?.with_edges(list)?;
         let placed = camera.place(&mesh, &model);
-        let mut cache = [Corner::default(); VERTICES.len()];
+        let mut cache = [ScreenVertex::default(); VERTICES.len()];
         if dashed {
             placed.wireframe(colour, &mut cache, &mut Dashed { target: sheet, on: 2, off: 2, at: 0 })?;
         } else {

@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Size;
 use pinhole::space::{View as ViewSpace, World};
 use pinhole::{
     Angle, NumberError, PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, Side, Vector3,
-    Viewing, Window,
+    ViewTransform, Window,
 };
 use std::error::Error;
 
@@ -13,7 +13,7 @@ pub(crate) struct View {
     pub(crate) name: &'static str,
     /// Two lines of parameters.
     pub(crate) details: [&'static str; 2],
-    pub(crate) viewing: Viewing,
+    pub(crate) viewing: ViewTransform,
     pub(crate) projection: Projection,
 }
 
@@ -65,7 +65,7 @@ fn multiview() -> Views {
     ];
     let mut views = Vec::new();
     for (name, side, vpn) in sides {
-        let viewing = Viewing::multiview(middle()?, side);
+        let viewing = ViewTransform::multiview(middle()?, side);
         views.push(View { name, details: ["multiview, orthographic", vpn], viewing, projection });
     }
     Ok(views)
@@ -77,26 +77,26 @@ fn axonometric() -> Views {
         View {
             name: "isometric",
             details: ["VPN (1,1,1)", "x, y, z: 0.82"],
-            viewing: Viewing::isometric(middle()?),
+            viewing: ViewTransform::isometric(middle()?),
             projection,
         },
         View {
             name: "dimetric",
             details: ["VPN (2,1,2)", "x, z: 0.75; y: 0.94"],
-            viewing: Viewing::dimetric(middle()?, number(2.0), number(1.0))?,
+            viewing: ViewTransform::dimetric(middle()?, number(2.0), number(1.0))?,
             projection,
         },
         View {
             name: "trimetric",
             details: ["VPN (1,2,3)", "x: 0.96; y: 0.85; z: 0.60"],
-            viewing: Viewing::trimetric(middle()?, Vector3::from_ints(1, 2, 3))?,
+            viewing: ViewTransform::trimetric(middle()?, Vector3::from_ints(1, 2, 3))?,
             projection,
         },
     ])
 }
 
 fn oblique() -> Views {
-    let viewing = Viewing::multiview(middle()?, Side::Front);
+    let viewing = ViewTransform::multiview(middle()?, Side::Front);
     let kinds = [
         ("cavalier", ["oblique, angle 45°, factor 1", "VPN (0,0,1)"], 45, 1.0),
         ("cabinet", ["oblique, angle 45°, factor 0.5", "VPN (0,0,1)"], 45, 0.5),
@@ -119,7 +119,7 @@ fn points(picture: Size) -> Views {
         View {
             name: "one-point",
             details: ["VPN (0,0,1), field of view 100°", "eye (1.5, 1, 1.5)"],
-            viewing: Viewing::from_reference(
+            viewing: ViewTransform::from_reference(
                 Point3::from_f32(1.5, 1.0, 1.5)?,
                 Vector3::from_ints(0, 0, 1),
                 up,
@@ -129,7 +129,7 @@ fn points(picture: Size) -> Views {
         View {
             name: "two-point",
             details: ["VPN (4,0,5), field of view 105°", "eye (1.5, 0.65, 0.8)"],
-            viewing: Viewing::from_reference(
+            viewing: ViewTransform::from_reference(
                 Point3::from_f32(1.5, 0.65, 0.8)?,
                 Vector3::from_ints(4, 0, 5),
                 up,
@@ -139,7 +139,7 @@ fn points(picture: Size) -> Views {
         View {
             name: "three-point",
             details: ["VPN (5,5,6), field of view 120°", "eye (1.3, 1.6, 0.5)"],
-            viewing: Viewing::from_reference(
+            viewing: ViewTransform::from_reference(
                 Point3::from_f32(1.3, 1.6, 0.5)?,
                 Vector3::from_ints(5, 5, 6),
                 up,
@@ -154,7 +154,7 @@ fn shifted() -> Views {
     Ok(vec![View {
         name: "off-axis frustum",
         details: ["near 0.8: -0.9..0.9 x -1.4..0.4", "VPN (1,0,2), eye (1.6, 2, 1.5)"],
-        viewing: Viewing::from_reference(
+        viewing: ViewTransform::from_reference(
             Point3::from_f32(1.6, 2.0, 1.5)?,
             Vector3::from_ints(1, 0, 2),
             Vector3::from_ints(0, 1, 0),
@@ -179,13 +179,13 @@ fn planar() -> Views {
         View {
             name: "general planar",
             details: ["z_p 0, Q 3, direction (1,1,2)", "VPN (0,0,1)"],
-            viewing: Viewing::multiview(middle()?, Side::Front),
+            viewing: ViewTransform::multiview(middle()?, Side::Front),
             projection: seen(&near_eye, 1.5)?,
         },
         View {
             name: "general planar, parallel",
             details: ["z_p 0, Q infinite, dir (0,-1,1)", "VPN (0,1,0): the plan is true"],
-            viewing: Viewing::from_reference(
+            viewing: ViewTransform::from_reference(
                 middle()?,
                 Vector3::from_ints(0, 1, 0),
                 Vector3::from_ints(-1, 0, -2),
@@ -205,12 +205,17 @@ fn reference() -> Views {
             prp, window, front, back,
         )?))
     };
-    let corner = Viewing::from_reference(Point3::from_f32(2.0, 0.5, 0.0)?, Vector3::from_ints(1, 0, 1), up)?;
+    let corner =
+        ViewTransform::from_reference(Point3::from_f32(2.0, 0.5, 0.0)?, Vector3::from_ints(1, 0, 1), up)?;
     Ok(vec![
         View {
             name: "PRP, window: one-point",
             details: ["VRP 0, VPN (0,0,1)", "PRP (.5,.5,1), window -1..3"],
-            viewing: Viewing::from_reference(Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 0, 1), up)?,
+            viewing: ViewTransform::from_reference(
+                Point3::from_ints(0, 0, 0),
+                Vector3::from_ints(0, 0, 1),
+                up,
+            )?,
             projection: perspective(Point3::from_f32(0.5, 0.5, 1.0)?, window(-1.0, 3.0, -1.0, 3.0))?,
         },
         View {
@@ -228,7 +233,7 @@ fn reference() -> Views {
         View {
             name: "PRP, window: parallel",
             details: ["VRP (1,.5,0), VPN (0,0,1)", "PRP (0,0,10), window -2..2"],
-            viewing: Viewing::from_reference(
+            viewing: ViewTransform::from_reference(
                 Point3::from_f32(1.0, 0.5, 0.0)?,
                 Vector3::from_ints(0, 0, 1),
                 up,
@@ -252,7 +257,7 @@ fn matrix() -> Result<View, Box<dyn Error>> {
     Ok(View {
         name: "from_matrix: reverse",
         details: ["w = 1 + z/2: far is large", "VPN (0,1,6)"],
-        viewing: Viewing::from_reference(
+        viewing: ViewTransform::from_reference(
             middle()?,
             Vector3::from_ints(0, 1, 6),
             Vector3::from_ints(0, 1, 0),

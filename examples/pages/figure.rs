@@ -4,7 +4,7 @@
 use embedded_graphics::geometry::{Point, Size};
 use pinhole::raster::{self, Scissor, ScreenPoint};
 use pinhole::space::{View, World};
-use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
 use std::error::Error;
 use std::fmt::Write;
 
@@ -75,7 +75,8 @@ fn frustum(near: f32, far: f32) -> [[f32; 3]; 8] {
 fn world(svg: &mut String) -> Result<()> {
     let viewport = Viewport::new(Point::zero(), Size::new(300, 240))?;
     let eye = Point3::from_f32(8.0, 4.5, 4.0)?;
-    let viewing = Viewing::look_at(eye, Point3::from_f32(0.0, -0.3, -2.9)?, Vector3::from_ints(0, 1, 0))?;
+    let viewing =
+        ViewTransform::look_at(eye, Point3::from_f32(0.0, -0.3, -2.9)?, Vector3::from_ints(0, 1, 0))?;
     let lens = Projection::perspective(
         Angle::degrees(36),
         viewport.size(),

@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Corner, Cull, DepthBuffer, Mesh, Statistics};
+use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, Statistics};
 
 /// The colour of a pixel is the triangle seen in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +46,7 @@ pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, Strin
     for part in parts(&scene.vertices, &scene.triangles) {
         let vertices = part.vertices(&quantised.vertices);
         let mesh = Mesh::from_fixed(&vertices, &part.faces).map_err(|e| e.to_string())?;
-        let mut corners = vec![Corner::EMPTY; vertices.len()];
+        let mut corners = vec![ScreenVertex::EMPTY; vertices.len()];
         let id = |face: usize| Seen((part.first + face) as u32);
         let placed = camera.place(&mesh, &quantised.model).with_cull(cull);
         let Ok(drawn) = placed.depth_tested(id, &mut corners, &mut depth, &mut ids);

@@ -9,13 +9,13 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    Band, Channels, Corner, Cull, DepthBuffer, Edges, Faces, Flat, Frame, Gouraud, InkFor, Mesh, Placed,
-    Scalar, Statistics, Transformed, Wire,
+    Band, BinnedEdges, BinnedFaces, Channels, Cull, DepthBuffer, Flat, Frame, Gouraud, Mesh, MeshInstance,
+    PixelFormat, Scalar, ScreenVertex, SpanShader, Statistics, TransformedMesh,
 };
 
 /// A display's colour.
-pub(crate) trait Colour: Wire + Channels + From<Rgb888> + Into<Rgb888> {}
-impl<C: Wire + Channels + From<Rgb888> + Into<Rgb888>> Colour for C {}
+pub(crate) trait Colour: PixelFormat + Channels + From<Rgb888> + Into<Rgb888> {}
+impl<C: PixelFormat + Channels + From<Rgb888> + Into<Rgb888>> Colour for C {}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Mode {
@@ -115,9 +115,9 @@ pub(crate) fn paint<C: Colour>(
         })
         .collect::<Result<Vec<_>, _>>()
         .map_err(|e| e.to_string())?;
-    let placed: Vec<Placed<'_, Scalar>> =
+    let placed: Vec<MeshInstance<'_, Scalar>> =
         meshes.iter().map(|mesh| camera.place(mesh, &quantised.model).with_cull(cull)).collect();
-    let mut corners: Vec<_> = vertices.iter().map(|v| vec![Corner::EMPTY; v.len()]).collect();
+    let mut corners: Vec<_> = vertices.iter().map(|v| vec![ScreenVertex::EMPTY; v.len()]).collect();
     let records = |count: usize| vec![0; count + count.div_ceil(16)];
     let mut face_records: Vec<_> = meshes.iter().map(|mesh| records(mesh.faces().len())).collect();
     let mut edge_records: Vec<_> = meshes.iter().map(|mesh| records(mesh.edges().len())).collect();
@@ -138,7 +138,7 @@ pub(crate) fn paint<C: Colour>(
     let mut faces = transformed
         .iter()
         .zip(&mut face_records)
-        .map(|(transformed, records)| transformed.faces(records))
+        .map(|(transformed, records)| transformed.bin_faces(records))
         .collect::<Result<Vec<_>, _>>()
         .map_err(|e| e.to_string())?;
     if style.mode == Mode::HiddenLine {
@@ -152,8 +152,8 @@ pub(crate) fn paint<C: Colour>(
         });
     }
 
-    let statistics = faces.iter().map(Faces::statistics).fold(Statistics::default(), Statistics::and);
-    let areas = plan(around(faces.iter().map(Faces::bounds)));
+    let statistics = faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), Statistics::and);
+    let areas = plan(around(faces.iter().map(BinnedFaces::bounds)));
     let light = Light::new(scene, quantised);
     let levels = |part: &Part, face: usize| light.corners(part.first + face, &subject.normals);
     let flat = |part: &Part, face| Flat::lit(style.colour, levels(part, face)[0]);
@@ -174,24 +174,24 @@ pub(crate) fn paint<C: Colour>(
 
 /// The edges of all parts, sorted out once for all bands; what became of them, and where they lie.
 fn edges<'a, const DEPTH: bool>(
-    transformed: &[Transformed<'a, Scalar, DEPTH>],
+    transformed: &[TransformedMesh<'a, Scalar, DEPTH>],
     records: &'a mut [Vec<u16>],
-) -> Result<(Vec<Edges<'a, Scalar, DEPTH>>, Statistics, Rectangle), String> {
-    let edges = transformed.iter().zip(records).map(|(transformed, records)| transformed.edges(records));
+) -> Result<(Vec<BinnedEdges<'a, Scalar, DEPTH>>, Statistics, Rectangle), String> {
+    let edges = transformed.iter().zip(records).map(|(transformed, records)| transformed.bin_edges(records));
     let edges = edges.collect::<Result<Vec<_>, _>>().map_err(|e| e.to_string())?;
-    let statistics = edges.iter().map(Edges::statistics).fold(Statistics::default(), Statistics::and);
-    let bounds = around(edges.iter().map(Edges::bounds));
+    let statistics = edges.iter().map(BinnedEdges::statistics).fold(Statistics::default(), Statistics::and);
+    let bounds = around(edges.iter().map(BinnedEdges::bounds));
     Ok((edges, statistics, bounds))
 }
 
 /// The faces of all parts.
 struct Solid<'a, 'f> {
     parts: &'a [Part],
-    faces: &'a mut [Faces<'f, Scalar, true>],
+    faces: &'a mut [BinnedFaces<'f, Scalar, true>],
 }
 
 impl Solid<'_, '_> {
-    fn draw<C: Colour, I: InkFor<C>>(
+    fn draw<C: Colour, I: SpanShader<C>>(
         &mut self,
         ink: impl Fn(&Part, usize) -> I,
         depth: &mut DepthBuffer<'_>,

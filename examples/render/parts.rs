@@ -17,7 +17,7 @@ pub(crate) struct Part {
 }
 
 const MOST: usize = 65_536;
-/// Each with three edges of its own: [`pinhole::Transformed::edges`] records as many as 16 bits count.
+/// Each with three edges of its own: [`pinhole::TransformedMesh::bin_edges`] records as many as 16 bits count.
 const MOST_FACES: usize = 65_535 / 3;
 
 /// The triangles, in their order. Vertices at one place are one, so that faces meet in files that

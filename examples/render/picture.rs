@@ -68,7 +68,7 @@ fn whole<C: Colour>(
     let mut pixels = Vec::new();
     let all = |_| vec![Rectangle::new(Point::zero(), size)];
     let report = paint::<C>(subject, scene, style, size.height, all, |band| {
-        pixels.extend(band.colours().map(Into::<Rgb888>::into));
+        pixels.extend(band.colors().map(Into::<Rgb888>::into));
     })?;
     Ok((pixels, report.statistics))
 }

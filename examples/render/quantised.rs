@@ -7,12 +7,12 @@
 use crate::scene::Scene;
 use embedded_graphics::geometry::{Point, Size};
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Projection, Scalar, Viewing, Viewport};
+use pinhole::{Affine, Camera, Projection, Scalar, ViewTransform, Viewport};
 
 pub(crate) struct Quantised {
     pub(crate) vertices: Vec<[Scalar; 3]>,
     pub(crate) model: Affine<Model, World>,
-    pub(crate) viewing: Viewing,
+    pub(crate) viewing: ViewTransform,
     projection: Projection,
     viewport: Viewport,
     units: Units,
@@ -65,7 +65,7 @@ impl Quantised {
         Ok(Self {
             vertices,
             model: Affine::from_matrix(&model).map_err(|e| format!("model: {e}"))?,
-            viewing: Viewing::from_matrix(&view).map_err(|e| format!("view: {e}"))?,
+            viewing: ViewTransform::from_matrix(&view).map_err(|e| format!("view: {e}"))?,
             projection: Projection::from_matrix(&projection).map_err(|e| format!("projection: {e}"))?,
             viewport: Viewport::new(Point::new(left, top), Size::new(size(width)?, size(height)?))
                 .map_err(|e| format!("viewport: {e}"))?,

@@ -17,8 +17,8 @@ use embedded_graphics_core::{
 };
 use pinhole::space::Model;
 use pinhole::{
-    Affine, Angle, Camera, Corner, DepthBuffer, Dim, Lambert, Mesh, Painter, Point3, Projection, Scalar,
-    Statistics, Vector3, Viewing, Viewport,
+    Affine, Angle, Camera, DepthBuffer, Dim, Lambert, Mesh, Painter, Point3, Projection, Scalar,
+    ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
 };
 
 const SIZE: Size = Size::new(128, 64);
@@ -77,7 +77,7 @@ impl Stage {
             Some(&normal) => Rgb565::new(31, 52, 14).dim(light.level(normal)),
             None => Rgb565::MAGENTA,
         };
-        let mut cache = [Corner::EMPTY; teapot::VERTICES.len()];
+        let mut cache = [ScreenVertex::EMPTY; teapot::VERTICES.len()];
         let Ok(statistics) = match frame / TURN {
             0 => {
                 self.painter.add(&placed, shade).expect("room for the teapot");
@@ -100,8 +100,8 @@ impl Stage {
 
 fn camera(distance: i16) -> Camera {
     let eye = Point3::from_ints(0, distance / 3, distance);
-    let viewing =
-        Viewing::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0)).expect("a direction");
+    let viewing = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))
+        .expect("a direction");
     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(100));
     let projection = Projection::perspective(Angle::degrees(30), SIZE, near, far).expect("a field of view");
     let viewport = Viewport::new(Point::zero(), SIZE).expect("a picture");

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{area, triangle, Scissor, ScreenPoint};
-use pinhole::Placed;
+use pinhole::MeshInstance;
 use std::convert::Infallible;
 
 /// The colour of no face.
@@ -24,7 +24,7 @@ pub(crate) fn face_colour(face: usize) -> Rgb888 {
 /// Depth is the exact plane through the three screen points with their depths, at the pixel's
 /// centre, in `f64`; of equal depths the first face stays. `None` if a vertex cannot be projected,
 /// since faces are not clipped here.
-pub(crate) fn nearest_faces(placed: &[Placed<'_>; 2], size: Size) -> Option<Canvas<Rgb888>> {
+pub(crate) fn nearest_faces(placed: &[MeshInstance<'_>; 2], size: Size) -> Option<Canvas<Rgb888>> {
     let scissor = Scissor::new(0, 0, size.width as i32, size.height as i32);
     let mut nearest = Canvas::new(size, f64::INFINITY);
     let mut shown = Canvas::new(size, NOTHING);

@@ -27,7 +27,7 @@ use command::Film;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
-use pinhole::{Corner, Dim, Lambert, Painter, Statistics, Vector3};
+use pinhole::{Dim, Lambert, Painter, ScreenVertex, Statistics, Vector3};
 use pinhole_import::ImportedMesh;
 use scene::Turntable;
 use std::error::Error;
@@ -72,7 +72,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     // All the memory that drawing needs; a firmware would put its own, smaller sizes here.
     let mut painter = Box::new(Painter::<Rgb565, 65_536, 65_535>::new());
     let mut numberer = Box::new(Painter::<Rgb888, 65_536, 65_535>::new());
-    let mut corners = vec![Corner::default(); mesh.vertices.len()];
+    let mut corners = vec![ScreenVertex::default(); mesh.vertices.len()];
 
     let (mut solid, mut wireframe) = (Sum::default(), Sum::default());
     let mut misordered = Misordered::default();

@@ -3,8 +3,8 @@
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, Mesh, Painter, Placed, Point3, Projection, Scalar, Statistics, Vector3, Viewing,
-    Viewport,
+    Affine, Angle, Camera, Mesh, MeshInstance, Painter, Point3, Projection, Scalar, Statistics, Vector3,
+    ViewTransform, Viewport,
 };
 use pinhole_import::{ImportedMesh, Topology};
 use std::error::Error;
@@ -44,7 +44,7 @@ impl<'m> Turntable<'m> {
         let elevation = 20f64.to_radians();
         let eye = [0.0, distance * elevation.sin(), distance * elevation.cos()].map(|c| c as f32);
 
-        let viewing = Viewing::look_at(
+        let viewing = ViewTransform::look_at(
             Point3::from_f32(eye[0], eye[1], eye[2])?,
             Point3::from_ints(0, 0, 0),
             Vector3::from_ints(0, 1, 0),
@@ -69,7 +69,7 @@ impl<'m> Turntable<'m> {
     }
 
     /// The model as the camera sees it, its outside and its inside.
-    pub(crate) fn place(&self, model: &Affine<Model, World>) -> [Placed<'_>; 2] {
+    pub(crate) fn place(&self, model: &Affine<Model, World>) -> [MeshInstance<'_>; 2] {
         [&self.outside, &self.inside].map(|mesh| self.camera.place(mesh, model))
     }
 }
@@ -78,7 +78,7 @@ impl<'m> Turntable<'m> {
 /// the outside's faces by their numbers, and for the inside's by numbers from there on.
 pub(crate) fn paint<D: DrawTarget, const CORNERS: usize, const FACES: usize>(
     painter: &mut Painter<D::Color, CORNERS, FACES>,
-    [outside, inside]: &[Placed<'_>; 2],
+    [outside, inside]: &[MeshInstance<'_>; 2],
     shade: impl Fn(usize) -> D::Color,
     target: &mut D,
 ) -> Result<Statistics, Box<dyn Error>>

@@ -27,8 +27,8 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
 use pinhole::{
-    edge_faces, Affine, Angle, Camera, Channels, Corner, DepthBuffer, Flat, Frame, Gouraud, Lambert, Point3,
-    Projection, Scalar, Statistics, Vector3, Viewing, Viewport, Wire,
+    edge_faces, Affine, Angle, Camera, Channels, DepthBuffer, Flat, Frame, Gouraud, Lambert, PixelFormat,
+    Point3, Projection, Scalar, ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
 };
 use rgb332::Rgb332;
 use std::error::Error;
@@ -86,7 +86,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
 
 /// Lent to the library for a frame.
 struct Memory {
-    corners: Vec<Corner>,
+    corners: Vec<ScreenVertex>,
     faces: Vec<u16>,
     edges: Vec<u16>,
     strip: Vec<u8>,
@@ -96,7 +96,7 @@ struct Memory {
 impl Memory {
     fn new(size: Size) -> Self {
         Self {
-            corners: vec![Corner::EMPTY; water::VERTICES],
+            corners: vec![ScreenVertex::EMPTY; water::VERTICES],
             faces: vec![0; water::FACES.len() + water::FACES.len().div_ceil(16)],
             edges: vec![0; water::EDGES.len() + water::EDGES.len().div_ceil(16)],
             strip: vec![0; Frame::<Rgb332>::strip_bytes(size.width, ROWS)],
@@ -124,8 +124,8 @@ fn draw(
 
     let placed = camera.place(&mesh, &model);
     let projected = placed.transform_depth(&mut memory.corners);
-    let mut faces = projected.faces(&mut memory.faces)?;
-    let mut grid = projected.edges(&mut memory.edges)?;
+    let mut faces = projected.bin_faces(&mut memory.faces)?;
+    let mut grid = projected.bin_edges(&mut memory.edges)?;
     let mut frame = Frame::new(display.bounding_box(), Rgb332::from_channels([1, 1, 1]));
     while let Some(mut band) = frame.next_band(&mut memory.strip)? {
         let mut depth = DepthBuffer::new(band.area(), &mut memory.depth)?;
@@ -133,14 +133,14 @@ fn draw(
         faces.depth_tested(smooth, &mut depth, &mut band)?;
         grid.hidden_line(Rgb332::decode(0), &mut depth, &mut band)?;
         // To a display with these eight bits: band.send(display).
-        display.fill_contiguous(&band.area(), band.colours().map(Rgb565::from))?;
+        display.fill_contiguous(&band.area(), band.colors().map(Rgb565::from))?;
     }
     Ok(faces.statistics())
 }
 
 /// From above, with z up.
 fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
-    let viewing = Viewing::look_at(
+    let viewing = ViewTransform::look_at(
         Point3::from_f32(2.6, -5.2, 4.4)?,
         Point3::from_f32(-0.15, 0.0, -0.3)?,
         Vector3::from_ints(0, 0, 1),

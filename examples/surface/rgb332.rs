@@ -2,7 +2,7 @@
 
 use embedded_graphics::pixelcolor::raw::RawU8;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
-use pinhole::{Channels, Wire};
+use pinhole::{Channels, PixelFormat};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Rgb332(u8);
@@ -18,7 +18,7 @@ impl PixelColor for Rgb332 {
 }
 
 /// What bands need.
-impl Wire for Rgb332 {
+impl PixelFormat for Rgb332 {
     const BITS: u32 = 8;
 
     fn encode(self) -> u32 {
@@ -32,7 +32,7 @@ impl Wire for Rgb332 {
 
 /// What smooth and dithered inks need.
 impl Channels for Rgb332 {
-    const GREY: bool = false;
+    const GRAY: bool = false;
     const MAX: [u8; 3] = [7, 7, 3];
 
     fn from_channels([r, g, b]: [u8; 3]) -> Self {

@@ -4,7 +4,7 @@ use crate::canvas::Canvas;
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Angle, Wire};
+use pinhole::{Angle, PixelFormat};
 use show::{Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};
 use std::cell::Cell;
 use std::convert::Infallible;

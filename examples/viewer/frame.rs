@@ -12,7 +12,7 @@ use crate::style;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Dirty, Statistics, WindowCost};
+use pinhole::{DirtyRegions, Statistics, TransferCost};
 
 /// What became of the last frame.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,7 +33,7 @@ pub struct Shown {
 pub struct Viewer {
     source: Source,
     display: Canvas<Rgb888>,
-    dirty: Dirty<4>,
+    dirty: DirtyRegions<4>,
     drawn: Option<State>,
     subject: Option<(Mode, Subject)>,
     oled: Oled,
@@ -47,7 +47,7 @@ impl Viewer {
         Self {
             source,
             display: Canvas::new(size, Rgb888::BLACK),
-            dirty: Dirty::new(area, WindowCost::new(16, WindowCost::MIPI_DCS)),
+            dirty: DirtyRegions::new(area, TransferCost::new(16, TransferCost::MIPI_DCS)),
             drawn: None,
             subject: None,
             oled: Oled::new(),
@@ -119,8 +119,8 @@ impl Viewer {
         if !self.drawn.is_some_and(like) {
             // Another display, or another background: nothing of it is known. A byte holds whole pixels.
             let steps = (8 / C::BITS.clamp(1, 8)) as u16;
-            let cost = WindowCost::new(C::BITS, WindowCost::MIPI_DCS);
-            *dirty = Dirty::new(dirty.area(), cost).with_steps(steps, 1);
+            let cost = TransferCost::new(C::BITS, TransferCost::MIPI_DCS);
+            *dirty = DirtyRegions::new(dirty.area(), cost).with_steps(steps, 1);
         }
         let mut areas = Vec::new();
         let plan = |bounds| {
@@ -130,10 +130,10 @@ impl Viewer {
         };
         let rows = state.rows.unwrap_or(size.height);
         let report = paint::<C>(subject, (&used, &quantised), &style, rows, plan, |band| {
-            let Ok(()) = display.fill_contiguous(&band.area(), band.colours().map(Into::into));
+            let Ok(()) = display.fill_contiguous(&band.area(), band.colors().map(Into::into));
         })?;
         let Report { statistics, bands, bytes, pixels } = report;
-        let bytes = bytes + bands * usize::from(WindowCost::MIPI_DCS);
+        let bytes = bytes + bands * usize::from(TransferCost::MIPI_DCS);
         Ok(Shown { statistics, bands, pixels, bytes, areas })
     }
 

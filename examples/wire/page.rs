@@ -49,7 +49,7 @@ a time, mipidsi's feature `batch` would gather). Both flicker, as the display sh
 ";
 
 const CHANGED: &str = "\
-## Dirty rectangles, and what changed
+## DirtyRegions rectangles, and what changed
 
 Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
 of a cube spun about an axis of the world, ST7789. The rectangles are known from the vertices before anything is
@@ -125,7 +125,7 @@ fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &
         M::NAME
     );
     for (way, name) in [
-        (Way::Dirty, "dirty rectangles"),
+        (Way::DirtyRegions, "dirty rectangles"),
         (Way::Bands, "full frames in bands"),
         (Way::Spans, "spans, on the cleared screen"),
         (Way::Pixels, "pixels, on the cleared screen"),
@@ -149,7 +149,7 @@ fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &
 fn changed(page: &mut String) {
     for (turn, step) in [(20, "18°"), (36, "10°"), (72, "5°"), (360, "1°"), (1440, "¼°")] {
         for axis in [[0, 1, 0], [1, 0, 0], [0, 0, 1], [1, 1, 1], [3, -2, 1]] {
-            let costs = film::<ST7789>(Film::Cube { axis, turn }, turn, Way::Dirty);
+            let costs = film::<ST7789>(Film::Cube { axis, turn }, turn, Way::DirtyRegions);
             let share = |cost: &Cost| cost.bytes as f64 / cost.changed as f64;
             let worst = costs.iter().map(share).fold(0.0, f64::max);
             let above = costs.iter().filter(|cost| cost.bytes * 100 > cost.changed * 105).count();

@@ -18,7 +18,7 @@ use pinhole::raster::{self, Span};
 const GUARD: i64 = 8192 * 256;
 /// 512 pixels, far beyond what is low.
 const SHORT: i64 = 1 << 17;
-/// Where edges pass from one arithmetic to the other: `raster/side.rs`, and for a Cortex-M0 `raster/walk.rs`.
+/// Where edges pass from one arithmetic to the other: `fast/edge20.rs`, and for a Cortex-M0 `fast/bresenham_triangle.rs`.
 const LOW: [i64; 5] = [7680, 7936, 8160, 8191, 2040 * 256];
 
 fn clamped(p: P) -> P {

@@ -1,23 +1,23 @@
-//! The camera: where it stands ([`Viewing`]), what it sees ([`Projection`]) and where on the
+//! The camera: where it stands ([`ViewTransform`]), what it sees ([`Projection`]) and where on the
 //! target that goes ([`Viewport`]).
 
-mod corner;
 mod depth_by_w;
-mod eye;
 mod picking;
-mod placement;
+mod plane_eye;
 mod projection;
-mod viewing;
+mod screen_vertex;
+mod vertex_transform;
+mod view_transform;
 mod viewport;
 mod visibility;
 
-pub use corner::Corner;
-pub(crate) use corner::Image;
-pub(crate) use eye::Eye;
-pub use picking::{Hidden, Ray, VanishingPoint};
-pub(crate) use placement::{DepthOf, Placement};
+pub use picking::{ProjectError, Ray, VanishingPoint};
+pub(crate) use plane_eye::PlaneEye;
 pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};
-pub use viewing::{Side, Viewing, ViewingError};
+pub use screen_vertex::ScreenVertex;
+pub(crate) use screen_vertex::UnpackedVertex;
+pub(crate) use vertex_transform::{DepthOf, VertexTransform};
+pub use view_transform::{Side, ViewTransform, ViewTransformError};
 pub use viewport::{Viewport, ViewportError};
 pub use visibility::Visibility;
 
@@ -27,15 +27,15 @@ use crate::raster::GUARD_BAND;
 use depth_by_w::DepthByW;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Viewing, projection and viewport, folded into four linear forms: a mesh is [placed](Self::place) before it.
-/// [`Placed::project`](crate::Placed::project) says how exactly vertices land.
+/// ViewTransform, projection and viewport, folded into four linear forms: a mesh is [placed](Self::place) before it.
+/// [`MeshInstance::project`](crate::MeshInstance::project) says how exactly vertices land.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
-/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
 /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
 /// let camera = Camera::new(
-///     &Viewing::look_at(Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+///     &ViewTransform::look_at(Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
 ///     &Projection::perspective(Angle::degrees(50), viewport.size(), Scalar::from_num(1), Scalar::from_num(50))?,
 ///     &viewport,
 /// );
@@ -48,10 +48,10 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
-/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
 /// const CAMERA: Camera = {
 ///     let (eye, origin, up) = (Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-///     let Ok(viewing) = Viewing::look_at(eye, origin, up) else { panic!("the direction") };
+///     let Ok(viewing) = ViewTransform::look_at(eye, origin, up) else { panic!("the direction") };
 ///     let Ok(viewport) = Viewport::new(Point::zero(), Size::new(240, 240)) else { panic!("the size") };
 ///     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(50));
 ///     let Ok(lens) = Projection::perspective(Angle::degrees(50), viewport.size(), near, far) else { panic!("the lens") };
@@ -87,7 +87,7 @@ impl Camera {
     /// From its three parts. The near plane always cuts; the far plane does on
     /// [request](Self::with_far_clip).
     #[inline(never)] // set-up: small is better
-    pub const fn new(viewing: &Viewing, projection: &Projection, viewport: &Viewport) -> Self {
+    pub const fn new(viewing: &ViewTransform, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
         let (x, y) = viewport.centre();
         // At least half a pixel of 2²¹ sub-pixels: the viewport has pixels and lies inside the guard band.
@@ -120,16 +120,16 @@ impl Camera {
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{Angle, Camera, Hidden, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// # use pinhole::{Angle, Camera, ProjectError, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
     /// # let [near, far] = [1, 9].map(Scalar::from_num);
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9
     /// assert_eq!(camera.project(beyond).map(|(_, depth)| depth), Ok(65_534));
-    /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(Hidden::BeyondFar));
+    /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(ProjectError::BeyondFar));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]

@@ -1,7 +1,7 @@
 //! Single points: to the screen for labels, and back for picking.
 
-use super::{Camera, Placement};
-use crate::math::num::{add, dot, excess, row_times, scale};
+use super::{Camera, VertexTransform};
+use crate::math::num::{add, dot, row_times, scale, shift_to_fit};
 use crate::math::unit::{cross_exact, is_zero, normalise};
 use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
@@ -10,7 +10,7 @@ use crate::space::{Model, Ndc, World};
 /// Why a point has no place on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Hidden {
+pub enum ProjectError {
     /// It lies between the near plane and the eye, or behind the eye.
     BeforeNear,
     /// It lies beyond the far plane, and the camera clips there.
@@ -19,7 +19,7 @@ pub enum Hidden {
     OutsideGuardBand,
 }
 
-impl core::fmt::Display for Hidden {
+impl core::fmt::Display for ProjectError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
             Self::BeforeNear => "the point lies before the near plane",
@@ -29,7 +29,7 @@ impl core::fmt::Display for Hidden {
     }
 }
 
-impl core::error::Error for Hidden {}
+impl core::error::Error for ProjectError {}
 
 /// A half-line in the world: where a pixel looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,16 +56,16 @@ pub struct VanishingPoint {
 impl Camera {
     /// Where a point of the world lies on the screen, within 1/256 px, and its depth, 0 near to
     /// 65534 far, within 1 where far is at least twice near; or why it lies nowhere. A point outside
-    /// the viewport has a place too. (The bounds are those of [`Placed::project`](crate::Placed::project).)
+    /// the viewport has a place too. (The bounds are those of [`MeshInstance::project`](crate::MeshInstance::project).)
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
     /// # let (eye, origin, up) = (Point3::from_ints(0, 3, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
-    /// let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// // Where a label goes, ...
     /// let (at, depth) = camera.project(Point3::from_ints(1, 0, 1))?;
     /// // ... what was touched there, ...
@@ -80,26 +80,26 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`Hidden`] says behind which plane it lies.
-    pub fn project(&self, p: Point3<World>) -> Result<(ScreenPoint, u16), Hidden> {
+    /// [`ProjectError`] says behind which plane it lies.
+    pub fn project(&self, p: Point3<World>) -> Result<(ScreenPoint, u16), ProjectError> {
         let [x, y, z] = [p.x(), p.y(), p.z()];
         // An object that is this point: all of its space is flattened into it.
         let model =
             Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
-        let placement = Placement::new(self, &model, 0, 16, true);
+        let placement = VertexTransform::new(self, &model, 0, 16, true);
         let h = placement.clip([0i16; 3]);
         let outside = |plane: usize| placement.distance(plane, &h) < 0;
         let [.., w] = h.xydw;
         if outside(0) || w <= 0 {
-            return Err(Hidden::BeforeNear);
+            return Err(ProjectError::BeforeNear);
         }
         if (1..5).any(outside) {
-            return Err(Hidden::OutsideGuardBand);
+            return Err(ProjectError::OutsideGuardBand);
         }
         if self.far_clip && outside(5) {
-            return Err(Hidden::BeyondFar);
+            return Err(ProjectError::BeyondFar);
         }
-        let image = placement.image(&h, Some(Placement::depth));
+        let image = placement.image(&h, Some(VertexTransform::depth));
         Ok((image.point, image.step()))
     }
 
@@ -109,7 +109,7 @@ impl Camera {
     ///
     /// Its error is what half a sub-pixel and half a step of depth amount to there, and 2⁻¹⁷; for a pair that
     /// `project` returned, `project`'s own error comes on top. For fields of view up to 150° and rows of
-    /// [`Viewing::from_matrix`](crate::Viewing::from_matrix) that are rigid to 2⁻²⁹: what these are off moves the point by as
+    /// [`ViewTransform::from_matrix`](crate::ViewTransform::from_matrix) that are rigid to 2⁻²⁹: what these are off moves the point by as
     /// much of its distance.
     pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
         let [across, down] = self.planes_through(at);
@@ -128,7 +128,7 @@ impl Camera {
     pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
-        // Along both planes; the way on which d grows leads away from the viewer.
+        // LineDepth both planes; the way on which d grows leads away from the viewer.
         let along = normalise(&cross_exact(&across.linear, &down.linear));
         if is_zero(&along) {
             return None;
@@ -148,13 +148,13 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewport};
+    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
     /// let lens = Projection::perspective(Angle::degrees(90), viewport.size(), near, far)?;
     /// // From (5, 0, 5): parallels to x and to z meet at 45° to the gaze, on the borders; those to y stay parallel.
     /// let eye = Point3::from_ints(5, 0, 5);
-    /// let view = Viewing::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
+    /// let view = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?;
     /// let [x, y, z] = Camera::new(&view, &lens, &viewport).vanishing_points();
     /// let (x, z) = (x.ok_or("parallel")?, z.ok_or("parallel")?);
     /// assert!(x.x.abs() <= 1 && (z.x - 240 * 256).abs() <= 1 && y.is_none());
@@ -232,7 +232,7 @@ fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
     // Cross products brought to 45 bits by a common factor.
     let normals = [(b, c), (c, a), (a, b)].map(|(a, b)| cross_exact(&a.linear, &b.linear));
     let largest = normals.iter().flatten().map(|v| v.unsigned_abs()).max()?;
-    let normals = normals.map(|n| n.map(|v| scale(v, -excess(largest, 45).max(0))));
+    let normals = normals.map(|n| n.map(|v| scale(v, -shift_to_fit(largest, 45).max(0))));
     let determinant: i128 =
         a.linear.iter().zip(normals[0]).map(|(&m, n)| i128::from(m) * i128::from(n)).sum();
     if determinant.unsigned_abs() < 1 << 30 {

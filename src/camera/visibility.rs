@@ -30,12 +30,12 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, Viewing, Viewport, Visibility};
+    /// use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport, Visibility};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let (eye, origin, up) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-    /// # let camera = Camera::new(&Viewing::look_at(eye, origin, up)?, &lens, &viewport);
+    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let mesh = Mesh::new(&[[-1, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
     /// let sphere = mesh.bounding_sphere(); // once
     /// let at = |x, y, z| camera.visibility(&sphere, &Affine::translation(Vector3::from_ints(x, y, z)));

@@ -1,7 +1,7 @@
 //! Affine transforms between the spaces a scene is set up in.
 
 use super::float;
-use super::num::{add, after, dot, excess, fraction, row_times, scale, sqrt, transposed};
+use super::num::{add, after, dot, fraction, row_times, scale, shift_to_fit, sqrt, transposed};
 use super::row::{block, forms, Row};
 use super::unit::{cross_exact, is_zero, normalise};
 use super::{Angle, Point3, Quaternion, Scalar, Vector3};
@@ -250,7 +250,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         }
         // inverse = cofactorsᵀ / det: 30 bits over 61 bits. Each quotient has 31 bits after its
         // leading one; the block's exponent puts them together.
-        let up = -excess(determinant.unsigned_abs(), 62); // det < 2⁶²: never negative
+        let up = -shift_to_fit(determinant.unsigned_abs(), 62); // det < 2⁶²: never negative
         let divisor = determinant.unsigned_abs() << up.clamp(0, 62);
         let quotient = |c: i32| {
             // c < 2³¹ as a fraction of 2⁶¹ ≥ divisor/2: at most 2.
@@ -278,7 +278,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         let [a, b, c] = self.linear.each_ref().map(length);
         // det·2^(d_exponent − 60) against a·b·c·2⁻⁹⁰·2⁻²⁴.
         let ab = a * b; // ≤ 2⁶¹·⁶
-        let down = excess(ab, 31).max(0);
+        let down = shift_to_fit(ab, 31).max(0);
         let volume = (ab >> down) * c; // ≤ 2⁶²
         let shift = d_exponent + 54 - down;
         let (det, volume) = (determinant.unsigned_abs(), volume);

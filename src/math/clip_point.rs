@@ -1,6 +1,6 @@
 //! Points of clip space.
 
-use super::num::{divide, excess, scale};
+use super::num::{divide, scale, shift_to_fit};
 use super::Point3;
 use crate::space::Ndc;
 
@@ -34,7 +34,7 @@ impl ClipPoint {
     /// From x, y, z, w in units of 2^exponent.
     pub(crate) fn new(xyzw: [i64; 4], exponent: i32) -> Self {
         let largest = xyzw.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
-        let shift = excess(largest, 30);
+        let shift = shift_to_fit(largest, 30);
         let [x, y, z, w] = xyzw.map(|c| scale(c, -shift) as i32); // 30 bits, or 2³⁰
         Self { x, y, z, w, exponent: shift + exponent }
     }

@@ -4,7 +4,7 @@ use super::Scalar;
 
 /// A point in clip space while it is being clipped: integers, the exponents are kept elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Homogeneous {
+pub(crate) struct ClipCoords {
     /// d is 0 on the near plane, positive inside.
     pub(crate) xydw: [i32; 4],
 }
@@ -43,15 +43,15 @@ mod sealed {
 /// `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋` for justified coordinates v, the offset cut to 15 bits below
 /// the unit. Coordinates are [justified](Form::justify) to the top of 32 bits.
 #[cfg(not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32")))))]
-pub(crate) type Form = LongForm;
+pub(crate) type Form = WideForm;
 #[cfg(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(crate) type Form = SplitForm;
+pub(crate) type Form = HalfwordForm;
 
 /// A form for cores that multiply 32 × 32 bits to 64 and add them up at one go.
 #[cfg(any(test, not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))))]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
-pub(crate) struct LongForm {
+pub(crate) struct WideForm {
     /// In 2⁻³², the rounding half included.
     offset: i64,
     /// Each below 2³⁰ − 2¹⁵ in absolute value, times 2.
@@ -59,7 +59,7 @@ pub(crate) struct LongForm {
 }
 
 #[cfg(any(test, not(any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))))]
-impl LongForm {
+impl WideForm {
     /// What coordinates are multiplied by, for a left shift that brings the largest to the top of 32 bits.
     pub(crate) const fn justify(shift: u32, _narrow: bool) -> i32 {
         1 << (shift & 31)
@@ -84,7 +84,7 @@ impl LongForm {
     }
 }
 
-/// The rounding half added, and bits dropped that no [`SplitForm`] keeps. An offset leaves room for that half: all that the
+/// The rounding half added, and bits dropped that no [`HalfwordForm`] keeps. An offset leaves room for that half: all that the
 /// form comes to has.
 fn cut(offset: i64) -> i64 {
     offset.wrapping_add(1 << 31) >> 17 << 17
@@ -106,7 +106,7 @@ fn sum([a, b, c]: [i32; 3], offset: i64, [x, y, z]: [i32; 3]) -> i32 {
 #[cfg(any(test, target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
-pub(crate) struct SplitForm {
+pub(crate) struct HalfwordForm {
     low: [i32; 3],
     high: [i32; 3],
     /// The offset in 2⁻¹⁵, and in whole units.
@@ -116,7 +116,7 @@ pub(crate) struct SplitForm {
 
 #[cfg(any(test, target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[cfg_attr(test, allow(dead_code))] // the host's tests use a part of it
-impl SplitForm {
+impl HalfwordForm {
     /// Narrow coordinates are brought to the top of 16 bits instead, by a shift of 16 less: 0 … 15.
     pub(crate) const fn justify(shift: u32, narrow: bool) -> i32 {
         1 << (if narrow { shift & 15 } else { shift & 31 })
@@ -184,7 +184,7 @@ mod tests {
                 _ => (random() << 1) & !0xffff,
             });
             let offset = (i64::from(random()) - (1 << 30)) << (random() % 30) | i64::from(random());
-            let (long, split) = (LongForm::new(m, offset), SplitForm::new(m, offset));
+            let (long, split) = (WideForm::new(m, offset), HalfwordForm::new(m, offset));
             assert_eq!(long.numbers(), split.numbers(), "{i}: {m:?} {offset}");
             assert_eq!(long.at(v, true), split.at(v.map(|c| c >> 16), true), "{i}: {m:?} {v:?} {offset}");
             let v = v.map(|c| c ^ random() >> 16);

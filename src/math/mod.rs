@@ -21,7 +21,7 @@ pub use affine::{Affine, AxisError, InverseError, MatrixError};
 pub use angle::Angle;
 pub use clip_point::{ClipPoint, Outcode};
 pub use form::Coordinate;
-pub(crate) use form::{Form, Homogeneous};
+pub(crate) use form::{ClipCoords, Form};
 pub(crate) use normal::to_short;
 pub use normal::NormalMap;
 pub use point::{Point3, Vector3};

@@ -244,7 +244,7 @@ pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
 #[inline(never)] // set-up: small is better
 pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
     // Their difference in bits; `n` is less than twice `d` shifted by it.
-    let bits = max(excess(n, 0) - excess(d.into(), 0), 0) as u32;
+    let bits = max(shift_to_fit(n, 0) - shift_to_fit(d.into(), 0), 0) as u32;
     let quotient = fraction(n, u64::from(d) << bits, bits);
     (quotient, (n as u32).wrapping_sub((quotient as u32).wrapping_mul(d))) // below d: 31 bits tell
 }
@@ -376,7 +376,7 @@ pub(crate) const fn min(a: i32, b: i32) -> i32 {
 }
 
 /// How far to shift `v` right so that it keeps at most `bits` bits: negative to the left.
-pub(crate) const fn excess(v: u64, bits: i32) -> i32 {
+pub(crate) const fn shift_to_fit(v: u64, bits: i32) -> i32 {
     64 - v.leading_zeros() as i32 - bits
 }
 

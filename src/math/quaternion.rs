@@ -1,6 +1,6 @@
 //! Unit quaternions, as orientation filters deliver them.
 
-use super::num::{excess, scale, sqrt};
+use super::num::{scale, shift_to_fit, sqrt};
 use super::unit::part;
 use super::{NumberError, Scalar};
 
@@ -56,7 +56,7 @@ impl Quaternion {
             return Err(QuaternionError::Zero);
         }
         // To 30 bits, so that four squares stay below 2⁶³.
-        let parts = parts.map(|c| scale(c, -excess(largest, 30)));
+        let parts = parts.map(|c| scale(c, -shift_to_fit(largest, 30)));
         let square = parts.iter().map(|c| c.unsigned_abs().pow(2)).sum();
         let length = sqrt(square); // 2²⁹ … 2³¹
         Ok(Self(parts.map(|c| part(c as i32, length)))) // 30 bits, or 2³⁰

@@ -1,7 +1,8 @@
 //! A linear form over a space: the stuff of matrices.
 
 use super::num::{
-    add, after, bits_of, excess, keep_rolled, magnitude, max, mul_translation, row_times, scale, Product,
+    add, after, bits_of, keep_rolled, magnitude, max, mul_translation, row_times, scale, shift_to_fit,
+    Product,
 };
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
@@ -21,7 +22,7 @@ pub(crate) struct Row {
 #[inline(never)] // set-up: small is better, and so are slices: their loops stay loops
 pub(crate) const fn block(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
-    let shift = excess(bits, 30);
+    let shift = shift_to_fit(bits, 30);
     let mut i = 0;
     while i < sums.len() && i < linear.len() {
         keep_rolled();
@@ -66,7 +67,7 @@ pub(crate) fn form(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) 
 /// Forms of one homogeneous point over a vector in 2⁻³²: in units of 2^(shift − 32), and that shift, which is 0 where
 /// none of them can pass 2⁶¹. None saturates.
 pub(crate) fn homogeneous<const N: usize>(rows: &[Row; N], p: &[i64; 3]) -> ([i64; N], i32) {
-    let reach = excess(bits_of(p), 0);
+    let reach = shift_to_fit(bits_of(p), 0);
     let shift = rows.iter().fold(0, |shift, row| max(shift, row.overflow(reach)));
     (rows.map(|row| form(&row.linear, row.exponent - shift, p, scale(row.offset, -shift))), shift)
 }
@@ -86,8 +87,8 @@ impl Row {
     pub(crate) fn overflow(&self, reach: i32) -> i32 {
         let bits = magnitude(&self.linear);
         // Three products.
-        let linear = if bits == 0 { 0 } else { excess(bits.into(), 28) + self.exponent + reach };
-        linear.max(excess(self.offset.unsigned_abs(), 0)) - 60
+        let linear = if bits == 0 { 0 } else { shift_to_fit(bits.into(), 28) + self.exponent + reach };
+        linear.max(shift_to_fit(self.offset.unsigned_abs(), 0)) - 60
     }
 
     /// The form on a vector in 2⁻³²: in 2⁻³², saturating.

@@ -1,12 +1,12 @@
 //! Directions of length one, by block scaling: right for tiny and huge vectors alike.
 
-use super::num::{after, bits_of, excess, fraction, scale, sqrt};
+use super::num::{after, bits_of, fraction, scale, shift_to_fit, sqrt};
 
 /// Scales the three numbers by one power of two so that the largest has 31 bits: rounded to nearest, but
 /// never beyond `i32`. Zero stays zero.
 #[inline(never)] // set-up: small is better
 const fn block(v: &[i64; 3]) -> [i32; 3] {
-    let shift = -excess(bits_of(v), 31); // 0 may be shifted by any number
+    let shift = -shift_to_fit(bits_of(v), 31); // 0 may be shifted by any number
     let (mut scaled, mut i) = ([0; 3], 0);
     while i < 3 {
         scaled[i] = narrow(scale(v[i], shift));

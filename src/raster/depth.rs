@@ -1,7 +1,7 @@
 //! Depth over a triangle: a plane in 16.16, kept below what stands for nothing.
 
-use super::plane::Extent;
-use super::{Plane, Planes, Scissor, Triangle};
+use super::gradient::Extent;
+use super::{Gradient, GradientSetup, Scissor, Triangle};
 
 /// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less, so
 /// that what stepping adds to it within 512 pixels does not reach 65535, which stands for nothing.
@@ -19,14 +19,14 @@ fn lowered(depths: [i32; 3], viewport: &Scissor) -> [i32; 3] {
     depths.map(|z| z.min(farthest))
 }
 
-impl Plane {
+impl Gradient {
     /// Depths in 16.8, 0 … [`FARTHEST`], with the half that rounds: the upper 16 bits at a pixel are its
-    /// depth. In steps of depth the error of [`Planes::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
+    /// depth. In steps of depth the error of [`GradientSetup::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
     #[inline(never)]
     pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);
-        match Planes::tiny(triangle, extent).and_then(|planes| planes.through_near(depths)) {
+        match GradientSetup::tiny(triangle, extent).and_then(|planes| planes.through_near(depths)) {
             Some(plane) => plane.with_half(),
             None => Self::of_any_depth(triangle, extent, depths),
         }
@@ -38,7 +38,7 @@ impl Plane {
         if extent.is_large() {
             depths = lowered(depths, triangle.viewport);
         }
-        Planes::of_extent(triangle, extent).through(&depths).with_half()
+        GradientSetup::of_extent(triangle, extent).through(&depths).with_half()
     }
 
     /// With the half that rounds.
@@ -65,7 +65,7 @@ mod tests {
         if area(&points) == 0 {
             return 0;
         }
-        let plane = Plane::of_depth(&Triangle::new(points, area(&points), scissor), &corners.map(|c| c.2));
+        let plane = Gradient::of_depth(&Triangle::new(points, area(&points), scissor), &corners.map(|c| c.2));
         // The determinant form of the plane, at p: three areas as weights.
         let cross = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
             (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)
@@ -155,7 +155,7 @@ mod tests {
             let points = corners.map(|(x, y, _)| ScreenPoint::from_subpixels(x, y).unwrap());
             if area(&points) != 0 {
                 let triangle = Triangle::new(points, area(&points), &scissor);
-                let planes = Planes::tiny(&triangle, Extent::of(&triangle));
+                let planes = GradientSetup::tiny(&triangle, Extent::of(&triangle));
                 let own = worst(corners, &scissor);
                 if planes.and_then(|planes| planes.through_near(&corners.map(|c| c.2))).is_some() {
                     (largest, near) = (largest.max(own), near + 1);

@@ -1,4 +1,4 @@
-//! Edges of triangles, on their way down the screen.
+//! BinnedEdges of triangles, on their way down the screen.
 //!
 //! For an edge from p to q, `dy > 0`, the end of a row's span is, at the n-th row of centres below p,
 //!
@@ -15,7 +15,7 @@
 //! ```
 //!
 //! Between S and T there is no other point of the lattice, and so no whole number: `⌈S⌉ = ⌈T⌉`. S is in 12.20 for low
-//! triangles (`side.rs`) and in 32.32 for all others ([`Wide`]). What is kept is S less its last digit, whose integer part
+//! triangles (`side.rs`) and in 32.32 for all others ([`Edge32`]). What is kept is S less its last digit, whose integer part
 //! is ⌈S⌉ − 1: a row costs one addition. Anything from T − 1/dy up to but not including T would do. Where a division is a call,
 //! low triangles have a way of their own (`walk.rs`).
 
@@ -24,7 +24,7 @@ use crate::math::num::{keep_rolled, mul_wide, reciprocal, Reciprocal};
 
 /// The first row whose centres are not above the point: `⌈y − ½⌉`.
 #[inline(always)]
-pub(super) fn first_row(p: &ScreenPoint) -> i32 {
+pub(crate) fn first_row(p: &ScreenPoint) -> i32 {
     (p.y + 127) >> 8
 }
 
@@ -36,25 +36,25 @@ pub(crate) trait Step {
 
 /// c: the column whose centre is not to the right of the point, or the next.
 #[inline(always)]
-pub(super) fn column(p: &ScreenPoint) -> i32 {
+pub(crate) fn column(p: &ScreenPoint) -> i32 {
     (p.x - 128) >> 8
 }
 
 /// xr and yr.
 #[inline(always)]
-pub(super) fn first_centre(p: &ScreenPoint) -> (i32, i32) {
+pub(crate) fn first_centre(p: &ScreenPoint) -> (i32, i32) {
     ((p.x - 128) & 255, 255 - ((p.y + 127) & 255))
 }
 
 /// m of the edge that leads by dx and dy: |m| ≤ |dx| + dy.
 #[inline(always)]
-pub(super) fn numerator((xr, yr): (i32, i32), dx: i32, dy: i32) -> i32 {
+pub(crate) fn numerator((xr, yr): (i32, i32), dx: i32, dy: i32) -> i32 {
     (xr * dy + yr * dx + 255) >> 8 // two products of at most 255·2²²: below 2³¹
 }
 
 /// `⌊n / d⌋` and what is left, of small quotients: counted.
 #[inline(always)]
-pub(super) fn counted(n: i32, d: i32) -> (i32, i32) {
+pub(crate) fn counted(n: i32, d: i32) -> (i32, i32) {
     let (mut quotient, mut rest) = (0, n);
     while rest < 0 {
         keep_rolled();
@@ -69,22 +69,22 @@ pub(super) fn counted(n: i32, d: i32) -> (i32, i32) {
 
 /// One side of any triangle inside the guard band, in 32.32.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Wide {
+pub(crate) struct Edge32 {
     at: i64,
     step: i64,
 }
 
-impl Wide {
+impl Edge32 {
     /// The most rows that it may be stepped through.
     ///
-    /// Start and step are rounded down to multiples of 2⁻³², or of a negative number the one below: S falls behind by at
+    /// RowOrigin and step are rounded down to multiples of 2⁻³², or of a negative number the one below: S falls behind by at
     /// most 2⁻³² at first and in each row, 960·2⁻³² in all, where 1/dy ≥ 2⁻²².
-    pub(super) const ROWS: i32 = 959;
+    pub(crate) const ROWS: i32 = 959;
 
     /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above q's; so `q.y > p.y`. Pixels
     /// are counted from the target's origin.
     #[inline(never)]
-    pub(super) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32) -> Self {
+    pub(crate) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
         let (column, m) = (column(p), numerator(first_centre(p), dx, dy));
         let by = Long::new(dy);
@@ -94,36 +94,36 @@ impl Wide {
     }
 
     /// A vertical one.
-    pub(super) fn vertical(column: i32) -> Self {
+    pub(crate) fn vertical(column: i32) -> Self {
         Self { at: i64::from(column) << 32, step: 0 }
     }
 
     /// The end of the span.
     #[inline(always)]
-    pub(super) fn first(&self) -> i32 {
+    pub(crate) fn first(&self) -> i32 {
         (self.at >> 32) as i32
     }
 
     /// Whether all spans end there.
     #[inline(always)]
-    pub(super) fn is_vertical(&self) -> bool {
+    pub(crate) fn is_vertical(&self) -> bool {
         self.step == 0
     }
 
     /// By as many rows.
-    pub(super) fn skip(&mut self, rows: i32) {
+    pub(crate) fn skip(&mut self, rows: i32) {
         self.at = self.at.wrapping_add(self.step.wrapping_mul(rows.into()));
     }
 
     /// The end of the span so many rows below.
-    pub(super) fn pixel(&self, below: i32) -> i32 {
+    pub(crate) fn pixel(&self, below: i32) -> i32 {
         let mut side = *self;
         side.skip(below);
         side.first()
     }
 }
 
-impl Step for Wide {
+impl Step for Edge32 {
     #[inline(always)]
     fn next(&mut self) -> i32 {
         let pixel = self.first();
@@ -136,7 +136,7 @@ impl Step for Wide {
 ///
 /// With the reciprocal's relative error of 2⁻²⁹ the fraction is off by less than 9 before it is cut: what is left of n then
 /// tells by how much.
-pub(super) struct Long {
+pub(crate) struct Long {
     d: i32,
     /// 1/d = mantissa · 2^(shift − 61); shifts of 8 … 30.
     by: Reciprocal,
@@ -144,13 +144,13 @@ pub(super) struct Long {
 
 impl Long {
     #[inline(always)]
-    pub(super) fn new(d: i32) -> Self {
+    pub(crate) fn new(d: i32) -> Self {
         Self { d, by: reciprocal(d) }
     }
 
     /// For |n| < 2³⁸, and |n / d| < 2²³.
     #[inline(never)]
-    pub(super) fn divide(&self, n: i64) -> i64 {
+    pub(crate) fn divide(&self, n: i64) -> i64 {
         let Self { d, by: Reciprocal { mantissa, shift } } = *self;
         let (sign, n) = (n >> 63, n.unsigned_abs());
         // 31 bits of it. Those dropped are less than d: only of a large one are there so many.
@@ -170,7 +170,7 @@ impl Long {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::math::random::Random;
 
@@ -201,7 +201,7 @@ pub(super) mod tests {
             let n = i64::from(numerator(first, dx, dy)) + i64::from(below) * i64::from(dx);
             let (by, left) = (Long::new(dy), left - below);
             let wide = (by.divide(n), by.divide(dx.into()));
-            let rows = left.min(Wide::ROWS);
+            let rows = left.min(Edge32::ROWS);
             for row in [0, 1, rows / 2, rows - 1] {
                 assert_behind(n, dx, dy, wide, row.min(rows - 1), 32);
             }

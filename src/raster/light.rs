@@ -1,21 +1,21 @@
 //! One light over a triangle: a plane in 8.24, of most triangles made with depth's reciprocal where both are asked for.
 
-use super::plane::Extent;
-use super::{Plane, Planes, Triangle};
+use super::gradient::Extent;
+use super::{Gradient, GradientSetup, Triangle};
 
-impl Plane {
+impl Gradient {
     /// Lights in 8.10, 0 … 255 · 2¹⁰, with the half that rounds: the upper 8 bits at a pixel are its light, rounded to
     /// nearest, with an error of less than 2⁻⁹ before that.
     ///
     /// Most small triangles keep 10 bits of fraction, so that 32 bits are enough, and are off by
-    /// `((w + h)·½ + 35)·2⁻¹⁸`, w and h at most 128; all others have 16, and the error of [`Planes::through`],
+    /// `((w + h)·½ + 35)·2⁻¹⁸`, w and h at most 128; all others have 16, and the error of [`GradientSetup::through`],
     /// `((w + h)·½ + 34 + 2¹⁰·⁶)·2⁻²⁴`, w + h ≤ 2¹⁵.
     #[inline(never)]
     pub(crate) fn of_light(triangle: &Triangle<'_>, lights: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);
-        match Planes::small(triangle, extent).and_then(|planes| planes.exact(lights)) {
+        match GradientSetup::small(triangle, extent).and_then(|planes| planes.exact(lights)) {
             Some(plane) => plane.times_64(),
-            None => Planes::of_extent(triangle, extent).through(&lights.map(|light| light << 6)), // < 2²⁴
+            None => GradientSetup::of_extent(triangle, extent).through(&lights.map(|light| light << 6)), // < 2²⁴
         }
         .rounding_light()
     }
@@ -30,7 +30,7 @@ impl Plane {
     ) -> [Self; 2] {
         let mut planes = [Self::default(); 2];
         let [of_depth, of_light] = &mut planes;
-        if let Some(shared) = Planes::tiny(triangle, Extent::of(triangle)) {
+        if let Some(shared) = GradientSetup::tiny(triangle, Extent::of(triangle)) {
             if let Some(plane) = shared.through_near(depths) {
                 *of_depth = plane.with_half();
                 match shared.exact(lights) {
@@ -94,7 +94,7 @@ mod tests {
                 1 => 255 << 10,
                 _ => random.within(255 << 10).abs(),
             });
-            let plane = Plane::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
+            let plane = Gradient::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
             let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
                 i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
             };
@@ -131,9 +131,9 @@ mod tests {
             let lights = [0; 3].map(|_| random.within(255 << 10).abs());
             if area(&corners) != 0 {
                 let triangle = Triangle::new(corners, area(&corners), &scissor);
-                let each = [Plane::of_depth(&triangle, &depths), Plane::of_light(&triangle, &lights)];
-                let numbers = |planes: [Plane; 2]| planes.map(|p| (p.origin, p.right, p.down));
-                let at_once = Plane::of_depth_and_light(&triangle, &depths, &lights);
+                let each = [Gradient::of_depth(&triangle, &depths), Gradient::of_light(&triangle, &lights)];
+                let numbers = |planes: [Gradient; 2]| planes.map(|p| (p.origin, p.right, p.down));
+                let at_once = Gradient::of_depth_and_light(&triangle, &depths, &lights);
                 assert_eq!(numbers(at_once), numbers(each), "{triangle:?} {depths:?} {lights:?}");
             }
         }

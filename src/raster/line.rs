@@ -11,7 +11,7 @@ use super::{Pixel, Scissor, Span};
 use crate::math::num::divide;
 use core::hint::black_box;
 
-/// Walks the line from `a` to `b`, both included, inside the scissor: rules L1 to L3. Runs along
+/// Walks the line from `a` to `b`, both included, inside the scissor: rules L1 to L3. LineSpans along
 /// the major axis leave as one span each; a horizontal or vertical line is a single one.
 ///
 /// One addition and one comparison a pixel; set-up has no division unless the line is clipped.
@@ -38,11 +38,11 @@ pub fn line<E>(
     scissor: &Scissor,
     span: impl FnMut(Span) -> Result<(), E>,
 ) -> Result<(), E> {
-    Runs::new(&Course::new(a, b), scissor).try_for_each(span)
+    LineSpans::new(&LineSetup::new(a, b), scissor).try_for_each(span)
 }
 
 /// Where a line goes: from its smaller end by major steps, of which those from `first` to `last` are to be drawn.
-pub(crate) struct Course {
+pub(crate) struct LineSetup {
     /// The smaller end.
     pub(crate) x: i32,
     pub(crate) y: i32,
@@ -59,7 +59,7 @@ pub(crate) struct Course {
     pub(crate) last: i32,
 }
 
-impl Course {
+impl LineSetup {
     /// All of it.
     #[inline(always)]
     pub(crate) fn new(a: Pixel, b: Pixel) -> Self {
@@ -133,14 +133,14 @@ fn invert(odd: i32, length: i32, rise: i32) -> i32 {
 }
 
 /// The runs of a line that are still to come.
-pub(crate) struct Runs {
+pub(crate) struct LineSpans {
     /// The smaller end.
     x: i32,
     y: i32,
     /// Whether the major axis is y, and whether y runs upwards.
     tall: bool,
     up: bool,
-    /// Along the major axis, the next one and the last one.
+    /// LineDepth the major axis, the next one and the last one.
     step: i32,
     last: i32,
     minor_step: i32,
@@ -151,11 +151,11 @@ pub(crate) struct Runs {
     aside: i32,
 }
 
-impl Runs {
+impl LineSpans {
     #[inline(never)]
-    pub(crate) fn new(course: &Course, scissor: &Scissor) -> Self {
+    pub(crate) fn new(course: &LineSetup, scissor: &Scissor) -> Self {
         let course = course.clipped(scissor);
-        let Course { x, y, tall, up, length, rise, first: step, last, .. } = course;
+        let LineSetup { x, y, tall, up, length, rise, first: step, last, .. } = course;
         let (along, aside) = (2 * rise, 2 * (rise - length));
         let (mut minor_step, mut error) = (0, along - length);
         if step > 0 && step <= last {
@@ -167,7 +167,7 @@ impl Runs {
     }
 }
 
-impl Iterator for Runs {
+impl Iterator for LineSpans {
     type Item = Span;
 
     #[inline(never)]

@@ -36,65 +36,29 @@
 //! let forged = pinhole::raster::ScreenPoint { x: 1 << 30, y: 0 };
 //! ```
 
-mod along;
 mod depth;
-mod edge;
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-mod halves;
+mod depth_triangle;
+pub(crate) mod edge;
+pub(crate) mod gradient;
 mod light;
 mod line;
-mod piece;
-mod places;
-mod plane;
-#[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
-mod side;
-mod stretch;
-mod triangle;
-#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-mod walk;
+mod line_depth;
+pub(crate) mod pixel_layout;
+pub(crate) mod trapezoid;
+pub(crate) mod triangle;
 
-pub(crate) use along::Along;
+pub(crate) use crate::fast::{Inside, Kept, Low, Small};
 pub(crate) use depth::FARTHEST;
+pub(crate) use depth_triangle::DepthTriangle;
+pub use gradient::Gradient;
+pub(crate) use gradient::GradientSetup;
 pub use line::line;
-pub(crate) use line::{Course, Runs};
-pub(crate) use piece::Piece;
-pub(crate) use places::{place, Ground, Places, Rows, Start};
-pub use plane::Plane;
-pub(crate) use plane::Planes;
-pub(crate) use stretch::Stretch;
-pub(crate) use triangle::Large;
+pub(crate) use line::{LineSetup, LineSpans};
+pub(crate) use line_depth::LineDepth;
+pub(crate) use pixel_layout::{place, PixelLayout, RowOrigin, RowScratch, Rows};
+pub(crate) use trapezoid::Trapezoid;
+pub(crate) use triangle::AnyTriangle;
 pub use triangle::{area, triangle, Triangle};
-
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(crate) use by_division::{Inside, Kept, Low, Small};
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-pub(crate) use without_division::{Inside, Kept, Low, Small};
-
-/// Low triangles, and the rows of those that may be cut.
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-mod by_division {
-    use super::halves::Halves;
-    pub(crate) use super::halves::Kept;
-    use super::side::{AtOnce, ByDivision};
-
-    /// Within 32 by 30 pixels, inside the scissor: most.
-    pub(crate) type Small = Halves<AtOnce, false>;
-    /// Within 32 rows, inside the scissor.
-    pub(crate) type Inside = Halves<ByDivision, false>;
-    /// The same between the scissor's columns.
-    pub(crate) type Low = Halves<ByDivision, true>;
-}
-
-/// The same within 31 rows, small ones too.
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-mod without_division {
-    pub(crate) use super::walk::Kept;
-    use super::walk::Walk;
-
-    pub(crate) type Small = Walk<false>;
-    pub(crate) type Inside = Walk<false>;
-    pub(crate) type Low = Walk<true>;
-}
 
 /// The guard band: 3D geometry is cut at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;
@@ -104,8 +68,8 @@ pub const GUARD_BAND: i32 = 8192;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenPoint {
-    x: i32,
-    y: i32,
+    pub(crate) x: i32,
+    pub(crate) y: i32,
 }
 
 impl ScreenPoint {
@@ -129,7 +93,7 @@ impl ScreenPoint {
         Self { x: x.clamp(-LIMIT, LIMIT), y: y.clamp(-LIMIT, LIMIT) }
     }
 
-    /// For callers that have shown the point to lie in the guard band: see `Placement::project`.
+    /// For callers that have shown the point to lie in the guard band: see `VertexTransform::project`.
     #[inline(always)]
     pub(crate) fn inside(x: i32, y: i32) -> Self {
         debug_assert!(Self::from_subpixels(x, y).is_some(), "({x}, {y})");
@@ -168,19 +132,19 @@ pub struct Pixel {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scissor {
-    left: i32,
-    top: i32,
-    right: i32,
-    bottom: i32,
+    pub(crate) left: i32,
+    pub(crate) top: i32,
+    pub(crate) right: i32,
+    pub(crate) bottom: i32,
 }
 
 impl Scissor {
-    /// Limits in pixels, clamped to ±32768: nothing is drawn beyond.
+    /// DrawRegion in pixels, clamped to ±32768: nothing is drawn beyond.
     pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }.near()
     }
 
-    /// Limits brought where drawing can reach.
+    /// DrawRegion brought where drawing can reach.
     pub(crate) fn near(&self) -> Self {
         let near = |v: i32| v.clamp(-32_768, 32_768);
         Self {
@@ -191,7 +155,7 @@ impl Scissor {
         }
     }
 
-    /// Limits as they are: inside the guard band, or to be intersected with what is.
+    /// DrawRegion as they are: inside the guard band, or to be intersected with what is.
     #[inline(always)]
     pub(crate) const fn as_given(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }

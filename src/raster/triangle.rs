@@ -5,8 +5,8 @@
 //! the top-left rule (R2–R5), and as the end depends on the edge alone, neighbours share it (R8).
 //! `side.rs` has it exactly, by one addition a row, and on a Cortex-M0 `walk.rs`.
 
-use super::edge::{first_row, Wide};
-use super::{Ground, Inside, Kept, Low, Plane, Planes, Scissor, ScreenPoint, Span, Stretch};
+use super::edge::{first_row, Edge32};
+use super::{Gradient, GradientSetup, Inside, Kept, Low, RowScratch, Scissor, ScreenPoint, Span, Trapezoid};
 use crate::math::num::{mul_wide, CORTEX_M0};
 use core::borrow::Borrow;
 
@@ -27,14 +27,14 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     mul_wide(x2, y1) + mul_wide(-x1, y2)
 }
 
-/// A triangle about to be drawn, as a custom [`InkFor`](crate::InkFor) gets it.
+/// A triangle about to be drawn, as a custom [`SpanShader`](crate::SpanShader) gets it.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle<'v> {
-    pub(super) corners: [ScreenPoint; 3],
+    pub(crate) corners: [ScreenPoint; 3],
     /// [`area`]; not zero.
-    pub(super) area: i64,
-    pub(super) viewport: &'v Scissor,
+    pub(crate) area: i64,
+    pub(crate) viewport: &'v Scissor,
 }
 
 impl<'v> Triangle<'v> {
@@ -64,7 +64,7 @@ impl<'v> Triangle<'v> {
     /// The same where the loop is to be part of what draws.
     #[inline(always)]
     pub(crate) fn each_span(&self, scissor: &Scissor, draw: impl FnMut(Span)) {
-        let columns = &mut Ground::of_columns();
+        let columns = &mut RowScratch::of_columns();
         match Inside::new(self, scissor, columns) {
             Some(inside) => inside.each_span(columns, draw),
             None => self.spans(scissor).for_each(draw),
@@ -73,8 +73,8 @@ impl<'v> Triangle<'v> {
 
     /// The plane through a value at each corner, in their order, 0 … 2²⁴ − 1 (larger ones count as that), for
     /// custom inks.
-    pub fn plane(&self, values: [u32; 3]) -> Plane {
-        Planes::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
+    pub fn plane(&self, values: [u32; 3]) -> Gradient {
+        GradientSetup::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
     }
 }
 
@@ -110,7 +110,7 @@ pub fn triangle<E>(
 
 /// The corners down the screen, and whether the middle one lies to the left of the edge between the others.
 #[inline(always)]
-pub(super) fn down<P: Borrow<ScreenPoint>>(corners: [P; 3], area: i64) -> ([P; 3], bool) {
+pub(crate) fn down<P: Borrow<ScreenPoint>>(corners: [P; 3], area: i64) -> ([P; 3], bool) {
     let [mut a, mut b, mut c] = corners;
     let is_above = |p: &P, q: &P| p.borrow().y < q.borrow().y;
     // Counter-clockwise with y up, a on top and c at the bottom: b lies to the left of a–c. Each exchange turns that over.
@@ -128,14 +128,14 @@ pub(super) fn down<P: Borrow<ScreenPoint>>(corners: [P; 3], area: i64) -> ([P; 3
 }
 
 /// The stretches of all other triangles, inside the scissor.
-pub(crate) struct Large {
+pub(crate) struct AnyTriangle {
     /// The next row, and the end.
     row: i32,
     end: i32,
     /// The side or the two sides with the middle corner, and the one from the first corner to the last, at the next row;
     /// and the rows from which on they are to be set up anew.
-    short: Wide,
-    long: Wide,
+    short: Edge32,
+    long: Edge32,
     until: [i32; 2],
     /// The scissor's columns.
     from: i32,
@@ -146,7 +146,7 @@ pub(crate) struct Large {
     corners: [ScreenPoint; 3],
 }
 
-impl Large {
+impl AnyTriangle {
     #[inline(never)]
     pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
         let reach = Scissor::of(&triangle.corners);
@@ -155,8 +155,8 @@ impl Large {
         Self {
             row: reach.top.max(scissor.top),
             end: if beside { i32::MIN } else { reach.bottom.min(scissor.bottom) },
-            short: Wide::default(),
-            long: Wide::default(),
+            short: Edge32::default(),
+            long: Edge32::default(),
             until: [i32::MIN; 2],
             from: scissor.left,
             to: scissor.right,
@@ -172,7 +172,7 @@ impl Large {
 
     /// The next stretch, of one row at least, if there is one. It is made where it stays: it is large.
     #[inline(never)]
-    pub(crate) fn stretch(&mut self, stretch: &mut Stretch<Wide>) -> bool {
+    pub(crate) fn stretch(&mut self, stretch: &mut Trapezoid<Edge32>) -> bool {
         if self.is_empty() {
             return false;
         }
@@ -183,11 +183,11 @@ impl Large {
 
     /// As far down as both sides go, and are not cut.
     #[inline(never)] // its frame is not there while sides are set up
-    fn take(&mut self, stretch: &mut Stretch<Wide>) {
+    fn take(&mut self, stretch: &mut Trapezoid<Edge32>) {
         let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
         let rows = self.end.min(short_until).min(long_until) - y;
         let sides = if self.middle_left { [short, long] } else { [long, short] };
-        *stretch = Stretch { x: 0, y, rows, sides };
+        *stretch = Trapezoid { x: 0, y, rows, sides };
         stretch.cut(self.from, self.to);
         self.short.skip(stretch.rows);
         self.long.skip(stretch.rows);
@@ -198,15 +198,15 @@ impl Large {
     #[inline(never)]
     fn set_up(&mut self) {
         let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;
-        let further = row + Wide::ROWS;
+        let further = row + Edge32::ROWS;
         if row >= short_until {
             let middle = first_row(&b);
             let (p, q, end) = if row < middle { (a, b, middle.min(further)) } else { (b, c, further) };
-            self.short = Wide::new(&p, &q, row);
+            self.short = Edge32::new(&p, &q, row);
             self.until = [end, long_until];
         }
         if row >= long_until {
-            self.long = Wide::new(&a, &c, row);
+            self.long = Edge32::new(&a, &c, row);
             let [short_until, _] = self.until;
             self.until = [short_until, further];
         }
@@ -218,16 +218,16 @@ pub(crate) enum Spans {
     /// Those of a low triangle.
     Low(Kept),
     /// The rows left of a stretch, and what is below.
-    Large(Stretch<Wide>, Large),
+    AnyTriangle(Trapezoid<Edge32>, AnyTriangle),
 }
 
 impl Spans {
     #[inline(never)]
     fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
-        let mut columns = Ground::of_columns();
+        let mut columns = RowScratch::of_columns();
         match Low::new(triangle, scissor, &mut columns) {
             Some(low) => Self::Low(Kept::new(low, columns)),
-            None => Self::Large(Stretch::default(), Large::new(triangle, scissor)),
+            None => Self::AnyTriangle(Trapezoid::default(), AnyTriangle::new(triangle, scissor)),
         }
     }
 
@@ -235,7 +235,7 @@ impl Spans {
     pub(crate) fn is_empty(&self) -> bool {
         match self {
             Self::Low(kept) => kept.is_empty(),
-            Self::Large(_, large) => large.is_empty(),
+            Self::AnyTriangle(_, large) => large.is_empty(),
         }
     }
 }
@@ -248,7 +248,7 @@ impl Iterator for Spans {
     fn next(&mut self) -> Option<Span> {
         match self {
             Self::Low(kept) => kept.span(),
-            Self::Large(stretch, large) => loop {
+            Self::AnyTriangle(stretch, large) => loop {
                 if let Some(span) = stretch.span() {
                     return Some(span);
                 }

@@ -8,8 +8,8 @@ use crate::math::{Coordinate, Point3, Scalar, Sphere};
 ///
 /// Vertices are `i16` with a power-of-two unit, model coordinate = vertex · 2^exponent: 6 bytes
 /// each, and 16-bit products on a Cortex-M0. Meshes that need more range take [`Scalar`] vertices
-/// ([`Mesh::from_fixed`]); everything else is the same. Faces run counter-clockwise as seen from
-/// outside; a mesh without faces is a list of points, for plots and tool paths. Edges are needed for wireframes, face normals for light.
+/// ([`Mesh::from_fixed`]); everything else is the same. BinnedFaces run counter-clockwise as seen from
+/// outside; a mesh without faces is a list of points, for plots and tool paths. BinnedEdges are needed for wireframes, face normals for light.
 ///
 /// ```
 /// use pinhole::{Mesh, MeshError};
@@ -84,7 +84,7 @@ pub enum MeshError {
         /// How many normals were given.
         normals: usize,
     },
-    /// Planes come one per face.
+    /// GradientSetup come one per face.
     PlaneCount {
         /// How many faces there are.
         faces: usize,
@@ -139,7 +139,7 @@ impl core::fmt::Display for MeshError {
 impl core::error::Error for MeshError {}
 
 /// The two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const` where the
-/// mesh is small, at run time where it is large. Faces from number 65535 on are left out (a `u16` cannot name
+/// mesh is small, at run time where it is large. BinnedFaces from number 65535 on are left out (a `u16` cannot name
 /// them). Time grows with edges × (edges + faces).
 ///
 /// Where more than two faces meet in an edge, list it once for every two: each time it gets the next
@@ -424,7 +424,7 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { normals, planes: &[], ..self })
     }
 
-    /// With each face's plane, for [`Placed::facing`](crate::Placed::facing): its signed distance from the origin
+    /// With each face's plane, for [`MeshInstance::cull_by_planes`](crate::MeshInstance::cull_by_planes): its signed distance from the origin
     /// along the normal, as [`face_planes`](Mesh::face_planes) finds it. Call [`with_normals`](Self::with_normals)
     /// first: planes belong to those normals.
     ///

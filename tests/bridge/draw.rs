@@ -4,13 +4,13 @@ use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
 use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
-use pinhole::{Coordinate, Corner, DepthBuffer, Mesh, Painter, Placed, Statistics};
+use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
 
 /// A foreign colour: the index of the face (or whatever the test likes).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Ink(pub(crate) u16);
+pub(crate) struct Shader(pub(crate) u16);
 
-impl PixelColor for Ink {
+impl PixelColor for Shader {
     type Raw = RawU16;
 }
 
@@ -42,18 +42,21 @@ pub(crate) fn room_faces() -> [[u16; 3]; 12] {
 pub(crate) const CUBE_EDGES: [[u16; 2]; 12] =
     [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
-/// Front faces in mesh order; face k in Ink(k).
+/// Front faces in mesh order; face k in Shader(k).
 pub(crate) fn solid<V: Coordinate>(
-    placed: &Placed<'_, V>,
-    target: &mut Recorder<Ink>,
+    placed: &MeshInstance<'_, V>,
+    target: &mut Recorder<Shader>,
 ) -> Result<Statistics, Refused> {
-    let mut cache = [Corner::default(); 64];
-    placed.solid(|face| Ink(face as u16), &mut cache, target)
+    let mut cache = [ScreenVertex::default(); 64];
+    placed.solid(|face| Shader(face as u16), &mut cache, target)
 }
 
-pub(crate) fn wireframe(placed: &Placed<'_>, target: &mut Recorder<Ink>) -> Result<Statistics, Refused> {
-    let mut cache = [Corner::default(); 64];
-    placed.wireframe(Ink(7), &mut cache, target)
+pub(crate) fn wireframe(
+    placed: &MeshInstance<'_>,
+    target: &mut Recorder<Shader>,
+) -> Result<Statistics, Refused> {
+    let mut cache = [ScreenVertex::default(); 64];
+    placed.wireframe(Shader(7), &mut cache, target)
 }
 
 /// At a turned cube, from above and before it.
@@ -80,27 +83,27 @@ pub(crate) const WAYS: [Way; 4] = [Way::Wireframe, Way::Solid, Way::Painter, Way
 pub(crate) fn turned_cube(
     way: Way,
     camera: &CameraBits,
-    target: &mut Recorder<Ink>,
+    target: &mut Recorder<Shader>,
 ) -> Result<Statistics, Refused> {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
     let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]).library();
     let (x, y, width, height) = camera.viewport;
     let camera = camera.library();
     let placed = camera.place(&mesh, &model);
-    let mut cache = [Corner::default(); 8];
+    let mut cache = [ScreenVertex::default(); 8];
     match way {
-        Way::Wireframe => placed.wireframe(Ink(7), &mut cache, target),
-        Way::Solid => placed.solid(|face| Ink(face as u16), &mut cache, target),
+        Way::Wireframe => placed.wireframe(Shader(7), &mut cache, target),
+        Way::Solid => placed.solid(|face| Shader(face as u16), &mut cache, target),
         Way::Painter => {
-            let mut painter = Painter::<Ink, 64, 64>::new();
-            painter.add(&placed, |face| Ink(face as u16)).expect("enough room");
+            let mut painter = Painter::<Shader, 64, 64>::new();
+            painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
             painter.draw(target)
         }
         Way::Depth => {
             let mut storage = vec![0; (width * height) as usize];
             let area = super::rectangle(x, y, width, height);
             let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
-            placed.depth_tested(|face| Ink(face as u16), &mut cache, &mut depth, target)
+            placed.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target)
         }
     }
 }

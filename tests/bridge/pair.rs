@@ -5,7 +5,9 @@ use crate::oracle::chain::{self, fx, M4};
 use crate::oracle::rng::Rng;
 use embedded_graphics_core::geometry::Size;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, Camera, Projection, ProjectionError, Viewing, ViewingError, Viewport, Window};
+use pinhole::{
+    Affine, Angle, Camera, Projection, ProjectionError, ViewTransform, ViewTransformError, Viewport, Window,
+};
 
 /// One in I16F16.
 pub(crate) const ONE: i32 = 1 << 16;
@@ -16,7 +18,7 @@ pub(crate) fn ints(x: i16, y: i16, z: i16) -> [i32; 3] {
 }
 
 /// The rows of a view, as reals.
-pub(crate) fn rows(v: &Viewing) -> [[f64; 3]; 3] {
+pub(crate) fn rows(v: &ViewTransform) -> [[f64; 3]; 3] {
     v.rows().map(|r| r.map(|c| f64::from(c) / f64::from(1 << 30)))
 }
 
@@ -32,11 +34,11 @@ pub(crate) enum ViewBits {
 }
 
 impl ViewBits {
-    pub(crate) fn library(self) -> Result<Viewing, ViewingError> {
+    pub(crate) fn library(self) -> Result<ViewTransform, ViewTransformError> {
         match self {
-            Self::LookAt(e, t, u) => Viewing::look_at(point(e), point(t), vector(u)),
-            Self::LookAlong(e, g, u) => Viewing::look_along(point(e), vector(g), vector(u)),
-            Self::Reference(e, n, u) => Viewing::from_reference(point(e), vector(n), vector(u)),
+            Self::LookAt(e, t, u) => ViewTransform::look_at(point(e), point(t), vector(u)),
+            Self::LookAlong(e, g, u) => ViewTransform::look_along(point(e), vector(g), vector(u)),
+            Self::Reference(e, n, u) => ViewTransform::from_reference(point(e), vector(n), vector(u)),
         }
     }
 

@@ -1,4 +1,3 @@
-
 use cortex_m as _;
 use semihosting::{print, println};
 

@@ -3,7 +3,7 @@
 mod huge;
 mod watertight;
 
-use crate::bridge::draw::{solid, Ink};
+use crate::bridge::draw::{solid, Shader};
 use crate::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::bridge::{self, compare, scalar};
 use crate::oracle::cases::GUARD;
@@ -140,7 +140,7 @@ fn a3_degenerate_faces_are_counted_and_draw_nothing() {
     }
     let mesh = Mesh::new(&vertices, -1, &faces).expect("a mesh");
     let (camera, model) = (flat().library(), before().library());
-    let mut target = Recorder::<Ink>::sized(64, 64);
+    let mut target = Recorder::<Shader>::sized(64, 64);
     let s = solid(&camera.place(&mesh, &model), &mut target).expect("no error");
     assert_eq!((s.degenerate as usize, s.drawn, s.culled), (faces.len(), 0, 0));
     assert!(target.calls.is_empty());
@@ -241,7 +241,7 @@ fn a6_faces_are_culled_by_their_snapped_area() {
         vanished += u32::from(exact != 0 && after == 0);
         let vertices = t.map(|p| [scalar(p.0 as i32), scalar(-p.1 as i32), scalar(0)]);
         let mesh = Mesh::from_fixed(&vertices, &[[0, 1, 2]]).expect("a mesh");
-        let mut target = Recorder::<Ink>::sized(16, 16);
+        let mut target = Recorder::<Shader>::sized(16, 16);
         let s = solid(&camera.place(&mesh, &model), &mut target).expect("no error");
         // Front is counter-clockwise with y up.
         let wanted = [u32::from(after < 0), u32::from(after > 0), u32::from(after == 0)];

@@ -1,6 +1,6 @@
 //! B1–B7: lines.
 
-use crate::bridge::draw::Ink;
+use crate::bridge::draw::Shader;
 use crate::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::bridge::{self, compare};
 use crate::oracle::coverage::{Area, P};
@@ -252,9 +252,9 @@ fn b7_who_draws_the_pixel_of_a_joint() {
         let mesh =
             Mesh::new(&vertices, -1, &[]).and_then(|m| m.with_edges(&[[0, 1], [1, 2]])).expect("a mesh");
         let placed = library.place(&mesh, &model);
-        let (mut once, mut each) = (Recorder::<Ink>::sized(32, 32), Recorder::<Ink>::sized(32, 32));
-        placed.polyline(Ink(1), &mut once).expect("no error");
-        placed.wireframe(Ink(1), &mut [], &mut each).expect("no error");
+        let (mut once, mut each) = (Recorder::<Shader>::sized(32, 32), Recorder::<Shader>::sized(32, 32));
+        placed.polyline(Shader(1), &mut once).expect("no error");
+        placed.wireframe(Shader(1), &mut [], &mut each).expect("no error");
         let [a, joint, b] = path.map(|(x, y)| (i64::from(x), i64::from(y)));
         let area = Area::new(0, 0, 32, 32);
         for (x, y) in area.pixels() {

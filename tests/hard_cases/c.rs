@@ -4,7 +4,7 @@
 //! A snapped vertex is up to 1/256 px off, so pixels whose answer is not certain for every ray within
 //! 1/64 px are left out; they are counted, and few.
 
-use crate::bridge::draw::{room_faces, solid, wireframe, Ink, CUBE, CUBE_EDGES, CUBE_FACES};
+use crate::bridge::draw::{room_faces, solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
 use crate::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::bridge::scalar;
 use crate::oracle::chain::{self, vertex, V3, V4};
@@ -76,7 +76,7 @@ fn compare_mesh<V: Coordinate>(
                 tally.covered += 1;
                 assert_eq!(
                     (count, colour),
-                    (1, Some(Ink(face as u16))),
+                    (1, Some(Shader(face as u16))),
                     "({x}, {y}) sees face {face}; {c:?} {model:?} {positions:?} {faces:?} {statistics:?}"
                 );
             }
@@ -542,7 +542,7 @@ fn c6_the_cut_of_a_shared_edge_is_the_same_point_for_both() {
         library
             .place(&mesh, &model.library())
             .with_cull(Cull::None)
-            .solid(|face| Ink(face as u16), &mut [], &mut target)
+            .solid(|face| Shader(face as u16), &mut [], &mut target)
             .expect("no error");
         // The same quadrangle cut along the other diagonal, seen from either side.
         let other = [[0, 1, 3], [1, 2, 3], [3, 1, 0], [3, 2, 1]];

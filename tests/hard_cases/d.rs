@@ -13,7 +13,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Corner, Cull, DepthBuffer, Mesh};
+use pinhole::{Affine, Cull, DepthBuffer, Mesh, ScreenVertex};
 use std::convert::Infallible;
 
 const SIZE: (u32, u32) = (96, 80);
@@ -60,7 +60,7 @@ fn draw(
     let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
     let model = Affine::<Model, World>::identity();
     let placed = camera.library().place(&mesh, &model).with_cull(Cull::None);
-    let mut corners = vec![Corner::default(); vertices.len()];
+    let mut corners = vec![ScreenVertex::default(); vertices.len()];
     let Ok(_) = placed.depth_tested(|face| Face(face as i32), &mut corners, &mut depth, &mut picture);
     (picture.0, storage)
 }
@@ -219,7 +219,7 @@ fn d3_what_is_stored() {
             let (_, depths) = draw(&camera, &vertices, -10, &faces);
             let stored = f64::from(depths[0]);
             assert!(depths.iter().all(|&d| f64::from(d) == stored), "a wall across the view has one depth");
-            // Rounded to nearest but for what the chain adds, as stated for `Placed::project`.
+            // Rounded to nearest but for what the chain adds, as stated for `MeshInstance::project`.
             assert!((stored - depth).abs() <= 0.51, "{stored} for {depth}");
         }
     }

@@ -4,7 +4,7 @@ mod errors;
 mod viewports;
 
 use crate::bridge::compare::{close3, HALF};
-use crate::bridge::draw::{solid, wireframe, Ink, CUBE, CUBE_EDGES, CUBE_FACES};
+use crate::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
 use crate::bridge::pair::{
     bits, ints, random_view, rows, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE,
 };
@@ -14,7 +14,7 @@ use crate::oracle::chain::{self, dot, fx3, vertex, V3};
 use crate::oracle::rng::Rng;
 use crate::oracle::target::Recorder;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Angle, Mesh, Point3, Vector3, Viewing};
+use pinhole::{Affine, Angle, Mesh, Point3, Vector3, ViewTransform};
 
 #[test]
 fn e7_sine_and_cosine() {
@@ -81,7 +81,7 @@ fn e2_apply_saturates_and_never_wraps() {
     assert_eq!(reals(large.apply(Point3::from_ints(32767, -32768, 0))), [top, -32768.0, 0.0]);
     let larger = large.then(&Affine::<World, World>::scale(scalar(i32::MIN)));
     assert_eq!(reals(larger.apply(Point3::from_ints(1, -1, 0))), [-32768.0, top, 0.0]);
-    let view = Viewing::look_along(point([i32::MIN; 3]), vector(ints(0, 0, -1)), vector(ints(0, 1, 0)));
+    let view = ViewTransform::look_along(point([i32::MIN; 3]), vector(ints(0, 0, -1)), vector(ints(0, 1, 0)));
     assert_eq!(reals(view.expect("a view").apply(point([i32::MAX; 3]))), [top; 3]);
 }
 
@@ -183,7 +183,8 @@ fn e1_a_scene_at_20000_is_the_scene_at_the_origin() {
             model.0.push(Step::Move(offset));
             // What one ray a pixel sees, in f64.
             let tally = c::compare(&c, false, &model, &CUBE, 0, &CUBE_FACES, 1.0 / 64.0);
-            let (mut faces, mut edges) = (Recorder::<Ink>::sized(48, 32), Recorder::<Ink>::sized(48, 32));
+            let (mut faces, mut edges) =
+                (Recorder::<Shader>::sized(48, 32), Recorder::<Shader>::sized(48, 32));
             let (library, model) = (c.library(), model.library());
             let placed = library.place(&mesh, &model);
             solid(&placed, &mut faces).expect("no error");

@@ -5,8 +5,8 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Band, Camera, Corner, Dim, Faces, Lambert, Mesh, Placed, Point3, Projection, Scalar,
-    Vector3, Viewing, Viewport, Wire,
+    Affine, Angle, Band, BinnedFaces, Camera, Dim, Lambert, Mesh, MeshInstance, PixelFormat, Point3,
+    Projection, Scalar, ScreenVertex, Vector3, ViewTransform, Viewport,
 };
 
 /// The cube of ±1.
@@ -54,7 +54,7 @@ pub(crate) const FRAMES: u32 = 72;
 
 /// An object of a frame.
 pub(crate) struct Thing {
-    placed: Placed<'static>,
+    placed: MeshInstance<'static>,
     light: Lambert,
     colour: Rgb888,
     pub(crate) moves: bool,
@@ -65,7 +65,7 @@ fn camera(size: Size) -> Camera {
     let eye = Point3::from_f32(0.0, 0.0, DISTANCE).expect("in range");
     let along = (Vector3::from_ints(0, 0, -1), Vector3::from_ints(0, 1, 0));
     Camera::new(
-        &Viewing::look_along(eye, along.0, along.1).expect("a view"),
+        &ViewTransform::look_along(eye, along.0, along.1).expect("a view"),
         &Projection::perspective(Angle::degrees(60), size, number(0.5), number(20.0)).expect("a projection"),
         &Viewport::new(Point::zero(), size).expect("a viewport"),
     )
@@ -130,7 +130,7 @@ impl Thing {
 }
 
 /// Memory for the vertices and faces of a thing: a number for each face, and one for every 16.
-type Store = ([Corner; VERTICES.len()], [u16; FACES.len() + 1]);
+type Store = ([ScreenVertex; VERTICES.len()], [u16; FACES.len() + 1]);
 
 /// Memory for things.
 #[derive(Default)]
@@ -139,14 +139,14 @@ pub(crate) struct Memory(Vec<Store>);
 /// A thing that is ready for bands.
 pub(crate) struct Recorded<'a> {
     pub(crate) thing: &'a Thing,
-    pub(crate) faces: Faces<'a>,
+    pub(crate) faces: BinnedFaces<'a>,
 }
 
 impl Memory {
     pub(crate) fn record<'a>(&'a mut self, things: &'a [Thing]) -> Vec<Recorded<'a>> {
-        self.0.resize(things.len(), ([Corner::EMPTY; VERTICES.len()], [0; FACES.len() + 1]));
+        self.0.resize(things.len(), ([ScreenVertex::EMPTY; VERTICES.len()], [0; FACES.len() + 1]));
         let record = |(thing, (corners, records)): (&'a Thing, &'a mut Store)| {
-            let faces = thing.placed.transform(corners).faces(records).expect("room for all faces");
+            let faces = thing.placed.transform(corners).bin_faces(records).expect("room for all faces");
             Recorded { thing, faces }
         };
         things.iter().zip(&mut self.0).map(record).collect()
@@ -154,7 +154,7 @@ impl Memory {
 }
 
 impl Recorded<'_> {
-    pub(crate) fn draw<C: Wire + Dim + From<Rgb888>>(&mut self, band: &mut Band<'_, C>) {
+    pub(crate) fn draw<C: PixelFormat + Dim + From<Rgb888>>(&mut self, band: &mut Band<'_, C>) {
         let Ok(()) = self.faces.solid(|face| self.thing.colour::<C>(face), band);
     }
 }

@@ -1,12 +1,12 @@
 //! What a film costs on the wire, each of its frames held against one drawn whole in memory.
 
 use super::films::{Film, Memory, Thing, BACKGROUND};
-use super::screen::{Kind, Screen, Stored};
+use super::screen::{Kind, Screen, StoredPixel};
 use super::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
 use crate::canvas::Canvas;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::Wire;
+use pinhole::PixelFormat;
 
 /// A frame, drawn whole in memory.
 pub(crate) fn reference<C: Colour>(things: &[Thing], size: Size) -> Canvas<C> {
@@ -28,7 +28,7 @@ impl<M: Kind<ColorFormat: Colour>> Screen<M> {
 }
 
 /// The bytes of the pixels of an area.
-pub(crate) fn pixel_bytes<C: Wire>(size: Size) -> usize {
+pub(crate) fn pixel_bytes<C: PixelFormat>(size: Size) -> usize {
     size.width as usize * size.height as usize * C::BITS as usize / 8
 }
 
@@ -48,7 +48,7 @@ fn difference<C: PixelColor>(a: &Canvas<C>, b: &Canvas<C>) -> Rectangle {
 pub(crate) enum Way {
     /// All of every frame.
     Bands,
-    Dirty,
+    DirtyRegions,
     Spans,
     Pixels,
 }
@@ -79,7 +79,7 @@ pub(crate) fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: W
         let display = &mut screen.display;
         let sent = match way {
             Way::Bands => in_bands(&mut recorded, area, &mut strip, display),
-            Way::Dirty => changes(&mut recorded, &mut dirty, &mut strip, display),
+            Way::DirtyRegions => changes(&mut recorded, &mut dirty, &mut strip, display),
             Way::Spans => in_spans(&things, display),
             Way::Pixels => in_pixels(&things, display),
         };

@@ -55,17 +55,17 @@ impl Kind for ILI9341Rgb666 {
 }
 
 /// A colour as the controller's memory holds it.
-pub(crate) trait Stored: PixelColor {
+pub(crate) trait StoredPixel: PixelColor {
     fn stored(self) -> u32;
 }
 
-impl Stored for Rgb565 {
+impl StoredPixel for Rgb565 {
     fn stored(self) -> u32 {
         u32::from(self.r()) << 11 | u32::from(self.g()) << 5 | u32::from(self.b())
     }
 }
 
-impl Stored for Rgb666 {
+impl StoredPixel for Rgb666 {
     fn stored(self) -> u32 {
         u32::from(self.r()) << 12 | u32::from(self.g()) << 6 | u32::from(self.b())
     }

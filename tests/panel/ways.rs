@@ -1,18 +1,18 @@
 //! The ways to get a frame onto a panel.
 
 use super::films::{Recorded, Thing, BACKGROUND};
-use super::screen::Stored;
+use super::screen::StoredPixel;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Dim, Dirty, Frame, WindowCost, Wire};
+use pinhole::{Dim, DirtyRegions, Frame, PixelFormat, TransferCost};
 
 /// A colour that can do all that is asked of one here.
-pub(crate) trait Colour: Wire + Dim + Stored + From<Rgb888> {}
-impl<C: Wire + Dim + Stored + From<Rgb888>> Colour for C {}
+pub(crate) trait Colour: PixelFormat + Dim + StoredPixel + From<Rgb888> {}
+impl<C: PixelFormat + Dim + StoredPixel + From<Rgb888>> Colour for C {}
 
 /// Memory for so many rows.
-pub(crate) fn strip<C: Wire>(width: u32, rows: u32) -> Vec<u8> {
+pub(crate) fn strip<C: PixelFormat>(width: u32, rows: u32) -> Vec<u8> {
     vec![0; Frame::<C>::strip_bytes(width, rows)]
 }
 
@@ -32,14 +32,14 @@ pub(crate) fn in_bands<D: DrawTarget<Color: Colour>>(
 }
 
 /// What can tell which parts of a film's frame changed.
-pub(crate) fn dirty<C: Wire>(area: Rectangle) -> Dirty<4> {
-    Dirty::new(area, WindowCost::new(C::BITS, WindowCost::MIPI_DCS))
+pub(crate) fn dirty<C: PixelFormat>(area: Rectangle) -> DirtyRegions<4> {
+    DirtyRegions::new(area, TransferCost::new(C::BITS, TransferCost::MIPI_DCS))
 }
 
 /// What moves, where it was and where it is.
 pub(crate) fn changes<D: DrawTarget<Color: Colour>>(
     things: &mut [Recorded<'_>],
-    dirty: &mut Dirty<4>,
+    dirty: &mut DirtyRegions<4>,
     strip: &mut [u8],
     target: &mut D,
 ) -> Result<(), D::Error> {

@@ -8,7 +8,8 @@ use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Band, BinsError, Corner, Cull, DepthBuffer, Edges, Faces, Frame, Mesh, Painter, Statistics, Wire,
+    Band, BinError, BinnedEdges, BinnedFaces, Cull, DepthBuffer, Frame, Mesh, Painter, PixelFormat,
+    ScreenVertex, Statistics,
 };
 use proptest::prelude::*;
 
@@ -54,7 +55,7 @@ fn mesh(scene: &Scene) -> Mesh<'_> {
 /// In one piece onto a target that is not the library's; what is not drawn is background.
 fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
-    let (placed, mut corners) = (camera.place(&mesh, &model), [Corner::EMPTY; 16]);
+    let (placed, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
     let mut target = Recorder::new(area);
     let statistics = match way {
         Way::Solid(cull) => placed.with_cull(cull).solid(colour, &mut corners, &mut target),
@@ -91,11 +92,11 @@ fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) 
 
 /// What is recorded once for a frame.
 enum Recorded<'a> {
-    Solid(Faces<'a>),
-    Depth(Faces<'a, i16, true>),
-    Wireframe(Edges<'a>),
+    Solid(BinnedFaces<'a>),
+    Depth(BinnedFaces<'a, i16, true>),
+    Wireframe(BinnedEdges<'a>),
     /// Whether they are those that faces do not hide.
-    Lines(Box<(Faces<'a, i16, true>, Edges<'a, i16, true>, bool)>),
+    Lines(Box<(BinnedFaces<'a, i16, true>, BinnedEdges<'a, i16, true>, bool)>),
     Painter(Box<Painter<Gray8, 128, 64>>),
 }
 
@@ -148,7 +149,7 @@ impl Recorded<'_> {
 fn record<R>(
     scene: &Scene,
     way: Way,
-    corners: &mut [Corner],
+    corners: &mut [ScreenVertex],
     then: impl FnOnce(&mut Recorded<'_>) -> R,
 ) -> R {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
@@ -158,13 +159,17 @@ fn record<R>(
         _ => placed,
     };
     let mut recorded = match way {
-        Way::Solid(_) => Recorded::Solid(placed.transform(corners).faces(&mut records).expect("room")),
-        Way::Depth(_) => Recorded::Depth(placed.transform_depth(corners).faces(&mut records).expect("room")),
-        Way::Wireframe => Recorded::Wireframe(placed.transform(corners).edges(&mut records).expect("room")),
+        Way::Solid(_) => Recorded::Solid(placed.transform(corners).bin_faces(&mut records).expect("room")),
+        Way::Depth(_) => {
+            Recorded::Depth(placed.transform_depth(corners).bin_faces(&mut records).expect("room"))
+        }
+        Way::Wireframe => {
+            Recorded::Wireframe(placed.transform(corners).bin_edges(&mut records).expect("room"))
+        }
         Way::DepthLines | Way::HiddenLines => {
             let projected = placed.transform_depth(corners);
-            let faces = projected.faces(&mut records).expect("room");
-            let edges = projected.edges(&mut more).expect("room");
+            let faces = projected.bin_faces(&mut records).expect("room");
+            let edges = projected.bin_edges(&mut more).expect("room");
             Recorded::Lines(Box::new((faces, edges, matches!(way, Way::HiddenLines))))
         }
         Way::Painter => {
@@ -196,7 +201,7 @@ proptest! {
         let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
         for way in WAYS {
             let (whole, statistics) = reference(&scene, way, area);
-            let mut corners = vec![Corner::EMPTY; length];
+            let mut corners = vec![ScreenVertex::EMPTY; length];
             record(&scene, way, &mut corners, |recorded| -> Result<(), TestCaseError> {
                 prop_assert_eq!(recorded.statistics(), statistics);
                 for height in 1..=HEIGHT {
@@ -215,7 +220,7 @@ proptest! {
         areas in prop::collection::vec((-40i32..60, -40i32..60, 0u32..60, 0u32..60), 3),
     ) {
         for way in WAYS {
-            let mut corners = vec![Corner::EMPTY; 16];
+            let mut corners = vec![ScreenVertex::EMPTY; 16];
             record(&scene, way, &mut corners, |recorded| -> Result<(), TestCaseError> {
                 for &(x, y, width, height) in &areas {
                     let area = bridge::rectangle(x, y, width, height);
@@ -233,7 +238,7 @@ proptest! {
         let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
         for way in WAYS {
             let whole = reference(&scene, way, area).0;
-            let mut corners = vec![Corner::EMPTY; 16];
+            let mut corners = vec![ScreenVertex::EMPTY; 16];
             let bounds = record(&scene, way, &mut corners, |recorded| recorded.bounds());
             let Some(bounds) = bounds else { continue };
             prop_assert_eq!(bounds.intersection(&area), bounds);
@@ -248,17 +253,17 @@ proptest! {
     #[test]
     fn records_say_what_they_need(scene in scene(), given in 0usize..10) {
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(&scene));
-        let (placed, mut corners) = (camera.place(&mesh, &model), [Corner::EMPTY; 16]);
+        let (placed, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
         let transformed = placed.transform(&mut corners);
         let mut records = vec![0; given];
-        let (faces, edges) = (transformed.faces(&mut records).map(|_| ()), transformed.edges(&mut vec![0; given]).map(|_| ()));
+        let (faces, edges) = (transformed.bin_faces(&mut records).map(|_| ()), transformed.bin_edges(&mut vec![0; given]).map(|_| ()));
         for error in [faces, edges].into_iter().filter_map(Result::err) {
-            let BinsError::Records { needed, given: said } = error else { panic!("{error}") };
+            let BinError::Storage { needed, given: said } = error else { panic!("{error}") };
             prop_assert!(said == given && needed > given && needed <= 9, "{error}");
         }
-        if let Err(BinsError::Records { needed, .. }) = faces {
-            prop_assert!(transformed.faces(&mut vec![0; needed]).is_ok());
-            prop_assert!(transformed.faces(&mut vec![0; needed - 1]).is_err());
+        if let Err(BinError::Storage { needed, .. }) = faces {
+            prop_assert!(transformed.bin_faces(&mut vec![0; needed]).is_ok());
+            prop_assert!(transformed.bin_faces(&mut vec![0; needed - 1]).is_err());
         }
     }
 
@@ -268,18 +273,18 @@ proptest! {
         let area = bridge::rectangle(0, 0, WIDTH - 1, HEIGHT);
         let gray = |face: usize| Gray4::new(face as u8 + 1);
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(&scene));
-        let mut corners = [Corner::EMPTY; 16];
+        let mut corners = [ScreenVertex::EMPTY; 16];
         let mut whole = Recorder::new(area);
         camera.place(&mesh, &model).solid(gray, &mut corners, &mut whole).expect("no error");
         let (mut records, mut display) = ([0; 9], Recorder::new(area));
         let placed = camera.place(&mesh, &model);
         let projected = placed.transform(&mut corners);
-        let mut faces = projected.faces(&mut records).expect("room");
+        let mut faces = projected.bin_faces(&mut records).expect("room");
         let mut frame = Frame::new(area, Gray4::BLACK);
         let mut strip = vec![0; Frame::<Gray4>::strip_bytes(WIDTH - 1, height)];
         while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
             let Ok(()) = faces.solid(gray, &mut band);
-            let bytes: Vec<u8> = band.colours().collect::<Vec<_>>().chunks(WIDTH as usize - 1).flat_map(|row| {
+            let bytes: Vec<u8> = band.colors().collect::<Vec<_>>().chunks(WIDTH as usize - 1).flat_map(|row| {
                 row.chunks(2).map(|p| (p[0].luma() << 4) | p.get(1).map_or(0, |c| c.luma()))
             }).collect();
             prop_assert_eq!(band.bytes(), bytes);

@@ -1,9 +1,9 @@
-//! Dirty rectangles against sets of pixels.
+//! DirtyRegions rectangles against sets of pixels.
 
 use crate::cases;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Dirty, WindowCost};
+use pinhole::{DirtyRegions, TransferCost};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
@@ -27,8 +27,8 @@ struct Target {
 }
 
 impl Target {
-    fn dirty<const N: usize>(&self) -> Dirty<N> {
-        let dirty = Dirty::new(self.area, WindowCost::new(self.bits, self.window));
+    fn dirty<const N: usize>(&self) -> DirtyRegions<N> {
+        let dirty = DirtyRegions::new(self.area, TransferCost::new(self.bits, self.window));
         dirty.with_steps(self.steps.0, self.steps.1)
     }
 
@@ -164,7 +164,7 @@ proptest! {
     ) {
         let rectangle = |(x, y, w, h)| Rectangle::new(Point::new(x, y), Size::new(w, h));
         let area = rectangle(area);
-        let mut dirty = Dirty::<4>::new(area, WindowCost::new(cost.0, cost.1)).with_steps(steps.0, steps.1);
+        let mut dirty = DirtyRegions::<4>::new(area, TransferCost::new(cost.0, cost.1)).with_steps(steps.0, steps.1);
         let [left, top, ..] = borders(&area);
         let [.., right, bottom] = borders(&dirty.area());
         prop_assert!(dirty.take().len() <= 1);
@@ -193,7 +193,7 @@ proptest! {
 #[test]
 fn made_at_compile_time() {
     const AREA: Rectangle = Rectangle::new(Point::new(-3, 5), Size::new(70_000, 9));
-    const DIRTY: Dirty<2> = Dirty::new(AREA, WindowCost::new(4, 6)).with_steps(2, 0);
+    const DIRTY: DirtyRegions<2> = DirtyRegions::new(AREA, TransferCost::new(4, 6)).with_steps(2, 0);
     let mut dirty = DIRTY;
     assert_eq!(dirty.area(), Rectangle::new(AREA.top_left, Size::new(65_535, 9)));
     assert_eq!(dirty.take(), [dirty.area()]);

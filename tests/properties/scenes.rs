@@ -1,13 +1,13 @@
 //! Whole scenes through camera, clipping and rasteriser.
 
-use crate::bridge::draw::Ink;
+use crate::bridge::draw::Shader;
 use crate::bridge::{self, compare};
 use crate::cases;
 use crate::oracle::coverage::Area;
 use crate::oracle::target::Recorder;
 use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Corner, Cull, Mesh, Painter, Statistics};
+use pinhole::{Cull, Mesh, Painter, ScreenVertex, Statistics};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -27,16 +27,16 @@ fn mesh(scene: &Scene) -> Mesh<'_> {
 }
 
 /// Draws a scene with a cache of a length.
-fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Ink>) -> Statistics {
+fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Shader>) -> Statistics {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
     let placed = camera.place(&mesh, &model);
-    let mut cache = vec![Corner::default(); cache];
-    let ink = |face: usize| Ink(face as u16);
+    let mut cache = vec![ScreenVertex::default(); cache];
+    let ink = |face: usize| Shader(face as u16);
     match way {
         Way::Solid(cull) => placed.with_cull(cull).solid(ink, &mut cache, target),
-        Way::Wireframe => placed.wireframe(Ink(9), &mut cache, target),
+        Way::Wireframe => placed.wireframe(Shader(9), &mut cache, target),
         Way::Painter => {
-            let mut painter = Painter::<Ink, 128, 64>::new();
+            let mut painter = Painter::<Shader, 128, 64>::new();
             painter.add(&placed, ink).expect("enough room");
             painter.draw(target)
         }
@@ -44,7 +44,7 @@ fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Ink>) -> St
     .expect("no error")
 }
 
-type Picture = BTreeMap<(i32, i32), (Ink, u32)>;
+type Picture = BTreeMap<(i32, i32), (Shader, u32)>;
 
 fn picture(scene: &Scene, way: Way, bounds: Rectangle) -> Picture {
     let mut target = Recorder::new(bounds);
@@ -132,7 +132,7 @@ proptest! {
         }
     }
 
-    /// Faces whose corners have an image cover exactly what the rules say.
+    /// BinnedFaces whose corners have an image cover exactly what the rules say.
     #[test]
     fn faces_are_the_exact_coverage_of_their_corners(scene in scene()) {
         let points = points(&scene);

@@ -12,8 +12,8 @@ use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
 use pinhole::{
-    fill_triangle, Affine, Camera, Corner, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, InkFor, Mesh,
-    Painter, Shaded, Stored,
+    fill_triangle, Affine, Camera, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, Mesh, Painter,
+    ScreenVertex, SpanShader, StoredPixel, TableShader,
 };
 
 const FACES: usize = 14;
@@ -64,12 +64,12 @@ impl Scene {
         .library()
     }
 
-    fn check<C: Colour, I: InkFor<C>>(&self, ink: impl Fn(usize) -> I) {
+    fn check<C: Colour, I: SpanShader<C>>(&self, ink: impl Fn(usize) -> I) {
         let (camera, background) = (self.camera(), C::decode(0));
         let mesh = Mesh::new(&self.vertices, -6, &self.faces).expect("a mesh");
         let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
         let pixels = (self.frame.size.width * self.frame.size.height) as usize;
-        let (mut corners, mut records) = ([Corner::EMPTY; VERTICES], [0; FACES + 1]);
+        let (mut corners, mut records) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
 
         let [mut solid, mut nearer, mut painted] = [0; 3].map(|_| Picture::<C>::new(self.frame));
         let Ok(_) = placed.solid(&ink, &mut corners, &mut solid);
@@ -87,7 +87,7 @@ impl Scene {
             let mut colours = Vec::new();
             while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
                 draw(&mut band);
-                colours.extend(band.colours());
+                colours.extend(band.colors());
             }
             colours
         };
@@ -99,13 +99,13 @@ impl Scene {
             });
             assert!(bands == painted.before(background), "{name}: painter, {rows} rows");
             let projected = placed.transform(&mut corners);
-            let mut faces = projected.faces(&mut records).expect("room");
+            let mut faces = projected.bin_faces(&mut records).expect("room");
             let bands = banded(rows, &mut |band| {
                 let Ok(()) = faces.solid(&ink, band);
             });
             assert!(bands == solid.before(background), "{name}: {rows} rows");
             let projected = placed.transform_depth(&mut corners);
-            let mut faces = projected.faces(&mut records).expect("room");
+            let mut faces = projected.bin_faces(&mut records).expect("room");
             let bands = banded(rows, &mut |band| {
                 let mut storage = vec![0; pixels];
                 let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
@@ -122,7 +122,7 @@ fn every_ink<C: Colour>(scene: &Scene) {
     scene.check::<C, Gouraud>(smooth);
     scene.check::<C, Dithered<Gouraud>>(|face| smooth(face).dithered());
     let tables: Vec<_> = scene.lights.iter().map(|&lights| shaded::<C>(lights)).collect();
-    scene.check::<C, Shaded<'_, C>>(|face| tables[face]);
+    scene.check::<C, TableShader<'_, C>>(|face| tables[face]);
     scene.check::<C, Flat>(even);
     scene.check::<C, Dithered<Flat>>(|face| even(face).dithered());
 }
@@ -137,14 +137,14 @@ fn bands_of_every_height_make_the_whole() {
 }
 
 /// The same through the band's memory, of one byte a pixel to four.
-fn through_pixels<C: Colour + Stored<[u8; N]>, const N: usize>(scene: &Scene) {
+fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scene) {
     let camera = scene.camera();
     let mesh = Mesh::new(&scene.vertices, -6, &scene.faces).expect("a mesh");
     let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
     let pixels = (scene.frame.size.width * scene.frame.size.height) as usize;
-    let (mut corners, mut records) = ([Corner::EMPTY; VERTICES], [0; FACES + 1]);
+    let (mut corners, mut records) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
     let projected = placed.transform_depth(&mut corners);
-    let mut faces = projected.faces(&mut records).expect("room");
+    let mut faces = projected.bin_faces(&mut records).expect("room");
     for rows in [1, 7, scene.frame.size.height] {
         let [one, other] = [false, true].map(|fast| {
             let mut frame = Frame::new(scene.frame, C::decode(0));
@@ -209,7 +209,7 @@ fn flat_triangles_in_bands_make_the_whole() {
                     0 | 1 => fill_triangle([a, b, c], smooth, &mut band),
                     _ => fill_triangle([a, b, c], smooth, &mut band.pixels()),
                 };
-                colours.extend(band.colours());
+                colours.extend(band.colors());
             }
             assert!(colours == wanted, "{:?}, {rows} rows", [a, b, c]);
         }

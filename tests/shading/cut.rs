@@ -1,4 +1,4 @@
-//! Faces that the near plane cuts: colours are linear on the screen over each piece, and go over into those of the
+//! BinnedFaces that the near plane cuts: colours are linear on the screen over each piece, and go over into those of the
 //! whole face.
 
 use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
@@ -8,8 +8,8 @@ use crate::target::{
     draw, for_every_colour, gouraud, lit, mesh, random_colour, random_lights, shaded, Colour, Picture, SIZE,
 };
 use embedded_graphics_core::pixelcolor::Gray8;
-use pinhole::clip::{Barycentric, Carried};
-use pinhole::{Affine, Camera, InkFor, Scalar};
+use pinhole::clip::{Barycentric, Varying};
+use pinhole::{Affine, Camera, Scalar, SpanShader};
 
 /// From the origin along −z, 90 degrees high.
 fn camera(near: i32) -> Camera {
@@ -25,7 +25,7 @@ type V3 = [f64; 3];
 
 /// A corner in space with the levels of its channels.
 #[derive(Clone, Debug)]
-struct Corner {
+struct ScreenVertex {
     at: V3,
     levels: Vec<f64>,
 }
@@ -35,7 +35,7 @@ fn reals(bits: [i32; 3]) -> V3 {
 }
 
 /// What is left beyond the near plane, in the order of Sutherland and Hodgman: each edge's cut, then its end.
-fn clip(corners: &[Corner; 3], near: f64) -> Vec<Corner> {
+fn clip(corners: &[ScreenVertex; 3], near: f64) -> Vec<ScreenVertex> {
     let mut left = Vec::new();
     for (from, to) in [(2, 0), (0, 1), (1, 2)] {
         let (a, b) = (&corners[from], &corners[to]);
@@ -43,7 +43,7 @@ fn clip(corners: &[Corner; 3], near: f64) -> Vec<Corner> {
         if (da < 0.0) != (db < 0.0) {
             let t = da / (da - db);
             let mix = |p: f64, q: f64| p + (q - p) * t;
-            left.push(Corner {
+            left.push(ScreenVertex {
                 at: [0, 1, 2].map(|i| mix(a.at[i], b.at[i])),
                 levels: a.levels.iter().zip(&b.levels).map(|(&p, &q)| mix(p, q)).collect(),
             });
@@ -72,14 +72,14 @@ fn inside(t: [(f64, f64); 3], p: (f64, f64)) -> f64 {
 }
 
 /// Every pixel inside one piece has the colour of that piece's plane, but for what the snap explains, and `more` of a channel.
-fn check<C: Colour, I: InkFor<C>>(
+fn check<C: Colour, I: SpanShader<C>>(
     bits: [[i32; 3]; 3],
     ink: impl Fn([Lit; 3]) -> I,
     colours: [Lit; 3],
     more: impl Fn(usize) -> f64,
     seen: &mut usize,
 ) {
-    let corners = [0, 1, 2].map(|i| Corner {
+    let corners = [0, 1, 2].map(|i| ScreenVertex {
         at: reals(bits[i]),
         levels: C::DEPTHS.levels(colours[i]).iter().map(|&(n, d)| n as f64 / d as f64).collect(),
     });

@@ -24,7 +24,7 @@ fn white(light: Lit) -> Lit {
 
 /// Numbers as colours: what a pixel has looked up.
 fn numbers() -> ShadeTable<Rgb888> {
-    ShadeTable::from_colours(core::array::from_fn(|i| Rgb888::new(i as u8, 255 - i as u8, 7)))
+    ShadeTable::from_colors(core::array::from_fn(|i| Rgb888::new(i as u8, 255 - i as u8, 7)))
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn colours_are_within_the_bound() {
 /// Each entry is the nearest colour, to the last bit.
 fn entries<C: Colour>(rng: &mut Rng) {
     let lights = random_lights(rng);
-    for (number, colour) in table::<C>(lights).colours().iter().enumerate() {
+    for (number, colour) in table::<C>(lights).colors().iter().enumerate() {
         // number/255 of the light: 256/255 of number/256.
         let exact = C::DEPTHS.levels(Lit { level: number as u16, ..lights[0] });
         for (level, (n, d)) in colour.levels().into_iter().zip(exact) {
@@ -112,7 +112,7 @@ fn full_light_and_none_are_the_ends() {
         let placed = camera.place(&mesh, &Affine::identity());
         for (levels, number) in [([256, 257, u16::MAX], 255), ([0; 3], 0)] {
             let picture = draw::<Rgb888, _>(&placed, table.lit(levels));
-            assert!(picture.drawn().all(|(_, c)| c == table.colours()[number]), "{vertices:?} {levels:?}");
+            assert!(picture.drawn().all(|(_, c)| c == table.colors()[number]), "{vertices:?} {levels:?}");
         }
     }
 }

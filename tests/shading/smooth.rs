@@ -11,12 +11,12 @@ use crate::target::{
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
 };
-use pinhole::{Affine, Channels, Flat, Gouraud, InkFor};
+use pinhole::{Affine, Channels, Flat, Gouraud, SpanShader};
 
 /// ½ for the rounding, and what the documentation allows beyond.
 const BOUND: f64 = 0.5 + 1.0 / 512.0;
 
-fn check<C: Colour, I: InkFor<C>>(
+fn check<C: Colour, I: SpanShader<C>>(
     t: [P; 3],
     ink: impl Fn([Lit; 3]) -> I,
     colours: [Lit; 3],

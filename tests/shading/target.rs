@@ -10,11 +10,14 @@ use embedded_graphics_core::pixelcolor::{
 };
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Camera, Channels, Gouraud, InkFor, Mesh, Placed, Scalar, ShadeTable, Shaded, Stored, Wire};
+use pinhole::{
+    Camera, Channels, Gouraud, Mesh, MeshInstance, PixelFormat, Scalar, ShadeTable, SpanShader, StoredPixel,
+    TableShader,
+};
 use std::convert::Infallible;
 
 /// A colour whose channels the tests can read.
-pub(crate) trait Colour: Channels + Wire + core::fmt::Debug + 'static {
+pub(crate) trait Colour: Channels + PixelFormat + core::fmt::Debug + 'static {
     const DEPTHS: Depths;
     fn levels(self) -> Vec<i128>;
 }
@@ -57,14 +60,14 @@ impl PixelColor for Own {
 }
 
 impl Channels for Own {
-    const GREY: bool = false;
+    const GRAY: bool = false;
     const MAX: [u8; 3] = [100, 1, 200];
     fn from_channels(levels: [u8; 3]) -> Self {
         Self(levels)
     }
 }
 
-impl Wire for Own {
+impl PixelFormat for Own {
     const BITS: u32 = 32;
     fn encode(self) -> u32 {
         let [r, g, b] = self.0;
@@ -76,7 +79,7 @@ impl Wire for Own {
     }
 }
 
-impl Stored<[u8; 4]> for Own {
+impl StoredPixel<[u8; 4]> for Own {
     fn stored(self) -> [u8; 4] {
         self.encode().to_be_bytes()
     }
@@ -190,7 +193,7 @@ pub(crate) fn vertex((x, y): P) -> [Scalar; 3] {
 }
 
 /// Where the library put the corners of face 0: what it draws between them is another matter.
-pub(crate) fn corners(placed: &Placed<'_, Scalar>) -> Option<[P; 3]> {
+pub(crate) fn corners(placed: &MeshInstance<'_, Scalar>) -> Option<[P; 3]> {
     let at = |i: usize| placed.project(i).map(|(p, _)| (i64::from(p.x()), i64::from(p.y())));
     Some([at(0)?, at(1)?, at(2)?])
 }
@@ -199,7 +202,7 @@ pub(crate) fn mesh<'a>(vertices: &'a [[Scalar; 3]; 3]) -> Mesh<'a, Scalar> {
     Mesh::from_fixed(vertices, &[[0, 1, 2]]).expect("a mesh")
 }
 
-pub(crate) fn draw<C: Colour, I: InkFor<C>>(placed: &Placed<'_, Scalar>, ink: I) -> Picture<C> {
+pub(crate) fn draw<C: Colour, I: SpanShader<C>>(placed: &MeshInstance<'_, Scalar>, ink: I) -> Picture<C> {
     let mut picture = Picture::new(screen());
     let Ok(_) = placed.with_cull(pinhole::Cull::None).solid(|_| ink, &mut [], &mut picture);
     picture
@@ -240,7 +243,7 @@ pub(crate) fn table<C: Colour>([a, ..]: [Lit; 3]) -> &'static ShadeTable<C> {
 }
 
 /// The same as [`lit`] by that table.
-pub(crate) fn shaded<C: Colour>(lights: [Lit; 3]) -> Shaded<'static, C> {
+pub(crate) fn shaded<C: Colour>(lights: [Lit; 3]) -> TableShader<'static, C> {
     table(lights).lit(lights.map(|light| light.level))
 }
 

@@ -4,8 +4,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, Band, Camera, Corner, Dim, Faces, Frame, Lambert, Mesh, Placed, Point3, Projection,
-    Scalar, Vector3, Viewing, Viewport,
+    Affine, Angle, Band, BinnedFaces, Camera, Dim, Frame, Lambert, Mesh, MeshInstance, Point3, Projection,
+    Scalar, ScreenVertex, Vector3, ViewTransform, Viewport,
 };
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
@@ -47,7 +47,7 @@ const CUBE: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
 const CAMERA: Camera = {
     let (eye, origin, up) =
         (Point3::from_ints(0, 3, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-    let Ok(view) = Viewing::look_at(eye, origin, up) else { panic!("the direction") };
+    let Ok(view) = ViewTransform::look_at(eye, origin, up) else { panic!("the direction") };
     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(12));
     let Ok(lens) = Projection::perspective(Angle::degrees(35), SCREEN.size, near, far) else {
         panic!("the lens")
@@ -57,8 +57,8 @@ const CAMERA: Camera = {
 };
 
 pub struct Scene {
-    placed: Placed<'static>,
-    corners: [Corner; VERTICES.len()],
+    placed: MeshInstance<'static>,
+    corners: [ScreenVertex; VERTICES.len()],
     /// One for each face, and one for every 16 of them.
     records: [u16; FACES.len() + 1],
 }
@@ -66,14 +66,14 @@ pub struct Scene {
 /// The cube of a frame, as far as it is drawn.
 pub struct Turned<'a> {
     frame: Frame<Rgb565>,
-    faces: Faces<'a>,
+    faces: BinnedFaces<'a>,
     light: Lambert,
 }
 
 impl Scene {
     pub fn new() -> Self {
         let placed = CAMERA.place(&CUBE, &Affine::identity());
-        Self { placed, corners: [Corner::EMPTY; VERTICES.len()], records: [0; FACES.len() + 1] }
+        Self { placed, corners: [ScreenVertex::EMPTY; VERTICES.len()], records: [0; FACES.len() + 1] }
     }
 
     /// A frame: vertices are transformed and faces sorted out, once.
@@ -82,7 +82,7 @@ impl Scene {
         self.placed = CAMERA.place(&CUBE, &model);
         Turned {
             frame: Frame::new(SCREEN, Rgb565::BLACK),
-            faces: self.placed.transform(&mut self.corners).faces(&mut self.records).unwrap(),
+            faces: self.placed.transform(&mut self.corners).bin_faces(&mut self.records).unwrap(),
             light: Lambert::new(&model, Vector3::from_ints(2, 3, 4), 40).unwrap(),
         }
     }

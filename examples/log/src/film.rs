@@ -9,8 +9,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Angle, BinsError, Camera, Corner, Frame, Lambert, Mesh, Point3, Projection, Scalar, Statistics,
-    Vector3, Viewing, Viewport,
+    Affine, Angle, BinError, Camera, Frame, Lambert, Mesh, Point3, Projection, Scalar, ScreenVertex,
+    Statistics, Vector3, ViewTransform, Viewport,
 };
 
 pub(crate) const FRAMES: u32 = 8;
@@ -30,24 +30,28 @@ const RECORDS: usize = 370 + teapot::FACES.len().div_ceil(16);
 
 /// The memory of a film.
 pub(crate) struct Film {
-    corners: [Corner; teapot::VERTICES.len()],
+    corners: [ScreenVertex; teapot::VERTICES.len()],
     records: [u16; RECORDS],
     strip: [u8; STRIP],
 }
 
 impl Film {
     pub(crate) const fn new() -> Self {
-        Self { corners: [Corner::EMPTY; teapot::VERTICES.len()], records: [0; RECORDS], strip: [0; STRIP] }
+        Self {
+            corners: [ScreenVertex::EMPTY; teapot::VERTICES.len()],
+            records: [0; RECORDS],
+            strip: [0; STRIP],
+        }
     }
 
     /// Draws a frame; there is no display to send it to. What became of its faces, and how many bands it took.
-    pub(crate) fn draw(&mut self, number: u32) -> Result<(Statistics, u32), BinsError> {
+    pub(crate) fn draw(&mut self, number: u32) -> Result<(Statistics, u32), BinError> {
         let model = Affine::rotation_y(Angle::turns(number as i32, FRAMES));
         let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("a direction");
         let shade = |face: usize| Gray8::new(teapot::NORMALS.get(face).map_or(0, |&n| light.level(n) as u8));
 
         let placed = camera(40 - 4 * number as i16).place(&TEAPOT, &model);
-        let mut faces = placed.transform(&mut self.corners).faces(&mut self.records)?;
+        let mut faces = placed.transform(&mut self.corners).bin_faces(&mut self.records)?;
         let mut frame = Frame::new(AREA, Gray8::BLACK);
         let mut bands = 0;
         while let Some(mut band) = frame.next_band(&mut self.strip).expect("room for a row") {
@@ -61,7 +65,7 @@ impl Film {
 pub(crate) fn camera(distance: i16) -> Camera {
     let origin = Point3::from_ints(0, 0, 0);
     let up = Vector3::from_ints(0, 1, 0);
-    let viewing = Viewing::look_at(Point3::from_ints(0, 6, distance), origin, up).expect("a direction");
+    let viewing = ViewTransform::look_at(Point3::from_ints(0, 6, distance), origin, up).expect("a direction");
     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(100));
     let projection =
         Projection::perspective(Angle::degrees(30), AREA.size, near, far).expect("a field of view");

@@ -7,9 +7,9 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model, View, World};
 use pinhole::{
-    Affine, Angle, Camera, Corner, DepthBuffer, Dirty, Frame, Hierarchy, Mesh, Node, Painter, Picture,
-    PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, ShadeTable, Sphere, Vector3, Viewing,
-    Viewport, Window, WindowCost,
+    Affine, Angle, Camera, DepthBuffer, DirtyRegions, Frame, Hierarchy, Mesh, Node, Painter, Picture,
+    PlanarProjection, Point3, Projection, ReferenceVolume, Scalar, ScreenVertex, ShadeTable, Sphere,
+    TransferCost, Vector3, ViewTransform, Viewport, Window,
 };
 
 const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
@@ -17,17 +17,17 @@ const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
 pub(crate) fn log() {
     let mesh = Mesh::new(&SQUARE, -3, &[[0, 1, 2], [0, 2, 3]]).expect("a mesh");
     let mesh = mesh.with_edges(&[[0, 1], [1, 2]]).expect("edges");
-    let (mut corners, mut records, mut more) = ([Corner::EMPTY; 3], [0; 3], [0; 3]);
+    let (mut corners, mut records, mut more) = ([ScreenVertex::EMPTY; 3], [0; 3], [0; 3]);
     debug!("{}", mesh);
     debug!("{}", Viewport::new(Point::new(8, 0), Size::new(128, 64)).expect("a viewport"));
 
     let placed = camera(40).place(&mesh, &Affine::identity());
     debug!("{}", placed);
-    debug!("{}", placed.facing());
+    debug!("{}", placed.cull_by_planes());
     let transformed = placed.transform(&mut corners);
     debug!("{}", transformed);
-    debug!("{}", transformed.faces(&mut records).expect("room"));
-    debug!("{}", transformed.edges(&mut more).expect("room"));
+    debug!("{}", transformed.bin_faces(&mut records).expect("room"));
+    debug!("{}", transformed.bin_edges(&mut more).expect("room"));
 
     let mut painter = Painter::<Gray8, 8, 4>::new();
     painter.add(&placed, |_| Gray8::WHITE).expect("room");
@@ -40,7 +40,7 @@ pub(crate) fn log() {
     debug!("{}", frame);
     let part = Rectangle::new(Point::new(3, 4), Size::new(5, 6));
     debug!("{}", DepthBuffer::new(part, &mut [0; 30]).expect("room"));
-    let mut dirty = Dirty::<4>::new(AREA, WindowCost::new(8, WindowCost::MIPI_DCS));
+    let mut dirty = DirtyRegions::<4>::new(AREA, TransferCost::new(8, TransferCost::MIPI_DCS));
     dirty.mark(part);
     debug!("{}", dirty);
 
@@ -70,6 +70,6 @@ pub(crate) fn log() {
         Projection::perspective(Angle::degrees(90), AREA.size, one, one + two).expect("near before far");
     debug!("{}", lens);
     let [eye, origin] = [2, 0].map(|z| Point3::from_ints(0, 0, z));
-    let view = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("a direction");
+    let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("a direction");
     debug!("{}", Camera::new(&view, &lens, &Viewport::new(AREA.top_left, AREA.size).expect("a viewport")));
 }

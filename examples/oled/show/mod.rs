@@ -18,8 +18,8 @@ use meshes::{
 };
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, Corner, Dim, Edges, Faces, Gouraud, Hierarchy, Lambert, Mesh, Node, Placed,
-    Point3, Projection, Scalar, Transformed, Vector3, Viewing, Viewport,
+    Affine, Angle, BinnedEdges, BinnedFaces, Camera, Dim, Gouraud, Hierarchy, Lambert, Mesh, MeshInstance,
+    Node, Point3, Projection, Scalar, ScreenVertex, TransformedMesh, Vector3, ViewTransform, Viewport,
 };
 
 /// Frames of a scene.
@@ -38,14 +38,14 @@ pub(crate) fn caption(frame: u32) -> &'static str {
 /// takes no flash.
 pub(crate) struct Scratch {
     stage: Stage,
-    teapot: ([Corner; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
-    balls: [([Corner; BALL_CORNERS], [u16; records(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
-    rings: [([Corner; RING_CORNERS], [u16; records(RING_CORNERS)]); 2],
-    ship: ([Corner; 8], [u16; records(12)], [u16; records(17)]),
+    teapot: ([ScreenVertex; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
+    balls: [([ScreenVertex; BALL_CORNERS], [u16; records(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
+    rings: [([ScreenVertex; RING_CORNERS], [u16; records(RING_CORNERS)]); 2],
+    ship: ([ScreenVertex; 8], [u16; records(12)], [u16; records(17)]),
 }
 
 /// Objects of a scene; 176 bytes each, and none of them on the stack.
-type Stage = Vec<Placed<'static>, 5>;
+type Stage = Vec<MeshInstance<'static>, 5>;
 
 /// A tree: joints, which are the way round the sun and round the planet; then what is seen, three balls and two orbits.
 pub(crate) type SolarSystem = [Node; 7];
@@ -70,10 +70,14 @@ impl Scratch {
     pub(crate) const fn new() -> Self {
         Self {
             stage: Vec::new(),
-            teapot: ([Corner::EMPTY; TEAPOT_VERTICES], [0; records(TEAPOT_FACES)], [0; TEAPOT_VERTICES]),
-            balls: [([Corner::EMPTY; BALL_CORNERS], [0; records(BALL_COUNT)], [0; BALL_CORNERS]); 3],
-            rings: [([Corner::EMPTY; RING_CORNERS], [0; records(RING_CORNERS)]); 2],
-            ship: ([Corner::EMPTY; 8], [0; records(12)], [0; records(17)]),
+            teapot: (
+                [ScreenVertex::EMPTY; TEAPOT_VERTICES],
+                [0; records(TEAPOT_FACES)],
+                [0; TEAPOT_VERTICES],
+            ),
+            balls: [([ScreenVertex::EMPTY; BALL_CORNERS], [0; records(BALL_COUNT)], [0; BALL_CORNERS]); 3],
+            rings: [([ScreenVertex::EMPTY; RING_CORNERS], [0; records(RING_CORNERS)]); 2],
+            ship: ([ScreenVertex::EMPTY; 8], [0; records(12)], [0; records(17)]),
         }
     }
 
@@ -272,21 +276,21 @@ const STARS: [(i32, i32); 12] = [
     (121, 18),
 ];
 
-/// Faces, and edges, for bands. Out of line, as what follows: all but the result leaves the stack.
+/// BinnedFaces, and edges, for bands. Out of line, as what follows: all but the result leaves the stack.
 #[inline(never)]
 fn faces<'a, const DEPTH: bool>(
-    transformed: &Transformed<'a, i16, DEPTH>,
+    transformed: &TransformedMesh<'a, i16, DEPTH>,
     records: &'a mut [u16],
-) -> Faces<'a, i16, DEPTH> {
-    transformed.faces(records).expect("records for all faces")
+) -> BinnedFaces<'a, i16, DEPTH> {
+    transformed.bin_faces(records).expect("records for all faces")
 }
 
 #[inline(never)]
 fn edges<'a, const DEPTH: bool>(
-    transformed: &Transformed<'a, i16, DEPTH>,
+    transformed: &TransformedMesh<'a, i16, DEPTH>,
     records: &'a mut [u16],
-) -> Edges<'a, i16, DEPTH> {
-    transformed.edges(records).expect("records for all edges")
+) -> BinnedEdges<'a, i16, DEPTH> {
+    transformed.bin_edges(records).expect("records for all edges")
 }
 
 /// Turns the joints; the sun, the planet, the moon and the two orbits have their sizes.
@@ -325,8 +329,8 @@ fn light(model: &Affine<Model, World>, towards: Vector3<World>) -> Lambert {
 #[inline(never)]
 fn camera([x, y, z]: [i16; 3], degrees: i32) -> Camera {
     let eye = Point3::from_ints(x, y, z);
-    let viewing =
-        Viewing::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0)).expect("a direction");
+    let viewing = ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))
+        .expect("a direction");
     let (near, far) = (Scalar::const_from_int(2), Scalar::const_from_int(200));
     let projection =
         Projection::perspective(Angle::degrees(degrees), SIZE, near, far).expect("a field of view");
@@ -378,12 +382,12 @@ fn place_one<'s>(
     model: &Affine<Model, World>,
     eye: [i16; 3],
     degrees: i32,
-) -> &'s Placed<'static> {
+) -> &'s MeshInstance<'static> {
     place(stage, &[(mesh, model)], eye, degrees);
     stage.first().expect("one")
 }
 
-fn place_ship<'s>(stage: &'s mut Stage, model: &Affine<Model, World>) -> &'s Placed<'static> {
+fn place_ship<'s>(stage: &'s mut Stage, model: &Affine<Model, World>) -> &'s MeshInstance<'static> {
     place_one(stage, &SHIP, model, [0, 12, 26], 34)
 }
 

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::Text;
-use pinhole::{Band, DepthBuffer, Dirty, Frame, WindowCost, Wire};
+use pinhole::{Band, DepthBuffer, DirtyRegions, Frame, PixelFormat, TransferCost};
 
 pub(crate) const SIZE: Size = Size::new(128, 64);
 const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
@@ -21,7 +21,7 @@ pub(crate) trait Display {
 /// A display, what is known of it, and the memory of a band: colours, two pixels a byte, and depths.
 pub(crate) struct Screen<'a, D> {
     display: &'a mut D,
-    dirty: Dirty<6>,
+    dirty: DirtyRegions<6>,
     colours: &'a mut [u8],
     depths: &'a mut [u16],
     sent: usize,
@@ -30,7 +30,7 @@ pub(crate) struct Screen<'a, D> {
 impl<'a, D: Display> Screen<'a, D> {
     /// `colours` and `depths` for some rows of the display, or for all of it.
     pub(crate) fn new(display: &'a mut D, colours: &'a mut [u8], depths: &'a mut [u16]) -> Self {
-        let dirty = Dirty::new(AREA, WindowCost::new(Gray4::BITS, WINDOW)).with_steps(2, 1);
+        let dirty = DirtyRegions::new(AREA, TransferCost::new(Gray4::BITS, WINDOW)).with_steps(2, 1);
         Self { display, dirty, colours, depths, sent: 0 }
     }
 

@@ -1,15 +1,15 @@
 //! The scene once more in bands: recorded once, drawn strip by strip into targets of their own, with depth strips. All
 //! strips together show what was drawn in one piece, and that is what the immediate functions draw.
 
-use crate::bridge::draw::Ink;
+use crate::bridge::draw::Shader;
 use crate::input::Scene;
 use crate::oracle::target::Recorder;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{BinsError, Corner, DepthBuffer, Edges, Faces};
+use pinhole::{BinError, BinnedEdges, BinnedFaces, DepthBuffer, ScreenVertex};
 use std::collections::BTreeMap;
 
-type Pixels = BTreeMap<(i32, i32), (Ink, u32)>;
+type Pixels = BTreeMap<(i32, i32), (Shader, u32)>;
 
 fn rows(area: Rectangle, height: u32) -> impl Iterator<Item = Rectangle> {
     (0..area.size.height).step_by(height as usize).map(move |down| {
@@ -22,7 +22,7 @@ fn rows(area: Rectangle, height: u32) -> impl Iterator<Item = Rectangle> {
 fn strips(
     area: Rectangle,
     height: u32,
-    mut draw: impl FnMut(&mut DepthBuffer<'_>, &mut Recorder<Ink>),
+    mut draw: impl FnMut(&mut DepthBuffer<'_>, &mut Recorder<Shader>),
 ) -> Pixels {
     let mut pixels = Pixels::new();
     for strip in rows(area, height) {
@@ -37,10 +37,10 @@ fn strips(
 }
 
 /// An error asks for as much as is enough.
-fn record<'a, T>(records: &'a mut [u16], mut with: impl FnMut(&'a mut [u16]) -> Result<T, BinsError>) -> T {
+fn record<'a, T>(records: &'a mut [u16], mut with: impl FnMut(&'a mut [u16]) -> Result<T, BinError>) -> T {
     match with(&mut []) {
         Ok(recorded) => recorded,
-        Err(BinsError::Records { needed, given: 0 }) => match with(&mut records[..needed]) {
+        Err(BinError::Storage { needed, given: 0 }) => match with(&mut records[..needed]) {
             Ok(recorded) => recorded,
             Err(error) => panic!("{needed} are not enough: {error}"),
         },
@@ -58,47 +58,51 @@ pub(crate) fn check(scene: &Scene) {
         Point::new(area.right as i32 - 1, area.bottom as i32 - 1),
     );
     let height = scene.cache as u32 % area.size.height + 1;
-    let ink = |face: usize| Ink(face as u16);
-    let whole =
-        |draw: &mut dyn FnMut(&mut DepthBuffer<'_>, &mut Recorder<Ink>)| strips(area, area.size.height, draw);
+    let ink = |face: usize| Shader(face as u16);
+    let whole = |draw: &mut dyn FnMut(&mut DepthBuffer<'_>, &mut Recorder<Shader>)| {
+        strips(area, area.size.height, draw)
+    };
     scene.with_placed(&scene.faces, &scene.edges, |placed| {
-        let mut corners = vec![Corner::EMPTY; scene.cache];
+        let mut corners = vec![ScreenVertex::EMPTY; scene.cache];
         let mut records = [[0; 64]; 4]; // more than a scene has
         let [first, second, third, fourth] = &mut records;
-        let cache = &mut vec![Corner::EMPTY; scene.vertices.len()];
+        let cache = &mut vec![ScreenVertex::EMPTY; scene.vertices.len()];
 
         let projected = placed.transform(&mut corners);
-        let mut faces: Faces<'_> = record(first, |records| projected.faces(records));
-        let mut edges: Edges<'_> = record(second, |records| projected.edges(records));
+        let mut faces: BinnedFaces<'_> = record(first, |records| projected.bin_faces(records));
+        let mut edges: BinnedEdges<'_> = record(second, |records| projected.bin_edges(records));
         let solid = whole(&mut |_, target| placed.solid(ink, cache, target).map(drop).unwrap());
         assert!(solid == strips(area, height, |_, target| faces.solid(ink, target).unwrap()), "{scene:?}");
-        let lines = whole(&mut |_, target| placed.wireframe(Ink(7), cache, target).map(drop).unwrap());
-        assert!(lines == strips(area, height, |_, target| edges.draw(Ink(7), target).unwrap()), "{scene:?}");
+        let lines = whole(&mut |_, target| placed.wireframe(Shader(7), cache, target).map(drop).unwrap());
+        assert!(
+            lines == strips(area, height, |_, target| edges.draw(Shader(7), target).unwrap()),
+            "{scene:?}"
+        );
 
-        let mut corners = vec![Corner::EMPTY; scene.cache];
+        let mut corners = vec![ScreenVertex::EMPTY; scene.cache];
         let projected = placed.transform_depth(&mut corners);
-        let mut faces: Faces<'_, i16, true> = record(third, |records| projected.faces(records));
-        let mut edges: Edges<'_, i16, true> = record(fourth, |records| projected.edges(records));
+        let mut faces: BinnedFaces<'_, i16, true> = record(third, |records| projected.bin_faces(records));
+        let mut edges: BinnedEdges<'_, i16, true> = record(fourth, |records| projected.bin_edges(records));
         let tested =
             whole(&mut |depth, target| placed.depth_tested(ink, cache, depth, target).map(drop).unwrap());
         let banded = strips(area, height, |depth, target| faces.depth_tested(ink, depth, target).unwrap());
         assert!(tested == banded, "depth: {scene:?}");
         let hidden = whole(&mut |depth, target| {
             placed.depth_only(cache, depth);
-            placed.hidden_line(Ink(7), cache, depth, target).unwrap();
+            placed.hidden_line(Shader(7), cache, depth, target).unwrap();
         });
         let banded = strips(area, height, |depth, target| {
             faces.depth_only(depth);
-            edges.hidden_line(Ink(7), depth, target).unwrap();
+            edges.hidden_line(Shader(7), depth, target).unwrap();
         });
         assert!(hidden == banded, "hidden lines: {scene:?}");
         let nearer = whole(&mut |depth, target| {
             placed.depth_only(cache, depth);
-            placed.wireframe_depth_tested(Ink(7), cache, depth, target).unwrap();
+            placed.wireframe_depth_tested(Shader(7), cache, depth, target).unwrap();
         });
         let banded = strips(area, height, |depth, target| {
             faces.depth_only(depth);
-            edges.depth_tested(Ink(7), depth, target).unwrap();
+            edges.depth_tested(Shader(7), depth, target).unwrap();
         });
         assert!(nearer == banded, "nearer lines: {scene:?}");
     });

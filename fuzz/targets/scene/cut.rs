@@ -1,6 +1,6 @@
-//! Faces that are cut, by one ray a pixel in f64: no clipping in there.
+//! BinnedFaces that are cut, by one ray a pixel in f64: no clipping in there.
 
-use crate::bridge::draw::Ink;
+use crate::bridge::draw::Shader;
 use crate::bridge::pair::ViewBits;
 use crate::draw;
 use crate::input::Scene;
@@ -68,7 +68,7 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     }
     let cut = scene.with_placed(&[face], &[], |placed| {
         let whole = face.iter().all(|&i| placed.project(i.into()).is_some());
-        (!whole).then(|| draw(scene, |target| placed.solid(|_| Ink(1), &mut [], target)))
+        (!whole).then(|| draw(scene, |target| placed.solid(|_| Shader(1), &mut [], target)))
     });
     let Some(drawing) = cut else { return };
     let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();

@@ -1,14 +1,14 @@
 //! Depth-tested scenes: each pixel shows the nearest of the faces drawn alone, and each of those has the
 //! depth of the plane through its snapped corners.
 
-use crate::bridge::draw::Ink;
+use crate::bridge::draw::Shader;
 use crate::input::Scene;
 use crate::oracle::coverage::edge;
 use crate::{draw, sums_up};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::ScreenPoint;
-use pinhole::{Corner, DepthBuffer};
+use pinhole::{DepthBuffer, ScreenVertex};
 
 /// The faces' pixels and depths: (x, y), which face, how deep.
 fn drawn(scene: &Scene, faces: &[[u16; 3]]) -> Vec<((i32, i32), u16, u16)> {
@@ -23,15 +23,15 @@ fn drawn(scene: &Scene, faces: &[[u16; 3]]) -> Vec<((i32, i32), u16, u16)> {
     let mut storage = vec![0; area.width() * area.height()];
     let mut depth = DepthBuffer::new(bounds, &mut storage).expect("storage for all pixels");
     let drawing = scene.with_placed(faces, &[], |placed| {
-        let mut cache = vec![Corner::EMPTY; scene.cache];
-        draw(scene, |target| placed.depth_tested(|face| Ink(face as u16), &mut cache, &mut depth, target))
+        let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
+        draw(scene, |target| placed.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target))
     });
     sums_up(drawing.statistics, faces.len());
     let seen: Vec<_> = drawing
         .target
         .pixels
         .iter()
-        .map(|(&(x, y), &(Ink(face), _))| {
+        .map(|(&(x, y), &(Shader(face), _))| {
             let held = depth.at(Point::new(x, y)).expect("inside");
             assert!(held < DepthBuffer::NOTHING, "({x}, {y}): {scene:?}");
             ((x, y), face, held)

@@ -1,23 +1,23 @@
-//! Faces asked by their planes, if they have any.
+//! BinnedFaces asked by their planes, if they have any.
 
-use crate::bridge::draw::Ink;
+use crate::bridge::draw::Shader;
 use crate::cut::before_rounding;
 use crate::input::Scene;
 use crate::{draw, sums_up, Drawing};
-use pinhole::{Corner, Mesh, Placed};
+use pinhole::{Mesh, MeshInstance, ScreenVertex};
 use std::cell::RefCell;
 
 /// Drawn with and without, and the faces that each drew.
-fn both(scene: &Scene, placed: &Placed<'_>) -> [(Drawing, Vec<usize>); 2] {
+fn both(scene: &Scene, placed: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] {
     [false, true].map(|by_planes| {
         let faces = RefCell::new(Vec::new());
         let shade = |face| {
             faces.borrow_mut().push(face);
-            Ink(face as u16)
+            Shader(face as u16)
         };
-        let mut cache = vec![Corner::EMPTY; scene.cache];
+        let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
         let drawing = draw(scene, |target| match by_planes {
-            true => placed.facing().solid(shade, &mut cache, target),
+            true => placed.cull_by_planes().solid(shade, &mut cache, target),
             false => placed.solid(shade, &mut cache, target),
         });
         sums_up(drawing.statistics, placed.mesh().faces().len());
@@ -27,7 +27,7 @@ fn both(scene: &Scene, placed: &Placed<'_>) -> [(Drawing, Vec<usize>); 2] {
 
 /// Whether a face is turned to the front before its corners are rounded to sub-pixels, by more than the error of places can
 /// make of one that is seen from the side. `None` where one of them has no place, or numbers leave their range.
-fn is_front(scene: &Scene, placed: &Placed<'_>, face: [u16; 3]) -> Option<bool> {
+fn is_front(scene: &Scene, placed: &MeshInstance<'_>, face: [u16; 3]) -> Option<bool> {
     let (error, _) = before_rounding(scene, face)?;
     let place = |index: u16| {
         let place = placed.project_unsnapped(index.into())?;
@@ -57,7 +57,7 @@ pub(crate) fn check(scene: &Scene) {
     let placed = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
     let [(_, plain), (_, by_planes)] = both(scene, &placed);
     for &face in plain.iter().filter(|face| !by_planes.contains(face)) {
-        // Faces that are cut, or reach far out where places saturate, have no area that could be looked at.
+        // BinnedFaces that are cut, or reach far out where places saturate, have no area that could be looked at.
         assert_ne!(
             is_front(scene, &placed, scene.faces[face]),
             Some(true),

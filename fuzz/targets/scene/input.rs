@@ -7,7 +7,7 @@ use crate::bytes::Bytes;
 use crate::oracle::chain;
 use crate::oracle::coverage::Area;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Cull, Mesh, Placed, Viewport};
+use pinhole::{Cull, Mesh, MeshInstance, Viewport};
 
 #[derive(Debug)]
 pub(crate) struct Scene {
@@ -190,7 +190,7 @@ impl Scene {
         &self,
         faces: &[[u16; 3]],
         edges: &[[u16; 2]],
-        then: impl FnOnce(&Placed<'_>) -> R,
+        then: impl FnOnce(&MeshInstance<'_>) -> R,
     ) -> R {
         let mesh = Mesh::new(&self.vertices, self.exponent, faces)
             .and_then(|m| m.with_edges(edges))

@@ -24,19 +24,19 @@ mod facing;
 mod input;
 mod whole;
 
-use bridge::draw::Ink;
+use bridge::draw::Shader;
 use input::Scene;
 use libfuzzer_sys::fuzz_target;
 use oracle::target::{Call, Recorder, Refused};
-use pinhole::{Corner, Painter, Placed, Statistics};
+use pinhole::{MeshInstance, Painter, ScreenVertex, Statistics};
 
 /// Everything recorded so far.
 struct Drawing {
-    target: Recorder<Ink>,
+    target: Recorder<Shader>,
     statistics: Statistics,
 }
 
-fn draw(scene: &Scene, with: impl FnOnce(&mut Recorder<Ink>) -> Result<Statistics, Refused>) -> Drawing {
+fn draw(scene: &Scene, with: impl FnOnce(&mut Recorder<Shader>) -> Result<Statistics, Refused>) -> Drawing {
     let mut target = Recorder::new(scene.bounds);
     let statistics = with(&mut target).expect("this target refuses nothing");
     assert_eq!(target.outside, 0, "outside the target: {scene:?}");
@@ -53,11 +53,11 @@ fn sums_up(s: Statistics, handed_in: usize) {
     assert!(s.clipped <= s.drawn, "{s:?}");
 }
 
-fn check(scene: &Scene, placed: &Placed<'_>) {
+fn check(scene: &Scene, placed: &MeshInstance<'_>) {
     // Another scene's corners in the cache do no harm.
     let stale = {
-        let mut corners = vec![Corner::default(); scene.vertices.len() + 1];
-        let _ = placed.solid(|_| Ink(0), &mut corners, &mut Recorder::sized(1, 1));
+        let mut corners = vec![ScreenVertex::default(); scene.vertices.len() + 1];
+        let _ = placed.solid(|_| Shader(0), &mut corners, &mut Recorder::sized(1, 1));
         corners
     };
     let mut asked = 0;
@@ -67,7 +67,7 @@ fn check(scene: &Scene, placed: &Placed<'_>) {
         draw(scene, |target| {
             let shade = |face| {
                 *asked += 1;
-                Ink(face as u16)
+                Shader(face as u16)
             };
             placed.solid(shade, &mut cache, target)
         })
@@ -82,7 +82,7 @@ fn check(scene: &Scene, placed: &Placed<'_>) {
     let wireframe = |length: usize| {
         let mut cache = stale.clone();
         cache.truncate(length);
-        draw(scene, |target| placed.wireframe(Ink(7), &mut cache, target))
+        draw(scene, |target| placed.wireframe(Shader(7), &mut cache, target))
     };
     let edges = wireframe(scene.cache);
     sums_up(edges.statistics, scene.edges.len());
@@ -93,17 +93,17 @@ fn check(scene: &Scene, placed: &Placed<'_>) {
 
     // The painter draws the same faces, in its own order: each pixel as often.
     let painted = draw(scene, |target| {
-        let mut painter = Painter::<Ink, 100, 40>::new();
-        painter.add(placed, |face| Ink(face as u16)).expect("enough room");
+        let mut painter = Painter::<Shader, 100, 40>::new();
+        painter.add(placed, |face| Shader(face as u16)).expect("enough room");
         painter.draw(target)
     });
     assert_eq!(painted.statistics, faces.statistics);
     let count = |d: &Drawing| d.target.pixels.iter().map(|(&p, &(_, n))| (p, n)).collect::<Vec<_>>();
     assert_eq!(count(&painted), count(&faces), "painter and mesh order cover differently: {scene:?}");
 
-    let points = draw(scene, |target| placed.points(Ink(3), target));
+    let points = draw(scene, |target| placed.points(Shader(3), target));
     sums_up(points.statistics, scene.vertices.len());
-    let polyline = draw(scene, |target| placed.polyline(Ink(4), target));
+    let polyline = draw(scene, |target| placed.polyline(Shader(4), target));
     sums_up(polyline.statistics, scene.vertices.len().saturating_sub(1));
     whole::points(scene, placed, &points.target);
     whole::polyline(scene, placed, &polyline);

@@ -1,13 +1,13 @@
 //! What is not cut is exactly the coverage, or the line, of its projected corners.
 
-use crate::bridge::draw::Ink;
+use crate::bridge::draw::Shader;
 use crate::input::Scene;
 use crate::oracle::coverage::{self, Area, P};
 use crate::oracle::line;
 use crate::oracle::target::Recorder;
 use crate::{draw, Drawing};
 use pinhole::raster::ScreenPoint;
-use pinhole::{Cull, Placed};
+use pinhole::{Cull, MeshInstance};
 use std::collections::BTreeMap;
 
 fn sub_pixels(p: ScreenPoint) -> P {
@@ -19,7 +19,7 @@ fn pixel(p: ScreenPoint) -> P {
     (x.div_euclid(256), y.div_euclid(256))
 }
 
-fn drawn(target: &Recorder<Ink>) -> Vec<(P, u32)> {
+fn drawn(target: &Recorder<Shader>) -> Vec<(P, u32)> {
     target.pixels.iter().map(|(&(x, y), &(_, n))| ((i64::from(x), i64::from(y)), n)).collect()
 }
 
@@ -35,7 +35,7 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
             return;
         };
         let t = [a, b, c].map(sub_pixels);
-        let drawing = draw(scene, |target| placed.solid(|_| Ink(1), &mut [], target));
+        let drawing = draw(scene, |target| placed.solid(|_| Shader(1), &mut [], target));
         let s = drawing.statistics;
         // Front is counter-clockwise with y up: the edge function is negative with y down.
         let area = coverage::edge(t[0], t[1], t[2]);
@@ -65,9 +65,9 @@ fn line_in(a: P, b: P, area: Area) -> Vec<P> {
 
 pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
     scene.with_placed(&[], &[edge], |placed| {
-        let drawing = draw(scene, |target| placed.wireframe(Ink(1), &mut [], target));
+        let drawing = draw(scene, |target| placed.wireframe(Shader(1), &mut [], target));
         let turned = scene.with_placed(&[], &[[edge[1], edge[0]]], |placed| {
-            draw(scene, |target| placed.wireframe(Ink(1), &mut [], target))
+            draw(scene, |target| placed.wireframe(Shader(1), &mut [], target))
         });
         // L3, cut or not.
         assert_eq!(turned.statistics, drawing.statistics, "{edge:?}: {scene:?}");
@@ -79,7 +79,7 @@ pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
     });
 }
 
-pub(crate) fn points(scene: &Scene, placed: &Placed<'_>, target: &Recorder<Ink>) {
+pub(crate) fn points(scene: &Scene, placed: &MeshInstance<'_>, target: &Recorder<Shader>) {
     let mut wanted = BTreeMap::new();
     for i in 0..scene.vertices.len() {
         if let Some((p, _)) = placed.project(i) {
@@ -93,7 +93,7 @@ pub(crate) fn points(scene: &Scene, placed: &Placed<'_>, target: &Recorder<Ink>)
 }
 
 /// Where all vertices have a place: the union of the exact lines.
-pub(crate) fn polyline(scene: &Scene, placed: &Placed<'_>, drawing: &Drawing) {
+pub(crate) fn polyline(scene: &Scene, placed: &MeshInstance<'_>, drawing: &Drawing) {
     let images: Vec<P> =
         (0..scene.vertices.len()).filter_map(|i| placed.project(i)).map(|(p, _)| pixel(p)).collect();
     if images.len() < scene.vertices.len() {

@@ -4,7 +4,7 @@ use crate::bridge::pair::{ViewBits, ONE};
 use crate::bridge::{point, scalar, vector};
 use crate::bytes::Bytes;
 use crate::oracle::chain::{self, cross_exact, length, M3};
-use pinhole::{Viewing, ViewingError};
+use pinhole::{ViewTransform, ViewTransformError};
 
 /// A vector of any kind: wild, on the lattice of whole units, or nearly along another.
 pub(crate) fn triple(b: &mut Bytes<'_>, other: [i32; 3]) -> [i32; 3] {
@@ -53,24 +53,24 @@ pub(crate) fn sine(view: ViewBits) -> f64 {
     length(cross_exact(n, up)) / (length(n.map(|c| c as f64)) * length(up.map(|c| c as f64)))
 }
 
-fn reals(view: &Viewing) -> M3 {
+fn reals(view: &ViewTransform) -> M3 {
     view.rows().map(|row| row.map(|c| f64::from(c) / f64::from(1 << 30)))
 }
 
 /// `got` is what the three doors must say, and its rows are the exact ones.
-fn same(got: Result<Viewing, ViewingError>, view: ViewBits) {
+fn same(got: Result<ViewTransform, ViewTransformError>, view: ViewBits) {
     let (n, up) = directions(view);
     if n == [0; 3] {
-        return assert_eq!(got.err(), Some(ViewingError::ZeroDirection));
+        return assert_eq!(got.err(), Some(ViewTransformError::ZeroDirection));
     }
     if up == [0; 3] {
-        return assert_eq!(got.err(), Some(ViewingError::ZeroUp));
+        return assert_eq!(got.err(), Some(ViewTransformError::ZeroUp));
     }
     // Within 2⁻¹² rad, less a thousandth for the rounding of unit vectors in 2⁻³⁰.
     let (sine, bound) = (sine(view), 2f64.powi(-12).sin());
     match got {
         Err(error) => {
-            assert_eq!(error, ViewingError::ParallelUp);
+            assert_eq!(error, ViewTransformError::ParallelUp);
             assert!(sine < bound * 1.001, "{sine}: {view:?}");
         }
         Ok(got) => {
@@ -93,17 +93,17 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
         160..=191 => {
             let (vrp, vpn) = (triple(b, [0; 3]), triple(b, [ONE; 3]));
             let (got, vpn) = if b.byte() & 1 == 0 {
-                (Viewing::trimetric(point(vrp), vector(vpn)), vpn)
+                (ViewTransform::trimetric(point(vrp), vector(vpn)), vpn)
             } else {
                 let [side, up, _] = vpn;
-                (Viewing::dimetric(point(vrp), scalar(side), scalar(up)), [side, up, side])
+                (ViewTransform::dimetric(point(vrp), scalar(side), scalar(up)), [side, up, side])
             };
             let [x, y, z] = vpn.map(i32::unsigned_abs);
             let pairs = x == y
                 || y == z
-                || (z == x && got != Viewing::dimetric(point(vrp), scalar(vpn[0]), scalar(vpn[1])));
+                || (z == x && got != ViewTransform::dimetric(point(vrp), scalar(vpn[0]), scalar(vpn[1])));
             if [x, y, z].contains(&0) || pairs {
-                assert_eq!(got.err(), Some(ViewingError::NotAxonometric), "{vpn:?}");
+                assert_eq!(got.err(), Some(ViewTransformError::NotAxonometric), "{vpn:?}");
             } else {
                 same(got, ViewBits::Reference(vrp, vpn, [0, ONE, 0]));
             }
@@ -132,7 +132,7 @@ fn matrix(b: &mut Bytes<'_>) {
         };
         m[at / 4][at % 4] = value;
     }
-    let got = Viewing::from_matrix(&m);
+    let got = ViewTransform::from_matrix(&m);
     let rows: M3 = core::array::from_fn(|i| [m[i][0], m[i][1], m[i][2]]);
     // How far from what the documentation asks, NaN counting as too far. Rounding the rows, to 2⁻³¹ or from 2·10⁻⁶ beyond 1
     // to it, changes that by less than 10⁻⁸.
@@ -153,8 +153,8 @@ fn matrix(b: &mut Bytes<'_>) {
     let right_handed = chain::dot(chain::cross(rows[0], rows[1]), rows[2]) > 0.0;
     let last = m[3] == [0.0, 0.0, 0.0, 1.0];
     match got {
-        Err(ViewingError::NotRigid) => assert!(!last || !right_handed || off > 3.99e-6, "{m:?}"),
-        Err(ViewingError::EyeOutside) => assert!(away >= 32_767.999, "{m:?}"),
+        Err(ViewTransformError::NotRigid) => assert!(!last || !right_handed || off > 3.99e-6, "{m:?}"),
+        Err(ViewTransformError::EyeOutside) => assert!(away >= 32_767.999, "{m:?}"),
         Err(error) => panic!("{error}: {m:?}"),
         Ok(view) => {
             assert!(last && right_handed && off < 4.001e-6 && away <= 32_768.001, "{m:?}");
@@ -169,7 +169,7 @@ fn matrix(b: &mut Bytes<'_>) {
             }
             // What was rounded once is taken back as it is, but on the very edge of the world.
             if away < 32_767.9 {
-                assert_eq!(Viewing::from_matrix(&view.to_matrix()), Ok(view), "{m:?}");
+                assert_eq!(ViewTransform::from_matrix(&view.to_matrix()), Ok(view), "{m:?}");
             }
         }
     }

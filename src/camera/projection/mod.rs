@@ -46,8 +46,8 @@ impl defmt::Format for Window {
 ///
 /// | name | view | projection |
 /// |---|---|---|
-/// | multiview (front, top, …) | [`Viewing::multiview`](crate::Viewing::multiview) | orthographic |
-/// | isometric, dimetric, trimetric | [`Viewing::isometric`](crate::Viewing::isometric) and kin | orthographic |
+/// | multiview (front, top, …) | [`ViewTransform::multiview`](crate::ViewTransform::multiview) | orthographic |
+/// | isometric, dimetric, trimetric | [`ViewTransform::isometric`](crate::ViewTransform::isometric) and kin | orthographic |
 /// | cavalier, cabinet | VPN along an axis | [`oblique`](Self::oblique), factor 1 and ½ |
 /// | one-, two-, three-point | VPN with one, two, three components | any perspective |
 ///

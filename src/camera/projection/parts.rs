@@ -1,6 +1,6 @@
 //! Coefficients as quotients of exact integers.
 
-use crate::math::num::{excess, fraction, scale, SATURATED};
+use crate::math::num::{fraction, scale, shift_to_fit, SATURATED};
 use crate::math::{Row, Scalar};
 
 /// `n / d` as `mantissa · 2^exponent` with a mantissa of 30 bits (or 2³⁰ itself), rounded to nearest:
@@ -11,7 +11,7 @@ pub(in crate::camera) const fn ratio(n: i64, d: u64) -> (i64, i32) {
         return (0, 0);
     }
     // Both to 61 bits: 61-bit over 61-bit is between ½ and 2, as `fraction` wants it.
-    let (up_n, up_d) = (-excess(n.unsigned_abs(), 61), -excess(d, 61));
+    let (up_n, up_d) = (-shift_to_fit(n.unsigned_abs(), 61), -shift_to_fit(d, 61));
     let q = fraction(scale(n, up_n).unsigned_abs(), scale(d as i64, up_d) as u64, 31);
     // ½ … 2 in 2⁻³¹ is 2³⁰ … 2³²: rounded to 30 bits.
     let down = if q >> 31 == 0 { 1 } else { 2 };

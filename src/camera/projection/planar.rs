@@ -2,7 +2,7 @@
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
-use crate::math::num::{excess, scale, sqrt, SATURATED};
+use crate::math::num::{scale, shift_to_fit, sqrt, SATURATED};
 use crate::math::{homogeneous, to_scalar, Point3, Row, Scalar, Vector3};
 use crate::space::View;
 
@@ -129,7 +129,7 @@ impl PlanarProjection {
                 // 1/(Q·dz) = |direction|/(Q·its z), which keeps its bits where the direction lies near
                 // the plane: all parts brought to 31 bits at least.
                 let largest = dx.unsigned_abs().max(dy.unsigned_abs()).max(dz.unsigned_abs());
-                let up = (-excess(largest, 31)).max(0); // 2³¹ itself stays, and with it the others' last bit
+                let up = (-shift_to_fit(largest, 31)).max(0); // 2³¹ itself stays, and with it the others' last bit
                 let square = [dx, dy, dz].map(|c| scale(c, up).unsigned_abs().pow(2)).iter().sum(); // ≤ 3·2⁶²
                 let length = i64::from(sqrt(square)); // 2³⁰ … 2³¹·⁸
                 let product = i64::from(distance.to_bits()) * scale(dz, up); // 2³¹ · 2³¹

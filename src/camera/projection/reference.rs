@@ -1,4 +1,4 @@
-//! Viewing by projection reference point and window.
+//! ViewTransform by projection reference point and window.
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};

@@ -3,7 +3,7 @@
 use crate::bridge::pair::{ProjectionBits, ViewBits, ONE};
 use crate::oracle::chain::{self, length};
 use crate::oracle::rng::Rng;
-use pinhole::{Projection, ProjectionError, ViewingError};
+use pinhole::{Projection, ProjectionError, ViewTransformError};
 
 const UP: [i32; 3] = [0, ONE, 0];
 
@@ -15,7 +15,7 @@ fn e4_zero_direction() {
         ViewBits::LookAlong(eye, [0; 3], UP),
         ViewBits::Reference(eye, [0; 3], UP),
     ] {
-        assert_eq!(view.library().err(), Some(ViewingError::ZeroDirection));
+        assert_eq!(view.library().err(), Some(ViewTransformError::ZeroDirection));
     }
 }
 
@@ -27,7 +27,7 @@ fn e4_zero_up() {
         ViewBits::LookAlong(eye, [ONE, 0, 0], [0; 3]),
         ViewBits::Reference(eye, [ONE, 0, 0], [0; 3]),
     ] {
-        assert_eq!(view.library().err(), Some(ViewingError::ZeroUp));
+        assert_eq!(view.library().err(), Some(ViewTransformError::ZeroUp));
     }
 }
 
@@ -36,7 +36,7 @@ fn e3_parallel_up() {
     for k in [1, 3, -7, 1 << 14, -(1 << 14)] {
         for d in [[1, 2, -3], [0, 0, 1], [-1, 0, 0], [60000, 1, -60000]] {
             let view = ViewBits::Reference([0; 3], d, d.map(|c| c * k));
-            assert_eq!(view.library().err(), Some(ViewingError::ParallelUp), "{d:?} {k}");
+            assert_eq!(view.library().err(), Some(ViewTransformError::ParallelUp), "{d:?} {k}");
         }
     }
 }
@@ -67,8 +67,8 @@ fn e3_parallel_up_on_both_sides_of_the_bound() {
         let along = ViewBits::LookAlong(eye, n.map(|c| -c), up);
         if angle < bound * 0.999 {
             errors += 1;
-            assert_eq!(view.library().err(), Some(ViewingError::ParallelUp), "{angle}");
-            assert_eq!(along.library().err(), Some(ViewingError::ParallelUp), "{angle}");
+            assert_eq!(view.library().err(), Some(ViewTransformError::ParallelUp), "{angle}");
+            assert_eq!(along.library().err(), Some(ViewTransformError::ParallelUp), "{angle}");
         } else if angle > bound * 1.001 {
             views += 1;
             assert!(view.library().is_ok() && along.library().is_ok(), "{angle} {view:?}");

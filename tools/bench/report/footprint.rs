@@ -41,11 +41,11 @@ const NO_DEPTH: &[Part] = &[Part("raster/depth.rs", None), Part("output/depth.rs
 const NO_FACES: &[Part] = &[
     NO_DEPTH[0],
     NO_DEPTH[1],
-    Part("raster/plane.rs", None),
+    Part("raster/gradient.rs", None),
     Part("raster/edge.rs", None),
-    Part("raster/side.rs", None),
-    Part("raster/halves.rs", None),
-    Part("raster/walk.rs", None),
+    Part("fast/edge20.rs", None),
+    Part("fast/small_triangle.rs", None),
+    Part("fast/bresenham_triangle.rs", None),
     Part("raster/stretch.rs", None),
     Part("shade/", None),
 ];
@@ -133,8 +133,8 @@ pub(crate) fn bins() -> Vec<String> {
 /// Whether the library has that for this core: one that divides has another way than one that does not.
 fn is_for(Part(file, _): &Part, build: Build) -> bool {
     match *file {
-        "raster/side.rs" | "raster/halves.rs" => build.target == M3,
-        "raster/walk.rs" => build.target == M0,
+        "fast/edge20.rs" | "fast/small_triangle.rs" => build.target == M3,
+        "fast/bresenham_triangle.rs" => build.target == M0,
         _ => true,
     }
 }

@@ -30,7 +30,7 @@ and points, in bands and dirty rectangles, from two cameras, one of them made at
 opt-level 3.
 
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the README does: faster, and larger. The other rows in bands
-draw into it as into any DrawTarget (`&mut band`). *By planes* is `Placed::facing()`, of a mesh with planes.
+draw into it as into any DrawTarget (`&mut band`). *By planes* is `MeshInstance::cull_by_planes()`, of a mesh with planes.
 
 The target, the ink, and what gives a face its ink are type parameters: each closure type instantiates the drawing code
 again, even if two closures return the same colours. One call in a loop over objects is linked once, and so are calls that
@@ -132,11 +132,11 @@ const MODULES: &[&str] = &[
     "math/",
     "raster/line.rs",
     "raster/edge.rs",
-    "raster/halves.rs",
-    "raster/side.rs",
+    "fast/small_triangle.rs",
+    "fast/edge20.rs",
     "raster/stretch.rs",
     "raster/triangle.rs",
-    "raster/plane.rs",
+    "raster/gradient.rs",
     "raster/",
     "scene/",
     "camera/",

@@ -32,7 +32,7 @@ one frame; `Statistics` tells how many faces were drawn. What says *more* comes 
 anyway:
 
 * *frame*: 1.
-* *vertex*: of the mesh, all of them, in every way. Where faces are asked by their planes (`Placed::facing`) count all of them, too:
+* *vertex*: of the mesh, all of them, in every way. Where faces are asked by their planes (`MeshInstance::facing`) count all of them, too:
   the constant is for clearing their places, and placing those that are needed is part of a *face drawn*.
 * *face left out*: turned away, or before the near plane; of a closed mesh about half. *Face drawn*: the others, also beside the
   picture.
@@ -94,13 +94,13 @@ pub(crate) fn text(compiler: &str, all: &[Growth]) -> String {
 
 /// In the order of `WAYS`.
 const TITLES: [&str; 7] = [
-    "Edges as lines",
-    "Faces without depth",
-    "Faces with depth",
-    "Faces without depth, asked by their planes",
-    "Faces with depth, asked by their planes",
-    "Faces with depth in bands",
-    "Faces with depth in bands, asked by their planes",
+    "BinnedEdges as lines",
+    "BinnedFaces without depth",
+    "BinnedFaces with depth",
+    "BinnedFaces without depth, asked by their planes",
+    "BinnedFaces with depth, asked by their planes",
+    "BinnedFaces with depth in bands",
+    "BinnedFaces with depth in bands, asked by their planes",
 ];
 
 fn constants(text: &mut String, title: &str, cores: &[&Growth]) {

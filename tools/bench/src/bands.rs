@@ -4,7 +4,7 @@ use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Corner, DepthBuffer, Frame, Lambert};
+use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex};
 
 /// What the largest scene takes: vertices, and visible faces with one for every 16 of the mesh.
 const CORNERS: usize = 2892;
@@ -20,7 +20,7 @@ pub const fn pixels(rows: u32) -> usize {
 
 /// What a frame in bands is lent. The strips' lengths say how many rows a band has.
 pub struct Storage<'s> {
-    pub corners: &'s mut [Corner],
+    pub corners: &'s mut [ScreenVertex],
     pub records: &'s mut [u16],
     pub strip: &'s mut [u8],
     pub depth: &'s mut [u16],
@@ -28,7 +28,7 @@ pub struct Storage<'s> {
 
 /// Storage for the largest scene and bands of any height.
 pub struct Memory {
-    corners: [Corner; CORNERS],
+    corners: [ScreenVertex; CORNERS],
     records: [u16; RECORDS],
     strip: [u8; bytes(SIZE)],
     depth: [u16; pixels(SIZE)],
@@ -36,7 +36,7 @@ pub struct Memory {
 
 impl Memory {
     pub const NEW: Self = Self {
-        corners: [Corner::EMPTY; CORNERS],
+        corners: [ScreenVertex::EMPTY; CORNERS],
         records: [0; RECORDS],
         strip: [0; bytes(SIZE)],
         depth: [0; pixels(SIZE)],
@@ -77,7 +77,7 @@ pub fn wireframe(
 ) -> Option<()> {
     let placed = scene.place();
     let projected = placed.transform(corners);
-    let mut edges = projected.edges(records).ok()?;
+    let mut edges = projected.bin_edges(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let Ok(()) = edges.draw(LINE, &mut band.pixels());
@@ -95,7 +95,7 @@ pub fn solid(
 ) -> Option<()> {
     let placed = scene.place();
     let projected = placed.transform(corners);
-    let mut faces = projected.faces(records).ok()?;
+    let mut faces = projected.bin_faces(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let Ok(()) = faces.solid(scene.shade(light), &mut band.pixels());
@@ -113,7 +113,7 @@ pub fn depth(
 ) -> Option<()> {
     let placed = scene.place();
     let projected = placed.transform_depth(corners);
-    let mut faces = projected.faces(records).ok()?;
+    let mut faces = projected.bin_faces(records).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;

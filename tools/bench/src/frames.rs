@@ -6,7 +6,7 @@ use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Corner, DepthBuffer, Lambert, Picture};
+use pinhole::{DepthBuffer, Lambert, Picture, ScreenVertex};
 
 const PIXELS: usize = (SIZE * SIZE) as usize;
 /// The most vertices of a scene.
@@ -16,12 +16,12 @@ const CORNERS: usize = 2892;
 pub struct Memory {
     pub pixels: [Rgb565; PIXELS],
     pub depth: [u16; PIXELS],
-    pub corners: [Corner; CORNERS],
+    pub corners: [ScreenVertex; CORNERS],
 }
 
 impl Memory {
     pub const NEW: Self =
-        Self { pixels: [BACKGROUND; PIXELS], depth: [0; PIXELS], corners: [Corner::EMPTY; CORNERS] };
+        Self { pixels: [BACKGROUND; PIXELS], depth: [0; PIXELS], corners: [ScreenVertex::EMPTY; CORNERS] };
 }
 
 /// What a frame costs before anything is drawn.

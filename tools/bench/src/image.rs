@@ -14,9 +14,10 @@ use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use pinhole::space::{Model as ModelSpace, World};
 #[cfg(not(target_os = "none"))]
-use pinhole::Corner;
+use pinhole::ScreenVertex;
 use pinhole::{
-    Affine, Angle, Camera, Lambert, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing, Viewport,
+    Affine, Angle, Camera, Lambert, Mesh, MeshInstance, Point3, Projection, Scalar, Vector3, ViewTransform,
+    Viewport,
 };
 
 /// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
@@ -41,7 +42,7 @@ macro_rules! depth_in_bands {
     (|$faces:ident, $mesh:ident, $light:ident, $depth:ident, $band:ident| $draw:expr) => {
         $crate::image!(
             cube,
-            corners: [pinhole::Corner; $crate::image::CORNERS] = [pinhole::Corner::EMPTY; $crate::image::CORNERS],
+            corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
             records: [u16; $crate::image::RECORDS] = [0; $crate::image::RECORDS],
             strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
             storage: [u16; $crate::bands::pixels($crate::image::ROWS)] = [0; $crate::bands::pixels($crate::image::ROWS)],
@@ -50,7 +51,7 @@ macro_rules! depth_in_bands {
                 let placed = scene.place(cube);
                 let $light = scene.light();
                 let $light = $light.as_ref()?;
-                let mut $faces = placed.transform_depth(corners).faces(records);
+                let mut $faces = placed.transform_depth(corners).bin_faces(records);
                 let $faces = $faces.as_mut().ok()?;
                 let $mesh = placed.mesh();
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
@@ -71,7 +72,7 @@ macro_rules! solid_in_bands {
     (|$placed:ident, $corners:ident, $records:ident| $record:expr) => {
         $crate::image!(
             cube,
-            $corners: [pinhole::Corner; $crate::image::CORNERS] = [pinhole::Corner::EMPTY; $crate::image::CORNERS],
+            $corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
             $records: [u16; $crate::image::RECORDS] = [0; $crate::image::RECORDS],
             strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
             {
@@ -113,8 +114,8 @@ pub fn cubes() -> &'static [Model] {
 /// What the book's chapter on budgets says that they take of a frame; on a Cortex-M0 a mesh takes more.
 #[cfg(all(target_arch = "arm", target_has_atomic = "32"))]
 const _: () = {
-    assert!(size_of::<Placed<'_>>() == 176);
-    assert!(size_of::<pinhole::Faces<'_, i16, true>>() == 88);
+    assert!(size_of::<MeshInstance<'_>>() == 176);
+    assert!(size_of::<pinhole::BinnedFaces<'_, i16, true>>() == 88);
     assert!(size_of::<Lambert>() == 52);
 };
 
@@ -131,7 +132,7 @@ const CAMERA: Camera = {
     let (height, distance) = (Scalar::from_bits(5 << 15), Scalar::from_bits(9 << 14));
     let eye = Point3::new(Scalar::ZERO, height, distance);
     let (origin, up) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-    let Ok(viewing) = Viewing::look_at(eye, origin, up) else { panic!("the direction") };
+    let Ok(viewing) = ViewTransform::look_at(eye, origin, up) else { panic!("the direction") };
     let size = Size::new(SIZE, SIZE);
     let Ok(viewport) = Viewport::new(Point::zero(), size) else { panic!("the size") };
     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(20));
@@ -152,7 +153,7 @@ impl Turntable {
 
     /// Of the camera the compiler does not see that there is but one.
     #[inline(always)]
-    pub fn place(&self, cube: &'static Model) -> Placed<'static> {
+    pub fn place(&self, cube: &'static Model) -> MeshInstance<'static> {
         black_box(&CAMERA).place(&cube.mesh, &self.model)
     }
 
@@ -171,14 +172,14 @@ impl Default for Turntable {
 /// [`Scene`](crate::scene::Scene)'s.
 #[cfg(not(target_os = "none"))]
 pub fn cut() -> Option<Vec<[u32; 2]>> {
-    let cut = |placed: Placed<'_>| {
+    let cut = |placed: MeshInstance<'_>| {
         let is_cut = |face: usize| {
             let corners = placed.mesh().faces().get(face).copied().unwrap_or_default();
             corners.iter().any(|&corner| placed.project(corner.into()).is_none())
         };
         let mut screen = Screen(Default::default());
         let own_colour = |face: usize| Rgb565::from(RawU16::new(face as u16));
-        let Ok(_) = placed.solid(own_colour, &mut [Corner::EMPTY; CORNERS], &mut screen);
+        let Ok(_) = placed.solid(own_colour, &mut [ScreenVertex::EMPTY; CORNERS], &mut screen);
         screen.0.into_iter().filter(|&face| is_cut(face.into())).count() as u32
     };
     cubes()

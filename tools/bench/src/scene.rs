@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
-    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, Placed, Point3, Projection, Scalar, Vector3,
-    Viewing, Viewport,
+    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, MeshInstance, Point3, Projection, Scalar,
+    Vector3, ViewTransform, Viewport,
 };
 
 /// Width and height of a frame.
@@ -98,7 +98,7 @@ impl Scene {
 
     /// The first thing in every frame.
     #[inline(always)]
-    pub fn place(&self) -> Placed<'_> {
+    pub fn place(&self) -> MeshInstance<'_> {
         self.camera.place(&self.mesh, &self.model)
     }
 
@@ -124,7 +124,7 @@ fn turned(axes: [[i32; 3]; 3]) -> Affine<ModelSpace, World> {
 fn camera(eye: [i32; 3], size: Size) -> Option<Camera> {
     let [x, y, z] = eye.map(Scalar::from_bits);
     let (origin, up) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
-    let viewing = Viewing::look_at(Point3::new(x, y, z), origin, up).ok()?;
+    let viewing = ViewTransform::look_at(Point3::new(x, y, z), origin, up).ok()?;
     let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(20 << 16)));
     let projection = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
     let viewport = Viewport::new(Point::zero(), size).ok()?;

@@ -46,7 +46,7 @@ macro_rules! about {
 
 pub(crate) const ALL: &[About] = about! {
     "default" Default "**the library, `i16` mesh**":
-        "`Placed::transform`: rows of 30 bits with one exponent per object, focal length and viewport folded in, the eye \
+        "`MeshInstance::transform`: rows of 30 bits with one exponent per object, focal length and viewport folded in, the eye \
          subtracted first in 64 bits, high words of the sums, 8-bit table and two Newton steps for 1/w. Any projection, \
          far plane, corners packed with room for depth."
     "default-fixed" Default "**the library, `I16F16` mesh**":

@@ -6,10 +6,10 @@ use crate::exact::Case;
 use crate::oracle::rng::Rng;
 use crate::population::{self, Population, POPULATIONS, VERTICES};
 use crate::{about, Result};
-use designs::chain::{Corner, Design};
+use designs::chain::{Design, ScreenVertex};
 use designs::list::{all, Visit};
 use designs::{Object, Vertex};
-use pinhole::{Coordinate, Mesh, Placed, Scalar};
+use pinhole::{Coordinate, Mesh, MeshInstance, Scalar};
 
 /// Vertices of a class.
 pub(crate) const COUNT: usize = 250_000;
@@ -141,7 +141,7 @@ fn library<V: Coordinate>(
     vertices: &[[i16; 3]],
     raw: &mut Raw,
 ) -> Result<()> {
-    let placed: Placed<'_, V> = case.camera.place(mesh, &case.model);
+    let placed: MeshInstance<'_, V> = case.camera.place(mesh, &case.model);
     for (index, v) in vertices.iter().enumerate() {
         let [cx, cy] = case.object.centre;
         let [x, y, _] = case.object.image(v.relative(&case.object));
@@ -175,7 +175,7 @@ impl Visit for Meter<'_> {
             }
             let [x, y, _] = self.object.image(from_eye);
             let corner = design.corner(v);
-            if corner == Corner::EMPTY {
+            if corner == ScreenVertex::EMPTY {
                 raw.lost += 1;
                 continue;
             }

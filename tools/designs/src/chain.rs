@@ -5,13 +5,13 @@ use core::hint::black_box;
 
 /// A vertex on the screen: 8 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Corner {
+pub struct ScreenVertex {
     /// In sub-pixels.
     pub x: i32,
     pub y: i32,
 }
 
-impl Corner {
+impl ScreenVertex {
     /// Of a vertex that must be clipped.
     pub const EMPTY: Self = Self { x: i32::MIN, y: 0 };
 }
@@ -27,13 +27,13 @@ pub trait Design: Sized {
     /// `None` where the design cannot show such an object.
     fn new(object: &Object) -> Option<Self>;
     /// What is counted: near test, projection, range test if integers could wrap, and snap.
-    fn corner(&self, vertex: Self::Vertex) -> Corner;
+    fn corner(&self, vertex: Self::Vertex) -> ScreenVertex;
     /// The same before the snap, in pixels, for a vertex that has a place.
     fn before_snap(&self, vertex: Self::Vertex) -> [f64; 2];
 }
 
 /// A loop over vertices.
-pub type Loop<D> = fn(&D, &[<D as Design>::Vertex], &mut [Corner]);
+pub type Loop<D> = fn(&D, &[<D as Design>::Vertex], &mut [ScreenVertex]);
 
 /// The vertex loop, in the ways in which a compiler may be given it: it depends on the core and the design which is best.
 pub fn ways<D: Design>() -> [Loop<D>; 4] {
@@ -42,13 +42,17 @@ pub fn ways<D: Design>() -> [Loop<D>; 4] {
 
 /// Constants may stay in registers.
 #[inline(never)]
-fn hoisted<D: Design, const POINTERS: bool>(design: &D, vertices: &[D::Vertex], corners: &mut [Corner]) {
+fn hoisted<D: Design, const POINTERS: bool>(
+    design: &D,
+    vertices: &[D::Vertex],
+    corners: &mut [ScreenVertex],
+) {
     each::<D, POINTERS>(vertices, corners, |vertex| design.corner(vertex));
 }
 
 /// Constants are loaded when needed: where registers are few, that spills less.
 #[inline(never)]
-fn loaded<D: Design, const POINTERS: bool>(design: &D, vertices: &[D::Vertex], corners: &mut [Corner]) {
+fn loaded<D: Design, const POINTERS: bool>(design: &D, vertices: &[D::Vertex], corners: &mut [ScreenVertex]) {
     each::<D, POINTERS>(vertices, corners, |vertex| black_box(design).corner(vertex));
 }
 
@@ -57,8 +61,8 @@ fn loaded<D: Design, const POINTERS: bool>(design: &D, vertices: &[D::Vertex], c
 #[inline(always)]
 fn each<D: Design, const POINTERS: bool>(
     vertices: &[D::Vertex],
-    corners: &mut [Corner],
-    corner_of: impl Fn(D::Vertex) -> Corner,
+    corners: &mut [ScreenVertex],
+    corner_of: impl Fn(D::Vertex) -> ScreenVertex,
 ) {
     if POINTERS {
         for (corner, &vertex) in corners.iter_mut().zip(&mut vertices.iter()) {
@@ -72,7 +76,7 @@ fn each<D: Design, const POINTERS: bool>(
 }
 
 /// Of corners, to tell that two machines compute the same.
-pub fn checksum(corners: impl Iterator<Item = Corner>) -> u32 {
+pub fn checksum(corners: impl Iterator<Item = ScreenVertex>) -> u32 {
     // FNV-1a, by words.
     corners
         .flat_map(|c| [c.x, c.y])

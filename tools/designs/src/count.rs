@@ -1,7 +1,7 @@
 //! Counts the vertex loop of every design over the torus.
 
 use crate::board::Clock;
-use crate::chain::{checksum, ways, Corner, Design};
+use crate::chain::{checksum, ways, Design, ScreenVertex};
 use crate::library::{before_torus, Fixed, Library, Short};
 use crate::list::{all, Visit};
 use crate::torus::{self, VERTICES};
@@ -49,13 +49,13 @@ impl Counter<'_> {
             None => (far, D::new(&far)?),
         };
         let vertices: [D::Vertex; COUNT] = core::array::from_fn(|i| D::Vertex::of(&object, VERTICES[i]));
-        let mut corners = [Corner::EMPTY; COUNT];
+        let mut corners = [ScreenVertex::EMPTY; COUNT];
         let mut fewest = u32::MAX;
         for way in ways::<D>() {
             let mut work = || way(black_box(&design), black_box(&vertices), black_box(&mut corners));
             fewest = fewest.min(self.clock.count(&mut work)?);
         }
-        let whole = corners.iter().all(|&corner| corner != Corner::EMPTY);
+        let whole = corners.iter().all(|&corner| corner != ScreenVertex::EMPTY);
         (self.take)(Counted { id, instructions: fewest, checksum: checksum(corners.iter().copied()) });
         whole.then_some(())
     }
@@ -68,8 +68,8 @@ impl Counter<'_> {
                 black_box(black_box(placed).transform(black_box(&mut *corners)));
             })?;
             let places = (0..COUNT).map(|index| match placed.project(index) {
-                Some((p, _)) => Corner { x: p.x(), y: p.y() },
-                None => Corner::EMPTY,
+                Some((p, _)) => ScreenVertex { x: p.x(), y: p.y() },
+                None => ScreenVertex::EMPTY,
             });
             Some(Counted { id: L::ID, instructions, checksum: checksum(places) })
         })?;

@@ -1,6 +1,6 @@
 //! f32, which a core with an FPU does fast.
 
-use crate::chain::{Corner, Design};
+use crate::chain::{Design, ScreenVertex};
 use crate::Object;
 
 /// As other libraries do it: a 4 × 4 matrix for model, view and projection, multiplied in f32, with the world's absolute
@@ -58,14 +58,14 @@ impl Design for Matrix {
     }
 
     #[inline(always)]
-    fn corner(&self, v: [f32; 3]) -> Corner {
+    fn corner(&self, v: [f32; 3]) -> ScreenVertex {
         let clip = self.clip(v);
         if clip[2] < -clip[3] {
-            return Corner::EMPTY;
+            return ScreenVertex::EMPTY;
         }
         let [x, y, z] = self.place(clip);
         core::hint::black_box(z);
-        Corner { x: (x + 0.5) as i32, y: (y + 0.5) as i32 }
+        ScreenVertex { x: (x + 0.5) as i32, y: (y + 0.5) as i32 }
     }
 
     fn before_snap(&self, v: [f32; 3]) -> [f64; 2] {
@@ -109,11 +109,11 @@ impl Design for EyeRelative {
     }
 
     #[inline(always)]
-    fn corner(&self, v: [f32; 3]) -> Corner {
-        let Some(place) = self.place(v) else { return Corner::EMPTY };
+    fn corner(&self, v: [f32; 3]) -> ScreenVertex {
+        let Some(place) = self.place(v) else { return ScreenVertex::EMPTY };
         // Right up to 2²² sub-pixels: twice the guard band.
         let [x, y] = place.map(|c| (c + ROUND).to_bits() as i32 - ROUND.to_bits() as i32);
-        Corner { x, y }
+        ScreenVertex { x, y }
     }
 
     fn before_snap(&self, v: [f32; 3]) -> [f64; 2] {

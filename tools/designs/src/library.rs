@@ -5,8 +5,8 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, Coordinate, Corner, Mesh, Placed, Point3, Projection, Scalar, Vector3, Viewing,
-    Viewport,
+    Affine, Angle, Camera, Coordinate, Mesh, MeshInstance, Point3, Projection, Scalar, ScreenVertex, Vector3,
+    ViewTransform, Viewport,
 };
 
 /// A way in which the library takes vertices.
@@ -49,7 +49,7 @@ impl Library for Fixed {
 
 /// The torus before its camera, for `work`.
 pub(crate) fn before_torus<L: Library, T>(
-    work: impl FnOnce(&Placed<'_, L::Coordinate>, &mut [Corner]) -> Option<T>,
+    work: impl FnOnce(&MeshInstance<'_, L::Coordinate>, &mut [ScreenVertex]) -> Option<T>,
 ) -> Option<T> {
     let vertices = VERTICES.map(|v| v.map(L::coordinate));
     let mesh = L::mesh(&vertices)?;
@@ -60,12 +60,12 @@ pub(crate) fn before_torus<L: Library, T>(
     let origin = Point3::from_ints(0, 0, 0);
     let model = Affine::<Model, World>::from_frame(x, y, z, origin);
     let eye = Point3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_bits(DISTANCE));
-    let viewing = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).ok()?;
+    let viewing = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).ok()?;
     let (near, far) = (Scalar::from_bits(NEAR), Scalar::from_bits(FAR));
     let size = Size::new(SIZE, SIZE);
     let projection = Projection::perspective(Angle::degrees(DEGREES), size, near, far).ok()?;
     let viewport = Viewport::new(Point::zero(), size).ok()?;
     let camera = Camera::new(&viewing, &projection, &viewport);
-    let mut corners = [Corner::EMPTY; VERTICES.len()];
+    let mut corners = [ScreenVertex::EMPTY; VERTICES.len()];
     work(&camera.place(&mesh, &model), &mut corners)
 }

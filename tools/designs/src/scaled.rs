@@ -1,6 +1,6 @@
 //! For objects that lie between a distance and twice that: scaled so that w needs no normalising.
 
-use crate::chain::{Corner, Design};
+use crate::chain::{Design, ScreenVertex};
 use crate::divide::{sixteen_bits, OneStep, Reciprocal, TwoSteps};
 use crate::form::{lifted, Form};
 use crate::num::{exp2, log2_above, mul_high, mul_wide, nearest32, sum_of, within};
@@ -51,15 +51,15 @@ impl Design for ScaledThirty {
     }
 
     #[inline(always)]
-    fn corner(&self, v: [i16; 3]) -> Corner {
+    fn corner(&self, v: [i16; 3]) -> ScreenVertex {
         let [x, y, w] = self.clip(v);
         if !within(x, w) || !within(y, w) {
-            return Corner::EMPTY;
+            return ScreenVertex::EMPTY;
         }
         let mantissa = TwoSteps::mantissa(w);
         let right = (28 - self.beyond - 8) & 31;
         let along = |v| ((mul_high(v, mantissa) >> right) + 1) >> 1;
-        Corner { x: along(x), y: along(y) }
+        ScreenVertex { x: along(x), y: along(y) }
     }
 
     fn before_snap(&self, v: [i16; 3]) -> [f64; 2] {
@@ -111,11 +111,11 @@ impl Design for ScaledShort {
     }
 
     #[inline(always)]
-    fn corner(&self, v: [i16; 3]) -> Corner {
-        let Some(quotients) = self.quotients(v) else { return Corner::EMPTY };
+    fn corner(&self, v: [i16; 3]) -> ScreenVertex {
+        let Some(quotients) = self.quotients(v) else { return ScreenVertex::EMPTY };
         let right = (22 - self.beyond - 1) & 31;
         let [x, y] = quotients.map(|q| ((q >> right) + 1) >> 1);
-        Corner { x, y }
+        ScreenVertex { x, y }
     }
 
     fn before_snap(&self, v: [i16; 3]) -> [f64; 2] {

@@ -1,6 +1,6 @@
 //! Designs whose products all fit 32 bits.
 
-use crate::chain::{Corner, Design};
+use crate::chain::{Design, ScreenVertex};
 use crate::divide::{normalised, sixteen_bits, Interpolated, OneStep, Reciprocal, TwoSteps, LEAST};
 use crate::form::exponent;
 use crate::num::{exp2, log2_above, mul_middle, nearest, nearest32, sum_of, within};
@@ -44,11 +44,11 @@ impl<const WIDE: bool> Screen<WIDE> {
     }
 
     #[inline(always)]
-    fn corner(&self, quotients: Option<Quotients>) -> Corner {
-        let Some((quotients, n)) = quotients else { return Corner::EMPTY };
+    fn corner(&self, quotients: Option<Quotients>) -> ScreenVertex {
+        let Some((quotients, n)) = quotients else { return ScreenVertex::EMPTY };
         let right = (21 - self.beyond - n as i32) & 31; // by `near`
         let [x, y] = quotients.map(|q| ((q >> right) + 1) >> 1);
-        Corner { x, y }
+        ScreenVertex { x, y }
     }
 
     fn before_snap(&self, quotients: Option<Quotients>) -> [f64; 2] {
@@ -116,7 +116,7 @@ where
     }
 
     #[inline(always)]
-    fn corner(&self, v: Coarse<KEPT, T>) -> Corner {
+    fn corner(&self, v: Coarse<KEPT, T>) -> ScreenVertex {
         self.screen.corner(self.quotients(v))
     }
 
@@ -167,7 +167,7 @@ impl Design for TwoProducts {
     }
 
     #[inline(always)]
-    fn corner(&self, v: [i16; 3]) -> Corner {
+    fn corner(&self, v: [i16; 3]) -> ScreenVertex {
         self.screen.corner(self.quotients(v))
     }
 

@@ -1,6 +1,6 @@
 //! Q16.16 throughout, with a 64-bit division for each coordinate.
 
-use crate::chain::{Corner, Design};
+use crate::chain::{Design, ScreenVertex};
 use crate::num::{dot, exp2, nearest, nearest32};
 use crate::vertex::InWorld;
 use crate::Object;
@@ -13,12 +13,12 @@ fn quotient(v: i32, focal: i32, z: i32) -> i32 {
 
 /// The view point on the screen.
 #[inline(always)]
-fn corner([x, y, z]: [i32; 3], near: i32, focal: i32) -> Corner {
+fn corner([x, y, z]: [i32; 3], near: i32, focal: i32) -> ScreenVertex {
     if z < near {
-        return Corner::EMPTY;
+        return ScreenVertex::EMPTY;
     }
     let along = |v| (quotient(v, focal, z) + 128) >> 8;
-    Corner { x: along(x), y: along(y) }
+    ScreenVertex { x: along(x), y: along(y) }
 }
 
 fn before_snap([x, y, z]: [i32; 3], focal: i32) -> [f64; 2] {
@@ -66,7 +66,7 @@ impl Design for Naive {
     }
 
     #[inline(always)]
-    fn corner(&self, v: InWorld) -> Corner {
+    fn corner(&self, v: InWorld) -> ScreenVertex {
         corner(self.view(v), self.near, self.focal)
     }
 
@@ -104,7 +104,7 @@ impl Design for Mismatched {
     }
 
     #[inline(always)]
-    fn corner(&self, v: InWorld) -> Corner {
+    fn corner(&self, v: InWorld) -> ScreenVertex {
         corner(self.view(v), self.near, self.focal)
     }
 
@@ -141,7 +141,7 @@ impl<const FRACTION: u32> Design for EyeFirst<FRACTION> {
     }
 
     #[inline(always)]
-    fn corner(&self, v: InWorld) -> Corner {
+    fn corner(&self, v: InWorld) -> ScreenVertex {
         corner(self.view(v), self.near, self.focal)
     }
 

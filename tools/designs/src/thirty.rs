@@ -1,7 +1,7 @@
 //! The library's number design, bare: i16 vertices, rows of 30 bits with one exponent an object, the focal length folded
 //! in, the eye subtracted first, high words, one reciprocal. Its forms are the library's; how it divides is a parameter.
 
-use crate::chain::{Corner, Design};
+use crate::chain::{Design, ScreenVertex};
 use crate::divide::Divide;
 use crate::form::{exponent, lifted, Form};
 use crate::num::{exp2, nearest32, within};
@@ -54,16 +54,16 @@ impl<D: Divide, const S: u32> Design for Thirty<D, S> {
     }
 
     #[inline(always)]
-    fn corner(&self, v: [i16; 3]) -> Corner {
+    fn corner(&self, v: [i16; 3]) -> ScreenVertex {
         let [x, y, w] = self.clip(v);
         let limit = w >> (self.narrow & 31);
         if w < self.near || !within(x, limit) || !within(y, limit) {
-            return Corner::EMPTY;
+            return ScreenVertex::EMPTY;
         }
         let (by, n) = D::by(w);
         let right = (28 - self.beyond - S as i32 - n as i32) & 31; // by `near`
         let along = |v| ((D::high(v, by) >> right) + 1) >> 1;
-        Corner { x: along(x), y: along(y) }
+        ScreenVertex { x: along(x), y: along(y) }
     }
 
     fn before_snap(&self, v: [i16; 3]) -> [f64; 2] {

@@ -1,7 +1,7 @@
 //! Vertices in world coordinates of 32 bits: the eye first, rows in Q2.30 with the focal length folded in, each vertex
 //! scaled to what 31 bits hold.
 
-use crate::chain::{Corner, Design};
+use crate::chain::{Design, ScreenVertex};
 use crate::divide::Divide;
 use crate::num::{exp2, log2_above, mul_wide, nearest32, within};
 use crate::vertex::InWorld;
@@ -57,16 +57,16 @@ impl<D: Divide> Design for BlockScaled<D> {
     }
 
     #[inline(always)]
-    fn corner(&self, v: InWorld) -> Corner {
+    fn corner(&self, v: InWorld) -> ScreenVertex {
         let ([x, y, w], scaled) = self.clip(v);
         let limit = w >> (self.narrow & 31);
         if (w >> scaled) < self.near || w < self.least || !within(x, limit) || !within(y, limit) {
-            return Corner::EMPTY;
+            return ScreenVertex::EMPTY;
         }
         let (by, n) = D::by(w);
         let right = (20 - self.beyond - n as i32) & 31; // by `least`
         let along = |v| ((D::high(v, by) >> right) + 1) >> 1;
-        Corner { x: along(x), y: along(y) }
+        ScreenVertex { x: along(x), y: along(y) }
     }
 
     fn before_snap(&self, v: InWorld) -> [f64; 2] {

@@ -12,9 +12,9 @@ use embedded_graphics_core::Pixel;
 use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Corner, Cull, DepthBuffer, Dim, Dirty,
-    Flat, Frame, Gouraud, InkFor, Lambert, Mesh, Painter, Picture, Placed, Scalar, ShadeTable, Target,
-    WindowCost,
+    draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim, DirtyRegions,
+    Flat, Frame, Gouraud, Lambert, Mesh, MeshInstance, Painter, Picture, Scalar, ScreenVertex, ShadeTable,
+    SpanShader, Target, TransferCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -25,7 +25,7 @@ struct Scene<'a, C> {
     mesh: Mesh<'a>,
     wide_mesh: Mesh<'a, Scalar>,
     colours: &'a [(C, [i16; 3])],
-    corners: &'a mut [Corner],
+    corners: &'a mut [ScreenVertex],
     depth: &'a mut [u16],
     records: &'a mut [u16],
     strip: &'a mut [u8],
@@ -46,7 +46,7 @@ fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut
 }
 
 /// What varies over a face, through every way to draw faces, at once and in bands.
-fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::Wire>>(
+fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::PixelFormat>>(
     scene: &mut Scene<'_, D::Color>,
     levels: &mut [u16],
     target: &mut D,
@@ -72,9 +72,9 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::Wire>>(
     }
 }
 
-fn fill_all<D: DrawTarget<Color: pinhole::Wire>, I: InkFor<D::Color>>(
+fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>(
     scene: &mut Scene<'_, D::Color>,
-    placed: &Placed<'_>,
+    placed: &MeshInstance<'_>,
     shade: impl Fn(usize) -> I,
     target: &mut D,
 ) {
@@ -82,10 +82,10 @@ fn fill_all<D: DrawTarget<Color: pinhole::Wire>, I: InkFor<D::Color>>(
     let Some(&(background, _)) = colours.first() else { return };
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     report(placed.solid(&shade, corners, target));
-    report(placed.facing().solid(&shade, corners, target));
+    report(placed.cull_by_planes().solid(&shade, corners, target));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(placed.depth_tested(&shade, corners, &mut depth, target));
-        report(placed.facing().depth_tested(&shade, corners, &mut depth, target));
+        report(placed.cull_by_planes().depth_tested(&shade, corners, &mut depth, target));
     }
     let mut painter = Painter::<I, 20, 20>::new();
     report(painter.add(placed, &shade));
@@ -95,20 +95,23 @@ fn fill_all<D: DrawTarget<Color: pinhole::Wire>, I: InkFor<D::Color>>(
         Ok(Some(mut band)) => {
             report(order.draw(&mut band));
             let projected = placed.transform(corners);
-            match projected.faces(records) {
+            match projected.bin_faces(records) {
                 Ok(mut faces) => report(faces.solid(&shade, &mut band)),
                 error => report(error.map(|_| ())),
             }
-            match placed.facing().faces(corners, records) {
+            match placed.cull_by_planes().bin_faces(corners, records) {
                 Ok(mut faces) => report(faces.solid(&shade, &mut band)),
                 error => report(error.map(|_| ())),
             }
-            match (placed.facing().faces_with_depth(corners, records), DepthBuffer::new(band.area(), depth)) {
+            match (
+                placed.cull_by_planes().bin_faces_with_depth(corners, records),
+                DepthBuffer::new(band.area(), depth),
+            ) {
                 (Ok(mut faces), Ok(mut depth)) => report(faces.depth_tested(&shade, &mut depth, &mut band)),
                 _ => drop(black_box(Some(0))),
             }
             let projected = placed.transform_depth(corners);
-            match (projected.faces(records), DepthBuffer::new(band.area(), depth)) {
+            match (projected.bin_faces(records), DepthBuffer::new(band.area(), depth)) {
                 (Ok(mut faces), Ok(mut depth)) => {
                     report(faces.depth_tested(&shade, &mut depth, &mut band));
                     black_box((faces.bounds(), faces.statistics()));
@@ -123,9 +126,9 @@ fn fill_all<D: DrawTarget<Color: pinhole::Wire>, I: InkFor<D::Color>>(
 }
 
 /// Lines, and what else may come, in a band.
-fn draw_edges<D: DrawTarget<Color: pinhole::Wire>>(
+fn draw_edges<D: DrawTarget<Color: pinhole::PixelFormat>>(
     scene: &mut Scene<'_, D::Color>,
-    placed: &Placed<'_>,
+    placed: &MeshInstance<'_>,
     target: &mut D,
 ) {
     let Scene { colours, corners, depth, records, strip, .. } = scene;
@@ -138,7 +141,7 @@ fn draw_edges<D: DrawTarget<Color: pinhole::Wire>>(
     }
     let Ok(Some(mut band)) = Frame::new(area, colour).next_band(strip) else { return };
     let projected = placed.transform(corners);
-    match projected.edges(records) {
+    match projected.bin_edges(records) {
         Ok(mut edges) => {
             report(edges.draw(colour, &mut band));
             black_box((edges.bounds(), edges.statistics()));
@@ -146,10 +149,10 @@ fn draw_edges<D: DrawTarget<Color: pinhole::Wire>>(
         error => report(error.map(|_| ())),
     }
     let projected = placed.transform_depth(corners);
-    if let (Ok(mut faces), Ok(mut depth)) = (projected.faces(records), DepthBuffer::new(area, depth)) {
+    if let (Ok(mut faces), Ok(mut depth)) = (projected.bin_faces(records), DepthBuffer::new(area, depth)) {
         faces.depth_only(&mut depth);
     }
-    match (projected.edges(records), DepthBuffer::new(band.area(), depth)) {
+    match (projected.bin_edges(records), DepthBuffer::new(band.area(), depth)) {
         (Ok(mut edges), Ok(mut depth)) => {
             report(edges.hidden_line(colour, &mut depth, &mut band));
             report(edges.depth_tested(colour, &mut depth, &mut band));
@@ -166,7 +169,7 @@ fn draw_edges<D: DrawTarget<Color: pinhole::Wire>>(
 
 fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
     scene: &mut Scene<'_, D::Color>,
-    placed: &Placed<'_, V>,
+    placed: &MeshInstance<'_, V>,
     target: &mut D,
 ) {
     let Scene { light, colours, corners, depth, painter, .. } = scene;
@@ -178,13 +181,13 @@ fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
     report(placed.project(any() as usize).ok_or(()));
     report(placed.wireframe(wire, corners, target));
     report(placed.solid(&mut shade, corners, target));
-    report(placed.facing().solid(&mut shade, corners, target));
+    report(placed.cull_by_planes().solid(&mut shade, corners, target));
     report(painter.add(placed, &mut shade));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     match DepthBuffer::new(area, depth) {
         Ok(mut depth) => {
             report(placed.depth_tested(&mut shade, corners, &mut depth, target));
-            report(placed.facing().depth_tested(&mut shade, corners, &mut depth, target));
+            report(placed.cull_by_planes().depth_tested(&mut shade, corners, &mut depth, target));
             report(depth.at(Point::new(any(), any())).ok_or(()));
             depth.clear();
         }
@@ -245,7 +248,7 @@ entries! {
 /// Pixels in memory: of a picture, and of a band; one colour a face, and inks that vary.
 fn draw_pixels<T: Target<Color = Rgb565>>(
     scene: &mut Scene<'_, Rgb565>,
-    placed: &Placed<'_>,
+    placed: &MeshInstance<'_>,
     target: &mut T,
 ) {
     let Scene { light, corners, depth, .. } = scene;
@@ -257,13 +260,13 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     report(placed.solid(shade, corners, target));
     report(placed.solid(smooth, corners, target));
     report(placed.solid(shaded, corners, target));
-    report(placed.facing().solid(shade, corners, target));
+    report(placed.cull_by_planes().solid(shade, corners, target));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(placed.depth_tested(shade, corners, &mut depth, target));
         report(placed.depth_tested(smooth, corners, &mut depth, target));
         report(placed.depth_tested(shaded, corners, &mut depth, target));
-        report(placed.facing().depth_tested(smooth, corners, &mut depth, target));
+        report(placed.cull_by_planes().depth_tested(smooth, corners, &mut depth, target));
         report(placed.hidden_line(Rgb565::new(3, 2, 1), corners, &mut depth, target));
     }
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
@@ -283,7 +286,7 @@ fn entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memor
             report(picture.clear(Rgb565::new(1, 1, 1)));
             let placed = scene.camera.place(mesh, &scene.model);
             draw_pixels(scene, &placed, &mut picture.pixels());
-            black_box(picture.colours());
+            black_box(picture.colors());
         }
         error => report(error.map(|_| ())),
     }
@@ -331,12 +334,13 @@ fn entry_raster_screen_point() -> Option<ScreenPoint> {
 }
 
 #[unsafe(no_mangle)]
-fn entry_dirty_new(area: Rectangle) -> Dirty<7> {
-    Dirty::new(area, WindowCost::new(any() as u32, any() as u16)).with_steps(any() as u16, any() as u16)
+fn entry_dirty_new(area: Rectangle) -> DirtyRegions<7> {
+    DirtyRegions::new(area, TransferCost::new(any() as u32, any() as u16))
+        .with_steps(any() as u16, any() as u16)
 }
 
 #[unsafe(no_mangle)]
-fn entry_dirty(dirty: &mut Dirty<7>, rectangle: Rectangle) {
+fn entry_dirty(dirty: &mut DirtyRegions<7>, rectangle: Rectangle) {
     match any() {
         0 => dirty.invalidate(),
         1 => drop(black_box(dirty.take())),

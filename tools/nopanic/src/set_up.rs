@@ -5,10 +5,11 @@ use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::raster::ScreenPoint;
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, Camera, ClipPoint, Hidden, Hierarchy, HierarchyError, InverseError,
-    Lambert, LightError, MatrixError, Mesh, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3,
-    Projection, ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, Scalar, Side, Sphere,
-    Statistics, VanishingPoint, Vector3, Viewing, ViewingError, Viewport, ViewportError, Visibility, Window,
+    clip, Affine, Angle, AxisError, Camera, ClipPoint, Hierarchy, HierarchyError, InverseError, Lambert,
+    LightError, MatrixError, Mesh, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3,
+    ProjectError, Projection, ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, Scalar,
+    Side, Sphere, Statistics, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport,
+    ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -64,10 +65,10 @@ entries! {
     entry_then(a: &Affine<Model, Model>, b: &Affine<Model, World>) -> Affine<Model, World> { a.then(b) }
     entry_apply(a: &Affine<Model, World>, p: Point3<Model>) -> Point3<World> { a.apply(p) }
 
-    entry_look_at() -> Result<Viewing, ViewingError> { Viewing::look_at(point(), point(), vector()) }
-    entry_look_along() -> Result<Viewing, ViewingError> { Viewing::look_along(point(), vector(), vector()) }
-    entry_from_reference() -> Result<Viewing, ViewingError> { Viewing::from_reference(point(), vector(), vector()) }
-    entry_view(viewing: &Viewing) -> Point3<View> { viewing.apply(point()) }
+    entry_look_at() -> Result<ViewTransform, ViewTransformError> { ViewTransform::look_at(point(), point(), vector()) }
+    entry_look_along() -> Result<ViewTransform, ViewTransformError> { ViewTransform::look_along(point(), vector(), vector()) }
+    entry_from_reference() -> Result<ViewTransform, ViewTransformError> { ViewTransform::from_reference(point(), vector(), vector()) }
+    entry_view(viewing: &ViewTransform) -> Point3<View> { viewing.apply(point()) }
     entry_perspective(fov: Angle) -> Result<Projection, ProjectionError> { Projection::perspective(fov, size(), scalar(), scalar()) }
     entry_frustum() -> Result<Projection, ProjectionError> { Projection::frustum(window(), scalar(), scalar()) }
     entry_orthographic() -> Result<Projection, ProjectionError> { Projection::orthographic(window(), scalar(), scalar()) }
@@ -75,7 +76,7 @@ entries! {
     entry_divide(p: &ClipPoint) -> Option<Point3<Ndc>> { p.ndc() }
     entry_viewport() -> Result<Viewport, ViewportError> { Viewport::new(Point::new(any(), any()), size()) }
     entry_screen(viewport: &Viewport, p: Point3<Ndc>) -> ScreenPoint { viewport.apply(p) }
-    entry_camera(a: &Viewing, b: &Projection, c: &Viewport) -> Camera { Camera::new(a, b, c).with_far_clip(any() == 0) }
+    entry_camera(a: &ViewTransform, b: &Projection, c: &Viewport) -> Camera { Camera::new(a, b, c).with_far_clip(any() == 0) }
 
     entry_light(model: &Affine<Model, World>, ambient: u16) -> Result<Lambert, LightError> { Lambert::new(model, vector(), ambient) }
     entry_level(light: &Lambert, normal: [i16; 3]) -> u16 { light.level(normal) }
@@ -99,11 +100,11 @@ entries! {
     entry_rigid_inverse(a: &Affine<Model, World>) -> Result<Affine<World, Model>, InverseError> { a.rigid_inverse() }
     entry_normal(a: &Affine<Model, World>, n: [i16; 3]) -> [i16; 3] { a.normals().apply(n) }
 
-    entry_multiview(side: Side) -> Viewing { Viewing::multiview(point(), side) }
-    entry_isometric() -> Viewing { Viewing::isometric(point()) }
-    entry_dimetric() -> Result<Viewing, ViewingError> { Viewing::dimetric(point(), scalar(), scalar()) }
-    entry_trimetric() -> Result<Viewing, ViewingError> { Viewing::trimetric(point(), vector()) }
-    entry_view_matrix(m: &[[f64; 4]; 4]) -> Result<Viewing, ViewingError> { Viewing::from_matrix(m) }
+    entry_multiview(side: Side) -> ViewTransform { ViewTransform::multiview(point(), side) }
+    entry_isometric() -> ViewTransform { ViewTransform::isometric(point()) }
+    entry_dimetric() -> Result<ViewTransform, ViewTransformError> { ViewTransform::dimetric(point(), scalar(), scalar()) }
+    entry_trimetric() -> Result<ViewTransform, ViewTransformError> { ViewTransform::trimetric(point(), vector()) }
+    entry_view_matrix(m: &[[f64; 4]; 4]) -> Result<ViewTransform, ViewTransformError> { ViewTransform::from_matrix(m) }
     entry_oblique(angle: Angle) -> Result<Projection, ProjectionError> { Projection::oblique(window(), scalar(), scalar(), angle, scalar()) }
     entry_eye_at_origin() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::eye_at_origin(scalar()) }
     entry_origin_in_plane() -> Result<PlanarProjection, ProjectionError> { PlanarProjection::origin_in_plane(scalar()) }
@@ -116,11 +117,11 @@ entries! {
     entry_from_volume(volume: &ReferenceVolume) -> Projection { Projection::from_reference(volume) }
     entry_affine_matrix(m: &[[f64; 4]; 4]) -> Result<Affine<Model, World>, MatrixError> { Affine::from_matrix(m) }
     entry_affine_to_matrix(a: &Affine<Model, World>) -> [[f64; 4]; 4] { a.to_matrix() }
-    entry_view_to_matrix(v: &Viewing) -> [[f64; 4]; 4] { v.to_matrix() }
+    entry_view_to_matrix(v: &ViewTransform) -> [[f64; 4]; 4] { v.to_matrix() }
     entry_projection_to_matrix(p: &Projection) -> [[f64; 4]; 4] { p.to_matrix() }
     entry_matrix(m: &[[f64; 4]; 4]) -> Result<Projection, ProjectionError> { Projection::from_matrix(m) }
 
-    entry_project(camera: &Camera) -> Result<(ScreenPoint, u16), Hidden> { camera.project(point()) }
+    entry_project(camera: &Camera) -> Result<(ScreenPoint, u16), ProjectError> { camera.project(point()) }
     entry_unproject(camera: &Camera, at: ScreenPoint, depth: u16) -> Option<Point3<World>> { camera.unproject(at, depth) }
     entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
     entry_vanishing_points(camera: &Camera) -> [Option<VanishingPoint>; 3] { camera.vanishing_points() }

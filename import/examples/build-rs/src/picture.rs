@@ -13,16 +13,16 @@ pub(crate) fn draw<D: DrawTarget<Color = Gray8>>(display: &mut D) -> Result<(), 
     let screen = display.bounding_box();
     let viewport = Viewport::new(screen.top_left, screen.size).expect("at most 8192 pixels away");
     let [eye, origin] = [Point3::from_ints(3, 2, 4), Point3::from_ints(0, 0, 0)];
-    let view = Viewing::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("not straight up");
+    let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("not straight up");
     let [near, far] = [1, 12].map(Scalar::from_num);
     let lens = Projection::perspective(Angle::degrees(26), screen.size, near, far).expect("near before far");
     let model = Affine::identity();
     let light = Lambert::new(&model, Vector3::from_ints(2, 4, 1), 40).expect("a direction");
 
-    let mut corners = [Corner::EMPTY; BLOCK.vertices().len()];
+    let mut corners = [ScreenVertex::EMPTY; BLOCK.vertices().len()];
     let mut records = [0; FACES + FACES.div_ceil(16)];
     let placed = Camera::new(&view, &lens, &viewport).place(&BLOCK, &model);
-    let mut faces = placed.transform(&mut corners).faces(&mut records).expect("room for the faces");
+    let mut faces = placed.transform(&mut corners).bin_faces(&mut records).expect("room for the faces");
     let level = |face: usize| BLOCK.normals().get(face).map_or(0, |&normal| light.level(normal));
     faces.solid(|face| Gray8::new((level(face) * 255 / 256) as u8), display).map(|_| ())
 }

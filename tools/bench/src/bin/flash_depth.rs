@@ -5,9 +5,9 @@ use bench::image::{Sink, Turntable, CORNERS, ROWS};
 use bench::{image, scene};
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Corner, DepthBuffer};
+use pinhole::{DepthBuffer, ScreenVertex};
 
-image!(cube, corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
+image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
     let scene = Turntable::new();
     let light = scene.light()?;
     let placed = scene.place(cube);

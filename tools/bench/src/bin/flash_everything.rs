@@ -6,7 +6,7 @@ use bench::scene::Model;
 use bench::{image, scene};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use heapless::Vec;
-use pinhole::{Corner, DepthBuffer, Dirty, Frame, Lambert, Painter, Placed, WindowCost};
+use pinhole::{DepthBuffer, DirtyRegions, Frame, Lambert, MeshInstance, Painter, ScreenVertex, TransferCost};
 
 /// The cube's, and those that cuts make.
 const FACES: usize = 12;
@@ -14,13 +14,13 @@ type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 
 /// What is there all frame long.
 struct Object {
-    placed: Placed<'static>,
+    placed: MeshInstance<'static>,
     light: Lambert,
 }
 
 /// What is lent for a frame.
 struct Buffers {
-    corners: [Corner; CORNERS],
+    corners: [ScreenVertex; CORNERS],
     records: [u16; RECORDS],
     edge_records: [u16; RECORDS + 8],
     strip: [u8; bytes(ROWS)],
@@ -29,7 +29,7 @@ struct Buffers {
 
 impl Buffers {
     const EMPTY: Self = Self {
-        corners: [Corner::EMPTY; CORNERS],
+        corners: [ScreenVertex::EMPTY; CORNERS],
         records: [0; RECORDS],
         edge_records: [0; RECORDS + 8],
         strip: [0; bytes(ROWS)],
@@ -58,13 +58,13 @@ fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<
 fn draw(
     Object { placed, light }: &Object,
     painter: &mut Order,
-    dirty: &mut Dirty<2>,
+    dirty: &mut DirtyRegions<2>,
     buffers: &mut Buffers,
 ) -> Option<()> {
     let Buffers { corners, records, edge_records, strip, storage } = buffers;
     let projected = placed.transform_depth(corners);
-    let mut faces = projected.faces(records);
-    let mut edges = projected.edges(edge_records);
+    let mut faces = projected.bin_faces(records);
+    let mut edges = projected.bin_edges(edge_records);
     let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
     let (mesh, order) = (placed.mesh(), painter.order());
     dirty.mark(faces.bounds());
@@ -91,7 +91,7 @@ image!(
     cube,
     objects: Vec<Object, 1> = Vec::new(),
     painter: Order = Order::new(),
-    dirty: Dirty<2> = Dirty::new(scene::area(), WindowCost::new(11, 2)),
+    dirty: DirtyRegions<2> = DirtyRegions::new(scene::area(), TransferCost::new(11, 2)),
     buffers: Buffers = Buffers::EMPTY,
     {
         place(cube, objects)?;

@@ -1,4 +1,4 @@
-//! Faces shaded smoothly, in bands, with depth.
+//! BinnedFaces shaded smoothly, in bands, with depth.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::{depth_in_bands, scene};
 

@@ -6,11 +6,11 @@ use bench::{image, scene};
 use core::hint::black_box;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::{Corner, Picture};
+use pinhole::{Picture, ScreenVertex};
 
 image!(
     cube,
-    corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
+    corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS],
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     {
         let scene = Turntable::new();
@@ -18,7 +18,7 @@ image!(
         let placed = scene.place(cube);
         let mut picture = Picture::new(memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
         let Ok(_) = placed.solid(scene::flat(placed.mesh(), &light), corners, &mut picture.pixels());
-        black_box(picture.colours());
+        black_box(picture.colors());
         Some(())
     }
 );

@@ -2,9 +2,9 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image::{Sink, Turntable, CORNERS};
 use bench::{image, scene};
-use pinhole::Corner;
+use pinhole::ScreenVertex;
 
-image!(cube, corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], {
+image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], {
     let scene = Turntable::new();
     let light = scene.light()?;
     let placed = scene.place(cube);

@@ -2,9 +2,9 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image::{Sink, Turntable, CORNERS};
 use bench::{image, scene};
-use pinhole::Corner;
+use pinhole::ScreenVertex;
 
-image!(cube, corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS], {
+image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], {
     Turntable::new().place(cube).wireframe(scene::LINE, corners, &mut Sink).ok()?;
     Some(())
 });

@@ -3,16 +3,16 @@
 use bench::bands::bytes;
 use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
 use bench::{image, scene};
-use pinhole::{Corner, Frame};
+use pinhole::{Frame, ScreenVertex};
 
 image!(
     cube,
-    corners: [Corner; CORNERS] = [Corner::EMPTY; CORNERS],
+    corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS],
     records: [u16; RECORDS] = [0; RECORDS],
     strip: [u8; bytes(ROWS)] = [0; bytes(ROWS)],
     {
         let placed = Turntable::new().place(cube);
-        let mut edges = placed.transform(corners).edges(records).ok()?;
+        let mut edges = placed.transform(corners).bin_edges(records).ok()?;
         let mut frame = Frame::new(scene::area(), scene::BACKGROUND);
         while let Some(mut band) = frame.next_band(strip).ok()? {
             edges.draw(scene::LINE, &mut band).ok()?;

@@ -2,7 +2,7 @@
 
 use crate::scene::{BACKGROUND, SIZE};
 use embedded_graphics_core::pixelcolor::Rgb565;
-use pinhole::Corner;
+use pinhole::ScreenVertex;
 
 const PIXELS: usize = (SIZE * SIZE) as usize;
 
@@ -17,25 +17,26 @@ impl Frame {
 /// A picture, and a mesh of so many vertices.
 pub struct Plain<const N: usize> {
     pub(crate) frame: Frame,
-    pub(crate) corners: [Corner; N],
+    pub(crate) corners: [ScreenVertex; N],
 }
 
 impl<const N: usize> Plain<N> {
-    pub const NEW: Self = Self { frame: Frame::NEW, corners: [Corner::EMPTY; N] };
+    pub const NEW: Self = Self { frame: Frame::NEW, corners: [ScreenVertex::EMPTY; N] };
 }
 
 /// The same with depth.
 pub struct Deep<const N: usize> {
     pub(crate) frame: Frame,
     pub(crate) depth: Depth,
-    pub(crate) corners: [Corner; N],
+    pub(crate) corners: [ScreenVertex; N],
 }
 
 #[repr(C, align(4))]
 pub(crate) struct Depth(pub(crate) [u16; PIXELS]);
 
 impl<const N: usize> Deep<N> {
-    pub const NEW: Self = Self { frame: Frame::NEW, depth: Depth([0; PIXELS]), corners: [Corner::EMPTY; N] };
+    pub const NEW: Self =
+        Self { frame: Frame::NEW, depth: Depth([0; PIXELS]), corners: [ScreenVertex::EMPTY; N] };
 }
 
 /// The same, and the light at each vertex.

@@ -8,7 +8,7 @@ use crate::scene::{self, area, Model, Scene, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 #[cfg(not(target_os = "none"))]
-use pinhole::Corner;
+use pinhole::ScreenVertex;
 use pinhole::{DepthBuffer, Mesh, ShadeTable};
 
 /// The torus and the icosphere without planes: a firmware that draws these has none in its flash.
@@ -87,7 +87,7 @@ fn flat<const PLANES: bool, const N: usize>(
         let (placed, light) = black_box((&placed, &light));
         let (shade, mut pixels) = (scene::flat(placed.mesh(), light), picture.pixels());
         let Ok(statistics) = match PLANES {
-            true => placed.facing().solid(shade, corners, &mut pixels),
+            true => placed.cull_by_planes().solid(shade, corners, &mut pixels),
             false => placed.solid(shade, corners, &mut pixels),
         };
         black_box(statistics);
@@ -107,7 +107,7 @@ fn flat_z<const PLANES: bool, const N: usize>(
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let (shade, mut pixels) = (scene::flat(placed.mesh(), light), picture.pixels());
         let Ok(statistics) = match PLANES {
-            true => placed.facing().depth_tested(shade, corners, &mut depth, &mut pixels),
+            true => placed.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
             false => placed.depth_tested(shade, corners, &mut depth, &mut pixels),
         };
         black_box(statistics);
@@ -140,7 +140,7 @@ fn smooth_z<const PLANES: bool>(
         let (shade, mut pixels) =
             (|face| white.lit(placed.mesh().corners_of(face, levels)), picture.pixels());
         let Ok(statistics) = match PLANES {
-            true => placed.facing().depth_tested(shade, corners, &mut depth, &mut pixels),
+            true => placed.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
             false => placed.depth_tested(shade, corners, &mut depth, &mut pixels),
         };
         black_box(statistics);
@@ -162,8 +162,8 @@ pub fn placed(scene: &str, variant: &str) -> Option<usize> {
         draw(&mut memory)?;
         Some(with_a_place(&memory.corners))
     }
-    fn with_a_place(corners: &[Corner]) -> usize {
-        corners.iter().filter(|&&corner| corner != Corner::EMPTY).count()
+    fn with_a_place(corners: &[ScreenVertex]) -> usize {
+        corners.iter().filter(|&&corner| corner != ScreenVertex::EMPTY).count()
     }
     match (scene, variant) {
         ("S1", "plain") => plain(s1),

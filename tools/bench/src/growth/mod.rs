@@ -19,7 +19,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Corner, Cull, DepthBuffer, Faces, Frame, Lambert, Mesh, Picture, Placed};
+use pinhole::{BinnedFaces, Cull, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, Picture, ScreenVertex};
 
 /// Of the largest picture.
 const PIXELS: usize = 480 * 320;
@@ -32,7 +32,7 @@ const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
 pub struct Memory {
     pixels: [Rgb565; PIXELS],
     depth: [u16; PIXELS],
-    corners: [Corner; CORNERS],
+    corners: [ScreenVertex; CORNERS],
     records: [u16; RECORDS],
     strip: [u8; STRIP],
 }
@@ -41,7 +41,7 @@ impl Memory {
     pub const NEW: Self = Self {
         pixels: [BACKGROUND; PIXELS],
         depth: [0; PIXELS],
-        corners: [Corner::EMPTY; CORNERS],
+        corners: [ScreenVertex::EMPTY; CORNERS],
         records: [0; RECORDS],
         strip: [0; STRIP],
     };
@@ -54,9 +54,9 @@ pub enum Way {
     Faces,
     Depth,
     /// The same, asked by their planes.
-    Facing,
+    PlaneCulled,
     FacingDepth,
-    /// Faces with depth, in bands of so many rows.
+    /// BinnedFaces with depth, in bands of so many rows.
     Bands(u32),
     /// The same, asked by their planes.
     FacingBands(u32),
@@ -67,7 +67,7 @@ pub const WAYS: [&[Way]; 7] = [
     &[Way::Lines],
     &[Way::Faces],
     &[Way::Depth],
-    &[Way::Facing],
+    &[Way::PlaneCulled],
     &[Way::FacingDepth],
     &[Way::Bands(8), Way::Bands(16), Way::Bands(48)],
     &[Way::FacingBands(8), Way::FacingBands(16), Way::FacingBands(48)],
@@ -77,7 +77,7 @@ const LEVEL: [[i32; 3]; 3] = [[1 << 16, 0, 0], [0, 1 << 16, 0], [0, 0, 1 << 16]]
 
 impl Way {
     fn asks_planes(self) -> bool {
-        matches!(self, Self::Facing | Self::FacingDepth | Self::FacingBands(_))
+        matches!(self, Self::PlaneCulled | Self::FacingDepth | Self::FacingBands(_))
     }
 }
 
@@ -87,7 +87,7 @@ impl core::fmt::Display for Way {
             Self::Lines => f.write_str("lines"),
             Self::Faces => f.write_str("faces"),
             Self::Depth => f.write_str("depth"),
-            Self::Facing => f.write_str("faces by planes"),
+            Self::PlaneCulled => f.write_str("faces by planes"),
             Self::FacingDepth => f.write_str("depth by planes"),
             Self::Bands(rows) => write!(f, "bands of {rows} rows"),
             Self::FacingBands(rows) => write!(f, "bands of {rows} rows by planes"),
@@ -124,7 +124,7 @@ impl Case {
                 Way::Lines => lines(placed, size, memory),
                 Way::Faces => faces(placed, light, size, memory),
                 Way::Depth => depth(placed, light, size, memory),
-                Way::Facing => facing(placed, light, size, memory),
+                Way::PlaneCulled => facing(placed, light, size, memory),
                 Way::FacingDepth => facing_depth(placed, light, size, memory),
                 Way::Bands(rows) => bands(placed, light, size, rows, memory),
                 Way::FacingBands(rows) => facing_bands(placed, light, size, rows, memory),
@@ -134,7 +134,7 @@ impl Case {
     }
 }
 
-fn lines(placed: &Placed<'_>, size: Size, memory: &mut Memory) -> Option<()> {
+fn lines(placed: &MeshInstance<'_>, size: Size, memory: &mut Memory) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let Ok(statistics) = placed.wireframe(LINE, &mut memory.corners, &mut picture.pixels());
@@ -142,7 +142,7 @@ fn lines(placed: &Placed<'_>, size: Size, memory: &mut Memory) -> Option<()> {
     Some(())
 }
 
-fn faces(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn faces(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let shade = flat(placed.mesh(), light);
@@ -151,7 +151,7 @@ fn faces(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) 
     Some(())
 }
 
-fn depth(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn depth(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let Memory { pixels, depth, corners, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
@@ -162,43 +162,50 @@ fn depth(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) 
     Some(())
 }
 
-fn facing(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn facing(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let shade = flat(placed.mesh(), light);
-    let Ok(statistics) = placed.facing().solid(shade, &mut memory.corners, &mut picture.pixels());
+    let Ok(statistics) = placed.cull_by_planes().solid(shade, &mut memory.corners, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn facing_depth(placed: &Placed<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn facing_depth(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let Memory { pixels, depth, corners, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
     let shade = flat(placed.mesh(), light);
-    let Ok(statistics) = placed.facing().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+    let Ok(statistics) =
+        placed.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn bands(placed: &Placed<'_>, light: &Lambert, size: Size, rows: u32, memory: &mut Memory) -> Option<()> {
-    let Memory { depth, corners, records, strip, .. } = memory;
-    let projected = placed.transform_depth(corners);
-    let faces = projected.faces(records).ok()?;
-    in_bands(faces, placed, light, size, strip_of(strip, size, rows)?, depth)
-}
-
-fn facing_bands(
-    placed: &Placed<'_>,
+fn bands(
+    placed: &MeshInstance<'_>,
     light: &Lambert,
     size: Size,
     rows: u32,
     memory: &mut Memory,
 ) -> Option<()> {
     let Memory { depth, corners, records, strip, .. } = memory;
-    let facing = placed.facing();
-    let faces = facing.faces_with_depth(corners, records).ok()?;
+    let projected = placed.transform_depth(corners);
+    let faces = projected.bin_faces(records).ok()?;
+    in_bands(faces, placed, light, size, strip_of(strip, size, rows)?, depth)
+}
+
+fn facing_bands(
+    placed: &MeshInstance<'_>,
+    light: &Lambert,
+    size: Size,
+    rows: u32,
+    memory: &mut Memory,
+) -> Option<()> {
+    let Memory { depth, corners, records, strip, .. } = memory;
+    let facing = placed.cull_by_planes();
+    let faces = facing.bin_faces_with_depth(corners, records).ok()?;
     in_bands(faces, placed, light, size, strip_of(strip, size, rows)?, depth)
 }
 
@@ -208,8 +215,8 @@ fn strip_of(strip: &mut [u8], size: Size, rows: u32) -> Option<&mut [u8]> {
 }
 
 fn in_bands(
-    mut faces: Faces<'_, i16, true>,
-    placed: &Placed<'_>,
+    mut faces: BinnedFaces<'_, i16, true>,
+    placed: &MeshInstance<'_>,
     light: &Lambert,
     size: Size,
     strip: &mut [u8],

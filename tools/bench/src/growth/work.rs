@@ -4,9 +4,9 @@ use super::watch::Watch;
 use super::{Case, Way};
 use crate::scene::{BACKGROUND, LINE};
 use embedded_graphics_core::geometry::Size;
-use pinhole::{Cull, Mesh, Placed};
+use pinhole::{Cull, Mesh, MeshInstance};
 
-/// Of one frame. *Faces* are edges where lines are drawn.
+/// Of one frame. *BinnedFaces* are edges where lines are drawn.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Work {
     pub vertices: u32,
@@ -17,21 +17,21 @@ pub struct Work {
     pub large: u32,
     /// With a corner that must be clipped: drawn or not.
     pub clipped: u32,
-    /// Of these, those that a plane of the view volume cuts: drawn, or turned away, which is known only then. Edges are drawn.
+    /// Of these, those that a plane of the view volume cuts: drawn, or turned away, which is known only then. BinnedEdges are drawn.
     pub cut: u32,
     pub rows: u32,
     pub pixels: u32,
     /// Of the picture: these are cleared.
     pub area: u32,
     pub bands: u32,
-    /// Faces that a band looks at, over all bands; of these, the large ones that are not cut, and the cut ones.
+    /// BinnedFaces that a band looks at, over all bands; of these, the large ones that are not cut, and the cut ones.
     pub met: u32,
     pub met_large: u32,
     pub met_cut: u32,
 }
 
 /// Triangles of so many rows or fewer, between the left and the right border of the picture, take a short way:
-/// `src/raster/side.rs`, and on a Cortex-M0 `src/raster/walk.rs`.
+/// `src/fast/edge20.rs`, and on a Cortex-M0 `src/fast/bresenham_triangle.rs`.
 const LOW: u32 = 31;
 
 /// What [`Work::counts`] has.
@@ -47,7 +47,7 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "pixel of a line",
             "pixel of the picture",
         ],
-        Way::Faces | Way::Depth | Way::Facing | Way::FacingDepth => &[
+        Way::Faces | Way::Depth | Way::PlaneCulled | Way::FacingDepth => &[
             "frame",
             "vertex",
             "face left out",
@@ -83,7 +83,7 @@ impl Work {
         let Self { bands, met, met_large, met_cut, .. } = *self;
         let counts = match way {
             Way::Lines => vec![1, vertices, drawn, large, clipped, cut, pixels, area],
-            Way::Faces | Way::Depth | Way::Facing | Way::FacingDepth => {
+            Way::Faces | Way::Depth | Way::PlaneCulled | Way::FacingDepth => {
                 vec![1, vertices, faces - drawn, drawn, large, clipped, cut, rows, pixels, area]
             }
             Way::Bands(_) | Way::FacingBands(_) => {
@@ -162,7 +162,7 @@ impl Case {
             BACKGROUND
         };
         let Ok(statistics) = match way.asks_planes() {
-            true => placed.facing().solid(shade, &mut [], &mut watch),
+            true => placed.cull_by_planes().solid(shade, &mut [], &mut watch),
             false => placed.solid(shade, &mut [], &mut watch),
         };
         let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&placed, face)).collect();
@@ -199,8 +199,8 @@ impl Case {
         Some(Work { bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
     }
 
-    /// Edges that lie across the border of the picture, and those with an end that must be clipped.
-    fn edges(&self, placed: &Placed<'_>) -> (u32, u32) {
+    /// BinnedEdges that lie across the border of the picture, and those with an end that must be clipped.
+    fn edges(&self, placed: &MeshInstance<'_>) -> (u32, u32) {
         let (mut across, mut clipped) = (0, 0);
         let [width, height] = self.size.map(|side| (side as i32) << 8);
         for edge in placed.mesh().edges() {
@@ -215,7 +215,7 @@ impl Case {
         (across, clipped)
     }
 
-    fn kind(&self, placed: &Placed<'_>, face: usize) -> Kind {
+    fn kind(&self, placed: &MeshInstance<'_>, face: usize) -> Kind {
         let corners = placed.mesh().faces().get(face).copied().unwrap_or_default();
         let [Some(a), Some(b), Some(c)] = corners.map(|vertex| placed.project(vertex.into())) else {
             return Kind::Cut;
@@ -237,7 +237,7 @@ impl Case {
         let scene = self.scene_of(alone)?;
         let placed = scene.place().with_cull(self.cull);
         let (transformed, mut records) = (placed.transform(&mut []), [0; 2]);
-        let bounds = transformed.faces(&mut records).ok()?.bounds();
+        let bounds = transformed.bin_faces(&mut records).ok()?.bounds();
         let (top, height) = (bounds.top_left.y as u32, bounds.size.height);
         Some(if height == 0 { 0 } else { (top + height - 1) / rows - top / rows + 1 })
     }

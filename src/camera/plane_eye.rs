@@ -1,0 +1,151 @@
+//! Where the viewer is, as an object sees it.
+
+use super::VertexTransform;
+use crate::math::num::{bits_of, mul_wide, scale, shift_to_fit};
+use crate::math::unit::cross_exact;
+
+/// The point of an object's space that the camera looks from, (x : y : z : w): xyz/w where the largest justified
+/// coordinate counts as 1. Where the camera looks along parallels w is 0, and xyz their direction.
+///
+/// Of a face in a plane, the points v with n·v = p, the sign of `n·xyz − p·w` tells how it turns: negative to the
+/// viewer, positive away. Without mirroring the viewer is then on the side to which n points; a matrix that mirrors
+/// turns both, the faces and this sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct PlaneEye {
+    xyz: [i32; 3],
+    w: i32,
+}
+
+impl PlaneEye {
+    /// Before no plane, and behind none.
+    pub(crate) const NOWHERE: Self = Self { xyz: [0; 3], w: 0 };
+
+    /// All four numbers have at most so many bits, so none is more than 2^BITS.
+    const BITS: i32 = 13;
+
+    /// How far each number is from the exact one, in 1/1000: a half, and what [`new`](Self::new) drops.
+    const ERROR: i32 = 515;
+
+    /// What the errors come to in [`behind`](Self::behind), where the normal has unit length and no part of it is off by
+    /// more than 2⁻¹⁵. Let v be a corner, |v| ≤ 1 each way:
+    ///
+    /// * a normal's parts are √3·2¹⁵ + 3 together at most, n·v as much: these meet the errors of xyz and of w;
+    /// * the normal's error meets xyz − v·w, at most 2^(BITS + 1) each of three ways;
+    /// * the plane's, a half, meets 2w.
+    ///
+    /// One more for what the first product drops, and for six times that the eye's numbers may be above 2^BITS by.
+    const MARGIN: i32 = 2 * 56_759 * Self::ERROR / 1000 + 6 * (1 << Self::BITS) + (1 << Self::BITS) + 1;
+
+    /// The eye is where the three forms that make x, y and w of a vertex are 0: by Cramer's rule with the forms'
+    /// coefficients l and offsets o, `xyz = o_x (l_y × l_w) + o_y (l_w × l_x) + o_w (l_x × l_y)` and
+    /// `w = −l_x · (l_y × l_w)`. The determinant of three corners' x, y and w, whose sign is that of the face on the
+    /// screen, is the plane through them at this point (the Cauchy–Binet formula; Blinn, *A ClipCoords Formulation for
+    /// Lines in 3 Space*, 1977).
+    #[inline(never)] // set-up: small is better
+    pub(crate) fn new(placement: &VertexTransform) -> Self {
+        let forms @ [(x, _), (y, _), (w, _)] = placement.forms();
+        // Exact, below 2⁶¹; then 29 bits, half a unit off.
+        let crosses = [cross_exact(&y, &w), cross_exact(&w, &x), cross_exact(&x, &y)];
+        let down = shift_to_fit(bits_of(crosses.as_flattened()), 29);
+        let crosses = crosses.map(|cross| cross.map(|c| scale(c, -down) as i32));
+        // Offsets have 31 bits and are half a unit off too: three products below 2⁶⁰, each off by 2²⁸ + 2³⁰ at most.
+        let mut eye = [0; 4];
+        for (cross, (_, offset)) in crosses.iter().zip(forms) {
+            for (sum, &c) in eye.iter_mut().zip(cross) {
+                *sum += mul_wide(c, offset);
+            }
+        }
+        eye[3] = -x.iter().zip(crosses[0]).fold(0, |sum, (&a, b)| sum + mul_wide(a, b));
+        let down = shift_to_fit(bits_of(&eye), Self::BITS);
+        // 3·(2²⁸ + 2³⁰) is 0.0147·2³⁸. With less the object is next to flat.
+        if down < 38 {
+            return Self::NOWHERE;
+        }
+        let [x, y, z, w] = eye.map(|v| scale(v, -down) as i32);
+        Self { xyz: [x, y, z], w }
+    }
+
+    /// How far a face is surely turned away, its plane n·v/2 = `plane`: negative unless it surely is. In 2⁻¹⁵, times a
+    /// factor that all faces of an object share.
+    #[inline(always)]
+    pub(crate) fn behind(self, [a, b, c]: [i16; 3], plane: i16) -> i32 {
+        let ([x, y, z], twice) = (self.xyz, 2 * self.w);
+        // Three products of 2¹⁵ and 2¹³, one of 2¹⁵ and 2¹⁴, whatever the normal's length: below 2³¹.
+        i32::from(a) * x + i32::from(b) * y + i32::from(c) * z - i32::from(plane) * twice - Self::MARGIN
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{Camera, Projection, ViewTransform, Viewport, Window};
+    use crate::math::random::Random;
+    use crate::math::{Affine, Angle, Point3, Scalar, Vector3};
+    use crate::space::{Model, World};
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    /// xyz and w by Cramer's rule in wide integers, of the forms' numbers: of offsets that are rounded already.
+    fn exact(placement: &VertexTransform) -> [i128; 4] {
+        let [(x, ox), (y, oy), (w, ow)] =
+            placement.forms().map(|(linear, offset)| (linear.map(i128::from), i128::from(offset)));
+        let cross = |a: [i128; 3], b: [i128; 3]| {
+            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        };
+        let (yw, wx, xy) = (cross(y, w), cross(w, x), cross(x, y));
+        let along = |i: usize| ox * yw[i] + oy * wx[i] + ow * xy[i];
+        [along(0), along(1), along(2), -(x[0] * yw[0] + x[1] * yw[1] + x[2] * yw[2])]
+    }
+
+    #[test]
+    fn each_number_of_the_eye_is_within_its_error() {
+        let (mut random, mut largest, mut counted) = (Random(5), 0.0_f64, 0);
+        let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
+        let number = Scalar::from_num::<f64>;
+        let lens =
+            Projection::perspective(Angle::degrees(50), viewport.size(), number(0.1), number(90.0)).unwrap();
+        let side = number(3.0);
+        let window = Window { left: -side, right: side, bottom: -side, top: side };
+        let parallel = Projection::orthographic(window, number(0.1), number(90.0)).unwrap();
+        for i in 0..20_000 {
+            // Near and far, sheared, mirrored, thin, small.
+            let mut vector = |size: f64| {
+                Vector3::new(
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                )
+            };
+            let size = [1.0, 0.1, 0.004][i % 3];
+            let (x, y, z) = (vector(size), vector(size), vector([1.0, 0.01][i / 3 % 2] * size));
+            let mut place = |size: f64| {
+                Point3::new(
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                    number(random.unit() * size),
+                )
+            };
+            let (origin, eye) = (place(1.0), place([1.5, 10.0, 60.0][i / 6 % 3]));
+            let model = Affine::<Model, World>::from_frame(x, y, z, origin);
+            let viewing =
+                ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(1, 2, 3)).unwrap();
+            let camera = Camera::new(&viewing, if i % 5 == 0 { &parallel } else { &lens }, &viewport);
+            let placement = VertexTransform::new(&camera, &model, -14, 16, true);
+            let found = PlaneEye::new(&placement);
+            let ([x, y, z], w) = (found.xyz, found.w);
+            let found = [x, y, z, w].map(f64::from);
+            if found == [0.0; 4] {
+                continue;
+            }
+            counted += 1;
+            let exact = exact(&placement).map(|v| v as f64);
+            let most = |numbers: [f64; 4]| numbers.into_iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            let factor = (most(found) / most(exact)).log2().round().exp2();
+            for (found, exact) in found.into_iter().zip(exact) {
+                largest = largest.max((found - exact * factor).abs());
+            }
+            assert!(most(found) <= 8192.0 && most(found) >= 4095.0, "{found:?}");
+        }
+        assert!(largest <= f64::from(PlaneEye::ERROR) / 1000.0 && largest > 0.4, "{largest}"); // 0.500002 is met
+        assert!(counted > 19_900, "{counted}");
+    }
+}

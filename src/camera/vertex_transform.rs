@@ -1,0 +1,491 @@
+//! The per-vertex chain: model coordinates to the screen, in integers.
+//!
+//! Once per object the whole chain up to clip space is folded into four linear forms, with the
+//! eye subtracted first. Once per vertex: three or four forms, one reciprocal, two or three
+//! products. Error budget: ARCHITECTURE.md, "Numbers".
+
+use super::{Camera, Screen, ScreenVertex, UnpackedVertex};
+use crate::math::num::{
+    add, after, bits_of, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, shift_to_fit,
+    Reciprocal, CORTEX_M0,
+};
+use crate::math::row::{self, Rows};
+use crate::math::{product, Affine, ClipCoords, Coordinate, Form, Row};
+use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
+use crate::space::{Model, World};
+use embedded_graphics_core::primitives::Rectangle;
+
+/// A camera's view of one object: its vertices to clip space and to the screen.
+///
+/// Values are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for
+/// w. Only differences of exponents are kept.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)] // what the vertex loop loads comes first: a Cortex-M0's loads reach 124 bytes
+pub(crate) struct VertexTransform {
+    w: Form,
+    x: Form,
+    y: Form,
+    /// Power of two that justifies a vertex coordinate.
+    factor: i32,
+    /// The least w for which 32 bits suffice; where near is a matter of w alone, also safely behind it.
+    least_w: i32,
+    /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
+    right: i32,
+    /// [`ScreenVertex::BIAS`], here because as a constant it takes two instructions and a register.
+    bias: i32,
+    /// Depth is `origin + drop/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
+    origin: i32,
+    /// Negative, in units of w times 2^(2 − drop_down).
+    drop: i32,
+    drop_down: i32,
+    /// e_d − e_w: never negative.
+    d_over_w: i32,
+    d: Form,
+    /// e_xy − e_w: 0 … room.
+    xy_over_w: i32,
+    screen: Screen,
+    /// Whether near, and depth, ask for d.
+    by_d: bool,
+    far_clip: bool,
+}
+
+impl VertexTransform {
+    /// `exponent`: of the mesh, coordinate = vertex · 2^exponent; `justify`: left shift that
+    /// brings its largest coordinate to the top of 32 bits.
+    #[inline(never)] // set-up: small is better
+    pub(crate) fn new(
+        camera: &Camera,
+        model: &Affine<Model, World>,
+        exponent: i32,
+        justify: u32,
+        narrow: bool,
+    ) -> Self {
+        // 1 Model to view, relative to the eye.
+        let (m, m_exponent) = model.linear();
+        let away = model.offset_from(&camera.eye);
+        let (mut view, mut i) = (Rows { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
+        while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
+            *offset = row::form(axis, 0, &away, 0);
+            i = after(i);
+        }
+        view.exponent = product(&camera.axes, 0, m, m_exponent, &mut view.linear);
+        // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
+        //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
+        //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
+        let unit = exponent - justify as i32;
+        let largest = magnitude(view.linear.as_flattened());
+        let around = match largest {
+            0 => 0,
+            _ => shift_to_fit(largest.into(), 30) + view.exponent + unit + 31 + 2 + 32,
+        };
+        let bits = shift_to_fit(bits_of(&view.offset), 0).max(around) + 1;
+        let (mut shift, mut i) = (0, 0);
+        while let Some(row) = camera.rows.get(i) {
+            shift = shift.max(row.overflow(bits));
+            i = after(i);
+        }
+        // 3 Exponents from what the rows can reach over the object. A justified coordinate v
+        //   stands for v·2^unit.
+        let (mut rows, mut reaches, mut i) = ([Row::ZERO; 4], [0; 4], 0);
+        while let (Some(row), Some(reached), Some(own)) =
+            (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
+        {
+            own.of(&view, shift, row);
+            *reached = reach(row, unit);
+            i = after(i);
+        }
+        let ([x, y, d, w], [reach_x, reach_y, reach_d, reach_w]) = (&rows, reaches);
+        let Screen { unit: screen_unit, room, .. } = camera.screen;
+        let e_xy = reach_x.max(reach_y);
+        // Finer x than w is of no use; much coarser x means an object far to the side.
+        let e_w = reach_w.max(e_xy - room);
+        let e_xy = e_xy.max(e_w);
+        // 4 Depth by w, where w reaches at least 2⁻⁴ so that offsets in 2⁻³² are fine enough; else by d.
+        let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
+        let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
+        let e_d = reach_d.max(e_w);
+        let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
+        // 5 The fast path shifts right by at least nothing, left by less than 32: see `project`. Leading zeros of w at most:
+        let right = 28 - xy_over_w - screen_unit;
+        let zeros = right.min(31 - d_over_w).min(9);
+        let mut least_w = if zeros >= 0 && screen_unit + room >= ScreenVertex::REACH {
+            1 << (30 - zeros)
+        } else {
+            i32::MAX
+        };
+        let (mut origin, mut drop, mut drop_down) = (4, 0, 0);
+        if let Some(by_w) = by_w {
+            // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰. Below 2³¹, and 2³¹.
+            let near = in_w(by_w.near, 0).min(i32::MAX.into()) as u32 + (64 << d_over_w.min(25));
+            least_w = least_w.max(near.min(i32::MAX as u32) as i32);
+            origin += by_w.infinity;
+            // The drop has 31 bits, or fewer where it is next to nothing.
+            drop_down = (34 + shift + e_w - shift_to_fit(by_w.drop as u64, 31)).clamp(0, 31);
+            drop = -in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
+        }
+        let mut placed = Self {
+            factor: Form::justify(justify, narrow),
+            xy_over_w,
+            right,
+            bias: ScreenVertex::BIAS,
+            d_over_w,
+            least_w,
+            origin,
+            drop,
+            drop_down,
+            by_d: by_w.is_none(),
+            screen: camera.screen,
+            far_clip: camera.far_clip,
+            x: Form::ZERO,
+            y: Form::ZERO,
+            d: Form::ZERO,
+            w: Form::ZERO,
+        };
+        placed.x = form(x, unit, e_xy);
+        placed.y = form(y, unit, e_xy);
+        placed.d = form(d, unit, e_d);
+        placed.w = form(w, unit, e_w);
+        placed
+    }
+
+    /// The vertex in clip space, where vertices are few: small is better.
+    #[inline(never)]
+    pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], place: &mut ClipCoords) {
+        let v = vertex.map(|c| c.times(self.factor));
+        let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
+        while let (Some(value), Some(form)) = (place.xydw.get_mut(i), forms.get(i)) {
+            *value = form.at(v, V::NARROW);
+            i = after(i);
+        }
+    }
+
+    /// The vertex in clip space.
+    pub(crate) fn clip<V: Coordinate>(&self, vertex: [V; 3]) -> ClipCoords {
+        let mut h = ClipCoords::ZERO;
+        self.clip_into(vertex, &mut h);
+        h
+    }
+
+    /// What makes x, y and w of a justified vertex, x and y in one unit, w in another: coefficients in 2⁻³¹, and an offset.
+    pub(crate) fn forms(&self) -> [([i32; 3], i32); 3] {
+        [self.x.numbers(), self.y.numbers(), self.w.numbers()]
+    }
+
+    /// The viewport's pixels.
+    pub(crate) const fn area(&self) -> &Rectangle {
+        &self.screen.area
+    }
+
+    /// Whether [`project`](Self::project) must look at d for its answer: `far` cuts, or near is not a matter of w.
+    pub(crate) fn asks_for_d(&self, depth: bool, far: bool) -> bool {
+        self.by_d || far && !depth
+    }
+
+    /// The vertex on the screen, or an empty corner when it must be clipped or lies farther out than
+    /// corners reach: in front of near or too close to it to tell, outside the guard band, beyond far if that cuts, or so
+    /// near to the eye that 32 bits do not carry it. `by_d`: what [`asks_for_d`](Self::asks_for_d) says.
+    ///
+    /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
+    /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
+    #[inline(always)]
+    pub(crate) fn project<V: Coordinate, const DEPTH: bool>(
+        &self,
+        vertex: &[V; 3],
+        by_d: bool,
+        far: bool,
+    ) -> ScreenVertex {
+        let v = vertex.map(|c| c.times(self.factor));
+        let w = self.w.at(v, V::NARROW);
+        if w < self.least_w {
+            return ScreenVertex::EMPTY;
+        }
+        let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
+        let form_of_d = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
+        let is_cut = |d| d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w);
+        // Where registers suffice these come first, so that v's are free for the rest, and before the branch, past which
+        // the compiler does not move them. On a Cortex-M0 each comes where it is used, so that `by_d` is asked once.
+        let early = (!CORTEX_M0).then(|| (forms(), form_of_d()));
+        if early.is_some_and(|(_, d)| by_d && is_cut(d)) {
+            return ScreenVertex::EMPTY;
+        }
+        let r = reciprocal_of_large(w);
+        let n = r.shift as i32;
+        let over_w = |forms: [i32; 2]| {
+            let right = (self.right - n) & 31;
+            forms.map(|v| mul_high(v, r.mantissa) >> right)
+        };
+        let early = early.map(|(forms, d)| (over_w(forms), d));
+        let mut depth = 0;
+        if by_d {
+            let d = early.map_or_else(form_of_d, |(_, d)| d);
+            if early.is_none() && is_cut(d) {
+                return ScreenVertex::EMPTY;
+            }
+            if DEPTH {
+                let d = d << ((n + self.d_over_w) & 31) >> 2; // up to w: 31 bits
+                depth = (self.origin + mul_high(d, r.mantissa)) >> 3;
+            }
+        } else if DEPTH {
+            depth = (self.origin + (mul_high(self.drop, r.mantissa) >> ((self.drop_down - n) & 31))) >> 3;
+        }
+        let [x, y] = early.map_or_else(|| over_w(forms()), |(places, _)| places);
+        if DEPTH && depth > SURELY_BEFORE_FAR {
+            if far && self.is_beyond_far(vertex) {
+                return ScreenVertex::EMPTY;
+            }
+            depth = depth.min(FARTHEST);
+        }
+        ScreenVertex::new::<DEPTH>(x, y, self.bias, depth)
+    }
+
+    /// d·2^d_over_w at most w less what d is stored short: then w − d is not negative.
+    #[inline(always)]
+    fn may_be_beyond_far(&self, d: i32, w: i32) -> bool {
+        d >= (w - (w >> 16) - 1) >> self.d_over_w.min(31)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_beyond_far<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
+        self.distance(5, &self.clip(*vertex)) < 0
+    }
+
+    /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
+    #[inline(always)]
+    pub(crate) fn at<const DEPTH: bool>(&self, corner: ScreenVertex) -> UnpackedVertex {
+        let ([x, y], [cx, cy], offset) = (self.screen.centre, ScreenVertex::CENTRE, corner.offset::<DEPTH>());
+        UnpackedVertex {
+            point: ScreenPoint::inside(x - cx + offset.x(), y - cy + offset.y()),
+            depth: if DEPTH { corner.depth() } else { 0 },
+        }
+    }
+
+    /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
+    /// same bits where both work. `depth`: where it comes from, if it is asked for.
+    pub(crate) fn image(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
+        let [x, y, d, w] = h.xydw;
+        let r = reciprocal(w);
+        let left = r.shift as i32 + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
+        let [cx, cy] = self.screen.centre;
+        UnpackedVertex {
+            point: ScreenPoint::inside(quotient(x, r.mantissa, left, cx), quotient(y, r.mantissa, left, cy)),
+            depth: depth.map_or(0, |depth| depth(self, d, r)),
+        }
+    }
+
+    /// In 16.8, of a point with this d and one over w.
+    pub(crate) fn depth(&self, d: i32, r: Reciprocal) -> i32 {
+        (self.fine_depth(d, r) >> 35).clamp(0, FARTHEST.into()) as i32
+    }
+
+    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴, of a point with this d and one over w.
+    #[inline(never)] // rare: small is better
+    fn fine_depth(&self, d: i32, r: Reciprocal) -> i64 {
+        let n = r.shift as i32;
+        let (numerator, down) = match self.by_d {
+            true => ((scale(d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
+            false => (self.drop, (self.drop_down - n).max(0)),
+        };
+        (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
+        // 2⁶² and 2⁶²
+    }
+
+    /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they
+    /// lie. For measuring.
+    pub(crate) fn unsnapped(&self, h: &ClipCoords) -> [i64; 3] {
+        let [x, y, d, w] = h.xydw;
+        let r = reciprocal(w);
+        let n = r.shift as i32;
+        // From 2⁻⁶¹ of 2^unit sub-pixels, and of 2¹⁶ steps, to 2⁻³²: saturating.
+        let up = n + self.xy_over_w + self.screen.unit - 37;
+        let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
+        let [cx, cy] = self.screen.centre;
+        [along(x, cx), along(y, cy), (self.fine_depth(d, r) >> 11) - (4 << 21)]
+    }
+
+    /// Signed distances from the planes in the order near, left, right, top, bottom, far of the view volume cut at
+    /// the guard band; each scaled by a positive factor of its own, negative outside. Gradient 5: below 2⁶², and at
+    /// most 2⁴⁷ inside where d is not negative; the others: at most 2⁵⁴.
+    #[inline(never)] // rare: small is better
+    pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
+        let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
+        // m·w / 2^down + n·v
+        let (m, down, n, v) = match plane {
+            0 => return d.into(),
+            1..=4 => {
+                let (v, centre) = if plane < 3 { (x, cx) } else { (y, cy) };
+                let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
+                let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
+                (GUARD_BAND * 256 + centre, 0, up, v)
+            }
+            _ => {
+                // w − d; d is stored as 65535/65536 of itself and multiplied by at most 2³⁰. Where the exponents
+                // differ by more than 14, w is shifted down instead.
+                let up = self.d_over_w.min(14);
+                (65_535, (self.d_over_w - up).min(63), -(1 << (16 + up)), d)
+            }
+        };
+        ((i64::from(m) * i64::from(w)) >> down) + i64::from(n) * i64::from(v)
+    }
+
+    /// Whether the camera cuts at the far plane.
+    pub(crate) fn cuts_at_far(&self) -> bool {
+        self.far_clip
+    }
+}
+
+/// [`VertexTransform::depth`], for those who ask for depth: the others need no code for it.
+pub(crate) type DepthOf = fn(&VertexTransform, i32, Reciprocal) -> i32;
+
+/// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
+const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
+
+/// `v · mantissa · 2^shift`, rounded to nearest, and `more`: inside the guard band. shift < 0, |more| < 2²⁴.
+#[inline(never)] // rare: small is better
+fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
+    const REACH: i64 = GUARD_BAND as i64 * 256;
+    (scale(mul_wide(v, mantissa), shift) + i64::from(more)).clamp(-REACH, REACH) as i32
+}
+
+/// The least exponent with which the form fits its integers over all justified coordinates.
+fn reach(row: &Row, unit: i32) -> i32 {
+    // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
+    let [a, b, c] = row.linear.map(i32::unsigned_abs);
+    let sum = i64::from(a + b + c); // ≤ 3·2³⁰
+    let linear = scale(sum, row.exponent + unit + 33) as u64; // < 2⁶³
+    let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³ + 2⁶²
+    let bound = bound + (bound >> 16) + 16; // head-room for the rounding of coefficients: 2⁻¹⁶ of it all
+    let result = shift_to_fit(bound, 63); // below 2³¹
+    let largest = a.max(b).max(c);
+    if largest == 0 {
+        return result;
+    }
+    // Each coefficient below 2³⁰ − 2¹⁵, so that it splits into 15 + 16 signed bits.
+    result.max(row.exponent + unit + 1 + i32::from(largest > (1 << 30) - (1 << 16)))
+}
+
+/// The row as integers over justified coordinates, in units of 2^exponent.
+#[inline(never)] // set-up: small is better
+fn form(row: &Row, unit: i32, exponent: i32) -> Form {
+    // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `reach`.
+    let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);
+    Form::new(linear, scale(row.offset, -exponent))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{Projection, ViewTransform, Viewport, Window};
+    use crate::math::random::Random;
+    use crate::math::{Angle, Point3, Scalar, Vector3};
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    /// Vertices through the fast path against the same through the clipper's, bit by bit; how many had a place.
+    fn compare(lens: &Projection, eye: f32, seed: u64) -> usize {
+        let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
+        let at = Point3::new(Scalar::from_num(eye * 0.3), Scalar::from_num(eye * 0.2), Scalar::from_num(eye));
+        let origin = Point3::from_ints(0, 0, 0);
+        let viewing = ViewTransform::look_at(at, origin, Vector3::from_ints(0, 1, 0)).unwrap();
+        let camera = Camera::new(&viewing, lens, &viewport);
+        let model = Affine::rotation_y(Angle::degrees(33));
+        let placement = VertexTransform::new(&camera, &model, -14, 16, true);
+        let (mut random, mut places) = (Random(seed), 0);
+        for _ in 0..20_000 {
+            let vertex = random.vertex();
+            let h = placement.clip(vertex);
+            let plain = placement.project::<_, false>(&vertex, placement.asks_for_d(false, true), true);
+            let deep = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
+            for (corner, depth) in [(plain, false), (deep, true)] {
+                if corner.whole() {
+                    assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
+                    let (image, exact) = (
+                        if depth { placement.at::<true>(corner) } else { placement.at::<false>(corner) },
+                        placement.image(&h, Some(VertexTransform::depth)),
+                    );
+                    assert_eq!(image.point, exact.point, "{vertex:?}");
+                    assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
+                    places += 1;
+                }
+            }
+        }
+        places
+    }
+
+    /// How far a corner's depth is from `d/w`, or from `A − B/w`, of the very integers that it is computed from: in its
+    /// own units, 2⁻⁸ of a step, by long division.
+    fn depth_error(placement: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
+        let corner = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
+        let h = placement.clip(vertex);
+        let depth = corner.depth();
+        if !corner.whole() || depth == FARTHEST {
+            return None;
+        }
+        // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + drop·2^(2 − drop_down)` where drop is 2⁻²⁷ · 2^29.
+        let [_, _, d, w] = h.xydw.map(i128::from);
+        let exact = match placement.by_d {
+            true => d << (27 + placement.d_over_w),
+            false => {
+                let drop = i128::from(placement.drop) << 29 >> placement.drop_down;
+                i128::from(placement.origin - 4) * w + drop
+            }
+        };
+        let off = (i128::from(depth) << 3) * w - exact; // 2⁻²⁷ · w
+        Some((off as f64 / w as f64 / 8.0).abs())
+    }
+
+    /// ARCHITECTURE.md, "Numbers": half a unit from rounding, and what is dropped before.
+    #[test]
+    fn depth_of_a_corner_is_within_0_7_of_its_unit() {
+        let number = Scalar::from_num::<f64>;
+        let viewport = Viewport::new(Point::zero(), Size::new(240, 180)).unwrap();
+        let (mut random, mut largest, mut counts) = (Random(7), [0.0_f64; 2], [0; 2]);
+        for (near, far) in
+            [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 1.4), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)]
+        {
+            for eye in [0.6, 1.4, 3.0, 12.0] {
+                let (near, far) = (number(near), number(far));
+                let at = Point3::new(Scalar::ZERO, Scalar::ZERO, number(eye));
+                let origin = Point3::from_ints(0, 0, 0);
+                let viewing = ViewTransform::look_at(at, origin, Vector3::from_ints(0, 1, 0)).unwrap();
+                let side = number(1.5);
+                let window = Window { left: -side, right: side, bottom: -side, top: side };
+                let lenses = [
+                    Projection::perspective(Angle::degrees(60), viewport.size(), near, far).unwrap(),
+                    Projection::orthographic(window, near, far).unwrap(),
+                ];
+                for lens in lenses {
+                    let camera = Camera::new(&viewing, &lens, &viewport);
+                    let placement =
+                        VertexTransform::new(&camera, &Affine::rotation_y(Angle::degrees(33)), -14, 16, true);
+                    let way = usize::from(placement.by_d);
+                    for _ in 0..20_000 {
+                        if let Some(error) = depth_error(&placement, random.vertex()) {
+                            largest[way] = largest[way].max(error);
+                            counts[way] += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(counts.iter().all(|&count| count > 50_000), "{counts:?}");
+        assert!(largest.iter().all(|&error| error <= 0.7), "{largest:?}"); // 0.56 is met
+    }
+
+    #[test]
+    fn both_ways_give_the_same_bits() {
+        let size = Size::new(240, 180);
+        let number = Scalar::from_num::<f64>;
+        let mut places = 0;
+        for (near, far) in [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)] {
+            for eye in [0.6, 1.4, 3.0, 12.0] {
+                let (near, far) = (number(near), number(far));
+                let lens = Projection::perspective(Angle::degrees(60), size, near, far).unwrap();
+                places += compare(&lens, eye, 1);
+                let side = number(1.5);
+                let window = Window { left: -side, right: side, bottom: -side, top: side };
+                places += compare(&Projection::orthographic(window, near, far).unwrap(), eye, 2);
+            }
+        }
+        assert!(places > 200_000, "{places}");
+    }
+}

@@ -1,0 +1,108 @@
+//! Points and poly-lines: plots, tool paths, labels' anchors.
+
+use super::{DrawRegion, MeshInstance, Statistics, TransformedMesh};
+use crate::math::Coordinate;
+use crate::raster::{self, Pixel, Span};
+use crate::surface::Target;
+
+impl<V: Coordinate> MeshInstance<'_, V> {
+    /// Draws each vertex as the pixel that it lies in: [`polyline`](Self::polyline) has an example.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first pixel that it refuses.
+    #[inline(never)] // its frame is gone when it returns
+    pub fn points<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
+        let mut statistics = Statistics::default();
+        for index in 0..self.mesh.vertices().len() {
+            match self.project(index) {
+                Some((point, _)) => {
+                    statistics.drawn += 1;
+                    let pixel = point.pixel();
+                    target.line(pixel, pixel, &scissor, colour)?;
+                }
+                None => statistics.outside += 1,
+            }
+        }
+        Ok(statistics)
+    }
+
+    /// Draws the vertices in order as one poly-line, closed if the last repeats the first. The pixel at a joint is
+    /// drawn once, with the line that ends there. Lines are clipped as those of [`wireframe`](Self::wireframe).
+    ///
+    /// ```
+    /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use pinhole::{Affine, Camera, Mesh, Point3, Projection, Scalar, Side, ViewTransform, Viewport, Window};
+    /// // A plot: a mesh without faces is a list of points.
+    /// let mesh = Mesh::new(&[[0, 0, 0], [2, 3, 0], [4, 1, 0]], 0, &[])?;
+    /// let [zero, one, four, five] = [0, 1, 4, 5].map(Scalar::from_num);
+    /// let viewport = Viewport::new(Point::zero(), Size::new(5, 4))?;
+    /// let window = Window { left: zero, right: five, bottom: zero, top: four };
+    /// let view = ViewTransform::multiview(Point3::from_f32(-0.5, -0.5, 0.0)?, Side::Front); // to pixel centres
+    /// let camera = Camera::new(&view, &Projection::orthographic(window, -one, one)?, &viewport);
+    /// let placed = camera.place(&mesh, &Affine::identity());
+    /// let mut display = MockDisplay::new(); // which refuses a pixel that is drawn twice
+    /// placed.polyline(BinaryColor::On, &mut display)?;
+    /// display.assert_pattern(&["  #  ", " # # ", " #  #", "#    "]); // up by 3 in 2 columns, and down by 2 in 2
+    /// let mut display = MockDisplay::new();
+    /// placed.points(BinaryColor::On, &mut display)?;
+    /// display.assert_pattern(&["  #  ", "     ", "    #", "#    "]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
+    pub fn polyline<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
+        let mut statistics = Statistics::default();
+        let vertices = self.mesh.vertices();
+        // u16 indices reach all of them: Mesh allows no more than 65536.
+        let line = TransformedMesh::<V, false>::with_corners(self, false, &[]);
+        let place = |index: usize| line.image(index as u16).map(|image| image.point.pixel());
+        let count = vertices.len();
+        let first = if count == 0 { None } else { place(0) };
+        // Where all lies in one pixel, no later line comes back to it.
+        let closed = count > 2
+            && first.is_some()
+            && place(count - 1) == first
+            && (1..count).any(|index| place(index) != first);
+        // The pixel that the line before ended in, or will end in.
+        let mut joint = if closed { first } else { None };
+        for index in 1..count {
+            // Of an end that a plane cuts off there is no joint.
+            let is_joint = place(index).is_some();
+            match line.edge([(index - 1) as u16, index as u16], &mut statistics) {
+                Some([a, b]) => {
+                    let (a, b) = (a.point.pixel(), b.point.pixel());
+                    raster::line(a, b, &scissor, |span| match without(span, joint) {
+                        Some(span) => target.fill(span, colour),
+                        None => Ok(()),
+                    })?;
+                    joint = Some(b).filter(|_| is_joint);
+                }
+                None => joint = None,
+            }
+        }
+        Ok(statistics.with_the_rest_drawn(count.saturating_sub(1)))
+    }
+}
+
+/// The span less a pixel at one of its ends.
+fn without(span: Span, pixel: Option<Pixel>) -> Option<Span> {
+    let Some(pixel) = pixel else { return Some(span) };
+    let (x, y) = (i32::from(pixel.x), i32::from(pixel.y));
+    let Span { width, height, .. } = span;
+    let first = (x, y) == (span.x, span.y);
+    let last = (x, y) == (span.x + width - 1, span.y + height - 1);
+    let tall = height > 1;
+    let (dx, dy) = if tall { (0, 1) } else { (1, 0) };
+    match (first, last) {
+        (false, false) => Some(span),
+        (true, true) => None,
+        (true, false) => Some(Span { x: x + dx, y: y + dy, width: width - dx, height: height - dy }),
+        (false, true) => Some(Span { width: width - dx, height: height - dy, ..span }),
+    }
+}

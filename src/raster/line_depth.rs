@@ -1,0 +1,144 @@
+//! Depth along a line, for the centres of its pixels.
+
+use super::{Pixel, ScreenPoint};
+use crate::math::num::{mul_wide, reciprocal};
+
+/// The depth of a line between two points, at the centres of its pixels along the major axis. A centre
+/// beyond an end has that end's depth.
+///
+/// In 16.16, stepped like a [`Gradient`](super::Gradient), and wrapping like one: n pixels from the smaller end, n at
+/// least 1, it is off by less than `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹³ for the reciprocal. So where it
+/// should be 0 it may be below by as much, and wraps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineDepth {
+    tall: bool,
+    /// The pixels of the ends, along the major axis.
+    from: i32,
+    to: i32,
+    /// At `from`, at `from + 1`, and at `to`.
+    first: u32,
+    second: u32,
+    last: u32,
+    step: u32,
+}
+
+impl LineDepth {
+    /// Of the line that [`line`](super::line()) draws between the pixels of two points; depths in 16.8, 0 to
+    /// [`FARTHEST`](super::FARTHEST).
+    pub(crate) fn new([a, b]: [ScreenPoint; 2], [za, zb]: [i32; 2]) -> Self {
+        let (p, q): (Pixel, Pixel) = (a.pixel(), b.pixel());
+        let extent = |a: i16, b: i16| (i32::from(a) - i32::from(b)).abs();
+        let tall = extent(p.y, q.y) > extent(p.x, q.x); // as `line` has it
+        let (a, b) = if tall { (a.y, b.y) } else { (a.x, b.x) };
+        let ((a, za), (b, zb)) = if a <= b { ((a, za), (b, zb)) } else { ((b, zb), (a, za)) };
+        let (from, to) = (a >> 8, b >> 8);
+        let steps = |z: i32| (z as u32) << 8; // za, zb < 2²⁴ − 2⁸
+        if from == to {
+            let nearer = steps(za.min(zb));
+            return Self { tall, from, to, first: nearer, second: nearer, last: nearer, step: 0 };
+        }
+        // In 2⁻¹² of 2^(53 − shift)·2⁻¹⁶ steps per sub-pixel: 1/(b − a) = mantissa · 2^(shift − 61).
+        let r = reciprocal(b - a); // 1 … 2²²
+        let product = mul_wide(zb - za, r.mantissa) >> 12; // 25 + 31 − 12 bits
+        let down = 41 - r.shift.min(30); // 11 … 41
+
+        // Up to 384 sub-pixels: 9 bits. To the nearest: rounded down, the step would be off by twice as much.
+        let climb = |by: i32| ((product * i64::from(by) + (1 << (down - 1))) >> down) as u32;
+        let centre = |pixel: i32| 256 * pixel + 128;
+        Self {
+            tall,
+            from,
+            to,
+            first: steps(za).wrapping_add(climb((centre(from) - a).max(0))),
+            second: steps(za).wrapping_add(climb(centre(from + 1) - a)),
+            last: steps(zb).wrapping_sub(climb((b - centre(to)).max(0))),
+            step: climb(256),
+        }
+    }
+
+    /// The value at a pixel of the line, in 2⁻⁸ of the ends' unit, wrapping.
+    pub(crate) fn at(&self, x: i32, y: i32) -> u32 {
+        let along = if self.tall { y } else { x };
+        if along <= self.from {
+            self.first
+        } else if along >= self.to {
+            self.last
+        } else {
+            // Between the ends but for its error, so what wraps on the way does no harm.
+            self.second.wrapping_add(self.step.wrapping_mul((along - self.from - 1) as u32))
+        }
+    }
+
+    /// Of depths: 0 near … 65534 far.
+    pub(crate) fn depth(&self, x: i32, y: i32) -> u16 {
+        // Off by 2¹⁴·2⁻¹⁷ + 2⁻¹³ at most: rounded, what is below 0 is 0, and what is farthest, 65534.46, stays below 65536.
+        ((self.at(x, y).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+
+    const DEEPEST: i64 = super::super::FARTHEST as i64;
+
+    #[test]
+    fn depth_along_a_line_is_that_of_the_point_on_it() {
+        let mut random = Random(7);
+        let mut below = |n| random.below(n);
+        // Of a step, in 2⁻²⁰: beyond 1/2 and n·2⁻¹⁷; and the largest, whatever n.
+        let (mut beyond, mut largest) = (i128::MIN, 0);
+        for i in 0..400_000 {
+            let (reach, start) = [(300, 700), (3000, 90), (130_000, 700), (1 << 22, 1 << 21)][i % 4];
+            let mut place = || (below(reach) - start) as i32;
+            let mut point = || ScreenPoint::from_subpixels(place(), place()).unwrap();
+            let (a, b) = (point(), point());
+            // Anywhere; about both limits; and nearly the same, where steps are small.
+            let (za, zb) = match i / 4 % 4 {
+                0 => (below(DEEPEST + 1), below(DEEPEST + 1)),
+                1 => (below(300), below(300)),
+                2 => (DEEPEST - below(300), DEEPEST - below(300)),
+                _ => (below(3), DEEPEST - below(3)),
+            };
+            let along = LineDepth::new([a, b], [za as i32, zb as i32]);
+            let (p, q) = (a.pixel(), b.pixel());
+            let tall = (i32::from(p.y) - i32::from(q.y)).abs() > (i32::from(p.x) - i32::from(q.x)).abs();
+            let of = |p: ScreenPoint| i128::from(if tall { p.y() } else { p.x() });
+            let ((from, za), (to, zb)) = if of(a) <= of(b) {
+                ((of(a), i128::from(za)), (of(b), i128::from(zb)))
+            } else {
+                ((of(b), i128::from(zb)), (of(a), i128::from(za)))
+            };
+            let (first, last) = (from >> 8, to >> 8);
+            if first == last {
+                assert_eq!(i128::from(along.depth(p.x.into(), p.y.into())), (za.min(zb) + 128) >> 8);
+                continue;
+            }
+            for pixel in [first, first + 1, (first + last) / 2, last - 1, last] {
+                // In rationals over to − from, centres beyond the ends brought there.
+                let centre = (256 * pixel + 128).clamp(from, to);
+                let exact = za * (to - centre) + zb * (centre - from);
+                let stored = i128::from(along.depth(pixel as i32, pixel as i32)) * 256 * (to - from);
+                let error = ((stored - exact).abs() << 12) / (to - from);
+                let n = if pixel == last { 1 } else { (pixel - first).max(1) };
+                beyond = beyond.max(error - (1 << 19) - (n << 3));
+                largest = largest.max(error - (1 << 19));
+            }
+        }
+        assert!(beyond < 1 << 7, "{beyond}"); // 2⁻¹³
+                                              // 2¹⁴ pixels.
+        assert!((1 << 16..(1 << 17) + (1 << 7)).contains(&largest), "{largest}");
+    }
+
+    #[test]
+    fn a_line_at_depth_0_and_one_at_the_farthest_depth_do_not_wrap() {
+        let points = [-8192 * 256, 8192 * 256].map(|x| ScreenPoint::from_subpixels(x, 0).unwrap());
+        for (depths, expected) in [([0, 100], 0), ([DEEPEST as i32, DEEPEST as i32 - 100], 65_534)] {
+            for points in [points, [points[1], points[0]]] {
+                let along = LineDepth::new(points, depths);
+                assert!((-8192..8192).all(|x| along.depth(x, 0) == expected));
+            }
+        }
+    }
+}

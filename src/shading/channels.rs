@@ -1,0 +1,75 @@
+//! Colours as levels of their channels.
+
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
+    Rgb888, RgbColor,
+};
+
+/// A colour made of channels, each a number of levels from dark to full: what [`Flat`](super::Flat),
+/// [`Gouraud`](super::Gouraud), [`Lit`](super::Lit), [`Dithered`](super::Dithered) and
+/// [`ShadeTable::new`](super::ShadeTable::new) need of a target.
+///
+/// Colours are given as `Rgb888` whatever the target. Red, green and blue each become levels of their
+/// channel, `value · MAX/255`; greys take the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as
+/// `embedded-graphics` does. Neither is rounded to whole levels before the pixel: both are kept to 2⁻¹⁶
+/// level.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
+/// use pinhole::Channels;
+/// assert_eq!(Rgb565::MAX, [31, 63, 31]);
+/// assert_eq!(Rgb565::from_channels([31, 0, 1]), Rgb565::new(31, 0, 1));
+/// assert!(Gray4::GRAY);
+/// assert_eq!(Gray4::from_channels([9, 0, 0]), Gray4::new(9));
+/// ```
+pub trait Channels: PixelColor {
+    /// Whether there is one channel, the luma, in place of red, green and blue.
+    const GRAY: bool;
+
+    /// The highest level of red, green and blue, or of the luma, which comes first.
+    const MAX: [u8; 3];
+
+    /// The colour with these levels, none beyond [`MAX`](Self::MAX). Of a grey the first one counts.
+    fn from_channels(levels: [u8; 3]) -> Self;
+}
+
+macro_rules! rgb {
+    ($($colour:ty),*) => {$(
+        impl Channels for $colour {
+            const GRAY: bool = false;
+            const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
+
+            #[inline(always)]
+            fn from_channels([r, g, b]: [u8; 3]) -> Self {
+                Self::new(r, g, b)
+            }
+        }
+    )*};
+}
+
+macro_rules! grey {
+    ($($colour:ty: $max:literal),*) => {$(
+        impl Channels for $colour {
+            const GRAY: bool = true;
+            const MAX: [u8; 3] = [$max, 0, 0];
+
+            #[inline(always)]
+            fn from_channels([luma, ..]: [u8; 3]) -> Self {
+                Self::new(luma)
+            }
+        }
+    )*};
+}
+
+rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
+grey!(Gray2: 3, Gray4: 15, Gray8: 255);
+
+impl Channels for BinaryColor {
+    const GRAY: bool = true;
+    const MAX: [u8; 3] = [1, 0, 0];
+
+    #[inline(always)]
+    fn from_channels([luma, ..]: [u8; 3]) -> Self {
+        (luma != 0).into()
+    }
+}

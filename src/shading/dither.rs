@@ -1,0 +1,136 @@
+//! Ordered dither.
+
+use super::gouraud::{Rounding, Run};
+use super::levels::{levels, more, upper, whole};
+use super::{Channels, Flat, Gouraud, Lit};
+use core::marker::PhantomData;
+
+/// An ink, [`Flat`], [`Gouraud`] or [`Lit`], in more shades than the target has: each pixel is rounded down or up
+/// by comparing with a threshold, one of 64 in an 8 × 8 pattern. (Bayer, *An optimum method for two-level
+/// rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed., section 13.1.2.)
+///
+/// **The pattern** goes by the pixel's coordinates in the frame. So it stands still while things move,
+/// and is the same in every band and on both sides of an edge. Its thresholds are 1/128, 3/128 … 127/128.
+///
+/// **Error.** The mean of a colour over any 8 × 8 pixels lies within 1/128 + 2⁻¹⁶ level of it, in every
+/// channel; what lies on a level, black and full light among them, stays pure.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*};
+/// use pinhole::{
+///     space::{Model, World}, Affine, Angle, Camera, Flat, Mesh, Point3, Projection, Scalar, Vector3,
+///     ViewTransform, Viewport,
+/// };
+/// const VERTICES: [[i16; 3]; 3] = [[-30, -30, 0], [30, -30, 0], [0, 30, 0]]; // fills the picture
+/// let mesh = Mesh::new(&VERTICES, 0, &[[0, 1, 2]])?;
+/// let viewport = Viewport::new(Point::zero(), Size::new(8, 8))?;
+/// let camera = Camera::new(
+///     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+///     &viewport,
+/// );
+/// let mut display = MockDisplay::<BinaryColor>::new();
+/// let grey = Flat::from(Rgb888::new(51, 51, 51)); // a fifth of white: 12.8 of 64
+/// camera.place(&mesh, &Affine::<Model, World>::identity()).solid(|_| grey.dithered(), &mut [], &mut display)?;
+/// display.assert_pattern(&[
+///     "........",
+///     "..#...#.",
+///     "........",
+///     "#.#.#.#.",
+///     "........",
+///     "#.#...#.",
+///     "........",
+///     "#.#.#.#.",
+/// ]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Dithered<I>(pub(crate) I);
+
+macro_rules! dithered {
+    ($($ink:ty),*) => {$(
+        impl $ink {
+            /// In as many shades as 64 pixels can show.
+            pub const fn dithered(self) -> Dithered<Self> {
+                Dithered(self)
+            }
+        }
+    )*};
+}
+
+dithered!(Flat, Gouraud, Lit);
+
+impl Flat {
+    /// The nearest colour that the target has.
+    #[inline]
+    pub(crate) fn nearest<C: Channels>(&self) -> C {
+        C::from_channels(whole::<C>(more::<C>(levels::<C>(*self).map(upper), 1 << 23)))
+    }
+}
+
+/// The levels of a colour.
+#[derive(Clone, Copy, Debug)]
+pub struct Even<C> {
+    levels: [u32; 3],
+    colour: PhantomData<C>,
+}
+
+impl<C: Channels> Even<C> {
+    pub(crate) fn new(colour: Flat) -> Self {
+        Self { levels: levels::<C>(colour).map(upper), colour: PhantomData }
+    }
+
+    /// The colours of a row from a pixel on.
+    #[inline(always)]
+    pub(crate) fn run(&self, x: i32, y: i32) -> Run<C, Bayer> {
+        Run::new(self.levels, [0; 3], (x, y))
+    }
+}
+
+/// Twice each threshold's rank and one: thresholds in 1/128.
+const PATTERN: [[u8; 8]; 8] = {
+    let mut pattern = [[0; 8]; 8];
+    let mut y = 0;
+    while y < 8 {
+        let mut x = 0;
+        while x < 8 {
+            // Of 2 × 2 places the ranks are 0 2 / 3 1, and so again within each: the lowest bits of x and
+            // y weigh most.
+            let (mut rank, mut bit) = (0, 0);
+            while bit < 3 {
+                let pair = ((x ^ y) >> bit & 1) << 1 | (y >> bit & 1);
+                rank |= pair << (4 - 2 * bit);
+                bit += 1;
+            }
+            pattern[y][x] = 2 * rank as u8 + 1;
+            x += 1;
+        }
+        y += 1;
+    }
+    pattern
+};
+
+/// To the level below or above, by the pattern.
+pub(crate) struct Bayer {
+    row: &'static [u8; 8],
+    x: usize,
+}
+
+impl Rounding for Bayer {
+    const FIRST: u32 = 0;
+
+    #[inline(always)]
+    fn from(x: i32, y: i32) -> Self {
+        let [first, ..] = &PATTERN;
+        // The mask keeps both inside the pattern; `get` says so without a panic path.
+        Self { row: PATTERN.get(y as usize & 7).unwrap_or(first), x: x as usize }
+    }
+
+    #[inline(always)]
+    fn next(&mut self) -> u32 {
+        let threshold = self.row.get(self.x & 7).copied().unwrap_or(0);
+        self.x = self.x.wrapping_add(1);
+        u32::from(threshold) << 17 // from 1/128 to 2⁻²⁴
+    }
+}

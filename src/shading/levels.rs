@@ -1,0 +1,93 @@
+//! Levels of channels in 32 bits.
+
+use super::{Channels, Flat};
+use crate::math::num::mul_wide;
+
+/// Where the whole part of a level begins in 32 bits: as high as the largest one allows. So it is what is left when
+/// they are shifted to the right.
+pub(super) const fn places(max: u8) -> u32 {
+    24 + (max | 1).leading_zeros()
+}
+
+/// The largest level times as much as it has unused bits.
+pub(super) const fn aligned(max: u8) -> u8 {
+    max << (max | 1).leading_zeros()
+}
+
+/// The channels of `C` in the upper 24 of 32 bits, with their [`places`], rounded to nearest.
+#[inline]
+pub(super) fn levels<C: Channels>(colour: Flat) -> [i32; 3] {
+    let [r, g, b] = colour.0.map(u32::from); // ≤ 255·2⁸
+    let [x, y, z] = C::MAX.map(aligned);
+    if C::GRAY {
+        [level(luma([r, g, b]), x), 0, 0]
+    } else {
+        [level(r << 8, x), level(g << 8, y), level(b << 8, z)]
+    }
+}
+
+/// The luma of Rec. 601, 2⁸ times as large as its channels.
+pub(super) fn luma([r, g, b]: [u32; 3]) -> u32 {
+    77 * r + 150 * g + 29 * b
+}
+
+/// `value · max/255`, rounded to nearest, for values up to 255·2¹⁶.
+fn level(value: u32, max: u8) -> i32 {
+    let sum = value * u32::from(max) + 127; // < 2³²
+
+    // ⌊sum/255⌋ = ⌊sum · ⌈2³⁹/255⌉ / 2³⁹⌋, without a division: a Cortex-M0 has none. (Warren, Hacker's
+    // Delight, 2nd ed., section 10–9.)
+    ((u64::from(sum) * 0x8080_8081) >> 39) as i32
+}
+
+/// The mean of values 0 … full by weights in 2⁻³⁰, rounded to nearest.
+#[inline(always)] // out of line, S8 takes 1 % more on a Cortex-M0
+pub(super) fn weighed(values: [i32; 3], weights: [i32; 3], full: i32) -> i32 {
+    // Weights of 0 … 2³⁰, 6 more or less, and 2³⁰ in all; full < 2²⁴.
+    let sum: i64 = values.iter().zip(weights).map(|(&value, weight)| mul_wide(value, weight)).sum();
+    ((sum + (1 << 29)) >> 30).clamp(0, full.into()) as i32
+}
+
+/// In all of 32 bits.
+#[inline(always)]
+pub(super) fn upper(level: i32) -> u32 {
+    (level as u32) << 8 // < 2²⁴ and not negative
+}
+
+/// The channels' levels and as much of a level more, in 2⁻²⁴.
+#[inline(always)]
+pub(super) fn more<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
+    let [x, y, z] = C::MAX.map(places);
+    let more = |level: u32, places: u32| level.wrapping_add(by << (places - 24)); // by < 2²⁴
+    match C::GRAY {
+        true => [more(r, x), 0, 0],
+        false => [more(r, x), more(g, y), more(b, z)],
+    }
+}
+
+/// Without their fractions.
+#[inline(always)]
+pub(super) fn whole<C: Channels>([r, g, b]: [u32; 3]) -> [u8; 3] {
+    let [x, y, z] = C::MAX.map(places);
+    match C::GRAY {
+        true => [(r >> x) as u8, 0, 0],
+        false => [(r >> x) as u8, (g >> y) as u8, (b >> z) as u8],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_rounded_to_nearest() {
+        for max in [1, 3, 15, 31, 63, 255u8] {
+            for value in 0..=255 << 16 {
+                // 255 is odd: no ties.
+                let wanted = (u64::from(value) * u64::from(max) * 2 + 255) / 510;
+                assert_eq!(i64::from(level(value, max)), wanted as i64, "{value} of {max}");
+            }
+            assert_eq!(level(255 << 16, max), i32::from(max) << 16); // white is white
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Light and colour: what a face looks like. The rasteriser knows nothing of it.
+
+mod channels;
+mod dim;
+mod dither;
+mod flat;
+mod gouraud;
+mod lambert;
+mod levels;
+mod lit;
+mod shader;
+mod smooth;
+mod table;
+
+pub use channels::Channels;
+pub use dim::Dim;
+pub use dither::Dithered;
+pub(crate) use dither::{Bayer, Even};
+pub use flat::Flat;
+pub use gouraud::Gouraud;
+pub(crate) use gouraud::{ChannelGradients, Nearest};
+pub use lambert::{Lambert, LightError};
+pub use lit::Lit;
+pub use shader::{Shader, SpanShader};
+pub use table::{ShadeTable, TableShader};

@@ -1,0 +1,174 @@
+//! What a face is filled with.
+
+use crate::clip::Varying;
+use crate::raster::{Span, Triangle};
+use crate::surface::Shades;
+use core::iter::repeat;
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// What a face is filled with: a colour, or something that varies over the face. The closures that
+/// shade faces return one.
+///
+/// Every `PixelColor` is an ink, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are
+/// colours of light for any target, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up
+/// in 256 levels of light.
+///
+/// Colours of the mesh, of its faces and of its vertices are three closures:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use pinhole::{
+///     space::{Model, World}, Affine, Angle, Camera, ScreenVertex, Dim, Gouraud, Lambert, Mesh, Point3, Projection,
+///     Scalar, Vector3, ViewTransform, Viewport,
+/// };
+/// // A roof: two faces that meet in an edge, with normals of the faces and of the vertices.
+/// const VERTICES: [[i16; 3]; 4] = [[0, -4, 0], [0, 4, 0], [-4, 0, -3], [4, 0, -3]];
+/// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [1, 0, 3]];
+/// const NORMALS: [[i16; 3]; 2] = [[-19660, 0, 26214], [19660, 0, 26214]];
+/// const VERTEX_NORMALS: [[i16; 3]; 4] = [[0, 0, 32767], [0, 0, 32767], NORMALS[0], NORMALS[1]];
+/// let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_normals(&NORMALS)?.with_vertex_normals(&VERTEX_NORMALS)?;
+/// # let viewport = Viewport::new(Point::zero(), Size::new(48, 48))?;
+/// # let camera = Camera::new(
+/// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 9), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(20))?,
+/// #     &viewport,
+/// # );
+/// let model = Affine::<Model, World>::identity();
+/// let placed = camera.place(&mesh, &model);
+/// let light = Lambert::new(&model, Vector3::from_ints(-1, 0, 2), 64)?;
+/// # let mut cache = [ScreenVertex::EMPTY; 4];
+/// # let colours = |display: &MockDisplay<Rgb565>| {
+/// #     let row = (0..48).filter_map(|x| display.get_pixel(Point::new(x, 24)));
+/// #     row.map(|c| c.into_storage()).collect::<std::collections::BTreeSet<_>>().len()
+/// # };
+/// # let display = || { let mut display = MockDisplay::<Rgb565>::new(); display.set_allow_overdraw(true); display };
+///
+/// // The mesh in one colour.
+/// # let mut target = display();
+/// placed.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
+/// # assert_eq!(colours(&target), 1);
+///
+/// // A colour for each face, at the light of its normal.
+/// # let mut target = display();
+/// let paint = [Rgb565::RED, Rgb565::WHITE];
+/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
+/// # assert_eq!(colours(&target), 2);
+///
+/// // The light at each vertex, worked out once; smooth in between.
+/// # let mut target = display();
+/// let mut levels = [0; VERTICES.len()];
+/// light.levels(mesh.vertex_normals(), &mut levels);
+/// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
+/// placed.solid(smooth, &mut cache, &mut target)?;
+/// # assert!(colours(&target) > 8);
+///
+/// // A colour for each vertex.
+/// # let mut target = display();
+/// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
+/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
+/// # assert!(colours(&target) > 16);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Shader: Copy {
+    /// What a corner carries when a face is cut: `()` for inks that do not vary.
+    type Varying: Varying;
+
+    /// The ink of a piece of a face, whose corners are these points of it.
+    #[must_use]
+    fn sub_face(&self, corners: [Self::Varying; 3]) -> Self;
+}
+
+/// An [`Shader`] for targets with pixels of `C`. A custom ink, interpolated from corner to corner:
+///
+/// ```
+/// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
+/// use pinhole::{clip::Barycentric, raster::{Gradient, Span, Triangle}, Shader, SpanShader};
+/// # use pinhole::*;
+/// #[derive(Clone, Copy)]
+/// struct Ramp([u8; 3]);
+///
+/// impl Shader for Ramp {
+///     type Varying = Barycentric;
+///     fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+///         Self(corners.map(|corner| {
+///             let sum: i64 = corner.weights().iter().zip(self.0).map(|(&w, c)| i64::from(w) * i64::from(c)).sum();
+///             (sum >> 30) as u8
+///         }))
+///     }
+/// }
+///
+/// impl SpanShader<Gray8> for Ramp {
+///     type Setup = Gradient;
+///     fn set_up(&self, triangle: &Triangle) -> Gradient {
+///         triangle.plane(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
+///     }
+///     fn span(plane: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
+///         (span.x..).map(move |x| Gray8::new((plane.at(x, span.y) >> 24) as u8))
+///     }
+/// }
+/// # const VERTICES: [[i16; 3]; 3] = [[-3, -3, 0], [3, -3, 0], [0, 3, 0]];
+/// # let mesh = Mesh::new(&VERTICES, -1, &[[0, 1, 2]])?;
+/// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+/// # let camera = Camera::new(
+/// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+/// #     &viewport,
+/// # );
+/// # let placed = camera.place(&mesh, &Affine::identity());
+/// let mut display = MockDisplay::<Gray8>::new();
+/// placed.solid(|_face| Ramp([40, 240, 140]), &mut [], &mut display)?;
+/// # use embedded_graphics::pixelcolor::GrayColor;
+/// let luma = |x| display.get_pixel(Point::new(x, 24)).unwrap().luma();
+/// assert!(luma(8) < 75 && luma(16) > 130 && luma(16) < 150 && luma(23) > 205);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait SpanShader<C: PixelColor>: Shader {
+    /// What is worked out once for each triangle.
+    type Setup;
+
+    /// Prepares the ink for a triangle, whose corners come in the face's order.
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
+
+    /// The colours of a horizontal span from left to right: at least `span.width`.
+    fn span(fill: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
+
+    /// The colour, if it is a single one: [`over`](Self::over) and [`run`](Self::run) are then not called.
+    #[inline(always)]
+    fn solid_color(&self) -> Option<C> {
+        None
+    }
+
+    /// The colours to look up, where there are such: against depth that has a loop of its own.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn shades(&self) -> Option<Shades<'_, C>> {
+        None
+    }
+}
+
+impl<C: PixelColor> Shader for C {
+    type Varying = ();
+
+    fn sub_face(&self, _: [(); 3]) -> Self {
+        *self
+    }
+}
+
+impl<C: PixelColor> SpanShader<C> for C {
+    type Setup = C;
+
+    #[inline(always)]
+    fn set_up(&self, _: &Triangle<'_>) -> C {
+        *self
+    }
+
+    #[inline(always)]
+    fn span(fill: &C, _: Span) -> impl Iterator<Item = C> {
+        repeat(*fill)
+    }
+
+    #[inline(always)]
+    fn solid_color(&self) -> Option<C> {
+        Some(*self)
+    }
+}

@@ -1,0 +1,126 @@
+//! The inks of [`crate::shading`] that are more than a colour.
+
+use super::{Shader, SpanShader};
+use crate::clip::Barycentric;
+use crate::raster::{Span, Triangle};
+use crate::shading::{
+    Bayer, ChannelGradients, Channels, Dithered, Even, Flat, Gouraud, Lit, Nearest, TableShader,
+};
+use crate::surface::{Shade, Shades};
+use core::iter::repeat;
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+impl Shader for Flat {
+    type Varying = ();
+
+    fn sub_face(&self, _: [(); 3]) -> Self {
+        *self
+    }
+}
+
+impl<C: Channels> SpanShader<C> for Flat {
+    type Setup = C;
+
+    fn set_up(&self, _: &Triangle<'_>) -> C {
+        self.nearest()
+    }
+
+    #[inline(always)]
+    fn span(fill: &C, _: Span) -> impl Iterator<Item = C> {
+        repeat(*fill)
+    }
+
+    #[inline(always)]
+    fn solid_color(&self) -> Option<C> {
+        Some(self.nearest())
+    }
+}
+
+impl<I: Shader> Shader for Dithered<I> {
+    type Varying = I::Varying;
+
+    fn sub_face(&self, corners: [I::Varying; 3]) -> Self {
+        Self(self.0.sub_face(corners))
+    }
+}
+
+impl<C: Channels> SpanShader<C> for Dithered<Flat> {
+    type Setup = Even<C>;
+
+    fn set_up(&self, _: &Triangle<'_>) -> Even<C> {
+        Even::new(self.0)
+    }
+
+    #[inline(always)]
+    fn span(fill: &Even<C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run(span.x, span.y)
+    }
+}
+
+macro_rules! smooth {
+    ($($ink:ident),*) => {$(
+        impl Shader for $ink {
+            type Varying = Barycentric;
+
+            fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+                self.part(corners.map(|c| c.weights()))
+            }
+        }
+
+        impl<C: Channels> SpanShader<C> for $ink {
+            type Setup = ChannelGradients<C>;
+
+            #[inline(always)]
+            fn set_up(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
+                self.over(triangle)
+            }
+
+            #[inline(always)]
+            fn span(fill: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
+                fill.run::<Nearest>(span.x, span.y)
+            }
+        }
+
+        impl<C: Channels> SpanShader<C> for Dithered<$ink> {
+            type Setup = ChannelGradients<C>;
+
+            #[inline(always)]
+            fn set_up(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
+                self.0.over(triangle)
+            }
+
+            #[inline(always)]
+            fn span(fill: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
+                fill.run::<Bayer>(span.x, span.y)
+            }
+        }
+    )*};
+}
+
+smooth!(Gouraud, Lit);
+
+impl<C: PixelColor> Shader for TableShader<'_, C> {
+    type Varying = Barycentric;
+
+    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+        self.part(corners.map(|c| c.weights()))
+    }
+}
+
+impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
+    type Setup = Shade<'t, C>;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> Shade<'t, C> {
+        Shades { colours: self.colors(), light: self.light() }.over(triangle)
+    }
+
+    #[inline(always)]
+    fn span(fill: &Shade<'t, C>, span: Span) -> impl Iterator<Item = C> {
+        fill.run(span)
+    }
+
+    #[inline(always)]
+    fn shades(&self) -> Option<Shades<'_, C>> {
+        Some(Shades { colours: self.colors(), light: self.light() })
+    }
+}

@@ -1,0 +1,411 @@
+//! Pixels in the order in which displays take them.
+
+use super::pixels::StoredPixel;
+use core::hint::black_box;
+use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
+    Rgb888, RgbColor,
+};
+
+/// A colour as it goes over the wire: the most significant bit first, several pixels to a byte where
+/// they fit, the leftmost in the upper bits, every row from a byte of its own.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb666, RgbColor};
+/// use pinhole::PixelFormat;
+/// assert_eq!((Rgb565::BITS, Rgb565::RED.encode()), (16, 0xf800));
+/// assert_eq!((Rgb666::BITS, Rgb666::RED.encode()), (24, 0xfc_0000)); // six bits to a byte, on top
+/// assert_eq!((Gray4::BITS, Gray4::decode(9)), (4, Gray4::new(9)));
+/// ```
+pub trait PixelFormat: PixelColor {
+    /// Bits a pixel: 1, 2, 4, 8, 16, 24 or 32; others do not compile where they are used.
+    const BITS: u32;
+
+    /// The bits, in the lowest [`BITS`](Self::BITS); higher ones do not count.
+    fn encode(self) -> u32;
+
+    /// The colour that [`encode`](Self::encode) turns into these bits.
+    fn decode(bits: u32) -> Self;
+}
+
+/// Colours of whole bytes are [`StoredPixel`] as the wire takes them.
+macro_rules! stored {
+    ($($bytes:literal: $($colour:ty),*;)*) => {$($(
+        impl StoredPixel<[u8; $bytes]> for $colour {
+            #[inline(always)]
+            fn stored(self) -> [u8; $bytes] {
+                let mut bytes = [0; $bytes];
+                // The last ones of four.
+                bytes.iter_mut().rev().zip(self.encode().to_le_bytes()).for_each(|(byte, bits)| *byte = bits);
+                bytes
+            }
+        }
+    )*)*};
+}
+
+stored! {
+    1: Gray8;
+    2: Rgb555, Bgr555, Rgb565, Bgr565;
+    3: Rgb666, Bgr666, Rgb888, Bgr888;
+}
+
+macro_rules! wire_raw {
+    ($($colour:ty: $raw:ty, $bits:literal;)*) => {$(
+        impl PixelFormat for $colour {
+            const BITS: u32 = $bits;
+
+            #[inline(always)]
+            fn encode(self) -> u32 {
+                <$raw>::from(self).into_inner().into()
+            }
+
+            #[inline(always)]
+            fn decode(bits: u32) -> Self {
+                <$raw>::from_u32(bits).into()
+            }
+        }
+    )*};
+}
+
+wire_raw! {
+    BinaryColor: RawU1, 1;
+    Gray2: RawU2, 2;
+    Gray4: RawU4, 4;
+    Gray8: RawU8, 8;
+    Rgb555: RawU16, 16;
+    Bgr555: RawU16, 16;
+    Rgb565: RawU16, 16;
+    Bgr565: RawU16, 16;
+    Rgb888: RawU24, 24;
+    Bgr888: RawU24, 24;
+}
+
+/// Controllers take 18-bit colours as three bytes, six bits on top of each, the first channel first.
+impl PixelFormat for Rgb666 {
+    const BITS: u32 = 24;
+
+    #[inline(always)]
+    fn encode(self) -> u32 {
+        u32::from(self.r()) << 18 | u32::from(self.g()) << 10 | u32::from(self.b()) << 2
+    }
+
+    #[inline(always)]
+    fn decode(bits: u32) -> Self {
+        let [_, r, g, b] = bits.to_be_bytes();
+        Self::new(r >> 2, g >> 2, b >> 2)
+    }
+}
+
+impl PixelFormat for Bgr666 {
+    const BITS: u32 = 24;
+
+    #[inline(always)]
+    fn encode(self) -> u32 {
+        u32::from(self.b()) << 18 | u32::from(self.g()) << 10 | u32::from(self.r()) << 2
+    }
+
+    #[inline(always)]
+    fn decode(bits: u32) -> Self {
+        let [_, b, g, r] = bits.to_be_bytes();
+        Self::new(r >> 2, g >> 2, b >> 2)
+    }
+}
+
+/// The bytes of a row of `width` pixels.
+pub(super) const fn stride<C: PixelFormat>(width: u32) -> usize {
+    const {
+        assert!(
+            matches!(C::BITS, 1 | 2 | 4 | 8 | 16 | 24 | 32),
+            "PixelFormat::BITS is 1, 2, 4, 8, 16, 24 or 32"
+        )
+    };
+    let bytes = (width as u64 * C::BITS as u64).div_ceil(8); // 32 + 6 bits
+    if bytes < usize::MAX as u64 {
+        bytes as usize
+    } else {
+        usize::MAX // no strip is as long
+    }
+}
+
+/// Fills pixels `from..to` of a row, in which they lie.
+#[inline(always)]
+pub(super) fn fill<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, colour: C) {
+    let bits = colour.encode();
+    let [_, a, b, c] = bits.to_be_bytes();
+    match C::BITS {
+        8 => fill_bytes(row, from, to, [c], [c; 4]),
+        16 => fill_bytes(row, from, to, [b, c], [b, c, b, c]),
+        24 => fill_bytes(row, from, to, [a, b, c], [a, b, c]),
+        32 => fill_bytes(row, from, to, bits.to_be_bytes(), bits.to_be_bytes()),
+        _ => fill_packed::<C>(row, from, to, bits),
+    }
+}
+
+/// With pixels of `N` bytes, and a few of them in `M` bytes, which become one store.
+#[inline(always)]
+fn fill_bytes<const N: usize, const M: usize>(
+    row: &mut [u8],
+    from: usize,
+    to: usize,
+    pixel: [u8; N],
+    some: [u8; M],
+) {
+    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N)); // inside a row that is in memory
+    if let Some(run) = row.get_mut(from..to) {
+        fill_run(run, pixel, some);
+    }
+}
+
+/// Not part of the loops that draw: it needs their registers.
+#[inline(never)]
+fn fill_run<const N: usize, const M: usize>(run: &mut [u8], pixel: [u8; N], some: [u8; M]) {
+    // Eight at a time, and of long runs, such as a whole band, 32. The hints keep the compiler from unrolling the
+    // loops, which costs short runs more than it saves.
+    let mut run = run;
+    if run.len() >= 64 * N {
+        let (rest, many) = run.split_at_mut(run.len() % (32 * N));
+        for many in many.chunks_exact_mut(32 * N) {
+            let (a, b) = many.split_at_mut(16 * N);
+            let ((a, b), (c, d)) = (a.split_at_mut(8 * N), b.split_at_mut(8 * N));
+            for eight in [a, b, c, d] {
+                eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+            }
+            black_box(());
+        }
+        run = rest;
+    }
+    let (few, eights) = run.split_at_mut(run.len() % (8 * N));
+    for bytes in few.chunks_exact_mut(N) {
+        put(bytes, pixel);
+        black_box(());
+    }
+    for eight in eights.chunks_exact_mut(8 * N) {
+        eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+        black_box(());
+    }
+}
+
+#[inline(always)]
+fn put<const N: usize>(bytes: &mut [u8], value: [u8; N]) {
+    if let Ok(bytes) = <&mut [u8; N]>::try_from(bytes) {
+        *bytes = value;
+    }
+}
+
+/// Pixels a byte, for those that share one.
+const fn shared<C: PixelFormat>() -> u32 {
+    match C::BITS {
+        1 => 8,
+        2 => 4,
+        _ => 2,
+    }
+}
+
+#[inline(never)]
+fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32) {
+    let shared = shared::<C>() as usize;
+    // The same pixel all over a byte: bits · 0b…0001_0001.
+    let ones = match C::BITS {
+        1 => 0xff,
+        2 => 0x55,
+        _ => 0x11,
+    };
+    let pattern = ((bits & ((1 << C::BITS) - 1)) * ones) as u8; // below 2⁸
+    let (first, last) = (from / shared, to / shared); // by a power of two
+                                                      // Bits from a pixel of a byte onwards.
+    let from_on = |x: usize| 0xff_u8.checked_shr((x % shared) as u32 * C::BITS).unwrap_or(0);
+    let mut put = |index: usize, mask: u8| {
+        if let Some(byte) = row.get_mut(index) {
+            *byte = (*byte & !mask) | (pattern & mask);
+        }
+    };
+    if first == last {
+        return put(first, from_on(from) & !from_on(to));
+    }
+    put(first, from_on(from));
+    put(last, !from_on(to));
+    if let Some(whole) = row.get_mut(first + 1..last) {
+        whole.fill(pattern);
+    }
+}
+
+/// Sets pixel `x` of a row, if it is there.
+#[inline(always)]
+pub(super) fn set<C: PixelFormat>(row: &mut [u8], x: usize, colour: C) {
+    let bits = colour.encode();
+    match C::BITS {
+        8 => set_bytes(row, x, [bits as u8]),
+        16 => set_bytes(row, x, (bits as u16).to_be_bytes()),
+        24 => {
+            let [_, a, b, c] = bits.to_be_bytes();
+            set_bytes(row, x, [a, b, c]);
+        }
+        32 => set_bytes(row, x, bits.to_be_bytes()),
+        _ => fill_packed::<C>(row, x, x.wrapping_add(1), bits),
+    }
+}
+
+#[inline(always)]
+fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
+    let from = x.wrapping_mul(N);
+    if let Some(pixel) = row.get_mut(from..from.wrapping_add(N)) {
+        put(pixel, bytes);
+    }
+}
+
+/// Writes the colours to pixels `from..to` of a row, as long as both last.
+#[inline(always)]
+pub(super) fn copy<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, colours: impl Iterator<Item = C>) {
+    match C::BITS {
+        8 => copy_bytes(row, from, to, colours.map(|c| [c.encode() as u8])),
+        16 => copy_bytes(row, from, to, colours.map(|c| (c.encode() as u16).to_be_bytes())),
+        24 => copy_bytes(
+            row,
+            from,
+            to,
+            colours.map(|c| {
+                let [_, x, y, z] = c.encode().to_be_bytes();
+                [x, y, z]
+            }),
+        ),
+        32 => copy_bytes(row, from, to, colours.map(|c| c.encode().to_be_bytes())),
+        _ => (from..to).zip(colours).for_each(|(x, colour)| set(row, x, colour)),
+    }
+}
+
+#[inline(always)]
+fn copy_bytes<const N: usize>(
+    row: &mut [u8],
+    from: usize,
+    to: usize,
+    colours: impl Iterator<Item = [u8; N]>,
+) {
+    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N));
+    if let Some(run) = row.get_mut(from..to) {
+        for (pixel, bytes) in run.chunks_exact_mut(N).zip(colours) {
+            put(pixel, bytes);
+        }
+    }
+}
+
+/// Pixel `x` of a row.
+#[inline(always)]
+pub(super) fn get<C: PixelFormat>(row: &[u8], x: usize) -> Option<C> {
+    let bytes = |n: usize| {
+        let from = x.wrapping_mul(n);
+        let pixel = row.get(from..from.wrapping_add(n))?;
+        Some(pixel.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte)))
+    };
+    let bits = match C::BITS {
+        8 => bytes(1)?,
+        16 => bytes(2)?,
+        24 => bytes(3)?,
+        32 => bytes(4)?,
+        _ => {
+            let shared = shared::<C>() as usize;
+            let down = 8 - C::BITS - (x % shared) as u32 * C::BITS; // 0 … 7
+            u32::from(*row.get(x / shared)?) >> down & ((1 << C::BITS) - 1)
+        }
+    };
+    Some(C::decode(bits))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics_core::pixelcolor::GrayColor;
+
+    /// Long enough for a byte shared at both ends and two whole ones between; the rest is a byte too many.
+    const WIDTH: usize = 33;
+
+    /// The bits of a row, one after the other, most significant first.
+    type Bits = [bool; 8 * (3 * WIDTH + 1)];
+
+    fn put(bits: &mut Bits, x: usize, size: usize, value: u32) {
+        for bit in 0..size {
+            bits[x * size + bit] = value >> (size - 1 - bit) & 1 == 1;
+        }
+    }
+
+    fn read(bits: &Bits, x: usize, size: usize) -> u32 {
+        (0..size).fold(0, |value, bit| value << 1 | u32::from(bits[x * size + bit]))
+    }
+
+    /// All ways to write a row and to read it, at all offsets, against one bit after the other.
+    fn check<C: PixelFormat + core::fmt::Debug>(size: usize, colours: &[C]) {
+        assert_eq!(C::BITS as usize, size);
+        let bytes = stride::<C>(WIDTH as u32);
+        assert_eq!(bytes, (WIDTH * size).div_ceil(8));
+        for (i, &colour) in colours.iter().enumerate() {
+            assert_eq!(C::decode(colour.encode()), colour);
+            assert!(size == 32 || colour.encode() < 1 << size, "{colour:?}");
+            for from in 0..=WIDTH {
+                for to in from..=WIDTH {
+                    // Not all zeros or ones before.
+                    let mut filled = [0xa5; 3 * WIDTH + 1];
+                    let mut copied = filled;
+                    let mut wanted: Bits = core::array::from_fn(|bit| 0xa5 >> (7 - bit % 8) & 1 == 1);
+                    let mut wanted_copy = wanted;
+                    // Colours that end before the row does, and ones that do not.
+                    let some = to - (to - from) / 3;
+                    for x in from..to {
+                        put(&mut wanted, x, size, colour.encode());
+                        if x < some {
+                            put(&mut wanted_copy, x, size, colours[(i + x) % colours.len()].encode());
+                        }
+                    }
+                    fill(&mut filled[..bytes], from, to, colour);
+                    let run = (from..some).map(|x| colours[(i + x) % colours.len()]);
+                    copy(&mut copied[..bytes], from, to, run);
+                    for (row, wanted) in [(filled, wanted), (copied, wanted_copy)] {
+                        for (bit, wanted) in wanted.into_iter().enumerate() {
+                            assert_eq!(
+                                row[bit / 8] >> (7 - bit % 8) & 1 == 1,
+                                wanted,
+                                "{from}..{to}, bit {bit}"
+                            );
+                        }
+                        for x in 0..WIDTH {
+                            assert_eq!(get::<C>(&row[..bytes], x), Some(C::decode(read(&wanted, x, size))));
+                        }
+                    }
+                }
+            }
+        }
+        // Beyond the end nothing is written or read.
+        let (mut row, colour) = ([0; 3 * WIDTH], colours[0]);
+        set(&mut row[..bytes], 8 * bytes, colour);
+        copy(&mut row[..bytes], 8 * bytes, 8 * bytes + 1, [colour].into_iter());
+        assert_eq!((row, get::<C>(&row[..bytes], 8 * bytes)), ([0; 3 * WIDTH], None));
+    }
+
+    #[test]
+    fn rows_are_the_bits_of_their_pixels() {
+        check(1, &[BinaryColor::On, BinaryColor::Off, BinaryColor::Off]);
+        check(2, &[3, 0, 1, 2].map(Gray2::new));
+        check(4, &[15, 0, 9, 6, 3].map(Gray4::new));
+        check(8, &[255, 0, 0x5a].map(Gray8::new));
+        check(16, &[Rgb565::new(31, 0, 21), Rgb565::new(0, 63, 1)]);
+        check(16, &[Bgr565::new(31, 0, 21), Bgr565::new(0, 63, 1)]);
+        check(24, &[Rgb888::new(1, 2, 255), Rgb888::new(250, 128, 0)]);
+        check(24, &[Rgb666::new(63, 1, 0), Rgb666::new(2, 0, 62)]);
+        check(24, &[Bgr666::new(63, 1, 0), Bgr666::new(2, 0, 62)]);
+    }
+
+    /// Written out by hand.
+    #[test]
+    fn the_first_pixel_is_in_the_upper_bits() {
+        let mut row = [0; 3];
+        fill(&mut row[..2], 0, 1, Rgb565::new(0b10001, 0b110011, 0b01010));
+        assert_eq!(row, [0b1000_1110, 0b0110_1010, 0]);
+        fill(&mut row, 0, 1, Rgb666::new(0b100001, 0b110011, 0b010101));
+        assert_eq!(row, [0b1000_0100, 0b1100_1100, 0b0101_0100]);
+        fill(&mut row, 0, 1, Bgr666::new(0b100001, 0b110011, 0b010101));
+        assert_eq!(row, [0b0101_0100, 0b1100_1100, 0b1000_0100]);
+        row = [0; 3];
+        set(&mut row, 1, Gray4::new(0xb));
+        set(&mut row, 2, Gray4::WHITE);
+        assert_eq!(row, [0x0b, 0xf0, 0]);
+    }
+}
