@@ -32,8 +32,8 @@ pub use pipeline::{
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shading::{
-    Channels, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shader, SpanShader,
-    TableShader,
+    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shader,
+    SpanShader, TableShader,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Picture, PictureError, PixelFormat,

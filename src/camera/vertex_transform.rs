@@ -166,6 +166,11 @@ impl VertexTransform {
         h
     }
 
+    /// Clip space's w of a vertex, in a unit of the instance: positive in front of the eye.
+    pub(crate) fn w<V: Coordinate>(&self, vertex: &[V; 3]) -> i32 {
+        self.w.at(vertex.map(|c| c.times(self.factor)), V::NARROW)
+    }
+
     /// What makes x, y and w of a justified vertex, x and y in one unit, w in another: coefficients in 2⁻³¹, and an offset.
     pub(crate) fn forms(&self) -> [([i32; 3], i32); 3] {
         [self.x.numbers(), self.y.numbers(), self.w.numbers()]

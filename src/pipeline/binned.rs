@@ -1,12 +1,14 @@
-//! Items of a mesh, faces or edges, that are recorded once and met band by band.
+//! Primitives of a mesh, faces or edges, that are binned once and drawn band by band.
 
 use super::bins::Bins;
-use super::{pixels, DrawRegion, Statistics, TransformedMesh};
+use super::draw_region::{pixels, DrawRegion};
+use super::statistics::Statistics;
+use super::vertex_cache::TransformedMesh;
+use crate::math::Coordinate;
 use crate::surface::{rectangle, DepthBuffer};
-
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Which items are seen, and by the rows where they begin; and what they are drawn from.
+/// The visible primitives of a mesh by the rows in which they begin, and the vertices that they are drawn from.
 #[derive(Debug)]
 pub(super) struct Binned<'a, V, const DEPTH: bool> {
     pub(super) transformed: TransformedMesh<'a, V, DEPTH>,
@@ -14,24 +16,25 @@ pub(super) struct Binned<'a, V, const DEPTH: bool> {
     pub(super) statistics: Statistics,
 }
 
-impl<'a, V, const DEPTH: bool> Binned<'a, V, DEPTH> {
-    /// None of so many items yet.
+impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
+    /// Empty bins for a mesh with `count` primitives.
     #[inline(always)]
     pub(super) fn new(
         transformed: TransformedMesh<'a, V, DEPTH>,
         records: &'a mut [u16],
-        items: usize,
+        count: usize,
     ) -> Self {
-        let bins = Bins::new(records, items, pixels(transformed.placed.area()));
-        Self { transformed, bins, statistics: Statistics::default() }
+        let bins = Bins::new(records, count, pixels(transformed.instance.area()));
+        Self { transformed, bins, statistics: Statistics::NONE }
     }
 
-    /// A rectangle around all of their pixels; without pixels where there are none.
+    /// A rectangle around the pixels of all primitives; it has no pixels where there are no primitives.
     pub(super) fn bounds(&self) -> Rectangle {
         rectangle(&self.bins.bounds())
     }
 
-    /// What of the viewport lies in a band, and that of a depth buffer if there is one; takes in the items that begin there.
+    /// Takes in the primitives that begin in a band. Returns the part of the viewport that lies in the band, and in the
+    /// depth buffer if there is one.
     #[inline(always)]
     pub(super) fn advance_to_band(
         &mut self,
@@ -40,27 +43,8 @@ impl<'a, V, const DEPTH: bool> Binned<'a, V, DEPTH> {
         first_row: impl Fn(&TransformedMesh<'a, V, DEPTH>, usize) -> i32,
     ) -> DrawRegion {
         let Self { transformed, bins, .. } = self;
-        let limits = DrawRegion::shared(band, transformed.placed.area(), depth);
-        bins.advance_to_band(&limits.scissor.rows(), |index| first_row(transformed, index));
-        limits
-    }
-
-    /// Calls `draw` for the items that were [taken in](Self::advance_to_band) for these limits, in the mesh's order. It tells whether
-    /// the item ends there: then no band below meets it.
-    ///
-    /// # Errors
-    ///
-    /// The first error of `draw`.
-    #[inline(always)]
-    pub(super) fn each<E>(
-        &mut self,
-        limits: &DrawRegion,
-        mut draw: impl FnMut(&TransformedMesh<'a, V, DEPTH>, usize) -> Result<bool, E>,
-    ) -> Result<(), E> {
-        if limits.scissor.is_empty() {
-            return Ok(()); // what is open is that of another band
-        }
-        let view = self.transformed;
-        self.bins.band(|index| draw(&view, index))
+        let region = DrawRegion::shared(band, transformed.instance.area(), depth);
+        bins.advance_to_band(&region.scissor.rows(), |index| first_row(transformed, index));
+        region
     }
 }

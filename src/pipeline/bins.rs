@@ -1,62 +1,62 @@
-//! What is drawn where: faces or edges by the rows in which they begin.
+//! Primitives of a mesh, faces or edges, binned by the rows in which they begin.
 //!
-//! Numbers of items stand in one list, sorted into bins of rows by counting (Knuth, *The Art of Computer
-//! Programming*, vol. 3, 2nd ed., section 5.2): every item is looked at twice. A band takes in the bins that begin above its end and sets a bit for
-//! each item; bits stay until their item has ended, and are visited in rising order: so whatever the
-//! bands, items are drawn in the order of the mesh.
+//! The indices of the primitives stand in one list, sorted into bins of rows by counting (Knuth, *The Art of Computer
+//! Programming*, vol. 3, 2nd ed., section 5.2): each primitive is looked at twice. A band takes in the bins that begin
+//! above its end and sets a bit for each of their primitives. The bit stays until the primitive has ended, and bits are
+//! visited in rising order: so whatever the bands, primitives are drawn in the order of the mesh.
 
 use crate::raster::Scissor;
 use core::hint::black_box;
 use core::ops::Range;
 
-/// How many bins there are: for 240 rows one in four.
+/// The number of bins: with 240 rows, a bin has four rows.
 const BINS: usize = 64;
 
-/// Items of a mesh, sorted for bands.
+/// The visible primitives of a mesh, sorted for bands, in memory that the caller provides.
 #[derive(Debug)]
 pub(super) struct Bins<'s> {
-    /// Numbers of items, bin after bin.
+    /// Indices of primitives, bin after bin.
     order: &'s mut [u16],
-    /// A bit for each item of the mesh: taken in, and not ended. While sorting: to be sorted.
+    /// A bit for each primitive of the mesh: taken in, and not ended. During the sort: to be sorted.
     open: &'s mut [u16],
     /// The first row of the first bin.
     top: i32,
     /// A bin has 2^shift rows.
     shift: u32,
-    /// How many of `order` were taken in. While counting and sorting: how many items were kept.
+    /// How many of `order` were taken in. During the sort: how many primitives are visible.
     taken: usize,
-    /// The bin of the first item not yet taken in, or a lower bound for it.
+    /// The bin of the first primitive that was not taken in, or a lower bound for it.
     next: usize,
     /// Where the last band ended.
     row: i32,
-    /// The reach of all that were kept, in the viewport. Before they are sorted: the viewport.
+    /// The bounding box of the visible primitives inside the viewport. Before the sort: the viewport.
     bounds: Scissor,
 }
 
-/// The same while they are sorted.
-pub(super) struct Sorting<'b, 's> {
+/// The sort that fills [`Bins`]: primitives are counted, and then distributed.
+pub(super) struct BinSort<'b, 's> {
     bins: &'b mut Bins<'s>,
-    /// What reaches nothing of it is not kept.
+    /// A primitive that does not meet the viewport is dropped.
     viewport: Scissor,
-    /// How many items each bin has; then where its next one goes. Where a bin ends is not kept: it would take most of what
-    /// [`Bins`] take, which are moved and stay on the stack.
+    /// The number of primitives in each bin; then the position of the bin's next one. Not part of [`Bins`], which stay on
+    /// the stack while bands are drawn.
     ends: [u16; BINS],
 }
 
-/// Why faces or edges were not recorded: none of them were.
+/// Why faces or edges were not binned: none of them was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BinError {
-    /// The records are too short: lend as many numbers as are needed.
+    /// The storage is too short: provide as many numbers as are needed.
     Storage {
-        /// One number for each face or edge that is visible, and one for every 16 of the mesh.
+        /// One number for each visible face or edge, and one for every 16 of the mesh.
         needed: usize,
-        /// What there is.
+        /// The length of the storage.
         given: usize,
     },
     /// More faces or edges than a `u16` can count: split the mesh.
     TooMany {
-        /// How many there are; 65535 may be.
+        /// The number of faces or edges; at most 65535.
         items: usize,
     },
 }
@@ -65,10 +65,13 @@ impl core::fmt::Display for BinError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Storage { needed, given } => {
-                write!(f, "records of {given} numbers, but {needed} are needed: lend more")
+                write!(
+                    f,
+                    "bin storage of {given} numbers, but {needed} are needed: provide at least {needed}"
+                )
             }
             Self::TooMany { items } => {
-                write!(f, "{items} faces or edges, but records count 65535: split the mesh")
+                write!(f, "{items} faces or edges, but bins hold at most 65535: split the mesh")
             }
         }
     }
@@ -77,13 +80,13 @@ impl core::fmt::Display for BinError {
 impl core::error::Error for BinError {}
 
 impl<'s> Bins<'s> {
-    /// For `items` items and where they may be drawn.
-    #[inline(never)] // rare, as all here: small is better
-    pub(super) fn new(records: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
+    /// Empty bins for `items` primitives that may be drawn in a viewport.
+    #[inline(never)] // rare, as all of this file: small is better
+    pub(super) fn new(storage: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
         let words = items.div_ceil(16);
-        // The list in front, the bits behind it. Where there is no room even for these, `turn` says so.
-        let list = records.len().saturating_sub(words);
-        let (order, open) = records.split_at_mut_checked(list).unwrap_or_default();
+        // The list comes first, the bits after it. `make_room` reports storage that is too short even for the bits.
+        let list = storage.len().saturating_sub(words);
+        let (order, open) = storage.split_at_mut_checked(list).unwrap_or_default();
         open.fill(0);
         let rows = viewport.rows();
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
@@ -91,15 +94,15 @@ impl<'s> Bins<'s> {
         Self { order, open, top: rows.start, shift, taken: 0, next: 0, row: i32::MIN, bounds: viewport }
     }
 
-    /// First all items are [put](Sorting::put) in their order; the bins [turn](Sorting::turn), and the kept ones are
-    /// [sorted](Sorting::sort).
+    /// Begins the sort: each primitive is [put](BinSort::put) in the order of the mesh, then the sort is
+    /// [finished](BinSort::finish).
     #[inline(always)]
-    pub(super) fn sorting(&mut self) -> Sorting<'_, 's> {
+    pub(super) fn sort(&mut self) -> BinSort<'_, 's> {
         let viewport = core::mem::replace(&mut self.bounds, Scissor::NOTHING);
-        Sorting { bins: self, viewport, ends: [0; BINS] }
+        BinSort { bins: self, viewport, ends: [0; BINS] }
     }
 
-    /// The reach of all that were kept, in the viewport.
+    /// The bounding box of the visible primitives inside the viewport.
     pub(super) fn bounds(&self) -> Scissor {
         self.bounds
     }
@@ -108,8 +111,9 @@ impl<'s> Bins<'s> {
         (row.saturating_sub(self.top).max(0) >> self.shift).min(BINS as i32 - 1) as usize
     }
 
-    /// Calls `draw` for the items that may lie in the band that was [taken in](Self::advance_to_band), in the order of the mesh,
-    /// until it tells that an item ends in or above the band.
+    /// Calls `draw` with the index of each primitive that may meet the band of the last
+    /// [`advance_to_band`](Self::advance_to_band), in the order of the mesh. `draw` returns whether the primitive ends in or
+    /// above the band: then no later band meets it.
     ///
     /// # Errors
     ///
@@ -129,14 +133,14 @@ impl<'s> Bins<'s> {
         Ok(())
     }
 
-    /// Takes in the items that begin in a band or above it. `first_row` is that by which they were sorted.
+    /// Takes in the primitives that begin in a band or above it. `first_row` gives the row by which a primitive was sorted.
     #[inline(always)]
     pub(super) fn advance_to_band(&mut self, rows: &Range<i32>, first_row: impl Fn(usize) -> i32) {
         if rows.is_empty() {
             return;
         }
         if rows.start < self.row {
-            // From the top: the same band once more, another frame, or another rectangle of it.
+            // Start again at the top: a band again, another frame, or another rectangle of the frame.
             self.open.fill(0);
             (self.taken, self.next) = (0, 0);
         }
@@ -148,7 +152,7 @@ impl<'s> Bins<'s> {
         if last < self.next {
             return;
         }
-        // Where these bins end is searched by halves, not kept: a few first rows are worked out once more.
+        // The end of these bins is found by bisection: to store the ends would take 128 bytes.
         let (begun, mut behind) = (self.taken, self.order.len());
         self.next = BINS;
         while self.taken < behind {
@@ -169,9 +173,9 @@ impl<'s> Bins<'s> {
     }
 }
 
-impl Sorting<'_, '_> {
-    /// First: keeps an item with this reach, unless none of that may be drawn, and counts it.
-    #[inline(never)] // small is better: once an item that is seen
+impl BinSort<'_, '_> {
+    /// Counts a primitive with this bounding box, unless it does not meet the viewport.
+    #[inline(never)] // small is better: once for a visible primitive
     pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
         let (rows, columns) = (reach.rows(), reach.columns());
         let (all_rows, all_columns) = (self.viewport.rows(), self.viewport.columns());
@@ -190,11 +194,11 @@ impl Sorting<'_, '_> {
         }
     }
 
-    /// Then, after all of `items` were looked at: those that were kept to their places, by the first rows of their reaches.
+    /// Distributes the primitives that were counted, of `items` in the mesh, to their bins by their first rows.
     ///
     /// # Errors
     ///
-    /// [`BinError`] where there is no room for them.
+    /// [`BinError`] where the storage is too short.
     #[inline(always)]
     pub(super) fn finish(
         &mut self,
@@ -202,11 +206,11 @@ impl Sorting<'_, '_> {
         first_row: impl FnMut(usize) -> i32,
     ) -> Result<(), BinError> {
         self.make_room(items)?;
-        self.sort(first_row);
+        self.distribute(first_row);
         Ok(())
     }
 
-    /// Bins begin where those before them end.
+    /// Turns counts into the positions where bins begin.
     #[inline(never)]
     fn make_room(&mut self, items: usize) -> Result<(), BinError> {
         if items > usize::from(u16::MAX) {
@@ -218,19 +222,18 @@ impl Sorting<'_, '_> {
             return Err(BinError::Storage { needed, given });
         }
         *order = core::mem::take(order).get_mut(..*taken).unwrap_or_default();
-        // From counts to beginnings.
         let mut sum = 0u16;
         for end in &mut self.ends {
             black_box(()); // keeps the loop as short as it is
             let count = core::mem::replace(end, sum);
-            sum = sum.wrapping_add(count); // all that were kept, in the end
+            sum = sum.wrapping_add(count); // all counted primitives, in the end
         }
         Ok(())
     }
 
-    /// The kept items once more, to their places.
+    /// Moves the index of each counted primitive to its bin.
     #[inline(always)]
-    fn sort(&mut self, mut first_row: impl FnMut(usize) -> i32) {
+    fn distribute(&mut self, mut first_row: impl FnMut(usize) -> i32) {
         for word in 0..self.bins.open.len() {
             let mut left = self.bins.open.get_mut(word).map_or(0, core::mem::take);
             while left != 0 {
@@ -246,7 +249,7 @@ impl Sorting<'_, '_> {
             }
         }
         self.bins.taken = 0;
-        // Each of them lies in the viewport in part.
+        // Each primitive meets the viewport.
         self.bins.bounds = self.bins.bounds.within(&self.viewport);
     }
 }
@@ -266,9 +269,9 @@ mod tests {
         let mut bins = Bins::new(&mut records, 3, Scissor::new(0, 0, 1, 40));
         let reach = |item: usize| Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1);
         let first_row = |item: usize| reach(item).rows().start;
-        let mut sorting = bins.sorting();
-        (0..3).for_each(|item| sorting.put(item, &reach(item)));
-        assert_eq!(sorting.finish(3, first_row), Ok(()));
+        let mut sort = bins.sort();
+        (0..3).for_each(|item| sort.put(item, &reach(item)));
+        assert_eq!(sort.finish(3, first_row), Ok(()));
         for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
             let mut met = [false; 3];
             bins.advance_to_band(&(from..to), first_row);

@@ -1,72 +1,182 @@
-//! Corners in clip space, cut and brought to the screen: one code for edges, faces and all that they carry.
+//! The slow path: points, edges and faces with a vertex that is not on the screen, cut by planes in clip space.
 
-use super::fan::ClipVaryings;
+use super::face_triangles::FaceTriangles;
+use super::statistics::{Outcome, Statistics};
+use super::vertex_cache::TransformedMesh;
 use crate::camera::{DepthOf, UnpackedVertex, VertexTransform};
-use crate::clip::{self, Cut, Order};
-use crate::math::ClipCoords;
+use crate::clip::{self, Cut, Varying, CLIP_SLOTS};
+use crate::math::num::after;
+use crate::math::{ClipCoords, Coordinate};
 
-/// The corners of a point, an edge or a face, and the planes of the view volume cut at the guard band.
-pub(super) struct FaceClipper<'a> {
-    pub(super) placement: &'a VertexTransform,
+/// The vertices of a point, an edge or a face in clip space, before the planes of the view volume widened to the guard
+/// band.
+struct Clipper<'a> {
+    vertex_transform: &'a VertexTransform,
     /// Whether the far plane cuts too.
-    pub(super) far: bool,
-    pub(super) depth: Option<DepthOf>,
-    pub(super) places: &'a mut [ClipCoords],
-    pub(super) carried: Option<&'a mut dyn ClipVaryings>,
+    far: bool,
+    depth: Option<DepthOf>,
+    slots: &'a mut [ClipCoords],
+    varyings: Option<&'a mut dyn ClipVaryings>,
 }
 
-impl Cut for FaceClipper<'_> {
-    #[inline(never)] // rare, as all here: small is better
-    fn distance(&self, plane: usize, at: usize) -> i64 {
-        self.places.get(at).map_or(0, |point| self.placement.distance(plane, point))
+/// The varyings of all slots, whatever their type: so the clipper is compiled once.
+trait ClipVaryings {
+    /// Sets those of a whole face in slots 0, 1 and 2.
+    fn begin(&mut self);
+
+    /// Interpolates where an edge is cut: see [`Cut::put`].
+    fn interpolate(&mut self, at: usize, inside: usize, outside: usize, t: i32);
+}
+
+impl<K: Varying> ClipVaryings for [K; CLIP_SLOTS] {
+    fn begin(&mut self) {
+        for (corner, varying) in self.iter_mut().take(3).enumerate() {
+            *varying = K::of(corner);
+        }
     }
 
-    #[inline(never)]
-    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
-        ClipCoords::put(self.places, at, inside, outside, t);
-        if let Some(carried) = &mut self.carried {
-            carried.carry(at, inside, outside, t);
+    fn interpolate(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
+        if let (Some(a), Some(b)) = (self.get(inside), self.get(outside)) {
+            let varying = a.towards(b, t.into());
+            if let Some(slot) = self.get_mut(at) {
+                *slot = varying;
+            }
         }
     }
 }
 
-impl FaceClipper<'_> {
+impl Cut for Clipper<'_> {
+    #[inline(never)] // rare, as all of this file: small is better
+    fn distance(&self, plane: usize, at: usize) -> i64 {
+        self.slots.get(at).map_or(0, |point| self.vertex_transform.distance(plane, point))
+    }
+
+    #[inline(never)]
+    fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
+        ClipCoords::put(self.slots, at, inside, outside, t);
+        if let Some(varyings) = &mut self.varyings {
+            varyings.interpolate(at, inside, outside, t);
+        }
+    }
+}
+
+impl Clipper<'_> {
     fn planes(&self) -> usize {
         5 + usize::from(self.far)
     }
 
-    /// The image of the first corner, or `None` where that is outside.
+    /// The first vertex on the screen, or `None` where it lies beyond a plane.
     #[inline(never)]
-    pub(super) fn point(self) -> Option<UnpackedVertex> {
-        (0..self.planes()).all(|plane| self.distance(plane, 0) >= 0).then(|| self.image(0))
+    fn point(self) -> Option<UnpackedVertex> {
+        (0..self.planes()).all(|plane| self.distance(plane, 0) >= 0).then(|| self.to_screen(0))
     }
 
-    /// The ends of an edge on the screen and whether the planes took anything of it, or `None` when
-    /// they take it all.
+    /// The ends of an edge on the screen and whether the planes took a part of it, or `None` when they take all of it.
     #[inline(never)]
-    pub(super) fn edge(mut self) -> Option<([UnpackedVertex; 2], bool)> {
+    fn edge(mut self) -> Option<([UnpackedVertex; 2], bool)> {
         let planes = self.planes();
         let cut = clip::line_at(&mut self, planes)?;
-        Some(([self.image(0), self.image(1)], cut))
+        Some(([self.to_screen(0), self.to_screen(1)], cut))
     }
 
-    /// What is left of a face as a polygon, on the screen, and whether the planes took anything of it.
+    /// Leaves in `order` the polygon that the planes leave of a face, its corners on the screen, and returns whether the
+    /// planes took a part of it.
     #[inline(never)]
-    pub(super) fn face(mut self, polygon: &mut Order) -> bool {
+    fn face(mut self, order: &mut clip::Order) -> bool {
         let planes = self.planes();
-        let cut = clip::triangle_at(&mut self, planes, polygon);
-        for &at in polygon.iter() {
-            let image = self.image(at.into());
-            if let Some(place) = self.places.get_mut(usize::from(at)) {
-                *place = image.held();
+        let cut = clip::triangle_at(&mut self, planes, order);
+        for &slot in order.iter() {
+            let vertex = self.to_screen(slot.into());
+            if let Some(corner) = self.slots.get_mut(usize::from(slot)) {
+                let [.., w] = corner.xydw;
+                corner.xydw = [vertex.point.x(), vertex.point.y(), vertex.depth, w];
             }
         }
         cut
     }
 
     #[inline(never)]
-    fn image(&self, at: usize) -> UnpackedVertex {
-        // One of the places, always.
-        self.placement.image(self.places.get(at).unwrap_or(&ClipCoords::ZERO), self.depth)
+    fn to_screen(&self, at: usize) -> UnpackedVertex {
+        self.vertex_transform.image(self.slots.get(at).unwrap_or(&ClipCoords::ZERO), self.depth)
+    }
+}
+
+impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
+    fn clipper<'c>(
+        &'c self,
+        indices: &[u16],
+        slots: &'c mut [ClipCoords],
+        varyings: Option<&'c mut dyn ClipVaryings>,
+    ) -> Clipper<'c> {
+        let vertex_transform = &self.instance.vertex_transform;
+        to_clip_space(vertex_transform, self.instance.mesh.vertices(), indices, slots);
+        let depth: Option<DepthOf> = if DEPTH { Some(VertexTransform::depth) } else { None };
+        Clipper { vertex_transform, far: self.far, depth, slots, varyings }
+    }
+
+    /// A vertex on the screen, if no plane cuts it off.
+    pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
+        let vertex = self.screen_vertex(index);
+        if vertex.whole() {
+            return Some(self.instance.vertex_transform.at::<DEPTH>(vertex));
+        }
+        let mut slots = [ClipCoords::ZERO];
+        self.clipper(&[index], &mut slots, None).point()
+    }
+
+    /// The ends of an edge on the screen, or `None` when nothing is left of it; counts edges that are cut or not drawn.
+    #[inline(always)]
+    pub(super) fn edge(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
+        let ends = edge.map(|index| self.screen_vertex(index));
+        if ends.iter().all(|end| end.whole()) {
+            Some(ends.map(|end| self.instance.vertex_transform.at::<DEPTH>(end)))
+        } else {
+            statistics.count_edge(self.clip_edge(edge))
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn clip_edge(&self, edge: [u16; 2]) -> Option<([UnpackedVertex; 2], bool)> {
+        let mut slots = [ClipCoords::ZERO; 2];
+        self.clipper(&edge, &mut slots, None).edge()
+    }
+
+    /// A face with an uncached vertex, or one that must be clipped: what becomes of it, and its first triangle if it is
+    /// drawn.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn clip_face<K: Varying>(
+        &self,
+        face: &[u16; 3],
+        triangles: &mut FaceTriangles<'_, K>,
+    ) -> Outcome {
+        let polygon = triangles.polygon();
+        let corners = face.map(|index| self.screen_vertex(index));
+        let cut = if corners.iter().all(|corner| corner.whole()) {
+            polygon.set_face(&self.unpack(corners));
+            false
+        } else {
+            polygon.varyings.begin();
+            self.clipper(face, &mut polygon.slots, Some(&mut polygon.varyings)).face(&mut polygon.order)
+        };
+        triangles.begin_fan(self.instance.cull, cut)
+    }
+}
+
+/// Transforms the vertices with these indices, which Mesh has checked, to clip space.
+#[inline(never)] // rare: small is better
+fn to_clip_space<V: Coordinate>(
+    vertex_transform: &VertexTransform,
+    vertices: &[[V; 3]],
+    indices: &[u16],
+    slots: &mut [ClipCoords],
+) {
+    let mut i = 0;
+    while let (Some(&index), Some(slot)) = (indices.get(i), slots.get_mut(i)) {
+        if let Some(&vertex) = vertices.get(usize::from(index)) {
+            vertex_transform.clip_into(vertex, slot);
+        }
+        i = after(i);
     }
 }

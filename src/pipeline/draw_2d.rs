@@ -1,7 +1,8 @@
 //! Triangles and lines by themselves, for drawing in 2D.
 
-use super::{fill, SpanShader};
+use super::fill::fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
+use crate::shading::SpanShader;
 use crate::surface::Target;
 
 /// Fills a triangle, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the

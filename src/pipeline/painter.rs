@@ -1,15 +1,20 @@
 //! Painter's order: from far to near, over everything recorded.
 
-use super::transformed::project;
-use super::{
-    fill, put, DrawRegion, Fan, MeshInstance, Outcome, Shader, SpanShader, Statistics, TransformedMesh,
-};
+use super::draw_region::DrawRegion;
+use super::face_source::{FaceSource, MeshOrder};
+use super::faces::{draw_triangles, each_face};
+use super::fill::fill;
+use super::instance::MeshInstance;
+use super::plane_culled::PlaneCulled;
+use super::statistics::Statistics;
+use super::vertex_cache::{transform_all, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::math::num::keep_rolled;
 use crate::math::Coordinate;
-use crate::raster::{self, DepthTriangle, Scissor, ScreenPoint, Triangle};
+use crate::raster::{self, Scissor, ScreenPoint, Triangle};
+use crate::shading::{Shader, SpanShader};
 use crate::surface::Target;
-
+use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
@@ -58,7 +63,7 @@ use heapless::Vec;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Painter<I, const CORNERS: usize, const FACES: usize> {
-    corners: Vec<ScreenVertex, CORNERS>,
+    vertices: Vec<ScreenVertex, CORNERS>,
     faces: Vec<Face<I>, FACES>,
     statistics: Statistics,
     /// The viewport drawn into.
@@ -108,18 +113,18 @@ impl core::error::Error for PainterError {}
 /// A triangle to draw.
 #[derive(Clone, Copy, Debug)]
 struct Face<I> {
-    corners: [u16; 3],
+    vertices: [u16; 3],
     /// 0 far … 65535 near.
     key: u16,
     /// The face to draw after this one.
     next: u16,
-    ink: I,
+    shader: I,
 }
 
 /// All that a [`Painter`] recorded, from far to near: `painter.order()`, then `draw` for every band.
 #[derive(Clone, Copy, Debug)]
 pub struct PaintersOrder<'a, I> {
-    corners: &'a [ScreenVertex],
+    vertices: &'a [ScreenVertex],
     faces: &'a [Face<I>],
     first: u16,
     area: Option<Rectangle>,
@@ -138,15 +143,15 @@ impl<I: Copy> PaintersOrder<'_, I> {
         I: SpanShader<T::Color>,
     {
         let Some(area) = &self.area else { return Ok(()) };
-        let limits = DrawRegion::shared(&target.area(), area, None);
+        let region = DrawRegion::shared(&target.area(), area, None);
         let mut at = self.first;
         while let Some(face) = self.faces.get(usize::from(at)) {
             let points = face
-                .corners
-                .map(|i| self.corners.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
-            if !Scissor::of(&points).and(&limits.scissor).is_empty() {
-                let triangle = Triangle::new(points, raster::area(&points), &limits.viewport);
-                fill(&triangle, &face.ink, &limits.scissor, target)?;
+                .vertices
+                .map(|i| self.vertices.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
+            if !Scissor::of(&points).and(&region.scissor).is_empty() {
+                let triangle = Triangle::new(points, raster::area(&points), &region.viewport);
+                fill(&triangle, &face.shader, &region.scissor, target)?;
             }
             at = face.next;
         }
@@ -165,135 +170,108 @@ const NONE: u16 = u16::MAX;
 impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACES> {
     /// An empty recorder.
     pub const fn new() -> Self {
-        Self { corners: Vec::new(), faces: Vec::new(), statistics: Statistics::NONE, area: None }
+        Self { vertices: Vec::new(), faces: Vec::new(), statistics: Statistics::NONE, area: None }
     }
 
     /// Forgets what was recorded.
     pub fn clear(&mut self) {
-        self.corners.clear();
+        self.vertices.clear();
         self.faces.clear();
         self.statistics = Statistics::default();
         self.area = None;
     }
 
-    /// Records the mesh's visible faces; `shade` gives face `i` its colour, and is asked once for
-    /// each face drawn.
+    /// Records the visible faces of a mesh. `shade` gives face `i` its shader, and is asked once for each face that is
+    /// drawn.
     ///
     /// # Errors
     ///
-    /// [`PainterError`] when there is no room, or the viewport is another than that of what is
-    /// recorded already. Nothing of this mesh is recorded then, and all else still is.
+    /// [`PainterError`] when there is no room, or the viewport is not that of the faces recorded before. Nothing of this
+    /// mesh is recorded then; what was recorded before stays.
     #[inline(never)] // its frame is gone when it returns
     pub fn add<V: Coordinate>(
         &mut self,
-        placed: &MeshInstance<'_, V>,
-        mut shade: impl FnMut(usize) -> I,
+        instance: &MeshInstance<'_, V>,
+        shade: impl FnMut(usize) -> I,
     ) -> Result<(), PainterError>
     where
         I: Shader,
     {
-        if self.corners.is_empty() {
-            self.area = Some(*placed.area());
-        } else if self.area.as_ref() != Some(placed.area()) {
+        let far = instance.vertex_transform.cuts_at_far();
+        let (vertices, mut recorder) = self.begin(instance)?;
+        transform_all::<V, true>(&instance.vertex_transform, far, instance.mesh.vertices(), vertices);
+        let mut cache = TransformedMesh::with_cache(instance, false, vertices);
+        let statistics = recorder.record(MeshOrder, &mut cache, true, shade);
+        recorder.room.unpack(instance, true, vertices);
+        let room = recorder.room;
+        self.finish(&room, statistics)
+    }
+
+    /// Records the faces of a mesh that may be visible by their planes, as
+    /// [`cull_by_planes`](MeshInstance::cull_by_planes) finds them. Only vertices that such a face needs are transformed.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`add`](Self::add). A face that is cut, or has a corner farther out than a [`ScreenVertex`] holds, takes
+    /// vertices of its own.
+    #[inline(never)] // its frame is gone when it returns
+    pub fn add_culled_by_planes<V: Coordinate>(
+        &mut self,
+        faces: &PlaneCulled<'_, V>,
+        shade: impl FnMut(usize) -> I,
+    ) -> Result<(), PainterError>
+    where
+        I: Shader,
+    {
+        let instance = faces.instance;
+        let (vertices, mut recorder) = self.begin(instance)?;
+        let far = instance.vertex_transform.cuts_at_far();
+        let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
+        let statistics = recorder.record(faces.source(), &mut cache, false, shade);
+        let vertices = cache.into_cache();
+        recorder.room.unpack(instance, false, vertices);
+        let room = recorder.room;
+        self.finish(&room, statistics)
+    }
+
+    /// Takes room for the vertices of a mesh, as many as there is room for, and what records its faces.
+    fn begin<V>(
+        &mut self,
+        instance: &MeshInstance<'_, V>,
+    ) -> Result<(&mut [ScreenVertex], Recorder<'_, I, FACES>), PainterError> {
+        if self.vertices.is_empty() {
+            self.area = Some(*instance.area());
+        } else if self.area.as_ref() != Some(instance.area()) {
             return Err(PainterError::OtherViewport);
         }
-        let (old_corners, old_faces) = (self.corners.len(), self.faces.len());
-        let mut room = Room { corners: old_corners, faces: old_faces };
-        room.corners += placed.mesh.vertices().len();
-        // Over capacity is reported at the end, with what all of it would need.
-        let _ = self.corners.resize_default(room.corners.min(CORNERS));
-        let own = self.corners.get_mut(old_corners..).unwrap_or_default();
-        project::<V, true>(placed, false, own);
-        let own_corners = self.corners.len();
-        let mut statistics = Statistics::default();
-        let viewport = Scissor::GUARD_BAND; // places alone are asked for
-        let (mut fan, mut piece) = (Fan::new(), DepthTriangle::new(&viewport));
-        // Where corners are not kept, or are being added to.
-        let bare = TransformedMesh::<V, true>::with_corners(placed, false, &[]);
-        for (index, &face) in placed.mesh.faces().iter().enumerate() {
-            // Corners without room are computed anew: the counting goes on.
-            let own = self.corners.get(old_corners..own_corners).unwrap_or_default();
-            let view = TransformedMesh::<V, true>::with_corners(placed, false, own);
-            let kept = view.whole(&face);
-            let (outcome, is_drawn) = match kept {
-                Some(kept) => {
-                    let area = view.area(&kept);
-                    put::<true>(&mut piece, &view.images(kept), area);
-                    let outcome = placed.cull.turned(area, Outcome::Whole);
-                    (outcome, outcome.is_drawn())
-                }
-                None => {
-                    fan.clear();
-                    let is_drawn = view.triangle_into(&face, &mut fan, &mut piece);
-                    (fan.progress.outcome, is_drawn)
-                }
-            };
-            statistics.count(outcome);
-            if !is_drawn {
-                continue;
-            }
-            let ink = shade(index);
-            loop {
-                let indices = if outcome == Outcome::Whole {
-                    face.map(|i| old_corners.wrapping_add(usize::from(i)))
-                } else {
-                    let first = room.corners;
-                    room.corners += 3;
-                    for point in piece.triangle.corners() {
-                        let _ = self.corners.push(ScreenVertex::bare(*point));
-                    }
-                    [first, first + 1, first + 2]
-                };
-                let ink = if kept.is_some() { ink } else { fan.ink(&ink) };
-                self.record(indices, &piece.depths, &mut room, ink);
-                if kept.is_some() || !bare.triangle_into(&face, &mut fan, &mut piece) {
-                    break;
-                }
-            }
-        }
-        // From here on only the places count; where there is none, no face asks for it.
-        let own = self.corners.get_mut(old_corners..own_corners).unwrap_or_default();
-        for (index, corner) in own.iter_mut().enumerate() {
-            let place = if corner.whole() {
-                Some(placed.placement.at::<true>(*corner))
-            } else {
-                bare.image(index as u16) // fewer than 65537 vertices
-            };
-            *corner = ScreenVertex::bare(place.map_or(ScreenPoint::ORIGIN, |place| place.point));
-        }
-        let (most_corners, most_faces) = (CORNERS.min(65_536), FACES.min(usize::from(NONE)));
-        let error = if room.corners > most_corners {
-            PainterError::Vertices { needed: room.corners, capacity: most_corners }
+        let (first, count) = (self.vertices.len(), instance.mesh.vertices().len());
+        let room =
+            Room { first, vertices: first + count, first_face: self.faces.len(), faces: self.faces.len() };
+        // A mesh without room is reported at the end, with the room that all of it needs.
+        let _ = self.vertices.resize_default(CORNERS);
+        let vertices = self.vertices.get_mut(first..).unwrap_or_default();
+        let (vertices, own) = vertices.split_at_mut(count.min(vertices.len()));
+        Ok((vertices, Recorder { own: own.iter_mut(), faces: &mut self.faces, room }))
+    }
+
+    /// Keeps what was recorded if there was room for it, and drops it otherwise.
+    fn finish(&mut self, room: &Room, statistics: Statistics) -> Result<(), PainterError> {
+        let (most_vertices, most_faces) = (CORNERS.min(65_536), FACES.min(usize::from(NONE)));
+        let error = if room.vertices > most_vertices {
+            PainterError::Vertices { needed: room.vertices, capacity: most_vertices }
         } else if room.faces > most_faces {
             PainterError::Faces { needed: room.faces, capacity: most_faces }
         } else {
+            self.vertices.truncate(room.vertices);
             self.statistics = self.statistics.and(statistics);
             return Ok(());
         };
-        self.corners.truncate(old_corners);
-        self.faces.truncate(old_faces);
-        if old_corners == 0 {
+        self.vertices.truncate(room.first);
+        self.faces.truncate(room.first_face);
+        if room.first == 0 {
             self.area = None;
         }
         Err(error)
-    }
-
-    /// Keeps a triangle if there is room, and counts it in any case.
-    #[inline(always)]
-    fn record(&mut self, indices: [usize; 3], depths: &[i32; 3], room: &mut Room, ink: I) {
-        room.faces += 1;
-        let [a, b, c] = depths.map(|depth| (depth.unsigned_abs() + 128) >> 8); // to whole steps
-
-        // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
-        // of a third by so little that the order of sums is kept.
-        let mean = ((a + b + c) * 21_845) >> 16;
-        let _ = self.faces.push(Face {
-            // Beyond 65535 the mesh is refused at the end, and these never meet a picture.
-            corners: indices.map(|i| i as u16),
-            key: !(mean as u16),
-            next: NONE,
-            ink,
-        });
     }
 
     /// Draws all that was recorded, far to near, and forgets it: also when the target refuses.
@@ -340,8 +318,8 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     /// ```
     pub fn order(&mut self) -> PaintersOrder<'_, I> {
         let first = self.sort();
-        let (corners, faces) = (self.corners.as_slice(), self.faces.as_slice());
-        PaintersOrder { corners, faces, first, area: self.area, statistics: self.statistics }
+        let (vertices, faces) = (self.vertices.as_slice(), self.faces.as_slice());
+        PaintersOrder { vertices, faces, first, area: self.area, statistics: self.statistics }
     }
 
     /// Links the faces by rising key and gives the first: a radix sort of lists, four digits of
@@ -392,20 +370,116 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
     }
 }
 
-/// What recording would fill, were there room for it all.
+/// The room that a mesh takes in a painter, counted beyond what there is.
 struct Room {
-    corners: usize,
+    /// The first vertex of the mesh, and the end of its vertices and those of its cut faces.
+    first: usize,
+    vertices: usize,
+    first_face: usize,
     faces: usize,
+}
+
+impl Room {
+    /// Turns the vertices of the mesh from packed ones to points on the screen. `all`: also those that are not on the
+    /// screen or farther out than a [`ScreenVertex`] holds, as a face that is not cut may refer to them.
+    fn unpack<V: Coordinate>(
+        &self,
+        instance: &MeshInstance<'_, V>,
+        all: bool,
+        vertices: &mut [ScreenVertex],
+    ) {
+        let uncached = TransformedMesh::<V, true>::with_cache(instance, false, &[]);
+        for (index, vertex) in vertices.iter_mut().enumerate() {
+            let point = if vertex.whole() {
+                Some(instance.vertex_transform.at::<true>(*vertex))
+            } else if all {
+                uncached.vertex(index as u16) // a mesh has at most 65536 vertices
+            } else {
+                None
+            };
+            // No face refers to a vertex without a point.
+            *vertex = ScreenVertex::bare(point.map_or(ScreenPoint::ORIGIN, |vertex| vertex.point));
+        }
+    }
+}
+
+/// Records the faces of a mesh.
+struct Recorder<'p, I, const FACES: usize> {
+    /// Room for vertices of cut faces.
+    own: core::slice::IterMut<'p, ScreenVertex>,
+    faces: &'p mut Vec<Face<I>, FACES>,
+    room: Room,
+}
+
+impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
+    /// Records the triangles of the faces of a source. `shares`: a face that is not cut refers to the mesh's vertices also
+    /// where they are not in the cache.
+    #[inline(always)]
+    fn record<'a, V: Coordinate + 'a>(
+        &mut self,
+        source: impl FaceSource,
+        cache: &mut impl VertexCache<'a, V, true>,
+        shares: bool,
+        mut shade: impl FnMut(usize) -> I,
+    ) -> Statistics {
+        let viewport = Scissor::GUARD_BAND; // no gradient is asked for
+        let instance = cache.instance();
+        let Ok(statistics) = each_face(source, cache, &viewport, |index, face, triangles| {
+            let shared = !triangles.is_cut && (shares || triangles.is_cached());
+            draw_triangles(instance, face, triangles, &shade(index), |triangle, shader| {
+                let vertices = match shared {
+                    true => face.map(|index| self.room.first.wrapping_add(usize::from(index))),
+                    false => self.own_vertices(triangle.triangle.corners()),
+                };
+                self.face(vertices, &triangle.depths, *shader);
+                Ok::<(), Infallible>(())
+            })?;
+            Ok::<bool, Infallible>(true)
+        });
+        statistics
+    }
+
+    /// Stores the corners of a cut face if there is room, and counts them in any case.
+    #[cold]
+    #[inline(never)]
+    fn own_vertices(&mut self, corners: &[ScreenPoint; 3]) -> [usize; 3] {
+        let first = self.room.vertices;
+        self.room.vertices += 3;
+        for corner in corners {
+            if let Some(vertex) = self.own.next() {
+                *vertex = ScreenVertex::bare(*corner);
+            }
+        }
+        [first, first + 1, first + 2]
+    }
+
+    /// Stores a triangle if there is room, and counts it in any case.
+    #[inline(always)]
+    fn face(&mut self, vertices: [usize; 3], depths: &[i32; 3], shader: I) {
+        self.room.faces += 1;
+        let [a, b, c] = depths.map(|depth| (depth.unsigned_abs() + 128) >> 8); // to whole steps
+
+        // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
+        // of a third by so little that the order of sums is kept.
+        let mean = ((a + b + c) * 21_845) >> 16;
+        let _ = self.faces.push(Face {
+            // Beyond 65535 the mesh is refused at the end, and these never meet a picture.
+            vertices: vertices.map(|index| index as u16),
+            key: !(mean as u16),
+            next: NONE,
+            shader,
+        });
+    }
 }
 
 #[cfg(feature = "defmt")]
 impl<I, const CORNERS: usize, const FACES: usize> defmt::Format for Painter<I, CORNERS, FACES> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let (corners, faces) = (self.corners.len(), self.faces.len());
+        let (vertices, faces) = (self.vertices.len(), self.faces.len());
         defmt::write!(
             f,
-            "painter of {=usize}/{=usize} corners, {=usize}/{=usize} faces: {}",
-            corners,
+            "painter of {=usize}/{=usize} vertices, {=usize}/{=usize} faces: {}",
+            vertices,
             CORNERS,
             faces,
             FACES,

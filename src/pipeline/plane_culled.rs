@@ -1,21 +1,22 @@
-//! BinnedFaces that are turned away, known by their planes before a vertex is placed.
+//! Early back-face culling by face planes, before a vertex is transformed.
 
-use super::{
-    fill, fill_nearer, put, Cull, DrawRegion, Fan, MeshInstance, Shader, SpanShader, Statistics,
-    TransformedMesh,
-};
+use super::cull::Cull;
+use super::draw_region::DrawRegion;
+use super::face_source::PlaneOrder;
+use super::faces;
+use super::instance::MeshInstance;
+use super::statistics::Statistics;
+use super::vertex_cache::LazyCache;
 use crate::camera::{PlaneEye, ScreenVertex};
-use crate::math::num::keep_rolled;
 use crate::math::Coordinate;
-use crate::raster::{self, DepthTriangle, Scissor};
+use crate::shading::SpanShader;
 use crate::surface::{DepthBuffer, Target};
-use core::hint::black_box;
 
-/// A placed mesh whose back faces are culled by their planes, before vertices are transformed: [`MeshInstance::cull_by_planes`]
-/// makes it, and has an example.
+/// A mesh instance whose back faces are culled by their planes, before vertices are transformed:
+/// [`MeshInstance::cull_by_planes`] makes it, and has an example.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneCulled<'a, V = i16> {
-    pub(super) placed: &'a MeshInstance<'a, V>,
+    pub(super) instance: &'a MeshInstance<'a, V>,
     eye: PlaneEye,
 }
 
@@ -25,8 +26,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// Worth it for closed meshes of some hundred faces and more. It costs more than it saves for some dozen
     /// faces, for terrain seen from above, for meshes without planes and for [`Cull::None`]. (Figures are in
-    /// `docs/growth.md`; the eye alone takes as long as some ten vertices.) [`Painter`](crate::Painter) and hidden
-    /// lines do not use planes.
+    /// `docs/growth.md`; the eye alone takes as long as some ten vertices.)
     ///
     /// A face is culled where the eye lies behind its plane by more than 1/290 of the larger of the eye's distance
     /// and the mesh's largest coordinate, in model units; in parallel projections where its normal points away
@@ -65,195 +65,78 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// ```
     pub fn cull_by_planes(&self) -> PlaneCulled<'_, V> {
         let eye = match self.cull {
-            Cull::Back => PlaneEye::new(&self.placement),
+            Cull::Back => PlaneEye::new(&self.vertex_transform),
             Cull::None => PlaneEye::NOWHERE,
         };
-        PlaneCulled { placed: self, eye }
+        PlaneCulled { instance: self, eye }
     }
 }
 
 impl<'a, V: Coordinate> PlaneCulled<'a, V> {
-    /// As [`MeshInstance::solid`]. A vertex that must be clipped, or lies too far out for a [`ScreenVertex`], is computed
-    /// again for each face that shares it.
+    /// The faces that may be visible.
+    #[inline(always)]
+    pub(super) fn source(&self) -> PlaneOrder<'a, V> {
+        PlaneOrder { instance: self.instance, eye: self.eye }
+    }
+
+    /// Draws the faces as [`MeshInstance::solid`] does. A vertex that must be clipped, or lies too far out for a
+    /// [`ScreenVertex`], is transformed again for each face that shares it.
     ///
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn solid<T: Target, I: SpanShader<T::Color>>(
+    pub fn solid<T: Target, S: SpanShader<T::Color>>(
         &self,
-        shade: impl FnMut(usize) -> I,
+        shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let limits = DrawRegion::new(target, self.placed.area());
-        self.all::<false, I, T::Error>(cache, &limits.viewport, shade, |piece, ink| {
-            fill(&piece.triangle, &ink, &limits.scissor, target)
-        })
+        let region = DrawRegion::new(target, self.instance.area());
+        if S::NEEDS_DEPTH {
+            let cache = LazyCache::<V, true>::new(self.instance, true, cache);
+            faces::solid(self.source(), cache, &region, shade, target)
+        } else {
+            let cache = LazyCache::<V, false>::new(
+                self.instance,
+                self.instance.vertex_transform.cuts_at_far(),
+                cache,
+            );
+            faces::solid(self.source(), cache, &region, shade, target)
+        }
     }
 
-    /// As [`MeshInstance::depth_tested`]. A vertex that must be clipped, or lies too far out for a [`ScreenVertex`], is
-    /// computed again for each face that shares it.
+    /// Draws the faces as [`MeshInstance::depth_tested`] does. A vertex that must be clipped, or lies too far out for a
+    /// [`ScreenVertex`], is transformed again for each face that shares it.
     ///
     /// # Errors
     ///
     /// The target's own, at the first span that it refuses.
     #[inline(never)] // its frame is gone when it returns
-    pub fn depth_tested<T: Target, I: SpanShader<T::Color>>(
+    pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
         &self,
-        shade: impl FnMut(usize) -> I,
+        shade: impl FnMut(usize) -> S,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let limits = DrawRegion::new(target, self.placed.area()).with_depth(depth);
-        let mut against = target.against(depth);
-        self.all::<true, I, T::Error>(cache, &limits.viewport, shade, |piece, ink| {
-            fill_nearer(piece, &ink, &limits.scissor, &mut against, target)
-        })
+        let region = DrawRegion::new(target, self.instance.area()).with_depth(depth);
+        let cache = LazyCache::new(self.instance, true, cache);
+        faces::depth_tested(self.source(), cache, &region, shade, depth, target)
     }
 
-    /// Steps 2 to 4 of the pipeline, face by face in the mesh's order.
-    #[inline(always)]
-    fn all<const DEPTH: bool, I: Shader, E>(
-        &self,
-        corners: &mut [ScreenVertex],
-        viewport: &Scissor,
-        mut shade: impl FnMut(usize) -> I,
-        mut draw: impl FnMut(&DepthTriangle<'_>, I) -> Result<(), E>,
-    ) -> Result<Statistics, E> {
-        let mut statistics = Statistics::default();
-        let (mut piece, mut fan) = (DepthTriangle::new(viewport), Fan::new());
-        self.each::<DEPTH, E>(corners, |index, face, kept, whole| match whole {
-            Some((corners, area)) => {
-                statistics.drawn += 1; // fewer than 2³²
-                let place = |corner| self.placed.placement.at::<DEPTH>(corner);
-                put::<DEPTH>(&mut piece, &corners.map(place), area);
-                draw(&piece, shade(index))
-            }
-            None => {
-                let shade = || shade(index);
-                let transformed = self.transformed::<DEPTH>(kept);
-                transformed.any(face, shade, &mut fan, &mut statistics, &mut piece, &mut draw)
-            }
-        })?;
-        Ok(statistics.with_the_rest_culled(self.placed.mesh.faces().len()))
-    }
-
-    /// Steps 2 and 3 for each face that is not known to be turned away: `look` gets its number, its vertices, all corners
-    /// that are kept, and its own with their area where these lie on the screen and turn to the front.
-    #[inline(always)]
-    pub(super) fn each<const DEPTH: bool, E>(
-        &self,
-        corners: &mut [ScreenVertex],
-        mut look: impl FnMut(usize, &[u16; 3], &[ScreenVertex], Option<([ScreenVertex; 3], i64)>) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let kept = self.placed.mesh.vertices().len().min(corners.len());
-        let corners = corners.get_mut(..kept).unwrap_or_default();
-        clear(corners);
-        let (mut left, mut first) = (self.placed.mesh.faces(), 0);
-        while !left.is_empty() {
-            let (some, others) = left.split_at_checked(AT_ONCE).unwrap_or((left, &[]));
-            let mut seen = self.seen(first, some.len());
-            while seen != 0 {
-                let at = seen.trailing_zeros() as usize;
-                seen &= seen - 1; // the lowest bit is gone
-                let Some(face) = some.get(at) else { break };
-                let whole = self.whole::<DEPTH>(face, corners);
-                look(first + at, face, corners, whole)?;
-            }
-            (left, first) = (others, first + AT_ONCE);
-        }
-        Ok(())
-    }
-
-    /// A face's corners and their area, where they lie on the screen and turn to the front.
-    #[inline(always)]
-    fn whole<const DEPTH: bool>(
-        &self,
-        face: &[u16; 3],
-        corners: &mut [ScreenVertex],
-    ) -> Option<([ScreenVertex; 3], i64)> {
-        let [a, b, c] = *face;
-        let a = self.corner::<DEPTH>(a, corners)?;
-        let b = self.corner::<DEPTH>(b, corners)?;
-        let c = self.corner::<DEPTH>(c, corners)?;
-        let area = raster::area(&[a, b, c].map(|corner| corner.offset::<DEPTH>()));
-        (area > 0).then_some(([a, b, c], area))
-    }
-
-    /// With corners of which those are placed that are needed.
-    #[inline(always)]
-    pub(super) fn transformed<'c, const DEPTH: bool>(
-        &self,
-        corners: &'c [ScreenVertex],
-    ) -> TransformedMesh<'c, V, DEPTH>
-    where
-        'a: 'c,
-    {
-        let far = DEPTH || self.placed.placement.cuts_at_far();
-        TransformedMesh::with_corners(self.placed, far, corners)
-    }
-
-    /// Where a vertex is on the screen, placed there if it was not yet. `None` where it has no place there, and of those
-    /// that are not kept.
-    #[inline(always)]
-    fn corner<const DEPTH: bool>(&self, index: u16, corners: &mut [ScreenVertex]) -> Option<ScreenVertex> {
-        let corner = corners.get_mut(usize::from(index))?;
-        if !corner.whole() {
-            self.project::<DEPTH>(index, corner);
-            if !corner.whole() {
-                return None;
-            }
-        }
-        Some(*corner)
-    }
-
-    #[inline(never)] // with all registers for itself
-    fn project<const DEPTH: bool>(&self, index: u16, corner: &mut ScreenVertex) {
-        let MeshInstance { placement, mesh, .. } = self.placed;
-        let far = DEPTH || placement.cuts_at_far();
-        if let Some(vertex) = mesh.vertices().get(usize::from(index)) {
-            *corner = placement.project::<V, DEPTH>(vertex, placement.asks_for_d(DEPTH, far), far);
-        }
-    }
-
-    /// A bit for each of so many faces, at most 32, the first one's the lowest: whether it is to be looked at, as it is
-    /// not known to be turned away.
-    #[inline(never)] // once, and with all registers for itself
-    fn seen(&self, first: usize, faces: usize) -> u32 {
-        let (mesh, which, eye) = (self.placed.mesh, first..first + faces, self.eye);
-        let (Some(normals), Some(planes)) = (mesh.normals().get(which.clone()), mesh.planes().get(which))
-        else {
-            return u32::MAX; // the mesh has no planes
-        };
-        let mut seen = 0;
-        for (&normal, &plane) in normals.iter().zip(planes) {
-            keep_rolled();
-            // The uppermost bit is the sign.
-            seen = seen >> 1 | eye.behind(normal, plane) as u32 & 1 << 31;
-        }
-        seen >> ((AT_ONCE - faces) & 31)
+    /// Keeps the faces' depth as [`MeshInstance::depth_only`] does: for [hidden lines](MeshInstance::hidden_line).
+    #[inline(never)] // its frame is gone when it returns
+    pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
+        let region = DrawRegion::shared(&depth.area(), self.instance.area(), None);
+        faces::depth_only(self.source(), LazyCache::new(self.instance, true, cache), &region, depth)
     }
 }
-
-/// None of them has a place yet.
-#[inline(always)]
-fn clear(corners: &mut [ScreenVertex]) {
-    // Of a value that the compiler does not know: else it calls its `memset`, which is slower.
-    let empty = black_box(ScreenVertex::EMPTY);
-    for corner in corners {
-        *corner = empty;
-    }
-}
-
-/// As many as a word has bits.
-const AT_ONCE: usize = 32;
 
 #[cfg(feature = "defmt")]
 impl<V> defmt::Format for PlaneCulled<'_, V> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{}, by planes", self.placed);
+        defmt::write!(f, "{}, culled by planes", self.instance);
     }
 }
 
@@ -343,7 +226,7 @@ mod tests {
             let camera = Camera::new(&viewing, &lens, &viewport);
             let placed = camera.place(&mesh, &model);
             let facing = placed.cull_by_planes();
-            let seen = facing.seen(0, FACES);
+            let seen = facing.source().visible(0, FACES);
             assert_eq!(seen >> FACES, 0);
             let distance = own.into_iter().fold(f64::from(1 << (31 - mesh.justify())), |m, c| m.max(c.abs()));
             for (face, corners) in faces.iter().enumerate() {

@@ -1,6 +1,9 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
-use super::{DrawRegion, MeshInstance, Statistics, TransformedMesh};
+use super::draw_region::DrawRegion;
+use super::instance::MeshInstance;
+use super::statistics::Statistics;
+use super::vertex_cache::TransformedMesh;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
 use crate::surface::Target;
@@ -60,8 +63,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
         // u16 indices reach all of them: Mesh allows no more than 65536.
-        let line = TransformedMesh::<V, false>::with_corners(self, false, &[]);
-        let place = |index: usize| line.image(index as u16).map(|image| image.point.pixel());
+        let line = TransformedMesh::<V, false>::with_cache(self, false, &[]);
+        let place = |index: usize| line.vertex(index as u16).map(|vertex| vertex.point.pixel());
         let count = vertices.len();
         let first = if count == 0 { None } else { place(0) };
         // Where all lies in one pixel, no later line comes back to it.

@@ -1,6 +1,26 @@
-//! What became of the primitives.
+//! Counts of what a draw call did with the primitives that it was given.
 
-use super::fan::Outcome;
+/// What becomes of a face.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// Turned away from the viewer.
+    Culled,
+    /// Without area on the screen.
+    Degenerate,
+    /// Wholly beyond one of the planes.
+    Outside,
+    /// Drawn with its own corners.
+    Whole,
+    /// Drawn as the polygon that planes leave of it.
+    Cut,
+}
+
+impl Outcome {
+    #[inline(always)]
+    pub(super) fn is_drawn(self) -> bool {
+        matches!(self, Self::Whole | Self::Cut)
+    }
+}
 
 /// Counts of what a draw did, in faces, edges, segments of a poly-line or points. Each one handed in is in exactly
 /// one of `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts those of the drawn that were cut first.
@@ -46,6 +66,7 @@ impl Statistics {
         }
     }
 
+    /// Counts a face.
     #[inline(always)]
     pub(super) fn count(&mut self, outcome: Outcome) {
         // At most 2³² faces would fit a slice of a 32-bit core: no sum wraps.
@@ -62,15 +83,17 @@ impl Statistics {
         *field = field.wrapping_add(1);
     }
 
-    /// Of so many faces, those that were not counted were turned away.
+    /// These counts of a mesh of `faces` faces, where each face that was not counted was culled: so the common case, a face
+    /// that is turned away, costs no instruction.
     pub(super) fn with_the_rest_culled(self, faces: usize) -> Self {
-        // All of them are below 2³², and these among them.
+        // Each count is below 2³², and so is their sum.
         let rest = (faces as u32).wrapping_sub(self.drawn + self.outside + self.degenerate);
         Self { culled: rest, ..self }
     }
 
-    /// Counts an edge that is not drawn, or cut first: of this place on the screen, and whether it was cut, or `None` when
-    /// nothing is left. The others are [drawn](Self::with_the_rest_drawn).
+    /// Counts an edge that is cut or not drawn and passes on its ends: `edge` has the ends on the screen and whether the edge
+    /// was cut, or is `None` when nothing is left of the edge. Edges that are not counted are
+    /// [drawn](Self::with_the_rest_drawn).
     #[inline(always)]
     pub(super) fn count_edge<T>(&mut self, edge: Option<(T, bool)>) -> Option<T> {
         let Some((ends, cut)) = edge else {
@@ -81,7 +104,7 @@ impl Statistics {
         Some(ends)
     }
 
-    /// Of so many edges, those that were not counted were drawn.
+    /// These counts of a mesh of `edges` edges, where each edge that was not counted was drawn.
     pub(super) fn with_the_rest_drawn(self, edges: usize) -> Self {
         Self { drawn: (edges as u32).wrapping_sub(self.outside), ..self } // below 2³²
     }

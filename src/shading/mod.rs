@@ -1,6 +1,7 @@
 //! Light and colour: what a face looks like. The rasteriser knows nothing of it.
 
 mod channels;
+mod corner_values;
 mod dim;
 mod dither;
 mod flat;
@@ -13,6 +14,7 @@ mod smooth;
 mod table;
 
 pub use channels::Channels;
+pub use corner_values::CornerValues;
 pub use dim::Dim;
 pub use dither::Dithered;
 pub(crate) use dither::{Bayer, Even};

@@ -1,5 +1,6 @@
-//! What a face is filled with.
+//! The traits of shaders: what a face is filled with.
 
+use super::CornerValues;
 use crate::clip::Varying;
 use crate::raster::{Span, Triangle};
 use crate::surface::Shades;
@@ -70,12 +71,29 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Shader: Copy {
-    /// What a corner carries when a face is cut: `()` for inks that do not vary.
+    /// What a corner of the face carries when planes cut the face: `()` for shaders that do not vary.
     type Varying: Varying;
 
-    /// The ink of a piece of a face, whose corners are these points of it.
+    /// Whether the shader wants the depths of a triangle's corners, in [`with_corners`](Self::with_corners). Vertices are
+    /// then transformed with depth, whichever draw call takes the shader, and the far plane cuts.
+    const NEEDS_DEPTH: bool = false;
+
+    /// Whether the shader wants 1/w of a triangle's corners, in [`with_corners`](Self::with_corners), for
+    /// perspective-correct interpolation.
+    const NEEDS_W: bool = false;
+
+    /// The shader of a part of a face that planes cut, from the varyings of the part's corners.
     #[must_use]
     fn sub_face(&self, corners: [Self::Varying; 3]) -> Self;
+
+    /// The shader of a triangle, a face or a part of one, with what it asks for by [`NEEDS_DEPTH`](Self::NEEDS_DEPTH) and
+    /// [`NEEDS_W`](Self::NEEDS_W). It is called once for each triangle, after [`sub_face`](Self::sub_face) and before
+    /// [`set_up`](SpanShader::set_up), if one of these is true. A [`Painter`](crate::Painter) stores its result.
+    #[must_use]
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        let _ = corners;
+        *self
+    }
 }
 
 /// An [`Shader`] for targets with pixels of `C`. A custom ink, interpolated from corner to corner:

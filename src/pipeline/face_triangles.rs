@@ -1,0 +1,219 @@
+//! The triangles of one face: the face itself, or the fan of the polygon that clipping leaves of it.
+
+use super::cull::{Cull, Facing};
+use super::statistics::Outcome;
+use crate::camera::UnpackedVertex;
+use crate::clip::{Order, Varying, CLIP_SLOTS};
+use crate::math::num::{after, keep_rolled};
+use crate::math::ClipCoords;
+use crate::raster::{self, DepthTriangle, Scissor};
+use crate::shading::Shader;
+
+/// What clipping leaves of a face: a convex polygon on the screen, with the varyings of its corners.
+pub(super) struct Polygon<K> {
+    /// Corners: in clip space while planes cut, then on the screen as x, y, depth and clip space's w.
+    pub(super) slots: [ClipCoords; CLIP_SLOTS],
+    /// The varyings of the corner in each slot.
+    pub(super) varyings: [K; CLIP_SLOTS],
+    /// The slots of the polygon's corners, in order.
+    pub(super) order: Order,
+}
+
+impl<K: Varying> Polygon<K> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self { slots: [ClipCoords::ZERO; CLIP_SLOTS], varyings: [K::of(0); CLIP_SLOTS], order: Order::new() }
+    }
+
+    /// A face with all corners on the screen.
+    pub(super) fn set_face(&mut self, corners: &[UnpackedVertex; 3]) {
+        for (slot, corner) in self.slots.iter_mut().zip(corners) {
+            *slot = corner.held();
+        }
+        self.order.clear();
+        let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
+    }
+
+    /// The rows and columns in which the polygon may cover pixels.
+    fn reach(&self) -> Scissor {
+        let mut reach = Scissor::NOTHING;
+        for &slot in &self.order {
+            keep_rolled();
+            if let Some(corner) = self.slots.get(usize::from(slot)) {
+                reach = reach.enclosing(&Scissor::of(&[UnpackedVertex::of_held(corner).point; 3]));
+            }
+        }
+        reach
+    }
+}
+
+/// The triangles of one face after the other, with one triangle as the current one.
+pub(super) struct FaceTriangles<'v, K> {
+    triangle: DepthTriangle<'v>,
+    polygon: Polygon<K>,
+    /// Whether planes took a part of the face: then its corners are those of the polygon.
+    pub(super) is_cut: bool,
+    /// Whether the polygon's corners are taken from the last to the first, so that its triangles face the viewer.
+    reversed: bool,
+    /// The fan about the polygon's first corner: its next triangle has the two corners after this one.
+    at: u8,
+    /// The number of triangles in the fan; 0 for a face that is drawn as it is.
+    end: u8,
+}
+
+impl<'v, K: Varying> FaceTriangles<'v, K> {
+    #[inline(always)]
+    pub(super) fn new(viewport: &'v Scissor) -> Self {
+        let triangle = DepthTriangle::new(viewport);
+        Self { triangle, polygon: Polygon::new(), is_cut: false, reversed: false, at: 0, end: 0 }
+    }
+
+    /// A face with all corners on the screen, the common case: one triangle.
+    #[inline(always)]
+    pub(super) fn set_whole<const DEPTH: bool>(&mut self, corners: &[UnpackedVertex; 3], area: i64) {
+        (self.is_cut, self.at, self.end) = (false, 0, 0);
+        set_triangle::<DEPTH>(&mut self.triangle, corners, area);
+    }
+
+    /// Whether the face is drawn from the cache's vertices: it was not handed to the clipper.
+    #[inline(always)]
+    pub(super) fn is_cached(&self) -> bool {
+        self.end == 0
+    }
+
+    /// The polygon, for the clipper to fill before [`begin_fan`](Self::begin_fan).
+    #[inline(always)]
+    pub(super) fn polygon(&mut self) -> &mut Polygon<K> {
+        &mut self.polygon
+    }
+
+    /// Begins the fan of the polygon: what becomes of the face, and if it is drawn its first triangle. `cut`: planes took
+    /// a part of the face.
+    #[inline(never)] // rare: small is better
+    pub(super) fn begin_fan(&mut self, cull: Cull, cut: bool) -> Outcome {
+        (self.is_cut, self.reversed, self.at) = (cut, false, 0);
+        let (mut area, mut corners) = (0, [UnpackedVertex::ORIGIN; 3]);
+        while let Some(part) = self.fan_step(&mut corners) {
+            area += part; // < 7·2⁴⁵
+        }
+        let outcome = match (self.at, cull.facing(area)) {
+            (0, _) => Outcome::Outside,
+            (_, Facing::EdgeOn) => Outcome::Degenerate,
+            (_, Facing::Away) => Outcome::Culled,
+            (_, Facing::Front) if cut => Outcome::Cut,
+            (_, Facing::Front) => Outcome::Whole,
+        };
+        // The triangles of a cut face are made counter-clockwise.
+        self.reversed = cut && area < 0;
+        (self.at, self.end) = (0, if outcome.is_drawn() { self.at } else { 0 });
+        if outcome.is_drawn() {
+            self.advance_fan(); // an area that is not zero has a triangle
+        }
+        outcome
+    }
+
+    /// The current triangle.
+    #[inline(always)]
+    pub(super) fn triangle(&self) -> &DepthTriangle<'v> {
+        &self.triangle
+    }
+
+    /// Goes on to the next triangle of the face, if there is one.
+    #[inline(always)]
+    pub(super) fn advance(&mut self) -> bool {
+        self.at < self.end && self.advance_fan()
+    }
+
+    /// The next triangle that faces as the polygon does: rounding of the corners may turn a sliver over, which would be
+    /// drawn on top of its neighbor.
+    #[cold]
+    #[inline(never)]
+    fn advance_fan(&mut self) -> bool {
+        let mut corners = [UnpackedVertex::ORIGIN; 3];
+        while self.at < self.end {
+            let Some(area) = self.fan_step(&mut corners) else { break };
+            if area > 0 || !self.is_cut {
+                set_triangle::<true>(&mut self.triangle, &corners, area);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The shader of the current triangle: the face's own, or the one of a part of the face.
+    #[inline(always)]
+    pub(super) fn shader<S: Shader<Varying = K>>(&self, shader: &S) -> S {
+        if self.is_cut {
+            shader.sub_face(self.fan_slots().map(|slot| match self.polygon.varyings.get(slot) {
+                Some(varying) => *varying,
+                None => K::of(0), // the fan's slots exist
+            }))
+        } else {
+            *shader
+        }
+    }
+
+    /// Clip space's w at the corners of the current triangle of a face that was cut.
+    pub(super) fn clip_w(&self) -> [i32; 3] {
+        self.fan_slots().map(|slot| match self.polygon.slots.get(slot) {
+            Some(ClipCoords { xydw: [.., w] }) => *w,
+            None => 1, // the fan's slots exist
+        })
+    }
+
+    /// The rows and columns in which the face may cover pixels.
+    #[inline(always)]
+    pub(super) fn reach(&self) -> Scissor {
+        if self.is_cached() {
+            Scissor::of(self.triangle.triangle.corners())
+        } else {
+            self.reach_of_polygon()
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn reach_of_polygon(&self) -> Scissor {
+        self.polygon.reach()
+    }
+
+    /// The slots of the current triangle's corners.
+    fn fan_slots(&self) -> [usize; 3] {
+        let at = usize::from(self.at);
+        [0, at, at + 1].map(|corner| self.slot(corner))
+    }
+
+    /// The slot of a corner of the polygon.
+    fn slot(&self, corner: usize) -> usize {
+        let order = &self.polygon.order;
+        let corner = if self.reversed { order.len().wrapping_sub(corner + 1) } else { corner };
+        order.get(corner).map_or(CLIP_SLOTS, |&slot| slot.into()) // beyond the polygon: no slot
+    }
+
+    /// The corners of the fan's next triangle and its area, if there is one.
+    #[inline(never)] // rare: small is better
+    fn fan_step(&mut self, corners: &mut [UnpackedVertex; 3]) -> Option<i64> {
+        let at = usize::from(self.at);
+        let mut i = 0;
+        while let Some(vertex) = corners.get_mut(i) {
+            let corner = if i == 0 { 0 } else { at + i };
+            *vertex = UnpackedVertex::of_held(self.polygon.slots.get(self.slot(corner))?);
+            i = after(i);
+        }
+        self.at += 1; // at most clip::CORNERS
+        Some(raster::area(&corners.map(|corner| corner.point)))
+    }
+}
+
+/// Makes a triangle with these corners and this area the one that is drawn next.
+#[inline(always)]
+fn set_triangle<const DEPTH: bool>(
+    triangle: &mut DepthTriangle<'_>,
+    corners: &[UnpackedVertex; 3],
+    area: i64,
+) {
+    triangle.triangle.put(corners.map(|corner| corner.point), area);
+    if DEPTH {
+        triangle.depths = corners.map(|corner| corner.depth);
+    }
+}

@@ -1,0 +1,281 @@
+//! Faces: one loop from a source over a vertex cache to a sink, and the draw calls that are made of it.
+//!
+//! | source | cache | sink |
+//! |---|---|---|
+//! | [`MeshOrder`], [`PlaneOrder`](super::face_source::PlaneOrder), binned faces | [`TransformedMesh`], [`LazyCache`](super::vertex_cache::LazyCache) | pixels, pixels with depth, depth alone, bins, a painter |
+
+use super::cull::Facing;
+use super::draw_region::DrawRegion;
+use super::face_source::{FaceSource, MeshOrder};
+use super::face_triangles::FaceTriangles;
+use super::fill::{fill, fill_nearer};
+use super::instance::MeshInstance;
+use super::statistics::{Outcome, Statistics};
+use super::vertex_cache::{area, TransformedMesh, VertexCache};
+use crate::camera::ScreenVertex;
+use crate::clip::Varying;
+use crate::math::Coordinate;
+use crate::raster::{DepthTriangle, Scissor};
+use crate::shading::{CornerValues, Shader, SpanShader};
+use crate::surface::{DepthBuffer, Target};
+use core::convert::Infallible;
+
+/// The face loop: each face that `source` pushes is culled and, where it must be, clipped; `sink` gets the index and the
+/// triangles of each face that is drawn, and returns whether the face is finished.
+///
+/// # Errors
+///
+/// The first error of `sink`.
+#[inline(always)]
+pub(super) fn each_face<'a, V: Coordinate, K: Varying, E, const DEPTH: bool>(
+    source: impl FaceSource,
+    cache: &mut impl VertexCache<'a, V, DEPTH>,
+    viewport: &Scissor,
+    mut sink: impl FnMut(usize, &[u16; 3], &mut FaceTriangles<'_, K>) -> Result<bool, E>,
+) -> Result<Statistics, E>
+where
+    V: 'a,
+{
+    let mut statistics = Statistics::NONE;
+    let mut triangles = FaceTriangles::new(viewport);
+    let instance = cache.instance();
+    let faces = instance.mesh.faces();
+    source.push(faces, |index, face| {
+        match cache.corners(face) {
+            // The common case. A face that is turned away counts nothing: see `with_the_rest_culled`.
+            Some(corners) => {
+                let area = area::<DEPTH>(&corners);
+                match instance.cull.facing(area) {
+                    Facing::Front => {}
+                    Facing::Away => return Ok(true),
+                    Facing::EdgeOn => {
+                        statistics.count(Outcome::Degenerate);
+                        return Ok(true);
+                    }
+                }
+                let Some(corners) = cache.corners_again(face, corners) else { return Ok(true) };
+                statistics.count(Outcome::Whole);
+                let transform = &instance.vertex_transform;
+                triangles.set_whole::<DEPTH>(&corners.map(|corner| transform.at::<DEPTH>(corner)), area);
+            }
+            None => {
+                let outcome = cache.view().clip_face(face, &mut triangles);
+                statistics.count(outcome);
+                if !outcome.is_drawn() {
+                    return Ok(true);
+                }
+            }
+        }
+        sink(index, face, &mut triangles)
+    })?;
+    Ok(statistics.with_the_rest_culled(faces.len()))
+}
+
+/// The shader of a face's current triangle, with the depths and 1/w of its corners where the shader asks for them.
+#[inline(always)]
+pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
+    instance: &MeshInstance<'_, V>,
+    face: &[u16; 3],
+    triangles: &FaceTriangles<'_, S::Varying>,
+    shader: &S,
+) -> S {
+    let shader = triangles.shader(shader);
+    if !(S::NEEDS_DEPTH || S::NEEDS_W) {
+        return shader;
+    }
+    let w = if !S::NEEDS_W {
+        [1; 3]
+    } else if triangles.is_cut {
+        triangles.clip_w()
+    } else {
+        let vertices = instance.mesh.vertices();
+        face.map(|index| {
+            let vertex = vertices.get(usize::from(index)); // Mesh has checked that there is one
+            vertex.map_or(1, |vertex| instance.vertex_transform.w(vertex))
+        })
+    };
+    shader.with_corners(&CornerValues::new(triangles.triangle().depths, w))
+}
+
+/// Draws the triangles of a face: `draw` gets each with its shader.
+#[inline(always)]
+pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
+    instance: &MeshInstance<'_, V>,
+    face: &[u16; 3],
+    triangles: &mut FaceTriangles<'_, S::Varying>,
+    shader: &S,
+    mut draw: impl FnMut(&DepthTriangle<'_>, &S) -> Result<(), E>,
+) -> Result<(), E> {
+    loop {
+        draw(triangles.triangle(), &triangle_shader(instance, face, triangles, shader))?;
+        if !triangles.advance() {
+            return Ok(());
+        }
+    }
+}
+
+/// Fills faces.
+#[inline(always)]
+pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>, const DEPTH: bool>(
+    source: impl FaceSource,
+    mut cache: impl VertexCache<'a, V, DEPTH>,
+    region: &DrawRegion,
+    mut shade: impl FnMut(usize) -> S,
+    target: &mut T,
+) -> Result<Statistics, T::Error> {
+    let instance = cache.instance();
+    each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
+        let shader = shade(index);
+        draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
+            fill(&triangle.triangle, shader, &region.scissor, target)
+        })?;
+        Ok(true)
+    })
+}
+
+/// Fills faces where they are nearer than a depth buffer.
+#[inline(always)]
+pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>>(
+    source: impl FaceSource,
+    mut cache: impl VertexCache<'a, V, true>,
+    region: &DrawRegion,
+    mut shade: impl FnMut(usize) -> S,
+    depth: &mut DepthBuffer<'_>,
+    target: &mut T,
+) -> Result<Statistics, T::Error> {
+    let instance = cache.instance();
+    let mut depth = target.against(depth);
+    each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
+        let shader = shade(index);
+        draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
+            fill_nearer(triangle, shader, &region.scissor, &mut depth, target)
+        })?;
+        Ok(true)
+    })
+}
+
+/// Keeps the faces' depth and draws nothing.
+#[inline(always)]
+pub(super) fn depth_only<'a, V: Coordinate + 'a>(
+    source: impl FaceSource,
+    mut cache: impl VertexCache<'a, V, true>,
+    region: &DrawRegion,
+    depth: &mut DepthBuffer<'_>,
+) -> Statistics {
+    let Ok(statistics) = each_face(source, &mut cache, &region.viewport, |_, _, triangles| {
+        keep_depth(triangles, &region.scissor, depth);
+        Ok::<bool, Infallible>(true)
+    });
+    statistics
+}
+
+/// Keeps the depth of a face's triangles.
+#[inline(always)]
+pub(super) fn keep_depth(
+    triangles: &mut FaceTriangles<'_, ()>,
+    scissor: &Scissor,
+    depth: &mut DepthBuffer<'_>,
+) {
+    loop {
+        let triangle = triangles.triangle();
+        let gradient = triangle.plane();
+        for span in triangle.triangle.spans(scissor) {
+            let Ok(()) = depth.test(span, &gradient, |_| Ok::<(), Infallible>(()));
+        }
+        if !triangles.advance() {
+            return;
+        }
+    }
+}
+
+impl<V: Coordinate> MeshInstance<'_, V> {
+    /// Draws the faces in the mesh's order, one colour each: right for convex meshes, where front
+    /// faces never hide each other; [`Painter`] draws the others. `shade` gives face `i` its
+    /// colour, and is asked once for each face drawn. `cache` is as in
+    /// [`wireframe`](Self::wireframe).
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
+    pub fn solid<T: Target, S: SpanShader<T::Color>>(
+        &self,
+        shade: impl FnMut(usize) -> S,
+        cache: &mut [ScreenVertex],
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let region = DrawRegion::new(target, self.area());
+        if S::NEEDS_DEPTH {
+            solid(MeshOrder, TransformedMesh::<V, true>::new(self, cache), &region, shade, target)
+        } else {
+            solid(MeshOrder, TransformedMesh::<V, false>::new(self, cache), &region, shade, target)
+        }
+    }
+
+    /// Draws the faces, one colour each, where they are nearer than what `depth` holds: right for all
+    /// meshes, also those that pierce each other. `shade` gives face `i` its colour, and is asked once
+    /// for each face drawn. `cache` is as in [`wireframe`](Self::wireframe).
+    ///
+    /// **Depth** is that of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
+    /// the screen. Of equal depths the first drawn stays. What lies beyond the far plane is clipped, whatever the
+    /// camera says. Nothing is drawn outside the depth buffer.
+    ///
+    /// **Error**: within 0.54 of a step for faces within 512 pixels; for larger ones within ½ + 2⁻¹³ and 2⁻¹⁷ for
+    /// every column and row of the viewport. A face that reaches the far plane is drawn half a step nearer there
+    /// (65535 stands for nothing): within 1.1. So faces two steps apart are told apart.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use pinhole::{
+    ///     space::{Model, World}, Affine, Angle, Camera, Cull, DepthBuffer, Mesh, Point3, Projection,
+    ///     Scalar, Vector3, ViewTransform, Viewport,
+    /// };
+    /// // Two triangles through each other: one upright, one lying.
+    /// const VERTICES: [[i16; 3]; 6] = [[-9, -9, 0], [9, -9, 0], [0, 9, 0], [-9, 0, 9], [9, 0, 9], [0, 0, -9]];
+    /// let mesh = Mesh::new(&VERTICES, -3, &[[0, 1, 2], [3, 4, 5]])?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+    /// let camera = Camera::new(
+    ///     &ViewTransform::look_at(Point3::from_ints(0, 2, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+    ///     &viewport,
+    /// );
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// display.set_allow_overdraw(true);
+    /// let mut storage = [0; 32 * 32];
+    /// let area = Rectangle::new(Point::zero(), viewport.size());
+    /// let mut depth = DepthBuffer::new(area, &mut storage)?;
+    /// let model = Affine::<Model, World>::identity();
+    /// camera.place(&mesh, &model).with_cull(Cull::None).depth_tested(
+    ///     |face| Gray8::new(100 + face as u8),
+    ///     &mut [],
+    ///     &mut depth,
+    ///     &mut display,
+    /// )?;
+    /// let seen = |x, y| display.get_pixel(Point::new(x, y)).map(|c| c.luma());
+    /// assert_eq!((seen(16, 20), seen(16, 10)), (Some(101), Some(100))); // in front of it, and behind
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
+    pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
+        &self,
+        shade: impl FnMut(usize) -> S,
+        cache: &mut [ScreenVertex],
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let region = DrawRegion::new(target, self.area()).with_depth(depth);
+        depth_tested(MeshOrder, TransformedMesh::new(self, cache), &region, shade, depth, target)
+    }
+
+    /// Draws only the faces' depth: what hides lines. Bit for bit the depth of
+    /// [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
+    #[inline(never)] // its frame is gone when it returns
+    pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
+        let region = DrawRegion::shared(&depth.area(), self.area(), None);
+        depth_only(MeshOrder, TransformedMesh::new(self, cache), &region, depth)
+    }
+}

@@ -1,0 +1,54 @@
+//! Edges as lines.
+
+use super::draw_region::DrawRegion;
+use super::instance::MeshInstance;
+use super::statistics::Statistics;
+use super::vertex_cache::TransformedMesh;
+use crate::camera::{ScreenVertex, UnpackedVertex};
+use crate::math::Coordinate;
+use crate::surface::Target;
+
+/// The edge loop: `draw` gets the index and the ends of each edge of which something is left.
+///
+/// # Errors
+///
+/// The first error of `draw`.
+#[inline(always)]
+pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
+    mesh: &TransformedMesh<'_, V, DEPTH>,
+    mut draw: impl FnMut(usize, [UnpackedVertex; 2]) -> Result<(), E>,
+) -> Result<Statistics, E> {
+    let mut statistics = Statistics::NONE;
+    let edges = mesh.instance.mesh.edges();
+    for (index, &edge) in edges.iter().enumerate() {
+        if let Some(ends) = mesh.edge(edge, &mut statistics) {
+            draw(index, ends)?;
+        }
+    }
+    Ok(statistics.with_the_rest_drawn(edges.len()))
+}
+
+impl<V: Coordinate> MeshInstance<'_, V> {
+    /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not
+    /// change an edge's pixels; ends cut by the near or far plane or the guard band are rounded to 1/256 px.
+    ///
+    /// `cache` holds transformed vertices; one as long as the vertex list computes each once, a
+    /// shorter one (even an empty one) computes the rest whenever an edge needs them. The picture
+    /// is the same.
+    ///
+    /// # Errors
+    ///
+    /// The target's own, at the first span that it refuses.
+    #[inline(never)] // its frame is gone when it returns
+    pub fn wireframe<T: Target>(
+        &self,
+        colour: T::Color,
+        cache: &mut [ScreenVertex],
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
+        each_edge(&TransformedMesh::<V, false>::new(self, cache), |_, [from, to]| {
+            target.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
+        })
+    }
+}

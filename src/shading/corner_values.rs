@@ -1,0 +1,36 @@
+//! Depth and 1/w at the corners of a triangle, for shaders that ask for them.
+
+use crate::math::num::reciprocal;
+
+/// Depth and 1/w at the corners of a triangle, in the order of its corners: see
+/// [`Shader::with_corners`](crate::Shader::with_corners).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CornerValues {
+    depths: [i32; 3],
+    inverse_w: [i32; 3],
+}
+
+impl CornerValues {
+    /// From depths in 16.8, and positive w in one unit.
+    pub(crate) fn new(depths: [i32; 3], w: [i32; 3]) -> Self {
+        // 1/w = mantissa · 2^(shift − 61), mantissa 2³⁰ … 2³¹ − 1: the largest shift is that of the least w.
+        let reciprocals = w.map(|w| reciprocal(w.max(1)));
+        let most = reciprocals.iter().fold(0, |most, r| r.shift.max(most));
+        Self { depths, inverse_w: reciprocals.map(|r| r.mantissa >> most.wrapping_sub(r.shift).min(31)) }
+    }
+
+    /// Depths in 1/256 of a step: 0 near … 65534·256 + 119 far, linear on the screen. Zeros if the shader does not
+    /// [ask for them](crate::Shader::NEEDS_DEPTH).
+    pub const fn depths(&self) -> [i32; 3] {
+        self.depths
+    }
+
+    /// Numbers proportional to 1/w, the reciprocal of clip space's w, which is linear on the screen: the largest of the
+    /// three is 2³⁰ … 2³¹ − 1, each is within 2⁻²⁹ of itself and 1. The factor is one for the triangle: quotients of
+    /// interpolated values are right, values of two triangles are not to be compared. All are alike in a parallel
+    /// projection.
+    pub const fn inverse_w(&self) -> [i32; 3] {
+        self.inverse_w
+    }
+}
