@@ -80,7 +80,7 @@ fn about(stage: Stage) -> About {
             |work| work.placed,
         ),
         Stage::Light => of("light", "vertex", "of S8: at each vertex, placed or not", |work| work.units.vertices),
-        Stage::BinnedFaces => of(
+        Stage::Faces => of(
             "faces",
             "face",
             "its plane, where it has one; fetching the corners, area, culling, counting; of lines and 2D triangles, reading",

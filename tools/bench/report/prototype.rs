@@ -14,7 +14,7 @@ pub(crate) fn prototype(stage: Stage, scene: &str, variant: &str, core: &str) ->
     let just = |instructions| Some((instructions, instructions));
     match (core, stage, variant) {
         ("M3", Stage::Vertices, _) => just(56.0),
-        ("M3", Stage::BinnedFaces, _) if mesh => just(32.0),
+        ("M3", Stage::Faces, _) if mesh => just(32.0),
         ("M3", Stage::PassingOn, _) if mesh && flat => just(18.0),
         ("M3", Stage::Sides, "z") if flat => just(318.0),
         ("M3", Stage::Sides, "plain") if scene != "S1" => Some((205.0, 236.0)),

@@ -22,7 +22,7 @@ pub(crate) enum Stage {
 pub(crate) const STAGES: [Stage; 11] = [
     Stage::Vertices,
     Stage::Light,
-    Stage::BinnedFaces,
+    Stage::Faces,
     Stage::PassingOn,
     Stage::Sides,
     Stage::Planes,
@@ -66,7 +66,7 @@ const RULES: [Rule; 50] = [
     ),
     ("output/memory.rs", &["new"], Stage::PassingOn),
     ("output/memory.rs", &[], Stage::Sides),
-    ("raster/triangle.rs", &["area"], Stage::BinnedFaces),
+    ("raster/triangle.rs", &["area"], Stage::Faces),
     ("raster/triangle.rs", &["next", "each_span"], Stage::Rows),
     ("raster/triangle.rs", &[], Stage::Sides),
     ("raster/stretch.rs", &["each", "row", "span"], Stage::Rows),
@@ -84,7 +84,7 @@ const RULES: [Rule; 50] = [
     ("raster/gradient.rs", &[], Stage::Planes),
     ("raster/depth.rs", &[], Stage::Planes),
     ("raster/light.rs", &[], Stage::Planes),
-    ("raster/mod.rs", &["from_subpixels"], Stage::BinnedFaces),
+    ("raster/mod.rs", &["from_subpixels"], Stage::Faces),
     ("shade/lambert.rs", &["levels"], Stage::Light),
     ("shade/gouraud.rs", &["over"], Stage::Planes),
     ("shade/gouraud.rs", &["run"], Stage::Rows),
@@ -101,9 +101,9 @@ const RULES: [Rule; 50] = [
     ("render/smooth.rs", &["over"], Stage::Planes),
     ("render/mod.rs", &[], Stage::PassingOn),
     ("render/plain.rs", &[], Stage::PassingOn),
-    ("render/", &[], Stage::BinnedFaces),
+    ("render/", &[], Stage::Faces),
     ("output/", &[], Stage::PassingOn),
-    ("bench/cells/two.rs", &[], Stage::BinnedFaces),
+    ("bench/cells/two.rs", &[], Stage::Faces),
     ("bench/", &[], Stage::PassingOn),
 ];
 
