@@ -338,14 +338,14 @@ fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item 
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
 fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item = (&'a mut A, &'a B)> {
-    let kept = corners.len().min(vertices.len());
-    let mut corners = corners.get_mut(..kept).unwrap_or_default();
+    let kept = cache.len().min(vertices.len());
+    let mut cache = cache.get_mut(..kept).unwrap_or_default();
     let mut vertices = vertices.get(..kept).unwrap_or_default();
     core::iter::from_fn(move || {
-        let (corner, vertex);
-        (corner, corners) = core::mem::take(&mut corners).split_first_mut()?;
+        let (packed, vertex);
+        (packed, cache) = core::mem::take(&mut cache).split_first_mut()?;
         (vertex, vertices) = vertices.split_first()?;
-        Some((corner, vertex))
+        Some((packed, vertex))
     })
 }
 
