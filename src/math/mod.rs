@@ -6,6 +6,7 @@ mod angle;
 mod clip_point;
 pub(crate) mod float;
 mod form;
+pub(crate) mod hints;
 mod normal;
 pub(crate) mod num;
 mod point;

@@ -4,6 +4,8 @@
 //! library call there. The products used per vertex and per edge are therefore also written from
 //! 16-bit pieces; both forms are exact, so all cores compute the same bits.
 
+pub(crate) use super::hints::{keep_rolled, opaque_next as after};
+
 /// `a · b`, exact.
 #[inline(always)]
 pub(crate) const fn mul_wide(a: i32, b: i32) -> i64 {
@@ -184,20 +186,6 @@ fn normalised_by_ones(mut v: i32) -> (i32, u32) {
         (v, shift) = (v << 1, shift + 1);
     }
     (v, shift)
-}
-
-/// Stands in a loop that is to stay one: the compiler would copy its body four times and more, which
-/// set-up need not be fast enough for.
-#[inline(always)]
-pub(crate) const fn keep_rolled() {
-    core::hint::black_box(());
-}
-
-/// The index after `index`, in a loop of so few turns that the compiler would write each of them down where it could
-/// count them.
-#[inline(always)]
-pub(crate) const fn after(index: usize) -> usize {
-    core::hint::black_box(index + 1)
 }
 
 /// The integer square root, rounded to nearest.
