@@ -41,6 +41,7 @@ pub(crate) const fn keep_branch() {
 
 /// `value`, of which the compiler knows nothing more. The call site says why: to keep a constant in a register, to load a
 /// value again where a register is needed more, to prevent a call of `memset`.
+#[allow(dead_code)] // until every `black_box` outside of this module has moved
 #[inline(always)]
 pub(crate) const fn opaque<T>(value: T) -> T {
     black_box(value)
