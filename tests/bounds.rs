@@ -1,7 +1,7 @@
 //! Rule 2 of the house: every stated bound of a numeric function holds, and is at most twice the largest error met.
 //! The measurements are those of docs/accuracy.md, made anew (`examples/accuracy/functions.rs`).
 //!
-//! `src/math/num.rs`, `unit.rs` and `quaternion.rs` are compiled in once more, as what is measured: their functions
+//! `src/math` is compiled in once more, as what is measured: its functions
 //! are private.
 
 mod bridge;
@@ -9,24 +9,21 @@ mod oracle;
 
 #[path = "../examples/accuracy/functions.rs"]
 mod functions;
-#[allow(dead_code)]
-#[path = "../src/math/num.rs"]
-mod num;
+#[allow(dead_code, unreachable_pub, unused_imports)]
+#[path = "../src/math/mod.rs"]
+mod math;
 #[allow(dead_code, unreachable_pub)]
-#[path = "../src/math/quaternion.rs"]
-mod quaternion;
-#[allow(dead_code)]
-#[path = "../src/math/unit.rs"]
-mod unit;
+#[path = "../src/space.rs"]
+mod space;
 
 use functions::Measured;
 use oracle::chain;
 use oracle::rng::Rng;
 use pinhole::space::{Model, World};
+use pinhole::Scalar;
 use pinhole::{
     Affine, Camera, MatrixError, Mesh, Point3, Projection, Vector3, ViewTransform, Viewport, Visibility,
 };
-use pinhole::{NumberError, Scalar}; // also for `quaternion`
 
 #[track_caller]
 fn hold<const N: usize>(test: &str, all: [Measured; N]) {

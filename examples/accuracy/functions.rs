@@ -3,10 +3,9 @@
 
 use crate::bridge::pair::{random_view, window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits};
 use crate::bridge::{point, reals, scalar, vector};
-use crate::num;
+use crate::math::{num, quaternion, unit};
 use crate::oracle::chain::{self, cross, dot, fx, fx3, length, normalise, M3, M4, V3};
 use crate::oracle::rng::Rng;
-use crate::{quaternion, unit};
 use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::space::{Model, View, World};
 use pinhole::{Affine, Angle, PlanarProjection, Point3, Projection, ReferenceVolume, Viewport};

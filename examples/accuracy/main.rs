@@ -23,18 +23,14 @@ mod population;
 mod sweep;
 
 // The library's private numbers, as they are.
-#[allow(dead_code)]
-#[path = "../../src/math/num.rs"]
-mod num;
+#[allow(dead_code, unreachable_pub, unused_imports)]
+#[path = "../../src/math/mod.rs"]
+mod math;
 #[allow(dead_code, unreachable_pub)]
-#[path = "../../src/math/quaternion.rs"]
-mod quaternion;
-#[allow(dead_code)]
-#[path = "../../src/math/unit.rs"]
-mod unit;
+#[path = "../../src/space.rs"]
+mod space;
 
 use generated::Generated;
-use pinhole::{NumberError, Scalar}; // for `quaternion`
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

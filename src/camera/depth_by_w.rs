@@ -1,6 +1,6 @@
 //! Depth of a perspective picture: a function of w alone.
 
-use super::projection::quotient as ratio;
+use super::projection::ratio;
 use crate::math::num::{add, mul_translation, scale};
 use crate::math::Row;
 

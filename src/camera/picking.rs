@@ -1,5 +1,6 @@
 //! Single points: to the screen for labels, and back for picking.
 
+use super::projection::ratio;
 use super::{Camera, VertexTransform};
 use crate::math::num::{add, dot, row_times, scale, shift_to_fit};
 use crate::math::unit::{cross_exact, is_zero, normalise};
@@ -174,7 +175,7 @@ impl Camera {
                 let (v, exponent) = at(row);
                 let (v, exponent) = if w < 0 { (-v, exponent) } else { (v, exponent) };
                 // v/w in sub-pixels: 61 bits over 61 bits, 2^unit of them.
-                let (m, e) = super::projection::quotient(v, w.unsigned_abs());
+                let (m, e) = ratio(v, w.unsigned_abs());
                 scale(m, e + exponent - w_exponent + self.screen.unit + 16)
             };
             // In 2⁻¹⁶ sub-pixels from the centre.
@@ -184,7 +185,7 @@ impl Camera {
                 |v: i64, centre: i32| add(scale(v, -16), centre.into()).clamp(-(1 << 30), 1 << 30) as i32;
             let size = self.screen.area.size;
             let normal = |v: i64, extent: u32| {
-                let (m, e) = super::projection::quotient(v, u64::from(extent) * 128);
+                let (m, e) = ratio(v, u64::from(extent) * 128);
                 to_scalar(scale(m, e + 16))
             };
             Some(VanishingPoint {

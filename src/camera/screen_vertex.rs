@@ -1,6 +1,6 @@
 //! A vertex on the screen, in eight bytes.
 
-use crate::math::num::keep_rolled;
+use crate::math::hints::keep_branch;
 use crate::math::ClipCoords;
 use crate::raster::ScreenPoint;
 
@@ -66,7 +66,7 @@ impl ScreenVertex {
         let biased = |v: i32| v.wrapping_add(bias) as u32;
         let (right, down) = (biased(right), biased(down));
         if (right | down) >> (Self::REACH + 2) != 0 {
-            keep_rolled(); // a branch, lest all others choose between two numbers twice
+            keep_branch(); // else every vertex selects between two values, twice
             return Self::EMPTY;
         }
         match DEPTH {

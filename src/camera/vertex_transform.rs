@@ -4,7 +4,8 @@
 //! eye subtracted first. Once per vertex: three or four forms, one reciprocal, two or three
 //! products. Error budget: ARCHITECTURE.md, "Numbers".
 
-use super::{Camera, Screen, ScreenVertex, UnpackedVertex};
+use super::camera::Screen;
+use super::{Camera, ScreenVertex, UnpackedVertex};
 use crate::math::num::{
     add, after, bits_of, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, shift_to_fit,
     Reciprocal, CORTEX_M0,

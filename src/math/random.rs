@@ -31,3 +31,12 @@ impl Random {
         [0; 3].map(|_| (self.bits() >> 16) as i16)
     }
 }
+
+/// The next 64 random bits of a generator that mixes a counter. (Steele, Lea and Flood, *Fast splittable pseudorandom number
+/// generators*, 2014.)
+pub(crate) fn mixed(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}

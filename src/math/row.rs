@@ -2,7 +2,7 @@
 
 use super::num::{
     add, after, bits_of, keep_rolled, magnitude, max, mul_translation, row_times, scale, shift_to_fit,
-    Product,
+    Accumulator,
 };
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
@@ -56,7 +56,7 @@ pub(crate) fn forms(linear: &[[i32; 3]; 3], exponent: i32, p: &[i64; 3], offset:
 /// those that cancel each other may be far larger than what is left.
 #[inline(never)] // set-up: small is better
 pub(crate) fn form(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
-    let (mut sum, mut i) = (Product::ZERO, 0);
+    let (mut sum, mut i) = (Accumulator::ZERO, 0);
     while let (Some(m), Some(c)) = (linear.get(i), p.get(i)) {
         sum = sum.plus(*m, *c);
         i = after(i);

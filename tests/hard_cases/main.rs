@@ -34,7 +34,7 @@
 //! | E5 degenerate lenses | `e::errors::e5_*` | the documented bounds, both sides |
 //! | E6 drift | `e::e6_*` | exact fractions of a turn |
 //! | E7 sine and cosine | `e::e7_*` | f64 |
-//! | E8 reciprocal | `e8_reciprocal_is_within_2_to_the_minus_29` in `src/math/num.rs`: it is private | f64 |
+//! | E8 reciprocal | `e8_reciprocal_is_within_2_to_the_minus_29` in `src/math/num/reciprocal.rs`: it is private | f64 |
 //! | E9 viewports | `e::viewports::e9_*` | the crop of the whole picture |
 
 #[path = "../bridge/mod.rs"]

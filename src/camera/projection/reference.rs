@@ -1,6 +1,6 @@
 //! ViewTransform by projection reference point and window.
 
-use super::parts::{extent, ratio, row, ONE};
+use super::parts::{extent, offset, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
 use crate::math::num::{mul_translation, scale, SATURATED};
 use crate::math::{homogeneous, to_scalar, Point3, Row, Scalar};
@@ -75,7 +75,7 @@ impl ReferenceVolume {
                                         // 2·pn/extent brings the window's border to 45°.
         let [x, y] = sides(prp, window, |extent| ratio(2 * pn, extent))?;
         let z = row(2, (1, 0), -(pn << 16));
-        if super::parts::offset(to_front as i64, depth).is_none() {
+        if offset(to_front as i64, depth).is_none() {
             return Err(ProjectionError::NearTooCloseToFar);
         }
         let kind = Kind::Perspective { front: front.to_bits(), to_front, to_back };
@@ -98,7 +98,7 @@ impl ReferenceVolume {
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
         let [x, y] = sides(prp, window, |extent| ratio(2 << 16, extent))?;
         let z = row(2, (1, 0), -(i64::from(front.to_bits()) << 16)).times(ratio(1 << 16, depth));
-        if super::parts::offset(i64::from(front.to_bits()), depth).is_none() {
+        if offset(i64::from(front.to_bits()), depth).is_none() {
             return Err(ProjectionError::NearTooCloseToFar);
         }
         Ok(Self { rows: [x, y, z], kind: Kind::Parallel })

@@ -1,0 +1,138 @@
+//! The camera: view transform, projection and viewport folded into four linear forms.
+
+use super::depth_by_w::DepthByW;
+use super::projection::Projection;
+use super::view_transform::ViewTransform;
+use super::viewport::Viewport;
+use crate::math::num::{max, min, mul_translation};
+use crate::math::Row;
+use crate::raster::GUARD_BAND;
+
+use embedded_graphics_core::primitives::Rectangle;
+
+/// ViewTransform, projection and viewport, folded into four linear forms: a mesh is [placed](Self::place) before it.
+/// [`MeshInstance::project`](crate::MeshInstance::project) says how exactly vertices land.
+///
+/// ```
+/// use embedded_graphics::geometry::{Point, Size};
+/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
+/// let camera = Camera::new(
+///     &ViewTransform::look_at(Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+///     &Projection::perspective(Angle::degrees(50), viewport.size(), Scalar::from_num(1), Scalar::from_num(50))?,
+///     &viewport,
+/// );
+/// # let _ = camera;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// A camera that never moves can be a `const`: 224 bytes of flash, no set-up code, and wrong parameters do not
+/// compile.
+///
+/// ```
+/// use embedded_graphics::geometry::{Point, Size};
+/// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// const CAMERA: Camera = {
+///     let (eye, origin, up) = (Point3::from_ints(0, 2, 6), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+///     let Ok(viewing) = ViewTransform::look_at(eye, origin, up) else { panic!("the direction") };
+///     let Ok(viewport) = Viewport::new(Point::zero(), Size::new(240, 240)) else { panic!("the size") };
+///     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(50));
+///     let Ok(lens) = Projection::perspective(Angle::degrees(50), viewport.size(), near, far) else { panic!("the lens") };
+///     Camera::new(&viewing, &lens, &viewport)
+/// };
+/// # let _ = CAMERA;
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Camera {
+    pub(super) axes: [[i32; 3]; 3],
+    pub(super) eye: [i64; 3],
+    /// x, y, d, w.
+    pub(super) rows: [Row; 4],
+    /// Where these two are parallel.
+    pub(super) depth_by_w: Option<DepthByW>,
+    pub(super) screen: Screen,
+    pub(super) far_clip: bool,
+}
+
+/// How normalised x and y become 24.8 screen coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Screen {
+    /// The viewport's centre in 24.8.
+    pub(crate) centre: [i32; 2],
+    /// x/w and y/w are in units of 2^unit sub-pixels: 7 … 21.
+    pub(crate) unit: i32,
+    /// |x/w| < 2^room lies inside the guard band wherever the centre is: 0 … 14.
+    pub(crate) room: i32,
+    pub(crate) area: Rectangle,
+}
+
+impl Camera {
+    /// From its three parts. The near plane always cuts; the far plane does on
+    /// [request](Self::with_far_clip).
+    #[inline(never)] // set-up: small is better
+    pub const fn new(viewing: &ViewTransform, projection: &Projection, viewport: &Viewport) -> Self {
+        let area = viewport.area();
+        let (x, y) = viewport.centre();
+        // At least half a pixel of 2²¹ sub-pixels: the viewport has pixels and lies inside the guard band.
+        // At most 2²¹ too.
+        let free = GUARD_BAND * 256 - max(x.abs(), y.abs());
+        let half = max(area.size.width as i32, area.size.height as i32) * 128;
+        // Binary logarithms, downwards and upwards, without ilog2's panic at 0.
+        let room = 31 - max(free, 128).leading_zeros() as i32;
+        let unit = min(32 - (max(half, 128) - 1).leading_zeros() as i32, room);
+        let [x_row, y_row, d_row, w_row] = projection.rows();
+        // Half the viewport in units of 2^unit sub-pixels; rows count downwards, so y turns.
+        let rows = [
+            stretched(x_row, area.size.width as i32 * 128, -unit),
+            stretched(y_row, area.size.height as i32 * -128, -unit),
+            stretched(d_row, 65_535, -16),
+            *w_row,
+        ];
+        Self {
+            axes: viewing.rows(),
+            eye: viewing.eye(),
+            depth_by_w: DepthByW::new(&rows[2], w_row),
+            rows,
+            screen: Screen { centre: [x, y], unit, room: room - unit, area },
+            far_clip: false,
+        }
+    }
+
+    /// Whether the far plane clips; by default it does not. Then what lies beyond is drawn, with the largest
+    /// depth, 65534. Drawing against a depth buffer always ends at far.
+    ///
+    /// ```
+    /// # use embedded_graphics::geometry::{Point, Size};
+    /// # use pinhole::{Angle, Camera, ProjectError, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let up = Vector3::from_ints(0, 1, 0);
+    /// # let [near, far] = [1, 9].map(Scalar::from_num);
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9
+    /// assert_eq!(camera.project(beyond).map(|(_, depth)| depth), Ok(65_534));
+    /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(ProjectError::BeyondFar));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn with_far_clip(self, far_clip: bool) -> Self {
+        Self { far_clip, ..self }
+    }
+}
+
+/// `row · factor · 2^exponent` for a factor of at most 23 bits.
+#[inline(never)] // set-up: small is better
+const fn stretched(row: &Row, factor: i32, exponent: i32) -> Row {
+    let ([a, b, c], m) = (row.linear, factor as i64); // 30 × 23 bits
+    let offset = mul_translation(factor, exponent, row.offset);
+    Row::new(&[a as i64 * m, b as i64 * m, c as i64 * m], row.exponent - 30 + exponent, offset)
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Camera {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let [x, y] = self.screen.centre;
+        defmt::write!(f, "axes {}/2^30, eye {}/2^32, centre ({=i32}, {=i32})/256", self.axes, self.eye, x, y);
+    }
+}

@@ -1,0 +1,25 @@
+//! Which twin of the arithmetic that depends on the core this build uses: the one place that asks.
+//!
+//! With `--cfg pinhole_plain` every core takes the plain functions.
+
+/// A Cortex-M0: no division, no 64-bit product, no count of leading zeros, eight registers in most instructions. Not a Cortex-M23
+/// (ARMv8-M Baseline), which divides and has atomics but no 64-bit products: it computes the same bits, slower.
+pub(crate) const CORTEX_M0: bool =
+    cfg!(all(target_arch = "arm", not(target_has_atomic = "32"), not(pinhole_plain)));
+
+/// Whether an instruction counts leading zeros. RV32IMC has none.
+pub(crate) const COUNTS_LEADING_ZEROS: bool =
+    !CORTEX_M0 && !cfg!(all(target_arch = "riscv32", not(pinhole_plain)));
+
+#[cfg(not(all(
+    any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))),
+    not(pinhole_plain)
+)))]
+pub(crate) use super::form::WideForm as Form;
+/// The linear form of the vertex loop, which all values of this build's vertices come from: 16-bit pieces on a Cortex-M0, whose
+/// products have 32 bits, and on RV32, where a 64-bit sum takes four instructions.
+#[cfg(all(
+    any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))),
+    not(pinhole_plain)
+))]
+pub(crate) use super::halfword::HalfwordForm as Form;

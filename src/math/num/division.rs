@@ -1,0 +1,52 @@
+//! Long division, for set-up: no library call, no panic.
+
+use super::bits::{max, shift_to_fit};
+use crate::math::hints::keep_rolled;
+
+/// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Wants `n < 2·d`, `0 < d < 2⁶²`
+/// and `bits ≤ 62`; a zero divisor gives all ones.
+#[inline(never)] // set-up: small is better
+pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
+    let (mut rest, mut quotient, mut left) = (n, 0, bits + 1);
+    while left != 0 {
+        keep_rolled();
+        let (less, smaller) = rest.overflowing_sub(d);
+        if !smaller {
+            rest = less;
+        }
+        quotient = quotient << 1 | !smaller as u64;
+        rest <<= 1; // rest < d < 2⁶²
+        left -= 1;
+    }
+    quotient
+}
+
+/// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
+#[inline(never)] // set-up: small is better
+pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
+    // Their difference in bits; `n` is less than twice `d` shifted by it.
+    let bits = max(shift_to_fit(n, 0) - shift_to_fit(d.into(), 0), 0) as u32;
+    let quotient = fraction(n, u64::from(d) << bits, bits);
+    (quotient, (n as u32).wrapping_sub((quotient as u32).wrapping_mul(d))) // below d: 31 bits tell
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::mixed as random;
+
+    #[test]
+    fn long_division_is_division() {
+        let mut state = 3;
+        for k in 0..62 {
+            for _ in 0..200 {
+                let n = random(&mut state) >> 2 >> k;
+                let d = (random(&mut state) >> 33 >> (k / 2)).max(1) as u32;
+                assert_eq!(divide(n, d), (n / u64::from(d), (n % u64::from(d)) as u32));
+                let d = (random(&mut state) >> 3).max(2);
+                let n = n % (2 * d);
+                assert_eq!(u128::from(fraction(n, d, 40)), (u128::from(n) << 40) / u128::from(d));
+            }
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Integer arithmetic: a file for each kind of operation. Every shift and width has its bound beside it.
+
+mod accumulator;
+mod bits;
+mod division;
+mod product;
+mod reciprocal;
+mod saturating;
+mod scaling;
+mod square_root;
+
+pub(crate) use super::cores::CORTEX_M0;
+pub(crate) use super::hints::{keep_rolled, opaque_next as after};
+pub(crate) use accumulator::Accumulator;
+pub(crate) use bits::{bits_of, leading_zeros, magnitude, max, min, shift_to_fit};
+pub(crate) use division::{divide, fraction};
+pub(crate) use product::{dot, mul_high, mul_wide, row_times, transposed};
+pub(crate) use reciprocal::{reciprocal, reciprocal_of_large, reciprocal_of_positive, Reciprocal};
+pub(crate) use saturating::{add, mul_translation, SATURATED};
+pub(crate) use scaling::scale;
+pub(crate) use square_root::sqrt;
+
+#[cfg(test)]
+/// `n · 2^exponent`, rounded to nearest (ties up).
+fn scaled(n: i128, exponent: i32) -> i128 {
+    match exponent {
+        0.. => n << exponent,
+        _ => (n + (1 << (-exponent - 1))) >> -exponent,
+    }
+}
