@@ -2,14 +2,14 @@
 
 use super::bins::{BinError, Bins, Sorting};
 use super::{
-    fill, fill_nearer, pixels, put, Binned, DrawRegion, Fan, Outcome, PlaneCulled, Polygon, Progress, Shader,
-    SpanShader, Statistics, TransformedMesh,
+    fill, fill_nearer, line, pixels, put, Binned, DrawRegion, Fan, Outcome, PlaneCulled, Polygon, Progress,
+    Shader, SpanShader, Statistics, TransformedMesh,
 };
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::clip::CLIP_SLOTS;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{DepthBuffer, DepthTarget, Target};
 
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -391,7 +391,7 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let mut against = band.against(depth);
+        let mut against = DepthTarget::new(depth, band);
         self.each(limits, shade, |piece, ink| fill_nearer(piece, &ink, &limits.scissor, &mut against, band))
     }
 }
@@ -416,7 +416,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         self.each(limits, |_, _, [from, to]| {
-            band.line(from.point.pixel(), to.point.pixel(), &limits.scissor, colour)
+            line(band, from.point.pixel(), to.point.pixel(), &limits.scissor, colour)
         })
     }
 

@@ -16,6 +16,7 @@ mod bins;
 mod clip_face;
 mod draw_2d;
 mod fan;
+mod fill;
 mod lines;
 mod painter;
 mod plane_culled;
@@ -28,6 +29,7 @@ use binned::Binned;
 pub use bins::BinError;
 pub use draw_2d::{draw_line, fill_triangle};
 use fan::{Fan, Outcome, Polygon, Progress};
+use fill::{fill, fill_nearer, line};
 pub use painter::{Painter, PainterError, PaintersOrder};
 pub use plane_culled::PlaneCulled;
 pub use statistics::Statistics;
@@ -35,7 +37,7 @@ pub use transformed::TransformedMesh;
 
 use crate::camera::{Camera, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::math::{Affine, Coordinate};
-use crate::raster::{DepthTriangle, Scissor, ScreenPoint, Triangle};
+use crate::raster::{DepthTriangle, Scissor, ScreenPoint};
 use crate::scene::Mesh;
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
@@ -221,7 +223,7 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
     ) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         TransformedMesh::<V, false>::new(self, cache)
-            .all_edges(|_, [from, to]| target.line(from.point.pixel(), to.point.pixel(), &scissor, colour))
+            .all_edges(|_, [from, to]| line(target, from.point.pixel(), to.point.pixel(), &scissor, colour))
     }
 
     /// Draws the faces in the mesh's order, one colour each: right for convex meshes, where front
@@ -300,7 +302,7 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let limits = DrawRegion::new(target, self.area()).with_depth(depth);
-        let mut against = target.against(depth);
+        let mut against = DepthTarget::new(depth, target);
         TransformedMesh::<V, true>::new(self, cache).all(&limits.viewport, shade, |piece, ink| {
             fill_nearer(piece, &ink, &limits.scissor, &mut against, target)
         })
@@ -354,44 +356,6 @@ fn put<const DEPTH: bool>(piece: &mut DepthTriangle<'_>, corners: &[UnpackedVert
     piece.triangle.put(corners.map(|corner| corner.point), area);
     if DEPTH {
         piece.depths = corners.map(|corner| corner.depth);
-    }
-}
-
-/// Step 4: a triangle over all that is there.
-#[inline(always)]
-fn fill<T: Target, I: SpanShader<T::Color>>(
-    triangle: &Triangle<'_>,
-    ink: &I,
-    scissor: &Scissor,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    match ink.solid_color() {
-        Some(colour) => target.triangle(triangle, scissor, colour),
-        None => {
-            let fill = ink.set_up(triangle);
-            target.shaded(triangle, scissor, |span| I::span(&fill, span))
-        }
-    }
-}
-
-/// Step 4: a triangle where it is nearer.
-#[inline(always)]
-fn fill_nearer<T: Target, I: SpanShader<T::Color>>(
-    piece: &DepthTriangle<'_>,
-    ink: &I,
-    scissor: &Scissor,
-    against: &mut DepthTarget<'_, '_>,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    match ink.solid_color() {
-        Some(colour) => target.nearer(piece, scissor, against, colour),
-        None => match ink.shades() {
-            Some(shades) => target.shades_nearer(piece, scissor, against, &shades),
-            None => {
-                let fill = ink.set_up(&piece.triangle);
-                target.shaded_nearer(piece, scissor, against, |span| I::span(&fill, span))
-            }
-        },
     }
 }
 

@@ -8,7 +8,7 @@ use crate::camera::{PlaneEye, ScreenVertex};
 use crate::math::num::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, Scissor};
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::hint::black_box;
 
 /// A placed mesh whose back faces are culled by their planes, before vertices are transformed: [`MeshInstance::cull_by_planes`]
@@ -107,7 +107,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let limits = DrawRegion::new(target, self.placed.area()).with_depth(depth);
-        let mut against = target.against(depth);
+        let mut against = DepthTarget::new(depth, target);
         self.all::<true, I, T::Error>(cache, &limits.viewport, shade, |piece, ink| {
             fill_nearer(piece, &ink, &limits.scissor, &mut against, target)
         })

@@ -1,6 +1,6 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
-use super::{DrawRegion, MeshInstance, Statistics, TransformedMesh};
+use super::{line, DrawRegion, MeshInstance, Statistics, TransformedMesh};
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
 use crate::surface::Target;
@@ -20,7 +20,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
                 Some((point, _)) => {
                     statistics.drawn += 1;
                     let pixel = point.pixel();
-                    target.line(pixel, pixel, &scissor, colour)?;
+                    line(target, pixel, pixel, &scissor, colour)?;
                 }
                 None => statistics.outside += 1,
             }
