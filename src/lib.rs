@@ -36,6 +36,6 @@ pub use shading::{
     SpanShader, TableShader,
 };
 pub use surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Picture, PictureError, PixelFormat,
-    Pixels, StoredPixel, Target, TransferCost,
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Memory, Picture, PictureError,
+    PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
 };

@@ -1,24 +1,34 @@
-//! What pixels are filled with where they are nearer than what is held.
+//! Triangles of one color against a depth buffer, into memory.
+//!
+//! - **Plain twin**: `pipeline::fill::fill_nearer`: `DepthBuffer::test` for each span, and `Target::fill` for each run of
+//!   visible pixels.
+//! - **Domain**: every triangle, on a target whose pixels lie in memory, where the depth buffer is laid out as the memory is.
+//! - **Gain**: depth and color are written in one loop, eight pixels at once where the depth buffer is still clear, the common
+//!   case.
+//! - **Test**: `pipeline::fill::tests`.
+//!
+//! [`DepthFill`] is what differs between one color and [table lookup](super::table_fill); the loops over rows are shared.
 
+use super::{memory_of, Low, Small};
 use crate::math::num::CORTEX_M0;
-use crate::raster::{DepthTriangle, Gradient, RowOrigin};
+use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowOrigin, RowScratch, Rows, Scissor, Trapezoid};
+use crate::surface::{DepthBuffer, DepthTarget, Memory, PixelStore, StoredPixel, Target};
 use core::hint::black_box;
 
-/// What a triangle is filled with.
+/// What the pixels of a triangle are set to where they are nearer than the depth buffer.
 pub(crate) trait DepthFill<Cell>: Copy {
-    /// Depth, and what else runs over it.
-    type Over;
+    /// Depth over the triangle, and what else varies.
+    type Gradients;
 
-    /// Over a triangle.
-    fn over(self, piece: &DepthTriangle<'_>) -> Self::Over;
+    /// Sets up the gradients for a triangle.
+    fn set_up(self, triangle: &DepthTriangle<'_>) -> Self::Gradients;
 
-    /// Begins filling these cells at `start`; the depths of the same pixels are held. Called once per triangle if
-    /// there is shear, else once per stretch.
+    /// Begins filling `cells` and their `depths` at `start`. Called once a triangle if there is shear, else once a trapezoid.
     fn rows<'a>(
         self,
-        over: &'a mut Self::Over,
+        gradients: &'a mut Self::Gradients,
         cells: &'a mut [Cell],
-        held: &'a mut [u16],
+        depths: &'a mut [u16],
         start: RowOrigin,
     ) -> impl RowFill
     where
@@ -26,19 +36,119 @@ pub(crate) trait DepthFill<Cell>: Copy {
         Self: 'a;
 }
 
-/// Rows that follow each other.
+/// Fills rows from top to bottom.
 pub(crate) trait RowFill {
     /// Fills the next row, whose ends are counted from the cell at `start`; it may end before it begins.
     fn row(&mut self, start: usize, left: i32, right: i32);
 }
 
-/// One cell, given twice: of both the compiler does not know that they are alike.
+/// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory, and the depth buffer is laid
+/// out as they are.
+#[inline(always)]
+pub(crate) fn triangle_nearer<T: Target>(
+    triangle: &DepthTriangle<'_>,
+    color: T::Color,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> bool {
+    let cell: <T::Store as PixelStore>::Cell = color.stored();
+    fill_nearer(triangle, [cell; 2], scissor, depth, target)
+}
+
+/// As [`triangle_nearer`], with any [`DepthFill`].
+#[inline(always)]
+pub(super) fn fill_nearer<T: Target, F: DepthFill<<T::Store as PixelStore>::Cell>>(
+    triangle: &DepthTriangle<'_>,
+    fill: F,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> bool {
+    let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
+    small(memory, triangle, scissor, depth.buffer, fill);
+    true
+}
+
+/// Fills a small triangle; passes all others on.
+#[inline(never)] // its loop needs all registers
+fn small<S: PixelStore, F: DepthFill<S::Cell>>(
+    memory: &mut Memory<S>,
+    triangle: &DepthTriangle<'_>,
+    scissor: &Scissor,
+    depth: &mut DepthBuffer<'_>,
+    fill: F,
+) {
+    let (cells, scratch) = memory.parts();
+    match Small::new(&triangle.triangle, scissor, scratch) {
+        Some(small) => fill_rows(small, triangle, cells, scratch, depth.values_mut(), fill),
+        None => low(memory, triangle, scissor, depth, fill),
+    }
+}
+
+/// Fills a triangle of few rows that may be wide or reach beyond the scissor; passes larger ones on.
+#[inline(never)]
+fn low<S: PixelStore, F: DepthFill<S::Cell>>(
+    memory: &mut Memory<S>,
+    triangle: &DepthTriangle<'_>,
+    scissor: &Scissor,
+    depth: &mut DepthBuffer<'_>,
+    fill: F,
+) {
+    let (cells, scratch) = memory.parts();
+    match Low::new(&triangle.triangle, scissor, scratch) {
+        Some(low) => fill_rows(low, triangle, cells, scratch, depth.values_mut(), fill),
+        None => large(memory, triangle, scissor, depth, fill),
+    }
+}
+
+#[inline(always)]
+fn fill_rows<Cell: Copy, F: DepthFill<Cell>>(
+    rows: impl Rows,
+    triangle: &DepthTriangle<'_>,
+    cells: &mut [Cell],
+    scratch: &mut RowScratch,
+    depths: &mut [u16],
+    fill: F,
+) {
+    if !rows.is_empty() {
+        let start = rows.start(scratch.places);
+        let mut gradients = fill.set_up(triangle);
+        let mut filler = fill.rows(&mut gradients, cells, depths, start);
+        rows.each(scratch, |start, left, right| filler.row(start, left, right));
+    }
+}
+
+/// Fills any triangle, trapezoid by trapezoid.
+#[inline(never)] // rare, and most of its time is spent on pixels
+fn large<S: PixelStore, F: DepthFill<S::Cell>>(
+    memory: &mut Memory<S>,
+    triangle: &DepthTriangle<'_>,
+    scissor: &Scissor,
+    depth: &mut DepthBuffer<'_>,
+    fill: F,
+) {
+    let mut trapezoids = AnyTriangle::new(&triangle.triangle, scissor);
+    if trapezoids.is_empty() {
+        return;
+    }
+    let (mut gradients, depths) = (fill.set_up(triangle), depth.values_mut());
+    let (cells, RowScratch { places: layout, .. }) = memory.parts();
+    let mut trapezoid = Trapezoid::default();
+    while trapezoids.stretch(&mut trapezoid) {
+        let start @ RowOrigin { x, y, .. } = RowOrigin { x: trapezoid.x, y: trapezoid.y, shear: 0 };
+        let mut filler = fill.rows(&mut gradients, cells, depths, start);
+        trapezoid.each(layout.at(x, y), layout.stride, |start, left, right| filler.row(start, left, right));
+    }
+}
+
+/// One cell, given twice, so that LLVM stores two 16-bit cells from one register: it does not know that they are equal.
 impl<Cell: Copy> DepthFill<Cell> for [Cell; 2] {
-    type Over = Gradient;
+    type Gradients = Gradient;
 
     #[inline(always)]
-    fn over(self, piece: &DepthTriangle<'_>) -> Gradient {
-        piece.plane()
+    fn set_up(self, triangle: &DepthTriangle<'_>) -> Gradient {
+        triangle.plane()
     }
 
     #[inline(always)]
@@ -46,53 +156,53 @@ impl<Cell: Copy> DepthFill<Cell> for [Cell; 2] {
         self,
         depth: &'a mut Gradient,
         cells: &'a mut [Cell],
-        held: &'a mut [u16],
+        depths: &'a mut [u16],
         RowOrigin { x, y, shear }: RowOrigin,
     ) -> impl RowFill
     where
         Cell: 'a,
     {
-        let (cells, held) = as_long(cells, held);
+        let (cells, depths) = same_length(cells, depths);
         let depth = depth.sheared(shear);
-        OneCell { two: self, cells, held, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
+        SolidRows { pair: self, cells, depths, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
     }
 }
 
-/// One length for both.
+/// Cuts the longer slice, so that one bounds check serves both.
 #[inline(always)]
-pub(crate) fn as_long<'a, Cell>(
+pub(super) fn same_length<'a, Cell>(
     cells: &'a mut [Cell],
-    held: &'a mut [u16],
+    depths: &'a mut [u16],
 ) -> (&'a mut [Cell], &'a mut [u16]) {
-    let length = cells.len().min(held.len());
-    match (cells.get_mut(..length), held.get_mut(..length)) {
-        (Some(cells), Some(held)) => (cells, held),
+    let length = cells.len().min(depths.len());
+    match (cells.get_mut(..length), depths.get_mut(..length)) {
+        (Some(cells), Some(depths)) => (cells, depths),
         _ => Default::default(),
     }
 }
 
 /// Rows of one cell.
-struct OneCell<'a, Cell> {
-    two: [Cell; 2],
+struct SolidRows<'a, Cell> {
+    pair: [Cell; 2],
     cells: &'a mut [Cell],
-    held: &'a mut [u16],
+    depths: &'a mut [u16],
     step: u32,
     down: u32,
-    /// Where the next row is counted from.
+    /// Depth at the origin from which the next row's ends are counted.
     z: u32,
 }
 
-impl<Cell: Copy> RowFill for OneCell<'_, Cell> {
+impl<Cell: Copy> RowFill for SolidRows<'_, Cell> {
     #[inline(always)]
     fn row(&mut self, start: usize, left: i32, right: i32) {
-        let Self { two, cells, held, step, down, z } = self;
+        let Self { pair, cells, depths, step, down, z } = self;
         let from = start.wrapping_add(left as usize);
         let first = z.wrapping_add(step.wrapping_mul(left as u32));
-        // More than there are where it ends before it begins.
+        // Larger than any slice where the row ends before it begins.
         let width = right.wrapping_sub(left) as usize;
-        if let (Some(run), Some(held)) = (cells.get_mut(from..), held.get_mut(from..)) {
-            if let (Some(run), Some(held)) = (run.get_mut(..width), held.get_mut(..width)) {
-                fill_row_nearer(run, held, first, *step, *two);
+        if let (Some(run), Some(depths)) = (cells.get_mut(from..), depths.get_mut(from..)) {
+            if let (Some(run), Some(depths)) = (run.get_mut(..width), depths.get_mut(..width)) {
+                fill_row(run, depths, first, *step, *pair);
             }
         }
         *z = z.wrapping_add(*down);
@@ -100,84 +210,81 @@ impl<Cell: Copy> RowFill for OneCell<'_, Cell> {
 }
 
 #[inline(always)]
-fn fill_row_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], first: u32, step: u32, two: [Cell; 2]) {
-    let [cell, _] = two;
-    if run.len() >= MANY {
-        fill_nearer(run, held, first, step, two);
+fn fill_row<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], first: u32, step: u32, pair: [Cell; 2]) {
+    let [cell, _] = pair;
+    if run.len() >= BLOCK {
+        fill_blocks(run, depths, first, step, pair);
     } else if CORTEX_M0 {
-        fill_few_nearer(run, held, first, step, cell);
+        fill_few(run, depths, first, step, cell);
     } else {
-        fill_short_nearer(run, held, first, step, cell);
+        fill_each(run, depths, first, step, cell);
     }
 }
 
-/// Fewer than [`MANY`], without a loop.
+/// Fills fewer than [`BLOCK`] pixels without a loop, which on a Cortex-M0 takes fewer instructions than with one.
 #[inline(always)]
-fn fill_few_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], first: u32, step: u32, cell: Cell) {
-    let mut z = black_box(first); // else each would be a product
-    for i in 0..MANY - 1 {
-        let (Some(pixel), Some(held)) = (run.get_mut(i), held.get_mut(i)) else { return };
-        one_nearer(pixel, held, z, cell);
+fn fill_few<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], first: u32, step: u32, cell: Cell) {
+    let mut z = black_box(first); // else LLVM multiplies for each pixel instead of adding
+    for i in 0..BLOCK - 1 {
+        let (Some(pixel), Some(stored)) = (run.get_mut(i), depths.get_mut(i)) else { return };
+        put_nearer(pixel, stored, z, cell);
         z = z.wrapping_add(step);
     }
 }
 
-/// So many pixels at a time are faster than one by one.
-pub(crate) const MANY: usize = 8;
+/// Pixels that are tested together for a clear depth buffer.
+pub(super) const BLOCK: usize = 8;
 
+/// Fills pixels one by one; the depth after the last one.
 #[inline(always)]
-fn fill_short_nearer<Cell: Copy>(
-    run: &mut [Cell],
-    held: &mut [u16],
-    mut z: u32,
-    step: u32,
-    cell: Cell,
-) -> u32 {
-    for (pixel, held) in run.iter_mut().zip(held) {
-        one_nearer(pixel, held, z, cell);
+fn fill_each<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, step: u32, cell: Cell) -> u32 {
+    for (pixel, stored) in run.iter_mut().zip(depths) {
+        put_nearer(pixel, stored, z, cell);
         z = z.wrapping_add(step);
         black_box(()); // not unrolled
     }
     z
 }
 
-/// Many pixels at a time where nothing is held yet, as is so of most.
+/// Eight pixels at once where the depth buffer is still clear, the common case.
 #[inline(never)] // its loop needs all registers
-fn fill_nearer<Cell: Copy>(run: &mut [Cell], held: &mut [u16], mut z: u32, step: u32, two: [Cell; 2]) {
-    let [cell, _] = two;
-    // They are as long; here that is said.
-    let Some(held) = held.get_mut(..run.len()) else { return };
-    let ((many, rest), (held_many, held_rest)) = (run.as_chunks_mut::<MANY>(), held.as_chunks_mut::<MANY>());
-    for (pixels, held) in many.iter_mut().zip(held_many) {
-        if nothing_is_held(held) {
-            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = two);
-            for held in held {
-                *held = (z >> 16) as u16;
+fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, step: u32, pair: [Cell; 2]) {
+    let [cell, _] = pair;
+    // Both have one length; this tells the compiler.
+    let Some(depths) = depths.get_mut(..run.len()) else { return };
+    let ((blocks, rest), (depth_blocks, depth_rest)) =
+        (run.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
+    for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
+        if is_clear(depths) {
+            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = pair);
+            for stored in depths {
+                *stored = (z >> 16) as u16;
                 z = z.wrapping_add(step);
             }
         } else {
-            // Loaded anew: the way above needs the registers.
-            z = fill_short_nearer(pixels, black_box(held), z, step, cell);
+            // `black_box`: the depths are loaded again, because the branch above needs the registers.
+            z = fill_each(pixels, black_box(depths), z, step, cell);
         }
         black_box(()); // not unrolled
     }
-    fill_short_nearer(rest, held_rest, z, step, cell);
+    fill_each(rest, depth_rest, z, step, cell);
 }
 
-/// Whether that is so of all these.
+/// Whether nothing was drawn at any of these pixels.
 #[inline(always)]
-pub(crate) fn nothing_is_held(held: &[u16; MANY]) -> bool {
+pub(super) fn is_clear(depths: &[u16; BLOCK]) -> bool {
     if CORTEX_M0 {
-        return held.iter().fold(u16::MAX, |all, &held| all & held) == u16::MAX;
+        return depths.iter().fold(u16::MAX, |all, &depth| all & depth) == u16::MAX;
     }
-    // As pairs they are loaded at once.
-    let pairs = held.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
+    // In pairs, so that each is loaded as one word.
+    let pairs = depths.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
     pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX
 }
 
+/// The depth test for one pixel.
 #[inline(always)]
-pub(crate) fn one_nearer<Cell: Copy>(pixel: &mut Cell, held: &mut u16, z: u32, cell: Cell) {
-    if z >> 16 < u32::from(*held) {
-        (*held, *pixel) = ((z >> 16) as u16, cell);
+pub(super) fn put_nearer<Cell: Copy>(pixel: &mut Cell, stored: &mut u16, z: u32, cell: Cell) {
+    if z >> 16 < u32::from(*stored) {
+        (*stored, *pixel) = ((z >> 16) as u16, cell);
     }
 }

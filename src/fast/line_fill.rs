@@ -1,35 +1,47 @@
-//! Lines into memory.
+//! Lines of one color, into memory.
 //!
-//! A steep line moves a row at each step, so that its pixels' places in memory only grow, or only fall: where the last
-//! one ends the memory that is lent to the loop, the check that a place lies inside is also what ends the loop. PixelLayout
-//! are fixed-point numbers with 32 bits behind the point, whose carry is the step aside. A flat line is drawn row by
-//! row, with Bresenham's error in integers.
+//! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Target::fill`.
+//! - **Domain**: every line, on a target whose pixels lie in memory.
+//! - **Gain**: no span and no error term for each pixel of a steep line: two instructions for its step.
+//! - **Test**: `pipeline::fill::tests`; `tests/memory_lines.rs` holds it against the oracle.
+//!
+//! A steep line moves one row at each step, so that the indices of its pixels only grow, or only fall: the loop gets the slice
+//! that ends with the last pixel, and the bounds check of an index also ends the loop. Indices are fixed-point numbers with 32
+//! fractional bits, whose carry is the step aside. A flat line is drawn row by row, with Bresenham's error in integers.
 
+use super::memory_of;
 use crate::math::num::{mul_high, reciprocal};
 use crate::raster::{place, LineSetup, LineSpans, Pixel, Scissor, Span};
-use crate::surface::memory::{fill, pair, Memory};
+use crate::surface::block_fill::{fill_pairs, pair};
+use crate::surface::{StoredPixel, Target};
 use core::hint::black_box;
+use embedded_graphics_core::primitives::Rectangle;
 
-impl<Cell: Copy> Memory<'_, Cell> {
-    /// Draws a line. What lies in the scissor lies in memory.
-    #[inline(always)]
-    pub(crate) fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, cell: Cell) {
-        // From where the first pixel lies.
-        let (left, top, stride) = (self.left, self.top, self.ground.places.stride);
-        // These wrap where the area begins so far away that no pixel of it is in the scissor.
-        let (right, down) = (|x: i32| x.wrapping_sub(left), |y: i32| y.wrapping_sub(top));
-        let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
-        let (rows, columns) = (scissor.rows(), scissor.columns());
-        if rows.is_empty() || columns.is_empty() {
-            return;
-        }
+/// Draws a line, unless the target's pixels do not lie in memory. The scissor lies in the target.
+#[inline(always)]
+pub(crate) fn line_into_memory<T: Target>(
+    from: Pixel,
+    to: Pixel,
+    scissor: &Scissor,
+    color: T::Color,
+    target: &mut T,
+) -> bool {
+    let Some(memory) = memory_of(target) else { return false };
+    let Rectangle { top_left, size } = memory.area();
+    let (cells, _) = memory.parts();
+    // Counted from the first pixel. These wrap where the area begins so far away that no pixel of it is in the scissor.
+    let (right, down) = (|x: i32| x.wrapping_sub(top_left.x), |y: i32| y.wrapping_sub(top_left.y));
+    let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
+    let (rows, columns) = (scissor.rows(), scissor.columns());
+    if !rows.is_empty() && !columns.is_empty() {
         let scissor =
             Scissor::as_given(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
-        line(self.cells, stride, moved(from), moved(to), &scissor, cell);
+        line(cells, size.width as usize, moved(from), moved(to), &scissor, color.stored());
     }
+    true
 }
 
-/// Of memory by its parts: from line to line they stay in registers.
+/// Draws a line into cells, row by row. The parts of the memory are arguments: from line to line they stay in registers.
 #[inline(never)] // its loops need all registers
 fn line<Cell: Copy>(
     cells: &mut [Cell],
@@ -40,7 +52,7 @@ fn line<Cell: Copy>(
     cell: Cell,
 ) {
     let course = LineSetup::between(from, to);
-    if !course.lies_in(scissor) || course.tall && !is_near(&course, stride) {
+    if !course.lies_in(scissor) || course.tall && !is_short(&course, stride) {
         return cut(cells, stride, (course.x, course.y), course.end, scissor, cell);
     }
     let (start, end) = ((course.x, course.y), course.end);
@@ -60,7 +72,7 @@ fn line<Cell: Copy>(
     }
 }
 
-/// The same for a line of which only a part may lie in the scissor.
+/// Draws the part of a line that lies in the scissor.
 #[cold]
 #[inline(never)]
 fn cut<Cell: Copy>(
@@ -76,7 +88,7 @@ fn cut<Cell: Copy>(
     if first > last {
         return;
     }
-    // It is longer than a pixel.
+    // The line is longer than one pixel.
     let ((aside, rest), (last_aside, _)) = (course.aside(first), course.aside(last));
     let at = |step: i32, aside: i32| {
         let (right, down) = if tall { (aside, step) } else { (step, aside) };
@@ -86,14 +98,14 @@ fn cut<Cell: Copy>(
     if !tall {
         // `raster::line` has `rest` + 1 + 2m − 2L there.
         flat(cells, stride, start, end, &course, rest - 2 * length, cell);
-    } else if is_near(&course, stride) {
+    } else if is_short(&course, stride) {
         steep(cells, stride, start, end, &course, first as u32, cell);
     } else {
         by_runs(cells, stride, from, to, scissor, cell);
     }
 }
 
-/// From a row to the next one.
+/// The step of an index from a row to the line's next row.
 #[inline(always)]
 fn down(stride: usize, up: bool) -> usize {
     if up {
@@ -103,8 +115,9 @@ fn down(stride: usize, up: bool) -> usize {
     }
 }
 
-/// More to the right than down or up. `error`: of [`raster::line`] less 1 and less 2m, at the first pixel; where it is not
-/// negative once 2m is added, the line steps aside.
+/// Draws a line that runs more to the right than down or up, pixel by pixel. `error` is that of
+/// [`raster::line`](crate::raster::line()) less 1 and less 2m, at the first pixel; where it is not negative once 2m is added, the
+/// line steps aside.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn flat<Cell: Copy>(
@@ -116,11 +129,11 @@ fn flat<Cell: Copy>(
     error: i32,
     cell: Cell,
 ) {
-    // All rows but the last one: to come there is to leave them.
+    // All rows but the last one: the index leaves this slice when the line comes to its last row.
     let last = place(0, end.1, stride);
     let (low, high) = if course.up { (last.wrapping_add(stride), cells.len()) } else { (0, last) };
     let (mut at, down) = (place(x, y, stride).wrapping_sub(low), down(stride, course.up));
-    // It is negative at every pixel: it carries where it comes to 0 from below.
+    // The error is negative at every pixel: the addition carries where it becomes 0 or more.
     let (along, back) = (2 * course.rise as u32, 2 * course.length as u32);
     let mut error = error as u32;
     if let Some(cells) = cells.get_mut(low..high) {
@@ -129,7 +142,7 @@ fn flat<Cell: Copy>(
             let carries;
             (error, carries) = error.overflowing_add(along);
             if carries {
-                black_box(()); // a branch, not sums for both ways
+                black_box(()); // a branch, not a conditional sum
                 error = error.wrapping_sub(back);
                 at = at.wrapping_add(down);
             }
@@ -145,24 +158,24 @@ fn flat<Cell: Copy>(
     }
 }
 
-/// A whole line whose runs have some pixels: run by run.
+/// Draws a flat line that is not clipped and whose runs have four pixels or more, run by run.
 ///
-/// Of row K the last step is ⌊(2K + 1)·L / 2m⌋: from row to row ⌊L/m⌋ more, or one more than that. (Bresenham, *Run length
+/// The last step in row K is ⌊(2K + 1)·L / 2m⌋: from row to row ⌊L/m⌋ more, or one more than that. (Bresenham, *Run length
 /// slice algorithm for incremental lines*, 1985.)
 #[inline(never)] // its loop needs all registers
 fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32, length: i32, cell: Cell) {
-    let two = pair(cell);
+    let pair = pair(cell);
     let mut left = length + 1;
     if let Some(least) = length.checked_div(rise) {
         let (back, first) = (2 * rise, least >> 1);
-        // What is left of the division by 2m, less 2m: negative.
+        // The remainder of the division by 2m, less 2m: negative.
         let mut error = length - first * back - back;
         let along = 2 * (length - least * rise);
         let mut run = first + 1;
         for _ in 0..rise {
             let next = at.wrapping_add(run as usize);
             if let Some(run) = cells.get_mut(at..next) {
-                fill(run, two);
+                fill_pairs(run, pair, true);
             }
             at = next.wrapping_add(down);
             left -= run;
@@ -175,11 +188,11 @@ fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32,
         }
     }
     if let Some(run) = cells.get_mut(at..at.wrapping_add(left as usize)) {
-        fill(run, two);
+        fill_pairs(run, pair, true);
     }
 }
 
-/// More down or up than to the right. `first`: the step of the first pixel.
+/// Draws a line that runs more down or up than to the right. `first` is the step of the first pixel.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn steep<Cell: Copy>(
@@ -198,7 +211,7 @@ fn steep<Cell: Copy>(
     let slope = slope(course);
     let mut at = fixed(start.wrapping_sub(low), slope.wrapping_mul(first).wrapping_add(HALF));
     let step = fixed(down(stride, course.up), slope);
-    // Beyond the end, or far beyond it where the next place is before the first.
+    // The index after the last pixel lies beyond the slice, or wraps far beyond it.
     while let Some(pixel) = cells.get_mut((at >> 32) as usize) {
         *pixel = cell;
         at = at.wrapping_add(step);
@@ -213,23 +226,23 @@ fn fixed(whole: usize, part: u32) -> u64 {
 
 /// Just below ½, in 2⁻³².
 ///
-/// After i steps a line has made ⌊(2mi + L − 1)/2L⌋ steps aside, for its minor extent m and its major one L. The sum of
-/// i slopes and this is as much before rounding, and 1/2L − 2⁻³² more, less what the slope is short of m/L, i times: the
-/// same when rounded down, as long as that is not negative (so the floor is not too low) and below 1/2L (the numbers
-/// rounded are multiples of 1/2L).
+/// After i steps a line has made ⌊(2mi + L − 1)/2L⌋ steps aside, for its minor extent m and its major extent L. The sum of i
+/// slopes and this constant is that number before rounding, plus 1/2L − 2⁻³², minus i times what the slope is short of m/L.
+/// Rounded down both are equal as long as the difference is not negative (so the floor is not too low) and below 1/2L (the
+/// rounded numbers are multiples of 1/2L).
 const HALF: u32 = (1 << 31) - 1;
 
-/// A slope is short by less than 48 · 2⁻³², so 48·L + 1 ≤ 2³²/2L.
+/// The largest L with 48·L + 1 ≤ 2³²/2L: a slope is short by less than 48 · 2⁻³².
 const LONGEST: i32 = 6688;
 
-/// Whether [`steep`] is for it. With more than one column the place after the last pixel is beyond it; with 2¹⁵ at most,
-/// and 2¹³ rows, places from one end to the other have less than 32 bits.
+/// Whether [`steep`] draws the line exactly. With two columns or more the index after the last pixel is larger; with at most 2¹⁵
+/// columns and 2¹³ rows, the indices from one end to the other have less than 32 bits.
 #[inline(always)]
-fn is_near(course: &LineSetup, stride: usize) -> bool {
+fn is_short(course: &LineSetup, stride: usize) -> bool {
     course.length <= LONGEST && (2..=0x8000).contains(&stride)
 }
 
-/// m/L in 2⁻³², or less by at least 0 and less than 48; 0 for 0. `0 ≤ m ≤ L`, `0 < L ≤ LONGEST`.
+/// m/L in 2⁻³², short by at least 0 and less than 48; 0 for 0. `0 ≤ m ≤ L`, `0 < L ≤ LONGEST`.
 #[inline(always)]
 fn slope(&LineSetup { rise, length, .. }: &LineSetup) -> u32 {
     let r = reciprocal(length);
@@ -239,7 +252,7 @@ fn slope(&LineSetup { rise, length, .. }: &LineSetup) -> u32 {
     (high.max(0) as u32) << 3
 }
 
-/// Run by run: the slow way.
+/// Draws a line span by span: the slow path.
 #[cold]
 #[inline(never)]
 fn by_runs<Cell: Copy>(

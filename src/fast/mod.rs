@@ -5,10 +5,25 @@ pub(crate) mod bresenham_triangle;
 pub(crate) mod depth_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 mod edge20;
-mod line_fill;
+pub(crate) mod line_fill;
+pub(crate) mod shaded_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 mod small_triangle;
+pub(crate) mod solid_fill;
 pub(crate) mod table_fill;
+
+use crate::surface::{Memory, Target};
+
+/// Where every fast path that writes to memory attaches: the target's memory, or `None` for targets without memory, and for all
+/// targets with `--cfg pinhole_plain`.
+#[inline(always)]
+fn memory_of<T: Target>(target: &mut T) -> Option<&mut Memory<T::Store>> {
+    if cfg!(pinhole_plain) {
+        None
+    } else {
+        target.memory()
+    }
+}
 
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) use by_division::{Inside, Kept, Low, Small};

@@ -1,200 +1,181 @@
-//! A colour for each level of light, and light that runs over a triangle.
+//! Triangles whose colors are looked up in a [`ShadeTable`](crate::ShadeTable), against a depth buffer, into memory.
+//!
+//! - **Plain twin**: `pipeline::fill::fill_nearer` with the shader's [`span`](crate::SpanShader::span).
+//! - **Domain**: every triangle, on a target whose pixels lie in memory, where the depth buffer is laid out as the memory is.
+//! - **Gain**: colors are looked up only for pixels that are nearer, eight at once where the depth buffer is still clear; the
+//!   gradients of depth and light share one reciprocal.
+//! - **Test**: `pipeline::fill::tests`.
 
-use super::depth_fill::{as_long, nothing_is_held, DepthFill, RowFill, MANY};
+use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use crate::math::num::CORTEX_M0;
-use crate::raster::{DepthTriangle, Gradient, RowOrigin, Span, Triangle};
-use crate::surface::StoredPixel;
+use crate::raster::{DepthTriangle, Gradient, RowOrigin, Scissor};
+use crate::shading::TableShader;
+use crate::surface::{DepthTarget, StoredPixel, Target};
 use core::hint::black_box;
-use core::iter::repeat_with;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// A colour for each of 256 levels of light, and the light at a triangle's corners in 8.10.
-#[derive(Debug)]
-pub struct Shades<'t, C> {
-    pub(crate) colours: &'t [C; 256],
-    pub(crate) light: [i32; 3],
-}
-
-impl<'t, C: PixelColor> Shades<'t, C> {
-    /// Over a triangle.
-    pub(crate) fn over(&self, triangle: &Triangle<'_>) -> Shade<'t, C> {
-        Shade { colours: self.colours, light: Gradient::of_light(triangle, &self.light) }
-    }
-}
-
-/// Light over a triangle, and the colours to look up.
-#[derive(Debug)]
-pub struct Shade<'t, C> {
-    colours: &'t [C; 256],
-    light: Gradient,
-}
-
-impl<C: PixelColor> Shade<'_, C> {
-    /// The colours of a row from a covered pixel on.
-    #[inline(always)]
-    pub(crate) fn run(&self, Span { x, y, .. }: Span) -> impl Iterator<Item = C> + use<'_, C> {
-        let (mut light, step) = (self.light.at(x, y), self.light.step());
-        repeat_with(move || {
-            let colour = look_up(self.colours, light);
-            light = light.wrapping_add(step);
-            colour
-        })
-    }
-}
-
+/// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory, and the depth buffer is laid
+/// out as they are.
 #[inline(always)]
-fn look_up<C: Copy>(colours: &[C; 256], light: u32) -> C {
-    let [level, ..] = light.to_be_bytes();
-    colours[usize::from(level)] // of 256 there is one
+pub(crate) fn triangle_nearer<T: Target>(
+    triangle: &DepthTriangle<'_>,
+    shader: &TableShader<'_, T::Color>,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> bool {
+    fill_nearer(triangle, shader, scissor, depth, target)
 }
 
-impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &Shades<'_, C> {
-    type Over = [Gradient; 2];
+impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
+    /// Of depth and of light.
+    type Gradients = [Gradient; 2];
 
     #[inline(always)]
-    fn over(self, piece: &DepthTriangle<'_>) -> [Gradient; 2] {
-        Gradient::of_depth_and_light(&piece.triangle, &piece.depths, &self.light)
+    fn set_up(self, triangle: &DepthTriangle<'_>) -> [Gradient; 2] {
+        Gradient::of_depth_and_light(&triangle.triangle, &triangle.depths, self.light())
     }
 
     #[inline(always)]
     fn rows<'a>(
         self,
-        over: &'a mut [Gradient; 2],
+        gradients: &'a mut [Gradient; 2],
         cells: &'a mut [Cell],
-        held: &'a mut [u16],
+        depths: &'a mut [u16],
         RowOrigin { x, y, shear }: RowOrigin,
     ) -> impl RowFill
     where
         Cell: 'a,
         Self: 'a,
     {
-        let (cells, held) = as_long(cells, held);
-        *over = over.map(|plane| plane.sheared(shear));
-        let [depth, light] = &*over;
-        let ramp = Ramp { colours: self.colours, step: depth.step(), dim: light.step() };
-        Looked { ramp, cells, held, over, z: depth.at(x, y), light: light.at(x, y) }
+        let (cells, depths) = same_length(cells, depths);
+        *gradients = gradients.map(|plane| plane.sheared(shear));
+        let [depth, light] = &*gradients;
+        let steps = Steps { colors: self.colors(), depth: depth.step(), light: light.step() };
+        TableRows { steps, cells, depths, gradients, z: depth.at(x, y), light: light.at(x, y) }
     }
 }
 
-/// Rows of colours that are looked up.
-struct Looked<'a, C, Cell> {
-    ramp: Ramp<'a, C>,
+/// Rows of colors from a table.
+struct TableRows<'a, C, Cell> {
+    steps: Steps<'a, C>,
     cells: &'a mut [Cell],
-    held: &'a mut [u16],
-    over: &'a [Gradient; 2],
-    /// Where the next row is counted from.
+    depths: &'a mut [u16],
+    gradients: &'a [Gradient; 2],
+    /// Depth and light at the origin from which the next row's ends are counted.
     z: u32,
     light: u32,
 }
 
-impl<C: StoredPixel<Cell>, Cell> RowFill for Looked<'_, C, Cell> {
+impl<C: StoredPixel<Cell>, Cell> RowFill for TableRows<'_, C, Cell> {
     #[inline(always)]
     fn row(&mut self, start: usize, left: i32, right: i32) {
         let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
         if width > 0 {
-            if width < MANY as i32 {
+            if width < BLOCK as i32 {
                 self.short(from, left, width as usize);
             } else {
                 self.long(from, left, width as usize);
             }
         }
-        let [depth, light] = self.over;
+        let [depth, light] = self.gradients;
         self.z = self.z.wrapping_add(depth.down());
         self.light = self.light.wrapping_add(light.down());
     }
 }
 
-impl<C: StoredPixel<Cell>, Cell> Looked<'_, C, Cell> {
-    /// A row's cells, their depths, and depth and light where it begins.
+impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
+    /// A row's cells and depths, and depth and light at its first pixel.
     #[inline(always)]
     fn part(&mut self, from: usize, left: i32, width: usize) -> Option<(&mut [Cell], &mut [u16], u32, u32)> {
-        let (run, held) = (part_of(self.cells, from, width)?, part_of(self.held, from, width)?);
-        let z = self.z.wrapping_add(self.ramp.step.wrapping_mul(left as u32));
-        let light = self.light.wrapping_add(self.ramp.dim.wrapping_mul(left as u32));
-        Some((run, held, z, light))
+        let (run, depths) = (part_of(self.cells, from, width)?, part_of(self.depths, from, width)?);
+        let z = self.z.wrapping_add(self.steps.depth.wrapping_mul(left as u32));
+        let light = self.light.wrapping_add(self.steps.light.wrapping_mul(left as u32));
+        Some((run, depths, z, light))
     }
 
-    /// Fewer than [`MANY`] pixels. All that it needs lies in memory: a call costs little, and it has all registers.
+    /// Fills a row of fewer than [`BLOCK`] pixels. All that it needs lies in memory, so the call is cheap and has all registers.
     #[inline(never)]
     fn short(&mut self, from: usize, left: i32, width: usize) {
-        let ramp = Ramp { ..self.ramp };
-        if let Some((run, held, z, light)) = self.part(from, left, width) {
-            let (_, run) = run.as_chunks_mut::<MANY>(); // all of it: so the compiler sees how short it is
-            ramp.few(run, held, z, light);
+        let steps = Steps { ..self.steps };
+        if let Some((run, depths, z, light)) = self.part(from, left, width) {
+            let (_, run) = run.as_chunks_mut::<BLOCK>(); // all of it: this tells the compiler how short it is
+            steps.fill_each(run, depths, z, light);
         }
     }
 
-    /// The same of more.
+    /// Fills a row of [`BLOCK`] pixels or more.
     #[inline(never)]
     fn long(&mut self, from: usize, left: i32, width: usize) {
-        let ramp = Ramp { ..self.ramp };
-        if let Some((run, held, z, light)) = self.part(from, left, width) {
-            ramp.many(run, held, z, light);
+        let steps = Steps { ..self.steps };
+        if let Some((run, depths, z, light)) = self.part(from, left, width) {
+            steps.fill_blocks(run, depths, z, light);
         }
     }
 }
 
-/// So many from this one on, if there are.
+/// `width` elements from index `from` on, if there are as many.
 #[inline(always)]
 fn part_of<T>(all: &mut [T], from: usize, width: usize) -> Option<&mut [T]> {
     if CORTEX_M0 {
-        // Of tests that lead to the same place the compiler would make one number, and test that: five instructions more each.
+        // `black_box` keeps LLVM from folding the two checks into one value to be tested later: five instructions more each.
         let part = all.get_mut(from..)?;
         black_box(());
         let part = part.get_mut(..width)?;
         black_box(());
         return Some(part);
     }
-    all.get_mut(from..from.wrapping_add(width)) // before from where it wraps
+    all.get_mut(from..from.wrapping_add(width)) // a sum that wraps is below `from`
 }
 
-/// Colours, and the steps from a pixel to the next one.
-struct Ramp<'a, C> {
-    colours: &'a [C; 256],
-    step: u32,
-    dim: u32,
+/// The table, and the steps of depth and light from a pixel to the next one.
+struct Steps<'a, C> {
+    colors: &'a [C; 256],
+    depth: u32,
+    light: u32,
 }
 
-impl<C> Ramp<'_, C> {
+impl<C: PixelColor> Steps<'_, C> {
+    /// Fills pixels one by one; depth and light after the last one.
     #[inline(always)]
-    fn few<Cell>(&self, run: &mut [Cell], held: &mut [u16], mut z: u32, mut light: u32) -> (u32, u32)
+    fn fill_each<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32) -> (u32, u32)
     where
         C: StoredPixel<Cell>,
     {
-        for (pixel, held) in run.iter_mut().zip(held) {
-            if z >> 16 < u32::from(*held) {
-                *held = (z >> 16) as u16;
-                *pixel = look_up(self.colours, light).stored();
+        for (pixel, stored) in run.iter_mut().zip(depths) {
+            if z >> 16 < u32::from(*stored) {
+                *stored = (z >> 16) as u16;
+                *pixel = TableShader::look_up(self.colors, light).stored();
             }
-            (z, light) = (z.wrapping_add(self.step), light.wrapping_add(self.dim));
+            (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
             black_box(()); // unrolled only where there are few
         }
         (z, light)
     }
 
-    /// Many pixels at a time where nothing is held yet, as is so of most.
+    /// Eight pixels at once where the depth buffer is still clear, the common case.
     #[inline(always)]
-    fn many<Cell>(&self, run: &mut [Cell], held: &mut [u16], mut z: u32, mut light: u32)
+    fn fill_blocks<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32)
     where
         C: StoredPixel<Cell>,
     {
-        // They are as long; here that is said.
-        let Some(held) = held.get_mut(..run.len()) else { return };
-        let ((many, rest), (held_many, held_rest)) =
-            (run.as_chunks_mut::<MANY>(), held.as_chunks_mut::<MANY>());
-        for (pixels, held) in many.iter_mut().zip(held_many) {
-            if nothing_is_held(held) {
-                for (pixel, held) in pixels.iter_mut().zip(held) {
-                    *held = (z >> 16) as u16;
-                    *pixel = look_up(self.colours, light).stored();
-                    (z, light) = (z.wrapping_add(self.step), light.wrapping_add(self.dim));
+        // Both have one length; this tells the compiler.
+        let Some(depths) = depths.get_mut(..run.len()) else { return };
+        let ((blocks, rest), (depth_blocks, depth_rest)) =
+            (run.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
+        for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
+            if is_clear(depths) {
+                for (pixel, stored) in pixels.iter_mut().zip(depths) {
+                    *stored = (z >> 16) as u16;
+                    *pixel = TableShader::look_up(self.colors, light).stored();
+                    (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
                 }
             } else {
-                // Loaded anew: the way above needs the registers.
-                (z, light) = self.few(pixels, black_box(held), z, light);
+                // `black_box`: the depths are loaded again, because the branch above needs the registers.
+                (z, light) = self.fill_each(pixels, black_box(depths), z, light);
             }
             black_box(()); // not unrolled
         }
-        self.few(rest, held_rest, z, light);
+        self.fill_each(rest, depth_rest, z, light);
     }
 }

@@ -15,7 +15,7 @@ use crate::clip::Varying;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::shading::SpanShader;
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -296,7 +296,7 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         let instance = self.0.transformed.instance;
-        let mut depth = band.against(depth);
+        let mut depth = DepthTarget::new(depth, band);
         self.each(region, |index, face, triangles| {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {

@@ -1,12 +1,13 @@
-//! Triangles and lines by themselves, for drawing in 2D.
+//! Drawing in 2D: single triangles and lines.
 
-use super::fill::fill;
+use super::fill::{fill, line, scissor_of};
+use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::Target;
 
-/// Fills a triangle, as the rules of [`raster`](crate::raster) say which pixels are its own, clipped to the
-/// target. Corners are in the target's coordinates, in 1/256 pixel.
+/// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. Corners are in the
+/// target's coordinates, in 1/256 pixel.
 ///
 /// # Errors
 ///
@@ -22,24 +23,27 @@ use crate::surface::Target;
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
-pub fn fill_triangle<T: Target, I: SpanShader<T::Color>>(
+pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
     corners: [ScreenPoint; 3],
-    ink: I,
+    shader: S,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    match (raster::area(&corners), ink.solid_color()) {
-        (0, _) => Ok(()), // R6
-        (area, Some(colour)) => target.plain_triangle(corners, area, colour),
-        (area, None) => {
-            // The same viewport for a band as for all of the picture: so are the colours.
-            let triangle = Triangle::new(corners, area, &Scissor::GUARD_BAND);
-            fill(&triangle, &ink, &target.reach(), target)
+    let area = raster::area(&corners);
+    if area == 0 {
+        return Ok(()); // R6
+    }
+    if let Some(color) = shader.solid_color() {
+        if solid_fill::triangle_2d(corners, area, color, target) {
+            return Ok(());
         }
     }
+    // The viewport is the guard band and not the target, so that colors in a band are those of the whole picture.
+    let triangle = Triangle::new(corners, area, &Scissor::GUARD_BAND);
+    fill(&triangle, &shader, &scissor_of(target), target)
 }
 
-/// Draws a line, both ends included, as the rules of [`raster`](crate::raster) say which pixels are its own,
-/// clipped to the target. Ends are pixels in the target's coordinates.
+/// Draws a line, both ends included, by the rules of [`raster`](crate::raster), clipped to the target. Ends are pixels in the
+/// target's coordinates.
 ///
 /// # Errors
 ///
@@ -54,12 +58,7 @@ pub fn fill_triangle<T: Target, I: SpanShader<T::Color>>(
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
-pub fn draw_line<T: Target>(
-    from: Pixel,
-    to: Pixel,
-    colour: T::Color,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    let all = target.reach();
-    target.line(from, to, &all, colour)
+pub fn draw_line<T: Target>(from: Pixel, to: Pixel, color: T::Color, target: &mut T) -> Result<(), T::Error> {
+    let scissor = scissor_of(target);
+    line(target, from, to, &scissor, color)
 }

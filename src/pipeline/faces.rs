@@ -17,7 +17,7 @@ use crate::clip::Varying;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::shading::{CornerValues, Shader, SpanShader};
-use crate::surface::{DepthBuffer, Target};
+use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 
 /// The face loop: each face that `source` pushes is culled and, where it must be, clipped; `sink` gets the index and the
@@ -144,7 +144,7 @@ pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::C
     target: &mut T,
 ) -> Result<Statistics, T::Error> {
     let instance = cache.instance();
-    let mut depth = target.against(depth);
+    let mut depth = DepthTarget::new(depth, target);
     each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
         let shader = shade(index);
         draw_triangles(instance, face, triangles, &shader, |triangle, shader| {

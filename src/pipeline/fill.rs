@@ -1,43 +1,356 @@
-//! The last stage: a triangle with its shader into a target.
+//! The last step of the pipeline: a triangle or a line, clipped to the screen, becomes pixels.
+//!
+//! The plain path is the loop over spans at the end of each function; it draws to any target and defines the picture. The call
+//! before it attaches a fast path, which may decline; all of them decline with `--cfg pinhole_plain`, and for targets whose
+//! pixels do not lie in memory.
 
-use crate::raster::{DepthTriangle, Scissor, Triangle};
+use crate::fast::{depth_fill, line_fill, shaded_fill, solid_fill, table_fill};
+use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{DepthTarget, Target};
+use crate::surface::{drawable, DepthTarget, Target};
 
-/// Step 4: a triangle over all that is there.
+/// Fills a triangle inside the scissor, which lies in the target.
 #[inline(always)]
-pub(super) fn fill<T: Target, I: SpanShader<T::Color>>(
+pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
-    ink: &I,
+    shader: &S,
     scissor: &Scissor,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    match ink.solid_color() {
-        Some(colour) => target.triangle(triangle, scissor, colour),
-        None => {
-            let fill = ink.set_up(triangle);
-            target.shaded(triangle, scissor, |span| I::span(&fill, span))
+    if let Some(color) = shader.solid_color() {
+        if solid_fill::triangle(triangle, color, scissor, target) {
+            return Ok(());
         }
+        return triangle.spans(scissor).try_for_each(|span| target.fill(span, color));
+    }
+    let setup = shader.set_up(triangle);
+    if shaded_fill::triangle(triangle, scissor, target, |span| S::span(&setup, span)) {
+        return Ok(());
+    }
+    triangle.spans(scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
+}
+
+/// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and in
+/// the depth buffer.
+#[inline(always)]
+pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
+    triangle: &DepthTriangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    if let Some(color) = shader.solid_color() {
+        if depth_fill::triangle_nearer(triangle, color, scissor, depth, target) {
+            return Ok(());
+        }
+        return fill_spans_nearer(triangle, color, scissor, depth, target);
+    }
+    if let Some(shader) = shader.table() {
+        if table_fill::triangle_nearer(triangle, &shader, scissor, depth, target) {
+            return Ok(());
+        }
+    }
+    let setup = shader.set_up(&triangle.triangle);
+    if shaded_fill::triangle_nearer(triangle, scissor, depth, target, |span| S::span(&setup, span)) {
+        return Ok(());
+    }
+    shade_spans_nearer(triangle, scissor, depth, target, |span| S::span(&setup, span))
+}
+
+/// The plain path of [`fill_nearer`] for one color.
+#[inline(never)] // its frame is gone when it returns
+fn fill_spans_nearer<T: Target>(
+    triangle: &DepthTriangle<'_>,
+    color: T::Color,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let mut spans = triangle.triangle.spans(scissor);
+    if spans.is_empty() {
+        return Ok(()); // without setting up the gradient
+    }
+    let plane = triangle.plane();
+    spans.try_for_each(|span| depth.buffer.test(span, &plane, |visible| target.fill(visible, color)))
+}
+
+/// The plain path of [`fill_nearer`] for colors that vary.
+#[inline(never)] // its frame is gone when it returns
+fn shade_spans_nearer<T: Target, R: Iterator<Item = T::Color>>(
+    triangle: &DepthTriangle<'_>,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+    span_colors: impl Fn(Span) -> R,
+) -> Result<(), T::Error> {
+    let plane = triangle.plane();
+    let mut spans = triangle.triangle.spans(scissor);
+    spans.try_for_each(|span| shade_span_nearer(span, &plane, depth, target, &span_colors))
+}
+
+#[inline(never)] // its frame is large, and is not there while the next span is found
+fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
+    span: Span,
+    plane: &Gradient,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+    span_colors: &impl Fn(Span) -> R,
+) -> Result<(), T::Error> {
+    depth.buffer.test(span, plane, |visible| target.fill_run(visible, span_colors(visible)))
+}
+
+/// Draws a line inside the scissor, which lies in the target.
+#[inline(always)]
+pub(super) fn line<T: Target>(
+    target: &mut T,
+    from: Pixel,
+    to: Pixel,
+    scissor: &Scissor,
+    color: T::Color,
+) -> Result<(), T::Error> {
+    if line_fill::line_into_memory(from, to, scissor, color, target) {
+        return Ok(());
+    }
+    raster::line(from, to, scissor, |span| target.fill(span, color))
+}
+
+/// The part of a target that 2D drawing can reach. Memory holds it, so that it is not computed for each triangle.
+#[inline(always)]
+pub(super) fn scissor_of<T: Target>(target: &mut T) -> Scissor {
+    match target.memory() {
+        Some(memory) => *memory.drawable(),
+        None => drawable(&target.area()),
     }
 }
 
-/// Step 4: a triangle where it is nearer.
-#[inline(always)]
-pub(super) fn fill_nearer<T: Target, I: SpanShader<T::Color>>(
-    piece: &DepthTriangle<'_>,
-    ink: &I,
-    scissor: &Scissor,
-    against: &mut DepthTarget<'_, '_>,
-    target: &mut T,
-) -> Result<(), T::Error> {
-    match ink.solid_color() {
-        Some(colour) => target.nearer(piece, scissor, against, colour),
-        None => match ink.shades() {
-            Some(shades) => target.shades_nearer(piece, scissor, against, &shades),
-            None => {
-                let fill = ink.set_up(&piece.triangle);
-                target.shaded_nearer(piece, scissor, against, |span| I::span(&fill, span))
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use crate::math::random::Random;
+    use crate::raster::{area, ScreenPoint};
+    use crate::shading::{Gouraud, ShadeTable};
+    use crate::surface::{DepthBuffer, Memory, PictureError, PixelFormat, StoredPixel};
+    use core::convert::Infallible;
+    use embedded_graphics_core::geometry::{Point, Size};
+    use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888, WebColors};
+    use embedded_graphics_core::primitives::Rectangle;
+    use std::vec;
+    use std::vec::Vec;
+
+    /// A target that takes spans and sets pixels one by one: only plain paths draw to it.
+    struct Plain<C> {
+        area: Rectangle,
+        pixels: Vec<C>,
+    }
+
+    impl<C: PixelFormat> Plain<C> {
+        fn set(&mut self, x: i32, y: i32, color: C) {
+            let Rectangle { top_left, size } = self.area;
+            let (column, row) = ((x - top_left.x) as usize, (y - top_left.y) as usize);
+            assert!(column < size.width as usize && row < size.height as usize, "({x}, {y})");
+            self.pixels[row * size.width as usize + column] = color;
+        }
+    }
+
+    impl<C: PixelFormat> Target for Plain<C> {
+        type Color = C;
+        type Error = Infallible;
+        type Store = [C; 0];
+
+        fn area(&self) -> Rectangle {
+            self.area
+        }
+
+        fn fill(&mut self, Span { x, y, width, height }: Span, color: C) -> Result<(), Infallible> {
+            (y..y + height).for_each(|y| (x..x + width).for_each(|x| self.set(x, y, color)));
+            Ok(())
+        }
+
+        fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = C>) -> Result<(), Infallible> {
+            assert_eq!(span.height, 1);
+            let colors: Vec<C> = colors.take(span.width as usize).collect();
+            assert_eq!(colors.len(), span.width as usize);
+            (span.x..).zip(colors).for_each(|(x, color)| self.set(x, span.y, color));
+            Ok(())
+        }
+    }
+
+    /// A target whose pixels lie in memory, and whose `fill` and `fill_run` are [`Memory`]'s.
+    struct Direct<'a, Cell> {
+        memory: Memory<&'a mut [Cell]>,
+    }
+
+    impl<'a> Target for Direct<'a, [u8; 2]> {
+        type Color = Rgb565;
+        type Error = Infallible;
+        type Store = &'a mut [[u8; 2]];
+
+        fn area(&self) -> Rectangle {
+            self.memory.area()
+        }
+
+        fn fill(&mut self, span: Span, color: Rgb565) -> Result<(), Infallible> {
+            self.memory.fill(span, color.stored());
+            Ok(())
+        }
+
+        fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Rgb565>) -> Result<(), Infallible> {
+            self.memory.fill_run(span, colors.map(StoredPixel::stored));
+            Ok(())
+        }
+
+        fn memory(&mut self) -> Option<&mut Memory<&'a mut [[u8; 2]]>> {
+            Some(&mut self.memory)
+        }
+    }
+
+    /// Calls `draw` for a plain target and one in memory, each with a depth buffer of this rectangle; compares pixels and depths.
+    struct Twins {
+        area: Rectangle,
+        plain: Plain<Rgb565>,
+        cells: Vec<[u8; 2]>,
+        depths: [Vec<u16>; 2],
+    }
+
+    trait Draw {
+        fn draw<T: Target<Color = Rgb565, Error = Infallible>>(
+            &self,
+            target: &mut T,
+            depth: &mut DepthBuffer<'_>,
+        );
+    }
+
+    impl Twins {
+        fn new(area: Rectangle, depth_area: Rectangle) -> Self {
+            let pixels = |area: Rectangle| (area.size.width * area.size.height) as usize;
+            Self {
+                area,
+                plain: Plain { area, pixels: vec![Rgb565::load([0, 0]); pixels(area)] },
+                cells: vec![[0; 2]; pixels(area)],
+                depths: [(); 2].map(|()| vec![u16::MAX; pixels(depth_area)]),
             }
-        },
+        }
+
+        fn compare(&mut self, depth_area: Rectangle, frames: &[impl Draw]) -> Result<usize, PictureError> {
+            let [plain_depth, depth] = &mut self.depths;
+            let mut plain_depth = DepthBuffer::new(depth_area, plain_depth).expect("as many numbers");
+            let mut depth = DepthBuffer::new(depth_area, depth).expect("as many numbers");
+            let mut drawn = 0;
+            for draw in frames {
+                draw.draw(&mut self.plain, &mut plain_depth);
+                let mut target = Direct { memory: Memory::new(&mut self.cells[..], self.area)? };
+                draw.draw(&mut target, &mut depth);
+                let colors = self.cells.iter().map(|&cell| Rgb565::load(cell));
+                assert!(colors.eq(self.plain.pixels.iter().copied()));
+                assert!(depth.values() == plain_depth.values());
+                drawn = self.cells.iter().filter(|cell| **cell != [0; 2]).count();
+            }
+            Ok(drawn)
+        }
+    }
+
+    /// One item: a triangle or a line, with a shader chosen by `kind`.
+    struct Item {
+        kind: usize,
+        points: [ScreenPoint; 3],
+        depths: [i32; 3],
+        levels: [u16; 3],
+        color: u16,
+    }
+
+    impl Draw for Item {
+        fn draw<T: Target<Color = Rgb565, Error = Infallible>>(
+            &self,
+            target: &mut T,
+            depth: &mut DepthBuffer<'_>,
+        ) {
+            let viewport = Scissor::new(-200, -200, 200, 200);
+            let scissor = scissor_of(target).within(&viewport);
+            let depth_scissor = depth.scissor().within(&scissor);
+            let area = area(&self.points);
+            let color = Rgb565::decode(self.color.into());
+            let table = ShadeTable::new(Rgb888::CSS_GOLD);
+            let (table, smooth) = (table.lit(self.levels), Gouraud::lit(Rgb888::CSS_CORAL, self.levels));
+            let triangle =
+                DepthTriangle { triangle: Triangle::new(self.points, area, &viewport), depths: self.depths };
+            let (flat, mut depth) = (&triangle.triangle, DepthTarget::new(depth, target));
+            let depth = &mut depth;
+            let [from, to, _] = self.points.map(|point| point.pixel());
+            let Ok(()) = match self.kind {
+                0 => line(target, from, to, &scissor, color),
+                _ if area == 0 => Ok(()),
+                1 => fill(flat, &color, &scissor, target),
+                2 => fill(flat, &table, &scissor, target),
+                3 => fill(flat, &smooth, &scissor, target),
+                4 => fill_nearer(&triangle, &color, &depth_scissor, depth, target),
+                5 => fill_nearer(&triangle, &table, &depth_scissor, depth, target),
+                _ => fill_nearer(&triangle, &smooth, &depth_scissor, depth, target),
+            };
+        }
+    }
+
+    fn items(random: &mut Random, count: usize, kinds: &[usize]) -> Vec<Item> {
+        let mut items = Vec::new();
+        for i in 0..count {
+            // Small triangles, low ones, and those that reach far beyond the target.
+            let reach = [2_000, 6_000, 60_000, 700][random.below(4) as usize];
+            let center = [0; 2].map(|_| random.within(20_000));
+            let mut point = || {
+                let [x, y] = center.map(|v| v + random.within(reach));
+                ScreenPoint::from_subpixels(x, y).expect("in the guard band")
+            };
+            let points = [point(), point(), point()];
+            let farthest = i64::from(crate::raster::FARTHEST);
+            items.push(Item {
+                kind: kinds[i % kinds.len()],
+                points,
+                depths: [0; 3].map(|_| random.below(farthest + 1) as i32),
+                levels: [0; 3].map(|_| random.below(257) as u16),
+                color: random.below(1 << 16) as u16,
+            });
+        }
+        items
+    }
+
+    const AREA: Rectangle = Rectangle::new(Point::new(-45, -33), Size::new(97, 71));
+
+    #[test]
+    fn memory_gets_the_pixels_and_depths_of_the_plain_path() {
+        let random = &mut Random(25);
+        let one_row_more = Rectangle::new(AREA.top_left, AREA.size + Size::new(0, 1));
+        let elsewhere = Rectangle::new(Point::new(-60, -20), Size::new(97, 60));
+        for depth_area in [AREA, one_row_more, elsewhere] {
+            for kinds in [&[0][..], &[1], &[2], &[3], &[4], &[5], &[6], &[0, 1, 2, 3, 4, 5, 6]] {
+                let mut drawn = 0;
+                for _ in 0..12 {
+                    let items = items(random, 60, kinds);
+                    drawn += Twins::new(AREA, depth_area).compare(depth_area, &items).expect("cells");
+                }
+                assert!(drawn > 1_000, "{kinds:?}: {drawn}");
+            }
+        }
+    }
+
+    #[test]
+    fn thin_and_wide_targets_get_the_pixels_of_the_plain_path() {
+        let random = &mut Random(26);
+        for size in [Size::new(1, 300), Size::new(2, 90), Size::new(399, 3), Size::new(64, 1)] {
+            let area = Rectangle::new(Point::new(-20, -2), size);
+            for _ in 0..20 {
+                let items = items(random, 60, &[0, 1, 2, 3, 4, 5, 6]);
+                Twins::new(area, area).compare(area, &items).expect("cells");
+            }
+        }
+    }
+
+    /// A color as a cell: the smallest store without memory, whose `memory` is `None`.
+    #[test]
+    fn a_target_without_memory_hands_out_none() {
+        let mut plain = Plain { area: AREA, pixels: vec![Gray8::new(0); 97 * 71] };
+        assert!(plain.memory().is_none());
+        assert_eq!(scissor_of(&mut plain), drawable(&AREA));
     }
 }

@@ -1,6 +1,7 @@
 //! Points and poly-lines: plots, tool paths, labels' anchors.
 
 use super::draw_region::DrawRegion;
+use super::fill::line;
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
@@ -23,7 +24,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
                 Some((point, _)) => {
                     statistics.drawn += 1;
                     let pixel = point.pixel();
-                    target.line(pixel, pixel, &scissor, colour)?;
+                    line(target, pixel, pixel, &scissor, colour)?;
                 }
                 None => statistics.outside += 1,
             }

@@ -1,6 +1,7 @@
 //! Edges as lines.
 
 use super::draw_region::DrawRegion;
+use super::fill::line;
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
@@ -48,7 +49,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         each_edge(&TransformedMesh::<V, false>::new(self, cache), |_, [from, to]| {
-            target.line(from.point.pixel(), to.point.pixel(), &scissor, colour)
+            line(target, from.point.pixel(), to.point.pixel(), &scissor, colour)
         })
     }
 }

@@ -4,7 +4,7 @@ use super::{Gradient, Scissor, ScreenPoint, Triangle};
 
 /// A triangle to draw, a face or a part of one. There is room for one, used for all of a mesh.
 #[derive(Debug)]
-pub struct DepthTriangle<'v> {
+pub(crate) struct DepthTriangle<'v> {
     pub(crate) triangle: Triangle<'v>,
     /// Of its corners, if depth was computed.
     pub(crate) depths: [i32; 3],

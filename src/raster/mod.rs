@@ -47,7 +47,7 @@ pub(crate) mod pixel_layout;
 pub(crate) mod trapezoid;
 pub(crate) mod triangle;
 
-pub(crate) use crate::fast::{Inside, Kept, Low, Small};
+pub(crate) use crate::fast::{Inside, Kept, Low};
 pub(crate) use depth::FARTHEST;
 pub(crate) use depth_triangle::DepthTriangle;
 pub use gradient::Gradient;

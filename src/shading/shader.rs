@@ -3,7 +3,7 @@
 use super::CornerValues;
 use crate::clip::Varying;
 use crate::raster::{Span, Triangle};
-use crate::surface::Shades;
+use crate::shading::TableShader;
 use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -156,10 +156,10 @@ pub trait SpanShader<C: PixelColor>: Shader {
         None
     }
 
-    /// The colours to look up, where there are such: against depth that has a loop of its own.
-    #[doc(hidden)]
+    /// The [`TableShader`] that draws the same pixels, if there is one: against a depth buffer in memory it is drawn by a faster
+    /// loop in place of [`set_up`](Self::set_up) and [`span`](Self::span).
     #[inline(always)]
-    fn shades(&self) -> Option<Shades<'_, C>> {
+    fn table(&self) -> Option<TableShader<'_, C>> {
         None
     }
 }

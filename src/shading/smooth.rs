@@ -3,12 +3,8 @@
 use super::{Shader, SpanShader};
 use crate::clip::Barycentric;
 use crate::raster::{Span, Triangle};
-use crate::shading::{
-    Bayer, ChannelGradients, Channels, Dithered, Even, Flat, Gouraud, Lit, Nearest, TableShader,
-};
-use crate::surface::{Shade, Shades};
+use crate::shading::{Bayer, ChannelGradients, Channels, Dithered, Even, Flat, Gouraud, Lit, Nearest};
 use core::iter::repeat;
-use embedded_graphics_core::pixelcolor::PixelColor;
 
 impl Shader for Flat {
     type Varying = ();
@@ -98,29 +94,3 @@ macro_rules! smooth {
 }
 
 smooth!(Gouraud, Lit);
-
-impl<C: PixelColor> Shader for TableShader<'_, C> {
-    type Varying = Barycentric;
-
-    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-        self.part(corners.map(|c| c.weights()))
-    }
-}
-
-impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
-    type Setup = Shade<'t, C>;
-
-    fn set_up(&self, triangle: &Triangle<'_>) -> Shade<'t, C> {
-        Shades { colours: self.colors(), light: self.light() }.over(triangle)
-    }
-
-    #[inline(always)]
-    fn span(fill: &Shade<'t, C>, span: Span) -> impl Iterator<Item = C> {
-        fill.run(span)
-    }
-
-    #[inline(always)]
-    fn shades(&self) -> Option<Shades<'_, C>> {
-        Some(Shades { colours: self.colors(), light: self.light() })
-    }
-}

@@ -1,21 +1,23 @@
-//! One colour in 256 levels of light, worked out once.
+//! Smooth light by table: 256 shades of one color, computed once.
 
 use super::levels::{luma, weighed};
-use super::Channels;
-use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+use super::{Channels, Shader, SpanShader};
+use crate::clip::Barycentric;
+use crate::raster::{Gradient, Span, Triangle};
+use core::iter::repeat_with;
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
-/// Colours from dark to full light, worked out once, to be looked up at every pixel: the fastest smooth light, for memory
-/// of 256 colours of the target (512 bytes of `Rgb565`). [`lit`](Self::lit) makes the ink of a face, which has one plane to
-/// work out and a load at each pixel in place of three channels. Light is as of [`Gouraud`](crate::Gouraud); the look-up
-/// is that of renderers for displays with a table of colours.
+/// 256 shades of a color from dark to full light, computed once and looked up at every pixel: the fastest smooth light, for the
+/// memory of 256 colors of the target (512 bytes of `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one
+/// gradient and loads one color at each pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for displays
+/// with a palette did it this way.
 ///
-/// **Error.** Light is linear on the screen; it is rounded to an entry 0 … 255: off by at most ½ + 2⁻⁹, for any
-/// triangle in the guard band. In a table of [`new`](Self::new) each channel of a pixel is off by at most ½ level
-/// of the target for the entry's rounding, and by `(½ + 2⁻⁹) · MAX/255` for the light's. Full light at all corners
-/// gives the last entry throughout, no light the first. [`Gouraud::lit`](crate::Gouraud::lit) is finer, and can be
-/// dithered.
+/// **Error.** Light is linear on the screen and is rounded to an entry, 0 … 255: it is off by at most ½ + 2⁻⁹ of an entry, for
+/// any triangle in the guard band. In a table of [`new`](Self::new) each channel of a pixel is off by at most ½ level of the
+/// target for rounding the entry, and by `(½ + 2⁻⁹) · MAX/255` for rounding the light. Full light at all corners gives the last
+/// entry throughout, no light the first. [`Gouraud::lit`](crate::Gouraud::lit) is finer, and can be dithered.
 ///
-/// **Cut faces.** As of [`Gouraud`](crate::Gouraud); the light at new corners is rounded to 2⁻¹⁰ of an entry.
+/// **Clipped faces.** Light at new corners is interpolated as by [`Gouraud`](crate::Gouraud), and rounded to 2⁻¹⁰ of an entry.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
@@ -31,48 +33,48 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 pub struct ShadeTable<C>([C; 256]);
 
 impl<C> ShadeTable<C> {
-    /// Of colours of one's own: heat, heights, steps as of a cartoon. May be a constant.
+    /// A table of any 256 colors: a heat map, heights, the few steps of a cartoon. May be a constant.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor};
     /// use pinhole::ShadeTable;
     /// static TWO_STEPS: ShadeTable<Gray4> = {
-    ///     let mut colours = [Gray4::new(4); 256];
+    ///     let mut colors = [Gray4::new(4); 256];
     ///     let mut i = 128;
     ///     while i < 256 {
-    ///         colours[i] = Gray4::WHITE;
+    ///         colors[i] = Gray4::WHITE;
     ///         i += 1;
     ///     }
-    ///     ShadeTable::from_colors(colours)
+    ///     ShadeTable::from_colors(colors)
     /// };
     /// # let _ = TWO_STEPS.lit([0, 90, 256]);
     /// ```
-    pub const fn from_colors(colours: [C; 256]) -> Self {
-        Self(colours)
+    pub const fn from_colors(colors: [C; 256]) -> Self {
+        Self(colors)
     }
 
-    /// From no light to full light.
+    /// The colors from no light to full light.
     pub const fn colors(&self) -> &[C; 256] {
         &self.0
     }
 
-    /// The ink of a face by the light at each corner, 0 … 256 (more counts as 256).
+    /// The shader of a face with this light at each corner, 0 … 256 (more counts as 256).
     #[inline(always)]
     pub fn lit(&self, mut levels: [u16; 3]) -> TableShader<'_, C> {
         let [a, b, c] = levels;
         if a | b | c >= 256 {
-            levels = levels.map(|level| level.min(256)); // of few faces
+            levels = levels.map(|level| level.min(256)); // few faces have such light
         }
         // level · 255/256, in 2⁻¹⁰.
-        TableShader { colours: &self.0, light: levels.map(|level| i32::from(level) * (255 << 2)) }
+        TableShader { colors: &self.0, light: levels.map(|level| i32::from(level) * (255 << 2)) }
     }
 }
 
 impl<C: Channels> ShadeTable<C> {
-    /// The nearest colours of the target to `colour` at 0/255, 1/255 … 255/255 of its light, halves up.
-    pub fn new(colour: Rgb888) -> Self {
+    /// The colors of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
+    pub fn new(color: Rgb888) -> Self {
         const WHOLE: u32 = 256 * 255 * 255;
-        let [r, g, b] = [colour.r(), colour.g(), colour.b()].map(u32::from);
+        let [r, g, b] = [color.r(), color.g(), color.b()].map(u32::from);
         let [x, y, z] = C::MAX;
         let mut light = 0;
         Self([(); 256].map(|()| {
@@ -88,32 +90,74 @@ impl<C: Channels> ShadeTable<C> {
     }
 }
 
-/// A [`ShadeTable`]'s colours, and the light at each corner of a face, in the order in which it names them.
-/// It is made by [`ShadeTable::lit`].
+/// The shader of a face: the colors of a [`ShadeTable`], and the light at each corner. [`ShadeTable::lit`] makes it.
 #[derive(Clone, Copy, Debug)]
 pub struct TableShader<'t, C> {
-    colours: &'t [C; 256],
-    /// Of an entry's number, in 2⁻¹⁰.
+    colors: &'t [C; 256],
+    /// The index of a color for each corner, in 2⁻¹⁰.
     light: [i32; 3],
 }
 
 impl<'t, C> TableShader<'t, C> {
-    /// For a part of the face: how much of each of its corners the new ones are, in 2⁻³⁰.
-    #[must_use]
-    pub(crate) fn part(&self, corners: [[i32; 3]; 3]) -> Self {
-        Self { light: corners.map(|weights| weighed(self.light, weights, 255 << 10)), colours: self.colours }
-    }
-
     pub(crate) const fn colors(&self) -> &'t [C; 256] {
-        self.colours
+        self.colors
     }
 
-    pub(crate) const fn light(&self) -> [i32; 3] {
-        self.light
+    /// In 2⁻¹⁰ of an index.
+    pub(crate) const fn light(&self) -> &[i32; 3] {
+        &self.light
     }
 }
 
-// Of colours nothing is said: a colour need not have a Format.
+impl<C: PixelColor> TableShader<'_, C> {
+    /// The color for a value of [`Gradient::of_light`].
+    #[inline(always)]
+    pub(crate) fn look_up(colors: &[C; 256], light: u32) -> C {
+        let [index, ..] = light.to_be_bytes();
+        colors[usize::from(index)] // each of 256 indices has a color
+    }
+}
+
+impl<C: PixelColor> Shader for TableShader<'_, C> {
+    type Varying = Barycentric;
+
+    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+        let light = corners.map(|corner| weighed(self.light, corner.weights(), 255 << 10));
+        Self { light, ..*self }
+    }
+}
+
+impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
+    type Setup = TableGradient<'t, C>;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> TableGradient<'t, C> {
+        TableGradient { colors: self.colors, light: Gradient::of_light(triangle, &self.light) }
+    }
+
+    #[inline(always)]
+    fn span(setup: &TableGradient<'t, C>, Span { x, y, .. }: Span) -> impl Iterator<Item = C> {
+        let (mut light, step) = (setup.light.at(x, y), setup.light.step());
+        repeat_with(move || {
+            let color = Self::look_up(setup.colors, light);
+            light = light.wrapping_add(step);
+            color
+        })
+    }
+
+    #[inline(always)]
+    fn table(&self) -> Option<TableShader<'_, C>> {
+        Some(*self)
+    }
+}
+
+/// A [`TableShader`] set up for a triangle.
+#[derive(Debug)]
+pub struct TableGradient<'t, C> {
+    colors: &'t [C; 256],
+    light: Gradient,
+}
+
+// The colors are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for ShadeTable<C> {
     fn format(&self, f: defmt::Formatter<'_>) {

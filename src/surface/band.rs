@@ -161,7 +161,7 @@ impl<'s, C: PixelFormat> Band<'s, C> {
     {
         const { assert!(C::BITS as usize == 8 * N, "StoredPixel's bytes are not as many as PixelFormat has bits") };
         let (cells, _) = self.bytes.as_chunks_mut();
-        Pixels::new(cells, self.area)
+        Pixels::unchecked(cells, self.area)
     }
 
     /// The [`bytes`](Self::bytes), no longer a band: for transfers that own their buffer. A strip that is longer does not get

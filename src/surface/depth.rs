@@ -1,17 +1,17 @@
-//! The depth buffer.
+//! The depth buffer, and the depth test.
 
+use super::block_fill::fill_words;
 use super::inside;
-use crate::math::num::CORTEX_M0;
+use super::target::Target;
 use crate::raster::{Gradient, Scissor, Span};
 use bytemuck::pod_align_to_mut;
-use core::hint::black_box;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The depth of what is seen so far, for the pixels of a rectangle of the target: 2 bytes each, lent
-/// by the caller.
+/// The depth of the nearest face drawn so far, for the pixels of a rectangle of the target: 2 bytes a pixel, in a buffer that
+/// the caller provides.
 ///
-/// 0 is near, 65534 far, 65535 nothing; linear on the screen.
+/// A depth is linear on the screen, from 0 near to 65534 far; 65535 stands for a pixel where nothing was drawn.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -33,29 +33,33 @@ pub struct DepthBuffer<'a> {
     values: &'a mut [u16],
 }
 
-/// The storage of a depth buffer is too short.
+/// A buffer has fewer numbers than the area has pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DepthBufferError {
-    /// One number for each pixel of the area.
+    /// Numbers that the depth buffer needs: one for each pixel of the area.
     pub needed: u64,
-    /// What there is.
+    /// Numbers in the buffer.
     pub given: usize,
 }
 
 impl core::fmt::Display for DepthBufferError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "a depth buffer of {} pixels has storage for {}", self.needed, self.given)
+        let Self { needed, given } = self;
+        write!(
+            f,
+            "a depth buffer of {needed} pixels needs a buffer of {needed} `u16`, but this one has {given}"
+        )
     }
 }
 
 impl core::error::Error for DepthBufferError {}
 
 impl<'a> DepthBuffer<'a> {
-    /// The depth where nothing is.
+    /// The depth of a pixel where nothing was drawn.
     pub const NOTHING: u16 = u16::MAX;
 
-    /// For the pixels of `area`, row by row in the first numbers of `storage`; clears it.
+    /// A depth buffer for the pixels of `area`, row by row in the first numbers of `storage`, which it clears.
     ///
     /// # Errors
     ///
@@ -74,25 +78,11 @@ impl<'a> DepthBuffer<'a> {
     pub fn clear(&mut self) {
         let (before, words, after) = pod_align_to_mut::<u16, u32>(self.values);
         before.fill(Self::NOTHING);
-        // In blocks that become wide stores. The hint keeps the loop from being taken for the library's
-        // `memset`, which costs up to three times as much on a Cortex-M.
-        let word = u32::from(Self::NOTHING) << 16 | u32::from(Self::NOTHING);
-        let (blocks, rest) = words.as_chunks_mut::<64>();
-        if CORTEX_M0 {
-            // Copied, as one instruction there stores four words of which the compiler does not know that they are alike.
-            let some = black_box([word; 16]);
-            for block in blocks {
-                block.as_chunks_mut().0.iter_mut().for_each(|words| *words = some);
-                black_box(()); // not unrolled
-            }
-        } else {
-            blocks.iter_mut().for_each(|block| block.fill(black_box(word)));
-        }
-        rest.fill(word);
+        fill_words(words, u32::from(Self::NOTHING) << 16 | u32::from(Self::NOTHING));
         after.fill(Self::NOTHING);
     }
 
-    /// The pixels that it holds.
+    /// The rectangle whose pixels have a depth.
     pub const fn area(&self) -> Rectangle {
         self.area
     }
@@ -108,43 +98,43 @@ impl<'a> DepthBuffer<'a> {
         if x >= self.area.size.width {
             return None;
         }
-        self.values.get(self.place_of_row(pixel.y)?).and_then(|row| row.get(x as usize)).copied()
+        self.values.get(self.row_range(pixel.y)?).and_then(|row| row.get(x as usize)).copied()
     }
 
     pub(crate) fn scissor(&self) -> Scissor {
         inside(&self.area)
     }
 
-    /// Where a row of the target stands.
+    /// The indices of a row's depths.
     #[inline(always)]
-    fn place_of_row(&self, y: i32) -> Option<core::ops::Range<usize>> {
-        let row = y.wrapping_sub(self.area.top_left.y) as u32; // far too large above
+    fn row_range(&self, y: i32) -> Option<core::ops::Range<usize>> {
+        let row = y.wrapping_sub(self.area.top_left.y) as u32; // far too large above the area
         if row >= self.area.size.height {
             return None;
         }
         let width = self.area.size.width as usize;
-        let start = (row as usize).wrapping_mul(width); // a pixel inside has a place
+        let start = (row as usize).wrapping_mul(width); // below the length: the row exists
         Some(start..start.wrapping_add(width))
     }
 
-    /// All that is held, row by row.
+    /// All depths, row by row, to be changed.
     #[inline(always)]
-    pub(crate) fn held(&mut self) -> &mut [u16] {
+    pub(crate) fn values_mut(&mut self) -> &mut [u16] {
         self.values
     }
 
-    /// What is held in a row, which lies inside.
+    /// The depths of a part of a row, which lies in the area.
     #[inline(always)]
     pub(crate) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [u16]> {
         let Rectangle { top_left, size } = self.area;
-        // Pixels inside have places.
+        // Nothing wraps for a pixel of the area.
         let row = (y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
         let from = row.wrapping_add(x.wrapping_sub(top_left.x) as usize);
         self.values.get_mut(from..from.wrapping_add(width as usize))
     }
 
-    /// Keeps the span's depths where they are nearer than those held, and passes on the runs of such
-    /// pixels. The span is one row inside the buffer.
+    /// The depth test: of a span's pixels, those that are nearer than the depth buffer take their depth there, and `visible` is
+    /// called for each run of them. The span is one row and lies in the area.
     #[inline(always)]
     pub(crate) fn test<E>(
         &mut self,
@@ -154,30 +144,30 @@ impl<'a> DepthBuffer<'a> {
     ) -> Result<(), E> {
         let Some(row) = self.row(span.x, span.y, span.width) else { return Ok(()) };
         let (mut z, step) = (plane.at(span.x, span.y), plane.step());
-        let mut nearer = |held: &mut u16| {
+        let mut is_nearer = |stored: &mut u16| {
             let depth = (z >> 16) as u16;
             z = z.wrapping_add(step);
-            let nearer = depth < *held;
+            let is_nearer = depth < *stored;
             core::hint::black_box(()); // not unrolled: it would not be faster
-            if nearer {
-                *held = depth;
+            if is_nearer {
+                *stored = depth;
             }
-            nearer
+            is_nearer
         };
         let end = span.x + span.width;
         let mut pixels = row.iter_mut();
-        // Both stop behind the first pixel that is otherwise.
-        while pixels.any(&mut nearer) {
+        // `any` stops after the first pixel that is nearer, `all` after the first that is not.
+        while pixels.any(&mut is_nearer) {
             let first = end - 1 - pixels.len() as i32;
-            let to_the_end = pixels.all(&mut nearer);
+            let to_the_end = pixels.all(&mut is_nearer);
             let width = end - pixels.len() as i32 - i32::from(!to_the_end) - first;
             visible(Span { x: first, width, ..span })?;
         }
         Ok(())
     }
 
-    /// Passes on the runs of those pixels of a line's span that `is_seen`, given their places and the
-    /// depths held there. The span lies inside the buffer.
+    /// Calls `visible` for each run of those pixels of a line's span that `is_seen`. It gets a pixel's column and row and its
+    /// depth in the buffer, which it may change. The span lies in the area.
     pub(crate) fn along<E>(
         &mut self,
         span: Span,
@@ -199,11 +189,11 @@ impl<'a> DepthBuffer<'a> {
         for i in 0..length {
             let (x, y) = if tall { (span.x, span.y + i) } else { (span.x + i, span.y) };
             let column = x.wrapping_sub(left) as usize;
-            let held = self
-                .place_of_row(y)
+            let stored = self
+                .row_range(y)
                 .and_then(|row| self.values.get_mut(row))
                 .and_then(|row| row.get_mut(column));
-            if !held.is_some_and(|held| is_seen(x, y, held)) {
+            if !stored.is_some_and(|stored| is_seen(x, y, stored)) {
                 run(first, i)?;
                 first = i + 1;
             }
@@ -212,20 +202,23 @@ impl<'a> DepthBuffer<'a> {
     }
 }
 
-/// What triangles are tested against: a depth buffer as one target has it.
+/// A depth buffer as one target sees it.
 #[derive(Debug)]
-pub struct DepthTarget<'d, 'b> {
+pub(crate) struct DepthTarget<'d, 'b> {
     pub(crate) buffer: &'d mut DepthBuffer<'b>,
-    /// Whether its depths stand where the pixels do, row by row: there may be more rows of either.
-    pub(crate) beside: bool,
+    /// Whether the depth of a pixel has the index of the pixel's cell in the target's memory: both begin with the same pixel
+    /// and have rows of the same width. Either may have more rows.
+    pub(crate) is_aligned: bool,
 }
 
 impl<'d, 'b> DepthTarget<'d, 'b> {
-    /// `pixels`: the rectangle whose pixels the target has in memory.
-    pub(crate) fn new(buffer: &'d mut DepthBuffer<'b>, pixels: Option<&Rectangle>) -> Self {
+    /// Compares the two layouts: once a draw call, not for each triangle.
+    #[inline(always)]
+    pub(crate) fn new<T: Target>(buffer: &'d mut DepthBuffer<'b>, target: &mut T) -> Self {
         let Rectangle { top_left, size } = buffer.area;
-        let beside = pixels.is_some_and(|own| own.top_left == top_left && own.size.width == size.width);
-        Self { buffer, beside }
+        let pixels = target.memory().map(|memory| memory.area());
+        let is_aligned = pixels.is_some_and(|own| own.top_left == top_left && own.size.width == size.width);
+        Self { buffer, is_aligned }
     }
 }
 

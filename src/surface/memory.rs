@@ -1,269 +1,182 @@
-//! Pixels that lie in memory, and the loops that fill them.
+//! Pixels in memory: cells row by row, without gaps, and the plain ways to write to them.
 
-use super::depth::DepthBuffer;
-use crate::fast::depth_fill::{one_nearer, DepthFill, RowFill};
-use crate::math::num::CORTEX_M0;
-use crate::raster::{
-    AnyTriangle, DepthTriangle, Low, PixelLayout, RowOrigin, RowScratch, Rows, Scissor, Small, Span,
-    Trapezoid, Triangle,
-};
-use core::hint::black_box;
+use super::block_fill::fill;
+use super::picture::PictureError;
+use super::{drawable, inside};
+use crate::raster::{PixelLayout, RowScratch, Scissor, Span};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Pixels in memory, row by row.
+/// What holds the cells of a [`Target`](crate::Target): a mutable slice, or nothing.
+///
+/// The pipeline asks at compile time whether there are cells at all, so a target without memory pays nothing for the code that
+/// draws into memory.
+pub trait PixelStore {
+    /// What is stored for one pixel: the color itself, an integer, or the bytes that the display takes.
+    type Cell: Copy;
+
+    /// Whether pixels can be read back: a shader that blends needs the color that is there.
+    const READABLE: bool;
+
+    /// All cells, row by row.
+    fn cells(&mut self) -> &mut [Self::Cell];
+}
+
+impl<Cell: Copy> PixelStore for &mut [Cell] {
+    type Cell = Cell;
+    const READABLE: bool = true;
+
+    #[inline(always)]
+    fn cells(&mut self) -> &mut [Cell] {
+        self
+    }
+}
+
+/// No memory: the store of a target that takes spans and keeps them to itself, such as a display driver.
+impl<Cell: Copy> PixelStore for [Cell; 0] {
+    type Cell = Cell;
+    const READABLE: bool = false;
+
+    #[inline(always)]
+    fn cells(&mut self) -> &mut [Cell] {
+        self
+    }
+}
+
+/// The pixels of a rectangle in memory, row by row, without gaps between rows.
+///
+/// A [`Target`](crate::Target) that owns one and returns it from [`memory`](crate::Target::memory) is drawn to as fast as
+/// [`Pixels`](crate::Pixels). `Target` has an example.
 #[derive(Debug)]
-pub(crate) struct Memory<'a, Cell> {
-    pub(crate) cells: &'a mut [Cell],
-    /// Where the first one lies.
-    pub(crate) left: i32,
-    pub(crate) top: i32,
-    pub(crate) ground: RowScratch,
+pub struct Memory<S> {
+    area: Rectangle,
+    /// The part of the area that 2D drawing can reach, computed once and not for each triangle.
+    drawable: Scissor,
+    store: S,
+    /// The layout of the cells; on a Cortex-M0 also room for a triangle's rows.
+    scratch: RowScratch,
 }
 
-impl<'a, Cell: Copy> Memory<'a, Cell> {
+impl<S: PixelStore> Memory<S> {
+    /// The pixels of `area`, whose first row begins with the first cell. Cells beyond those of the area are never written.
+    ///
+    /// # Errors
+    ///
+    /// [`PictureError`] when there are fewer cells than the area has pixels.
+    pub fn new(mut store: S, area: Rectangle) -> Result<Self, PictureError> {
+        PictureError::check(area.size, store.cells().len())?;
+        Ok(Self::unchecked(store, area))
+    }
+
+    /// As [`new`](Self::new), for callers that have checked the number of cells. With too few of them the pixels that have no
+    /// cell are not drawn.
     #[inline(always)]
-    pub(crate) fn new(cells: &'a mut [Cell], area: &Rectangle) -> Self {
-        let Rectangle { top_left, size } = *area;
-        let (left, top, stride) = (top_left.x, top_left.y, size.width as usize);
-        Self { cells, left, top, ground: RowScratch::new(PixelLayout::new(left, top, stride)) }
+    pub(super) fn unchecked(store: S, area: Rectangle) -> Self {
+        let Rectangle { top_left, size } = area;
+        let layout = PixelLayout::new(top_left.x, top_left.y, size.width as usize);
+        Self { area, drawable: drawable(&area), store, scratch: RowScratch::new(layout) }
     }
 
-    /// A row's pixels. Those of a row that does not lie inside are others, or none.
+    /// The rectangle whose pixels these are.
+    pub const fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    /// The part of the area that 2D drawing can reach.
     #[inline(always)]
-    pub(crate) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [Cell]> {
-        let from = self.ground.places.at(x, y);
-        self.cells.get_mut(from..from.wrapping_add(width as usize))
+    pub(crate) const fn drawable(&self) -> &Scissor {
+        &self.drawable
     }
 
-    /// Fills a triangle. `two` is the same cell twice; the compiler must not know, or it would use two registers.
-    #[inline(never)] // its loop needs all registers
-    pub(crate) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        match Small::new(triangle, scissor, &mut self.ground) {
-            Some(small) => self.rows(small, two),
-            None => self.cut(triangle, scissor, two),
-        }
-    }
-
-    /// One that is cut, wide or large.
-    #[inline(never)]
-    fn cut(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        match Low::new(triangle, scissor, &mut self.ground) {
-            Some(low) => self.rows(low, two),
-            None => self.large(triangle, scissor, two),
-        }
-    }
-
+    /// The cells of `width` pixels from (`x`, `y`) to the right, or `None` where not all of them lie in the
+    /// [`area`](Self::area).
     #[inline(always)]
-    fn rows<R: Rows>(&mut self, rows: R, two: [Cell; 2]) {
-        let (cells, ground) = (&mut *self.cells, &mut self.ground);
-        let long = R::WIDTH > LONG << 8;
-        rows.each(ground, |start, left, right| fill_row(cells, start, left, right, two, long));
+    pub fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [S::Cell]> {
+        let Rectangle { top_left, size } = self.area;
+        // Wrapped differences: far too large to the left and above.
+        let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
+        let fits =
+            row < size.height && column <= size.width && width as u32 <= size.width.wrapping_sub(column);
+        let from = self.scratch.places.at(x, y);
+        self.store.cells().get_mut(from..from.wrapping_add(width as usize)).filter(|_| fits)
     }
 
-    #[inline(never)] // its loop needs all registers
-    fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        let (mut large, mut stretch) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
-        while large.stretch(&mut stretch) {
-            match stretch.upright(self.ground.places.stride as i32) {
-                // All of so many rows, as where a large face is cut on both sides: one run.
-                Some((x, pixels)) => {
-                    if let Some(run) = self.row(x, stretch.y, pixels) {
-                        fill(run, two);
-                    }
-                }
-                None => {
-                    let start = self.ground.places.at(stretch.x, stretch.y);
-                    let (cells, stride) = (&mut *self.cells, self.ground.places.stride);
-                    stretch.each(start, stride, |start, left, right| {
-                        fill_row(cells, start, left, right, two, true)
-                    });
-                }
+    /// Sets the pixels of a span to one cell; pixels outside the [`area`](Self::area) are left out.
+    #[inline(always)]
+    pub fn fill(&mut self, span: Span, cell: S::Cell) {
+        let Span { x, y, width, height } = span;
+        let clipped = Scissor::as_given(x, y, x.saturating_add(width), y.saturating_add(height));
+        let clipped = clipped.within(&inside(&self.area));
+        let (columns, rows) = (clipped.columns(), clipped.rows());
+        for y in rows {
+            if let Some(run) = self.row(columns.start, y, columns.end.wrapping_sub(columns.start)) {
+                fill(run, cell);
             }
         }
     }
 
-    /// Fills a triangle where it is nearer than what is held for the same pixels.
-    #[inline(never)] // its loop needs all registers
-    pub(crate) fn nearer<F: DepthFill<Cell>>(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        depth: &mut DepthBuffer<'_>,
-        filling: F,
-    ) {
-        match Small::new(&piece.triangle, scissor, &mut self.ground) {
-            Some(small) => self.rows_nearer(small, piece, depth.held(), filling),
-            None => self.cut_nearer(piece, scissor, depth, filling),
-        }
-    }
-
-    /// One that is cut, wide or large.
-    #[inline(never)]
-    fn cut_nearer<F: DepthFill<Cell>>(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        depth: &mut DepthBuffer<'_>,
-        filling: F,
-    ) {
-        match Low::new(&piece.triangle, scissor, &mut self.ground) {
-            Some(low) => self.rows_nearer(low, piece, depth.held(), filling),
-            None => self.large_nearer(piece, scissor, depth, filling),
-        }
-    }
-
+    /// Sets the pixels of a row's span to cells of their own, as long as there are any. A span that does not lie in the
+    /// [`area`](Self::area) is not drawn.
     #[inline(always)]
-    fn rows_nearer<F: DepthFill<Cell>>(
-        &mut self,
-        rows: impl Rows,
-        piece: &DepthTriangle<'_>,
-        held: &mut [u16],
-        filling: F,
-    ) {
-        if !rows.is_empty() {
-            let start = rows.start(self.ground.places);
-            let mut over = filling.over(piece);
-            let (cells, ground) = (&mut *self.cells, &mut self.ground);
-            let mut filled = filling.rows(&mut over, cells, held, start);
-            rows.each(ground, |start, left, right| filled.row(start, left, right));
+    pub fn fill_run(&mut self, span: Span, cells: impl Iterator<Item = S::Cell>) {
+        if let Some(run) = self.row(span.x, span.y, span.width) {
+            run.iter_mut().zip(cells).for_each(|(pixel, cell)| *pixel = cell);
         }
     }
 
-    #[inline(never)] // rare, and most of it a row's pixels
-    fn large_nearer<F: DepthFill<Cell>>(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        depth: &mut DepthBuffer<'_>,
-        filling: F,
-    ) {
-        let mut large = AnyTriangle::new(&piece.triangle, scissor);
-        if large.is_empty() {
-            return;
-        }
-        let (mut over, held) = (filling.over(piece), depth.held());
-        let Self { cells, ground: RowScratch { places, .. }, .. } = self;
-        let mut stretch = Trapezoid::default();
-        while large.stretch(&mut stretch) {
-            let start @ RowOrigin { x, y, .. } = RowOrigin { x: stretch.x, y: stretch.y, shear: 0 };
-            let mut filled = filling.rows(&mut over, cells, held, start);
-            stretch.each(places.at(x, y), places.stride, |start, left, right| filled.row(start, left, right));
-        }
+    /// The cells, and the layout and scratch space for loops over them.
+    #[inline(always)]
+    pub(crate) fn parts(&mut self) -> (&mut [S::Cell], &mut RowScratch) {
+        (self.store.cells(), &mut self.scratch)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    fn area() -> Rectangle {
+        Rectangle::new(Point::new(-3, 5), Size::new(4, 3))
     }
 
-    /// Fills a triangle with cells of its own.
-    #[inline(never)] // its loop needs all registers
-    pub(crate) fn shaded<R: Iterator<Item = Cell>>(
-        &mut self,
-        triangle: &Triangle<'_>,
-        scissor: &Scissor,
-        run: impl Fn(Span) -> R,
-    ) {
-        triangle.each_span(scissor, |span| {
-            if let Some(cells) = self.row(span.x, span.y, span.width) {
-                cells.iter_mut().zip(run(span)).for_each(|(pixel, cell)| *pixel = cell);
-            }
-        });
-    }
-
-    /// The same where it is nearer than what is held for the same pixels.
-    #[inline(never)] // its loop needs all registers
-    pub(crate) fn shaded_nearer<R: Iterator<Item = Cell>>(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        held: &mut [u16],
-        run: impl Fn(Span) -> R,
-    ) {
-        let plane = piece.plane();
-        let step = plane.step();
-        piece.triangle.each_span(scissor, |span| {
-            let from = self.ground.places.at(span.x, span.y);
-            let to = from.wrapping_add(span.width as usize);
-            if let (Some(cells), Some(held)) = (self.cells.get_mut(from..to), held.get_mut(from..to)) {
-                let mut z = plane.at(span.x, span.y);
-                for ((pixel, held), cell) in cells.iter_mut().zip(held).zip(run(span)) {
-                    one_nearer(pixel, held, z, cell);
-                    z = z.wrapping_add(step);
-                    black_box(()); // not unrolled
+    #[test]
+    fn a_row_lies_in_the_area_or_is_refused() {
+        let mut cells = [0_u8; 14];
+        (0..).zip(&mut cells).for_each(|(i, cell)| *cell = i);
+        let mut memory = Memory::new(&mut cells[..], area()).unwrap();
+        for y in 3..10 {
+            for x in -6..4 {
+                for width in -2..6 {
+                    let is_inside = width >= 0 && (5..8).contains(&y) && x >= -3 && x + width <= 1;
+                    let first = (x + 3 + 4 * (y - 5)) as u8;
+                    let row = memory.row(x, y, width);
+                    assert_eq!(row.as_ref().map(|row| row.len()), is_inside.then_some(width as usize));
+                    assert!(row.is_none_or(|row| row.iter().copied().eq((first..).take(width as usize))));
                 }
             }
-        });
-    }
-}
-
-/// Fills a row, if it does not end before it begins.
-#[inline(always)]
-fn fill_row<Cell: Copy>(cells: &mut [Cell], start: usize, left: i32, right: i32, two: [Cell; 2], long: bool) {
-    let from = start.wrapping_add(left as usize);
-    // More than there are where it ends before it begins.
-    let width = right.wrapping_sub(left) as usize;
-    // On a Cortex-M0 most rows were walked: their ends are at hand.
-    if CORTEX_M0 {
-        if let Some(run) = cells.get_mut(from..from.wrapping_add(width)) {
-            fill_any(run, two, long);
         }
-    } else if let Some(run) = cells.get_mut(from..) {
-        if let Some(run) = run.get_mut(..width) {
-            fill_any(run, two, long);
+        for (x, y) in [(i32::MIN, i32::MIN), (i32::MAX, i32::MAX), (-3, i32::MIN), (i32::MAX, 5)] {
+            assert_eq!(memory.row(x, y, 1), None);
         }
     }
-}
 
-/// From so many pixels on a run is long.
-const LONG: i32 = 64;
-
-/// In pairs, which become one store where memory takes that at any address: many at a time in long runs, then eight,
-/// and the rest at one go. `long`: runs may be; in a short one eight more stand for the many, so that the compiler keeps no
-/// other place at hand, where rows are gone through, than the one where a run begins.
-#[inline(always)]
-fn fill_any<Cell: Copy>(mut run: &mut [Cell], two: [Cell; 2], long: bool) {
-    let [cell, _] = two;
-    if run.len() >= 8 {
-        if long && run.len() >= LONG as usize {
-            let (many, rest) = run.split_at_mut(run.len() & !31);
-            for some in many.chunks_exact_mut(32) {
-                some.chunks_exact_mut(2).for_each(|pixels| pixels.copy_from_slice(&two));
-                black_box(()); // not unrolled
-            }
-            run = rest;
-        }
-        if !long && run.len() >= 16 {
-            let (some, rest) = run.split_at_mut(8);
-            some.chunks_exact_mut(2).for_each(|pixels| pixels.copy_from_slice(&two));
-            run = rest;
-        }
-        while let [a, b, c, d, e, f, g, h, rest @ ..] = run {
-            [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [two; 4];
-            run = rest;
-            black_box(()); // not unrolled
-        }
+    /// Rows that do not exist are not visited: this test would not end.
+    #[test]
+    fn a_span_is_clipped_to_the_area() {
+        let mut cells = [0_u8; 14];
+        let mut memory = Memory::new(&mut cells[..], area()).unwrap();
+        memory.fill(Span { x: -2, y: 6, width: i32::MAX, height: i32::MAX }, 1);
+        memory.fill(Span { x: i32::MIN, y: i32::MIN, width: i32::MAX, height: i32::MAX }, 2);
+        memory.fill(Span { x: -3, y: i32::MIN, width: 1, height: i32::MAX }, 3);
+        memory.fill(Span { x: 5, y: 5, width: 3, height: 1 }, 4);
+        memory.fill(Span { x: -3, y: 5, width: -3, height: -1 }, 5);
+        assert_eq!(cells, [0, 0, 0, 0, 0, 1, 1, 1, 0, 1, 1, 1, 0, 0]);
     }
-    match run {
-        [] => {}
-        [a] => *a = cell,
-        [a, b] => [*a, *b] = two,
-        [a, b, c] => ([*a, *b], *c) = (two, cell),
-        [a, b, c, d] => [[*a, *b], [*c, *d]] = [two; 2],
-        [a, b, c, d, e] => ([[*a, *b], [*c, *d]], *e) = ([two; 2], cell),
-        [a, b, c, d, e, f] => [[*a, *b], [*c, *d], [*e, *f]] = [two; 3],
-        [a, b, c, d, e, f, g, ..] => ([[*a, *b], [*c, *d], [*e, *f]], *g) = ([two; 3], cell),
+
+    #[test]
+    fn too_few_cells_are_refused() {
+        let mut cells = [0_u8; 11];
+        let error = Memory::new(&mut cells[..], area()).map(|_| ());
+        assert_eq!(error, Err(PictureError { needed: 12, given: 11 }));
     }
-}
-
-/// The same for runs of any length.
-#[inline(always)]
-pub(crate) fn fill<Cell: Copy>(run: &mut [Cell], two: [Cell; 2]) {
-    fill_any(run, two, true);
-}
-
-/// Two of them, of which the compiler does not know that they are alike: it keeps them in one register.
-#[inline(always)]
-pub(crate) fn pair<Cell: Copy>(cell: Cell) -> [Cell; 2] {
-    black_box([cell; 2])
-}
-
-/// All of them.
-pub(crate) fn clear<Cell: Copy>(cells: &mut [Cell], cell: Cell) {
-    fill(cells, pair(cell));
 }

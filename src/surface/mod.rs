@@ -1,19 +1,21 @@
-//! From spans to pixels: an `embedded-graphics` DrawTarget, or memory.
+//! What is drawn to: an `embedded-graphics` DrawTarget, or pixels in memory; and what goes with it: the depth buffer, bands and
+//! the rectangles that a new frame has to send.
 
 mod band;
+pub(crate) mod block_fill;
 mod depth;
 mod dirty_regions;
-pub(crate) mod memory;
+mod memory;
 mod picture;
 mod pixel_format;
 mod pixels;
 mod target;
 
-pub(crate) use crate::fast::table_fill::{Shade, Shades};
 pub use band::{Band, BandError, Frame};
 pub(crate) use depth::DepthTarget;
 pub use depth::{DepthBuffer, DepthBufferError};
 pub use dirty_regions::{DirtyRegions, TransferCost};
+pub use memory::{Memory, PixelStore};
 pub use picture::{Picture, PictureError};
 pub use pixel_format::PixelFormat;
 pub use pixels::{Pixels, StoredPixel};
@@ -23,20 +25,19 @@ use crate::raster::Scissor;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The pixels of a target as far as anything is drawn, however large it is.
-pub(crate) fn reach(area: &Rectangle) -> Scissor {
+/// The part of a target's area that 2D drawing can reach: pixels with 16-bit coordinates.
+pub(crate) fn drawable(area: &Rectangle) -> Scissor {
     inside(area).near()
 }
 
-/// As `embedded-graphics` has it.
+/// A scissor, at most 2¹⁶ pixels each way, as a rectangle of `embedded-graphics`.
 pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
     let (columns, rows) = (area.columns(), area.rows());
-    // At most 2¹⁶ each way.
     let size = Size::new(columns.len() as u32, rows.len() as u32);
     Rectangle::new(Point::new(columns.start, rows.start), size)
 }
 
-/// The pixels of a rectangle, to be intersected with a viewport, or brought [near](Scissor::near).
+/// The pixels of a rectangle, of any size: to be intersected with a viewport, or made [`drawable`].
 pub(crate) fn inside(area: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *area;
     let (right, bottom) = (x.saturating_add_unsigned(size.width), y.saturating_add_unsigned(size.height));

@@ -1,10 +1,8 @@
 //! A picture in memory.
 
+use super::block_fill::{clear, fill};
 use super::inside;
-use super::memory::clear;
 use super::pixels::Pixels;
-use super::target::Target;
-use crate::raster::Span;
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -12,8 +10,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A whole picture in memory that is lent to it, a colour for each pixel, row by row: a DrawTarget, and by
-/// [`pixels`](Self::pixels) the fastest [`Target`].
+/// A whole picture in a buffer that the caller provides, one color for each pixel, row by row: a DrawTarget, and by
+/// [`pixels`](Self::pixels) the fastest [`Target`](crate::Target).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
@@ -31,56 +29,77 @@ pub struct Picture<'a, C> {
     cells: &'a mut [C],
 }
 
-/// The memory of a picture is too short.
+/// A buffer has fewer cells than the picture has pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PictureError {
-    /// A colour for each pixel.
+    /// Cells that the picture needs: one for each pixel.
     pub needed: u64,
-    /// What there is.
+    /// Cells in the buffer.
     pub given: usize,
 }
 
 impl core::fmt::Display for PictureError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let Self { needed, given } = self;
-        write!(f, "a picture of {needed} pixels has memory for {given}")
+        write!(f, "a picture of {needed} pixels needs a buffer of {needed} cells, but this one has {given}")
     }
 }
 
 impl core::error::Error for PictureError {}
 
+impl PictureError {
+    /// Checks that `given` cells are enough for a picture of `size`.
+    #[inline(always)]
+    pub(super) fn check(size: Size, given: usize) -> Result<(), Self> {
+        let needed = u64::from(size.width) * u64::from(size.height);
+        if needed <= given as u64 {
+            Ok(())
+        } else {
+            Err(Self { needed, given })
+        }
+    }
+}
+
 impl<'a, C: PixelColor> Picture<'a, C> {
-    /// A picture of `size` in the first colours of `memory`, whose top left pixel is the origin.
+    /// A picture of `size` in the first colors of `buffer`, whose top left pixel is the origin.
     ///
     /// # Errors
     ///
-    /// [`PictureError`] when there are fewer colours than pixels.
-    pub fn new(memory: &'a mut [C], size: Size) -> Result<Self, PictureError> {
+    /// [`PictureError`] when there are fewer colors than pixels.
+    pub fn new(buffer: &'a mut [C], size: Size) -> Result<Self, PictureError> {
         let needed = u64::from(size.width) * u64::from(size.height);
-        let error = PictureError { needed, given: memory.len() };
-        let cells = usize::try_from(needed).ok().and_then(|n| memory.get_mut(..n)).ok_or(error)?;
+        let error = PictureError { needed, given: buffer.len() };
+        let cells = usize::try_from(needed).ok().and_then(|n| buffer.get_mut(..n)).ok_or(error)?;
         Ok(Self { area: Rectangle::new(Point::zero(), size), cells })
     }
 
-    /// The same pixels as the fastest target.
+    /// The picture's pixels as the fastest target.
     #[inline(always)]
     pub fn pixels(&mut self) -> Pixels<'_, C> {
-        Pixels::new(self.cells, self.area)
+        Pixels::unchecked(self.cells, self.area)
     }
 
-    /// What is more than a run, or not in the picture whole.
+    /// Fills the part of a rectangle that lies in the picture.
     #[inline(never)]
-    fn fill_part(&mut self, area: &Rectangle, colour: C) {
+    fn fill_part(&mut self, area: &Rectangle, color: C) {
         // Not by `Rectangle::intersection`, whose sums overflow.
         let both = inside(area).within(&inside(&self.area));
         let (columns, rows) = (both.columns(), both.rows());
-        // Of the picture at most, which begins at 0.
-        let (width, height) = (columns.end.wrapping_sub(columns.start), rows.end.wrapping_sub(rows.start));
-        let Ok(()) = self.pixels().fill(Span { x: columns.start, y: rows.start, width, height }, colour);
+        let width = columns.end.wrapping_sub(columns.start);
+        rows.for_each(|y| self.fill_row(columns.start, y, width as u32, color));
     }
 
-    /// The colours, row by row.
+    /// Fills `width` pixels from (`x`, `y`) on, which lie in the picture.
+    #[inline(always)]
+    fn fill_row(&mut self, x: i32, y: i32, width: u32, color: C) {
+        let from = (y as usize).wrapping_mul(self.area.size.width as usize).wrapping_add(x as usize);
+        if let Some(run) = self.cells.get_mut(from..from.wrapping_add(width as usize)) {
+            fill(run, color);
+        }
+    }
+
+    /// The colors, row by row.
     pub const fn colors(&self) -> &[C] {
         self.cells
     }
@@ -98,12 +117,12 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         let Size { width, height } = self.area.size;
-        for Pixel(Point { x, y }, colour) in pixels {
-            // To the left and above, far too large.
+        for Pixel(Point { x, y }, color) in pixels {
+            // A negative coordinate becomes far too large.
             if (x as u32) < width && (y as u32) < height {
                 let at = (y as usize).wrapping_mul(width as usize).wrapping_add(x as usize);
                 if let Some(pixel) = self.cells.get_mut(at) {
-                    *pixel = colour;
+                    *pixel = color;
                 }
             }
         }
@@ -111,24 +130,25 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
     }
 
     #[inline(always)]
-    fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
         let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
         let Size { width: columns, height: rows } = self.area.size;
-        // To the left and above, far too large. Most are a run in the picture.
+        // A negative coordinate becomes far too large. Most rectangles are a span of a triangle that lies in the picture.
         if height == 1 && (y as u32) < rows && (x as u32) <= columns && width <= columns - x as u32 {
-            return self.pixels().fill(Span { x, y, width: width as i32, height: 1 }, colour);
+            self.fill_row(x, y, width, color);
+        } else {
+            self.fill_part(area, color);
         }
-        self.fill_part(area, colour);
         Ok(())
     }
 
-    fn clear(&mut self, colour: C) -> Result<(), Infallible> {
-        clear(self.cells, colour);
+    fn clear(&mut self, color: C) -> Result<(), Infallible> {
+        clear(self.cells, color);
         Ok(())
     }
 }
 
-// Of colours nothing is said: a colour need not have a Format.
+// The colors are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for Picture<'_, C> {
     fn format(&self, f: defmt::Formatter<'_>) {

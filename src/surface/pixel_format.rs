@@ -1,4 +1,4 @@
-//! Pixels in the order in which displays take them.
+//! Pixels as bits, in the order in which displays take them, and rows of them.
 
 use super::pixels::StoredPixel;
 use core::hint::black_box;
@@ -8,8 +8,8 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888, RgbColor,
 };
 
-/// A colour as it goes over the wire: the most significant bit first, several pixels to a byte where
-/// they fit, the leftmost in the upper bits, every row from a byte of its own.
+/// A color as a display takes it: the most significant bit first; several pixels to a byte where they fit, the leftmost in the
+/// upper bits; each row begins with a new byte.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb666, RgbColor};
@@ -19,7 +19,7 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!((Gray4::BITS, Gray4::decode(9)), (4, Gray4::new(9)));
 /// ```
 pub trait PixelFormat: PixelColor {
-    /// Bits a pixel: 1, 2, 4, 8, 16, 24 or 32; others do not compile where they are used.
+    /// Bits per pixel: 1, 2, 4, 8, 16, 24 or 32. A band of any other number does not compile.
     const BITS: u32;
 
     /// The bits, in the lowest [`BITS`](Self::BITS); higher ones do not count.
@@ -29,26 +29,50 @@ pub trait PixelFormat: PixelColor {
     fn decode(bits: u32) -> Self;
 }
 
-/// Colours of whole bytes are [`StoredPixel`] as the wire takes them.
-macro_rules! stored {
-    ($($bytes:literal: $($colour:ty),*;)*) => {$($(
-        impl StoredPixel<[u8; $bytes]> for $colour {
+/// Colors of whole bytes are stored as their bytes, the most significant first.
+macro_rules! stored_as_bytes {
+    ($($bytes:literal: $($color:ty),*;)*) => {$($(
+        impl StoredPixel<[u8; $bytes]> for $color {
             #[inline(always)]
             fn stored(self) -> [u8; $bytes] {
                 let mut bytes = [0; $bytes];
-                // The last ones of four.
+                // The last bytes of the four that `encode` gives.
                 bytes.iter_mut().rev().zip(self.encode().to_le_bytes()).for_each(|(byte, bits)| *byte = bits);
                 bytes
+            }
+
+            #[inline(always)]
+            fn load(bytes: [u8; $bytes]) -> Self {
+                Self::decode(bytes.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte)))
             }
         }
     )*)*};
 }
 
-stored! {
+stored_as_bytes! {
     1: Gray8;
     2: Rgb555, Bgr555, Rgb565, Bgr565;
     3: Rgb666, Bgr666, Rgb888, Bgr888;
 }
+
+/// Colors of 16 bits are stored as a number in the core's own byte order.
+macro_rules! stored_as_number {
+    ($($color:ty),*) => {$(
+        impl StoredPixel<u16> for $color {
+            #[inline(always)]
+            fn stored(self) -> u16 {
+                self.encode() as u16 // 16 bits
+            }
+
+            #[inline(always)]
+            fn load(bits: u16) -> Self {
+                Self::decode(bits.into())
+            }
+        }
+    )*};
+}
+
+stored_as_number!(Rgb555, Bgr555, Rgb565, Bgr565);
 
 macro_rules! wire_raw {
     ($($colour:ty: $raw:ty, $bits:literal;)*) => {$(

@@ -1,36 +1,45 @@
-//! Pixels in memory, to draw into.
+//! A slice of memory as a target.
 
-use super::depth::{DepthBuffer, DepthTarget};
-use super::memory::{fill, Memory};
-use super::reach;
-use super::target::{spans_nearer, spans_shaded_nearer, Target};
-use crate::fast::table_fill::Shades;
-use crate::raster::{DepthTriangle, Pixel, Scissor, ScreenPoint, Span, Triangle};
+use super::memory::Memory;
+use super::picture::PictureError;
+use super::target::Target;
+use crate::raster::Span;
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Pixels in memory as a [`Target`]: of a [`Picture`](crate::Picture), or of a [`Band`](crate::Band).
+/// Pixels in a slice of memory, the fastest [`Target`]: of a [`Picture`](crate::Picture), of a [`Band`](crate::Band), or of a
+/// framebuffer that something else owns, made by [`new`](Self::new).
+///
+/// `C` is the color, `Cell` is what memory holds for a pixel: see [`StoredPixel`].
 #[derive(Debug)]
 pub struct Pixels<'a, C, Cell = C> {
-    area: Rectangle,
-    /// Of the area: worked out once, not for each triangle.
-    reach: Scissor,
-    memory: Memory<'a, Cell>,
-    colour: PhantomData<C>,
+    memory: Memory<&'a mut [Cell]>,
+    color: PhantomData<C>,
 }
 
-/// A colour as memory holds it: as it is, or in bytes as the wire takes them.
+/// A color as a cell of memory: the color itself, its bytes in the order in which displays take them, or its number.
+///
+/// | cell | memory holds | colors |
+/// |---|---|---|
+/// | the color | whatever the type is | all |
+/// | `[u8; N]` | [`PixelFormat`](crate::PixelFormat)'s bits, most significant byte first | those of 8, 16 and 24 bits |
+/// | `u16` | the number in the core's own byte order, as LCD controllers and 16-bit SPI take it | `Rgb565`, `Bgr565`, `Rgb555`, `Bgr555` |
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 /// use pinhole::StoredPixel;
 /// assert_eq!((Rgb565::RED.stored(), Rgb565::RED.stored()), (Rgb565::RED, [0xf8, 0x00]));
+/// assert_eq!(Rgb565::load([0xf8, 0x00]), Rgb565::RED);
+/// assert_eq!(Rgb565::load(0xf800_u16), Rgb565::RED);
 /// ```
 pub trait StoredPixel<Cell>: PixelColor {
-    /// The colour as a cell of memory.
+    /// The color as a cell of memory.
     fn stored(self) -> Cell;
+
+    /// The color of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.
+    fn load(cell: Cell) -> Self;
 }
 
 impl<C: PixelColor> StoredPixel<C> for C {
@@ -38,164 +47,80 @@ impl<C: PixelColor> StoredPixel<C> for C {
     fn stored(self) -> C {
         self
     }
+
+    #[inline(always)]
+    fn load(cell: C) -> C {
+        cell
+    }
+}
+
+impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
+    /// The pixels of `area`, row by row, in the first cells of a slice. A framebuffer of numbers:
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use pinhole::{fill_triangle, raster::ScreenPoint, Pixels};
+    /// let mut framebuffer = [0_u16; 32 * 24];
+    /// let area = Rectangle::new(Point::zero(), Size::new(32, 24));
+    /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+    /// let corners = [corner(0, 0), corner(40, 0), corner(0, 20)];
+    /// let Ok(()) = fill_triangle(corners, Rgb565::RED, &mut Pixels::new(&mut framebuffer, area)?);
+    /// assert_eq!((framebuffer[31], framebuffer[32 * 24 - 1]), (0xf800, 0));
+    ///
+    /// // The same numbers with the high byte first, for a display that is sent bytes.
+    /// let cells: &mut [[u8; 2]] = bytemuck::cast_slice_mut(&mut framebuffer);
+    /// let Ok(()) = fill_triangle(corners, Rgb565::RED, &mut Pixels::new(cells, area)?);
+    /// assert_eq!(framebuffer[31].to_ne_bytes(), [0xf8, 0x00]);
+    /// # Ok::<(), pinhole::PictureError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`PictureError`] when there are fewer cells than the area has pixels.
+    pub fn new(cells: &'a mut [Cell], area: Rectangle) -> Result<Self, PictureError> {
+        Ok(Self { memory: Memory::new(cells, area)?, color: PhantomData })
+    }
 }
 
 impl<'a, C, Cell: Copy> Pixels<'a, C, Cell> {
-    /// Of `area`, a cell each.
+    /// As [`new`](Self::new), for callers that have checked the number of cells.
     #[inline(always)]
-    pub(super) fn new(cells: &'a mut [Cell], area: Rectangle) -> Self {
-        Self { area, reach: reach(&area), memory: Memory::new(cells, &area), colour: PhantomData }
+    pub(super) fn unchecked(cells: &'a mut [Cell], area: Rectangle) -> Self {
+        Self { memory: Memory::unchecked(cells, area), color: PhantomData }
     }
 }
 
-impl<C: StoredPixel<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
+impl<'a, C: StoredPixel<Cell>, Cell: Copy> Target for Pixels<'a, C, Cell> {
     type Color = C;
     type Error = Infallible;
+    type Store = &'a mut [Cell];
 
     fn area(&self) -> Rectangle {
-        self.area
+        self.memory.area()
     }
 
     #[inline(always)]
-    fn reach(&self) -> Scissor {
-        self.reach
-    }
-
-    #[inline(always)]
-    fn fill(&mut self, Span { x, y, width, height }: Span, colour: C) -> Result<(), Infallible> {
-        for y in y..y.wrapping_add(height) {
-            if let Some(run) = self.memory.row(x, y, width) {
-                fill(run, [colour.stored(); 2]);
-            }
-        }
+    fn fill(&mut self, span: Span, color: C) -> Result<(), Infallible> {
+        self.memory.fill(span, color.stored());
         Ok(())
     }
 
     #[inline(always)]
-    fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = C>) -> Result<(), Infallible> {
-        if let Some(run) = self.memory.row(span.x, span.y, span.width) {
-            run.iter_mut().zip(colours).for_each(|(pixel, colour)| *pixel = colour.stored());
-        }
+    fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = C>) -> Result<(), Infallible> {
+        self.memory.fill_run(span, colors.map(StoredPixel::stored));
         Ok(())
     }
 
     #[inline(always)]
-    fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
-        self.memory.triangle(triangle, scissor, [colour.stored(); 2]);
-        Ok(())
-    }
-
-    // Without a copy of the reach.
-    #[inline(always)]
-    fn plain_triangle(&mut self, corners: [ScreenPoint; 3], area: i64, colour: C) -> Result<(), Infallible> {
-        let Self { reach, memory, .. } = self;
-        memory.triangle(&Triangle::new(corners, area, reach), reach, [colour.stored(); 2]);
-        Ok(())
-    }
-
-    fn against<'d, 'b>(&self, depth: &'d mut DepthBuffer<'b>) -> DepthTarget<'d, 'b> {
-        DepthTarget::new(depth, Some(&self.area))
-    }
-
-    #[inline(always)]
-    fn nearer(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        colour: C,
-    ) -> Result<(), Infallible> {
-        if against.beside {
-            self.memory.nearer(piece, scissor, against.buffer, [colour.stored(); 2]);
-            Ok(())
-        } else {
-            self.nearer_apart(piece, scissor, against, colour)
-        }
-    }
-
-    #[inline(always)]
-    fn shaded<R: Iterator<Item = C>>(
-        &mut self,
-        triangle: &Triangle<'_>,
-        scissor: &Scissor,
-        run: impl Fn(Span) -> R,
-    ) -> Result<(), Infallible> {
-        self.memory.shaded(triangle, scissor, |span| run(span).map(StoredPixel::stored));
-        Ok(())
-    }
-
-    #[inline(always)]
-    fn shaded_nearer<R: Iterator<Item = C>>(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        run: impl Fn(Span) -> R,
-    ) -> Result<(), Infallible> {
-        if against.beside {
-            let run = |span| run(span).map(StoredPixel::stored);
-            self.memory.shaded_nearer(piece, scissor, against.buffer.held(), run);
-            Ok(())
-        } else {
-            self.shaded_nearer_apart(piece, scissor, against, run)
-        }
-    }
-
-    #[inline(always)]
-    fn shades_nearer(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        shades: &Shades<'_, C>,
-    ) -> Result<(), Infallible> {
-        if against.beside {
-            self.memory.nearer(piece, scissor, against.buffer, shades);
-            Ok(())
-        } else {
-            let shade = shades.over(&piece.triangle);
-            self.shaded_nearer_apart(piece, scissor, against, |span| shade.run(span))
-        }
-    }
-
-    #[inline(always)]
-    fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, colour: C) -> Result<(), Infallible> {
-        self.memory.line(from, to, scissor, colour.stored());
-        Ok(())
+    fn memory(&mut self) -> Option<&mut Memory<&'a mut [Cell]>> {
+        Some(&mut self.memory)
     }
 }
 
-/// Where depths stand otherwise than pixels: rare, and in frames of their own.
-impl<C: StoredPixel<Cell>, Cell: Copy> Pixels<'_, C, Cell> {
-    #[cold]
-    #[inline(never)]
-    fn nearer_apart(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        colour: C,
-    ) -> Result<(), Infallible> {
-        spans_nearer(self, piece, scissor, against, colour)
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn shaded_nearer_apart<R: Iterator<Item = C>>(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        run: impl Fn(Span) -> R,
-    ) -> Result<(), Infallible> {
-        spans_shaded_nearer(self, piece, scissor, against, run)
-    }
-}
-
-// Of colours nothing is said: a colour need not have a Format.
+// The color is not printed: it need not implement `Format`.
 #[cfg(feature = "defmt")]
-impl<C, Cell> defmt::Format for Pixels<'_, C, Cell> {
+impl<C, Cell: Copy> defmt::Format for Pixels<'_, C, Cell> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "pixels of {}", self.area);
+        defmt::write!(f, "pixels of {}", self.memory.area());
     }
 }

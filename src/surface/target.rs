@@ -1,217 +1,119 @@
 //! What pixels are drawn into.
 
-use super::depth::{DepthBuffer, DepthTarget};
-use super::reach;
-use crate::fast::table_fill::Shades;
-use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, ScreenPoint, Span, Triangle};
+use super::memory::{Memory, PixelStore};
+use super::pixels::StoredPixel;
+use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// What is drawn into: any `embedded-graphics` DrawTarget, or, in a fraction of the instructions,
-/// [`Pixels`](crate::Pixels) in memory, with the same picture.
+/// What is drawn into: any `embedded-graphics` DrawTarget, [`Pixels`](crate::Pixels) in memory in a fraction of the
+/// instructions, or a type of your own. The picture is the same.
 ///
 /// A DrawTarget gets a `fill_solid` or a `fill_contiguous` for every run of pixels.
-pub trait Target: sealed::Sealed {
-    /// The colour of a pixel.
-    type Color: PixelColor;
+///
+/// A type that is no DrawTarget implements this trait: either it takes spans, and has `[Self::Color; 0]` for
+/// [`Store`](Self::Store); or its pixels lie in [`Memory`], which it hands out:
+///
+/// ```
+/// use core::convert::Infallible;
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use pinhole::{fill_triangle, raster::{ScreenPoint, Span}, Memory, PictureError, StoredPixel, Target};
+///
+/// /// A framebuffer that remembers whether it was drawn to.
+/// struct Framebuffer<'a> {
+///     memory: Memory<&'a mut [u16]>,
+///     is_drawn: bool,
+/// }
+///
+/// impl<'a> Target for Framebuffer<'a> {
+///     type Color = Rgb565;
+///     type Error = Infallible;
+///     type Store = &'a mut [u16];
+///
+///     fn area(&self) -> Rectangle {
+///         self.memory.area()
+///     }
+///     fn fill(&mut self, span: Span, color: Rgb565) -> Result<(), Infallible> {
+///         self.is_drawn = true;
+///         Ok(self.memory.fill(span, color.stored()))
+///     }
+///     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Rgb565>) -> Result<(), Infallible> {
+///         self.is_drawn = true;
+///         Ok(self.memory.fill_run(span, colors.map(StoredPixel::stored)))
+///     }
+///     fn memory(&mut self) -> Option<&mut Memory<&'a mut [u16]>> {
+///         self.is_drawn = true;
+///         Some(&mut self.memory)
+///     }
+/// }
+///
+/// let mut cells = [0_u16; 32 * 24];
+/// let area = Rectangle::new(Point::zero(), Size::new(32, 24));
+/// let mut target = Framebuffer { memory: Memory::new(&mut cells[..], area)?, is_drawn: false };
+/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+/// let Ok(()) = fill_triangle([corner(0, 0), corner(40, 0), corner(0, 20)], Rgb565::RED, &mut target);
+/// assert!(target.is_drawn && cells[31] == 0xf800);
+/// # Ok::<(), PictureError>(())
+/// ```
+pub trait Target {
+    /// The color of a pixel.
+    type Color: StoredPixel<<Self::Store as PixelStore>::Cell>;
 
     /// What drawing can fail with.
     type Error;
 
-    /// Its pixels.
+    /// What holds the pixels: a slice, or `[Self::Color; 0]` where they do not lie in memory.
+    type Store: PixelStore;
+
+    /// The rectangle that can be drawn to.
     fn area(&self) -> Rectangle;
 
-    /// Those of them that 2D drawing may reach.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn reach(&self) -> Scissor {
-        reach(&self.area())
-    }
-
-    /// Draws a run of pixels in one colour; it lies in the [`area`](Self::area).
+    /// Sets the pixels of a span, which lies in the [`area`](Self::area), to one color.
     ///
     /// # Errors
     ///
     /// The target's own.
-    fn fill(&mut self, span: Span, colour: Self::Color) -> Result<(), Self::Error>;
+    fn fill(&mut self, span: Span, color: Self::Color) -> Result<(), Self::Error>;
 
-    /// Draws a run of pixels in a row, each in a colour of its own, of which there are as many or more; it lies in the
-    /// [`area`](Self::area).
+    /// Sets the pixels of a row's span, which lies in the [`area`](Self::area), to these colors from left to right. There are
+    /// at least `span.width` colors.
     ///
     /// # Errors
     ///
     /// The target's own.
-    fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = Self::Color>)
-        -> Result<(), Self::Error>;
+    fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Self::Color>) -> Result<(), Self::Error>;
 
-    /// Draws a triangle of one colour.
-    #[doc(hidden)]
+    /// The memory that holds the pixels of the [`area`](Self::area), if they lie in memory. Most drawing then writes to it, and
+    /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only for what no fast path takes. Colors are converted
+    /// by [`StoredPixel`], so both ways must store the same cells.
     #[inline(always)]
-    fn triangle(
-        &mut self,
-        triangle: &Triangle<'_>,
-        scissor: &Scissor,
-        colour: Self::Color,
-    ) -> Result<(), Self::Error> {
-        triangle.spans(scissor).try_for_each(|span| self.fill(span, colour))
+    fn memory(&mut self) -> Option<&mut Memory<Self::Store>> {
+        None
     }
-
-    /// Draws a triangle of one colour in 2D, with its area, which is not zero.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn plain_triangle(
-        &mut self,
-        corners: [ScreenPoint; 3],
-        area: i64,
-        colour: Self::Color,
-    ) -> Result<(), Self::Error> {
-        let all = self.reach();
-        self.triangle(&Triangle::new(corners, area, &all), &all, colour)
-    }
-
-    /// With what is tested here; worked out once, not for each triangle.
-    #[doc(hidden)]
-    fn against<'d, 'b>(&self, depth: &'d mut DepthBuffer<'b>) -> DepthTarget<'d, 'b> {
-        DepthTarget::new(depth, None)
-    }
-
-    /// Draws it where it is nearer than what is held.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn nearer(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        colour: Self::Color,
-    ) -> Result<(), Self::Error> {
-        spans_nearer(self, piece, scissor, against, colour)
-    }
-
-    /// Draws a triangle whose pixels have colours of their own.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn shaded<R: Iterator<Item = Self::Color>>(
-        &mut self,
-        triangle: &Triangle<'_>,
-        scissor: &Scissor,
-        run: impl Fn(Span) -> R,
-    ) -> Result<(), Self::Error> {
-        triangle.spans(scissor).try_for_each(|span| self.fill_run(span, run(span)))
-    }
-
-    /// Draws it where it is nearer than what is held.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn shaded_nearer<R: Iterator<Item = Self::Color>>(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        run: impl Fn(Span) -> R,
-    ) -> Result<(), Self::Error> {
-        spans_shaded_nearer(self, piece, scissor, against, run)
-    }
-
-    /// The same of colours that are looked up.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn shades_nearer(
-        &mut self,
-        piece: &DepthTriangle<'_>,
-        scissor: &Scissor,
-        against: &mut DepthTarget<'_, '_>,
-        shades: &Shades<'_, Self::Color>,
-    ) -> Result<(), Self::Error> {
-        let shade = shades.over(&piece.triangle);
-        spans_shaded_nearer(self, piece, scissor, against, |span| shade.run(span))
-    }
-
-    /// Draws a line.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn line(
-        &mut self,
-        from: Pixel,
-        to: Pixel,
-        scissor: &Scissor,
-        colour: Self::Color,
-    ) -> Result<(), Self::Error> {
-        raster::line(from, to, scissor, |span| self.fill(span, colour))
-    }
-}
-
-/// [`Target::nearer`] span by span.
-#[inline(never)] // its frame is gone when it returns
-pub(super) fn spans_nearer<T: Target + ?Sized>(
-    target: &mut T,
-    piece: &DepthTriangle<'_>,
-    scissor: &Scissor,
-    against: &mut DepthTarget<'_, '_>,
-    colour: T::Color,
-) -> Result<(), T::Error> {
-    let mut spans = piece.triangle.spans(scissor);
-    if spans.is_empty() {
-        return Ok(());
-    }
-    let plane = piece.plane();
-    spans.try_for_each(|span| against.buffer.test(span, &plane, |visible| target.fill(visible, colour)))
-}
-
-/// [`Target::shaded_nearer`] span by span.
-#[inline(never)] // its frame is gone when it returns
-pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
-    target: &mut T,
-    piece: &DepthTriangle<'_>,
-    scissor: &Scissor,
-    against: &mut DepthTarget<'_, '_>,
-    run: impl Fn(Span) -> R,
-) -> Result<(), T::Error> {
-    let plane = piece.plane();
-    let mut spans = piece.triangle.spans(scissor);
-    spans.try_for_each(|span| span_shaded_nearer(target, span, &plane, against, &run))
-}
-
-/// One span of that.
-#[inline(never)] // what it works with is large, and is not there while the next span is found
-fn span_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Color>>(
-    target: &mut T,
-    span: Span,
-    plane: &Gradient,
-    against: &mut DepthTarget<'_, '_>,
-    run: &impl Fn(Span) -> R,
-) -> Result<(), T::Error> {
-    against.buffer.test(span, plane, |visible| target.fill_run(visible, run(visible)))
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl<D: embedded_graphics_core::draw_target::DrawTarget> Sealed for D {}
-    impl<C, Cell> Sealed for super::super::pixels::Pixels<'_, C, Cell> {}
 }
 
 impl<D: DrawTarget> Target for D {
     type Color = D::Color;
     type Error = D::Error;
+    type Store = [D::Color; 0];
 
     fn area(&self) -> Rectangle {
         self.bounding_box()
     }
 
     #[inline(always)]
-    fn fill(&mut self, span: Span, colour: D::Color) -> Result<(), D::Error> {
-        self.fill_solid(&rectangle(span), colour)
+    fn fill(&mut self, span: Span, color: D::Color) -> Result<(), D::Error> {
+        self.fill_solid(&rectangle(span), color)
     }
 
     #[inline(always)]
-    fn fill_run(&mut self, span: Span, colours: impl Iterator<Item = D::Color>) -> Result<(), D::Error> {
-        self.fill_contiguous(&rectangle(span), colours.take(span.width as usize))
+    fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = D::Color>) -> Result<(), D::Error> {
+        self.fill_contiguous(&rectangle(span), colors.take(span.width as usize))
     }
 }
 
-/// As `embedded-graphics` has it.
+/// A span as a rectangle of `embedded-graphics`.
 #[inline(always)]
 fn rectangle(Span { x, y, width, height }: Span) -> Rectangle {
     Rectangle::new(Point::new(x, y), Size::new(width as u32, height as u32)) // both positive

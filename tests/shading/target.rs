@@ -83,6 +83,10 @@ impl StoredPixel<[u8; 4]> for Own {
     fn stored(self) -> [u8; 4] {
         self.encode().to_be_bytes()
     }
+
+    fn load(bytes: [u8; 4]) -> Self {
+        Self::decode(u32::from_be_bytes(bytes))
+    }
 }
 
 impl Colour for Own {

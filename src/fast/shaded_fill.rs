@@ -1,0 +1,87 @@
+//! Triangles whose pixels have colors of their own, into memory.
+//!
+//! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer`, which pass each span to `Target::fill_run`, with depth each run
+//!   of nearer pixels.
+//! - **Domain**: every triangle and shader, on a target whose pixels lie in memory; with depth, only where the depth buffer is
+//!   laid out as the memory is.
+//! - **Gain**: the shader's colors go to the cells in one loop with the edge walker. With depth, a row is walked once, and the
+//!   shader is not set up again for each run of visible pixels.
+//! - **Test**: `pipeline::fill::tests`.
+
+use super::depth_fill::put_nearer;
+use super::memory_of;
+use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
+use crate::surface::{DepthTarget, Memory, PixelStore, StoredPixel, Target};
+use core::hint::black_box;
+
+/// Fills a triangle with the colors that `span_colors` gives for each span, unless the target's pixels do not lie in memory.
+#[inline(always)]
+pub(crate) fn triangle<T: Target, R: Iterator<Item = T::Color>>(
+    triangle: &Triangle<'_>,
+    scissor: &Scissor,
+    target: &mut T,
+    span_colors: impl Fn(Span) -> R,
+) -> bool {
+    let Some(memory) = memory_of(target) else { return false };
+    fill(memory, triangle, scissor, |span| span_colors(span).map(StoredPixel::stored));
+    true
+}
+
+#[inline(never)] // its loop needs all registers
+fn fill<S: PixelStore, R: Iterator<Item = S::Cell>>(
+    memory: &mut Memory<S>,
+    triangle: &Triangle<'_>,
+    scissor: &Scissor,
+    span_cells: impl Fn(Span) -> R,
+) {
+    let (cells, scratch) = memory.parts();
+    let layout = scratch.places;
+    triangle.each_span(scissor, |span| {
+        let from = layout.at(span.x, span.y);
+        if let Some(cells) = cells.get_mut(from..from.wrapping_add(span.width as usize)) {
+            cells.iter_mut().zip(span_cells(span)).for_each(|(pixel, cell)| *pixel = cell);
+        }
+    });
+}
+
+/// As [`triangle`], for the pixels that are nearer than the depth buffer; declines where the depth buffer is not laid out as the
+/// memory is.
+#[inline(always)]
+pub(crate) fn triangle_nearer<T: Target, R: Iterator<Item = T::Color>>(
+    triangle: &DepthTriangle<'_>,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+    span_colors: impl Fn(Span) -> R,
+) -> bool {
+    let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
+    let depths = depth.buffer.values_mut();
+    fill_nearer(memory, triangle, scissor, depths, |span| span_colors(span).map(StoredPixel::stored));
+    true
+}
+
+#[inline(never)] // its loop needs all registers
+fn fill_nearer<S: PixelStore, R: Iterator<Item = S::Cell>>(
+    memory: &mut Memory<S>,
+    triangle: &DepthTriangle<'_>,
+    scissor: &Scissor,
+    depths: &mut [u16],
+    span_cells: impl Fn(Span) -> R,
+) {
+    let plane = triangle.plane();
+    let step = plane.step();
+    let (cells, scratch) = memory.parts();
+    let layout = scratch.places;
+    triangle.triangle.each_span(scissor, |span| {
+        let from = layout.at(span.x, span.y);
+        let to = from.wrapping_add(span.width as usize);
+        if let (Some(cells), Some(depths)) = (cells.get_mut(from..to), depths.get_mut(from..to)) {
+            let mut z = plane.at(span.x, span.y);
+            for ((pixel, stored), cell) in cells.iter_mut().zip(depths).zip(span_cells(span)) {
+                put_nearer(pixel, stored, z, cell);
+                z = z.wrapping_add(step);
+                black_box(()); // not unrolled
+            }
+        }
+    });
+}
