@@ -51,13 +51,14 @@ impl<K: Varying> Polygon<K> {
 pub(super) struct FaceTriangles<'v, K> {
     triangle: DepthTriangle<'v>,
     polygon: Polygon<K>,
-    /// Whether planes took a part of the face: then its corners are those of the polygon.
-    pub(super) is_cut: bool,
+    /// Whether planes took a part of the face, which only a fan tells.
+    is_cut: bool,
     /// Whether the polygon's corners are taken from the last to the first, so that its triangles face the viewer.
     reversed: bool,
     /// The fan about the polygon's first corner: its next triangle has the two corners after this one.
     at: u8,
-    /// The number of triangles in the fan; 0 for a face that is drawn as it is.
+    /// The number of triangles in the fan; 0 for a face that was not handed to the clipper: then nothing else of the fan
+    /// counts, so that the common case sets this alone.
     end: u8,
 }
 
@@ -71,7 +72,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     /// A face with all corners on the screen, the common case: one triangle.
     #[inline(always)]
     pub(super) fn set_whole<const DEPTH: bool>(&mut self, corners: &[UnpackedVertex; 3], area: i64) {
-        (self.is_cut, self.at, self.end) = (false, 0, 0);
+        self.end = 0;
         set_triangle::<DEPTH>(&mut self.triangle, corners, area);
     }
 
@@ -79,6 +80,12 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     #[inline(always)]
     pub(super) fn is_cached(&self) -> bool {
         self.end == 0
+    }
+
+    /// Whether planes took a part of the face: then its corners are those of the polygon.
+    #[inline(always)]
+    pub(super) fn is_cut(&self) -> bool {
+        !self.is_cached() && self.is_cut
     }
 
     /// The polygon, for the clipper to fill before [`begin_fan`](Self::begin_fan).
@@ -121,7 +128,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     /// Goes on to the next triangle of the face, if there is one.
     #[inline(always)]
     pub(super) fn advance(&mut self) -> bool {
-        self.at < self.end && self.advance_fan()
+        !self.is_cached() && self.advance_fan()
     }
 
     /// The next triangle that faces as the polygon does: rounding of the corners may turn a sliver over, which would be
@@ -143,7 +150,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     /// The shader of the current triangle: the face's own, or the one of a part of the face.
     #[inline(always)]
     pub(super) fn shader<S: Shader<Varying = K>>(&self, shader: &S) -> S {
-        if self.is_cut {
+        if self.is_cut() {
             shader.sub_face(self.fan_slots().map(|slot| match self.polygon.varyings.get(slot) {
                 Some(varying) => *varying,
                 None => K::of(0), // the fan's slots exist

@@ -85,7 +85,7 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     }
     let w = if !S::NEEDS_W {
         [1; 3]
-    } else if triangles.is_cut {
+    } else if triangles.is_cut() {
         triangles.clip_w()
     } else {
         let vertices = instance.mesh.vertices();

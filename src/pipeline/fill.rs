@@ -7,7 +7,8 @@
 use crate::fast::{depth_fill, line_fill, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{drawable, DepthTarget, Target};
+use crate::surface::{drawable, DepthTarget, PixelStore, StoredPixel, Target};
+use core::cell::Cell;
 
 /// Fills a triangle inside the scissor, which lies in the target.
 #[inline(always)]
@@ -17,6 +18,9 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     scissor: &Scissor,
     target: &mut T,
 ) -> Result<(), T::Error> {
+    if S::READS_PIXELS {
+        return blend(triangle, shader, scissor, target);
+    }
     if let Some(color) = shader.solid_color() {
         if solid_fill::triangle(triangle, color, scissor, target) {
             return Ok(());
@@ -40,6 +44,9 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
+    if S::READS_PIXELS {
+        return blend_nearer(triangle, shader, scissor, depth, target);
+    }
     if let Some(color) = shader.solid_color() {
         if depth_fill::triangle_nearer(triangle, color, scissor, depth, target) {
             return Ok(());
@@ -98,6 +105,51 @@ fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
     span_colors: &impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
     depth.buffer.test(span, plane, |visible| target.fill_run(visible, span_colors(visible)))
+}
+
+/// [`fill`] for a shader that reads the pixels that are there.
+#[inline(never)] // its frame is gone when it returns
+fn blend<T: Target, S: SpanShader<T::Color>>(
+    triangle: &Triangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let setup = shader.set_up(triangle);
+    triangle.spans(scissor).for_each(|span| blend_span::<T, S>(&setup, span, target));
+    Ok(())
+}
+
+/// [`fill_nearer`] for a shader that reads the pixels that are there.
+#[inline(never)] // its frame is gone when it returns
+fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
+    triangle: &DepthTriangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let (setup, gradient) = (shader.set_up(&triangle.triangle), triangle.plane());
+    triangle.triangle.spans(scissor).try_for_each(|span| {
+        depth.buffer.test(span, &gradient, |visible| {
+            blend_span::<T, S>(&setup, visible, target);
+            Ok(())
+        })
+    })
+}
+
+/// Replaces the pixels of a row's span by what the shader makes of them.
+fn blend_span<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span, target: &mut T) {
+    const {
+        // Also evaluated for shaders that do not read.
+        let readable = !S::READS_PIXELS || <T::Store as PixelStore>::READABLE;
+        assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
+    }
+    let Some(row) = target.memory().and_then(|memory| memory.row(span.x, span.y, span.width)) else { return };
+    // A pixel is read before it is written: the shader takes one stored color for each that it returns.
+    let row = Cell::from_mut(row).as_slice_of_cells();
+    let stored = row.iter().map(|cell| T::Color::load(cell.get()));
+    row.iter().zip(S::span_over(setup, span, stored)).for_each(|(cell, color)| cell.set(color.stored()));
 }
 
 /// Draws a line inside the scissor, which lies in the target.

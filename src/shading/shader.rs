@@ -7,10 +7,10 @@ use crate::shading::TableShader;
 use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// What a face is filled with: a colour, or something that varies over the face. The closures that
-/// shade faces return one.
+/// What a face is filled with: a color, or something that varies over the face. The closures that draw calls take return a
+/// shader for each face; [`SpanShader`] gives its colors.
 ///
-/// Every `PixelColor` is an ink, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are
+/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are
 /// colours of light for any target, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up
 /// in 256 levels of light.
 ///
@@ -96,7 +96,10 @@ pub trait Shader: Copy {
     }
 }
 
-/// An [`Shader`] for targets with pixels of `C`. A custom ink, interpolated from corner to corner:
+/// A [`Shader`] for targets with pixels of `C`. It is set up once for each triangle and then gives the colors of spans.
+///
+/// A shader of one's own, interpolated from corner to corner (`examples/shader` has three more: a perspective-correct
+/// checkerboard, a fog by depth, and a blend with the pixels that are there):
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
@@ -141,16 +144,68 @@ pub trait Shader: Copy {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait SpanShader<C: PixelColor>: Shader {
-    /// What is worked out once for each triangle.
+    /// What is computed once for each triangle: gradients, most often.
     type Setup;
 
-    /// Prepares the ink for a triangle, whose corners come in the face's order.
+    /// Whether the shader reads the pixels that are there, in [`span_over`](Self::span_over). Such a shader compiles only for
+    /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture), the pixels of a
+    /// [`Band`](crate::Band), or memory of one's own.
+    const READS_PIXELS: bool = false;
+
+    /// Prepares the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
 
-    /// The colours of a horizontal span from left to right: at least `span.width`.
-    fn span(fill: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
+    /// The colors of a row's span from left to right: at least `span.width`. Only pixels of the triangle are asked for.
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
 
-    /// The colour, if it is a single one: [`over`](Self::over) and [`run`](Self::run) are then not called.
+    /// The colors of a row's span from left to right, given the colors that are there: called in place of
+    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. Take one color of `stored` for each color that
+    /// is returned, and before it is returned.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Picture, Shader, SpanShader};
+    /// /// Half of this color, half of what is there.
+    /// #[derive(Clone, Copy)]
+    /// struct Half(u8);
+    /// impl Shader for Half {
+    ///     type Varying = ();
+    ///     fn sub_face(&self, _: [(); 3]) -> Self {
+    ///         *self
+    ///     }
+    /// }
+    /// impl SpanShader<Gray8> for Half {
+    ///     type Setup = u8;
+    ///     const READS_PIXELS: bool = true;
+    ///     fn set_up(&self, _: &Triangle<'_>) -> u8 {
+    ///         self.0
+    ///     }
+    ///     fn span(own: &u8, _: Span) -> impl Iterator<Item = Gray8> {
+    ///         core::iter::repeat(Gray8::new(*own))
+    ///     }
+    ///     fn span_over(own: &u8, _: Span, stored: impl Iterator<Item = Gray8>) -> impl Iterator<Item = Gray8> {
+    ///         stored.map(|there| Gray8::new(((u16::from(*own) + u16::from(there.luma())) / 2) as u8))
+    ///     }
+    /// }
+    /// let mut pixels = [Gray8::new(100); 16];
+    /// let mut picture = Picture::new(Size::new(4, 4), &mut pixels)?;
+    /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+    /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], Half(200), &mut picture.pixels())?;
+    /// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(150), Gray8::new(100)]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline(always)]
+    fn span_over(
+        setup: &Self::Setup,
+        span: Span,
+        stored: impl Iterator<Item = C>,
+    ) -> impl Iterator<Item = C> {
+        let _ = stored;
+        Self::span(setup, span)
+    }
+
+    /// The color, if all pixels of the triangle have the same: [`set_up`](Self::set_up) and [`span`](Self::span) are then not
+    /// called.
     #[inline(always)]
     fn solid_color(&self) -> Option<C> {
         None
@@ -181,8 +236,8 @@ impl<C: PixelColor> SpanShader<C> for C {
     }
 
     #[inline(always)]
-    fn span(fill: &C, _: Span) -> impl Iterator<Item = C> {
-        repeat(*fill)
+    fn span(color: &C, _: Span) -> impl Iterator<Item = C> {
+        repeat(*color)
     }
 
     #[inline(always)]
