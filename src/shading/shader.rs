@@ -188,7 +188,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     ///     }
     /// }
     /// let mut pixels = [Gray8::new(100); 16];
-    /// let mut picture = Picture::new(Size::new(4, 4), &mut pixels)?;
+    /// let mut picture = Picture::new(&mut pixels, Size::new(4, 4))?;
     /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
     /// fill_triangle([corner(0, 0), corner(4, 0), corner(0, 4)], Half(200), &mut picture.pixels())?;
     /// assert_eq!([picture.colors()[0], picture.colors()[15]], [Gray8::new(150), Gray8::new(100)]);

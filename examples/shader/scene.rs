@@ -1,0 +1,55 @@
+//! A checkered floor that the near plane cuts, a wall in fog, and a pane of glass before both.
+
+use crate::shaders::{Checkerboard, Fog, Glass};
+use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
+use pinhole::{
+    Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport,
+};
+use std::error::Error;
+
+pub(crate) const SIZE: Size = Size::new(320, 240);
+pub(crate) const EYE: [i16; 3] = [1, 2, 6];
+pub(crate) const TOWARDS: [i16; 3] = [0, 1, -4];
+pub(crate) const FIELD_OF_VIEW: u16 = 60;
+pub(crate) const NEAR_FAR: [i32; 2] = [1, 40];
+
+/// Corners in the order (0, 0), (1, 0), (1, 1), (0, 1) of the quad, counter-clockwise from its front.
+pub(crate) const FLOOR: [[i16; 3]; 4] = [[-8, 0, 8], [8, 0, 8], [8, 0, -16], [-8, 0, -16]];
+pub(crate) const WALL: [[i16; 3]; 4] = [[-5, 0, 4], [-5, 0, -16], [-5, 6, -16], [-5, 6, 4]];
+pub(crate) const PANE: [[i16; 3]; 4] = [[-3, 0, -3], [3, 0, -3], [3, 3, -3], [-3, 3, -3]];
+const QUAD: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+
+pub(crate) const TILES: u32 = 12;
+pub(crate) const BOARD: [Rgb888; 2] = [Rgb888::new(235, 235, 225), Rgb888::new(60, 70, 90)];
+pub(crate) const WALL_COLOR: Rgb888 = Rgb888::new(190, 90, 60);
+pub(crate) const FOG_COLOR: Rgb888 = Rgb888::new(200, 215, 230);
+/// In steps of depth.
+pub(crate) const FOG_RANGE: [u16; 2] = [50_000, 64_000];
+pub(crate) const GLASS: Rgb888 = Rgb888::new(40, 160, 120);
+pub(crate) const SKY: Rgb888 = Rgb888::new(120, 160, 210);
+
+pub(crate) fn draw() -> Result<Vec<Rgb888>, Box<dyn Error>> {
+    let mut pixels = vec![SKY; (SIZE.width * SIZE.height) as usize];
+    let mut depths = vec![0; pixels.len()];
+    let mut picture = Picture::new(&mut pixels, SIZE)?;
+    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), SIZE), &mut depths)?;
+
+    let [eye, towards] = [EYE, TOWARDS].map(|[x, y, z]| Point3::from_ints(x, y, z));
+    let view = ViewTransform::look_at(eye, towards, Vector3::from_ints(0, 1, 0))?;
+    let [near, far] = NEAR_FAR.map(Scalar::from_num);
+    let projection = Projection::perspective(Angle::degrees(FIELD_OF_VIEW.into()), SIZE, near, far)?;
+    let camera = Camera::new(&view, &projection, &Viewport::new(Point::zero(), SIZE)?);
+    let model = Affine::identity();
+    let [floor, wall, pane] = [&FLOOR, &WALL, &PANE].map(|quad| Mesh::new(quad, 0, &QUAD));
+    let (floor, wall, pane) = (floor?, wall?, pane?);
+
+    let uv = [[0, 0], [1 << 16, 0], [1 << 16, 1 << 16], [0, 1 << 16]];
+    let board =
+        |face: usize| Checkerboard::new(QUAD[face].map(|vertex| uv[usize::from(vertex)]), TILES, BOARD);
+    let fog = |_| Fog::new(WALL_COLOR, FOG_COLOR, FOG_RANGE);
+    camera.place(&floor, &model).depth_tested(board, &mut [], &mut depth, &mut picture.pixels())?;
+    camera.place(&wall, &model).depth_tested(fog, &mut [], &mut depth, &mut picture.pixels())?;
+    // What is blended is drawn last.
+    camera.place(&pane, &model).depth_tested(|_| Glass(GLASS), &mut [], &mut depth, &mut picture.pixels())?;
+    Ok(pixels)
+}
