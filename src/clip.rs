@@ -17,7 +17,8 @@
 //! # Ok::<(), pinhole::ProjectionError>(())
 //! ```
 
-use crate::math::num::{after, fraction};
+use crate::math::hints::opaque_next;
+use crate::math::num::fraction;
 use crate::math::{ClipCoords, ClipPoint};
 use heapless::Vec;
 
@@ -43,7 +44,7 @@ pub(crate) trait Cut {
 }
 
 /// `a + (b − a)·t·2⁻³¹`, rounded to nearest.
-fn between(a: i32, b: i32, t: i32) -> i32 {
+fn lerp(a: i32, b: i32, t: i32) -> i32 {
     let way = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
     let moved = (way * i64::from(t) + (1 << 30)) >> 31;
     a.wrapping_add(moved as i32) // between a and b
@@ -60,8 +61,8 @@ impl ClipCoords {
         let number = |places: &[Self], place: usize, i: usize| places.get(place)?.xydw.get(i).copied();
         while let (Some(a), Some(b)) = (number(places, inside, i), number(places, outside, i)) {
             let Some(number) = places.get_mut(at).and_then(|place| place.xydw.get_mut(i)) else { return };
-            *number = between(a, b, t);
-            i = after(i);
+            *number = lerp(a, b, t);
+            i = opaque_next(i);
         }
     }
 }
@@ -110,15 +111,15 @@ impl Varying for Barycentric {
 
     fn towards(&self, other: &Self, t: i64) -> Self {
         let ([a, b], [p, q], t) = (self.0, other.0, t as i32); // below 2³¹
-        Self([between(a, p, t), between(b, q, t)])
+        Self([lerp(a, p, t), lerp(b, q, t)])
     }
 }
 
 /// Puts into place `at` where the edge between two corners passes a plane. Always computed from the inner
 /// end, so that both neighbours of an edge get the same point. The parameter has 31 bits and each
 /// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.
-#[inline(never)] // rare: small is better
-fn cut(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
+#[inline(never)] // rare path: code size counts, speed does not
+fn intersect_edge(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
     let way = within - corners.distance(plane, outside);
@@ -151,23 +152,23 @@ pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
                 crosses = true;
                 if cuts {
                     let (inside, outside) = (2 - sides as usize, sides as usize - 1);
-                    cut(corners, plane, outside, inside, outside);
+                    intersect_edge(corners, plane, outside, inside, outside);
                 }
             }
         }
-        plane = after(plane);
+        plane = opaque_next(plane);
     }
 }
 
 /// A convex polygon grows by at most one corner a plane, so there is room; if rounding should bend
 /// one, the corner too many is left out, here or where there is no place for it.
-fn add(polygon: &mut Order, corner: u8) {
+fn push_corner(polygon: &mut Order, corner: u8) {
     let _ = polygon.push(corner); // one of `CLIP_SLOTS`
 }
 
 /// Which corners of a polygon lie outside of a plane: a bit for each place.
-#[inline(never)] // rare: small is better
-fn beyond(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
+#[inline(never)] // rare path: code size counts, speed does not
+fn outside_mask(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
     polygon.iter().fold(0, |bits, &at| bits | is_outside(corners, plane, at.into()) << (at & 31))
 }
 
@@ -175,23 +176,23 @@ fn beyond(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
 /// fewer than three corners when nothing is left. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
 pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut Order) -> bool {
     polygon.clear();
-    (0..3).for_each(|corner| add(polygon, corner));
+    (0..3).for_each(|corner| push_corner(polygon, corner));
     let mut taken = 0b111u32; // places, a bit each
     let mut crossed = false;
     // Nothing is cut before it is known that no plane has all of it beyond.
     let mut plane = 0;
     while plane < planes {
-        let beyond = beyond(corners, polygon, plane);
+        let beyond = outside_mask(corners, polygon, plane);
         crossed |= beyond != 0;
         if beyond == taken {
             polygon.clear();
             return true;
         }
-        plane = after(plane);
+        plane = opaque_next(plane);
     }
     let mut plane = if crossed { 0 } else { planes };
     while plane < planes {
-        let beyond = beyond(corners, polygon, plane);
+        let beyond = outside_mask(corners, polygon, plane);
         let is_beyond = |at: u8| beyond >> (at & 31) & 1 != 0;
         let Some(&(mut from)) = polygon.last() else { break };
         let mut kept = Order::new();
@@ -201,17 +202,17 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut O
                 if free < CLIP_SLOTS {
                     taken |= 1 << free;
                     let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
-                    cut(corners, plane, free, inside.into(), outside.into());
-                    add(&mut kept, free as u8);
+                    intersect_edge(corners, plane, free, inside.into(), outside.into());
+                    push_corner(&mut kept, free as u8);
                 }
             }
             if !is_beyond(to) {
-                add(&mut kept, to);
+                push_corner(&mut kept, to);
             }
             from = to;
         }
         (*polygon, taken) = (kept, taken & !beyond);
-        plane = after(plane);
+        plane = opaque_next(plane);
     }
     crossed
 }
@@ -230,12 +231,12 @@ pub struct ClipVertex<const A: usize> {
 
 /// x, y, z, w in units that all points of a line or triangle share, and attributes.
 #[derive(Clone, Copy)]
-struct Aligned<const A: usize> {
+struct AlignedVertex<const A: usize> {
     xyzw: [i32; 4],
     attributes: [i32; A],
 }
 
-impl<const A: usize> Aligned<A> {
+impl<const A: usize> AlignedVertex<A> {
     fn new(point: &ClipPoint, exponent: i32, attributes: [i32; A]) -> Self {
         Self { xyzw: point.in_units(exponent), attributes }
     }
@@ -243,14 +244,14 @@ impl<const A: usize> Aligned<A> {
     fn towards(mut self, other: &Self, t: i32) -> Self {
         let ends = self.xyzw.iter_mut().zip(&other.xyzw);
         for (a, &b) in ends.chain(self.attributes.iter_mut().zip(&other.attributes)) {
-            *a = between(*a, b, t);
+            *a = lerp(*a, b, t);
         }
         self
     }
 }
 
 /// Corners before the six planes of the view volume, in the order of [`Outcode`](crate::Outcode)'s bits.
-impl<const A: usize, const N: usize> Cut for [Aligned<A>; N] {
+impl<const A: usize, const N: usize> Cut for [AlignedVertex<A>; N] {
     fn distance(&self, plane: usize, at: usize) -> i64 {
         let [x, y, z, w] = self.get(at).map_or([0; 4], |p| p.xyzw.map(i64::from));
         match plane {
@@ -280,7 +281,7 @@ impl<const A: usize, const N: usize> Cut for [Aligned<A>; N] {
 /// section 6.5.4.)
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     let exponent = a.exponent().max(b.exponent());
-    let mut ends = [a, b].map(|p| Aligned::new(&p, exponent, []));
+    let mut ends = [a, b].map(|p| AlignedVertex::new(&p, exponent, []));
     let inside = line_at(&mut ends, 6).is_some();
     let [a, b] = ends.map(|p| ClipPoint::from_units(p.xyzw, exponent));
     inside.then_some((a, b))
@@ -311,7 +312,7 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// ```
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);
-    let [a, b, c] = corners.map(|c| Aligned::new(&c.point, exponent, c.attributes));
+    let [a, b, c] = corners.map(|c| AlignedVertex::new(&c.point, exponent, c.attributes));
     let mut places = [a; CLIP_SLOTS];
     (places[1], places[2]) = (b, c);
     let mut result = Vec::new();

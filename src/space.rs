@@ -53,7 +53,7 @@ pub trait Space: sealed::Sealed {}
 
 /// A space in which a scene is set up: [`Model`] or [`World`]. Transforms between these are free;
 /// all later arrows are single functions.
-pub trait SetUp: Space {}
+pub trait SceneSpace: Space {}
 
 /// The mesh's own coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,8 +86,8 @@ impl Space for World {}
 impl Space for View {}
 impl Space for Canonical {}
 impl Space for Ndc {}
-impl SetUp for Model {}
-impl SetUp for World {}
+impl SceneSpace for Model {}
+impl SceneSpace for World {}
 
 mod sealed {
     pub trait Sealed {}

@@ -69,7 +69,7 @@ pub(crate) struct Screen {
 impl Camera {
     /// From its three parts. The near plane always cuts; the far plane does on
     /// [request](Self::with_far_clip).
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn new(viewing: &ViewTransform, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
         let (x, y) = viewport.centre();
@@ -83,9 +83,9 @@ impl Camera {
         let [x_row, y_row, d_row, w_row] = projection.rows();
         // Half the viewport in units of 2^unit sub-pixels; rows count downwards, so y turns.
         let rows = [
-            stretched(x_row, area.size.width as i32 * 128, -unit),
-            stretched(y_row, area.size.height as i32 * -128, -unit),
-            stretched(d_row, 65_535, -16),
+            scaled_row(x_row, area.size.width as i32 * 128, -unit),
+            scaled_row(y_row, area.size.height as i32 * -128, -unit),
+            scaled_row(d_row, 65_535, -16),
             *w_row,
         ];
         Self {
@@ -122,8 +122,8 @@ impl Camera {
 }
 
 /// `row · factor · 2^exponent` for a factor of at most 23 bits.
-#[inline(never)] // set-up: small is better
-const fn stretched(row: &Row, factor: i32, exponent: i32) -> Row {
+#[inline(never)] // set-up: code size counts, speed does not
+const fn scaled_row(row: &Row, factor: i32, exponent: i32) -> Row {
     let ([a, b, c], m) = (row.linear, factor as i64); // 30 × 23 bits
     let offset = mul_translation(factor, exponent, row.offset);
     Row::new(&[a as i64 * m, b as i64 * m, c as i64 * m], row.exponent - 30 + exponent, offset)

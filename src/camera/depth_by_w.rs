@@ -11,7 +11,7 @@ pub(crate) struct DepthByW {
     /// A in 2⁻²⁷: ½ … 4.
     pub(crate) infinity: i32,
     /// B in 2⁻³², positive.
-    pub(crate) drop: i64,
+    pub(crate) scale: i64,
     /// With this w, in 2⁻³², or a greater one, d is not negative, whatever the camera's own roundings do.
     pub(crate) near: i64,
 }
@@ -40,6 +40,6 @@ impl DepthByW {
         if near >= 1 << 60 || offset >> 12 > near {
             return None;
         }
-        Some(Self { infinity: infinity as i32, drop, near: near + (near >> 24) + (offset >> 26) + 64 })
+        Some(Self { infinity: infinity as i32, scale: drop, near: near + (near >> 24) + (offset >> 26) + 64 })
     }
 }

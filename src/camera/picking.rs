@@ -116,7 +116,7 @@ impl Camera {
         let [across, down] = self.planes_through(at);
         let [_, _, d, w] = &self.rows;
         // Depth is 2¹⁶·d/w.
-        let behind = d.combined((1 << 30, -30), w, (-i64::from(depth), -16));
+        let behind = d.linear_combination((1 << 30, -30), w, (-i64::from(depth), -16));
         self.world_point(meet([&across, &down, &behind])?)
     }
 
@@ -206,7 +206,7 @@ impl Camera {
         let plane = |row: &Row, place: i32, centre: i32| {
             debug_assert!(place.abs() <= GUARD_BAND * 256);
             // x/w = (place − centre)/2^unit: 23 bits.
-            row.combined((1 << 30, -30), w, (-i64::from(place - centre), -self.screen.unit))
+            row.linear_combination((1 << 30, -30), w, (-i64::from(place - centre), -self.screen.unit))
         };
         [plane(x, at.x(), cx), plane(y, at.y(), cy)]
     }

@@ -50,10 +50,10 @@ impl UnpackedVertex {
 
 impl ScreenVertex {
     /// PixelLayout have at most 2^18 sub-pixels.
-    pub(crate) const REACH: i32 = 18;
+    pub(crate) const RANGE_BITS: i32 = 18;
 
     /// What [`new`](Self::new) wants: brings half sub-pixels above zero, and rounds them.
-    pub(crate) const BIAS: i32 = (2 << Self::REACH) + 1;
+    pub(crate) const BIAS: i32 = (2 << Self::RANGE_BITS) + 1;
 
     /// No place yet: for arrays in statics. All zeros, so that they take no room in flash.
     pub const EMPTY: Self = Self { right: 0, down: 0 };
@@ -65,7 +65,7 @@ impl ScreenVertex {
         debug_assert!(depth >> 24 == 0);
         let biased = |v: i32| v.wrapping_add(bias) as u32;
         let (right, down) = (biased(right), biased(down));
-        if (right | down) >> (Self::REACH + 2) != 0 {
+        if (right | down) >> (Self::RANGE_BITS + 2) != 0 {
             keep_branch(); // else every vertex selects between two values, twice
             return Self::EMPTY;
         }

@@ -6,12 +6,14 @@
 
 use super::camera::Screen;
 use super::{Camera, ScreenVertex, UnpackedVertex};
+use crate::math::cores::CORTEX_M0;
+use crate::math::hints::opaque_next;
 use crate::math::num::{
-    add, after, bits_of, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, shift_to_fit,
-    Reciprocal, CORTEX_M0,
+    add, bits_of, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, shift_to_fit,
+    Reciprocal,
 };
-use crate::math::row::{self, Rows};
-use crate::math::{product, Affine, ClipCoords, Coordinate, Form, Row};
+use crate::math::row::{self, RowBlock};
+use crate::math::{matrix_product, Affine, ClipCoords, Coordinate, LinearForm, Row};
 use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
 use embedded_graphics_core::primitives::Rectangle;
@@ -23,25 +25,25 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // what the vertex loop loads comes first: a Cortex-M0's loads reach 124 bytes
 pub(crate) struct VertexTransform {
-    w: Form,
-    x: Form,
-    y: Form,
+    w: LinearForm,
+    x: LinearForm,
+    y: LinearForm,
     /// Power of two that justifies a vertex coordinate.
-    factor: i32,
+    justify_factor: i32,
     /// The least w for which 32 bits suffice; where near is a matter of w alone, also safely behind it.
-    least_w: i32,
+    min_w: i32,
     /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
     right: i32,
     /// [`ScreenVertex::BIAS`], here because as a constant it takes two instructions and a register.
     bias: i32,
-    /// Depth is `origin + drop/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
+    /// Depth is `origin + depth_scale/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
     origin: i32,
-    /// Negative, in units of w times 2^(2 − drop_down).
-    drop: i32,
-    drop_down: i32,
+    /// Negative, in units of w times 2^(2 − scale_down).
+    depth_scale: i32,
+    scale_down: i32,
     /// e_d − e_w: never negative.
     d_over_w: i32,
-    d: Form,
+    d: LinearForm,
     /// e_xy − e_w: 0 … room.
     xy_over_w: i32,
     screen: Screen,
@@ -53,7 +55,7 @@ pub(crate) struct VertexTransform {
 impl VertexTransform {
     /// `exponent`: of the mesh, coordinate = vertex · 2^exponent; `justify`: left shift that
     /// brings its largest coordinate to the top of 32 bits.
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub(crate) fn new(
         camera: &Camera,
         model: &Affine<Model, World>,
@@ -64,13 +66,13 @@ impl VertexTransform {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);
-        let (mut view, mut i) = (Rows { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
+        let (mut view, mut i) = (RowBlock { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
         while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
-            *offset = row::form(axis, 0, &away, 0);
-            i = after(i);
+            *offset = row::evaluate(axis, 0, &away, 0);
+            i = opaque_next(i);
         }
-        view.exponent = product(&camera.axes, 0, m, m_exponent, &mut view.linear);
-        // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
+        view.exponent = matrix_product(&camera.axes, 0, m, m_exponent, &mut view.linear);
+        // 2 View to clip; a justify_factor common to all four rows changes nothing, and where numbers are
         //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
         //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
         let unit = exponent - justify as i32;
@@ -83,7 +85,7 @@ impl VertexTransform {
         let (mut shift, mut i) = (0, 0);
         while let Some(row) = camera.rows.get(i) {
             shift = shift.max(row.overflow(bits));
-            i = after(i);
+            i = opaque_next(i);
         }
         // 3 Exponents from what the rows can reach over the object. A justified coordinate v
         //   stands for v·2^unit.
@@ -91,9 +93,9 @@ impl VertexTransform {
         while let (Some(row), Some(reached), Some(own)) =
             (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
         {
-            own.of(&view, shift, row);
-            *reached = reach(row, unit);
-            i = after(i);
+            own.compose(&view, shift, row);
+            *reached = min_exponent(row, unit);
+            i = opaque_next(i);
         }
         let ([x, y, d, w], [reach_x, reach_y, reach_d, reach_w]) = (&rows, reaches);
         let Screen { unit: screen_unit, room, .. } = camera.screen;
@@ -109,54 +111,54 @@ impl VertexTransform {
         // 5 The fast path shifts right by at least nothing, left by less than 32: see `project`. Leading zeros of w at most:
         let right = 28 - xy_over_w - screen_unit;
         let zeros = right.min(31 - d_over_w).min(9);
-        let mut least_w = if zeros >= 0 && screen_unit + room >= ScreenVertex::REACH {
+        let mut min_w = if zeros >= 0 && screen_unit + room >= ScreenVertex::RANGE_BITS {
             1 << (30 - zeros)
         } else {
             i32::MAX
         };
-        let (mut origin, mut drop, mut drop_down) = (4, 0, 0);
+        let (mut origin, mut depth_scale, mut scale_down) = (4, 0, 0);
         if let Some(by_w) = by_w {
             // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰. Below 2³¹, and 2³¹.
             let near = in_w(by_w.near, 0).min(i32::MAX.into()) as u32 + (64 << d_over_w.min(25));
-            least_w = least_w.max(near.min(i32::MAX as u32) as i32);
+            min_w = min_w.max(near.min(i32::MAX as u32) as i32);
             origin += by_w.infinity;
-            // The drop has 31 bits, or fewer where it is next to nothing.
-            drop_down = (34 + shift + e_w - shift_to_fit(by_w.drop as u64, 31)).clamp(0, 31);
-            drop = -in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
+            // The depth_scale has 31 bits, or fewer where it is next to nothing.
+            scale_down = (34 + shift + e_w - shift_to_fit(by_w.scale as u64, 31)).clamp(0, 31);
+            depth_scale = -in_w(by_w.scale, scale_down - 2).min(i32::MAX.into()) as i32;
         }
         let mut placed = Self {
-            factor: Form::justify(justify, narrow),
+            justify_factor: LinearForm::justify(justify, narrow),
             xy_over_w,
             right,
             bias: ScreenVertex::BIAS,
             d_over_w,
-            least_w,
+            min_w,
             origin,
-            drop,
-            drop_down,
+            depth_scale,
+            scale_down,
             by_d: by_w.is_none(),
             screen: camera.screen,
             far_clip: camera.far_clip,
-            x: Form::ZERO,
-            y: Form::ZERO,
-            d: Form::ZERO,
-            w: Form::ZERO,
+            x: LinearForm::ZERO,
+            y: LinearForm::ZERO,
+            d: LinearForm::ZERO,
+            w: LinearForm::ZERO,
         };
-        placed.x = form(x, unit, e_xy);
-        placed.y = form(y, unit, e_xy);
-        placed.d = form(d, unit, e_d);
-        placed.w = form(w, unit, e_w);
+        placed.x = vertex_form(x, unit, e_xy);
+        placed.y = vertex_form(y, unit, e_xy);
+        placed.d = vertex_form(d, unit, e_d);
+        placed.w = vertex_form(w, unit, e_w);
         placed
     }
 
     /// The vertex in clip space, where vertices are few: small is better.
     #[inline(never)]
     pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], place: &mut ClipCoords) {
-        let v = vertex.map(|c| c.times(self.factor));
+        let v = vertex.map(|c| c.times(self.justify_factor));
         let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
         while let (Some(value), Some(form)) = (place.xydw.get_mut(i), forms.get(i)) {
             *value = form.at(v, V::NARROW);
-            i = after(i);
+            i = opaque_next(i);
         }
     }
 
@@ -195,17 +197,17 @@ impl VertexTransform {
         by_d: bool,
         far: bool,
     ) -> ScreenVertex {
-        let v = vertex.map(|c| c.times(self.factor));
+        let v = vertex.map(|c| c.times(self.justify_factor));
         let w = self.w.at(v, V::NARROW);
-        if w < self.least_w {
+        if w < self.min_w {
             return ScreenVertex::EMPTY;
         }
         let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
-        let form_of_d = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
+        let d_at_vertex = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
         let is_cut = |d| d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w);
         // Where registers suffice these come first, so that v's are free for the rest, and before the branch, past which
         // the compiler does not move them. On a Cortex-M0 each comes where it is used, so that `by_d` is asked once.
-        let early = (!CORTEX_M0).then(|| (forms(), form_of_d()));
+        let early = (!CORTEX_M0).then(|| (forms(), d_at_vertex()));
         if early.is_some_and(|(_, d)| by_d && is_cut(d)) {
             return ScreenVertex::EMPTY;
         }
@@ -218,7 +220,7 @@ impl VertexTransform {
         let early = early.map(|(forms, d)| (over_w(forms), d));
         let mut depth = 0;
         if by_d {
-            let d = early.map_or_else(form_of_d, |(_, d)| d);
+            let d = early.map_or_else(d_at_vertex, |(_, d)| d);
             if early.is_none() && is_cut(d) {
                 return ScreenVertex::EMPTY;
             }
@@ -227,7 +229,8 @@ impl VertexTransform {
                 depth = (self.origin + mul_high(d, r.mantissa)) >> 3;
             }
         } else if DEPTH {
-            depth = (self.origin + (mul_high(self.drop, r.mantissa) >> ((self.drop_down - n) & 31))) >> 3;
+            depth =
+                (self.origin + (mul_high(self.depth_scale, r.mantissa) >> ((self.scale_down - n) & 31))) >> 3;
         }
         let [x, y] = early.map_or_else(|| over_w(forms()), |(places, _)| places);
         if DEPTH && depth > SURELY_BEFORE_FAR {
@@ -276,16 +279,16 @@ impl VertexTransform {
 
     /// In 16.8, of a point with this d and one over w.
     pub(crate) fn depth(&self, d: i32, r: Reciprocal) -> i32 {
-        (self.fine_depth(d, r) >> 35).clamp(0, FARTHEST.into()) as i32
+        (self.depth_wide(d, r) >> 35).clamp(0, FARTHEST.into()) as i32
     }
 
     /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴, of a point with this d and one over w.
-    #[inline(never)] // rare: small is better
-    fn fine_depth(&self, d: i32, r: Reciprocal) -> i64 {
+    #[inline(never)] // rare path: code size counts, speed does not
+    fn depth_wide(&self, d: i32, r: Reciprocal) -> i64 {
         let n = r.shift as i32;
         let (numerator, down) = match self.by_d {
             true => ((scale(d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
-            false => (self.drop, (self.drop_down - n).max(0)),
+            false => (self.depth_scale, (self.scale_down - n).max(0)),
         };
         (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
         // 2⁶² and 2⁶²
@@ -301,13 +304,13 @@ impl VertexTransform {
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(x, cx), along(y, cy), (self.fine_depth(d, r) >> 11) - (4 << 21)]
+        [along(x, cx), along(y, cy), (self.depth_wide(d, r) >> 11) - (4 << 21)]
     }
 
     /// Signed distances from the planes in the order near, left, right, top, bottom, far of the view volume cut at
-    /// the guard band; each scaled by a positive factor of its own, negative outside. Gradient 5: below 2⁶², and at
+    /// the guard band; each scaled by a positive justify_factor of its own, negative outside. Gradient 5: below 2⁶², and at
     /// most 2⁴⁷ inside where d is not negative; the others: at most 2⁵⁴.
-    #[inline(never)] // rare: small is better
+    #[inline(never)] // rare path: code size counts, speed does not
     pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
         let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
         // m·w / 2^down + n·v
@@ -342,14 +345,14 @@ pub(crate) type DepthOf = fn(&VertexTransform, i32, Reciprocal) -> i32;
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
 /// `v · mantissa · 2^shift`, rounded to nearest, and `more`: inside the guard band. shift < 0, |more| < 2²⁴.
-#[inline(never)] // rare: small is better
+#[inline(never)] // rare path: code size counts, speed does not
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
     const REACH: i64 = GUARD_BAND as i64 * 256;
     (scale(mul_wide(v, mantissa), shift) + i64::from(more)).clamp(-REACH, REACH) as i32
 }
 
 /// The least exponent with which the form fits its integers over all justified coordinates.
-fn reach(row: &Row, unit: i32) -> i32 {
+fn min_exponent(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
     let [a, b, c] = row.linear.map(i32::unsigned_abs);
     let sum = i64::from(a + b + c); // ≤ 3·2³⁰
@@ -366,11 +369,11 @@ fn reach(row: &Row, unit: i32) -> i32 {
 }
 
 /// The row as integers over justified coordinates, in units of 2^exponent.
-#[inline(never)] // set-up: small is better
-fn form(row: &Row, unit: i32, exponent: i32) -> Form {
+#[inline(never)] // set-up: code size counts, speed does not
+fn vertex_form(row: &Row, unit: i32, exponent: i32) -> LinearForm {
     // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `reach`.
     let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);
-    Form::new(linear, scale(row.offset, -exponent))
+    LinearForm::new(linear, scale(row.offset, -exponent))
 }
 
 #[cfg(test)]
@@ -421,13 +424,13 @@ mod tests {
         if !corner.whole() || depth == FARTHEST {
             return None;
         }
-        // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + drop·2^(2 − drop_down)` where drop is 2⁻²⁷ · 2^29.
+        // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + depth_scale·2^(2 − scale_down)` where depth_scale is 2⁻²⁷ · 2^29.
         let [_, _, d, w] = h.xydw.map(i128::from);
         let exact = match placement.by_d {
             true => d << (27 + placement.d_over_w),
             false => {
-                let drop = i128::from(placement.drop) << 29 >> placement.drop_down;
-                i128::from(placement.origin - 4) * w + drop
+                let scaled = i128::from(placement.depth_scale) << 29 >> placement.scale_down;
+                i128::from(placement.origin - 4) * w + scaled
             }
         };
         let off = (i128::from(depth) << 3) * w - exact; // 2⁻²⁷ · w

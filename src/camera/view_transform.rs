@@ -1,6 +1,6 @@
 //! World to view: where the camera stands and which way is up.
 
-use crate::math::float::{fixed, float};
+use crate::math::float::{ldexp, to_fixed};
 use crate::math::num::{self, add};
 use crate::math::unit::{cross, cross_units, is_zero, normalise};
 use crate::math::{Point3, Row, Scalar, Vector3};
@@ -106,7 +106,7 @@ impl ViewTransform {
     ) -> Result<Self, ViewTransformError> {
         let (e, t) = (eye.bits(), target.bits());
         // 33 bits.
-        Self::towards(
+        Self::from_axes(
             eye,
             &[e[0] as i64 - t[0] as i64, e[1] as i64 - t[1] as i64, e[2] as i64 - t[2] as i64],
             up,
@@ -132,8 +132,8 @@ impl ViewTransform {
         gaze: Vector3<World>,
         up: Vector3<World>,
     ) -> Result<Self, ViewTransformError> {
-        let [x, y, z] = longs(gaze);
-        Self::towards(eye, &[-x, -y, -z], up)
+        let [x, y, z] = to_i64(gaze);
+        Self::from_axes(eye, &[-x, -y, -z], up)
     }
 
     /// From a view reference point, a view plane normal (towards the viewer) and an up vector.
@@ -146,7 +146,7 @@ impl ViewTransform {
         vpn: Vector3<World>,
         vup: Vector3<World>,
     ) -> Result<Self, ViewTransformError> {
-        Self::towards(vrp, &longs(vpn), vup)
+        Self::from_axes(vrp, &to_i64(vpn), vup)
     }
 
     /// One of the six multiview directions, from `vrp`: for an orthographic projection, faces
@@ -162,7 +162,7 @@ impl ViewTransform {
             Side::Top => [[P, 0, 0], [0, 0, -P], [0, P, 0]],
             Side::Bottom => [[P, 0, 0], [0, 0, P], [0, -P, 0]],
         };
-        Self { rows, eye: wide(vrp) }
+        Self { rows, eye: to_q32(vrp) }
     }
 
     /// The isometric view, VPN (1, 1, 1) and y up: with an orthographic projection all three axes
@@ -189,7 +189,7 @@ impl ViewTransform {
         const H: i32 = 759_250_125;
         const S: i32 = 438_353_264;
         const T: i32 = 619_925_131;
-        Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: wide(vrp) }
+        Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: to_q32(vrp) }
     }
 
     /// A dimetric view, y up: VPN (`side`, `up`, `side`), so that x and z are foreshortened alike
@@ -262,7 +262,7 @@ impl ViewTransform {
         let nearest = |c: f64| ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30);
         let rows = axes.map(|row| row.map(|c| nearest(c * 1_073_741_824.0)));
         // As rounded too, so that what `to_matrix` gives is taken back.
-        if !is_rigid(&rows.map(as_reals)) {
+        if !is_rigid(&rows.map(to_f64)) {
             return Err(ViewTransformError::NotRigid);
         }
         // −R⁻¹·t by the cofactors; the determinant is within 10⁻⁵ of 1.
@@ -274,7 +274,7 @@ impl ViewTransform {
         };
         let part = |e: f64| {
             let inside = (-32_768.0..=32_768.0).contains(&e);
-            fixed(e, 32).filter(|_| inside).ok_or(ViewTransformError::EyeOutside)
+            to_fixed(e, 32).filter(|_| inside).ok_or(ViewTransformError::EyeOutside)
         };
         Ok(Self { rows, eye: [part(eye(0))?, part(eye(1))?, part(eye(2))?] })
     }
@@ -283,22 +283,22 @@ impl ViewTransform {
     /// [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [u, v, n] = self.rows.map(|row| {
-            let [x, y, z] = as_reals(row);
+            let [x, y, z] = to_f64(row);
             // 31 × 48 bits, three of them: exact, then rounded.
             let along: i128 = row.iter().zip(self.eye).map(|(&m, e)| i128::from(m) * i128::from(e)).sum();
-            [x, y, z, -(along as f64) * float(1, -62)]
+            [x, y, z, -(along as f64) * ldexp(1, -62)]
         });
         [u, v, n, [0.0, 0.0, 0.0, 1.0]]
     }
 
     /// `back` is the direction of n, of any length.
-    #[inline(never)] // set-up: small is better
-    const fn towards(
+    #[inline(never)] // set-up: code size counts, speed does not
+    const fn from_axes(
         eye: Point3<World>,
         back: &[i64; 3],
         up: Vector3<World>,
     ) -> Result<Self, ViewTransformError> {
-        let up = longs(up);
+        let up = to_i64(up);
         let (n, up_unit) = (normalise(back), normalise(&up));
         if is_zero(&n) {
             return Err(ViewTransformError::ZeroDirection);
@@ -314,7 +314,7 @@ impl ViewTransform {
         // u from the vectors as given, not from rounded unit vectors: near-parallel ones differ in
         // their low bits.
         let u = normalise(&cross(&up, back));
-        Ok(Self { rows: [u, cross_units(&n, &u), n], eye: wide(eye) })
+        Ok(Self { rows: [u, cross_units(&n, &u), n], eye: to_q32(eye) })
     }
 
     /// The axes u, v, n as rows, in 2⁻³⁰: from −2³⁰ to 2³⁰. Their bound is that of the constructor.
@@ -325,7 +325,7 @@ impl ViewTransform {
     /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units; each within
     /// 2⁻¹³ over the sine of the angle between VUP and VPN. For inspection only: the pipeline subtracts the eye first.
     pub fn translation(&self) -> [i64; 3] {
-        self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
+        self.rotation_rows().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
     /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step, of the view as it is)
@@ -334,7 +334,7 @@ impl ViewTransform {
         let p = p.bits();
         let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);
         let relative = [relative(0), relative(1), relative(2)];
-        let image = self.rows_over_world().map(|row| row.apply(&relative));
+        let image = self.rotation_rows().map(|row| row.apply(&relative));
         Point3::from_bits(image.map(crate::math::to_scalar))
     }
 
@@ -343,25 +343,25 @@ impl ViewTransform {
         self.eye
     }
 
-    pub(super) fn rows_over_world(&self) -> [Row; 3] {
+    pub(super) fn rotation_rows(&self) -> [Row; 3] {
         self.rows.map(|linear| Row { linear, exponent: 0, offset: 0 })
     }
 }
 
-const fn longs(v: Vector3<World>) -> [i64; 3] {
+const fn to_i64(v: Vector3<World>) -> [i64; 3] {
     let [x, y, z] = v.bits();
     [x as i64, y as i64, z as i64]
 }
 
 /// A point's coordinates in 2⁻³².
-const fn wide(p: Point3<World>) -> [i64; 3] {
+const fn to_q32(p: Point3<World>) -> [i64; 3] {
     let [x, y, z] = p.bits();
     [(x as i64) << 16, (y as i64) << 16, (z as i64) << 16]
 }
 
 /// A row of a viewing matrix.
-fn as_reals(row: [i32; 3]) -> [f64; 3] {
-    row.map(|c| float(c.into(), -30))
+fn to_f64(row: [i32; 3]) -> [f64; 3] {
+    row.map(|c| ldexp(c.into(), -30))
 }
 
 /// Orthonormal and right-handed, as far as numbers of six decimals can be.

@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::math::num::{add, mul_translation, sqrt};
-use crate::math::{product, Affine, Row, Scalar, Sphere};
+use crate::math::{matrix_product, Affine, Row, Scalar, Sphere};
 use crate::space::{Model, World};
 
 /// How much of an object the view volume holds.
@@ -54,7 +54,7 @@ impl Camera {
         let (m, exponent) = model.linear();
         let away = model.offset_from(&self.eye);
         let mut linear = [[0; 3]; 3];
-        let view_exponent = product(&self.axes, 0, m, exponent, &mut linear);
+        let view_exponent = matrix_product(&self.axes, 0, m, exponent, &mut linear);
         let place = |i: usize| {
             let axis = Row { linear: self.axes[i], ..Row::ZERO };
             Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)
@@ -74,13 +74,13 @@ impl Camera {
         let (plus, minus) = ((1 << 30, -30), (-(1 << 30), -30));
         let (across, down) = (half(size.width), half(size.height));
         let planes = [
-            w.combined(across, x, plus),
-            w.combined(across, x, minus),
-            w.combined(down, y, plus),
-            w.combined(down, y, minus),
+            w.linear_combination(across, x, plus),
+            w.linear_combination(across, x, minus),
+            w.linear_combination(down, y, plus),
+            w.linear_combination(down, y, minus),
             *d,
             // d is stored times 65535/65536.
-            w.combined((65_535, -16), d, minus),
+            w.linear_combination((65_535, -16), d, minus),
         ];
         let mut visibility = Visibility::Inside;
         let far_out = centre.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);

@@ -1,11 +1,12 @@
 //! Affine transforms between the spaces a scene is set up in.
 
 use super::float;
-use super::num::{add, after, dot, fraction, row_times, scale, shift_to_fit, sqrt, transposed};
-use super::row::{block, forms, Row};
+use super::hints::opaque_next;
+use super::num::{add, dot, fraction, row_times, scale, shift_to_fit, sqrt, transposed};
+use super::row::{block_scaled, transform_point, Row};
 use super::unit::{cross_exact, is_zero, normalise};
 use super::{Angle, Point3, Quaternion, Scalar, Vector3};
-use crate::space::SetUp;
+use crate::space::SceneSpace;
 use core::marker::PhantomData;
 
 /// An affine map from space `A` to space `B`:
@@ -48,7 +49,7 @@ impl<A, B> Copy for Affine<A, B> {}
 
 const ONE: i32 = 1 << 30;
 
-impl<A: SetUp, B: SetUp> Affine<A, B> {
+impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     const fn from_parts(linear: [[i32; 3]; 3], exponent: i32, offset: [i64; 3]) -> Self {
         Self { linear, exponent, offset, ends: PhantomData }
     }
@@ -77,7 +78,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     pub fn scale_axes(x: Scalar, y: Scalar, z: Scalar) -> Self {
         let [x, y, z] = [x, y, z].map(|f| i64::from(f.to_bits()));
         // Value = bits · 2⁻¹⁶ = bits · 2^(14 − 30).
-        let (linear, exponent) = rounded(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 14);
+        let (linear, exponent) = rounded_block(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 14);
         Self::from_parts(linear, exponent, [0; 3])
     }
 
@@ -132,13 +133,13 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
             [outer(y, x) + turn(z), c + outer(y, y), outer(y, z) - turn(x)],
             [outer(z, x) - turn(y), outer(z, y) + turn(x), c + outer(z, z)],
         ];
-        Ok(Self::about(linear, through))
+        Ok(Self::fixing(linear, through))
     }
 
     /// The rotation that a quaternion describes. Coefficients within 2⁻²⁷.
     /// (Shoemake, *Animating rotation with quaternion curves*, 1985.)
     pub fn from_quaternion(quaternion: Quaternion) -> Self {
-        let [w, x, y, z] = quaternion.parts().map(i64::from);
+        let [w, x, y, z] = quaternion.components().map(i64::from);
         // Twice a product of 30-bit numbers, to 2⁻³⁰.
         let twice = |sum: i64| scale(sum, -29);
         let one = i64::from(ONE);
@@ -147,12 +148,12 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
             [twice(x * y + w * z), one - twice(x * x + z * z), twice(y * z - w * x)],
             [twice(x * z - w * y), twice(y * z + w * x), one - twice(x * x + y * y)],
         ];
-        Self::about(linear, Point3::from_ints(0, 0, 0))
+        Self::fixing(linear, Point3::from_ints(0, 0, 0))
     }
 
     /// A linear part in 2⁻³⁰, up to 31 bits, that leaves one point where it is.
-    fn about(linear: [[i64; 3]; 3], fixed: Point3<B>) -> Self {
-        let (linear, exponent) = rounded(&linear, 0);
+    fn fixing(linear: [[i64; 3]; 3], fixed: Point3<B>) -> Self {
+        let (linear, exponent) = rounded_block(&linear, 0);
         let turned = Self::from_parts(linear, exponent, [0; 3]);
         let at = fixed.bits().map(|c| i64::from(c) << 16);
         let [x, y, z] = turned.apply_bits(&at);
@@ -170,11 +171,11 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     /// let place = Affine::<Model, World>::from_frame(a, b, c, Point3::from_ints(10, 0, 0));
     /// assert_eq!(place.apply(Point3::from_ints(1, 3, 5)), Point3::from_ints(15, 2, 3));
     /// ```
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub fn from_frame(a: Vector3<B>, b: Vector3<B>, c: Vector3<B>, origin: Point3<B>) -> Self {
         let (a, b, c) = (a.bits(), b.bits(), c.bits());
         let row = |i: usize| [a[i], b[i], c[i]].map(i64::from);
-        let (linear, exponent) = rounded(&[row(0), row(1), row(2)], 14);
+        let (linear, exponent) = rounded_block(&[row(0), row(1), row(2)], 14);
         Self::from_parts(linear, exponent, origin.bits().map(|c| i64::from(c) << 16))
     }
 
@@ -200,11 +201,11 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
             return Err(MatrixError::NotAffine);
         }
         let linear = [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]];
-        let (l, exponent) = float::aligned(linear).ok_or(MatrixError::NotFinite)?;
+        let (l, exponent) = float::common_exponent(linear).ok_or(MatrixError::NotFinite)?;
         let linear = [[l[0], l[1], l[2]], [l[3], l[4], l[5]], [l[6], l[7], l[8]]];
-        let (linear, exponent) = rounded(&linear, exponent + 30);
+        let (linear, exponent) = rounded_block(&linear, exponent + 30);
         let translation = [x[3], y[3], z[3]];
-        let part = |i: usize| float::fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
+        let part = |i: usize| float::to_fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
         let offset = [part(0)?, part(1)?, part(2)?];
         if translation.iter().any(|t| t.abs() > 1_073_741_824.0) {
             return Err(MatrixError::OutOfRange);
@@ -245,7 +246,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     pub fn inverse(&self) -> Result<Affine<B, A>, InverseError> {
         let (cofactors, c_exponent) = cofactors(&self.linear);
         let (determinant, d_exponent) = determinant(&self.linear);
-        if determinant == 0 || self.flatness(determinant, d_exponent) {
+        if determinant == 0 || self.is_near_singular(determinant, d_exponent) {
             return Err(InverseError::Singular);
         }
         // inverse = cofactorsᵀ / det: 30 bits over 61 bits. Each quotient has 31 bits after its
@@ -265,12 +266,12 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         // Values: c·2^(ce + 2e − 60) over det·2^(de + 3e − 90), so c/det · 2^(30 − e + ce − de), and the
         // quotient is c·2³⁰/(det·2^up) · 2³².
         let exponent = c_exponent - d_exponent - self.exponent;
-        let (linear, exponent) = rounded(&linear, 30 + exponent - 30 - 32 + up + 30);
-        Ok(self.returning(linear, exponent))
+        let (linear, exponent) = rounded_block(&linear, 30 + exponent - 30 - 32 + up + 30);
+        Ok(self.inverse_from_linear(linear, exponent))
     }
 
     /// Whether the determinant is too small beside the rows for an inverse.
-    fn flatness(&self, determinant: i64, d_exponent: i32) -> bool {
+    fn is_near_singular(&self, determinant: i64, d_exponent: i32) -> bool {
         let length = |row: &[i32; 3]| {
             let square: u64 = row.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
             u64::from(sqrt(square)) // ≤ 2³⁰·⁸
@@ -308,11 +309,11 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         if !matches!(self.exponent, 0 | 1) || !rigid {
             return Err(InverseError::NotRigid);
         }
-        Ok(self.returning(transposed(&self.linear), self.exponent))
+        Ok(self.inverse_from_linear(transposed(&self.linear), self.exponent))
     }
 
     /// The inverse with this linear part: `−L·o` brings this transform's origin back.
-    fn returning(&self, linear: [[i32; 3]; 3], exponent: i32) -> Affine<B, A> {
+    fn inverse_from_linear(&self, linear: [[i32; 3]; 3], exponent: i32) -> Affine<B, A> {
         let back = Affine::<B, A>::from_parts(linear, exponent, [0; 3]);
         let offset = back.apply_bits(&self.offset).map(|c| -c);
         Affine { offset, ..back }
@@ -320,9 +321,10 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
 
     /// First this, then `next`: the matrix product `next · self`, coefficients within 2⁻³⁰ of the
     /// largest one, the translation within 2⁻³³.
-    pub fn then<C: SetUp>(&self, next: &Affine<B, C>) -> Affine<A, C> {
+    pub fn then<C: SceneSpace>(&self, next: &Affine<B, C>) -> Affine<A, C> {
         let mut both = Affine::from_parts([[0; 3]; 3], 0, next.apply_bits(&self.offset));
-        both.exponent = product(&next.linear, next.exponent, &self.linear, self.exponent, &mut both.linear);
+        both.exponent =
+            matrix_product(&next.linear, next.exponent, &self.linear, self.exponent, &mut both.linear);
         both
     }
 
@@ -335,7 +337,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
 
     /// The image of a point in 2⁻³², in 2⁻³².
     fn apply_bits(&self, p: &[i64; 3]) -> [i64; 3] {
-        forms(&self.linear, self.exponent, p, &self.offset)
+        transform_point(&self.linear, self.exponent, p, &self.offset)
     }
 
     /// The linear part: coefficients `m · 2^(exponent − 30)`, row by row.
@@ -348,7 +350,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         let (mut away, mut i) = (self.offset, 0);
         while let (Some(a), Some(eye)) = (away.get_mut(i), eye.get(i)) {
             *a = add(*a, -eye);
-            i = after(i);
+            i = opaque_next(i);
         }
         away
     }
@@ -432,7 +434,7 @@ fn determinant([x, y, z]: &[[i32; 3]; 3]) -> (i64, i32) {
 /// det(A)·A⁻ᵀ, whose rows are the cross products of A's: 30 bits, and the exponent of the block
 /// relative to 2⁻³⁰ for products in 2⁻⁶⁰.
 pub(crate) fn cofactors([x, y, z]: &[[i32; 3]; 3]) -> ([[i32; 3]; 3], i32) {
-    rounded(&[cross_exact(y, z), cross_exact(z, x), cross_exact(x, y)], -30)
+    rounded_block(&[cross_exact(y, z), cross_exact(z, x), cross_exact(x, y)], -30)
 }
 
 /// 2⁻³² to 2⁻¹⁶, rounded to nearest, saturated.
@@ -441,8 +443,8 @@ pub(crate) fn to_scalar(v: i64) -> i32 {
 }
 
 /// `a · b` for two blocks.
-#[inline(never)] // set-up: small is better
-pub(crate) fn product(
+#[inline(never)] // set-up: code size counts, speed does not
+pub(crate) fn matrix_product(
     a: &[[i32; 3]; 3],
     a_exponent: i32,
     b: &[[i32; 3]; 3],
@@ -453,14 +455,14 @@ pub(crate) fn product(
     let sums = [row_times(x, b), row_times(y, b), row_times(z, b)];
     // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp, and a little more after an inverse.
     let exponent = a_exponent + b_exponent - 30;
-    block(sums.as_flattened(), exponent, linear.as_flattened_mut()).clamp(-65_536, 65_536)
+    block_scaled(sums.as_flattened(), exponent, linear.as_flattened_mut()).clamp(-65_536, 65_536)
 }
 
 /// Sums of products as rows of 30 bits and one exponent.
-#[inline(never)] // set-up: small is better
-fn rounded(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
+#[inline(never)] // set-up: code size counts, speed does not
+fn rounded_block(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
     let mut linear = [[0; 3]; 3];
-    let exponent = block(sums.as_flattened(), exponent, linear.as_flattened_mut());
+    let exponent = block_scaled(sums.as_flattened(), exponent, linear.as_flattened_mut());
     (linear, exponent)
 }
 

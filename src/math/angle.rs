@@ -36,7 +36,7 @@ impl Angle {
 
     /// `numerator / denominator` of a turn, rounded to the nearest 2⁻³² turn, ties up, for negative angles too;
     /// whole turns fall away. A denominator of zero counts as no turn.
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn turns(numerator: i32, denominator: u32) -> Self {
         if denominator == 0 {
             return Self::ZERO;
@@ -79,7 +79,7 @@ impl Angle {
     /// The nearest of 64 table angles a per quarter turn and the remainder δ, |δ| ≤ π/256, go
     /// through the addition theorems with `sin δ = δ − δ³/6` and `cos δ = 1 − δ²/2 + δ⁴/24`; what
     /// the series leave out is below 2⁻³⁸. (Abramowitz and Stegun, 4.3.16–17, 4.3.65–66.)
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn sin_cos(self) -> (i32, i32) {
         let within = (self.0 & 0x3fff_ffff) as i32; // the place inside the quarter turn
         let index = (within + (1 << 23)) >> 24; // 0 … 64

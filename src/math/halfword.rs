@@ -61,7 +61,7 @@ pub(super) fn normalised_by_steps(mut v: i32) -> (i32, u32) {
 
 /// [`normalised_by_steps`] for numbers that most often lie near 2³⁰: one bit at a time.
 #[inline(always)]
-pub(super) fn normalised_by_ones(mut v: i32) -> (i32, u32) {
+pub(super) fn normalised_by_bits(mut v: i32) -> (i32, u32) {
     let mut shift = 0;
     while v < 1 << 30 {
         keep_rolled();

@@ -1,7 +1,7 @@
 //! Unit quaternions, as orientation filters deliver them.
 
 use super::num::{scale, shift_to_fit, sqrt};
-use super::unit::part;
+use super::unit::unit_component;
 use super::{NumberError, Scalar};
 
 /// A rotation as a unit quaternion `w + x·i + y·j + z·k`; its parts are kept in 2⁻³⁰.
@@ -59,11 +59,11 @@ impl Quaternion {
         let parts = parts.map(|c| scale(c, -shift_to_fit(largest, 30)));
         let square = parts.iter().map(|c| c.unsigned_abs().pow(2)).sum();
         let length = sqrt(square); // 2²⁹ … 2³¹
-        Ok(Self(parts.map(|c| part(c as i32, length)))) // 30 bits, or 2³⁰
+        Ok(Self(parts.map(|c| unit_component(c as i32, length)))) // 30 bits, or 2³⁰
     }
 
     /// w, x, y, z in 2⁻³⁰.
-    pub(crate) const fn parts(self) -> [i32; 4] {
+    pub(crate) const fn components(self) -> [i32; 4] {
         self.0
     }
 }

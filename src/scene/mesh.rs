@@ -188,7 +188,7 @@ const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], skip: usize) -> [u16
 }
 
 /// Checks counts and indices; a constant function cannot loop with iterators.
-const fn check(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
+const fn check_indices(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
     if vertices > 65_536 {
         return Err(MeshError::TooManyVertices { vertices });
     }
@@ -227,13 +227,13 @@ impl<'a> Mesh<'a, i16> {
         if exponent < -32 || exponent > 15 {
             return Err(MeshError::Exponent { exponent });
         }
-        if let Err(error) = check(vertices.len(), faces) {
+        if let Err(error) = check_indices(vertices.len(), faces) {
             return Err(error);
         }
         let (mut magnitude, mut i) = (0u32, 0);
         while i < vertices.len() {
             let [x, y, z] = vertices[i];
-            magnitude |= reach(x as i32) | reach(y as i32) | reach(z as i32);
+            magnitude |= magnitude_bits(x as i32) | magnitude_bits(y as i32) | magnitude_bits(z as i32);
             i += 1;
         }
         let justify = justify(magnitude);
@@ -284,7 +284,7 @@ impl<'a> Mesh<'a, i16> {
     pub const fn face_plane(&self, face: usize) -> i16 {
         if let Some((corner, normal)) = self.corner_and_normal(face) {
             let [x, y, z] = *corner;
-            plane([x as i32, y as i32, z as i32], normal, self.justify)
+            plane_distance([x as i32, y as i32, z as i32], normal, self.justify)
         } else {
             0
         }
@@ -293,7 +293,7 @@ impl<'a> Mesh<'a, i16> {
 
 /// Where the plane with this normal through this corner lies along the normal: n·v, half of it, rounded to nearest, where
 /// the largest justified coordinate is 1. Of a normal of unit length it is at most √3·2¹⁴; what is longer saturates.
-const fn plane([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
+const fn plane_distance([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
     let shift = justify as u32 & 31;
     // Justified: 2³¹ each, times 2¹⁵.
     let along =
@@ -309,7 +309,7 @@ const fn plane([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
 }
 
 /// A number of as many bits as `v` needs beside its sign.
-const fn reach(v: i32) -> u32 {
+const fn magnitude_bits(v: i32) -> u32 {
     (v ^ (v >> 31)) as u32
 }
 
@@ -322,13 +322,14 @@ impl<'a> Mesh<'a, Scalar> {
     /// [`MeshError`] when a face names a vertex that is not there or there are more than 65536
     /// vertices.
     pub const fn from_fixed(vertices: &'a [[Scalar; 3]], faces: &'a [[u16; 3]]) -> Result<Self, MeshError> {
-        if let Err(error) = check(vertices.len(), faces) {
+        if let Err(error) = check_indices(vertices.len(), faces) {
             return Err(error);
         }
         let (mut magnitude, mut i) = (0u32, 0);
         while i < vertices.len() {
             let [x, y, z] = vertices[i];
-            magnitude |= reach(x.to_bits()) | reach(y.to_bits()) | reach(z.to_bits());
+            magnitude |=
+                magnitude_bits(x.to_bits()) | magnitude_bits(y.to_bits()) | magnitude_bits(z.to_bits());
             i += 1;
         }
         let justify = justify(magnitude);
@@ -359,7 +360,7 @@ impl<'a> Mesh<'a, Scalar> {
     pub const fn face_plane(&self, face: usize) -> i16 {
         if let Some((corner, normal)) = self.corner_and_normal(face) {
             let [x, y, z] = *corner;
-            plane([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.justify)
+            plane_distance([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.justify)
         } else {
             0
         }

@@ -22,7 +22,7 @@ pub trait Dim: PixelColor {
 }
 
 /// `channel · level / 256`, rounded to nearest: at most the channel.
-fn part(channel: u8, level: u16) -> u8 {
+fn dimmed(channel: u8, level: u16) -> u8 {
     // 255 · 256 + 128 fits 17 bits.
     ((u32::from(channel) * u32::from(level.min(256)) + 128) >> 8) as u8
 }
@@ -31,7 +31,7 @@ macro_rules! dim_rgb {
     ($($colour:ty),*) => {$(
         impl Dim for $colour {
             fn dim(self, level: u16) -> Self {
-                Self::new(part(self.r(), level), part(self.g(), level), part(self.b(), level))
+                Self::new(dimmed(self.r(), level), dimmed(self.g(), level), dimmed(self.b(), level))
             }
         }
     )*};
@@ -41,7 +41,7 @@ macro_rules! dim_gray {
     ($($colour:ty),*) => {$(
         impl Dim for $colour {
             fn dim(self, level: u16) -> Self {
-                Self::new(part(self.luma(), level))
+                Self::new(dimmed(self.luma(), level))
             }
         }
     )*};

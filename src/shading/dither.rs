@@ -1,7 +1,7 @@
 //! Ordered dither.
 
-use super::gouraud::{Rounding, Run};
-use super::levels::{levels, more, upper, whole};
+use super::gouraud::{Rounding, SpanColors};
+use super::levels::{add_bias, align, integer_parts, levels};
 use super::{Channels, Flat, Gouraud, Lit};
 use core::marker::PhantomData;
 
@@ -65,7 +65,7 @@ impl Flat {
     /// The nearest colour that the target has.
     #[inline]
     pub(crate) fn nearest<C: Channels>(&self) -> C {
-        C::from_channels(whole::<C>(more::<C>(levels::<C>(*self).map(upper), 1 << 23)))
+        C::from_channels(integer_parts::<C>(add_bias::<C>(levels::<C>(*self).map(align), 1 << 23)))
     }
 }
 
@@ -78,13 +78,13 @@ pub struct Even<C> {
 
 impl<C: Channels> Even<C> {
     pub(crate) fn new(colour: Flat) -> Self {
-        Self { levels: levels::<C>(colour).map(upper), colour: PhantomData }
+        Self { levels: levels::<C>(colour).map(align), colour: PhantomData }
     }
 
     /// The colours of a row from a pixel on.
     #[inline(always)]
-    pub(crate) fn run(&self, x: i32, y: i32) -> Run<C, Bayer> {
-        Run::new(self.levels, [0; 3], (x, y))
+    pub(crate) fn run(&self, x: i32, y: i32) -> SpanColors<C, Bayer> {
+        SpanColors::new(self.levels, [0; 3], (x, y))
     }
 }
 

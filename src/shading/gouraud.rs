@@ -1,6 +1,6 @@
 //! Colours that run smoothly over a triangle.
 
-use super::levels::{levels, more, weighed, whole};
+use super::levels::{add_bias, integer_parts, levels, weighed};
 use super::{Channels, Flat};
 use crate::raster::{Gradient, GradientSetup, Triangle};
 use core::marker::PhantomData;
@@ -63,7 +63,7 @@ impl Gouraud {
 
 /// The levels of each channel over a triangle, with their [`places`]: within 2⁻¹⁰ + 2⁻¹³ level of the exact ones.
 ///
-/// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` of the last place, of 24 or more, w columns
+/// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` of the last place, of 24 or add_bias, w columns
 /// and h rows from its corner, w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128
 /// to 127/128 that dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]
@@ -80,8 +80,8 @@ impl<C: Channels> ChannelGradients<C> {
 
     /// The colours of a row from a covered pixel on.
     #[inline(always)]
-    pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32) -> Run<C, R> {
-        Run::new(self.planes.map(|p| p.at(x, y)), self.planes.map(|p| p.step()), (x, y))
+    pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32) -> SpanColors<C, R> {
+        SpanColors::new(self.planes.map(|p| p.at(x, y)), self.planes.map(|p| p.step()), (x, y))
     }
 }
 
@@ -115,27 +115,27 @@ impl Rounding for Nearest {
 }
 
 /// Colours of pixels from left to right, without end.
-pub(crate) struct Run<C, R> {
+pub(crate) struct SpanColors<C, R> {
     levels: [u32; 3],
     steps: [u32; 3],
     rounding: R,
     colour: PhantomData<C>,
 }
 
-impl<C: Channels, R: Rounding> Run<C, R> {
+impl<C: Channels, R: Rounding> SpanColors<C, R> {
     #[inline(always)]
     pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
-        let levels = more::<C>(levels, R::FIRST);
+        let levels = add_bias::<C>(levels, R::FIRST);
         Self { levels, steps, rounding: R::from(x, y), colour: PhantomData }
     }
 }
 
-impl<C: Channels, R: Rounding> Iterator for Run<C, R> {
+impl<C: Channels, R: Rounding> Iterator for SpanColors<C, R> {
     type Item = C;
 
     #[inline(always)]
     fn next(&mut self) -> Option<C> {
-        let whole = whole::<C>(more::<C>(self.levels, self.rounding.next()));
+        let whole = integer_parts::<C>(add_bias::<C>(self.levels, self.rounding.next()));
         let ([r, g, b], [x, y, z]) = (self.levels, self.steps);
         self.levels = match C::GRAY {
             true => [r.wrapping_add(x), 0, 0],

@@ -2,7 +2,7 @@
 
 use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
-use crate::math::{to_short, Affine, NormalMap, Vector3};
+use crate::math::{to_q15, Affine, NormalMatrix, Vector3};
 use crate::space::{Model, World};
 
 /// One directional light and an ambient part, made ready for one object.
@@ -27,7 +27,7 @@ pub struct Lambert {
     /// transform keeps angles, of the world otherwise.
     towards: [i16; 3],
     /// The way of normals to the world, where the transform bends angles.
-    bend: Option<NormalMap<Model, World>>,
+    normal_matrix: Option<NormalMatrix<Model, World>>,
     /// The ambient part in 2⁻²² of a level, and the half that rounds.
     ambient: u32,
 }
@@ -68,15 +68,15 @@ impl Lambert {
         let normals = model.normals();
         // n·(Cᵀ·l) = (C·n)·l.
         let in_model = normalise(&row_times(&light, normals.rows()));
-        let even = keeps_angles(normals.rows());
+        let conformal = is_conformal(normals.rows());
         let ambient = ambient.min(256);
         let rest = 256 - i32::from(ambient);
         // |v · rest| ≤ 2²³: no longer than a unit vector.
-        let towards =
-            to_short(if even { in_model } else { light }).map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
+        let towards = to_q15(if conformal { in_model } else { light })
+            .map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
         Ok(Self {
             towards,
-            bend: (!even).then_some(normals),
+            normal_matrix: (!conformal).then_some(normals),
             ambient: (u32::from(ambient) << 22) + (1 << 21),
         })
     }
@@ -86,22 +86,28 @@ impl Lambert {
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
         let [a, b, c] = normal;
-        match &self.bend {
-            None => self.lit(a, b, c),
-            Some(bend) => self.bent(bend, a, b, c),
+        match &self.normal_matrix {
+            None => self.level_in_light_space(a, b, c),
+            Some(normal_matrix) => self.level_by_normal_matrix(normal_matrix, a, b, c),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn bent(&self, bend: &NormalMap<Model, World>, a: i16, b: i16, c: i16) -> u16 {
-        let [a, b, c] = bend.apply([a, b, c]);
-        self.lit(a, b, c)
+    fn level_by_normal_matrix(
+        &self,
+        normal_matrix: &NormalMatrix<Model, World>,
+        a: i16,
+        b: i16,
+        c: i16,
+    ) -> u16 {
+        let [a, b, c] = normal_matrix.apply([a, b, c]);
+        self.level_in_light_space(a, b, c)
     }
 
     /// The light where the normal is in the light's own space.
     #[inline(always)]
-    fn lit(&self, a: i16, b: i16, c: i16) -> u16 {
+    fn level_in_light_space(&self, a: i16, b: i16, c: i16) -> u16 {
         let ([a, b, c], [x, y, z]) = ([a, b, c].map(i32::from), self.towards.map(i32::from));
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹; as l is the shorter the more is ambient, the last
         // one stays below 2³².
@@ -129,7 +135,7 @@ impl Lambert {
 
 /// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
 /// of light.
-fn keeps_angles([x, y, z]: &[[i32; 3]; 3]) -> bool {
+fn is_conformal([x, y, z]: &[[i32; 3]; 3]) -> bool {
     let length = dot(x, x); // 3·2⁶⁰ at most, as all
     let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
     near(dot(y, y), length)

@@ -5,20 +5,20 @@ use crate::math::num::mul_wide;
 
 /// Where the whole part of a level begins in 32 bits: as high as the largest one allows. So it is what is left when
 /// they are shifted to the right.
-pub(super) const fn places(max: u8) -> u32 {
+pub(super) const fn fraction_bits(max: u8) -> u32 {
     24 + (max | 1).leading_zeros()
 }
 
 /// The largest level times as much as it has unused bits.
-pub(super) const fn aligned(max: u8) -> u8 {
+pub(super) const fn aligned_max(max: u8) -> u8 {
     max << (max | 1).leading_zeros()
 }
 
-/// The channels of `C` in the upper 24 of 32 bits, with their [`places`], rounded to nearest.
+/// The channels of `C` in the align 24 of 32 bits, with their [`fraction_bits`], rounded to nearest.
 #[inline]
 pub(super) fn levels<C: Channels>(colour: Flat) -> [i32; 3] {
     let [r, g, b] = colour.0.map(u32::from); // ≤ 255·2⁸
-    let [x, y, z] = C::MAX.map(aligned);
+    let [x, y, z] = C::MAX.map(aligned_max);
     if C::GRAY {
         [level(luma([r, g, b]), x), 0, 0]
     } else {
@@ -50,15 +50,15 @@ pub(super) fn weighed(values: [i32; 3], weights: [i32; 3], full: i32) -> i32 {
 
 /// In all of 32 bits.
 #[inline(always)]
-pub(super) fn upper(level: i32) -> u32 {
+pub(super) fn align(level: i32) -> u32 {
     (level as u32) << 8 // < 2²⁴ and not negative
 }
 
-/// The channels' levels and as much of a level more, in 2⁻²⁴.
+/// The channels' levels and as much of a level add_bias, in 2⁻²⁴.
 #[inline(always)]
-pub(super) fn more<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
-    let [x, y, z] = C::MAX.map(places);
-    let more = |level: u32, places: u32| level.wrapping_add(by << (places - 24)); // by < 2²⁴
+pub(super) fn add_bias<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
+    let [x, y, z] = C::MAX.map(fraction_bits);
+    let more = |level: u32, fraction_bits: u32| level.wrapping_add(by << (fraction_bits - 24)); // by < 2²⁴
     match C::GRAY {
         true => [more(r, x), 0, 0],
         false => [more(r, x), more(g, y), more(b, z)],
@@ -67,8 +67,8 @@ pub(super) fn more<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
 
 /// Without their fractions.
 #[inline(always)]
-pub(super) fn whole<C: Channels>([r, g, b]: [u32; 3]) -> [u8; 3] {
-    let [x, y, z] = C::MAX.map(places);
+pub(super) fn integer_parts<C: Channels>([r, g, b]: [u32; 3]) -> [u8; 3] {
+    let [x, y, z] = C::MAX.map(fraction_bits);
     match C::GRAY {
         true => [(r >> x) as u8, 0, 0],
         false => [(r >> x) as u8, (g >> y) as u8, (b >> z) as u8],

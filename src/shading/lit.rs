@@ -1,7 +1,7 @@
 //! One colour in a light that runs smoothly over a triangle.
 
 use super::gouraud::{ChannelGradients, Gouraud};
-use super::levels::{aligned, luma, places, weighed};
+use super::levels::{aligned_max, fraction_bits, luma, weighed};
 use super::Channels;
 use crate::math::num::mul_wide;
 use crate::raster::{GradientSetup, Triangle};
@@ -58,20 +58,21 @@ impl Lit {
     pub(crate) fn over<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
         let planes = GradientSetup::new(triangle);
         let Some(light) = (if C::GRAY { None } else { planes.slope_through(&self.light) }) else {
-            return self.each::<C>(&planes);
+            return self.per_channel::<C>(&planes);
         };
         // Within 512 pixels, beyond which it counts as steep, light is off by less than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is 2⁻¹¹
         // of 255 levels; what is rounded down adds 1024 · 2⁻²⁴.
-        let times = |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - places(max));
+        let times =
+            |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - fraction_bits(max));
         let ([r, g, b], [x, y, z]) = (self.colour, C::MAX);
         ChannelGradients::new([times(r, x), times(g, y), times(b, z)])
     }
 
     /// The same by a plane for each channel: of greys, and where light changes much from pixel to pixel.
     #[inline(never)]
-    fn each<C: Channels>(&self, planes: &GradientSetup<'_>) -> ChannelGradients<C> {
+    fn per_channel<C: Channels>(&self, planes: &GradientSetup<'_>) -> ChannelGradients<C> {
         let through = |factor: u32, max: u8| {
-            let factor = (factor * u32::from(aligned(max))) as i32; // ≤ 255² · 2⁸
+            let factor = (factor * u32::from(aligned_max(max))) as i32; // ≤ 255² · 2⁸
             planes.through(&self.light.map(|light| ((mul_wide(light, factor) + (1 << 21)) >> 22) as i32))
         };
         let ([r, g, b], [x, y, z]) = (self.colour.map(u32::from), C::MAX);

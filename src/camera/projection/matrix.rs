@@ -1,7 +1,7 @@
 //! Any projective matrix, as it is.
 
 use super::{Projection, ProjectionError};
-use crate::math::float::{coefficients, parts, row};
+use crate::math::float::{coefficients, mantissa_and_exponent, row_from_f64};
 
 /// `a·s + b·t`. Indexed by constants only: not even without inlining is there a bounds check.
 fn sum(a: &[f64; 4], s: f64, b: &[f64; 4], t: f64) -> [f64; 4] {
@@ -35,7 +35,7 @@ impl Projection {
         // The exponents of the largest coefficient and of the largest constant.
         let (mut linear, mut constant) = (None, None);
         for (i, &v) in matrix.iter().flatten().enumerate() {
-            let (m, e) = parts(v).ok_or(ProjectionError::Matrix)?;
+            let (m, e) = mantissa_and_exponent(v).ok_or(ProjectionError::Matrix)?;
             if m != 0 {
                 let largest = if i % 4 == 3 { &mut constant } else { &mut linear };
                 *largest = (*largest).max(Some(e + 64 - m.unsigned_abs().leading_zeros() as i32));
@@ -52,7 +52,8 @@ impl Projection {
         let [x, y, z, w] = matrix;
         // d = (z + w)/2 where f64 is exact or nearly so: rounded to 30 bits only once.
         let d = sum(z, 0.5, w, 0.5);
-        let all = (row(x, shift), row(y, shift), row(&d, shift), row(w, shift));
+        let all =
+            (row_from_f64(x, shift), row_from_f64(y, shift), row_from_f64(&d, shift), row_from_f64(w, shift));
         let (Some(x), Some(y), Some(d), Some(w)) = all else { return Err(ProjectionError::Matrix) };
         Ok(Self { rows: [x, y, d, w] })
     }
@@ -63,7 +64,7 @@ impl Projection {
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, d, w] = &self.rows;
         let largest = coefficients(w, 0).into_iter().fold(0.0f64, |a, b| a.max(b.abs()));
-        let shift = match parts(largest) {
+        let shift = match mantissa_and_exponent(largest) {
             Some((m, e)) if m != 0 => -(e + 64 - m.leading_zeros() as i32),
             _ => 0,
         };

@@ -48,7 +48,7 @@ impl Projection {
             // −2·factor·part/extent: 2⁻¹⁶ · 2⁻³⁰ over 2⁻¹⁶; 32 + 31 bits over 33 bits.
             let (m, e) = ratio(-i64::from(factor.to_bits()) * i64::from(part), extent);
             let slope = row(2, (m, e - 29), 0);
-            Ok(straight.combined(ONE, &slope, ONE))
+            Ok(straight.linear_combination(ONE, &slope, ONE))
         };
         let x = slanted(x, cosine, window.left, window.right)?;
         let y = slanted(y, sine, window.bottom, window.top)?;

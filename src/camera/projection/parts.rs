@@ -5,7 +5,7 @@ use crate::math::{Row, Scalar};
 
 /// `n / d` as `mantissa · 2^exponent` with a mantissa of 30 bits (or 2³⁰ itself), rounded to nearest:
 /// within 2⁻³⁰ of itself. Wants `0 < d < 2⁶³`.
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(in crate::camera) const fn ratio(n: i64, d: u64) -> (i64, i32) {
     if n == 0 {
         return (0, 0);
@@ -20,7 +20,7 @@ pub(in crate::camera) const fn ratio(n: i64, d: u64) -> (i64, i32) {
 }
 
 /// `n / d` in 2⁻³², or `None` where it leaves ±2³⁰.
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(super) const fn offset(n: i64, d: u64) -> Option<i64> {
     let (mantissa, exponent) = ratio(n, d);
     let value = scale(mantissa, exponent + 32);
@@ -31,7 +31,7 @@ pub(super) const fn offset(n: i64, d: u64) -> Option<i64> {
 }
 
 /// One coefficient as a whole row.
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(super) const fn row(axis: usize, (mantissa, exponent): (i64, i32), offset: i64) -> Row {
     let linear = match axis {
         0 => [mantissa, 0, 0],
@@ -56,6 +56,6 @@ pub(super) const ONE: (i64, i32) = (1 << 30, -30);
 impl Row {
     /// `self · factor`.
     pub(super) fn times(&self, factor: (i64, i32)) -> Self {
-        self.combined(factor, &Self::ZERO, (0, 0))
+        self.linear_combination(factor, &Self::ZERO, (0, 0))
     }
 }

@@ -118,7 +118,8 @@ impl PlanarProjection {
         }
         let z_p = i64::from(z_p.to_bits()) << 16; // in 2⁻³²
                                                   // plus + slope·(z − z_p).
-        let slanted = |plus: Row, slope: (i64, i32)| plus.combined(ONE, &Row { offset: -z_p, ..Z }, slope);
+        let slanted =
+            |plus: Row, slope: (i64, i32)| plus.linear_combination(ONE, &Row { offset: -z_p, ..Z }, slope);
         let over_dz =
             |n: i64| if dz < 0 { ratio(n, dz.unsigned_abs()) } else { ratio(-n, dz.unsigned_abs()) };
         let x = slanted(X, over_dz(dx));
@@ -222,7 +223,7 @@ impl Projection {
             let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
             let (a, b) = (ratio(2 << 16, extent), ratio(-sum, extent));
-            let row = image.combined(a, w, b);
+            let row = image.linear_combination(a, w, b);
             // Each part by itself too: the other may bring a saturated one back into range.
             if [row, image.times(a), w.times(b)].iter().any(|row| row.offset.abs() >= SATURATED) {
                 return Err(ProjectionError::WindowTooSmall);

@@ -163,7 +163,7 @@ fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(R
     let sum = i64::from(low.to_bits()) + i64::from(high.to_bits()); // twice the centre
     let slope = ratio(sum - 2 * p, 2 * pn.unsigned_abs());
     let straight = row(axis, (1, 0), -(sum << 15));
-    Ok((straight.combined(ONE, &row(2, slope, 0), ONE), extent))
+    Ok((straight.linear_combination(ONE, &row(2, slope, 0), ONE), extent))
 }
 
 /// The row, unless its constant was saturated.

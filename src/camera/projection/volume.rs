@@ -38,7 +38,7 @@ impl Projection {
     /// [`NearNotPositive`](ProjectionError::NearNotPositive),
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
     /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn perspective(
         fov_y: Angle,
         aspect: Size,
@@ -111,7 +111,7 @@ impl Projection {
     }
 
     /// The rows d and w of a frustum: `d = (f·(−z) − f·n)/(f − n)`, `w = −z`.
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     const fn by_distance(x: &Row, y: &Row, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
         if near.to_bits() <= 0 {
             return Err(ProjectionError::NearNotPositive);

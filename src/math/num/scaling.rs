@@ -3,7 +3,7 @@
 use super::bits::min;
 
 /// `v · 2^shift`, saturating to the left at ±(2⁶³ − 1), rounded to nearest (ties up) to the right.
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn scale(v: i64, shift: i32) -> i64 {
     if shift >= 0 {
         let room = v.unsigned_abs().leading_zeros() as i32 - 1; // bits left of |v| below bit 63: of 0, all 63
