@@ -1,5 +1,5 @@
-//! Numbers, angles, points and affine transforms. Imports nothing else of the crate but the tags
-//! of [`space`](crate::space).
+//! Numbers, angles, points and affine transforms, in integers. Of the crate it imports only the tags of
+//! [`space`](crate::space).
 
 mod affine;
 mod angle;

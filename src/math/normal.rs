@@ -1,4 +1,4 @@
-//! Normals under an affine transform.
+//! The normal matrix of an affine transform.
 
 use super::affine::cofactors;
 use super::hints::opaque_next;
@@ -8,10 +8,10 @@ use super::Affine;
 use crate::space::SceneSpace;
 use core::marker::PhantomData;
 
-/// What a transform does to surface normals: the inverse transpose, up to a positive factor.
+/// The normal matrix: the inverse transpose of a transform's linear part, up to a positive factor. It maps normals of surfaces.
 ///
-/// It is computed from the cofactors, so it exists even where the transform has no inverse; where
-/// the transform mirrors, normals keep pointing outwards. (Turkowski, *Transformations of surface
+/// It is computed from the cofactors, so it exists even for singular transforms. Under a reflection normals keep pointing
+/// outwards. (Turkowski, *Transformations of surface
 /// normal vectors*, 1990.)
 ///
 /// ```
@@ -36,12 +36,12 @@ impl<A, B> Clone for NormalMatrix<A, B> {
 impl<A, B> Copy for NormalMatrix<A, B> {}
 
 impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
-    /// The map for normals: [`NormalMatrix`] has an example. For light, [`Lambert`](crate::Lambert) takes it itself.
+    /// The normal matrix of this transform: see [`NormalMatrix`] for an example. [`Lambert`](crate::Lambert) computes it itself.
     #[inline(never)] // set-up: code size counts, speed does not
     pub fn normals(&self) -> NormalMatrix<A, B> {
         let (linear, _) = self.linear();
         let (mut rows, _) = cofactors(linear);
-        // The determinant's sign; three products of at most 2⁶⁰.
+        // The sign of the determinant: three products of at most 2⁶⁰.
         if dot(&linear[0], &rows[0]) < 0 {
             let mut i = 0;
             while let Some(c) = rows.as_flattened_mut().get_mut(i) {
@@ -67,7 +67,7 @@ impl<A, B> NormalMatrix<A, B> {
     }
 }
 
-/// A unit vector from 2⁻³⁰ to 2⁻¹⁵, rounded to nearest; +1 becomes 32767.
+/// A unit vector in 2⁻³⁰ as Q0.15, rounded to nearest; +1 becomes 32767.
 pub(crate) fn to_q15(unit: [i32; 3]) -> [i16; 3] {
     unit.map(|c| ((c + (1 << 14)) >> 15).min(32_767) as i16)
 }

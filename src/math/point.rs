@@ -1,4 +1,4 @@
-//! Points and vectors that know their space.
+//! Points and vectors, tagged with their space.
 
 use super::{NumberError, Scalar};
 use core::marker::PhantomData;
@@ -108,7 +108,7 @@ macro_rules! coordinates {
 coordinates!(Point3);
 coordinates!(Vector3);
 
-/// The f32 door for vectors as sensor filters deliver them: as [`Vector3::from_f32`].
+/// From a vector of `micromath`, as sensor filters deliver it: rounded like [`Vector3::from_f32`].
 ///
 /// # Errors
 ///
@@ -127,7 +127,7 @@ mod tests {
     use crate::space::World;
 
     #[test]
-    fn the_float_door_rounds_and_refuses() {
+    fn floats_are_rounded_to_nearest_and_refused_out_of_range() {
         let p = |v| Point3::<World>::from_f32(v, 0.0, 0.0).map(|p| p.bits()[0]);
         assert_eq!(p(1.0 / 131_072.0), Ok(1)); // a tie, away from zero
         assert_eq!(p(-1.0 / 131_072.0), Ok(-1));

@@ -1,4 +1,4 @@
-//! A linear form over a space: the stuff of matrices.
+//! Rows of matrices: linear forms with an exponent (block floating point).
 
 use super::hints::{keep_rolled, opaque_next};
 use super::num::{
@@ -17,8 +17,8 @@ pub(crate) struct Row {
     pub(crate) offset: i64,
 }
 
-/// Brings sums of products to 30 bits and one exponent, which it returns: rounded to nearest, so each
-/// coefficient is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
+/// Scales sums of products to 30 bits with one exponent, which it returns. Rounded to nearest: each coefficient is within 2⁻³⁰ of
+/// the block's largest (2⁻³¹ just below a power of two).
 #[inline(never)] // set-up: code size counts, speed does not; slices keep the loops rolled
 pub(crate) const fn block_scaled(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
@@ -35,7 +35,7 @@ pub(crate) const fn block_scaled(sums: &[i64], exponent: i32, linear: &mut [i32]
     }
 }
 
-/// Three forms whose coefficients share an exponent: coordinates of another space.
+/// Three rows whose coefficients share an exponent: an affine map to another space.
 pub(crate) struct RowBlock {
     /// Each at most 2³⁰ in absolute value.
     pub(crate) linear: [[i32; 3]; 3],
@@ -45,7 +45,7 @@ pub(crate) struct RowBlock {
     pub(crate) offset: [i64; 3],
 }
 
-/// All three of them on a vector in 2⁻³²: in 2⁻³², saturating.
+/// The affine map of three rows at a point in 2⁻³²: in 2⁻³², saturating.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) fn transform_point(
     linear: &[[i32; 3]; 3],
@@ -57,8 +57,8 @@ pub(crate) fn transform_point(
     [evaluate(x, exponent, p, a), evaluate(y, exponent, p, b), evaluate(z, exponent, p, c)]
 }
 
-/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating. The products are summed exactly:
-/// those that cancel each other may be far larger than what is left.
+/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating. The products are summed
+/// exactly, because they may be far larger than their sum.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) fn evaluate(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
     let (mut sum, mut i) = (Accumulator::ZERO, 0);
@@ -69,8 +69,8 @@ pub(crate) fn evaluate(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i
     add(offset, sum.scaled(exponent - 30))
 }
 
-/// Forms of one homogeneous point over a vector in 2⁻³²: in units of 2^(shift − 32), and that shift, which is 0 where
-/// none of them can pass 2⁶¹. None saturates.
+/// Homogeneous coordinates of a point in 2⁻³²: in units of 2^(shift − 32), and the shift, which is 0 where no coordinate can exceed
+/// 2⁶¹. None saturates.
 pub(crate) fn homogeneous<const N: usize>(rows: &[Row; N], p: &[i64; 3]) -> ([i64; N], i32) {
     let reach = shift_to_fit(bits_of(p), 0);
     let shift = rows.iter().fold(0, |shift, row| max(shift, row.overflow(reach)));
@@ -87,8 +87,8 @@ impl Row {
         row
     }
 
-    /// By how many bits the form, or a part of it, may pass 2⁶¹ (half of what saturates) over vectors
-    /// of up to `reach` bits.
+    /// By how many bits the form, or one of its terms, may exceed 2⁶¹ (half of the saturation limit) over vectors of up to
+    /// `reach` bits.
     pub(crate) fn overflow(&self, reach: i32) -> i32 {
         let bits = magnitude(&self.linear);
         // Three products.
@@ -96,12 +96,12 @@ impl Row {
         linear.max(shift_to_fit(self.offset.unsigned_abs(), 0)) - 60
     }
 
-    /// The form on a vector in 2⁻³²: in 2⁻³², saturating.
+    /// Evaluates the form at a vector in 2⁻³²: in 2⁻³², saturating.
     pub(crate) fn apply(&self, p: &[i64; 3]) -> i64 {
         evaluate(&self.linear, self.exponent, p, self.offset)
     }
 
-    /// This form over what `inner` starts from. All of it is first taken times 2^−`shift`.
+    /// Composes this form, scaled by 2^−`shift`, with `inner`: a row of the matrix product.
     pub(crate) fn compose(&self, inner: &RowBlock, shift: i32, into: &mut Self) {
         let own = self.exponent - shift;
         into.offset = evaluate(&self.linear, own, &inner.offset, scale(self.offset, -shift));

@@ -1,4 +1,4 @@
-//! Directions of length one, by block scaling: right for tiny and huge vectors alike.
+//! Normalised vectors, by block scaling: as accurate for tiny vectors as for huge ones.
 
 use super::hints::opaque_next;
 use super::num::{bits_of, fraction, scale, shift_to_fit, sqrt};
@@ -16,7 +16,7 @@ const fn block_scaled(v: &[i64; 3]) -> [i32; 3] {
     scaled
 }
 
-/// ±2³¹ at most.
+/// 2³¹ as the largest `i32`; all smaller numbers unchanged.
 const fn clamp_to_i32(v: i64) -> i32 {
     (v - (v == 1 << 31) as i64) as i32
 }
@@ -31,7 +31,7 @@ pub(crate) const fn normalise(v: &[i64; 3]) -> [i32; 3] {
     [unit_component(x, length), unit_component(y, length), unit_component(z, length)]
 }
 
-/// Whether that was the zero vector.
+/// Whether `unit` is zero, which [`normalise`] returns for the zero vector.
 pub(crate) const fn is_zero(unit: &[i32; 3]) -> bool {
     unit[0] | unit[1] | unit[2] == 0
 }

@@ -25,7 +25,7 @@ pub(crate) const fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     a as i64 * x as i64 + b as i64 * y as i64 + c as i64 * z as i64
 }
 
-/// The rows as columns.
+/// The transpose of a matrix.
 pub(crate) const fn transposed([x, y, z]: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
