@@ -1,28 +1,27 @@
-//! Any projective matrix, as it is.
+//! Projections given as a 4 × 4 matrix.
 
 use super::{Projection, ProjectionError};
 use crate::math::float::{coefficients, mantissa_and_exponent, row_from_f64};
 
-/// `a·s + b·t`. Indexed by constants only: not even without inlining is there a bounds check.
+/// `a·s + b·t`. Constant indices need no bounds checks, even where the function is not inlined.
 fn sum(a: &[f64; 4], s: f64, b: &[f64; 4], t: f64) -> [f64; 4] {
     [a[0] * s + b[0] * t, a[1] * s + b[1] * t, a[2] * s + b[2] * t, a[3] * s + b[3] * t]
 }
 
 impl Projection {
-    /// A matrix from view to clip space, row by row, for column vectors: visible points must have
-    /// w > 0 and −w ≤ x, y, z ≤ w, near at z = −w. It stands for itself times any positive factor.
+    /// From a row-major matrix, view to clip space, for column vectors: visible points must have w > 0 and −w ≤ x, y, z ≤ w, with the near
+    /// plane at z = −w. A positive factor of the whole matrix changes nothing.
     ///
-    /// The rows x, y, w and (z + w)/2 are kept: each row's coefficients are rounded to 30 bits of its
-    /// largest, and its constant to 2⁻⁴² of the matrix's largest coefficient or 2⁻⁵⁸ of its largest
-    /// constant, whichever is more.
+    /// The rows x, y, w and (z + w)/2 are stored: each row's coefficients are rounded to 30 bits of its
+    /// largest, and its constant to the larger of 2⁻⁴² of the matrix's largest coefficient and 2⁻⁵⁸ of its largest constant.
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::Matrix`] for NaN and infinities, and where all is zero.
+    /// [`ProjectionError::Matrix`] if a number is NaN or infinite, or all are zero.
     ///
     /// ```
     /// use pinhole::{space::View, Point3, Projection, ProjectionError};
-    /// // A reverse perspective: what is farther away is larger. w = 1 + z/8.
+    /// // A reverse perspective, in which distant objects are larger: w = 1 + z/8.
     /// let reverse =
     ///     [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, -0.25, -1.0], [0.0, 0.0, 0.125, 1.0]];
     /// let lens = Projection::from_matrix(&reverse)?;
@@ -50,7 +49,7 @@ impl Projection {
             (Some(m), Some(c)) => (10 - m).min(26 - c),
         };
         let [x, y, z, w] = matrix;
-        // d = (z + w)/2 where f64 is exact or nearly so: rounded to 30 bits only once.
+        // d = (z + w)/2 in f64, exact or nearly so, so that it is rounded to 30 bits only once.
         let d = sum(z, 0.5, w, 0.5);
         let all =
             (row_from_f64(x, shift), row_from_f64(y, shift), row_from_f64(&d, shift), row_from_f64(w, shift));
@@ -58,9 +57,8 @@ impl Projection {
         Ok(Self { rows: [x, y, d, w] })
     }
 
-    /// The matrix as it is drawn with, up to a power of two that brings the largest number of the last row to
-    /// between ½ and 1. Exact but for z, which is computed from (z + w)/2 and rounded to 53 bits where it needs
-    /// more; [`from_matrix`](Self::from_matrix) reads it back.
+    /// The row-major matrix that the camera uses, scaled by a power of two so that the largest number of its last row is ½ to 1. Exact but
+    /// for the row z, which is computed from (z + w)/2 and rounded to 53 bits. [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, d, w] = &self.rows;
         let largest = coefficients(w, 0).into_iter().fold(0.0f64, |a, b| a.max(b.abs()));

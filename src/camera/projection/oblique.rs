@@ -1,12 +1,12 @@
-//! Oblique parallel projections: a face keeps its shape, depth recedes at an angle.
+//! Oblique parallel projections: faces parallel to the view plane keep their shape, the z axis recedes at an angle.
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
 use crate::math::{Angle, Row, Scalar};
 
 impl Projection {
-    /// Parallel projectors that cut the plane z = 0 at a slant: a unit of depth recedes by
-    /// `factor` units in the direction `angle` (from the x axis, towards y):
+    /// An oblique projection onto the plane z = 0: a unit along −z appears as `factor` units in the direction `angle`, measured from the x
+    /// axis towards y:
     ///
     /// ```text
     ///     x_p = x − factor·cos(angle)·z,   y_p = y − factor·sin(angle)·z
