@@ -1,14 +1,14 @@
-//! Ambient and Lambert light, per face or per vertex.
+//! Ambient and diffuse (Lambert) lighting, per face or per vertex.
 
 use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::{to_q15, Affine, NormalMatrix, Vector3};
 use crate::space::{Model, World};
 
-/// One directional light and an ambient part, made ready for one object.
+/// One directional light and ambient light, set up for one object.
 ///
-/// Normals go through the inverse transpose of the model transform. Where that is a rotation with a uniform scale,
-/// the light is brought to the model instead, and a face costs three products. (Lambert's law: Foley et al.,
+/// Normals go through the inverse transpose of the model transform. If that is conformal (a
+/// rotation or reflection with uniform scale), the light direction is transformed to model space instead, and a normal costs three products. (Lambert's law: Foley et al.,
 /// *Computer Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
 ///
 /// ```
@@ -23,39 +23,39 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lambert {
-    /// Towards the light, in 2⁻¹⁵, as long as the light is strong that the ambient part leaves: of the model when the
-    /// transform keeps angles, of the world otherwise.
+    /// The direction towards the light in 2⁻¹⁵, times the share of light that is not ambient: in model space if the transform is conformal,
+    /// otherwise in world space.
     towards: [i16; 3],
-    /// The way of normals to the world, where the transform bends angles.
+    /// The normal matrix to world space, if the transform is not conformal.
     normal_matrix: Option<NormalMatrix<Model, World>>,
-    /// The ambient part in 2⁻²² of a level, and the half that rounds.
+    /// Ambient light in 2⁻²² of a level, plus the half that rounds.
     ambient: u32,
 }
 
-/// Why there is no light.
+/// Why a light cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LightError {
-    /// The direction towards the light has length zero: give any vector towards it.
+    /// The direction towards the light has length zero: give a vector of any other length.
     ZeroDirection,
 }
 
 impl core::fmt::Display for LightError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the direction towards the light has length zero")
+        f.write_str("the direction towards the light has length zero: give a vector that points to the light")
     }
 }
 
 impl core::error::Error for LightError {}
 
 impl Lambert {
-    /// Light from the direction `towards_light` (any length) on an object placed by `model`; `ambient`/256 of full
-    /// light everywhere (more than 256 counts as 256).
+    /// Sets up light from the direction `towards_light` (world space, any length) on an object with the transform `model`, plus ambient light of
+    /// `ambient`/256 of full light (more than 256 counts as 256).
     ///
     /// # Errors
     ///
-    /// [`LightError::ZeroDirection`] where `towards_light` has length zero.
-    #[inline(never)] // set-up: its numbers are off the stack when it returns
+    /// [`LightError::ZeroDirection`] if `towards_light` has length zero.
+    #[inline(never)] // set-up: its stack frame is gone before faces are drawn
     pub fn new(
         model: &Affine<Model, World>,
         towards_light: Vector3<World>,
@@ -105,7 +105,7 @@ impl Lambert {
         self.level_in_light_space(a, b, c)
     }
 
-    /// The light where the normal is in the light's own space.
+    /// The light for a normal in the space of the light direction.
     #[inline(always)]
     fn level_in_light_space(&self, a: i16, b: i16, c: i16) -> u16 {
         let ([a, b, c], [x, y, z]) = ([a, b, c].map(i32::from), self.towards.map(i32::from));
@@ -133,8 +133,8 @@ impl Lambert {
     }
 }
 
-/// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
-/// of light.
+/// Whether the transform is conformal: rows are orthogonal and of equal length, to 2⁻¹⁰, so that errors of angles change light by less than
+/// a level.
 fn is_conformal([x, y, z]: &[[i32; 3]; 3]) -> bool {
     let length = dot(x, x); // 3·2⁶⁰ at most, as all
     let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
