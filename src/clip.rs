@@ -1,8 +1,8 @@
-//! Cutting lines and polygons at planes in homogeneous coordinates, before the divide.
+//! Clipping of lines and polygons against planes in homogeneous coordinates, before the perspective divide.
 //!
-//! The pipeline cuts at the near plane, the guard band and, on request, the far plane, and leaves
-//! the sides to the rasteriser. For those who want the clipped geometry itself, [`line()`] and
-//! [`triangle`] cut at all six planes of the view volume, attributes and all.
+//! The pipeline clips against the near plane, the guard band and, on request, the far plane; the rasteriser's scissor does the rest. For
+//! callers who need clipped geometry, [`line()`] and [`triangle`] clip against all six planes of the view volume and interpolate
+//! attributes.
 //!
 //! ```
 //! use pinhole::{clip, space::View, Point3, Projection, Scalar, Window};
@@ -17,57 +17,58 @@
 //! # Ok::<(), pinhole::ProjectionError>(())
 //! ```
 
-use crate::math::num::{after, fraction};
+use crate::math::hints::opaque_next;
+use crate::math::num::fraction;
 use crate::math::{ClipCoords, ClipPoint};
 use heapless::Vec;
 
-/// A triangle cut by six planes has at most 3 + 6 corners.
+/// The most corners of a triangle clipped against six planes: 3 + 6.
 pub const CORNERS: usize = 9;
 
-/// PixelLayout for the corners of a polygon while a plane cuts it: it finds at most `CORNERS − 1`, and adds two before it takes
-/// away any.
+/// Slots for a polygon's corners while a plane clips it: a plane finds at most `CORNERS − 1` corners, and adds two before it removes
+/// any.
 pub(crate) const CLIP_SLOTS: usize = CORNERS + 1;
 
-/// The places of a polygon's corners, in their order.
+/// The corners of a polygon, in order, by slot number.
 pub(crate) type Order = Vec<u8, CORNERS>;
 
-/// Corners in numbered places, before planes. They may be any points that vary linearly along an edge: the
-/// clipper knows no more of them than this.
+/// Corners in numbered slots, with their distances from clip planes. The clipper needs nothing else, so corners may be any points that vary
+/// linearly along an edge.
 pub(crate) trait Cut {
-    /// How far corner `at` lies from a plane, negative outside. Two ends of an edge that is cut are less than 2⁶²
-    /// apart.
+    /// The signed distance of the corner in slot `at` from a plane, negative outside. The distances of the two ends of an intersected edge
+    /// differ by less than 2⁶².
     fn distance(&self, plane: usize, at: usize) -> i64;
 
-    /// Puts the point `t`·2⁻³¹ of the way from one corner to another into place `at`, which may be one of theirs.
+    /// Stores the point at parameter `t`·2⁻³¹ from corner `inside` to corner `outside` in slot `at`, which may be one of theirs.
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32);
 }
 
-/// `a + (b − a)·t·2⁻³¹`, rounded to nearest.
-fn between(a: i32, b: i32, t: i32) -> i32 {
+/// Linear interpolation `a + (b − a)·t·2⁻³¹`, rounded to nearest, for 0 ≤ t < 2³¹.
+fn lerp(a: i32, b: i32, t: i32) -> i32 {
     let way = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
     let moved = (way * i64::from(t) + (1 << 30)) >> 31;
     a.wrapping_add(moved as i32) // between a and b
 }
 
 impl ClipCoords {
-    /// For places not yet taken.
+    /// The initial value of free slots.
     pub(crate) const ZERO: Self = Self { xydw: [0; 4] };
 
-    /// Puts the point `t`·2⁻³¹ of the way from one of the places to another into a third, or one of the two: number by
-    /// number, each read before it is written.
+    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two: coordinate by
+    /// coordinate, each read before it is written.
     pub(crate) fn put(places: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
         let mut i = 0;
         let number = |places: &[Self], place: usize, i: usize| places.get(place)?.xydw.get(i).copied();
         while let (Some(a), Some(b)) = (number(places, inside, i), number(places, outside, i)) {
             let Some(number) = places.get_mut(at).and_then(|place| place.xydw.get_mut(i)) else { return };
-            *number = between(a, b, t);
-            i = after(i);
+            *number = lerp(a, b, t);
+            i = opaque_next(i);
         }
     }
 }
 
-/// What a corner of a face keeps when the face is clipped: any value that is linear in space, such as a colour.
-/// Only custom [`Shader`](crate::Shader)s need it; most take [`Barycentric`].
+/// A varying: a per-corner value that is linear in space, such as a colour or a texture coordinate, and is interpolated when a face is
+/// clipped. Custom [`Shader`](crate::Shader)s name one; most use [`Barycentric`].
 ///
 /// ```
 /// use pinhole::clip::{Barycentric, Varying};
@@ -75,10 +76,10 @@ impl ClipCoords {
 /// assert_eq!(a.towards(&b, 1 << 29).weights(), [3 << 28, 1 << 28, 0]); // a quarter of the way
 /// ```
 pub trait Varying: Copy {
-    /// What corner 0, 1 or 2 of the whole face carries.
+    /// The value at corner 0, 1 or 2 of the unclipped face.
     fn of(corner: usize) -> Self;
 
-    /// What the point carries that lies `t`·2⁻³¹ of the way to `other`, 0 ≤ t < 2³¹.
+    /// The value at parameter `t`·2⁻³¹ from this point to `other`, 0 ≤ t < 2³¹.
     #[must_use]
     fn towards(&self, other: &Self, t: i64) -> Self;
 }
@@ -89,14 +90,15 @@ impl Varying for () {
     fn towards(&self, (): &(), _: i64) {}
 }
 
-/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each cut rounds the first
-/// two to nearest; the third is what they leave of 1, so that it may be off by twice as much.
+/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each clip plane rounds the first two to
+/// nearest; the third is 1 minus their sum, so its error is up to twice as large.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Barycentric([i32; 2]);
 
 impl Barycentric {
-    /// One weight per corner, together 2³⁰: 0 … 2³⁰, and of the third −6 … 2³⁰ + 6, a unit for each plane that may cut.
+    /// One weight per corner, whose sum is 2³⁰. The first two are 0 … 2³⁰; the third is −6 … 2³⁰ + 6, an error of one for each of six clip
+    /// planes.
     pub const fn weights(self) -> [i32; 3] {
         let [a, b] = self.0;
         [a, b, (1 << 30) - a - b] // a, b: 0 … 2³⁰
@@ -110,15 +112,14 @@ impl Varying for Barycentric {
 
     fn towards(&self, other: &Self, t: i64) -> Self {
         let ([a, b], [p, q], t) = (self.0, other.0, t as i32); // below 2³¹
-        Self([between(a, p, t), between(b, q, t)])
+        Self([lerp(a, p, t), lerp(b, q, t)])
     }
 }
 
-/// Puts into place `at` where the edge between two corners passes a plane. Always computed from the inner
-/// end, so that both neighbours of an edge get the same point. The parameter has 31 bits and each
-/// coordinate is rounded to nearest: within one unit and 2⁻³¹ of the edge's extent.
-#[inline(never)] // rare: small is better
-fn cut(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
+/// Stores the intersection of an edge with a plane in slot `at`. It is computed from the inside end, so that both faces at an edge get the
+/// same point. The parameter has 31 bits and each coordinate is rounded to nearest: within one unit plus 2⁻³¹ of the edge's extent.
+#[inline(never)] // rare path: code size counts, speed does not
+fn intersect_edge(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
     let way = within - corners.distance(plane, outside);
@@ -126,19 +127,19 @@ fn cut(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: 
     corners.put(at, inside, outside, t);
 }
 
-/// Whether a corner lies outside of a plane: 1, or 0.
+/// 1 if a corner lies outside of a plane, otherwise 0.
 fn is_outside(corners: &impl Cut, plane: usize, at: usize) -> u32 {
     (corners.distance(plane, at) < 0).into()
 }
 
-/// Leaves of the line from corner 0 to corner 1 the part inside all planes, and tells whether they took any of it, or
-/// `None` if they took it all: Cohen–Sutherland in homogeneous coordinates. (Newman and Sproull, *Principles of
+/// Clips the line from corner 0 to corner 1 against all planes. Returns whether it was clipped, or `None` if nothing is left: Cohen–Sutherland
+/// in homogeneous coordinates. (Newman and Sproull, *Principles of
 /// Interactive Computer Graphics*, 2nd ed., section 5.1.)
 pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
     let (mut crosses, mut cuts, mut plane) = (false, false, 0);
     loop {
         if plane >= planes {
-            // Nothing is cut before it is known that no plane has both ends beyond it.
+            // Intersections are computed only once no plane has both ends outside.
             if cuts || !crosses {
                 return Some(crosses);
             }
@@ -151,47 +152,47 @@ pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
                 crosses = true;
                 if cuts {
                     let (inside, outside) = (2 - sides as usize, sides as usize - 1);
-                    cut(corners, plane, outside, inside, outside);
+                    intersect_edge(corners, plane, outside, inside, outside);
                 }
             }
         }
-        plane = after(plane);
+        plane = opaque_next(plane);
     }
 }
 
-/// A convex polygon grows by at most one corner a plane, so there is room; if rounding should bend
-/// one, the corner too many is left out, here or where there is no place for it.
-fn add(polygon: &mut Order, corner: u8) {
+/// Appends a corner. A convex polygon gains at most one corner per plane, so there is room; should rounding make it concave, excess corners
+/// are dropped.
+fn push_corner(polygon: &mut Order, corner: u8) {
     let _ = polygon.push(corner); // one of `CLIP_SLOTS`
 }
 
-/// Which corners of a polygon lie outside of a plane: a bit for each place.
-#[inline(never)] // rare: small is better
-fn beyond(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
+/// The corners of a polygon that lie outside of a plane: one bit per slot.
+#[inline(never)] // rare path: code size counts, speed does not
+fn outside_mask(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
     polygon.iter().fold(0, |bits, &at| bits | is_outside(corners, plane, at.into()) << (at & 31))
 }
 
-/// Makes `polygon` the part of the triangle of corners 0, 1 and 2 inside all planes, and tells whether they took any of it;
-/// fewer than three corners when nothing is left. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
+/// Clips the triangle of corners 0, 1 and 2 against all planes, into `polygon`, which has fewer than three corners if nothing is left. Returns
+/// whether it was clipped. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
 pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut Order) -> bool {
     polygon.clear();
-    (0..3).for_each(|corner| add(polygon, corner));
-    let mut taken = 0b111u32; // places, a bit each
+    (0..3).for_each(|corner| push_corner(polygon, corner));
+    let mut taken = 0b111u32; // occupied slots, one bit each
     let mut crossed = false;
-    // Nothing is cut before it is known that no plane has all of it beyond.
+    // Intersections are computed only once no plane has the whole triangle outside.
     let mut plane = 0;
     while plane < planes {
-        let beyond = beyond(corners, polygon, plane);
+        let beyond = outside_mask(corners, polygon, plane);
         crossed |= beyond != 0;
         if beyond == taken {
             polygon.clear();
             return true;
         }
-        plane = after(plane);
+        plane = opaque_next(plane);
     }
     let mut plane = if crossed { 0 } else { planes };
     while plane < planes {
-        let beyond = beyond(corners, polygon, plane);
+        let beyond = outside_mask(corners, polygon, plane);
         let is_beyond = |at: u8| beyond >> (at & 31) & 1 != 0;
         let Some(&(mut from)) = polygon.last() else { break };
         let mut kept = Order::new();
@@ -201,41 +202,40 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut O
                 if free < CLIP_SLOTS {
                     taken |= 1 << free;
                     let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
-                    cut(corners, plane, free, inside.into(), outside.into());
-                    add(&mut kept, free as u8);
+                    intersect_edge(corners, plane, free, inside.into(), outside.into());
+                    push_corner(&mut kept, free as u8);
                 }
             }
             if !is_beyond(to) {
-                add(&mut kept, to);
+                push_corner(&mut kept, to);
             }
             from = to;
         }
         (*polygon, taken) = (kept, taken & !beyond);
-        plane = after(plane);
+        plane = opaque_next(plane);
     }
     crossed
 }
 
-/// A corner in clip space with what varies over a face: colours, texture coordinates, …. For [`triangle`].
+/// A vertex in clip space with `A` attributes that vary linearly over a face: colours, texture coordinates. For [`triangle`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipVertex<const A: usize> {
-    /// Where it is.
+    /// The position.
     pub point: ClipPoint,
-    /// What it carries, in any unit: all of an `i32`. Interpolated linearly in clip space, hence linearly in
-    /// space; rounded to nearest, from a place on the edge of 31 bits: within 1 of the edge's own where its ends are less than
-    /// 2³¹ apart.
+    /// The attributes, in any unit and over all of `i32`. Interpolated linearly in clip space, hence linearly in space, with a parameter of
+    /// 31 bits, and rounded to nearest: within 1 of the exact value if the two ends differ by less than 2³¹.
     pub attributes: [i32; A],
 }
 
-/// x, y, z, w in units that all points of a line or triangle share, and attributes.
+/// x, y, z, w with an exponent common to all points of a line or triangle, and attributes.
 #[derive(Clone, Copy)]
-struct Aligned<const A: usize> {
+struct AlignedVertex<const A: usize> {
     xyzw: [i32; 4],
     attributes: [i32; A],
 }
 
-impl<const A: usize> Aligned<A> {
+impl<const A: usize> AlignedVertex<A> {
     fn new(point: &ClipPoint, exponent: i32, attributes: [i32; A]) -> Self {
         Self { xyzw: point.in_units(exponent), attributes }
     }
@@ -243,14 +243,14 @@ impl<const A: usize> Aligned<A> {
     fn towards(mut self, other: &Self, t: i32) -> Self {
         let ends = self.xyzw.iter_mut().zip(&other.xyzw);
         for (a, &b) in ends.chain(self.attributes.iter_mut().zip(&other.attributes)) {
-            *a = between(*a, b, t);
+            *a = lerp(*a, b, t);
         }
         self
     }
 }
 
-/// Corners before the six planes of the view volume, in the order of [`Outcode`](crate::Outcode)'s bits.
-impl<const A: usize, const N: usize> Cut for [Aligned<A>; N] {
+/// Distances from the six planes of the view volume, in the order of the bits of [`Outcode`](crate::Outcode).
+impl<const A: usize, const N: usize> Cut for [AlignedVertex<A>; N] {
     fn distance(&self, plane: usize, at: usize) -> i64 {
         let [x, y, z, w] = self.get(at).map_or([0; 4], |p| p.xyzw.map(i64::from));
         match plane {
@@ -273,23 +273,22 @@ impl<const A: usize, const N: usize> Cut for [Aligned<A>; N] {
     }
 }
 
-/// The part of a line inside the view volume −w ≤ x, y, z ≤ w, or `None`. Its new ends are within
-/// 2⁻²⁷ of the larger end's coordinates, or, where the line runs nearly along a plane, within eight
-/// times what moving its ends by 2⁻³⁰ does; the order of the ends changes neither.
+/// Clips a line against the view volume −w ≤ x, y, z ≤ w; `None` if it is outside. New ends are within 2⁻²⁷ of the larger end's coordinates
+/// or, if the line is nearly parallel to a plane, within eight times the displacement that an error of 2⁻³⁰ in its ends causes. Exchanging
+/// the ends gives the same points.
 /// (Cohen–Sutherland in homogeneous coordinates: Foley et al., *Computer Graphics*, 2nd ed.,
 /// section 6.5.4.)
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     let exponent = a.exponent().max(b.exponent());
-    let mut ends = [a, b].map(|p| Aligned::new(&p, exponent, []));
+    let mut ends = [a, b].map(|p| AlignedVertex::new(&p, exponent, []));
     let inside = line_at(&mut ends, 6).is_some();
     let [a, b] = ends.map(|p| ClipPoint::from_units(p.xyzw, exponent));
     inside.then_some((a, b))
 }
 
-/// The part of a triangle inside the view volume −w ≤ x, y, z ≤ w: a convex polygon of up to nine
-/// corners in the triangle's order, empty where nothing is inside. New corners are within 2⁻²⁷ of
-/// the largest corner's coordinates but where edges run nearly along planes, and neighbours that share an edge get the
-/// same ones.
+/// Clips a triangle against the view volume −w ≤ x, y, z ≤ w: the result is a convex polygon of up to nine vertices in the triangle's
+/// order, empty if the triangle is outside. New vertices are within 2⁻²⁷ of the largest vertex's coordinates, except on edges nearly
+/// parallel to a plane. Triangles that share an edge get the same new vertices on it.
 /// (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
 ///
 /// ```
@@ -297,12 +296,12 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// let one = Scalar::from_num(1);
 /// let window = Window { left: -one, right: one, bottom: -one, top: one };
 /// let view = Projection::orthographic(window, one, Scalar::from_num(3))?;
-/// // Twice as wide as the window, and what it carries runs from 0 to 200.
+/// // Twice as wide as the window, with an attribute from 0 to 200.
 /// let corner = |x, y, light| {
 ///     ClipVertex { point: view.apply(Point3::<View>::from_ints(x, y, -2)), attributes: [light] }
 /// };
 /// let part = clip::triangle([corner(-2, 0, 0), corner(2, 0, 200), corner(0, 1, 100)]);
-/// // Its sharp ends are gone, at heights of ½.
+/// // Its left and right ends are clipped, at a height of ½.
 /// let corners: Vec<_> = part.iter().map(|c| (c.point.ndc().unwrap(), c.attributes[0])).collect();
 /// assert_eq!(corners.len(), 5);
 /// assert!(corners.contains(&(Point3::from_ints(-1, 0, 0), 50)));
@@ -311,7 +310,7 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 /// ```
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);
-    let [a, b, c] = corners.map(|c| Aligned::new(&c.point, exponent, c.attributes));
+    let [a, b, c] = corners.map(|c| AlignedVertex::new(&c.point, exponent, c.attributes));
     let mut places = [a; CLIP_SLOTS];
     (places[1], places[2]) = (b, c);
     let mut result = Vec::new();
@@ -321,7 +320,7 @@ pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A
         return result;
     }
     for corner in polygon.iter().filter_map(|&at| places.get(usize::from(at))) {
-        // As many as the polygon can have.
+        // A polygon has at most `CORNERS` vertices.
         let _ = result.push(ClipVertex {
             point: ClipPoint::from_units(corner.xyzw, exponent),
             attributes: corner.attributes,

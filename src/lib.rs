@@ -23,7 +23,7 @@ pub use camera::{
     Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 pub use math::{
-    Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMap, NumberError,
+    Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMatrix, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use pipeline::{

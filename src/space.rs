@@ -1,4 +1,4 @@
-//! The spaces a coordinate can be in, as tags: mixing two of them does not compile.
+//! Coordinate spaces as type tags: code that mixes two spaces does not compile.
 //!
 //! | space | unit | axes |
 //! |---|---|---|
@@ -8,10 +8,10 @@
 //! | [`Canonical`] | – | −1 ≤ x, y ≤ 1 and −1 ≤ z ≤ 0, or x, y = ±z and −1 ≤ z < 0 |
 //! | [`Ndc`] | −1 … 1 | x right, y up, z from near (−1) to far (+1) |
 //!
-//! Clip and screen coordinates differ in their arithmetic too and are types of their own,
+//! Clip and screen coordinates have their own arithmetic, so they are separate types,
 //! [`ClipPoint`](crate::ClipPoint) and [`ScreenPoint`](crate::raster::ScreenPoint).
 //!
-//! A point of the world is no place for a point of a model:
+//! A transform from model space takes no point in world space:
 //!
 //! ```
 //! use pinhole::{space::{Model, World}, Affine, Point3};
@@ -24,7 +24,7 @@
 //! let _: Point3<World> = place.apply(Point3::<World>::from_ints(1, 2, 3));
 //! ```
 //!
-//! Transforms join only where their spaces meet:
+//! Transforms compose only if the first one's target is the second one's source:
 //!
 //! ```
 //! use pinhole::{space::{Model, World}, Affine, Angle};
@@ -37,7 +37,7 @@
 //! let _ = spin.then(&Affine::<World, World>::identity());
 //! ```
 //!
-//! Only a [`ViewTransform`](crate::ViewTransform) leads into view space:
+//! Only a [`ViewTransform`](crate::ViewTransform) maps to view space:
 //!
 //! ```
 //! use pinhole::{space::{Model, World}, Affine};
@@ -48,30 +48,29 @@
 //! let _ = Affine::<World, View>::identity();
 //! ```
 
-/// A space of the pipeline. Sealed: there are no others.
+/// A coordinate space of the pipeline. Sealed: no other type can implement it.
 pub trait Space: sealed::Sealed {}
 
-/// A space in which a scene is set up: [`Model`] or [`World`]. Transforms between these are free;
-/// all later arrows are single functions.
-pub trait SetUp: Space {}
+/// A space in which a scene is set up: [`Model`] or [`World`]. [`Affine`](crate::Affine) maps between these; each later space is reached by
+/// one function.
+pub trait SceneSpace: Space {}
 
-/// The mesh's own coordinates.
+/// Model space: the coordinates of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Model {}
 
-/// The scene's coordinates.
+/// World space: the coordinates of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum World {}
 
-/// The viewing reference coordinates u, v, n of the camera.
+/// View space: the coordinates u (right), v (up), n (towards the viewer) of the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum View {}
 
-/// A canonical view volume of the PRP-and-window viewing: see
-/// [`ReferenceVolume`](crate::ReferenceVolume).
+/// The space of a canonical view volume: see [`ReferenceVolume`](crate::ReferenceVolume).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Canonical {}
@@ -86,8 +85,8 @@ impl Space for World {}
 impl Space for View {}
 impl Space for Canonical {}
 impl Space for Ndc {}
-impl SetUp for Model {}
-impl SetUp for World {}
+impl SceneSpace for Model {}
+impl SceneSpace for World {}
 
 mod sealed {
     pub trait Sealed {}

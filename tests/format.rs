@@ -58,7 +58,7 @@ public_types![
     Model,
     Ndc,
     Node,
-    NormalMap<Plain, Plain>,
+    NormalMatrix<Plain, Plain>,
     NumberError,
     Outcode,
     Painter<Plain, 4, 4>,

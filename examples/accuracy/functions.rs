@@ -223,7 +223,7 @@ pub(crate) fn rotations() -> [Measured; 4] {
         let [w, x, y, z] = q.map(scalar);
         let real = q.map(f64::from);
         let square = real.iter().map(|c| c * c).sum::<f64>();
-        let kept = quaternion::Quaternion::new(w, x, y, z).map_or([0; 4], quaternion::Quaternion::parts);
+        let kept = quaternion::Quaternion::new(w, x, y, z).map_or([0; 4], quaternion::Quaternion::components);
         for (got, exact) in kept.iter().zip(real) {
             parts = parts.max((q30(*got) - exact / square.sqrt()).abs());
         }
@@ -358,7 +358,7 @@ pub(crate) fn normals() -> [Measured; 1] {
     // +1 itself has no place in 2⁻¹⁵.
     let ours = Affine::<Model, World>::identity().normals().apply([0, 0, i16::MAX]);
     worst = worst.max((f64::from(ours[2]) / 32_768.0 - 1.0).abs());
-    [Measured::new("`NormalMap::apply`", "1", worst, two(-15.0), "s2_normals")]
+    [Measured::new("`NormalMatrix::apply`", "1", worst, two(-15.0), "s2_normals")]
 }
 
 pub(crate) fn views() -> [Measured; 3] {

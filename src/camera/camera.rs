@@ -10,8 +10,8 @@ use crate::raster::GUARD_BAND;
 
 use embedded_graphics_core::primitives::Rectangle;
 
-/// ViewTransform, projection and viewport, folded into four linear forms: a mesh is [placed](Self::place) before it.
-/// [`MeshInstance::project`](crate::MeshInstance::project) says how exactly vertices land.
+/// View transform, projection and viewport, composed into one 4 × 4 matrix. [`place`](Self::place) joins it with a mesh and its model
+/// transform; [`MeshInstance::project`](crate::MeshInstance::project) documents the error of projected vertices.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -26,7 +26,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A camera that never moves can be a `const`: 224 bytes of flash, no set-up code, and wrong parameters do not
+/// A camera that never moves can be a `const`: it takes 224 bytes of flash and no set-up code, and wrong parameters do not
 /// compile.
 ///
 /// ```
@@ -46,46 +46,45 @@ use embedded_graphics_core::primitives::Rectangle;
 pub struct Camera {
     pub(super) axes: [[i32; 3]; 3],
     pub(super) eye: [i64; 3],
-    /// x, y, d, w.
+    /// The rows x, y, d, w over view coordinates.
     pub(super) rows: [Row; 4],
-    /// Where these two are parallel.
+    /// Depth as a function of w, if the rows d and w are parallel.
     pub(super) depth_by_w: Option<DepthByW>,
     pub(super) screen: Screen,
     pub(super) far_clip: bool,
 }
 
-/// How normalised x and y become 24.8 screen coordinates.
+/// The viewport transform: normalised x and y to 24.8 screen coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Screen {
     /// The viewport's centre in 24.8.
     pub(crate) centre: [i32; 2],
     /// x/w and y/w are in units of 2^unit sub-pixels: 7 … 21.
     pub(crate) unit: i32,
-    /// |x/w| < 2^room lies inside the guard band wherever the centre is: 0 … 14.
+    /// |x/w| < 2^room lies inside the guard band, whatever the centre: 0 … 14.
     pub(crate) room: i32,
     pub(crate) area: Rectangle,
 }
 
 impl Camera {
-    /// From its three parts. The near plane always cuts; the far plane does on
+    /// From view transform, projection and viewport. The near plane always clips; the far plane clips on
     /// [request](Self::with_far_clip).
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn new(viewing: &ViewTransform, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
         let (x, y) = viewport.centre();
-        // At least half a pixel of 2²¹ sub-pixels: the viewport has pixels and lies inside the guard band.
-        // At most 2²¹ too.
+        // From half a pixel to 2²¹ sub-pixels: the viewport is not empty and lies inside the guard band.
         let free = GUARD_BAND * 256 - max(x.abs(), y.abs());
         let half = max(area.size.width as i32, area.size.height as i32) * 128;
-        // Binary logarithms, downwards and upwards, without ilog2's panic at 0.
+        // Binary logarithms, rounded down and up; `ilog2` would panic at 0.
         let room = 31 - max(free, 128).leading_zeros() as i32;
         let unit = min(32 - (max(half, 128) - 1).leading_zeros() as i32, room);
         let [x_row, y_row, d_row, w_row] = projection.rows();
-        // Half the viewport in units of 2^unit sub-pixels; rows count downwards, so y turns.
+        // Half the viewport in units of 2^unit sub-pixels; y is negated, because screen y grows downwards.
         let rows = [
-            stretched(x_row, area.size.width as i32 * 128, -unit),
-            stretched(y_row, area.size.height as i32 * -128, -unit),
-            stretched(d_row, 65_535, -16),
+            scaled_row(x_row, area.size.width as i32 * 128, -unit),
+            scaled_row(y_row, area.size.height as i32 * -128, -unit),
+            scaled_row(d_row, 65_535, -16),
             *w_row,
         ];
         Self {
@@ -98,8 +97,8 @@ impl Camera {
         }
     }
 
-    /// Whether the far plane clips; by default it does not. Then what lies beyond is drawn, with the largest
-    /// depth, 65534. Drawing against a depth buffer always ends at far.
+    /// Whether the far plane clips; by default it does not, and points beyond it are drawn with the largest depth, 65534. Drawing
+    /// with a depth buffer always clips at the far plane.
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
@@ -122,8 +121,8 @@ impl Camera {
 }
 
 /// `row · factor · 2^exponent` for a factor of at most 23 bits.
-#[inline(never)] // set-up: small is better
-const fn stretched(row: &Row, factor: i32, exponent: i32) -> Row {
+#[inline(never)] // set-up: code size counts, speed does not
+const fn scaled_row(row: &Row, factor: i32, exponent: i32) -> Row {
     let ([a, b, c], m) = (row.linear, factor as i64); // 30 × 23 bits
     let offset = mul_translation(factor, exponent, row.offset);
     Row::new(&[a as i64 * m, b as i64 * m, c as i64 * m], row.exponent - 30 + exponent, offset)

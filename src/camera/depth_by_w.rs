@@ -1,31 +1,30 @@
-//! Depth of a perspective picture: a function of w alone.
+//! Depth under a perspective projection, as a function of w alone.
 
 use super::projection::ratio;
 use crate::math::num::{add, mul_translation, scale};
 use crate::math::Row;
 
-/// Where d and w are parallel forms, `d = A·w − B`, depth is `d/w = A − B/w`, and a w tells whether near
-/// cuts: the vertex loop needs no form for d.
+/// If the rows d and w are parallel, `d = A·w − B`, then depth is `d/w = A − B/w`, and w alone decides the near test: the vertex loop
+/// need not evaluate d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct DepthByW {
     /// A in 2⁻²⁷: ½ … 4.
     pub(crate) infinity: i32,
     /// B in 2⁻³², positive.
-    pub(crate) drop: i64,
-    /// With this w, in 2⁻³², or a greater one, d is not negative, whatever the camera's own roundings do.
+    pub(crate) scale: i64,
+    /// The least w, in 2⁻³², for which d ≥ 0 in spite of the rounding of the camera's rows.
     pub(crate) near: i64,
 }
 
 impl DepthByW {
-    /// All perspectives have it but those whose far plane follows right after near (less than 4/3 of its
-    /// distance), and those that look past a distant eye. Parallel projections have not, for their w is
-    /// constant, nor have matrices whose z slants.
+    /// `None` for parallel projections, whose w is constant; for matrices whose rows d and w are not parallel to z; for perspectives whose
+    /// far plane is nearer than 4/3 of the near distance; and for those whose centre of projection is far from the origin of view space.
     pub(crate) const fn new(d: &Row, w: &Row) -> Option<Self> {
         let ([0, 0, along], [0, 0, away]) = (d.linear, w.linear) else { return None };
         if away == 0 {
             return None;
         }
-        // Within 2⁻³⁰ of itself.
+        // Relative error 2⁻³⁰.
         let (a, e) = ratio(along as i64 * away.signum() as i64, away.unsigned_abs() as u64);
         let e = e + d.exponent - w.exponent;
         let infinity = scale(a, e + 27);
@@ -35,11 +34,11 @@ impl DepthByW {
         }
         let (quotient, exponent) = ratio(drop, a.unsigned_abs()); // infinity > 0, so a > 0
         let near = scale(quotient, exponent - e);
-        // A·(w − offset) is off by 2⁻³⁰ of itself: with the offset below, by 2⁻¹⁸ of w.
+        // A·(w − offset) has a relative error of 2⁻³⁰: given the bound on the offset, 2⁻¹⁸ of w.
         let offset = w.offset.unsigned_abs() as i64;
         if near >= 1 << 60 || offset >> 12 > near {
             return None;
         }
-        Some(Self { infinity: infinity as i32, drop, near: near + (near >> 24) + (offset >> 26) + 64 })
+        Some(Self { infinity: infinity as i32, scale: drop, near: near + (near >> 24) + (offset >> 26) + 64 })
     }
 }

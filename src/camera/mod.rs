@@ -1,5 +1,5 @@
-//! The camera: where it stands ([`ViewTransform`]), what it sees ([`Projection`]) and where on the
-//! target that goes ([`Viewport`]).
+//! The camera: its position and orientation ([`ViewTransform`]), its view volume ([`Projection`]) and the rectangle of the target
+//! that shows it ([`Viewport`]).
 
 #[allow(clippy::module_inception)] // the type has the folder's name
 mod camera;

@@ -1,4 +1,4 @@
-//! Single points: to the screen for labels, and back for picking.
+//! Single points: projection to the screen, for labels, and back, for picking.
 
 use super::projection::ratio;
 use super::{Camera, VertexTransform};
@@ -8,56 +8,60 @@ use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
 use crate::space::{Model, Ndc, World};
 
-/// Why a point has no place on the screen.
+/// Why a point has no position on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ProjectError {
-    /// It lies between the near plane and the eye, or behind the eye.
+    /// The point lies between the near plane and the eye, or behind the eye.
     BeforeNear,
-    /// It lies beyond the far plane, and the camera clips there.
+    /// The point lies beyond the far plane, and the camera [clips there](Camera::with_far_clip).
     BeyondFar,
-    /// It lies more than 8192 pixels from the target's origin.
+    /// The point lies more than 8192 pixels from the target's origin.
     OutsideGuardBand,
 }
 
 impl core::fmt::Display for ProjectError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::BeforeNear => "the point lies before the near plane",
-            Self::BeyondFar => "the point lies beyond the far plane",
-            Self::OutsideGuardBand => "the point lies outside the guard band",
+            Self::BeforeNear => {
+                "the point lies before the near plane, or behind the eye: move it or the near plane"
+            }
+            Self::BeyondFar => "the point lies beyond the far plane: move the plane, or do not clip there",
+            Self::OutsideGuardBand => {
+                "the point lies outside of the guard band of 8192 pixels around the target's origin"
+            }
         })
     }
 }
 
 impl core::error::Error for ProjectError {}
 
-/// A half-line in the world: where a pixel looks.
+/// A half-line in world space: all points that project to one screen position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ray {
-    /// On the near plane, in world units.
+    /// The start, on the near plane, in world units.
     pub origin: Point3<World>,
-    /// Away from the viewer, in world units; its length is 16384 but for rounding.
+    /// The direction away from the eye, in world units, of length 16384 up to rounding.
     pub direction: Vector3<World>,
 }
 
-/// Where the parallels to an axis of the world meet in the picture.
+/// The vanishing point of a world axis: the image of all lines parallel to it meets there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VanishingPoint {
     /// x and y in NDC, saturated; z is 0.
     pub ndc: Point3<Ndc>,
-    /// In 1/256 pixel, to the right; it may lie far off the screen. Saturated at ±2³⁰.
+    /// Screen x in 1/256 pixel, saturated at ±2³⁰; it may lie far off the screen.
     pub x: i32,
-    /// In 1/256 pixel, downwards. Saturated at ±2³⁰.
+    /// Screen y in 1/256 pixel, downwards, saturated at ±2³⁰.
     pub y: i32,
 }
 
 impl Camera {
-    /// Where a point of the world lies on the screen, within 1/256 px, and its depth, 0 near to
-    /// 65534 far, within 1 where far is at least twice near; or why it lies nowhere. A point outside
-    /// the viewport has a place too. (The bounds are those of [`MeshInstance::project`](crate::MeshInstance::project).)
+    /// Projects a world point: its screen position, within 1/256 px, and its depth, 0 near to 65534 far, within 1 if far is at least twice
+    /// near. Points outside of the viewport are projected too. [`MeshInstance::project`](crate::MeshInstance::project) has the same error
+    /// bounds.
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
@@ -81,10 +85,10 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// [`ProjectError`] says behind which plane it lies.
+    /// [`ProjectError`] if the point lies before the near plane, beyond a far plane that clips, or outside of the guard band.
     pub fn project(&self, p: Point3<World>) -> Result<(ScreenPoint, u16), ProjectError> {
         let [x, y, z] = [p.x(), p.y(), p.z()];
-        // An object that is this point: all of its space is flattened into it.
+        // A model transform of scale 0 maps all vertices to this point.
         let model =
             Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
         let placement = VertexTransform::new(self, &model, 0, 16, true);
@@ -104,32 +108,30 @@ impl Camera {
         Ok((image.point, image.step()))
     }
 
-    /// The point of the world that [`project`](Self::project)s to this place and depth. `None`
-    /// where it lies outside the world, or the view is too flat to tell (its determinant vanishes
-    /// in 45 bits).
+    /// The world point that [`project`](Self::project)s to this screen position and depth. `None` if it is outside of ±32768 world units,
+    /// or if the camera matrix is nearly singular (a determinant of 0 in 45 bits).
     ///
-    /// Its error is what half a sub-pixel and half a step of depth amount to there, and 2⁻¹⁷; for a pair that
-    /// `project` returned, `project`'s own error comes on top. For fields of view up to 150° and rows of
-    /// [`ViewTransform::from_matrix`](crate::ViewTransform::from_matrix) that are rigid to 2⁻²⁹: what these are off moves the point by as
-    /// much of its distance.
+    /// Error: the size of half a sub-pixel and half a step of depth at that point, and 2⁻¹⁷ world units; for a pair that `project`
+    /// returned, the error of `project` is added. This holds for fields of view up to 150° and rows of
+    /// [`ViewTransform::from_matrix`](crate::ViewTransform::from_matrix) that are orthonormal to 2⁻²⁹; a larger error
+    /// of the rows moves the point by that fraction of its distance.
     pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
         let [across, down] = self.planes_through(at);
         let [_, _, d, w] = &self.rows;
-        // Depth is 2¹⁶·d/w.
-        let behind = d.combined((1 << 30, -30), w, (-i64::from(depth), -16));
+        // Depth is 2¹⁶·d/w, so this plane holds the points of that depth.
+        let behind = d.linear_combination((1 << 30, -30), w, (-i64::from(depth), -16));
         self.world_point(meet([&across, &down, &behind])?)
     }
 
-    /// The half-line whose points project to `at`: for picking. `None` where its start lies
-    /// outside the world or the view is too flat to tell.
+    /// The half-line whose points project to `at`: for picking. `None` if its start is outside of ±32768 world units, or if the camera
+    /// matrix is nearly singular.
     ///
-    /// What is seen at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the line; for a place that
-    /// `project` returned, what `project`'s error amounts to there comes on top. For the same views as
-    /// [`unproject`](Self::unproject).
+    /// Every point visible at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the half-line; for a position that `project`
+    /// returned, the error of `project` is added. This holds for the cameras that [`unproject`](Self::unproject) names.
     pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
-        // LineDepth both planes; the way on which d grows leads away from the viewer.
+        // Along the intersection of both planes, in the direction in which d grows: away from the eye.
         let along = normalise(&cross_exact(&across.linear, &down.linear));
         if is_zero(&along) {
             return None;
@@ -163,7 +165,7 @@ impl Camera {
     /// ```
     pub fn vanishing_points(&self) -> [Option<VanishingPoint>; 3] {
         let point = |direction: [i32; 3]| {
-            // The forms without their constants: three products of at most 2⁶⁰.
+            // The rows without their constants: three products of at most 2⁶⁰.
             let at = |row: &Row| (dot(&row.linear, &direction), row.exponent);
             let [x_row, y_row, _, w_row] = &self.rows;
             let (w, w_exponent) = at(w_row);
@@ -189,7 +191,7 @@ impl Camera {
                 to_scalar(scale(m, e + 16))
             };
             Some(VanishingPoint {
-                // Saturated, it may be the least number of all.
+                // A saturated value may be i32::MIN, whose negation overflows.
                 ndc: Point3::from_bits([normal(x, size.width), normal(y, size.height).saturating_neg(), 0]),
                 x: near(x, cx),
                 y: near(y, cy),
@@ -199,19 +201,19 @@ impl Camera {
         [point([u[0], v[0], n[0]]), point([u[1], v[1], n[1]]), point([u[2], v[2], n[2]])]
     }
 
-    /// The two planes of view space that project onto the screen point's column and row.
+    /// The two planes of view space that project to the screen column and the screen row of `at`.
     fn planes_through(&self, at: ScreenPoint) -> [Row; 2] {
         let [x, y, _, w] = &self.rows;
         let [cx, cy] = self.screen.centre;
         let plane = |row: &Row, place: i32, centre: i32| {
             debug_assert!(place.abs() <= GUARD_BAND * 256);
             // x/w = (place − centre)/2^unit: 23 bits.
-            row.combined((1 << 30, -30), w, (-i64::from(place - centre), -self.screen.unit))
+            row.linear_combination((1 << 30, -30), w, (-i64::from(place - centre), -self.screen.unit))
         };
         [plane(x, at.x(), cx), plane(y, at.y(), cy)]
     }
 
-    /// A view point in 2⁻²⁴ to the world, or `None` outside.
+    /// A view-space point in 2⁻²⁴ to world space; `None` if it leaves ±32768 world units.
     fn world_point(&self, p: [i64; 3]) -> Option<Point3<World>> {
         let [u, v, n] = self.axes;
         let columns = [[u[0], v[0], n[0]], [u[1], v[1], n[1]], [u[2], v[2], n[2]]];
@@ -226,11 +228,10 @@ impl Camera {
     }
 }
 
-/// The point where three planes meet, in 2⁻²⁴, by Cramer's rule; `None` where they do not, or
-/// farther than 2¹⁷ away.
+/// The intersection of three planes, in 2⁻²⁴, by Cramer's rule; `None` if there is none within 2¹⁷ of the origin.
 fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
     let [a, b, c] = planes;
-    // Cross products brought to 45 bits by a common factor.
+    // Cross products, scaled to 45 bits by a common factor.
     let normals = [(b, c), (c, a), (a, b)].map(|(a, b)| cross_exact(&a.linear, &b.linear));
     let largest = normals.iter().flatten().map(|v| v.unsigned_abs()).max()?;
     let normals = normals.map(|n| n.map(|v| scale(v, -shift_to_fit(largest, 45).max(0))));
@@ -239,8 +240,8 @@ fn meet(planes: [&Row; 3]) -> Option<[i64; 3]> {
     if determinant.unsigned_abs() < 1 << 30 {
         return None;
     }
-    // m·p·2^(e − 30) + offset·2⁻³² = 0, so m·p·2²⁴ = −offset · 2^(22 − e). Beyond 2⁷² the point is
-    // too far away.
+    // m·p·2^(e − 30) + offset·2⁻³² = 0, so m·p·2²⁴ = −offset · 2^(22 − e). Constants beyond 2⁷² belong to points that are too
+    // far away.
     let constant = |row: &Row| -> Option<i128> {
         let (v, left) = (i128::from(row.offset), 22 - row.exponent);
         if left <= 0 {

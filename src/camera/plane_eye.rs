@@ -1,15 +1,15 @@
-//! Where the viewer is, as an object sees it.
+//! The eye point in an object's coordinates, for culling by face planes.
 
 use super::VertexTransform;
 use crate::math::num::{bits_of, mul_wide, scale, shift_to_fit};
 use crate::math::unit::cross_exact;
 
-/// The point of an object's space that the camera looks from, (x : y : z : w): xyz/w where the largest justified
-/// coordinate counts as 1. Where the camera looks along parallels w is 0, and xyz their direction.
+/// The eye point in an object's coordinates, homogeneous (x : y : z : w), where the largest justified coordinate counts as 1. Under a
+/// parallel projection w is 0, and xyz is the direction of projection.
 ///
-/// Of a face in a plane, the points v with n·v = p, the sign of `n·xyz − p·w` tells how it turns: negative to the
-/// viewer, positive away. Without mirroring the viewer is then on the side to which n points; a matrix that mirrors
-/// turns both, the faces and this sign.
+/// For a face in the plane n·v = p, the sign of `n·xyz − p·w` decides whether it is front-facing (negative) or back-facing (positive).
+/// Without a reflection the eye of a front-facing face is on the side to which n points; a reflection reverses both, the faces'
+/// orientation and this sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PlaneEye {
     xyz: [i32; 3],
@@ -17,38 +17,38 @@ pub(crate) struct PlaneEye {
 }
 
 impl PlaneEye {
-    /// Before no plane, and behind none.
+    /// An eye that no plane faces and none faces away from, so that nothing is culled.
     pub(crate) const NOWHERE: Self = Self { xyz: [0; 3], w: 0 };
 
-    /// All four numbers have at most so many bits, so none is more than 2^BITS.
+    /// Bits of the largest of the four numbers: none is more than 2^BITS.
     const BITS: i32 = 13;
 
-    /// How far each number is from the exact one, in 1/1000: a half, and what [`new`](Self::new) drops.
+    /// The error of each number in 1/1000: a half from rounding, and the bits that [`new`](Self::new) drops.
     const ERROR: i32 = 515;
 
-    /// What the errors come to in [`behind`](Self::behind), where the normal has unit length and no part of it is off by
-    /// more than 2⁻¹⁵. Let v be a corner, |v| ≤ 1 each way:
+    /// The error bound of [`behind`](Self::behind), for normals of unit length with components within 2⁻¹⁵. Let v be a vertex with
+    /// components |vᵢ| ≤ 1:
     ///
-    /// * a normal's parts are √3·2¹⁵ + 3 together at most, n·v as much: these meet the errors of xyz and of w;
-    /// * the normal's error meets xyz − v·w, at most 2^(BITS + 1) each of three ways;
-    /// * the plane's, a half, meets 2w.
+    /// * a normal's components sum to at most √3·2¹⁵ + 3, and so does n·v: multiplied by the errors of xyz and of w;
+    /// * the normal's error is multiplied by xyz − v·w, at most 2^(BITS + 1) in each of three components;
+    /// * the plane's error, a half, is multiplied by 2w.
     ///
-    /// One more for what the first product drops, and for six times that the eye's numbers may be above 2^BITS by.
+    /// One is added for the bits that the first product drops, and for six times the excess of the eye's numbers over 2^BITS.
     const MARGIN: i32 = 2 * 56_759 * Self::ERROR / 1000 + 6 * (1 << Self::BITS) + (1 << Self::BITS) + 1;
 
-    /// The eye is where the three forms that make x, y and w of a vertex are 0: by Cramer's rule with the forms'
+    /// At the eye the three forms x, y and w of a vertex are 0: by Cramer's rule with the forms'
     /// coefficients l and offsets o, `xyz = o_x (l_y × l_w) + o_y (l_w × l_x) + o_w (l_x × l_y)` and
     /// `w = −l_x · (l_y × l_w)`. The determinant of three corners' x, y and w, whose sign is that of the face on the
-    /// screen, is the plane through them at this point (the Cauchy–Binet formula; Blinn, *A ClipCoords Formulation for
+    /// screen, is the plane through them at this point (the Cauchy–Binet formula; Blinn, *A Homogeneous Formulation for
     /// Lines in 3 Space*, 1977).
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub(crate) fn new(placement: &VertexTransform) -> Self {
         let forms @ [(x, _), (y, _), (w, _)] = placement.forms();
         // Exact, below 2⁶¹; then 29 bits, half a unit off.
         let crosses = [cross_exact(&y, &w), cross_exact(&w, &x), cross_exact(&x, &y)];
         let down = shift_to_fit(bits_of(crosses.as_flattened()), 29);
         let crosses = crosses.map(|cross| cross.map(|c| scale(c, -down) as i32));
-        // Offsets have 31 bits and are half a unit off too: three products below 2⁶⁰, each off by 2²⁸ + 2³⁰ at most.
+        // Offsets have 31 bits, with an error of half a unit too: three products below 2⁶⁰, each off by 2²⁸ + 2³⁰ at most.
         let mut eye = [0; 4];
         for (cross, (_, offset)) in crosses.iter().zip(forms) {
             for (sum, &c) in eye.iter_mut().zip(cross) {
@@ -57,7 +57,7 @@ impl PlaneEye {
         }
         eye[3] = -x.iter().zip(crosses[0]).fold(0, |sum, (&a, b)| sum + mul_wide(a, b));
         let down = shift_to_fit(bits_of(&eye), Self::BITS);
-        // 3·(2²⁸ + 2³⁰) is 0.0147·2³⁸. With less the object is next to flat.
+        // 3·(2²⁸ + 2³⁰) is 0.0147·2³⁸. With fewer bits the object is nearly flat.
         if down < 38 {
             return Self::NOWHERE;
         }
@@ -65,8 +65,8 @@ impl PlaneEye {
         Self { xyz: [x, y, z], w }
     }
 
-    /// How far a face is surely turned away, its plane n·v/2 = `plane`: negative unless it surely is. In 2⁻¹⁵, times a
-    /// factor that all faces of an object share.
+    /// Positive or zero only if a face with the plane n·v/2 = `plane` is certainly back-facing: its distance less the error bound, in
+    /// 2⁻¹⁵ times a factor common to all faces of an object.
     #[inline(always)]
     pub(crate) fn behind(self, [a, b, c]: [i16; 3], plane: i16) -> i32 {
         let ([x, y, z], twice) = (self.xyz, 2 * self.w);
@@ -84,7 +84,7 @@ mod tests {
     use crate::space::{Model, World};
     use embedded_graphics_core::geometry::{Point, Size};
 
-    /// xyz and w by Cramer's rule in wide integers, of the forms' numbers: of offsets that are rounded already.
+    /// xyz and w by Cramer's rule in 128-bit integers, from the forms' rounded offsets.
     fn exact(placement: &VertexTransform) -> [i128; 4] {
         let [(x, ox), (y, oy), (w, ow)] =
             placement.forms().map(|(linear, offset)| (linear.map(i128::from), i128::from(offset)));
@@ -107,7 +107,7 @@ mod tests {
         let window = Window { left: -side, right: side, bottom: -side, top: side };
         let parallel = Projection::orthographic(window, number(0.1), number(90.0)).unwrap();
         for i in 0..20_000 {
-            // Near and far, sheared, mirrored, thin, small.
+            // Near and distant, sheared, mirrored, thin, small objects.
             let mut vector = |size: f64| {
                 Vector3::new(
                     number(random.unit() * size),
@@ -145,7 +145,7 @@ mod tests {
             }
             assert!(most(found) <= 8192.0 && most(found) >= 4095.0, "{found:?}");
         }
-        assert!(largest <= f64::from(PlaneEye::ERROR) / 1000.0 && largest > 0.4, "{largest}"); // 0.500002 is met
+        assert!(largest <= f64::from(PlaneEye::ERROR) / 1000.0 && largest > 0.4, "{largest}"); // the largest measured is 0.500002
         assert!(counted > 19_900, "{counted}");
     }
 }

@@ -1,71 +1,72 @@
-//! A vertex on the screen, in eight bytes.
+//! A projected vertex, packed into eight bytes.
 
 use crate::math::hints::keep_branch;
 use crate::math::ClipCoords;
 use crate::raster::ScreenPoint;
 
-/// A vertex's place on the screen: 8 bytes of scratch memory each, given by the caller.
+/// A projected vertex, packed into 8 bytes: screen position in 1/256 pixel and, where it is asked for, depth in 16.8. Caller-provided
+/// buffers of it are vertex caches.
 ///
-/// It holds places within 1024 pixels of the viewport's centre; a vertex farther out is marked, like
-/// one that must be clipped, and computed again where it is needed.
-// Two ways to hold them: with depth, and without, which takes fewer instructions a face. Who put a corner there, knows.
+/// It holds positions within 1024 pixels of the viewport's centre. A vertex farther out is stored as [`EMPTY`](Self::EMPTY), like one
+/// that must be clipped, and is projected again, in wide arithmetic, for each face that uses it.
+// Two layouts: with depth, and without, which takes fewer instructions per face. The caller knows which one it stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenVertex {
-    /// Half sub-pixels right of the viewport's centre, biased by 2¹⁹ + 1: positive, and rounded by the lowest
-    /// bit's loss. Without depth: shifted right by one, 19 bits. With depth: all 20 on top, below them the upper
-    /// 12 bits of depth. 0 is no place.
+    /// Half sub-pixels right of the viewport's centre, biased by 2¹⁹ + 1, so positive and rounded when the lowest bit is dropped.
+    /// Without depth: shifted right by one, 19 bits. With depth: all 20 bits on top, below them the upper 12 bits of depth. 0 marks
+    /// a vertex without a position.
     right: u32,
-    /// The same downwards, and the lower 12 bits of the depth.
+    /// Half sub-pixels below the viewport's centre, in the layout of `right`, with the lower 12 bits of depth.
     down: u32,
 }
 
-/// A vertex on the screen.
+/// A projected vertex anywhere in the guard band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct UnpackedVertex {
     pub(crate) point: ScreenPoint,
-    /// 0 near … [`FARTHEST`](crate::raster::FARTHEST) far, in 16.8.
+    /// Depth in 16.8: 0 at the near plane, [`FARTHEST`](crate::raster::FARTHEST) at the far plane.
     pub(crate) depth: i32,
 }
 
 impl UnpackedVertex {
-    /// Somewhere.
+    /// The target's origin: an initial value.
     pub(crate) const ORIGIN: Self = Self { point: ScreenPoint::ORIGIN, depth: 0 };
 
-    /// In the room of a corner in clip space.
+    /// Stored in the slot of a clip-space vertex, so that a polygon needs one buffer.
     pub(crate) fn held(self) -> ClipCoords {
         ClipCoords { xydw: [self.point.x(), self.point.y(), self.depth, 1] }
     }
 
-    /// What [`held`](Self::held) made.
+    /// Loads a vertex that [`held`](Self::held) stored.
     pub(crate) fn of_held(&ClipCoords { xydw: [x, y, depth, _] }: &ClipCoords) -> Self {
         Self { point: ScreenPoint::inside(x, y), depth }
     }
 
-    /// 0 near … 65534 far, rounded to nearest.
+    /// Depth rounded to whole steps: 0 near … 65534 far.
     pub(crate) fn step(&self) -> u16 {
         ((self.depth + 128) >> 8) as u16 // FARTHEST rounds to 65534
     }
 }
 
 impl ScreenVertex {
-    /// PixelLayout have at most 2^18 sub-pixels.
-    pub(crate) const REACH: i32 = 18;
+    /// Positions are less than 2^18 sub-pixels from the viewport's centre.
+    pub(crate) const RANGE_BITS: i32 = 18;
 
-    /// What [`new`](Self::new) wants: brings half sub-pixels above zero, and rounds them.
-    pub(crate) const BIAS: i32 = (2 << Self::REACH) + 1;
+    /// The bias that [`new`](Self::new) adds: it makes half sub-pixels positive and rounds them.
+    pub(crate) const BIAS: i32 = (2 << Self::RANGE_BITS) + 1;
 
-    /// No place yet: for arrays in statics. All zeros, so that they take no room in flash.
+    /// A vertex without a position, to initialise arrays. All bits are zero, so a `static` array of it takes no flash.
     pub const EMPTY: Self = Self { right: 0, down: 0 };
 
-    /// From half sub-pixels from the viewport's centre, rounded to whole ones, ties up, and depth in
-    /// 16.8, 24 bits. Out of reach it is [`EMPTY`](Self::EMPTY), as it may be right at the border.
+    /// From half sub-pixels from the viewport's centre, rounded to sub-pixels with ties up, and depth in 16.8, 24 bits. Out of range
+    /// it is [`EMPTY`](Self::EMPTY); a position right at the limit may be.
     #[inline(always)]
     pub(crate) fn new<const DEPTH: bool>(right: i32, down: i32, bias: i32, depth: i32) -> Self {
         debug_assert!(depth >> 24 == 0);
         let biased = |v: i32| v.wrapping_add(bias) as u32;
         let (right, down) = (biased(right), biased(down));
-        if (right | down) >> (Self::REACH + 2) != 0 {
+        if (right | down) >> (Self::RANGE_BITS + 2) != 0 {
             keep_branch(); // else every vertex selects between two values, twice
             return Self::EMPTY;
         }
@@ -75,35 +76,35 @@ impl ScreenVertex {
         }
     }
 
-    /// Whether there is a place.
+    /// Whether the vertex has a position.
     #[inline(always)]
     pub(crate) fn whole(self) -> bool {
         self.right != 0
     }
 
-    /// Sub-pixels from a point that all corners of a viewport share, for differences; the viewport's
-    /// centre lies at [`CENTRE`](Self::CENTRE).
+    /// Position in sub-pixels relative to an origin common to all vertices of a viewport, for differences; the viewport's centre is at
+    /// [`CENTRE`](Self::CENTRE).
     #[inline(always)]
     pub(crate) fn offset<const DEPTH: bool>(self) -> ScreenPoint {
         let held = |v: u32| (if DEPTH { v >> 13 } else { v }) as i32; // 19 bits
         ScreenPoint::inside(held(self.right), held(self.down))
     }
 
-    /// Where [`offset`](Self::offset) has the viewport's centre.
+    /// The viewport's centre in the coordinates of [`offset`](Self::offset).
     pub(crate) const CENTRE: [i32; 2] = [Self::BIAS >> 1; 2];
 
-    /// In 16.8.
+    /// Depth in 16.8, of a vertex stored with depth.
     #[inline(always)]
     pub(crate) fn depth(self) -> i32 {
         ((self.right & 0xfff) << 12 | self.down & 0xfff) as i32
     }
 
-    /// A place anywhere in the guard band, without depth: for those who know that it is one.
+    /// Stores a position anywhere in the guard band, without depth and not packed: only [`point`](Self::point) reads it.
     pub(crate) fn bare(point: ScreenPoint) -> Self {
         Self { right: point.x() as u32, down: point.y() as u32 }
     }
 
-    /// What [`bare`](Self::bare) holds.
+    /// The position that [`bare`](Self::bare) stored.
     pub(crate) fn point(self) -> ScreenPoint {
         ScreenPoint::inside(self.right as i32, self.down as i32)
     }
@@ -120,11 +121,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_goes_in_comes_out() {
+    fn packing_keeps_position_and_depth() {
         let places = [1 - (1 << 18), -255, -1, 0, 1, 77, (1 << 18) - 1];
         for (right, down) in places.iter().flat_map(|&right| places.map(|down| (right, down))) {
             for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
-                // A half is rounded up.
+                // Ties are rounded up.
                 for half in [0, -1] {
                     let (x, y) = (2 * right + half, 2 * down + half);
                     let deep = ScreenVertex::new::<true>(x, y, ScreenVertex::BIAS, depth);
@@ -142,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_farther_out_has_no_place() {
+    fn vertices_out_of_range_are_empty() {
         assert!(!ScreenVertex::EMPTY.whole());
         for out in [1 << 19, i32::MAX, i32::MIN, -(1 << 19) - 2] {
             assert_eq!(ScreenVertex::new::<true>(out, 0, ScreenVertex::BIAS, 0), ScreenVertex::EMPTY);

@@ -1,59 +1,60 @@
-//! The per-vertex chain: model coordinates to the screen, in integers.
+//! The vertex stage: model coordinates to the screen, in integers.
 //!
-//! Once per object the whole chain up to clip space is folded into four linear forms, with the
-//! eye subtracted first. Once per vertex: three or four forms, one reciprocal, two or three
-//! products. Error budget: ARCHITECTURE.md, "Numbers".
+//! Once per object, model, view and projection transforms are composed into four linear forms, after subtraction of the eye. Once per
+//! vertex: three or four forms, one reciprocal, two or three products. ARCHITECTURE.md, "Numbers", has the error budget.
 
 use super::camera::Screen;
 use super::{Camera, ScreenVertex, UnpackedVertex};
+use crate::math::cores::CORTEX_M0;
+use crate::math::hints::opaque_next;
 use crate::math::num::{
-    add, after, bits_of, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, shift_to_fit,
-    Reciprocal, CORTEX_M0,
+    add, bits_of, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, shift_to_fit,
+    Reciprocal,
 };
-use crate::math::row::{self, Rows};
-use crate::math::{product, Affine, ClipCoords, Coordinate, Form, Row};
+use crate::math::row::{self, RowBlock};
+use crate::math::{matrix_product, Affine, ClipCoords, Coordinate, LinearForm, Row};
 use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A camera's view of one object: its vertices to clip space and to the screen.
+/// The vertex transform of one object under one camera: model coordinates to clip space and to the screen.
 ///
-/// Values are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for
-/// w. Only differences of exponents are kept.
+/// Clip coordinates are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for w. Only differences of
+/// exponents are stored.
 #[derive(Clone, Copy, Debug)]
-#[repr(C)] // what the vertex loop loads comes first: a Cortex-M0's loads reach 124 bytes
+#[repr(C)] // fields of the vertex loop first: loads of a Cortex-M0 have offsets up to 124 bytes
 pub(crate) struct VertexTransform {
-    w: Form,
-    x: Form,
-    y: Form,
-    /// Power of two that justifies a vertex coordinate.
-    factor: i32,
-    /// The least w for which 32 bits suffice; where near is a matter of w alone, also safely behind it.
-    least_w: i32,
+    w: LinearForm,
+    x: LinearForm,
+    y: LinearForm,
+    /// The power of two that justifies a vertex coordinate.
+    justify_factor: i32,
+    /// The least w for which 32-bit arithmetic suffices and, if w alone decides the near test, which is surely behind the near plane.
+    min_w: i32,
     /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
     right: i32,
-    /// [`ScreenVertex::BIAS`], here because as a constant it takes two instructions and a register.
+    /// [`ScreenVertex::BIAS`]: as a constant it would take two instructions and a register.
     bias: i32,
-    /// Depth is `origin + drop/w` where it is a matter of w alone, in 2⁻²⁷, with what rounds it to 2⁻²⁴.
+    /// If depth depends on w alone it is `origin + depth_scale/w`, in 2⁻²⁷; `origin` includes the half that rounds to 2⁻²⁴.
     origin: i32,
-    /// Negative, in units of w times 2^(2 − drop_down).
-    drop: i32,
-    drop_down: i32,
+    /// Negative, in units of w times 2^(2 − scale_down).
+    depth_scale: i32,
+    scale_down: i32,
     /// e_d − e_w: never negative.
     d_over_w: i32,
-    d: Form,
+    d: LinearForm,
     /// e_xy − e_w: 0 … room.
     xy_over_w: i32,
     screen: Screen,
-    /// Whether near, and depth, ask for d.
+    /// Whether the near test and depth need d.
     by_d: bool,
     far_clip: bool,
 }
 
 impl VertexTransform {
-    /// `exponent`: of the mesh, coordinate = vertex · 2^exponent; `justify`: left shift that
-    /// brings its largest coordinate to the top of 32 bits.
-    #[inline(never)] // set-up: small is better
+    /// Composes `model` and `camera` for a mesh whose coordinates are vertex · 2^`exponent`. `justify` is the left shift that brings its
+    /// largest coordinate to the top of 32 bits, `narrow` whether coordinates have 16 bits.
+    #[inline(never)] // set-up: code size counts, speed does not
     pub(crate) fn new(
         camera: &Camera,
         model: &Affine<Model, World>,
@@ -64,15 +65,14 @@ impl VertexTransform {
         // 1 Model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);
-        let (mut view, mut i) = (Rows { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
+        let (mut view, mut i) = (RowBlock { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
         while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
-            *offset = row::form(axis, 0, &away, 0);
-            i = after(i);
+            *offset = row::evaluate(axis, 0, &away, 0);
+            i = opaque_next(i);
         }
-        view.exponent = product(&camera.axes, 0, m, m_exponent, &mut view.linear);
-        // 2 View to clip; a factor common to all four rows changes nothing, and where numbers are
-        //   large (thin volumes, narrow windows, far away) one keeps them from saturating. In 2⁻³² an
-        //   object reaches three coefficients times 2^(31 + unit), and lies at `offset`.
+        view.exponent = matrix_product(&camera.axes, 0, m, m_exponent, &mut view.linear);
+        // 2 View to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow windows,
+        //   distant objects) it prevents saturation. In 2⁻³² an object extends three coefficients times 2^(31 + unit) around `offset`.
         let unit = exponent - justify as i32;
         let largest = magnitude(view.linear.as_flattened());
         let around = match largest {
@@ -83,80 +83,79 @@ impl VertexTransform {
         let (mut shift, mut i) = (0, 0);
         while let Some(row) = camera.rows.get(i) {
             shift = shift.max(row.overflow(bits));
-            i = after(i);
+            i = opaque_next(i);
         }
-        // 3 Exponents from what the rows can reach over the object. A justified coordinate v
-        //   stands for v·2^unit.
+        // 3 Exponents from the range of each row over the object. A justified coordinate v stands for v·2^unit.
         let (mut rows, mut reaches, mut i) = ([Row::ZERO; 4], [0; 4], 0);
         while let (Some(row), Some(reached), Some(own)) =
             (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
         {
-            own.of(&view, shift, row);
-            *reached = reach(row, unit);
-            i = after(i);
+            own.compose(&view, shift, row);
+            *reached = min_exponent(row, unit);
+            i = opaque_next(i);
         }
         let ([x, y, d, w], [reach_x, reach_y, reach_d, reach_w]) = (&rows, reaches);
         let Screen { unit: screen_unit, room, .. } = camera.screen;
         let e_xy = reach_x.max(reach_y);
-        // Finer x than w is of no use; much coarser x means an object far to the side.
+        // x need not be finer than w; if it is much coarser, the object lies far to the side.
         let e_w = reach_w.max(e_xy - room);
         let e_xy = e_xy.max(e_w);
-        // 4 Depth by w, where w reaches at least 2⁻⁴ so that offsets in 2⁻³² are fine enough; else by d.
+        // 4 Depth from w if w is at least 2⁻⁴ somewhere, so that offsets in 2⁻³² are fine enough; otherwise from d.
         let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
         let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
         let e_d = reach_d.max(e_w);
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
-        // 5 The fast path shifts right by at least nothing, left by less than 32: see `project`. Leading zeros of w at most:
+        // 5 `project` shifts right by at least 0 and left by less than 32, which limits the leading zeros of w.
         let right = 28 - xy_over_w - screen_unit;
         let zeros = right.min(31 - d_over_w).min(9);
-        let mut least_w = if zeros >= 0 && screen_unit + room >= ScreenVertex::REACH {
+        let mut min_w = if zeros >= 0 && screen_unit + room >= ScreenVertex::RANGE_BITS {
             1 << (30 - zeros)
         } else {
             i32::MAX
         };
-        let (mut origin, mut drop, mut drop_down) = (4, 0, 0);
+        let (mut origin, mut depth_scale, mut scale_down) = (4, 0, 0);
         if let Some(by_w) = by_w {
-            // d's rounding costs less than 4 of its units, w's as much, and offsets 2⁻³⁰. Below 2³¹, and 2³¹.
+            // Rounding of d and of w costs less than 4 units each, of the offsets 2⁻³⁰. Both terms are below 2³¹.
             let near = in_w(by_w.near, 0).min(i32::MAX.into()) as u32 + (64 << d_over_w.min(25));
-            least_w = least_w.max(near.min(i32::MAX as u32) as i32);
+            min_w = min_w.max(near.min(i32::MAX as u32) as i32);
             origin += by_w.infinity;
-            // The drop has 31 bits, or fewer where it is next to nothing.
-            drop_down = (34 + shift + e_w - shift_to_fit(by_w.drop as u64, 31)).clamp(0, 31);
-            drop = -in_w(by_w.drop, drop_down - 2).min(i32::MAX.into()) as i32;
+            // `depth_scale` has 31 bits, or fewer where it is close to 0.
+            scale_down = (34 + shift + e_w - shift_to_fit(by_w.scale as u64, 31)).clamp(0, 31);
+            depth_scale = -in_w(by_w.scale, scale_down - 2).min(i32::MAX.into()) as i32;
         }
         let mut placed = Self {
-            factor: Form::justify(justify, narrow),
+            justify_factor: LinearForm::justify(justify, narrow),
             xy_over_w,
             right,
             bias: ScreenVertex::BIAS,
             d_over_w,
-            least_w,
+            min_w,
             origin,
-            drop,
-            drop_down,
+            depth_scale,
+            scale_down,
             by_d: by_w.is_none(),
             screen: camera.screen,
             far_clip: camera.far_clip,
-            x: Form::ZERO,
-            y: Form::ZERO,
-            d: Form::ZERO,
-            w: Form::ZERO,
+            x: LinearForm::ZERO,
+            y: LinearForm::ZERO,
+            d: LinearForm::ZERO,
+            w: LinearForm::ZERO,
         };
-        placed.x = form(x, unit, e_xy);
-        placed.y = form(y, unit, e_xy);
-        placed.d = form(d, unit, e_d);
-        placed.w = form(w, unit, e_w);
+        placed.x = vertex_form(x, unit, e_xy);
+        placed.y = vertex_form(y, unit, e_xy);
+        placed.d = vertex_form(d, unit, e_d);
+        placed.w = vertex_form(w, unit, e_w);
         placed
     }
 
-    /// The vertex in clip space, where vertices are few: small is better.
+    /// The vertex in clip space. Few vertices take this path, so code size counts and speed does not.
     #[inline(never)]
     pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], place: &mut ClipCoords) {
-        let v = vertex.map(|c| c.times(self.factor));
+        let v = vertex.map(|c| c.times(self.justify_factor));
         let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
         while let (Some(value), Some(form)) = (place.xydw.get_mut(i), forms.get(i)) {
             *value = form.at(v, V::NARROW);
-            i = after(i);
+            i = opaque_next(i);
         }
     }
 
@@ -172,7 +171,7 @@ impl VertexTransform {
         self.w.at(vertex.map(|c| c.times(self.factor)), V::NARROW)
     }
 
-    /// What makes x, y and w of a justified vertex, x and y in one unit, w in another: coefficients in 2⁻³¹, and an offset.
+    /// The linear forms x, y (in one unit) and w (in another) of a justified vertex: coefficients in 2⁻³¹, and an offset.
     pub(crate) fn forms(&self) -> [([i32; 3], i32); 3] {
         [self.x.numbers(), self.y.numbers(), self.w.numbers()]
     }
@@ -182,14 +181,14 @@ impl VertexTransform {
         &self.screen.area
     }
 
-    /// Whether [`project`](Self::project) must look at d for its answer: `far` cuts, or near is not a matter of w.
+    /// Whether [`project`](Self::project) needs d: the far plane clips, or w alone does not decide the near test.
     pub(crate) fn asks_for_d(&self, depth: bool, far: bool) -> bool {
         self.by_d || far && !depth
     }
 
-    /// The vertex on the screen, or an empty corner when it must be clipped or lies farther out than
-    /// corners reach: in front of near or too close to it to tell, outside the guard band, beyond far if that cuts, or so
-    /// near to the eye that 32 bits do not carry it. `by_d`: what [`asks_for_d`](Self::asks_for_d) says.
+    /// Projects a vertex to the screen. Returns [`ScreenVertex::EMPTY`] if it must be clipped (before the near plane or too close to
+    /// it to tell, outside the guard band, beyond a far plane that clips), is out of the packed range, or so near to the eye that 32 bits
+    /// do not suffice. `by_d` is the result of [`asks_for_d`](Self::asks_for_d).
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
@@ -200,17 +199,17 @@ impl VertexTransform {
         by_d: bool,
         far: bool,
     ) -> ScreenVertex {
-        let v = vertex.map(|c| c.times(self.factor));
+        let v = vertex.map(|c| c.times(self.justify_factor));
         let w = self.w.at(v, V::NARROW);
-        if w < self.least_w {
+        if w < self.min_w {
             return ScreenVertex::EMPTY;
         }
         let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
-        let form_of_d = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
+        let d_at_vertex = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
         let is_cut = |d| d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w);
-        // Where registers suffice these come first, so that v's are free for the rest, and before the branch, past which
-        // the compiler does not move them. On a Cortex-M0 each comes where it is used, so that `by_d` is asked once.
-        let early = (!CORTEX_M0).then(|| (forms(), form_of_d()));
+        // Cores with enough registers evaluate all forms first, which frees the registers of v; LLVM does not move them across the
+        // branch below. A Cortex-M0 evaluates each form where it is used, so that it tests `by_d` once.
+        let early = (!CORTEX_M0).then(|| (forms(), d_at_vertex()));
         if early.is_some_and(|(_, d)| by_d && is_cut(d)) {
             return ScreenVertex::EMPTY;
         }
@@ -223,7 +222,7 @@ impl VertexTransform {
         let early = early.map(|(forms, d)| (over_w(forms), d));
         let mut depth = 0;
         if by_d {
-            let d = early.map_or_else(form_of_d, |(_, d)| d);
+            let d = early.map_or_else(d_at_vertex, |(_, d)| d);
             if early.is_none() && is_cut(d) {
                 return ScreenVertex::EMPTY;
             }
@@ -232,7 +231,8 @@ impl VertexTransform {
                 depth = (self.origin + mul_high(d, r.mantissa)) >> 3;
             }
         } else if DEPTH {
-            depth = (self.origin + (mul_high(self.drop, r.mantissa) >> ((self.drop_down - n) & 31))) >> 3;
+            depth =
+                (self.origin + (mul_high(self.depth_scale, r.mantissa) >> ((self.scale_down - n) & 31))) >> 3;
         }
         let [x, y] = early.map_or_else(|| over_w(forms()), |(places, _)| places);
         if DEPTH && depth > SURELY_BEFORE_FAR {
@@ -244,7 +244,7 @@ impl VertexTransform {
         ScreenVertex::new::<DEPTH>(x, y, self.bias, depth)
     }
 
-    /// d·2^d_over_w at most w less what d is stored short: then w − d is not negative.
+    /// Whether w − d may be negative. d is stored times 65535/65536.
     #[inline(always)]
     fn may_be_beyond_far(&self, d: i32, w: i32) -> bool {
         d >= (w - (w >> 16) - 1) >> self.d_over_w.min(31)
@@ -256,7 +256,7 @@ impl VertexTransform {
         self.distance(5, &self.clip(*vertex)) < 0
     }
 
-    /// Where a corner that has a place lies on the screen, with its depth if that is asked for.
+    /// Unpacks a vertex that has a position, with its depth if `DEPTH`.
     #[inline(always)]
     pub(crate) fn at<const DEPTH: bool>(&self, corner: ScreenVertex) -> UnpackedVertex {
         let ([x, y], [cx, cy], offset) = (self.screen.centre, ScreenVertex::CENTRE, corner.offset::<DEPTH>());
@@ -266,8 +266,8 @@ impl VertexTransform {
         }
     }
 
-    /// [`project`](Self::project) for any point that the clipper left, in wide arithmetic: the
-    /// same bits where both work. `depth`: where it comes from, if it is asked for.
+    /// Projects any point that the clipper kept, in 64-bit arithmetic: [`project`](Self::project) gives the same bits where it applies
+    /// (`the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller wants it.
     pub(crate) fn image(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
@@ -279,25 +279,25 @@ impl VertexTransform {
         }
     }
 
-    /// In 16.8, of a point with this d and one over w.
+    /// Depth in 16.8, from d and 1/w.
     pub(crate) fn depth(&self, d: i32, r: Reciprocal) -> i32 {
-        (self.fine_depth(d, r) >> 35).clamp(0, FARTHEST.into()) as i32
+        (self.depth_wide(d, r) >> 35).clamp(0, FARTHEST.into()) as i32
     }
 
-    /// Depth in 2⁻⁵⁹, with what rounds it to 2⁻²⁴, of a point with this d and one over w.
-    #[inline(never)] // rare: small is better
-    fn fine_depth(&self, d: i32, r: Reciprocal) -> i64 {
+    /// Depth in 2⁻⁵⁹ from d and 1/w, including the half that rounds to 2⁻²⁴.
+    #[inline(never)] // rare path: code size counts, speed does not
+    fn depth_wide(&self, d: i32, r: Reciprocal) -> i64 {
         let n = r.shift as i32;
         let (numerator, down) = match self.by_d {
             true => ((scale(d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
-            false => (self.drop, (self.drop_down - n).max(0)),
+            false => (self.depth_scale, (self.scale_down - n).max(0)),
         };
         (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
-        // 2⁶² and 2⁶²
+        // At most 2⁶² + 2⁶².
     }
 
-    /// [`image`](Self::image) before the snap: x and y in 2⁻³² px, depth in 2⁻³² steps, wherever they
-    /// lie. For measuring.
+    /// [`image`](Self::image) without the snap to sub-pixels and without clamping: x and y in 2⁻³² px, depth in 2⁻³² steps. For error
+    /// measurement.
     pub(crate) fn unsnapped(&self, h: &ClipCoords) -> [i64; 3] {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
@@ -306,13 +306,13 @@ impl VertexTransform {
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
         let [cx, cy] = self.screen.centre;
-        [along(x, cx), along(y, cy), (self.fine_depth(d, r) >> 11) - (4 << 21)]
+        [along(x, cx), along(y, cy), (self.depth_wide(d, r) >> 11) - (4 << 21)]
     }
 
-    /// Signed distances from the planes in the order near, left, right, top, bottom, far of the view volume cut at
-    /// the guard band; each scaled by a positive factor of its own, negative outside. Gradient 5: below 2⁶², and at
-    /// most 2⁴⁷ inside where d is not negative; the others: at most 2⁵⁴.
-    #[inline(never)] // rare: small is better
+    /// The signed distance from a clip plane, negative outside, scaled by a positive factor per plane. Planes in order: near, then left,
+    /// right, top and bottom of the guard band, then far. Plane 5 (far): below 2⁶², and at most 2⁴⁷ inside if d is not negative; all
+    /// other planes: at most 2⁵⁴.
+    #[inline(never)] // rare path: code size counts, speed does not
     pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
         let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
         // m·w / 2^down + n·v
@@ -334,33 +334,33 @@ impl VertexTransform {
         ((i64::from(m) * i64::from(w)) >> down) + i64::from(n) * i64::from(v)
     }
 
-    /// Whether the camera cuts at the far plane.
+    /// Whether the far plane clips.
     pub(crate) fn cuts_at_far(&self) -> bool {
         self.far_clip
     }
 }
 
-/// [`VertexTransform::depth`], for those who ask for depth: the others need no code for it.
+/// The type of [`VertexTransform::depth`]: passed as a value, so that images without depth link no code for it.
 pub(crate) type DepthOf = fn(&VertexTransform, i32, Reciprocal) -> i32;
 
-/// A depth in 2⁻²⁴ that all of d's and w's roundings do not bring to the far plane: eight steps short of it.
+/// A depth in 2⁻²⁴, eight steps before the far plane: rounding of d and w costs less than that.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
-/// `v · mantissa · 2^shift`, rounded to nearest, and `more`: inside the guard band. shift < 0, |more| < 2²⁴.
-#[inline(never)] // rare: small is better
+/// `v · mantissa · 2^shift`, rounded to nearest, plus `more`, clamped to the guard band. shift < 0, |more| < 2²⁴.
+#[inline(never)] // rare path: code size counts, speed does not
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
     const REACH: i64 = GUARD_BAND as i64 * 256;
     (scale(mul_wide(v, mantissa), shift) + i64::from(more)).clamp(-REACH, REACH) as i32
 }
 
-/// The least exponent with which the form fits its integers over all justified coordinates.
-fn reach(row: &Row, unit: i32) -> i32 {
+/// The least exponent for which the row over all justified coordinates fits 32-bit integers.
+fn min_exponent(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
     let [a, b, c] = row.linear.map(i32::unsigned_abs);
     let sum = i64::from(a + b + c); // ≤ 3·2³⁰
     let linear = scale(sum, row.exponent + unit + 33) as u64; // < 2⁶³
     let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³ + 2⁶²
-    let bound = bound + (bound >> 16) + 16; // head-room for the rounding of coefficients: 2⁻¹⁶ of it all
+    let bound = bound + (bound >> 16) + 16; // headroom of 2⁻¹⁶ for the rounding of coefficients
     let result = shift_to_fit(bound, 63); // below 2³¹
     let largest = a.max(b).max(c);
     if largest == 0 {
@@ -371,11 +371,11 @@ fn reach(row: &Row, unit: i32) -> i32 {
 }
 
 /// The row as integers over justified coordinates, in units of 2^exponent.
-#[inline(never)] // set-up: small is better
-fn form(row: &Row, unit: i32, exponent: i32) -> Form {
-    // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `reach`.
+#[inline(never)] // set-up: code size counts, speed does not
+fn vertex_form(row: &Row, unit: i32, exponent: i32) -> LinearForm {
+    // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `min_exponent`.
     let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);
-    Form::new(linear, scale(row.offset, -exponent))
+    LinearForm::new(linear, scale(row.offset, -exponent))
 }
 
 #[cfg(test)]
@@ -386,7 +386,7 @@ mod tests {
     use crate::math::{Angle, Point3, Scalar, Vector3};
     use embedded_graphics_core::geometry::{Point, Size};
 
-    /// Vertices through the fast path against the same through the clipper's, bit by bit; how many had a place.
+    /// Compares `project` and `image` bit by bit for random vertices; returns how many `project` gave a position.
     fn compare(lens: &Projection, eye: f32, seed: u64) -> usize {
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
         let at = Point3::new(Scalar::from_num(eye * 0.3), Scalar::from_num(eye * 0.2), Scalar::from_num(eye));
@@ -417,8 +417,7 @@ mod tests {
         places
     }
 
-    /// How far a corner's depth is from `d/w`, or from `A − B/w`, of the very integers that it is computed from: in its
-    /// own units, 2⁻⁸ of a step, by long division.
+    /// The error of a vertex's depth against `d/w`, or `A − B/w`, of the integers that it is computed from, in 2⁻⁸ steps.
     fn depth_error(placement: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
         let corner = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
         let h = placement.clip(vertex);
@@ -426,22 +425,22 @@ mod tests {
         if !corner.whole() || depth == FARTHEST {
             return None;
         }
-        // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + drop·2^(2 − drop_down)` where drop is 2⁻²⁷ · 2^29.
+        // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + depth_scale·2^(2 − scale_down)` where depth_scale is 2⁻²⁷ · 2^29.
         let [_, _, d, w] = h.xydw.map(i128::from);
         let exact = match placement.by_d {
             true => d << (27 + placement.d_over_w),
             false => {
-                let drop = i128::from(placement.drop) << 29 >> placement.drop_down;
-                i128::from(placement.origin - 4) * w + drop
+                let scaled = i128::from(placement.depth_scale) << 29 >> placement.scale_down;
+                i128::from(placement.origin - 4) * w + scaled
             }
         };
         let off = (i128::from(depth) << 3) * w - exact; // 2⁻²⁷ · w
         Some((off as f64 / w as f64 / 8.0).abs())
     }
 
-    /// ARCHITECTURE.md, "Numbers": half a unit from rounding, and what is dropped before.
+    /// ARCHITECTURE.md, "Numbers": half a unit from rounding, and the bits truncated before.
     #[test]
-    fn depth_of_a_corner_is_within_0_7_of_its_unit() {
+    fn depth_of_a_vertex_is_within_0_7_of_its_unit() {
         let number = Scalar::from_num::<f64>;
         let viewport = Viewport::new(Point::zero(), Size::new(240, 180)).unwrap();
         let (mut random, mut largest, mut counts) = (Random(7), [0.0_f64; 2], [0; 2]);
@@ -474,11 +473,11 @@ mod tests {
             }
         }
         assert!(counts.iter().all(|&count| count > 50_000), "{counts:?}");
-        assert!(largest.iter().all(|&error| error <= 0.7), "{largest:?}"); // 0.56 is met
+        assert!(largest.iter().all(|&error| error <= 0.7), "{largest:?}"); // the largest measured is 0.56
     }
 
     #[test]
-    fn both_ways_give_the_same_bits() {
+    fn the_packed_and_the_wide_path_give_the_same_bits() {
         let size = Size::new(240, 180);
         let number = Scalar::from_num::<f64>;
         let mut places = 0;

@@ -1,6 +1,6 @@
-//! World to view: where the camera stands and which way is up.
+//! World to view space: the camera's position and orientation.
 
-use crate::math::float::{fixed, float};
+use crate::math::float::{ldexp, to_fixed};
 use crate::math::num::{self, add};
 use crate::math::unit::{cross, cross_units, is_zero, normalise};
 use crate::math::{Point3, Row, Scalar, Vector3};
@@ -34,56 +34,56 @@ use crate::space::{View, World};
 pub struct ViewTransform {
     /// u, v, n in 2⁻³⁰.
     rows: [[i32; 3]; 3],
-    /// In 2⁻³² world units, within ±2¹⁶ of them.
+    /// In 2⁻³² world units; at most ±2¹⁶ world units.
     eye: [i64; 3],
 }
 
-/// Why there is no view.
+/// Why a view transform cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ViewTransformError {
-    /// VPN or gaze has length zero: give a direction, or a target away from the eye.
+    /// VPN or gaze has length zero: give a direction, or a target that differs from the eye.
     ZeroDirection,
-    /// VUP has length zero: give any vector that is not along the gaze, such as (0, 1, 0).
+    /// VUP has length zero: give a vector that is not parallel to the gaze, such as (0, 1, 0).
     ZeroUp,
-    /// An axonometric view needs a VPN of three non-zero components, two equal ones for a dimetric
-    /// view and none equal for a trimetric one.
+    /// The VPN does not fit the axonometric view: all three components must be non-zero, all different in size for a trimetric view, and
+    /// `side` and `up` different in size for a dimetric one.
     NotAxonometric,
-    /// A matrix that is no rotation and shift.
+    /// The matrix is not a rotation followed by a translation.
     NotRigid,
     /// The eye lies outside ±32768 world units: choose a larger unit.
     EyeOutside,
-    /// VUP lies within 2⁻¹² rad of the gaze's line, so up is undefined: give another VUP.
+    /// VUP is parallel to the gaze to within 2⁻¹² rad, so the roll is undefined: give another VUP.
     ParallelUp,
 }
 
-/// The sides that multiview drawings show. Top is seen with −z upwards, bottom with +z upwards, all
-/// others with y upwards.
+/// The side of an object that a multiview orthographic drawing shows. In the picture up is −z for the top view, +z for the bottom view,
+/// and +y for all other views. (Foley et al., *Computer Graphics*, 2nd ed., section 6.1.2: front, top and side elevations.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
-    /// From +z.
+    /// Seen from +z.
     Front,
-    /// From −z.
+    /// Seen from −z.
     Back,
-    /// From +x.
+    /// Seen from +x.
     Right,
-    /// From −x.
+    /// Seen from −x.
     Left,
-    /// From +y.
+    /// Seen from +y: the plan.
     Top,
-    /// From −y.
+    /// Seen from −y.
     Bottom,
 }
 
 impl core::fmt::Display for ViewTransformError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::ZeroDirection => "the viewing direction has length zero",
-            Self::ZeroUp => "the up vector has length zero",
-            Self::NotAxonometric => "the view plane normal does not fit the axonometric view",
-            Self::NotRigid => "the viewing matrix is not rigid",
-            Self::EyeOutside => "the eye lies outside the world: choose a larger unit",
+            Self::ZeroDirection => "the viewing direction has length zero: give a direction, or a target that differs from the eye",
+            Self::ZeroUp => "the up vector has length zero: give one that is not along the viewing direction",
+            Self::NotAxonometric => "the view plane normal does not fit: an axonometric view needs non-zero components, a trimetric one three different ones",
+            Self::NotRigid => "the viewing matrix is not rigid: it needs three orthonormal, right-handed rows and the last row 0 0 0 1",
+            Self::EyeOutside => "the eye lies beyond 32768 world units: choose a larger unit",
             Self::ParallelUp => "the up vector is parallel to the viewing direction: give another",
         })
     }
@@ -92,13 +92,13 @@ impl core::fmt::Display for ViewTransformError {
 impl core::error::Error for ViewTransformError {}
 
 impl ViewTransform {
-    /// From `eye` towards `target`, with `up` upwards in the picture. Both vectors are of any length; the
-    /// coefficients' bound is that of the [type](Self).
+    /// The view from `eye` to `target`, both in world units, with `up` upwards in the picture. `up` may have any length. The
+    /// [type](Self) states the error bound of coefficients.
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::ZeroDirection`] when the target is the eye, [`ZeroUp`](ViewTransformError::ZeroUp), and
-    /// [`ParallelUp`](ViewTransformError::ParallelUp) when `up` is within 2⁻¹² rad of the gaze's line.
+    /// [`ViewTransformError::ZeroDirection`] if the target is the eye, [`ZeroUp`](ViewTransformError::ZeroUp) if `up` has length zero, and
+    /// [`ParallelUp`](ViewTransformError::ParallelUp) if `up` is parallel to the gaze to within 2⁻¹² rad.
     pub const fn look_at(
         eye: Point3<World>,
         target: Point3<World>,
@@ -106,14 +106,14 @@ impl ViewTransform {
     ) -> Result<Self, ViewTransformError> {
         let (e, t) = (eye.bits(), target.bits());
         // 33 bits.
-        Self::towards(
+        Self::from_axes(
             eye,
             &[e[0] as i64 - t[0] as i64, e[1] as i64 - t[1] as i64, e[2] as i64 - t[2] as i64],
             up,
         )
     }
 
-    /// From `eye` along `gaze`, with `up` upwards in the picture.
+    /// The view from `eye` in the direction `gaze`, with `up` upwards in the picture. Both vectors may have any length.
     ///
     /// ```
     /// use pinhole::{Point3, Vector3, ViewTransform, ViewTransformError};
@@ -132,11 +132,11 @@ impl ViewTransform {
         gaze: Vector3<World>,
         up: Vector3<World>,
     ) -> Result<Self, ViewTransformError> {
-        let [x, y, z] = longs(gaze);
-        Self::towards(eye, &[-x, -y, -z], up)
+        let [x, y, z] = to_i64(gaze);
+        Self::from_axes(eye, &[-x, -y, -z], up)
     }
 
-    /// From a view reference point, a view plane normal (towards the viewer) and an up vector.
+    /// The view by view reference point (VRP), view plane normal (VPN, towards the viewer) and view up vector (VUP).
     ///
     /// # Errors
     ///
@@ -146,11 +146,11 @@ impl ViewTransform {
         vpn: Vector3<World>,
         vup: Vector3<World>,
     ) -> Result<Self, ViewTransformError> {
-        Self::towards(vrp, &longs(vpn), vup)
+        Self::from_axes(vrp, &to_i64(vpn), vup)
     }
 
-    /// One of the six multiview directions, from `vrp`: for an orthographic projection, faces
-    /// parallel to the view plane keep their exact size. Exact.
+    /// One of the six principal views of multiview drawings, with the view reference point `vrp`: under an orthographic projection faces
+    /// parallel to the view plane keep their shape and scale. Exact.
     pub const fn multiview(vrp: Point3<World>, side: Side) -> Self {
         const P: i32 = 1 << 30;
         // u, v, n; n points from the object to the viewer.
@@ -162,7 +162,7 @@ impl ViewTransform {
             Side::Top => [[P, 0, 0], [0, 0, -P], [0, P, 0]],
             Side::Bottom => [[P, 0, 0], [0, 0, P], [0, -P, 0]],
         };
-        Self { rows, eye: wide(vrp) }
+        Self { rows, eye: to_q32(vrp) }
     }
 
     /// The isometric view, VPN (1, 1, 1) and y up: with an orthographic projection all three axes
@@ -178,7 +178,7 @@ impl ViewTransform {
     ///     ViewTransform::dimetric(origin, Scalar::from_num(1), up)?, // VPN (1, 2, 1)
     ///     ViewTransform::trimetric(origin, Vector3::from_ints(1, 2, 3))?,
     /// ];
-    /// // How long a unit of each axis is in the picture: √(1 − its part of n squared).
+    /// // The foreshortening of each axis is √(1 − nᵢ²).
     /// let n = views.map(|view| view.rows()[2].map(|c| f64::from(c) / f64::from(1 << 30)));
     /// let lengths = n.map(|n| n.map(|c| (100.0 * (1.0 - c * c).sqrt()).round()));
     /// assert_eq!(lengths, [[100.0, 0.0, 100.0], [82.0; 3], [91.0, 58.0, 91.0], [96.0, 85.0, 60.0]]);
@@ -189,17 +189,17 @@ impl ViewTransform {
         const H: i32 = 759_250_125;
         const S: i32 = 438_353_264;
         const T: i32 = 619_925_131;
-        Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: wide(vrp) }
+        Self { rows: [[H, 0, -H], [-S, 2 * S, -S], [T, T, T]], eye: to_q32(vrp) }
     }
 
-    /// A dimetric view, y up: VPN (`side`, `up`, `side`), so that x and z are foreshortened alike
-    /// under an orthographic projection, by √((side² + up²)/(2·side² + up²)), and y by
+    /// A dimetric view, y up: VPN (`side`, `up`, `side`). Under an orthographic projection x and z are foreshortened equally,
+    /// by √((side² + up²)/(2·side² + up²)), and y by
     /// √(2·side²/(2·side² + up²)).
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::NotAxonometric`] where a component is zero or both are equal but for the sign, and
-    /// [`ViewTransformError::ParallelUp`] where `side` is below 2⁻¹²·⁵ of `up`. [`isometric`](Self::isometric) has an
+    /// [`ViewTransformError::NotAxonometric`] if `side` or `up` is zero or their sizes are equal, and
+    /// [`ViewTransformError::ParallelUp`] if `side` is below 2⁻¹²·⁵ of `up`. [`isometric`](Self::isometric) has an
     /// example.
     pub const fn dimetric(vrp: Point3<World>, side: Scalar, up: Scalar) -> Result<Self, ViewTransformError> {
         if side.to_bits() == 0
@@ -211,13 +211,13 @@ impl ViewTransform {
         Self::from_reference(vrp, Vector3::new(side, up, side), Vector3::from_ints(0, 1, 0))
     }
 
-    /// A trimetric view, y up: a VPN of three different components, none of them zero, foreshortens
-    /// each axis differently under an orthographic projection, axis i by √(1 − (VPNᵢ/|VPN|)²).
+    /// A trimetric view, y up: a VPN of three non-zero components of different sizes. An orthographic projection foreshortens each axis
+    /// differently, axis i by √(1 − (VPNᵢ/|VPN|)²).
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::NotAxonometric`] where a component is zero or two are equal but for the
-    /// sign, and [`ViewTransformError::ParallelUp`] where the VPN is within 2⁻¹² rad of the y axis.
+    /// [`ViewTransformError::NotAxonometric`] if a component is zero or two have equal sizes, and
+    /// [`ViewTransformError::ParallelUp`] if the VPN is within 2⁻¹² rad of the y axis.
     pub const fn trimetric(vrp: Point3<World>, vpn: Vector3<World>) -> Result<Self, ViewTransformError> {
         let [x, y, z] = vpn.bits();
         let (x, y, z) = (x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs());
@@ -227,16 +227,14 @@ impl ViewTransform {
         Self::from_reference(vrp, vpn, Vector3::from_ints(0, 1, 0))
     }
 
-    /// From a rigid matrix, row by row, for column vectors: the rows of its rotation are u, v, n,
-    /// rounded to 2⁻³⁰. The eye is the point that the matrix as given takes to the origin, rounded to
-    /// 2⁻³²: what is near it stays sharp, however far away both are.
+    /// From a rigid row-major matrix for column vectors. The rows of its rotation become u, v, n, rounded to 2⁻³⁰. The eye is the point that
+    /// the given matrix maps to the origin, rounded to 2⁻³² world units, so points near the eye stay accurate far from the world's origin.
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::NotRigid`] where the last row is not (0, 0, 0, 1), a number is not finite,
-    /// or the rows are left-handed, or a row's square is not 1 or its product with another not 0, to
-    /// 4·10⁻⁶, as given and as rounded: numbers rounded to six decimals pass; [`ViewTransformError::EyeOutside`] where
-    /// the eye leaves the world.
+    /// [`ViewTransformError::NotRigid`] if the last row is not (0, 0, 0, 1), a number is not finite, the rows are left-handed, or, as given
+    /// or as rounded, a row's squared length differs from 1 or the dot product of two rows from 0 by more than 4·10⁻⁶: six
+    /// correct decimals suffice. [`ViewTransformError::EyeOutside`] if the eye is beyond ±32768 world units.
     ///
     /// ```
     /// use pinhole::{Point3, ViewTransform, ViewTransformError};
@@ -258,11 +256,11 @@ impl ViewTransform {
         if !is_rigid(&axes) {
             return Err(ViewTransformError::NotRigid);
         }
-        // |c| ≤ 1 + 2·10⁻⁶: brought to 2³⁰ at most.
+        // |c| ≤ 1 + 2·10⁻⁶: clamped to 2³⁰.
         let nearest = |c: f64| ((c + if c < 0.0 { -0.5 } else { 0.5 }) as i32).clamp(-(1 << 30), 1 << 30);
         let rows = axes.map(|row| row.map(|c| nearest(c * 1_073_741_824.0)));
-        // As rounded too, so that what `to_matrix` gives is taken back.
-        if !is_rigid(&rows.map(as_reals)) {
+        // Rounded rows must pass too, so that `from_matrix` accepts the result of `to_matrix`.
+        if !is_rigid(&rows.map(to_f64)) {
             return Err(ViewTransformError::NotRigid);
         }
         // −R⁻¹·t by the cofactors; the determinant is within 10⁻⁵ of 1.
@@ -274,31 +272,31 @@ impl ViewTransform {
         };
         let part = |e: f64| {
             let inside = (-32_768.0..=32_768.0).contains(&e);
-            fixed(e, 32).filter(|_| inside).ok_or(ViewTransformError::EyeOutside)
+            to_fixed(e, 32).filter(|_| inside).ok_or(ViewTransformError::EyeOutside)
         };
         Ok(Self { rows, eye: [part(eye(0))?, part(eye(1))?, part(eye(2))?] })
     }
 
-    /// The matrix that it draws with: [`rows`](Self::rows) and the translation −R·eye, rounded to 53 bits.
+    /// The row-major matrix that the camera uses: [`rows`](Self::rows), and the translation −R·eye rounded to 53 bits.
     /// [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [u, v, n] = self.rows.map(|row| {
-            let [x, y, z] = as_reals(row);
-            // 31 × 48 bits, three of them: exact, then rounded.
+            let [x, y, z] = to_f64(row);
+            // Three products of 31 × 48 bits: exact, then rounded.
             let along: i128 = row.iter().zip(self.eye).map(|(&m, e)| i128::from(m) * i128::from(e)).sum();
-            [x, y, z, -(along as f64) * float(1, -62)]
+            [x, y, z, -(along as f64) * ldexp(1, -62)]
         });
         [u, v, n, [0.0, 0.0, 0.0, 1.0]]
     }
 
-    /// `back` is the direction of n, of any length.
-    #[inline(never)] // set-up: small is better
-    const fn towards(
+    /// From the direction `back` of n and an up vector, both of any length.
+    #[inline(never)] // set-up: code size counts, speed does not
+    const fn from_axes(
         eye: Point3<World>,
         back: &[i64; 3],
         up: Vector3<World>,
     ) -> Result<Self, ViewTransformError> {
-        let up = longs(up);
+        let up = to_i64(up);
         let (n, up_unit) = (normalise(back), normalise(&up));
         if is_zero(&n) {
             return Err(ViewTransformError::ZeroDirection);
@@ -306,18 +304,17 @@ impl ViewTransform {
         if is_zero(&up_unit) {
             return Err(ViewTransformError::ZeroUp);
         }
-        // The sine of the angle between them, from unit vectors; squared, in 2⁻⁶⁰.
+        // |up × n|² = sin² of the angle between them, in 2⁻⁶⁰.
         let sine = cross_units(&up_unit, &n);
         if num::dot(&sine, &sine) < 1 << (60 - 24) {
             return Err(ViewTransformError::ParallelUp);
         }
-        // u from the vectors as given, not from rounded unit vectors: near-parallel ones differ in
-        // their low bits.
+        // u from the given vectors, not from rounded unit vectors: nearly parallel vectors differ in their low bits only.
         let u = normalise(&cross(&up, back));
-        Ok(Self { rows: [u, cross_units(&n, &u), n], eye: wide(eye) })
+        Ok(Self { rows: [u, cross_units(&n, &u), n], eye: to_q32(eye) })
     }
 
-    /// The axes u, v, n as rows, in 2⁻³⁰: from −2³⁰ to 2³⁰. Their bound is that of the constructor.
+    /// The axes u, v, n as rows, in 2⁻³⁰: −2³⁰ … 2³⁰. The constructor states their error bound.
     pub const fn rows(&self) -> [[i32; 3]; 3] {
         self.rows
     }
@@ -325,48 +322,48 @@ impl ViewTransform {
     /// The translation column `(−u·eye, −v·eye, −n·eye)` in 2⁻³² world units; each within
     /// 2⁻¹³ over the sine of the angle between VUP and VPN. For inspection only: the pipeline subtracts the eye first.
     pub fn translation(&self) -> [i64; 3] {
-        self.rows_over_world().map(|row| row.apply(&self.eye.map(|c| -c)))
+        self.rotation_rows().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
-    /// A world point in view coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step, of the view as it is)
-    /// and saturated.
+    /// A world point in view coordinates, rounded to 2⁻¹⁶ and saturated: within ½ + 2⁻¹⁷ of a step of 2⁻¹⁶, given the stored rows and
+    /// eye.
     pub fn apply(&self, p: Point3<World>) -> Point3<View> {
         let p = p.bits();
         let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);
         let relative = [relative(0), relative(1), relative(2)];
-        let image = self.rows_over_world().map(|row| row.apply(&relative));
+        let image = self.rotation_rows().map(|row| row.apply(&relative));
         Point3::from_bits(image.map(crate::math::to_scalar))
     }
 
-    /// The eye in 2⁻³² world units, exact: ±2⁴⁷ but for rounding.
+    /// The eye in 2⁻³² world units, exact: −2⁴⁷ … 2⁴⁷.
     pub const fn eye(&self) -> [i64; 3] {
         self.eye
     }
 
-    pub(super) fn rows_over_world(&self) -> [Row; 3] {
+    pub(super) fn rotation_rows(&self) -> [Row; 3] {
         self.rows.map(|linear| Row { linear, exponent: 0, offset: 0 })
     }
 }
 
-const fn longs(v: Vector3<World>) -> [i64; 3] {
+const fn to_i64(v: Vector3<World>) -> [i64; 3] {
     let [x, y, z] = v.bits();
     [x as i64, y as i64, z as i64]
 }
 
 /// A point's coordinates in 2⁻³².
-const fn wide(p: Point3<World>) -> [i64; 3] {
+const fn to_q32(p: Point3<World>) -> [i64; 3] {
     let [x, y, z] = p.bits();
     [(x as i64) << 16, (y as i64) << 16, (z as i64) << 16]
 }
 
-/// A row of a viewing matrix.
-fn as_reals(row: [i32; 3]) -> [f64; 3] {
-    row.map(|c| float(c.into(), -30))
+/// A row of the rotation as f64.
+fn to_f64(row: [i32; 3]) -> [f64; 3] {
+    row.map(|c| ldexp(c.into(), -30))
 }
 
-/// Orthonormal and right-handed, as far as numbers of six decimals can be.
+/// Whether rows are orthonormal and right-handed, to the precision of six decimals.
 fn is_rigid(&[u, v, n]: &[[f64; 3]; 3]) -> bool {
-    // Written so that NaN fails.
+    // Comparisons with NaN are false, so NaN is not rigid.
     let near = |value: f64, wanted: f64| value - wanted > -4e-6 && value - wanted < 4e-6;
     near(dot(u, u), 1.0)
         && near(dot(v, v), 1.0)

@@ -1,4 +1,4 @@
-//! NDC to screen: where on the target the picture goes.
+//! The viewport transform: NDC to the screen.
 
 use crate::math::num::scale;
 use crate::math::Point3;
@@ -7,11 +7,10 @@ use crate::space::Ndc;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A rectangle of the target, in pixels. It may lie partly or wholly outside the target; only
-/// what lies in both is drawn.
+/// A rectangle of the target, in pixels, that shows the picture. It may extend beyond the target: pixels in the intersection of both are
+/// drawn.
 ///
-/// NDC −1 and +1 fall on its outer borders, not on pixel centres; y is mirrored, since rows count
-/// downwards: `x = x₀ + (x + 1)·W/2`, `y = y₀ + (1 − y)·H/2`.
+/// NDC −1 and +1 map to its outer borders, not to pixel centres; y is negated, because screen y grows downwards: `x = x₀ + (x + 1)·W/2`, `y = y₀ + (1 − y)·H/2`.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -26,21 +25,23 @@ pub struct Viewport {
     area: Rectangle,
 }
 
-/// Why there is no such viewport.
+/// Why a viewport cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ViewportError {
-    /// Width or height is zero: give it pixels.
+    /// Width or height is zero.
     Empty,
-    /// It leaves ±8192 pixels about the target's origin: place it, or scale it, inside.
+    /// The viewport extends beyond ±8192 pixels from the target's origin.
     OutsideGuardBand,
 }
 
 impl core::fmt::Display for ViewportError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::Empty => "the viewport has no pixels",
-            Self::OutsideGuardBand => "the viewport leaves the guard band of ±8192 pixels",
+            Self::Empty => "the viewport has no pixels: width and height must be at least 1",
+            Self::OutsideGuardBand => {
+                "the viewport extends beyond ±8192 pixels from the target's origin: move or shrink it"
+            }
         })
     }
 }
@@ -48,11 +49,12 @@ impl core::fmt::Display for ViewportError {
 impl core::error::Error for ViewportError {}
 
 impl Viewport {
-    /// The rectangle of `size` with its corner at `top_left`.
+    /// The viewport of `size` pixels with its top left corner at `top_left`, in pixels of the target.
     ///
     /// # Errors
     ///
-    /// [`ViewportError::Empty`], and [`OutsideGuardBand`](ViewportError::OutsideGuardBand) beyond ±8192 pixels.
+    /// [`ViewportError::Empty`] if width or height is zero, [`OutsideGuardBand`](ViewportError::OutsideGuardBand) if the viewport extends
+    /// beyond ±8192 pixels.
     pub const fn new(top_left: Point, size: Size) -> Result<Self, ViewportError> {
         if size.width == 0 || size.height == 0 {
             return Err(ViewportError::Empty);
@@ -66,23 +68,22 @@ impl Viewport {
         Ok(Self { area: Rectangle::new(top_left, size) })
     }
 
-    /// Width and height in pixels: also the aspect that a perspective wants.
+    /// Width and height in pixels: also the aspect ratio for [`Projection::perspective`](crate::Projection::perspective).
     pub const fn size(&self) -> Size {
         self.area.size
     }
 
-    /// The corner at the smallest x and y, in pixels of the target.
+    /// The top left corner, in pixels of the target.
     pub const fn top_left(&self) -> Point {
         self.area.top_left
     }
 
-    /// A point of NDC on the screen, rounded to the nearest 1/256 pixel (ties up) and saturated
-    /// at the guard band.
+    /// The screen position of a point in NDC, rounded to the nearest 1/256 pixel (ties up) and clamped to the guard band.
     pub fn apply(&self, p: Point3<Ndc>) -> ScreenPoint {
         let [x, y, _] = p.bits();
         let (half_width, half_height) = self.half_extent();
         let (centre_x, centre_y) = self.centre();
-        // Pixels in 2⁻¹ times NDC in 2⁻¹⁶ are 2⁻¹⁷; 24.8 wants 2⁻⁸. 15 × 32 bits fit easily.
+        // Half pixels times NDC in 2⁻¹⁶ are in 2⁻¹⁷, screen positions in 2⁻⁸. Products have 15 + 32 bits.
         let along = |centre: i32, half: i64| {
             let v = i64::from(centre) + scale(half, -9);
             v.clamp(i64::from(-GUARD_BAND * 256), i64::from(GUARD_BAND * 256)) as i32
@@ -93,14 +94,14 @@ impl Viewport {
         )
     }
 
-    /// The centre in 24.8: a whole number of half pixels.
+    /// The centre in 24.8: a multiple of half a pixel.
     pub(super) const fn centre(&self) -> (i32, i32) {
-        // ±8192 px · 256 = 2²¹; half an extent of at most 2¹⁴ px is 2²¹ more.
+        // ±8192 px · 256 = 2²¹; half an extent of at most 2¹⁴ px adds 2²¹.
         let Rectangle { top_left, size } = self.area;
         (top_left.x * 256 + size.width as i32 * 128, top_left.y * 256 + size.height as i32 * 128)
     }
 
-    /// Half the extents in half pixels, which are the extents in pixels.
+    /// Half of width and height in half pixels, which equals width and height in pixels.
     fn half_extent(&self) -> (i64, i64) {
         (i64::from(self.area.size.width), i64::from(self.area.size.height))
     }

@@ -1,32 +1,31 @@
-//! Whole objects against the view volume.
+//! View-frustum culling of whole objects, by bounding spheres.
 
 use super::Camera;
 use crate::math::num::{add, mul_translation, sqrt};
-use crate::math::{product, Affine, Row, Scalar, Sphere};
+use crate::math::{matrix_product, Affine, Row, Scalar, Sphere};
 use crate::space::{Model, World};
 
-/// How much of an object the view volume holds.
+/// How much of an object lies inside the view volume.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Visibility {
-    /// Nothing: there is no need to draw it.
+    /// Nothing: the object need not be drawn.
     Outside,
-    /// Perhaps some of it.
+    /// Possibly a part.
     Partly,
-    /// All of it.
+    /// All of the object.
     Inside,
 }
 
 impl Camera {
-    /// Where a sphere lies against the six planes of the view volume (the far one included). `Outside` and `Inside`
-    /// are certain: on the safe side by less than 2⁻²⁰ of its size and distance, against the far plane of a perspective by as
-    /// much and 2⁻²⁸·far/near of that distance.
+    /// Tests a bounding sphere, placed by `model`, against the six planes of the view volume. `Outside` and `Inside` are certain: the
+    /// margin is less than 2⁻²⁰ of the sphere's size and distance, and at the far plane of a perspective 2⁻²⁸·far/near of that distance
+    /// more.
     ///
-    /// A node that is `Outside` need not be placed: but for vertices within 1/512 pixel of the border, which rounding to 1/256
-    /// may bring into the picture, nothing of it shows. One that is `Inside` will not be clipped. The far plane counts
-    /// even where the camera does not clip there: leaving such an object out then changes the picture (not when
-    /// drawing against depth, which ends at far). A radius of `Scalar::MAX` stands for any: such a sphere is
-    /// `Partly` visible.
+    /// An object that is `Outside` need not be drawn: only vertices within 1/512 pixel of the border could show, rounded to 1/256 pixel. An
+    /// object that is `Inside` is not clipped. The far plane counts even if the camera does not [clip there](Self::with_far_clip); then
+    /// objects beyond it would be drawn without a depth buffer, and culling them changes the picture. A sphere of radius
+    /// `Scalar::MAX`, too large to represent, is `Partly` visible.
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
@@ -48,13 +47,12 @@ impl Camera {
         if sphere.radius == Scalar::MAX {
             return Visibility::Partly;
         }
-        // The centre in view coordinates, and what the model transform makes of the radius: at most
-        // the root of the sum of its squared coefficients.
+        // The centre in view coordinates, and the radius times the Frobenius norm of the model transform, an upper bound.
         let centre = sphere.centre.bits().map(|c| i64::from(c) << 16);
         let (m, exponent) = model.linear();
         let away = model.offset_from(&self.eye);
         let mut linear = [[0; 3]; 3];
-        let view_exponent = product(&self.axes, 0, m, exponent, &mut linear);
+        let view_exponent = matrix_product(&self.axes, 0, m, exponent, &mut linear);
         let place = |i: usize| {
             let axis = Row { linear: self.axes[i], ..Row::ZERO };
             Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)
@@ -62,7 +60,7 @@ impl Camera {
         let centre = [place(0), place(1), place(2)];
         let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
 
-        // Half of the root of that, in 2^(exponent − 28), rounded up.
+        // Half of the square root, in 2^(exponent − 28), rounded up.
         let stretch = (sqrt(squares) >> 1) as i32 + 4;
         let radius = i64::from(sphere.radius.to_bits().max(0)) << 16;
         let radius = mul_translation(stretch, exponent - 28, radius);
@@ -74,30 +72,30 @@ impl Camera {
         let (plus, minus) = ((1 << 30, -30), (-(1 << 30), -30));
         let (across, down) = (half(size.width), half(size.height));
         let planes = [
-            w.combined(across, x, plus),
-            w.combined(across, x, minus),
-            w.combined(down, y, plus),
-            w.combined(down, y, minus),
+            w.linear_combination(across, x, plus),
+            w.linear_combination(across, x, minus),
+            w.linear_combination(down, y, plus),
+            w.linear_combination(down, y, minus),
             *d,
             // d is stored times 65535/65536.
-            w.combined((65_535, -16), d, minus),
+            w.linear_combination((65_535, -16), d, minus),
         ];
         let mut visibility = Visibility::Inside;
         let far_out = centre.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
         let away = 64 - far_out.leading_zeros() as i32;
-        // How far its points are from the eye, at most; it saturates.
+        // An upper bound of the distance of the sphere's points from the eye; saturates.
         let all = add(i64::try_from(far_out).unwrap_or(i64::MAX), radius);
         let times_length = |row: &Row, v: i64, shift: i32| {
             let squares: u64 = row.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
             let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
             mul_translation((length >> 1) as i32 + 1, row.exponent - 29 - shift, v)
         };
-        // What rounding may have cost: coefficients count as far as points are from the eye. Those of a plane, and those of w and
-        // d, which nearly cancel each other in the far one.
+        // The rounding error: of coefficients, it grows with the distance from the eye. The far plane adds the errors of w and d, which
+        // nearly cancel.
         let of_rows = add(times_length(w, all, 28), 16);
         for plane in &planes {
             if plane.overflow(away) > 0 {
-                visibility = Visibility::Partly; // beyond what the numbers tell
+                visibility = Visibility::Partly; // out of range of the arithmetic
                 continue;
             }
             let distance = plane.apply(&centre);

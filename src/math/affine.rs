@@ -1,11 +1,12 @@
-//! Affine transforms between the spaces a scene is set up in.
+//! Affine transforms between model and world space.
 
 use super::float;
-use super::num::{add, after, dot, fraction, row_times, scale, shift_to_fit, sqrt, transposed};
-use super::row::{block, forms, Row};
+use super::hints::opaque_next;
+use super::num::{add, dot, fraction, row_times, scale, shift_to_fit, sqrt, transposed};
+use super::row::{block_scaled, transform_point, Row};
 use super::unit::{cross_exact, is_zero, normalise};
 use super::{Angle, Point3, Quaternion, Scalar, Vector3};
-use crate::space::SetUp;
+use crate::space::SceneSpace;
 use core::marker::PhantomData;
 
 /// An affine map from space `A` to space `B`:
@@ -48,17 +49,17 @@ impl<A, B> Copy for Affine<A, B> {}
 
 const ONE: i32 = 1 << 30;
 
-impl<A: SetUp, B: SetUp> Affine<A, B> {
+impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     const fn from_parts(linear: [[i32; 3]; 3], exponent: i32, offset: [i64; 3]) -> Self {
         Self { linear, exponent, offset, ends: PhantomData }
     }
 
-    /// Coordinates stay as they are: `B` coincides with `A`.
+    /// The identity: coordinates in `A` and `B` are equal.
     pub const fn identity() -> Self {
         Self::from_parts([[ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]], 0, [0; 3])
     }
 
-    /// A shift by `t`, exact.
+    /// The translation by `t`, exact.
     pub const fn translation(t: Vector3<B>) -> Self {
         let [x, y, z] = t.bits();
         // 2⁻¹⁶ to 2⁻³²: 48 bits.
@@ -66,42 +67,42 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Self::from_parts(Self::identity().linear, 0, offset)
     }
 
-    /// The same factor along all axes, exact below 16384 and within 2⁻³⁰ of itself above. Zero flattens everything
-    /// into the origin, which draws nothing.
+    /// Uniform scale by `factor`: exact below 16384, with a relative error of 2⁻³⁰ above. A factor of zero maps every point to
+    /// the origin, so nothing is drawn.
     pub fn scale(factor: Scalar) -> Self {
         Self::scale_axes(factor, factor, factor)
     }
 
-    /// A factor for each axis; exact where the factors span no more than 30 bits, otherwise within
-    /// 2⁻³⁰ of the largest. A negative one mirrors, and a mirrored mesh shows the inner sides of its faces.
+    /// Scale by one factor per axis: exact where the factors span no more than 30 bits, otherwise within 2⁻³⁰ of the largest
+    /// factor. A negative factor mirrors; an odd number of them turns faces inside out, so culling shows their inner sides.
     pub fn scale_axes(x: Scalar, y: Scalar, z: Scalar) -> Self {
         let [x, y, z] = [x, y, z].map(|f| i64::from(f.to_bits()));
         // Value = bits · 2⁻¹⁶ = bits · 2^(14 − 30).
-        let (linear, exponent) = rounded(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 14);
+        let (linear, exponent) = rounded_block(&[[x, 0, 0], [0, y, 0], [0, 0, z]], 14);
         Self::from_parts(linear, exponent, [0; 3])
     }
 
-    /// About the x axis, from y towards z: `|1 0 0; 0 c −s; 0 s c|`. Coefficients within 2⁻²⁹·⁵.
+    /// Rotation about the x axis, from y towards z: `|1 0 0; 0 c −s; 0 s c|`. Coefficients within 2⁻²⁹·⁵.
     pub const fn rotation_x(angle: Angle) -> Self {
         let (s, c) = angle.sin_cos();
         Self::from_parts([[ONE, 0, 0], [0, c, -s], [0, s, c]], 0, [0; 3])
     }
 
-    /// About the y axis, from z towards x: `|c 0 s; 0 1 0; −s 0 c|`. Coefficients within 2⁻²⁹·⁵.
+    /// Rotation about the y axis, from z towards x: `|c 0 s; 0 1 0; −s 0 c|`. Coefficients within 2⁻²⁹·⁵.
     pub const fn rotation_y(angle: Angle) -> Self {
         let (s, c) = angle.sin_cos();
         Self::from_parts([[c, 0, s], [0, ONE, 0], [-s, 0, c]], 0, [0; 3])
     }
 
-    /// About the z axis, from x towards y: `|c −s 0; s c 0; 0 0 1|`. Coefficients within 2⁻²⁹·⁵.
+    /// Rotation about the z axis, from x towards y: `|c −s 0; s c 0; 0 0 1|`. Coefficients within 2⁻²⁹·⁵.
     pub const fn rotation_z(angle: Angle) -> Self {
         let (s, c) = angle.sin_cos();
         Self::from_parts([[c, -s, 0], [s, c, 0], [0, 0, ONE]], 0, [0; 3])
     }
 
-    /// About the line through `through` along `axis` (any length), right-handed: `R = c·I + (1 − c)·a·aᵀ + s·[a]×`
-    /// and the translation `through − R·through`. Coefficients are within 2⁻²⁷; the translation is within 2⁻³³
-    /// world units of the one that belongs to these coefficients. (Rodrigues 1840; Goldman, *Matrices and
+    /// Right-handed rotation about the line through `through` along `axis` (of any length): `R = c·I + (1 − c)·a·aᵀ + s·[a]×`
+    /// and the translation `through − R·through`. Coefficients are within 2⁻²⁷; given these coefficients, the
+    /// translation is within 2⁻³³ world units. (Rodrigues 1840; Goldman, *Matrices and
     /// transformations*, Graphics Gems, 1990.)
     ///
     /// ```
@@ -114,7 +115,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     ///
     /// # Errors
     ///
-    /// [`AxisError::ZeroAxis`] for an axis of length zero.
+    /// [`AxisError::ZeroAxis`] if `axis` has length zero.
     pub fn rotation(through: Point3<B>, axis: Vector3<B>, angle: Angle) -> Result<Self, AxisError> {
         let axis = normalise(&axis.bits().map(i64::from));
         if is_zero(&axis) {
@@ -132,13 +133,13 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
             [outer(y, x) + turn(z), c + outer(y, y), outer(y, z) - turn(x)],
             [outer(z, x) - turn(y), outer(z, y) + turn(x), c + outer(z, z)],
         ];
-        Ok(Self::about(linear, through))
+        Ok(Self::fixing(linear, through))
     }
 
     /// The rotation that a quaternion describes. Coefficients within 2⁻²⁷.
     /// (Shoemake, *Animating rotation with quaternion curves*, 1985.)
     pub fn from_quaternion(quaternion: Quaternion) -> Self {
-        let [w, x, y, z] = quaternion.parts().map(i64::from);
+        let [w, x, y, z] = quaternion.components().map(i64::from);
         // Twice a product of 30-bit numbers, to 2⁻³⁰.
         let twice = |sum: i64| scale(sum, -29);
         let one = i64::from(ONE);
@@ -147,44 +148,43 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
             [twice(x * y + w * z), one - twice(x * x + z * z), twice(y * z - w * x)],
             [twice(x * z - w * y), twice(y * z + w * x), one - twice(x * x + y * y)],
         ];
-        Self::about(linear, Point3::from_ints(0, 0, 0))
+        Self::fixing(linear, Point3::from_ints(0, 0, 0))
     }
 
-    /// A linear part in 2⁻³⁰, up to 31 bits, that leaves one point where it is.
-    fn about(linear: [[i64; 3]; 3], fixed: Point3<B>) -> Self {
-        let (linear, exponent) = rounded(&linear, 0);
+    /// The map with a linear part in 2⁻³⁰, of up to 31 bits, and one fixed point.
+    fn fixing(linear: [[i64; 3]; 3], fixed: Point3<B>) -> Self {
+        let (linear, exponent) = rounded_block(&linear, 0);
         let turned = Self::from_parts(linear, exponent, [0; 3]);
         let at = fixed.bits().map(|c| i64::from(c) << 16);
         let [x, y, z] = turned.apply_bits(&at);
         Self { offset: [add(at[0], -x), add(at[1], -y), add(at[2], -z)], ..turned }
     }
 
-    /// The frame with these axes and origin: columns a, b, c, o. It leads from the frame's own
-    /// coordinates to those in which it is given. Exact where the axes span no more than 30 bits,
-    /// otherwise within 2⁻³⁰ of the largest coefficient.
+    /// The map from a coordinate frame with these axes and this origin to `B`: the matrix with columns a, b, c, o. Exact where the
+    /// axes' components span no more than 30 bits, otherwise within 2⁻³⁰ of the largest coefficient.
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Point3, Vector3};
-    /// // What lies along the model's x, y and z lies along the world's y, z and x, twice as long along the first.
+    /// // The model's x, y and z axes map to the world's y, z and x axes; lengths along the first one double.
     /// let [a, b, c] = [[0, 2, 0], [0, 0, 1], [1, 0, 0]].map(|[x, y, z]| Vector3::from_ints(x, y, z));
     /// let place = Affine::<Model, World>::from_frame(a, b, c, Point3::from_ints(10, 0, 0));
     /// assert_eq!(place.apply(Point3::from_ints(1, 3, 5)), Point3::from_ints(15, 2, 3));
     /// ```
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub fn from_frame(a: Vector3<B>, b: Vector3<B>, c: Vector3<B>, origin: Point3<B>) -> Self {
         let (a, b, c) = (a.bits(), b.bits(), c.bits());
         let row = |i: usize| [a[i], b[i], c[i]].map(i64::from);
-        let (linear, exponent) = rounded(&[row(0), row(1), row(2)], 14);
+        let (linear, exponent) = rounded_block(&[row(0), row(1), row(2)], 14);
         Self::from_parts(linear, exponent, origin.bits().map(|c| i64::from(c) << 16))
     }
 
-    /// From a matrix, row by row, for column vectors: coefficients are kept within 2⁻³⁰ of the largest
-    /// one (2⁻³¹ just below a power of two), the translation within 2⁻³³.
+    /// From a row-major matrix for column vectors. Coefficients are rounded to within 2⁻³⁰ of the largest one (2⁻³¹ just below a
+    /// power of two), the translation to within 2⁻³³ world units.
     ///
     /// # Errors
     ///
-    /// [`MatrixError`] for a last row other than (0, 0, 0, 1), NaN and infinities, and translations
-    /// beyond ±2³⁰ world units.
+    /// [`MatrixError`] if the last row is not (0, 0, 0, 1), if a number is NaN or infinite, or if the translation is beyond
+    /// ±2³⁰ world units.
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, MatrixError, Point3};
@@ -200,11 +200,11 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
             return Err(MatrixError::NotAffine);
         }
         let linear = [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]];
-        let (l, exponent) = float::aligned(linear).ok_or(MatrixError::NotFinite)?;
+        let (l, exponent) = float::common_exponent(linear).ok_or(MatrixError::NotFinite)?;
         let linear = [[l[0], l[1], l[2]], [l[3], l[4], l[5]], [l[6], l[7], l[8]]];
-        let (linear, exponent) = rounded(&linear, exponent + 30);
+        let (linear, exponent) = rounded_block(&linear, exponent + 30);
         let translation = [x[3], y[3], z[3]];
-        let part = |i: usize| float::fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
+        let part = |i: usize| float::to_fixed(translation[i], 32).ok_or(MatrixError::NotFinite);
         let offset = [part(0)?, part(1)?, part(2)?];
         if translation.iter().any(|t| t.abs() > 1_073_741_824.0) {
             return Err(MatrixError::OutOfRange);
@@ -212,8 +212,8 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         Ok(Self::from_parts(linear, exponent, offset))
     }
 
-    /// The matrix, row by row; the translation is rounded to 53 bits where it needs more, beyond 2²¹ world units.
-    /// [`from_matrix`](Self::from_matrix) reads it back, to within its own bounds.
+    /// The row-major matrix for column vectors. Exact but for translations beyond 2²¹ world units, which are rounded to 53 bits.
+    /// [`from_matrix`](Self::from_matrix) reads it back within its own bounds.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, z] = self.rows().map(|row| float::coefficients(&row, 0));
         [x, y, z, [0.0, 0.0, 0.0, 1.0]]
@@ -227,8 +227,8 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     ///
     /// # Errors
     ///
-    /// [`InverseError::Singular`] where the axes lie in a plane: the determinant, relative to the
-    /// product of the rows' lengths, is below about 2⁻²⁴ (2⁻²⁵ … 2⁻²³).
+    /// [`InverseError::Singular`] if the axes lie nearly in a plane: the determinant over the product of the rows' lengths is
+    /// below about 2⁻²⁴ (2⁻²⁵ … 2⁻²³).
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Angle, InverseError, Point3, Scalar, Vector3};
@@ -245,7 +245,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     pub fn inverse(&self) -> Result<Affine<B, A>, InverseError> {
         let (cofactors, c_exponent) = cofactors(&self.linear);
         let (determinant, d_exponent) = determinant(&self.linear);
-        if determinant == 0 || self.flatness(determinant, d_exponent) {
+        if determinant == 0 || self.is_near_singular(determinant, d_exponent) {
             return Err(InverseError::Singular);
         }
         // inverse = cofactorsᵀ / det: 30 bits over 61 bits. Each quotient has 31 bits after its
@@ -265,12 +265,12 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         // Values: c·2^(ce + 2e − 60) over det·2^(de + 3e − 90), so c/det · 2^(30 − e + ce − de), and the
         // quotient is c·2³⁰/(det·2^up) · 2³².
         let exponent = c_exponent - d_exponent - self.exponent;
-        let (linear, exponent) = rounded(&linear, 30 + exponent - 30 - 32 + up + 30);
-        Ok(self.returning(linear, exponent))
+        let (linear, exponent) = rounded_block(&linear, 30 + exponent - 30 - 32 + up + 30);
+        Ok(self.inverse_from_linear(linear, exponent))
     }
 
-    /// Whether the determinant is too small beside the rows for an inverse.
-    fn flatness(&self, determinant: i64, d_exponent: i32) -> bool {
+    /// Whether the determinant is below 2⁻²⁴ of the product of the rows' lengths.
+    fn is_near_singular(&self, determinant: i64, d_exponent: i32) -> bool {
         let length = |row: &[i32; 3]| {
             let square: u64 = row.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
             u64::from(sqrt(square)) // ≤ 2³⁰·⁸
@@ -290,12 +290,13 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         }
     }
 
-    /// The inverse of a rigid transform, a rotation, mirrored or not, and a shift: `Rᵀ` and `−Rᵀ·o`, with no
-    /// division and no loss but the rounding of the translation, 2⁻³³.
+    /// The inverse of a rigid transform (rotation or reflection, and translation): `Rᵀ` and `−Rᵀ·o`. Without division; only the
+    /// translation is rounded, to 2⁻³³.
     ///
     /// # Errors
     ///
-    /// [`InverseError::NotRigid`] where a row's square is not 1, or the product of two not 0, to 2⁻²⁰.
+    /// [`InverseError::NotRigid`] if a row's squared length differs from 1, or the dot product of two rows from 0, by more than
+    /// 2⁻²⁰.
     pub fn rigid_inverse(&self) -> Result<Affine<B, A>, InverseError> {
         let [x, y, z] = &self.linear;
         // In 2⁻⁶⁰ for a block of exponent 0; a rotation's largest coefficient is above ½, and 1 has exponent 1.
@@ -308,21 +309,22 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         if !matches!(self.exponent, 0 | 1) || !rigid {
             return Err(InverseError::NotRigid);
         }
-        Ok(self.returning(transposed(&self.linear), self.exponent))
+        Ok(self.inverse_from_linear(transposed(&self.linear), self.exponent))
     }
 
-    /// The inverse with this linear part: `−L·o` brings this transform's origin back.
-    fn returning(&self, linear: [[i32; 3]; 3], exponent: i32) -> Affine<B, A> {
+    /// The inverse, given its linear part L: the translation is `−L·o`.
+    fn inverse_from_linear(&self, linear: [[i32; 3]; 3], exponent: i32) -> Affine<B, A> {
         let back = Affine::<B, A>::from_parts(linear, exponent, [0; 3]);
         let offset = back.apply_bits(&self.offset).map(|c| -c);
         Affine { offset, ..back }
     }
 
-    /// First this, then `next`: the matrix product `next · self`, coefficients within 2⁻³⁰ of the
-    /// largest one, the translation within 2⁻³³.
-    pub fn then<C: SetUp>(&self, next: &Affine<B, C>) -> Affine<A, C> {
+    /// This transform followed by `next`: the matrix product `next · self`. Coefficients are within 2⁻³⁰ of the largest one,
+    /// the translation within 2⁻³³.
+    pub fn then<C: SceneSpace>(&self, next: &Affine<B, C>) -> Affine<A, C> {
         let mut both = Affine::from_parts([[0; 3]; 3], 0, next.apply_bits(&self.offset));
-        both.exponent = product(&next.linear, next.exponent, &self.linear, self.exponent, &mut both.linear);
+        both.exponent =
+            matrix_product(&next.linear, next.exponent, &self.linear, self.exponent, &mut both.linear);
         both
     }
 
@@ -335,7 +337,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
 
     /// The image of a point in 2⁻³², in 2⁻³².
     fn apply_bits(&self, p: &[i64; 3]) -> [i64; 3] {
-        forms(&self.linear, self.exponent, p, &self.offset)
+        transform_point(&self.linear, self.exponent, p, &self.offset)
     }
 
     /// The linear part: coefficients `m · 2^(exponent − 30)`, row by row.
@@ -343,12 +345,12 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
         (&self.linear, self.exponent)
     }
 
-    /// Where the origin goes, relative to `eye`, both in 2⁻³².
+    /// The image of the origin minus `eye`, both in 2⁻³².
     pub(crate) fn offset_from(&self, eye: &[i64; 3]) -> [i64; 3] {
         let (mut away, mut i) = (self.offset, 0);
         while let (Some(a), Some(eye)) = (away.get_mut(i), eye.get(i)) {
             *a = add(*a, -eye);
-            i = after(i);
+            i = opaque_next(i);
         }
         away
     }
@@ -359,7 +361,7 @@ impl<A: SetUp, B: SetUp> Affine<A, B> {
     }
 }
 
-/// Why there is no rotation.
+/// Why a rotation cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum AxisError {
@@ -369,59 +371,61 @@ pub enum AxisError {
 
 impl core::fmt::Display for AxisError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the axis of rotation has length zero")
+        f.write_str("the axis of rotation has length zero: give a direction")
     }
 }
 
 impl core::error::Error for AxisError {}
 
-/// Why a matrix is no affine map.
+/// Why a matrix cannot become an [`Affine`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MatrixError {
-    /// The last row must be (0, 0, 0, 1): a projection is no [`Affine`].
+    /// The last row is not (0, 0, 0, 1): use [`Projection::from_matrix`](crate::Projection::from_matrix) for a projection.
     NotAffine,
-    /// A number is NaN or infinite: look where it was computed.
+    /// A number is NaN or infinite: check how the matrix was computed.
     NotFinite,
-    /// The translation leaves ±2³⁰ world units: choose a larger unit.
+    /// The translation is beyond ±2³⁰ world units: choose a larger unit.
     OutOfRange,
 }
 
 impl core::fmt::Display for MatrixError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::NotAffine => "the last row of an affine matrix is 0 0 0 1",
-            Self::NotFinite => "the matrix has a number that is not finite",
-            Self::OutOfRange => "the translation is out of range: choose a larger unit",
+            Self::NotAffine => {
+                "the last row of the matrix is not 0 0 0 1: an affine transform holds no projection"
+            }
+            Self::NotFinite => "a number of the matrix is NaN or infinite: check how it was computed",
+            Self::OutOfRange => "the translation is beyond 2^30 world units: choose a larger unit",
         })
     }
 }
 
 impl core::error::Error for MatrixError {}
 
-/// Why a transform has no inverse.
+/// Why a transform cannot be inverted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InverseError {
-    /// The transform flattens space: no scale may be zero, no axis lie in the plane of the others.
+    /// The transform is singular: use no scale of zero, and no axis in the plane of the two others.
     Singular,
-    /// The transform scales or shears: take [`Affine::inverse`].
+    /// The transform scales or shears: use [`Affine::inverse`].
     NotRigid,
 }
 
 impl core::fmt::Display for InverseError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::Singular => "the transform flattens space and has no inverse",
-            Self::NotRigid => "the transform is not rigid: take the general inverse",
+            Self::Singular => "the transform is singular: a scale is zero, or its axes lie in a plane",
+            Self::NotRigid => "the transform is not rigid: use `inverse`, which also inverts scale and shear",
         })
     }
 }
 
 impl core::error::Error for InverseError {}
 
-/// The determinant of 30-bit rows: exact, then rounded to 62 bits; of the cubed block it is
-/// `result · 2^(exponent − 60)`.
+/// The determinant of 30-bit rows, computed exactly and truncated to 62 bits, as `(mantissa, exponent)`: of coefficients in
+/// 2⁻³⁰ it is `mantissa · 2^(exponent − 60)`.
 fn determinant([x, y, z]: &[[i32; 3]; 3]) -> (i64, i32) {
     // Three products of at most 2³⁰ · 2⁶¹, in 2⁻⁹⁰.
     let exact: i128 = cross_exact(y, z).iter().zip(x).map(|(&c, &m)| i128::from(c) * i128::from(m)).sum();
@@ -429,20 +433,20 @@ fn determinant([x, y, z]: &[[i32; 3]; 3]) -> (i64, i32) {
     ((exact >> shift) as i64, shift - 30)
 }
 
-/// det(A)·A⁻ᵀ, whose rows are the cross products of A's: 30 bits, and the exponent of the block
-/// relative to 2⁻³⁰ for products in 2⁻⁶⁰.
+/// The cofactor matrix det(A)·A⁻ᵀ, whose rows are cross products of A's rows: 30 bits, and the block's exponent for products
+/// in 2⁻⁶⁰.
 pub(crate) fn cofactors([x, y, z]: &[[i32; 3]; 3]) -> ([[i32; 3]; 3], i32) {
-    rounded(&[cross_exact(y, z), cross_exact(z, x), cross_exact(x, y)], -30)
+    rounded_block(&[cross_exact(y, z), cross_exact(z, x), cross_exact(x, y)], -30)
 }
 
-/// 2⁻³² to 2⁻¹⁶, rounded to nearest, saturated.
+/// Converts from 2⁻³² to 2⁻¹⁶: rounded to nearest, saturated.
 pub(crate) fn to_scalar(v: i64) -> i32 {
     scale(v, -16).clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
 }
 
-/// `a · b` for two blocks.
-#[inline(never)] // set-up: small is better
-pub(crate) fn product(
+/// The matrix product `a · b` of two blocks of 30-bit coefficients into `linear`; returns its exponent.
+#[inline(never)] // set-up: code size counts, speed does not
+pub(crate) fn matrix_product(
     a: &[[i32; 3]; 3],
     a_exponent: i32,
     b: &[[i32; 3]; 3],
@@ -453,14 +457,14 @@ pub(crate) fn product(
     let sums = [row_times(x, b), row_times(y, b), row_times(z, b)];
     // Exponents stay far inside i32: each factor's lies in ±2¹⁶ by the clamp, and a little more after an inverse.
     let exponent = a_exponent + b_exponent - 30;
-    block(sums.as_flattened(), exponent, linear.as_flattened_mut()).clamp(-65_536, 65_536)
+    block_scaled(sums.as_flattened(), exponent, linear.as_flattened_mut()).clamp(-65_536, 65_536)
 }
 
-/// Sums of products as rows of 30 bits and one exponent.
-#[inline(never)] // set-up: small is better
-fn rounded(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
+/// Rounds sums of products to rows of 30 bits with one exponent.
+#[inline(never)] // set-up: code size counts, speed does not
+fn rounded_block(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
     let mut linear = [[0; 3]; 3];
-    let exponent = block(sums.as_flattened(), exponent, linear.as_flattened_mut());
+    let exponent = block_scaled(sums.as_flattened(), exponent, linear.as_flattened_mut());
     (linear, exponent)
 }
 

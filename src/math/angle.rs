@@ -17,7 +17,7 @@ use super::NumberError;
 pub struct Angle(u32);
 
 impl Angle {
-    /// No turn at all.
+    /// 0°.
     pub const ZERO: Self = Self(0);
     /// 90°.
     pub const QUARTER_TURN: Self = Self(1 << 30);
@@ -34,15 +34,15 @@ impl Angle {
         self.0
     }
 
-    /// `numerator / denominator` of a turn, rounded to the nearest 2⁻³² turn, ties up, for negative angles too;
-    /// whole turns fall away. A denominator of zero counts as no turn.
-    #[inline(never)] // set-up: small is better
+    /// `numerator / denominator` of a turn modulo one turn, rounded to the nearest 2⁻³² turn, ties up (towards larger angles). A
+    /// denominator of zero gives [`ZERO`](Self::ZERO).
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn turns(numerator: i32, denominator: u32) -> Self {
         if denominator == 0 {
             return Self::ZERO;
         }
-        // 0 ≤ part < denominator; their quotient to 33 bits, the last one for rounding. It may carry: 2³²
-        // turns into 0. No division of 64 bits, which is half a kilobyte of library.
+        // 0 ≤ part < denominator; the quotient has 33 bits, the last one for rounding. A carry to 2³² wraps to 0. Long division,
+        // because 64-bit division costs half a kilobyte of library code.
         let rest = numerator.unsigned_abs() % denominator;
         let part = if numerator < 0 && rest != 0 { denominator.wrapping_sub(rest) } else { rest };
         Self(((fraction(part as u64, denominator as u64, 33) + 1) >> 1) as u32)
@@ -58,8 +58,8 @@ impl Angle {
     ///
     /// # Errors
     ///
-    /// [`NumberError::NotFinite`] for NaN and infinities, [`NumberError::OutOfRange`] beyond
-    /// ±2²⁰ degrees, where a float no longer resolves an angle.
+    /// [`NumberError::NotFinite`] if `degrees` is NaN or infinite, [`NumberError::OutOfRange`] beyond ±2²⁰ degrees, where an f32
+    /// resolves less than a sixteenth of a degree.
     pub fn from_degrees_f32(degrees: f32) -> Result<Self, NumberError> {
         if !degrees.is_finite() {
             return Err(NumberError::NotFinite);
@@ -76,12 +76,12 @@ impl Angle {
     /// Sine and cosine in 2⁻³⁰ (Q2.30): within 2⁻²⁹·⁵ of the exact values, and exact at the
     /// quarter turns; the sum of their squares is within 2⁻²⁸ of 1.
     ///
-    /// The nearest of 64 table angles a per quarter turn and the remainder δ, |δ| ≤ π/256, go
-    /// through the addition theorems with `sin δ = δ − δ³/6` and `cos δ = 1 − δ²/2 + δ⁴/24`; what
-    /// the series leave out is below 2⁻³⁸. (Abramowitz and Stegun, 4.3.16–17, 4.3.65–66.)
-    #[inline(never)] // set-up: small is better
+    /// The nearest of 64 table angles per quarter turn and the remainder δ, |δ| ≤ π/256, are combined by the addition theorems,
+    /// with `sin δ = δ − δ³/6` and `cos δ = 1 − δ²/2 + δ⁴/24`; the
+    /// truncation error of the series is below 2⁻³⁸. (Abramowitz and Stegun, 4.3.16–17, 4.3.65–66.)
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn sin_cos(self) -> (i32, i32) {
-        let within = (self.0 & 0x3fff_ffff) as i32; // the place inside the quarter turn
+        let within = (self.0 & 0x3fff_ffff) as i32; // the angle within its quadrant
         let index = (within + (1 << 23)) >> 24; // 0 … 64
         let rest = within - (index << 24); // ±2²³
         let (sin, cos) = (table(index), table(64 - index)); // in 2⁻³⁰
@@ -98,7 +98,7 @@ impl Angle {
         let up = mul_high(cos, sine) - (mul_high(sin, versine) >> 4);
         let down = mul_high(sin, sine) + (mul_high(cos, versine) >> 4);
         let (s, c) = (sin + ((up + 8) >> 4), cos - ((down + 8) >> 4));
-        // A quarter turn on, then half a turn.
+        // From the first quadrant to the angle's own.
         let (s, c) = if self.0 >> 30 & 1 == 0 { (s, c) } else { (c, -s) };
         if self.0 >> 31 == 0 {
             (s, c)

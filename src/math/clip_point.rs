@@ -1,11 +1,11 @@
-//! Points of clip space.
+//! Points in homogeneous clip space.
 
 use super::num::{divide, scale, shift_to_fit};
 use super::Point3;
 use crate::space::Ndc;
 
-/// A homogeneous point of clip space; stands for (x/w, y/w, z/w). Four 30-bit integers share one exponent: each
-/// value is `integer · 2^exponent`. Only a [`Projection`](crate::Projection) makes one.
+/// A homogeneous point (x, y, z, w) in clip space: four 30-bit integers with one exponent, each value `integer · 2^exponent`.
+/// [`Projection::apply`](crate::Projection::apply) makes it; there is no public constructor.
 ///
 /// ```
 /// use pinhole::{Projection, Window, Scalar, Point3, space::View};
@@ -49,8 +49,8 @@ impl ClipPoint {
         self.exponent
     }
 
-    /// The quotients, rounded to the nearest 2⁻¹⁶ (ties away from zero) and saturated. `None` where w ≤ 0: such a
-    /// point lies in the plane of the eye or behind it and has no image.
+    /// The perspective divide (x/w, y/w, z/w), rounded to the nearest 2⁻¹⁶ (ties away from zero) and saturated. `None` if w ≤ 0: the
+    /// point lies in the eye plane or behind it.
     pub fn ndc(&self) -> Option<Point3<Ndc>> {
         if self.w <= 0 {
             return None;
@@ -65,7 +65,7 @@ impl ClipPoint {
         })))
     }
 
-    /// Which planes of the view volume the point lies outside of.
+    /// The planes of the view volume that the point lies outside of.
     pub const fn outcode(&self) -> Outcode {
         let Self { x, y, z, w, .. } = *self;
         // 30 bits: negation and comparison are exact.
@@ -79,7 +79,7 @@ impl ClipPoint {
         )
     }
 
-    /// The four numbers in units of 2^exponent, which is not below the point's own.
+    /// x, y, z, w in units of 2^`exponent`, rounded to nearest; `exponent` must not be below the point's own.
     pub(crate) fn in_units(&self, exponent: i32) -> [i32; 4] {
         self.xyzw().map(|c| scale(c.into(), self.exponent - exponent) as i32)
     }
@@ -89,8 +89,8 @@ impl ClipPoint {
     }
 }
 
-/// The planes of the view volume that a point lies outside of, one bit each. A line or face is
-/// wholly inside where all its points have none, and wholly outside where they share one.
+/// The planes of the view volume that a point lies outside of, one bit each. A line or face
+/// is inside if no end has a bit set, and outside if all ends share a set bit.
 /// (Cohen and Sutherland; Newman and Sproull, *Principles of Interactive Computer Graphics*, 2nd
 /// ed., section 5.1.)
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -118,13 +118,14 @@ impl Outcode {
         self.0
     }
 
-    /// The planes that both points lie outside of. If there is one, the line between them is invisible.
+    /// The planes that both points lie outside of. If there is one, the line between the points is invisible.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 
-    /// The planes that either point lies outside of. If there is none, the line between them is wholly visible.
+    /// The planes that either point lies outside of. If there is none, all of the line between the points is
+    /// visible.
     #[must_use]
     pub const fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)

@@ -15,11 +15,11 @@ pub(crate) const COUNTS_LEADING_ZEROS: bool =
     any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))),
     not(pinhole_plain)
 )))]
-pub(crate) use super::form::WideForm as Form;
+pub(crate) use super::form::WideForm as LinearForm;
 /// The linear form of the vertex loop, which all values of this build's vertices come from: 16-bit pieces on a Cortex-M0, whose
 /// products have 32 bits, and on RV32, where a 64-bit sum takes four instructions.
 #[cfg(all(
     any(target_arch = "riscv32", all(target_arch = "arm", not(target_has_atomic = "32"))),
     not(pinhole_plain)
 ))]
-pub(crate) use super::halfword::HalfwordForm as Form;
+pub(crate) use super::halfword::HalfwordForm as LinearForm;

@@ -1,10 +1,10 @@
-//! Matrices of f64 in and out: the door for hosts. Exact wherever the integers hold the number.
+//! Conversion of f64 matrices, for hosts: exact wherever the integers can hold the number.
 
 use super::num::{add, scale};
 use super::row::Row;
 
-/// The parts of a finite float: `mantissa · 2^exponent`, exact, with at most 53 bits.
-pub(crate) fn parts(v: f64) -> Option<(i64, i32)> {
+/// The mantissa and exponent of a finite float, `mantissa · 2^exponent`: exact, at most 53 bits; `None` for NaN and infinities.
+pub(crate) fn mantissa_and_exponent(v: f64) -> Option<(i64, i32)> {
     if !v.is_finite() {
         return None;
     }
@@ -17,35 +17,33 @@ pub(crate) fn parts(v: f64) -> Option<(i64, i32)> {
     Some((if v < 0.0 { -mantissa } else { mantissa }, exponent))
 }
 
-/// Numbers as 61-bit integers over one power of two, that of the largest; `None` if one is not
-/// finite.
-pub(crate) fn aligned<const N: usize>(numbers: [f64; N]) -> Option<([i64; N], i32)> {
+/// Numbers as 61-bit integers with one exponent, which the largest number determines; `None` if one is not finite.
+pub(crate) fn common_exponent<const N: usize>(numbers: [f64; N]) -> Option<([i64; N], i32)> {
     let mut all = [(0, 0); N];
     for (out, v) in all.iter_mut().zip(numbers) {
-        *out = parts(v)?;
+        *out = mantissa_and_exponent(v)?;
     }
     let exponent = all.iter().filter(|(m, _)| *m != 0).map(|&(_, e)| e).max().unwrap_or(0);
-    // 53 bits moved up by at most 8 keep 61: the largest number's own exponent is the common one,
-    // less 8.
+    // 53 bits shifted left by at most 8 make 61: the common exponent is the largest number's, less 8.
     Some((all.map(|(m, e)| scale(m, (e - exponent + 8).max(-63))), exponent - 8))
 }
 
 /// The nearest integer to `v · 2^fraction`, saturated at ±2⁶²; `None` if v is not finite.
-pub(crate) fn fixed(v: f64, fraction: i32) -> Option<i64> {
-    let (m, e) = parts(v)?;
+pub(crate) fn to_fixed(v: f64, fraction: i32) -> Option<i64> {
+    let (m, e) = mantissa_and_exponent(v)?;
     Some(add(scale(m, (e + fraction).clamp(-63, 63)), 0))
 }
 
-/// A linear form from its four coefficients, all of it times 2^`shift`.
-pub(crate) fn row([x, y, z, constant]: &[f64; 4], shift: i32) -> Option<Row> {
-    let (linear, exponent) = aligned([*x, *y, *z])?;
-    Some(Row::new(&linear, exponent + shift, fixed(*constant, 32 + shift)?))
+/// A row from its four coefficients, scaled by 2^`shift`; `None` if one is not finite.
+pub(crate) fn row_from_f64([x, y, z, constant]: &[f64; 4], shift: i32) -> Option<Row> {
+    let (linear, exponent) = common_exponent([*x, *y, *z])?;
+    Some(Row::new(&linear, exponent + shift, to_fixed(*constant, 32 + shift)?))
 }
 
 /// `m · 2^exponent`: exact for 53 bits, beyond them rounded to nearest; 0 or ±∞ outside f64's
 /// range.
-pub(crate) fn float(m: i64, exponent: i32) -> f64 {
-    // In steps of at most 2^±1000, each a power of two.
+pub(crate) fn ldexp(m: i64, exponent: i32) -> f64 {
+    // Multiplied by powers of two of at most 2^±1000, which f64 holds.
     let (mut value, mut rest) = (m as f64, exponent.clamp(-3000, 3000));
     while rest != 0 {
         let step = rest.clamp(-1000, 1000);
@@ -55,10 +53,10 @@ pub(crate) fn float(m: i64, exponent: i32) -> f64 {
     value
 }
 
-/// The form's coefficients times 2^`shift`.
+/// The row's four coefficients, scaled by 2^`shift`.
 pub(crate) fn coefficients(row: &Row, shift: i32) -> [f64; 4] {
-    let [x, y, z] = row.linear.map(|m| float(m.into(), row.exponent - 30 + shift));
-    [x, y, z, float(row.offset, shift - 32)]
+    let [x, y, z] = row.linear.map(|m| ldexp(m.into(), row.exponent - 30 + shift));
+    [x, y, z, ldexp(row.offset, shift - 32)]
 }
 
 #[cfg(test)]
@@ -66,24 +64,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn floats_go_through_their_parts() {
+    fn mantissa_and_exponent_restore_every_float() {
         for v in [0.0, 1.0, -1.5, 1e-310, f64::MIN_POSITIVE, f64::MAX, -3.25e-200, 12_345.678] {
-            let (m, e) = parts(v).unwrap();
-            assert_eq!(float(m, e), v);
+            let (m, e) = mantissa_and_exponent(v).unwrap();
+            assert_eq!(ldexp(m, e), v);
         }
-        assert_eq!(parts(f64::NAN), None);
-        assert_eq!(parts(f64::INFINITY), None);
-        assert_eq!(float(1, 4000), f64::INFINITY);
-        assert_eq!(float(1, -4000), 0.0);
+        assert_eq!(mantissa_and_exponent(f64::NAN), None);
+        assert_eq!(mantissa_and_exponent(f64::INFINITY), None);
+        assert_eq!(ldexp(1, 4000), f64::INFINITY);
+        assert_eq!(ldexp(1, -4000), 0.0);
     }
 
     #[test]
-    fn numbers_of_one_size_are_aligned_exactly() {
+    fn numbers_of_similar_size_get_a_common_exponent_exactly() {
         let numbers = [1.0, -0.1, 1e-3, 0.0];
-        let (m, e) = aligned(numbers).unwrap();
-        assert_eq!(m.map(|m| float(m, e))[..2], numbers[..2]);
-        // 53 bits ten places further down lose two of them.
-        assert!((float(m[2], e) - 1e-3).abs() <= float(1, e));
+        let (m, e) = common_exponent(numbers).unwrap();
+        assert_eq!(m.map(|m| ldexp(m, e))[..2], numbers[..2]);
+        // 53 bits shifted right by ten lose two.
+        assert!((ldexp(m[2], e) - 1e-3).abs() <= ldexp(1, e));
         assert!(m.iter().all(|m| m.unsigned_abs() < 1 << 61));
     }
 }

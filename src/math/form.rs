@@ -2,15 +2,16 @@
 
 use super::Scalar;
 
-/// A point in clip space while it is being clipped: integers, the exponents are kept elsewhere.
+/// Homogeneous clip coordinates x, y, d, w as integers; the [`VertexTransform`](crate::camera) that made them has their
+/// exponents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ClipCoords {
     /// d is 0 on the near plane, positive inside.
     pub(crate) xydw: [i32; 4],
 }
 
-/// A vertex coordinate type: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`] for meshes that need the range: ±32768
-/// in steps of 2⁻¹⁶. Sealed: there are no others.
+/// A type of vertex coordinates: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`], ±32768 in steps of 2⁻¹⁶. Sealed: no other
+/// type can implement it.
 pub trait Coordinate: Copy + sealed::Sealed {
     /// The coordinate times a power of two.
     #[doc(hidden)]
@@ -22,14 +23,14 @@ pub trait Coordinate: Copy + sealed::Sealed {
 
 impl Coordinate for i16 {
     fn times(self, factor: i32) -> i32 {
-        i32::from(self).wrapping_mul(factor) // by Mesh's own bound no bit is lost
+        i32::from(self).wrapping_mul(factor) // `Mesh` bounds the factor so that no bit is lost
     }
     const NARROW: bool = true;
 }
 
 impl Coordinate for Scalar {
     fn times(self, factor: i32) -> i32 {
-        self.to_bits().wrapping_mul(factor) // by Mesh's own bound no bit is lost
+        self.to_bits().wrapping_mul(factor) // `Mesh` bounds the factor so that no bit is lost
     }
     const NARROW: bool = false;
 }
@@ -40,7 +41,8 @@ mod sealed {
     impl Sealed for super::Scalar {}
 }
 
-/// A form for cores that multiply 32 × 32 bits to 64 and add them up at one go.
+/// A linear form for cores with a 64-bit multiply-accumulate, `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋`; the offset is
+/// truncated to 15 bits below the unit. Coordinates v are [justified](Self::justify) to the top of 32 bits.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
 pub(crate) struct WideForm {
@@ -51,7 +53,8 @@ pub(crate) struct WideForm {
 }
 
 impl WideForm {
-    /// What coordinates are multiplied by, for a left shift that brings the largest to the top of 32 bits.
+    /// The factor that justifies coordinates: 2^`shift`, where a left shift by `shift` brings the largest coordinate to the top of
+    /// 32 bits.
     pub(crate) const fn justify(shift: u32, _narrow: bool) -> i32 {
         1 << (shift & 31)
     }
@@ -67,20 +70,21 @@ impl WideForm {
         (self.doubled.map(|m| m >> 1), (self.offset >> 32) as i32)
     }
 
-    /// The form at a justified vertex. One rounding, at the end; the result fits by the choice of
-    /// exponents, sums on the way may wrap.
+    /// Evaluates the form at a justified vertex, rounded once. The result fits because exponents are chosen so; partial sums
+    /// may wrap.
     #[inline(always)]
     pub(crate) fn at(&self, v: [i32; 3], _narrow: bool) -> i32 {
         dot_product(self.doubled, self.offset, v)
     }
 }
 
-/// The rounding half added, and bits dropped that no [`HalfwordForm`] keeps. An offset leaves room for that half: all that the
-/// form comes to has.
+/// Adds the rounding half to an offset in 2⁻³² and clears the 17 bits that a [`HalfwordForm`](super::halfword::HalfwordForm) has no
+/// room for, so that both forms give the same bits.
 pub(super) fn truncated(offset: i64) -> i64 {
     offset.wrapping_add(1 << 31) >> 17 << 17
 }
 
+/// `⌊(offset + a·x + b·y + c·z) / 2³²⌋`, wrapping.
 #[inline(always)]
 pub(super) fn dot_product([a, b, c]: [i32; 3], offset: i64, [x, y, z]: [i32; 3]) -> i32 {
     let sum = offset

@@ -61,7 +61,7 @@ pub(super) fn normalised_by_steps(mut v: i32) -> (i32, u32) {
 
 /// [`normalised_by_steps`] for numbers that most often lie near 2³⁰: one bit at a time.
 #[inline(always)]
-pub(super) fn normalised_by_ones(mut v: i32) -> (i32, u32) {
+pub(super) fn normalised_by_bits(mut v: i32) -> (i32, u32) {
     let mut shift = 0;
     while v < 1 << 30 {
         keep_rolled();
@@ -70,10 +70,11 @@ pub(super) fn normalised_by_ones(mut v: i32) -> (i32, u32) {
     (v, shift)
 }
 
-/// A form for 16-bit coordinates on a Cortex-M0, whose products have 32 bits, and on RISC-V, where a sum of 64 bits takes
-/// four instructions: coefficients split as `high·2¹⁵ + low`, both signed 16-bit, so
-/// that every product and the sum of the three low ones fit 32 bits. Nothing is dropped before
-/// the one rounding, so the bits are those of the wide form.
+/// A linear form for 16-bit coordinates on a Cortex-M0, whose products have 32 bits, and on RV32, where a 64-bit sum takes four
+/// instructions. Twin: [`WideForm`](super::form::WideForm).
+///
+/// Coefficients are split as `high·2¹⁵ + low`, both signed 16-bit, so that each product and the sum of the three low products fit
+/// 32 bits. Nothing is dropped before the one rounding, so the result has the bits of the wide form.
 #[allow(dead_code)] // where `cores` does not choose it, only tests use it
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
@@ -87,7 +88,7 @@ pub(crate) struct HalfwordForm {
 
 #[allow(dead_code)] // where `cores` does not choose it, only tests use it
 impl HalfwordForm {
-    /// Narrow coordinates are brought to the top of 16 bits instead, by a shift of 16 less: 0 … 15.
+    /// The factor that justifies coordinates: 16-bit ones to the top of 16 bits, by a shift that is 16 smaller, 0 … 15.
     pub(crate) const fn justify(shift: u32, narrow: bool) -> i32 {
         1 << (if narrow { shift & 15 } else { shift & 31 })
     }
@@ -119,8 +120,8 @@ impl HalfwordForm {
         ((dot(self.low) + self.rest) >> 15).wrapping_add(dot(self.high)).wrapping_add(self.offset)
     }
 
-    /// For 32-bit coordinates, by 64-bit products: the compiler's on a Cortex-M0. RISC-V has them, and registers for the whole
-    /// coefficients, made before the loop.
+    /// Evaluates the form at 32-bit coordinates by 64-bit products. Inlined on RV32, whose registers hold the joined
+    /// coefficients through the vertex loop; called on a Cortex-M0, whose products are library calls.
     #[cfg_attr(target_arch = "riscv32", inline(always))]
     #[cfg_attr(not(target_arch = "riscv32"), inline(never))]
     fn at_wide(&self, v: [i32; 3]) -> i32 {

@@ -1,5 +1,5 @@
-//! Numbers, angles, points and affine transforms. Imports nothing else of the crate but the tags
-//! of [`space`](crate::space).
+//! Numbers, angles, points and affine transforms, in integers. Of the crate it imports only the tags of
+//! [`space`](crate::space).
 
 mod affine;
 mod angle;
@@ -20,15 +20,15 @@ pub(crate) mod row;
 mod sphere;
 pub(crate) mod unit;
 
-pub(crate) use affine::{product, to_scalar};
+pub(crate) use affine::{matrix_product, to_scalar};
 pub use affine::{Affine, AxisError, InverseError, MatrixError};
 pub use angle::Angle;
 pub use clip_point::{ClipPoint, Outcode};
-pub(crate) use cores::Form;
+pub(crate) use cores::LinearForm;
 pub(crate) use form::ClipCoords;
 pub use form::Coordinate;
-pub(crate) use normal::to_short;
-pub use normal::NormalMap;
+pub(crate) use normal::to_q15;
+pub use normal::NormalMatrix;
 pub use number::{NumberError, Scalar};
 pub use point::{Point3, Vector3};
 pub use quaternion::{Quaternion, QuaternionError};

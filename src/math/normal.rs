@@ -1,16 +1,17 @@
-//! Normals under an affine transform.
+//! The normal matrix of an affine transform.
 
 use super::affine::cofactors;
-use super::num::{after, dot};
+use super::hints::opaque_next;
+use super::num::dot;
 use super::unit::normalise;
 use super::Affine;
-use crate::space::SetUp;
+use crate::space::SceneSpace;
 use core::marker::PhantomData;
 
-/// What a transform does to surface normals: the inverse transpose, up to a positive factor.
+/// The normal matrix: the inverse transpose of a transform's linear part, up to a positive factor. It maps normals of surfaces.
 ///
-/// It is computed from the cofactors, so it exists even where the transform has no inverse; where
-/// the transform mirrors, normals keep pointing outwards. (Turkowski, *Transformations of surface
+/// It is computed from the cofactors, so it exists even for singular transforms. Under a reflection normals keep pointing
+/// outwards. (Turkowski, *Transformations of surface
 /// normal vectors*, 1990.)
 ///
 /// ```
@@ -21,44 +22,44 @@ use core::marker::PhantomData;
 /// assert_eq!((x, z), (14654, 29309)); // z doubles against x, and the length is one again
 /// ```
 #[derive(Debug, PartialEq, Eq)]
-pub struct NormalMap<A, B> {
+pub struct NormalMatrix<A, B> {
     /// 30 bits, up to a positive factor.
     rows: [[i32; 3]; 3],
     ends: PhantomData<(A, B)>,
 }
 
-impl<A, B> Clone for NormalMap<A, B> {
+impl<A, B> Clone for NormalMatrix<A, B> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<A, B> Copy for NormalMap<A, B> {}
+impl<A, B> Copy for NormalMatrix<A, B> {}
 
-impl<A: SetUp, B: SetUp> Affine<A, B> {
-    /// The map for normals: [`NormalMap`] has an example. For light, [`Lambert`](crate::Lambert) takes it itself.
-    #[inline(never)] // set-up: small is better
-    pub fn normals(&self) -> NormalMap<A, B> {
+impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
+    /// The normal matrix of this transform: see [`NormalMatrix`] for an example. [`Lambert`](crate::Lambert) computes it itself.
+    #[inline(never)] // set-up: code size counts, speed does not
+    pub fn normals(&self) -> NormalMatrix<A, B> {
         let (linear, _) = self.linear();
         let (mut rows, _) = cofactors(linear);
-        // The determinant's sign; three products of at most 2⁶⁰.
+        // The sign of the determinant: three products of at most 2⁶⁰.
         if dot(&linear[0], &rows[0]) < 0 {
             let mut i = 0;
             while let Some(c) = rows.as_flattened_mut().get_mut(i) {
                 *c = -*c;
-                i = after(i);
+                i = opaque_next(i);
             }
         }
-        NormalMap { rows, ends: PhantomData }
+        NormalMatrix { rows, ends: PhantomData }
     }
 }
 
-impl<A, B> NormalMap<A, B> {
+impl<A, B> NormalMatrix<A, B> {
     /// Maps a normal (2⁻¹⁵, any length) to a unit normal (2⁻¹⁵, 32767 stands for 1), each component within 2⁻¹⁵ and
     /// κ·2⁻³⁰, where κ is the transform's largest stretch over its smallest; zero where the image has no direction.
     pub fn apply(&self, normal: [i16; 3]) -> [i16; 3] {
         let ([x, y, z], normal) = (&self.rows, normal.map(i32::from)); // three products of at most 2⁴⁵
         let image = [dot(x, &normal), dot(y, &normal), dot(z, &normal)];
-        to_short(normalise(&image))
+        to_q15(normalise(&image))
     }
 
     pub(crate) const fn rows(&self) -> &[[i32; 3]; 3] {
@@ -66,13 +67,13 @@ impl<A, B> NormalMap<A, B> {
     }
 }
 
-/// A unit vector from 2⁻³⁰ to 2⁻¹⁵, rounded to nearest; +1 becomes 32767.
-pub(crate) fn to_short(unit: [i32; 3]) -> [i16; 3] {
+/// A unit vector in 2⁻³⁰ as Q0.15, rounded to nearest; +1 becomes 32767.
+pub(crate) fn to_q15(unit: [i32; 3]) -> [i16; 3] {
     unit.map(|c| ((c + (1 << 14)) >> 15).min(32_767) as i16)
 }
 
 #[cfg(feature = "defmt")]
-impl<A, B> defmt::Format for NormalMap<A, B> {
+impl<A, B> defmt::Format for NormalMatrix<A, B> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "normals {}", self.rows);
     }

@@ -1,24 +1,26 @@
 //! The public scalar, and why a floating-point number cannot become one.
 
-/// The crate's public scalar: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶. It
-/// has no `defmt::Format`, as `fixed` has none in this version: log its `to_bits`.
+/// The crate's public fixed-point number: 16 integer and 16 fractional bits, ±32768 in steps of 2⁻¹⁶. This version of `fixed`
+/// gives it no `defmt::Format`: log its `to_bits`.
 pub type Scalar = fixed::types::I16F16;
 
-/// Why a floating-point number cannot enter.
+/// Why a floating-point number cannot become a [`Scalar`] or an [`Angle`](crate::Angle).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NumberError {
-    /// NaN or an infinity: look where the number was computed.
+    /// The number is NaN or infinite: check the computation that produced it.
     NotFinite,
-    /// Beyond the type's range: choose a larger unit, so that numbers get smaller.
+    /// The number is outside of the type's range: choose a larger unit, so that numbers get smaller.
     OutOfRange,
 }
 
 impl core::fmt::Display for NumberError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::NotFinite => "the number is NaN or infinite",
-            Self::OutOfRange => "the number is out of range: choose a larger unit",
+            Self::NotFinite => "the number is NaN or infinite: check how it was computed",
+            Self::OutOfRange => {
+                "the number is out of range: choose a larger unit of length, or reduce the angle"
+            }
         })
     }
 }

@@ -1,4 +1,4 @@
-//! Points and vectors that know their space.
+//! Points and vectors, tagged with their space.
 
 use super::{NumberError, Scalar};
 use core::marker::PhantomData;
@@ -26,7 +26,7 @@ pub struct Vector3<S> {
 }
 
 /// Nearest [`Scalar`] bits of `v`, ties away from zero. Exact: a float's own step is a power of two.
-fn door(v: f32) -> Result<i32, NumberError> {
+fn scalar_from_f32(v: f32) -> Result<i32, NumberError> {
     if !v.is_finite() {
         return Err(NumberError::NotFinite);
     }
@@ -38,7 +38,7 @@ fn door(v: f32) -> Result<i32, NumberError> {
     Ok(rounded as i32) // truncates towards zero: in range by the test above
 }
 
-macro_rules! triple {
+macro_rules! coordinates {
     ($name:ident) => {
         impl<S> $name<S> {
             /// From three scalars.
@@ -58,7 +58,7 @@ macro_rules! triple {
             ///
             /// [`NumberError`] when a number is NaN, infinite or outside ±32768.
             pub fn from_f32(x: f32, y: f32, z: f32) -> Result<Self, NumberError> {
-                Ok(Self::from_bits([door(x)?, door(y)?, door(z)?]))
+                Ok(Self::from_bits([scalar_from_f32(x)?, scalar_from_f32(y)?, scalar_from_f32(z)?]))
             }
 
             pub(crate) const fn from_bits(bits: [i32; 3]) -> Self {
@@ -105,10 +105,10 @@ macro_rules! triple {
     };
 }
 
-triple!(Point3);
-triple!(Vector3);
+coordinates!(Point3);
+coordinates!(Vector3);
 
-/// The f32 door for vectors as sensor filters deliver them: as [`Vector3::from_f32`].
+/// From a vector of `micromath`, as sensor filters deliver it: rounded like [`Vector3::from_f32`].
 ///
 /// # Errors
 ///
@@ -127,7 +127,7 @@ mod tests {
     use crate::space::World;
 
     #[test]
-    fn the_float_door_rounds_and_refuses() {
+    fn floats_are_rounded_to_nearest_and_refused_out_of_range() {
         let p = |v| Point3::<World>::from_f32(v, 0.0, 0.0).map(|p| p.bits()[0]);
         assert_eq!(p(1.0 / 131_072.0), Ok(1)); // a tie, away from zero
         assert_eq!(p(-1.0 / 131_072.0), Ok(-1));

@@ -1,10 +1,10 @@
 //! Unit quaternions, as orientation filters deliver them.
 
 use super::num::{scale, shift_to_fit, sqrt};
-use super::unit::part;
+use super::unit::unit_component;
 use super::{NumberError, Scalar};
 
-/// A rotation as a unit quaternion `w + x·i + y·j + z·k`; its parts are kept in 2⁻³⁰.
+/// A rotation as a unit quaternion `w + x·i + y·j + z·k`, whose components are stored in 2⁻³⁰.
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Quaternion, QuaternionError, Scalar};
@@ -19,20 +19,20 @@ use super::{NumberError, Scalar};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Quaternion([i32; 4]);
 
-/// Why there is no rotation.
+/// Why a quaternion describes no rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum QuaternionError {
-    /// All four parts are zero: the identity is (1, 0, 0, 0).
+    /// All four components are zero: the identity is (1, 0, 0, 0).
     Zero,
-    /// A part is no number, or beyond ±32768.
+    /// A component is NaN, infinite, or beyond ±32768.
     Number(NumberError),
 }
 
 impl core::fmt::Display for QuaternionError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::Zero => f.write_str("a quaternion of length zero is no rotation"),
+            Self::Zero => f.write_str("the quaternion has length zero: the identity is (1, 0, 0, 0)"),
             Self::Number(error) => error.fmt(f),
         }
     }
@@ -41,11 +41,11 @@ impl core::fmt::Display for QuaternionError {
 impl core::error::Error for QuaternionError {}
 
 impl Quaternion {
-    /// From its parts, of any length but zero: they are normalised, each within 2.5·2⁻³⁰.
+    /// From four components of any length but zero. They are normalised; each is within 2.5·2⁻³⁰.
     ///
     /// # Errors
     ///
-    /// [`QuaternionError::Zero`] where all parts are zero.
+    /// [`QuaternionError::Zero`] if all components are zero.
     pub fn new(w: Scalar, x: Scalar, y: Scalar, z: Scalar) -> Result<Self, QuaternionError> {
         Self::normalised([w, x, y, z].map(|c| i64::from(c.to_bits())))
     }
@@ -59,22 +59,22 @@ impl Quaternion {
         let parts = parts.map(|c| scale(c, -shift_to_fit(largest, 30)));
         let square = parts.iter().map(|c| c.unsigned_abs().pow(2)).sum();
         let length = sqrt(square); // 2²⁹ … 2³¹
-        Ok(Self(parts.map(|c| part(c as i32, length)))) // 30 bits, or 2³⁰
+        Ok(Self(parts.map(|c| unit_component(c as i32, length)))) // 30 bits, or 2³⁰
     }
 
     /// w, x, y, z in 2⁻³⁰.
-    pub(crate) const fn parts(self) -> [i32; 4] {
+    pub(crate) const fn components(self) -> [i32; 4] {
         self.0
     }
 }
 
-/// From micromath's quaternion. Parts are cut off below 2⁻³²: at lengths from 2⁻⁸ to 2¹⁵ the largest part keeps
-/// all its 24 bits.
+/// From a quaternion of `micromath`. Components are truncated to 2⁻³²; at lengths from 2⁻⁸ to 2¹⁵ the largest one keeps all its
+/// 24 bits.
 ///
 /// # Errors
 ///
-/// [`QuaternionError::Zero`] where all parts are below 2⁻³², [`QuaternionError::Number`] where one is NaN,
-/// infinite or beyond ±32768.
+/// [`QuaternionError::Zero`] if all components are below 2⁻³², [`QuaternionError::Number`] if one is NaN, infinite or beyond
+/// ±32768.
 impl TryFrom<micromath::Quaternion> for Quaternion {
     type Error = QuaternionError;
 

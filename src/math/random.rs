@@ -1,11 +1,11 @@
-//! The same numbers at random for every test here.
+//! Random numbers for unit tests, reproducible from a seed.
 
-/// A congruential generator modulo 2⁶⁴; its upper half is what is given out. (Knuth, *The Art of Computer Programming*,
+/// A congruential generator modulo 2⁶⁴; [`bits`](Self::bits) returns its upper half. (Knuth, *The Art of Computer Programming*,
 /// vol. 2, 3rd ed., section 3.3.4, table 1, line 26.)
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    /// 32 bits.
+    /// 32 random bits.
     pub(crate) fn bits(&mut self) -> u32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 32) as u32
@@ -26,7 +26,7 @@ impl Random {
         f64::from(self.bits() >> 8) / f64::from(1 << 23) - 1.0
     }
 
-    /// Any vertex.
+    /// A vertex whose coordinates are any `i16`.
     pub(crate) fn vertex(&mut self) -> [i16; 3] {
         [0; 3].map(|_| (self.bits() >> 16) as i16)
     }

@@ -1,8 +1,8 @@
-//! A linear form over a space: the stuff of matrices.
+//! Rows of matrices: linear forms with an exponent (block floating point).
 
+use super::hints::{keep_rolled, opaque_next};
 use super::num::{
-    add, after, bits_of, keep_rolled, magnitude, max, mul_translation, row_times, scale, shift_to_fit,
-    Accumulator,
+    add, bits_of, magnitude, max, mul_translation, row_times, scale, shift_to_fit, Accumulator,
 };
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
@@ -17,10 +17,10 @@ pub(crate) struct Row {
     pub(crate) offset: i64,
 }
 
-/// Brings sums of products to 30 bits and one exponent, which it returns: rounded to nearest, so each
-/// coefficient is within 2⁻³⁰ of the block's largest (2⁻³¹ just below a power of two).
-#[inline(never)] // set-up: small is better, and so are slices: their loops stay loops
-pub(crate) const fn block(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
+/// Scales sums of products to 30 bits with one exponent, which it returns. Rounded to nearest: each coefficient is within 2⁻³⁰ of
+/// the block's largest (2⁻³¹ just below a power of two).
+#[inline(never)] // set-up: code size counts, speed does not; slices keep the loops rolled
+pub(crate) const fn block_scaled(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
     let shift = shift_to_fit(bits, 30);
     let mut i = 0;
@@ -35,8 +35,8 @@ pub(crate) const fn block(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i3
     }
 }
 
-/// Three forms whose coefficients share an exponent: coordinates of another space.
-pub(crate) struct Rows {
+/// Three rows whose coefficients share an exponent: an affine map to another space.
+pub(crate) struct RowBlock {
     /// Each at most 2³⁰ in absolute value.
     pub(crate) linear: [[i32; 3]; 3],
     /// Of the block.
@@ -45,31 +45,36 @@ pub(crate) struct Rows {
     pub(crate) offset: [i64; 3],
 }
 
-/// All three of them on a vector in 2⁻³²: in 2⁻³², saturating.
-#[inline(never)] // set-up: small is better
-pub(crate) fn forms(linear: &[[i32; 3]; 3], exponent: i32, p: &[i64; 3], offset: &[i64; 3]) -> [i64; 3] {
+/// The affine map of three rows at a point in 2⁻³²: in 2⁻³², saturating.
+#[inline(never)] // set-up: code size counts, speed does not
+pub(crate) fn transform_point(
+    linear: &[[i32; 3]; 3],
+    exponent: i32,
+    p: &[i64; 3],
+    offset: &[i64; 3],
+) -> [i64; 3] {
     let ([x, y, z], [a, b, c]) = (linear, *offset);
-    [form(x, exponent, p, a), form(y, exponent, p, b), form(z, exponent, p, c)]
+    [evaluate(x, exponent, p, a), evaluate(y, exponent, p, b), evaluate(z, exponent, p, c)]
 }
 
-/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating. The products are summed exactly:
-/// those that cancel each other may be far larger than what is left.
-#[inline(never)] // set-up: small is better
-pub(crate) fn form(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
+/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating. The products are summed
+/// exactly, because they may be far larger than their sum.
+#[inline(never)] // set-up: code size counts, speed does not
+pub(crate) fn evaluate(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
     let (mut sum, mut i) = (Accumulator::ZERO, 0);
     while let (Some(m), Some(c)) = (linear.get(i), p.get(i)) {
         sum = sum.plus(*m, *c);
-        i = after(i);
+        i = opaque_next(i);
     }
     add(offset, sum.scaled(exponent - 30))
 }
 
-/// Forms of one homogeneous point over a vector in 2⁻³²: in units of 2^(shift − 32), and that shift, which is 0 where
-/// none of them can pass 2⁶¹. None saturates.
+/// Homogeneous coordinates of a point in 2⁻³²: in units of 2^(shift − 32), and the shift, which is 0 where no coordinate can exceed
+/// 2⁶¹. None saturates.
 pub(crate) fn homogeneous<const N: usize>(rows: &[Row; N], p: &[i64; 3]) -> ([i64; N], i32) {
     let reach = shift_to_fit(bits_of(p), 0);
     let shift = rows.iter().fold(0, |shift, row| max(shift, row.overflow(reach)));
-    (rows.map(|row| form(&row.linear, row.exponent - shift, p, scale(row.offset, -shift))), shift)
+    (rows.map(|row| evaluate(&row.linear, row.exponent - shift, p, scale(row.offset, -shift))), shift)
 }
 
 impl Row {
@@ -78,12 +83,12 @@ impl Row {
     /// From coefficients `linear · 2^exponent`, each below 2⁶², and an offset in 2⁻³².
     pub(crate) const fn new(linear: &[i64; 3], exponent: i32, offset: i64) -> Self {
         let mut row = Self { offset, ..Self::ZERO };
-        row.exponent = block(linear, exponent + 30, &mut row.linear);
+        row.exponent = block_scaled(linear, exponent + 30, &mut row.linear);
         row
     }
 
-    /// By how many bits the form, or a part of it, may pass 2⁶¹ (half of what saturates) over vectors
-    /// of up to `reach` bits.
+    /// By how many bits the form, or one of its terms, may exceed 2⁶¹ (half of the saturation limit) over vectors of up to
+    /// `reach` bits.
     pub(crate) fn overflow(&self, reach: i32) -> i32 {
         let bits = magnitude(&self.linear);
         // Three products.
@@ -91,21 +96,21 @@ impl Row {
         linear.max(shift_to_fit(self.offset.unsigned_abs(), 0)) - 60
     }
 
-    /// The form on a vector in 2⁻³²: in 2⁻³², saturating.
+    /// Evaluates the form at a vector in 2⁻³²: in 2⁻³², saturating.
     pub(crate) fn apply(&self, p: &[i64; 3]) -> i64 {
-        form(&self.linear, self.exponent, p, self.offset)
+        evaluate(&self.linear, self.exponent, p, self.offset)
     }
 
-    /// This form over what `inner` starts from. All of it is first taken times 2^−`shift`.
-    pub(crate) fn of(&self, inner: &Rows, shift: i32, into: &mut Self) {
+    /// Composes this form, scaled by 2^−`shift`, with `inner`: a row of the matrix product.
+    pub(crate) fn compose(&self, inner: &RowBlock, shift: i32, into: &mut Self) {
         let own = self.exponent - shift;
-        into.offset = form(&self.linear, own, &inner.offset, scale(self.offset, -shift));
+        into.offset = evaluate(&self.linear, own, &inner.offset, scale(self.offset, -shift));
         let sums = row_times(&self.linear, &inner.linear);
-        into.exponent = block(&sums, own + inner.exponent - 30, &mut into.linear);
+        into.exponent = block_scaled(&sums, own + inner.exponent - 30, &mut into.linear);
     }
 
     /// `self · a + other · b` for factors of 30 bits and an exponent each.
-    pub(crate) fn combined(&self, a: (i64, i32), other: &Self, b: (i64, i32)) -> Self {
+    pub(crate) fn linear_combination(&self, a: (i64, i32), other: &Self, b: (i64, i32)) -> Self {
         // Products of at most 2⁶⁰; the one with the smaller exponent is brought to the other's.
         let part =
             |row: &Self, (m, e): (i64, i32)| (row.linear.map(|c| i64::from(c) * m), row.exponent - 30 + e);

@@ -3,7 +3,7 @@
 use super::{Point3, Scalar};
 use crate::space::Model;
 
-/// A ball round a mesh, in its own coordinates.
+/// A bounding sphere of a mesh, in model coordinates.
 ///
 /// ```
 /// use pinhole::{Mesh, Scalar, Sphere};
@@ -16,8 +16,8 @@ use crate::space::Model;
 pub struct Sphere {
     /// The centre, in model units.
     pub centre: Point3<Model>,
-    /// The radius, in model units. Negative counts as zero; `Scalar::MAX` means too large to tell: such a sphere
-    /// is always [`Partly`](crate::Visibility::Partly) visible.
+    /// The radius, in model units. A negative radius counts as zero. `Scalar::MAX` stands for a radius that [`Scalar`] cannot
+    /// hold: such a sphere is always [`Partly`](crate::Visibility::Partly) visible.
     pub radius: Scalar,
 }
 

@@ -1,12 +1,12 @@
-//! Moving parts that carry others.
+//! Transform hierarchies: moving parts that carry other parts.
 
 use crate::math::Affine;
 use crate::space::{Model, World};
 
-/// A part of a scene: where it sits in its parent (or in the world), and, after
-/// [`Hierarchy::update`], where that is in the world.
+/// A node of a transform hierarchy: its local transform, to its parent or, for a root, to the world, and its world transform, which
+/// [`Hierarchy::update`] computes.
 ///
-/// A node holds no mesh: any number of meshes can stand under one, and one mesh under many.
+/// A node holds no mesh: the caller draws any number of meshes with its world transform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Node {
@@ -16,29 +16,29 @@ pub struct Node {
 }
 
 impl Node {
-    /// A node without a parent: `local` places it in the world.
+    /// A node without a parent: `local` is its transform to the world.
     pub const fn root(local: Affine<Model, Model>) -> Self {
         Self { parent: None, local, world: Affine::identity() }
     }
 
-    /// A node under the one at place `parent`, which must come earlier in the list.
+    /// A child of the node with index `parent`, which must come earlier in the list.
     pub const fn child(parent: u16, local: Affine<Model, Model>) -> Self {
         Self { parent: Some(parent), local, world: Affine::identity() }
     }
 
-    /// Where the node sits in its parent.
+    /// The transform to the parent, or to the world for a root.
     pub const fn local(&self) -> &Affine<Model, Model> {
         &self.local
     }
 
-    /// Where the node sits in the world, as of the last update.
+    /// The transform to the world, as of the last update.
     pub const fn world(&self) -> &Affine<Model, World> {
         &self.world
     }
 }
 
-/// A tree of nodes in the caller's memory. Parents come before their children, so one forward pass updates all,
-/// without recursion and without memory of its own. Only the first 65536 nodes can be parents.
+/// A transform hierarchy over a caller-provided list of nodes. Parents come before their children, so one forward pass updates all world
+/// transforms, without recursion or other memory. Only the first 65536 nodes can be parents.
 ///
 /// ```
 /// use pinhole::{space::Model, Affine, Angle, Hierarchy, HierarchyError, Node, Point3, Vector3};
@@ -59,27 +59,30 @@ pub struct Hierarchy<'a> {
     nodes: &'a mut [Node],
 }
 
-/// A node whose parent is itself or comes later: order the list so that parents come first. There
-/// can be no cycle then.
+/// A node whose parent does not come before it. Order the list so that parents come first, which also excludes cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HierarchyError {
-    /// The node's place in the list.
+    /// The node's index.
     pub node: usize,
-    /// The parent it names.
+    /// The index of its parent.
     pub parent: u16,
 }
 
 impl core::fmt::Display for HierarchyError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "node {} names parent {}, which must come before it", self.node, self.parent)
+        write!(
+            f,
+            "node {} has parent {}, which does not come before it: order parents first",
+            self.node, self.parent
+        )
     }
 }
 
 impl core::error::Error for HierarchyError {}
 
 impl<'a> Hierarchy<'a> {
-    /// Over these nodes, updated once.
+    /// The hierarchy of these nodes, with world transforms updated.
     ///
     /// # Errors
     ///
@@ -96,8 +99,7 @@ impl<'a> Hierarchy<'a> {
         Ok(hierarchy)
     }
 
-    /// Sets where a node sits in its parent; [`update`](Self::update) moves all below it. Returns whether there is
-    /// such a node.
+    /// Sets a node's local transform; [`update`](Self::update) then moves it and its descendants. Returns whether the index exists.
     pub fn set_local(&mut self, node: usize, local: Affine<Model, Model>) -> bool {
         match self.nodes.get_mut(node) {
             Some(node) => {
@@ -108,8 +110,7 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// World transform = parent's world · local, for all nodes in order. Each level adds the rounding of
-    /// [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
+    /// Computes all world transforms, parent's world · local, in order. Each level adds the rounding error of [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
     pub fn update(&mut self) {
         for i in 0..self.nodes.len() {
             let (before, rest) = self.nodes.split_at_mut(i); // i < len: never panics
@@ -120,7 +121,7 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// Where a node sits in the world, as of the last update; `None` where there is no such node.
+    /// A node's transform to the world, as of the last update; `None` if the index does not exist.
     pub fn world(&self, node: usize) -> Option<&Affine<Model, World>> {
         self.nodes.get(node).map(Node::world)
     }

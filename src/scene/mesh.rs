@@ -3,13 +3,12 @@
 use crate::math::num::{scale, sqrt};
 use crate::math::{Coordinate, Point3, Scalar, Sphere};
 
-/// A triangle mesh over borrowed data, checked once; it can be built in a `const` and lives in
-/// flash then.
+/// A triangle mesh over borrowed data, checked once when it is made. Made in a `const`, it lives in flash.
 ///
 /// Vertices are `i16` with a power-of-two unit, model coordinate = vertex · 2^exponent: 6 bytes
-/// each, and 16-bit products on a Cortex-M0. Meshes that need more range take [`Scalar`] vertices
-/// ([`Mesh::from_fixed`]); everything else is the same. BinnedFaces run counter-clockwise as seen from
-/// outside; a mesh without faces is a list of points, for plots and tool paths. BinnedEdges are needed for wireframes, face normals for light.
+/// each, and 16-bit products on a Cortex-M0. Meshes that need more range have [`Scalar`] vertices
+/// ([`Mesh::from_fixed`]). Faces are counter-clockwise seen from outside; a mesh without faces is a list of points, for plots and tool
+/// paths. Wireframes need edges, lighting needs normals.
 ///
 /// ```
 /// use pinhole::{Mesh, MeshError};
@@ -38,7 +37,7 @@ pub struct Mesh<'a, V = i16> {
     planes: &'a [i16],
     vertex_normals: &'a [[i16; 3]],
     exponent: i8,
-    /// Left shift that brings the largest coordinate to the top of 32 bits.
+    /// The left shift that brings the largest coordinate to the top of 32 bits.
     justify: u8,
 }
 
@@ -49,58 +48,58 @@ impl<V> Clone for Mesh<'_, V> {
 }
 impl<V> Copy for Mesh<'_, V> {}
 
-/// Why the data are no mesh.
+/// Why a mesh cannot be made of the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MeshError {
-    /// More vertices than a `u16` can name: split the mesh.
+    /// There are more vertices than `u16` indices can address: split the mesh.
     TooManyVertices {
-        /// How many there are; 65536 may be.
+        /// The number of vertices; the limit is 65536.
         vertices: usize,
     },
-    /// A face names a vertex that is not there.
+    /// A face uses a vertex index that is out of range.
     FaceIndex {
-        /// The face's place in the list.
+        /// The face's index.
         face: usize,
-        /// The vertex it names.
+        /// The vertex index that it uses.
         index: u16,
     },
-    /// An edge names a vertex that is not there.
+    /// An edge uses a vertex index that is out of range.
     EdgeIndex {
-        /// The edge's place in the list.
+        /// The edge's index.
         edge: usize,
-        /// The vertex it names.
+        /// The vertex index that it uses.
         index: u16,
     },
-    /// Each edge needs two faces, by index, or [`Mesh::NO_FACE`](Mesh::NO_FACE).
+    /// An edge lacks its pair of adjacent faces, or a face index is neither in range nor [`Mesh::NO_FACE`](Mesh::NO_FACE).
     EdgeFaces {
-        /// The edge's index; or, where the lists differ in length, the length of the one given.
+        /// The edge's index or, if the lists differ in length, the length of the given list.
         edge: usize,
     },
-    /// Normals come one per face.
+    /// The number of face normals differs from the number of faces.
     NormalCount {
         /// How many faces there are.
         faces: usize,
         /// How many normals were given.
         normals: usize,
     },
-    /// GradientSetup come one per face.
+    /// The number of face planes differs from the number of faces.
     PlaneCount {
         /// How many faces there are.
         faces: usize,
         /// How many planes were given.
         planes: usize,
     },
-    /// Vertex normals come one per vertex.
+    /// The number of vertex normals differs from the number of vertices.
     VertexNormalCount {
         /// How many vertices there are.
         vertices: usize,
         /// How many normals were given.
         normals: usize,
     },
-    /// The exponent leaves −32 … 15: choose another unit.
+    /// The exponent is not −32 … 15: choose another unit.
     Exponent {
-        /// The one given.
+        /// The given exponent.
         exponent: i8,
     },
 }
@@ -109,16 +108,16 @@ impl core::fmt::Display for MeshError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::TooManyVertices { vertices } => {
-                write!(f, "{vertices} vertices, but u16 indices name 65536: split the mesh")
+                write!(f, "{vertices} vertices, but u16 indices address 65536: split the mesh")
             }
             Self::FaceIndex { face, index } => {
-                write!(f, "face {face} names vertex {index}, which is not there")
+                write!(f, "face {face} uses vertex {index}, which the mesh does not have")
             }
             Self::EdgeIndex { edge, index } => {
-                write!(f, "edge {edge} names vertex {index}, which is not there")
+                write!(f, "edge {edge} uses vertex {index}, which the mesh does not have")
             }
             Self::EdgeFaces { edge } => {
-                write!(f, "edge {edge} has no pair of faces, or one that is not there")
+                write!(f, "edge {edge} has no pair of faces, or uses a face that the mesh does not have")
             }
             Self::NormalCount { faces, normals } => {
                 write!(f, "{normals} normals for {faces} faces: give one per face")
@@ -130,7 +129,7 @@ impl core::fmt::Display for MeshError {
                 write!(f, "{normals} vertex normals for {vertices} vertices: give one per vertex")
             }
             Self::Exponent { exponent } => {
-                write!(f, "exponent {exponent} leaves -32 ... 15: choose another unit")
+                write!(f, "exponent {exponent} is not -32 to 15: choose another unit")
             }
         }
     }
@@ -138,12 +137,10 @@ impl core::fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-/// The two faces beside each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`], in a `const` where the
-/// mesh is small, at run time where it is large. BinnedFaces from number 65535 on are left out (a `u16` cannot name
-/// them). Time grows with edges × (edges + faces).
+/// The two faces adjacent to each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`]. Call it in a `const` for small meshes, at run
+/// time for large ones: time grows with edges × (edges + faces). Faces from index 65535 on are ignored, as a `u16` cannot address them.
 ///
-/// Where more than two faces meet in an edge, list it once for every two: each time it gets the next
-/// two.
+/// An edge of more than two faces is listed once for every two of them: each occurrence gets the next two faces.
 ///
 /// ```
 /// use pinhole::{edge_faces, Mesh};
@@ -187,8 +184,8 @@ const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], skip: usize) -> [u16
     beside
 }
 
-/// Checks counts and indices; a constant function cannot loop with iterators.
-const fn check(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
+/// Checks the number of vertices and the faces' indices. Written without iterators, which a `const fn` cannot use.
+const fn check_indices(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
     if vertices > 65_536 {
         return Err(MeshError::TooManyVertices { vertices });
     }
@@ -207,18 +204,17 @@ const fn check(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
 
 /// The left shift that brings numbers up to `magnitude` to the top of 32 signed bits.
 const fn justify(magnitude: u32) -> u8 {
-    // `reach` leaves the sign bit free: 1 … 32 zeros, and a shift of 0 … 31.
+    // `magnitude_bits` leaves the sign bit clear: 1 … 32 leading zeros, and a shift of 0 … 31.
     (magnitude.leading_zeros().saturating_sub(1)) as u8
 }
 
 impl<'a> Mesh<'a, i16> {
-    /// From vertices in units of 2^`exponent`, exact, and faces, counter-clockwise from outside. Reads all of them once: in a
-    /// `const` that is at compile time.
+    /// A mesh of vertices in units of 2^`exponent`, exact, and faces, counter-clockwise from outside. All indices are checked, at compile
+    /// time in a `const`.
     ///
     /// # Errors
     ///
-    /// [`MeshError`] when a face names a vertex that is not there, there are more than 65536
-    /// vertices, or the exponent leaves −32 … 15.
+    /// [`MeshError`] if a face uses a vertex index out of range, there are more than 65536 vertices, or the exponent is not −32 … 15.
     pub const fn new(
         vertices: &'a [[i16; 3]],
         exponent: i8,
@@ -227,13 +223,13 @@ impl<'a> Mesh<'a, i16> {
         if exponent < -32 || exponent > 15 {
             return Err(MeshError::Exponent { exponent });
         }
-        if let Err(error) = check(vertices.len(), faces) {
+        if let Err(error) = check_indices(vertices.len(), faces) {
             return Err(error);
         }
         let (mut magnitude, mut i) = (0u32, 0);
         while i < vertices.len() {
             let [x, y, z] = vertices[i];
-            magnitude |= reach(x as i32) | reach(y as i32) | reach(z as i32);
+            magnitude |= magnitude_bits(x as i32) | magnitude_bits(y as i32) | magnitude_bits(z as i32);
             i += 1;
         }
         let justify = justify(magnitude);
@@ -250,9 +246,9 @@ impl<'a> Mesh<'a, i16> {
         })
     }
 
-    /// The plane of each face, for [`with_planes`](Mesh::with_planes), of a mesh that has normals: `N` is how many
-    /// faces it has. In units of 2⁻¹⁴ of the power of two that bounds the mesh's coordinates, rounded to nearest.
-    /// Best in a `const`. 0 where there is no such face or normal.
+    /// The plane of each face, for [`with_planes`](Mesh::with_planes): the signed distance of the face from the origin along its normal. `N` is
+    /// the number of faces. In units of 2⁻¹⁴ of the power of two that bounds the mesh's coordinates, rounded to nearest. Best called in
+    /// a `const`. 0 for faces without a normal and indices out of range.
     ///
     /// ```
     /// use pinhole::Mesh;
@@ -284,16 +280,16 @@ impl<'a> Mesh<'a, i16> {
     pub const fn face_plane(&self, face: usize) -> i16 {
         if let Some((corner, normal)) = self.corner_and_normal(face) {
             let [x, y, z] = *corner;
-            plane([x as i32, y as i32, z as i32], normal, self.justify)
+            plane_distance([x as i32, y as i32, z as i32], normal, self.justify)
         } else {
             0
         }
     }
 }
 
-/// Where the plane with this normal through this corner lies along the normal: n·v, half of it, rounded to nearest, where
-/// the largest justified coordinate is 1. Of a normal of unit length it is at most √3·2¹⁴; what is longer saturates.
-const fn plane([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
+/// Half the signed distance n·v of the plane through vertex v with normal n, rounded to nearest, where the largest justified coordinate is
+/// 1. For unit normals at most √3·2¹⁴; saturates for longer ones.
+const fn plane_distance([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
     let shift = justify as u32 & 31;
     // Justified: 2³¹ each, times 2¹⁵.
     let along =
@@ -308,27 +304,27 @@ const fn plane([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
     }
 }
 
-/// A number of as many bits as `v` needs beside its sign.
-const fn reach(v: i32) -> u32 {
+/// A number with as many bits as `v` has without its sign.
+const fn magnitude_bits(v: i32) -> u32 {
     (v ^ (v >> 31)) as u32
 }
 
 impl<'a> Mesh<'a, Scalar> {
-    /// From vertices in [`Scalar`]s, ±32768 in steps of 2⁻¹⁶, and faces: twice the memory, and
-    /// 64-bit products on a Cortex-M0.
+    /// A mesh of vertices in [`Scalar`]s, ±32768 in steps of 2⁻¹⁶, and faces. It takes twice the memory of `i16` vertices, and 64-bit
+    /// products on a Cortex-M0.
     ///
     /// # Errors
     ///
-    /// [`MeshError`] when a face names a vertex that is not there or there are more than 65536
-    /// vertices.
+    /// [`MeshError`] if a face uses a vertex index out of range, or there are more than 65536 vertices.
     pub const fn from_fixed(vertices: &'a [[Scalar; 3]], faces: &'a [[u16; 3]]) -> Result<Self, MeshError> {
-        if let Err(error) = check(vertices.len(), faces) {
+        if let Err(error) = check_indices(vertices.len(), faces) {
             return Err(error);
         }
         let (mut magnitude, mut i) = (0u32, 0);
         while i < vertices.len() {
             let [x, y, z] = vertices[i];
-            magnitude |= reach(x.to_bits()) | reach(y.to_bits()) | reach(z.to_bits());
+            magnitude |=
+                magnitude_bits(x.to_bits()) | magnitude_bits(y.to_bits()) | magnitude_bits(z.to_bits());
             i += 1;
         }
         let justify = justify(magnitude);
@@ -345,7 +341,7 @@ impl<'a> Mesh<'a, Scalar> {
         })
     }
 
-    /// The plane of each face: as for a mesh of `i16`.
+    /// The plane of each face: see [`Mesh::face_planes`](Mesh::<i16>::face_planes).
     pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
         let (mut planes, mut face) = ([0; N], 0);
         while face < N {
@@ -359,7 +355,7 @@ impl<'a> Mesh<'a, Scalar> {
     pub const fn face_plane(&self, face: usize) -> i16 {
         if let Some((corner, normal)) = self.corner_and_normal(face) {
             let [x, y, z] = *corner;
-            plane([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.justify)
+            plane_distance([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.justify)
         } else {
             0
         }
@@ -367,12 +363,12 @@ impl<'a> Mesh<'a, Scalar> {
 }
 
 impl<'a, V> Mesh<'a, V> {
-    /// With the edges that a wireframe draws, each once: two vertices each, in any order. Drops the faces beside edges
-    /// that were given before: they belong to other edges.
+    /// Adds the edges that a wireframe draws, each listed once, as two vertex indices in any order. Removes edge faces that were added before,
+    /// because they belong to other edges.
     ///
     /// # Errors
     ///
-    /// [`MeshError::EdgeIndex`] when one names a vertex that is not there.
+    /// [`MeshError::EdgeIndex`] if an edge uses a vertex index out of range.
     pub const fn with_edges(self, edges: &'a [[u16; 2]]) -> Result<Self, MeshError> {
         let mut edge = 0;
         while edge < edges.len() {
@@ -386,16 +382,15 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { edges, edge_faces: &[], ..self })
     }
 
-    /// Stands for no face beside an edge.
+    /// The face index that stands for "no face" in lists of edge faces: a border.
     pub const NO_FACE: u16 = u16::MAX;
 
-    /// With the two faces beside each edge, for hidden-line drawing: [`edge_faces`] finds them. An edge in
-    /// which more faces meet is listed once for every two.
+    /// Adds the two faces adjacent to each edge, for hidden-line drawing: [`edge_faces`] finds them. An edge of more than two faces is listed
+    /// once for every two of them.
     ///
     /// # Errors
     ///
-    /// [`MeshError::EdgeFaces`] when there is not one pair per edge, or one names a face that is not
-    /// there.
+    /// [`MeshError::EdgeFaces`] if there is not one pair per edge, or a face index is out of range.
     pub const fn with_edge_faces(self, edge_faces: &'a [[u16; 2]]) -> Result<Self, MeshError> {
         if edge_faces.len() != self.edges.len() {
             return Err(MeshError::EdgeFaces { edge: edge_faces.len() });
@@ -412,11 +407,11 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { edge_faces, ..self })
     }
 
-    /// With a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1).
+    /// Adds a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1).
     ///
     /// # Errors
     ///
-    /// [`MeshError::NormalCount`] when there is not one per face.
+    /// [`MeshError::NormalCount`] if there is not one normal per face.
     pub const fn with_normals(self, normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
         if normals.len() != self.faces.len() {
             return Err(MeshError::NormalCount { faces: self.faces.len(), normals: normals.len() });
@@ -424,17 +419,17 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { normals, planes: &[], ..self })
     }
 
-    /// With each face's plane, for [`MeshInstance::cull_by_planes`](crate::MeshInstance::cull_by_planes): its signed distance from the origin
-    /// along the normal, as [`face_planes`](Mesh::face_planes) finds it. Call [`with_normals`](Self::with_normals)
-    /// first: planes belong to those normals.
+    /// Adds the plane of each face, for [`MeshInstance::cull_by_planes`](crate::MeshInstance::cull_by_planes): its signed distance from the
+    /// origin along the normal, which [`face_planes`](Mesh::face_planes) computes. Call [`with_normals`](Self::with_normals) first: planes
+    /// refer to those normals.
     ///
-    /// What is visible is then decided by the normals. They must be the faces' own, from the rounded vertices, of
-    /// unit length, each part within 2⁻¹⁵; with others, smoothed ones for instance, visible faces are left out. A
-    /// normal [0, 0, 0] never leaves its face out.
+    /// Normals then decide which faces are culled. They must be the geometric normals of the rounded vertices, of unit length, each component
+    /// within 2⁻¹⁵; with other normals, such as smoothed ones, visible faces are culled. A face with normal [0, 0, 0] is never culled by its
+    /// plane.
     ///
     /// # Errors
     ///
-    /// [`MeshError::PlaneCount`] when there is not one per face, [`MeshError::NormalCount`] when the mesh has no normals.
+    /// [`MeshError::PlaneCount`] if there is not one plane per face, [`MeshError::NormalCount`] if the mesh has no normals.
     pub const fn with_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
         let (faces, normals) = (self.faces.len(), self.normals.len());
         if planes.len() != faces {
@@ -446,8 +441,8 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { planes, ..self })
     }
 
-    /// With a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the
-    /// surface that the faces approximate, or the mean of the normals of the faces around the vertex. For smooth
+    /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the faces
+    /// approximate, or the mean of the normals of the faces around the vertex. For smooth
     /// shading: see [`Lambert::levels`](crate::Lambert::levels).
     ///
     /// ```
@@ -462,7 +457,7 @@ impl<'a, V> Mesh<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`MeshError::VertexNormalCount`] when there is not one per vertex.
+    /// [`MeshError::VertexNormalCount`] if there is not one normal per vertex.
     pub const fn with_vertex_normals(self, vertex_normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
         let (vertices, normals) = (self.vertices.len(), vertex_normals.len());
         if normals != vertices {
@@ -471,14 +466,14 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { vertex_normals, ..self })
     }
 
-    /// A face's first corner, and its normal.
+    /// A face's first vertex, and its normal.
     const fn corner_and_normal(&self, face: usize) -> Option<(&'a [V; 3], [i16; 3])> {
         if face >= self.faces.len() || face >= self.normals.len() {
             return None;
         }
         let index = self.faces[face][0] as usize;
         if index >= self.vertices.len() {
-            return None; // not after `check`, but the compiler does not know
+            return None; // `check_indices` excludes it; the compiler does not know
         }
         Some((&self.vertices[index], self.normals[face]))
     }
@@ -493,33 +488,33 @@ impl<'a, V> Mesh<'a, V> {
         self.faces
     }
 
-    /// The edges, or none.
+    /// The edges; empty if none were added.
     pub const fn edges(&self) -> &'a [[u16; 2]] {
         self.edges
     }
 
-    /// The faces beside each edge, or none.
+    /// The two faces adjacent to each edge; empty if none were added.
     pub const fn edge_faces(&self) -> &'a [[u16; 2]] {
         self.edge_faces
     }
 
-    /// The face normals in 2⁻¹⁵, or none.
+    /// The face normals in 2⁻¹⁵; empty if none were added.
     pub const fn normals(&self) -> &'a [[i16; 3]] {
         self.normals
     }
 
-    /// The faces' planes, or none: see [`with_planes`](Self::with_planes).
+    /// The planes of the faces; empty if none were added. See [`with_planes`](Self::with_planes).
     pub const fn planes(&self) -> &'a [i16] {
         self.planes
     }
 
-    /// The vertex normals in 2⁻¹⁵, or none.
+    /// The vertex normals in 2⁻¹⁵; empty if none were added.
     pub const fn vertex_normals(&self) -> &'a [[i16; 3]] {
         self.vertex_normals
     }
 
-    /// Looks up a face's three corners, in the face's order, in a list with one entry per vertex. What is missing
-    /// is the type's default.
+    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex. Missing entries are
+    /// `T::default()`.
     ///
     /// ```
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;
@@ -531,17 +526,16 @@ impl<'a, V> Mesh<'a, V> {
         self.faces.get(face).map_or_else(|| [T::default(); 3], |corners| corners.map(at))
     }
 
-    /// Model coordinate = vertex · 2^exponent (the vertices' bits, for fixed-point ones).
+    /// The exponent of the vertices' unit: model coordinate = vertex · 2^exponent, of the bits of [`Scalar`] vertices.
     pub const fn exponent(&self) -> i8 {
         self.exponent
     }
 }
 
 impl<V: Coordinate> Mesh<'_, V> {
-    /// A sphere round all vertices, about the centre of their bounding box: its radius is at most
-    /// √3 times the smallest one's, rounded up by at most 9·2⁻¹⁶ and 2⁻²⁸ of itself; `Scalar::MAX` where
-    /// the sphere's numbers leave [`Scalar`]. For [`Camera::visibility`](crate::Camera::visibility);
-    /// compute it once.
+    /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the smallest possible,
+    /// rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit [`Scalar`]. For
+    /// [`Camera::visibility`](crate::Camera::visibility): compute it once per mesh.
     pub fn bounding_sphere(&self) -> Sphere {
         let justify = self.justify();
         // In 2^unit world units.
@@ -569,7 +563,7 @@ impl<V: Coordinate> Mesh<'_, V> {
             square = square.max(part(0) + part(1) + part(2));
         }
         let radius = 2 * (i64::from(sqrt(square)) + 1);
-        // Up by the rounding of the centre and of the radius itself.
+        // Plus the rounding of the centre and of the radius itself.
         let outside = centre.iter().any(|&c| i64::from(bits(c)) != wide(c));
         let radius = if outside { i32::MAX } else { bits(radius).saturating_add(3) };
         Sphere { centre: Point3::from_bits(centre.map(bits)), radius: Scalar::from_bits(radius) }

@@ -1,4 +1,4 @@
-//! What is looked at.
+//! The scene: meshes, and hierarchies of transforms.
 
 mod hierarchy;
 mod mesh;

@@ -1,18 +1,17 @@
-//! Colours as levels of their channels.
+//! Colours of any target as levels of their channels.
 
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888, RgbColor,
 };
 
-/// A colour made of channels, each a number of levels from dark to full: what [`Flat`](super::Flat),
-/// [`Gouraud`](super::Gouraud), [`Lit`](super::Lit), [`Dithered`](super::Dithered) and
-/// [`ShadeTable::new`](super::ShadeTable::new) need of a target.
+/// A target colour made of channels with integer levels: [`Flat`](super::Flat), [`Gouraud`](super::Gouraud), [`Lit`](super::Lit),
+/// [`Dithered`](super::Dithered) and [`ShadeTable::new`](super::ShadeTable::new) draw in any such colour.
 ///
 /// Colours are given as `Rgb888` whatever the target. Red, green and blue each become levels of their
 /// channel, `value · MAX/255`; greys take the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as
-/// `embedded-graphics` does. Neither is rounded to whole levels before the pixel: both are kept to 2⁻¹⁶
-/// level.
+/// `embedded-graphics` does. Levels keep 16
+/// fractional bits and are rounded to integers once, at the pixel.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
@@ -23,13 +22,13 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!(Gray4::from_channels([9, 0, 0]), Gray4::new(9));
 /// ```
 pub trait Channels: PixelColor {
-    /// Whether there is one channel, the luma, in place of red, green and blue.
+    /// Whether the colour has one channel, luma, in place of red, green and blue.
     const GRAY: bool;
 
-    /// The highest level of red, green and blue, or of the luma, which comes first.
+    /// The highest levels of red, green and blue; of a grey, the first entry is the highest luma.
     const MAX: [u8; 3];
 
-    /// The colour with these levels, none beyond [`MAX`](Self::MAX). Of a grey the first one counts.
+    /// The colour with these levels, each at most [`MAX`](Self::MAX). A grey uses the first level.
     fn from_channels(levels: [u8; 3]) -> Self;
 }
 

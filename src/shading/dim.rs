@@ -1,11 +1,11 @@
-//! Colours at less than full light.
+//! Dimmed colours.
 
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565,
     Rgb666, Rgb888, RgbColor,
 };
 
-/// A colour that can be darkened.
+/// A target colour that can be dimmed.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -15,14 +15,14 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
 /// ```
 pub trait Dim: PixelColor {
-    /// This colour at `level`/256 of its light, each channel rounded to nearest, halves up; levels beyond 256
-    /// count as 256. A `BinaryColor` is off below 128, else unchanged.
+    /// This colour times `level`/256, each channel rounded to nearest, ties up; levels above 256 count as 256. A `BinaryColor` is off below
+    /// 128, otherwise unchanged.
     #[must_use]
     fn dim(self, level: u16) -> Self;
 }
 
 /// `channel · level / 256`, rounded to nearest: at most the channel.
-fn part(channel: u8, level: u16) -> u8 {
+fn dimmed(channel: u8, level: u16) -> u8 {
     // 255 · 256 + 128 fits 17 bits.
     ((u32::from(channel) * u32::from(level.min(256)) + 128) >> 8) as u8
 }
@@ -31,7 +31,7 @@ macro_rules! dim_rgb {
     ($($colour:ty),*) => {$(
         impl Dim for $colour {
             fn dim(self, level: u16) -> Self {
-                Self::new(part(self.r(), level), part(self.g(), level), part(self.b(), level))
+                Self::new(dimmed(self.r(), level), dimmed(self.g(), level), dimmed(self.b(), level))
             }
         }
     )*};
@@ -41,7 +41,7 @@ macro_rules! dim_gray {
     ($($colour:ty),*) => {$(
         impl Dim for $colour {
             fn dim(self, level: u16) -> Self {
-                Self::new(part(self.luma(), level))
+                Self::new(dimmed(self.luma(), level))
             }
         }
     )*};
@@ -50,7 +50,7 @@ macro_rules! dim_gray {
 dim_rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 dim_gray!(Gray2, Gray4, Gray8);
 
-/// One bit has no shades: off below half the light.
+/// One bit has no shades: it is off below level 128.
 impl Dim for BinaryColor {
     fn dim(self, level: u16) -> Self {
         if level >= 128 {

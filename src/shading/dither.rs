@@ -1,19 +1,19 @@
-//! Ordered dither.
+//! Ordered dithering.
 
-use super::gouraud::{Rounding, Run};
-use super::levels::{levels, more, upper, whole};
+use super::gouraud::{Rounding, SpanColors};
+use super::levels::{add_bias, align, integer_parts, levels};
 use super::{Channels, Flat, Gouraud, Lit};
 use core::marker::PhantomData;
 
-/// An ink, [`Flat`], [`Gouraud`] or [`Lit`], in more shades than the target has: each pixel is rounded down or up
-/// by comparing with a threshold, one of 64 in an 8 × 8 pattern. (Bayer, *An optimum method for two-level
+/// Ordered dithering of [`Flat`], [`Gouraud`] or [`Lit`], which shows more shades than the target has: each pixel is rounded down or up by a
+/// threshold, one of 64 in an 8 × 8 pattern. (Bayer, *An optimum method for two-level
 /// rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed., section 13.1.2.)
 ///
-/// **The pattern** goes by the pixel's coordinates in the frame. So it stands still while things move,
-/// and is the same in every band and on both sides of an edge. Its thresholds are 1/128, 3/128 … 127/128.
+/// **The pattern** depends on the pixel's coordinates in the frame only. So it does not move with objects, and is the same in every band and
+/// on both sides of an edge. Its thresholds are 1/128, 3/128 … 127/128.
 ///
-/// **Error.** The mean of a colour over any 8 × 8 pixels lies within 1/128 + 2⁻¹⁶ level of it, in every
-/// channel; what lies on a level, black and full light among them, stays pure.
+/// **Error.** The mean over any 8 × 8 pixels is within 1/128 + 2⁻¹⁶ level of the colour, in every channel; colours that the target has, such as
+/// black and white, are not dithered.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*};
@@ -51,7 +51,7 @@ pub struct Dithered<I>(pub(crate) I);
 macro_rules! dithered {
     ($($ink:ty),*) => {$(
         impl $ink {
-            /// In as many shades as 64 pixels can show.
+            /// This shader with ordered dithering.
             pub const fn dithered(self) -> Dithered<Self> {
                 Dithered(self)
             }
@@ -62,14 +62,14 @@ macro_rules! dithered {
 dithered!(Flat, Gouraud, Lit);
 
 impl Flat {
-    /// The nearest colour that the target has.
+    /// The nearest colour of the target.
     #[inline]
     pub(crate) fn nearest<C: Channels>(&self) -> C {
-        C::from_channels(whole::<C>(more::<C>(levels::<C>(*self).map(upper), 1 << 23)))
+        C::from_channels(integer_parts::<C>(add_bias::<C>(levels::<C>(*self).map(align), 1 << 23)))
     }
 }
 
-/// The levels of a colour.
+/// The levels of one colour, ready to be dithered.
 #[derive(Clone, Copy, Debug)]
 pub struct Even<C> {
     levels: [u32; 3],
@@ -78,25 +78,24 @@ pub struct Even<C> {
 
 impl<C: Channels> Even<C> {
     pub(crate) fn new(colour: Flat) -> Self {
-        Self { levels: levels::<C>(colour).map(upper), colour: PhantomData }
+        Self { levels: levels::<C>(colour).map(align), colour: PhantomData }
     }
 
-    /// The colours of a row from a pixel on.
+    /// The colours of a span that starts at pixel (x, y).
     #[inline(always)]
-    pub(crate) fn run(&self, x: i32, y: i32) -> Run<C, Bayer> {
-        Run::new(self.levels, [0; 3], (x, y))
+    pub(crate) fn run(&self, x: i32, y: i32) -> SpanColors<C, Bayer> {
+        SpanColors::new(self.levels, [0; 3], (x, y))
     }
 }
 
-/// Twice each threshold's rank and one: thresholds in 1/128.
+/// The Bayer matrix as thresholds in 1/128: twice each rank, plus 1.
 const PATTERN: [[u8; 8]; 8] = {
     let mut pattern = [[0; 8]; 8];
     let mut y = 0;
     while y < 8 {
         let mut x = 0;
         while x < 8 {
-            // Of 2 × 2 places the ranks are 0 2 / 3 1, and so again within each: the lowest bits of x and
-            // y weigh most.
+            // The 2 × 2 matrix is 0 2 / 3 1, applied recursively: the lowest bits of x and y have the most weight.
             let (mut rank, mut bit) = (0, 0);
             while bit < 3 {
                 let pair = ((x ^ y) >> bit & 1) << 1 | (y >> bit & 1);
@@ -111,7 +110,7 @@ const PATTERN: [[u8; 8]; 8] = {
     pattern
 };
 
-/// To the level below or above, by the pattern.
+/// Rounds to the level below or above, by the pattern.
 pub(crate) struct Bayer {
     row: &'static [u8; 8],
     x: usize,

@@ -1,13 +1,11 @@
-//! One colour, finer than a display's.
+//! One colour, in finer steps than the target's.
 
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
-/// A colour that is not rounded to the target's before the pixel: red, green and blue in 1/256 of the
-/// steps of `Rgb888`.
+/// One colour for a face, with red, green and blue in 1/256 of the steps of `Rgb888`.
 ///
-/// As the ink of a face it gives every pixel the nearest colour of the target, worked out once a face:
-/// the same closure serves all [`Channels`](super::Channels). [`dithered`](Self::dithered), it keeps what
-/// rounding loses.
+/// As a shader it gives every pixel the nearest colour of the target, computed once per face, so one closure works for all colours with
+/// [`Channels`](super::Channels). [`dithered`](Self::dithered) shows the fraction that rounding drops.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -20,7 +18,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 pub struct Flat(pub(super) [u16; 3]);
 
 impl Flat {
-    /// `colour` at `level`/256 of its light, exactly; levels beyond 256 count as 256.
+    /// `colour` times `level`/256, exact; levels above 256 count as 256.
     pub fn lit(colour: Rgb888, level: u16) -> Self {
         // ≤ 255·256.
         Self([colour.r(), colour.g(), colour.b()].map(|channel| u16::from(channel) * level.min(256)))

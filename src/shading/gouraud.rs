@@ -1,24 +1,23 @@
-//! Colours that run smoothly over a triangle.
+//! Gouraud shading: colours interpolated linearly over a triangle.
 
-use super::levels::{levels, more, weighed, whole};
+use super::levels::{add_bias, integer_parts, levels, weighed};
 use super::{Channels, Flat};
 use crate::raster::{Gradient, GradientSetup, Triangle};
 use core::marker::PhantomData;
 
-/// A colour at each corner of a face, in the order in which it names them, and between them linearly on
-/// the screen. (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer
+/// Gouraud shading: a colour at each corner of a face, in the order of its indices, interpolated linearly on the screen. (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer
 /// Graphics*, 2nd ed., section 16.2.4.)
 ///
 /// **Error.** Each channel of a pixel is the exact one at its centre, rounded to nearest in levels of the
 /// target: off by at most ½ + 2⁻⁹ level, for any triangle in the guard band and any slope of colour.
 ///
-/// **Cut faces.** Where the near plane, the far plane or the guard band cuts a face, the new corners get the
+/// **Clipped faces.** Where the near plane, the far plane or the guard band clips a face, the new corners get the
 /// colours that those points of the face have in space, rounded to 1/256 of a step of `Rgb888`: off by another 2⁻⁹
-/// level at most. On the remaining pieces colours are linear on the screen again. That differs from the whole
-/// face, but no colour jumps by more than 1/255 as a corner passes a plane (`tests/shading/cut.rs`); from there
-/// they move towards perspective-correct ones.
+/// level at most. On each sub-face colours are again linear on the screen. That differs from the unclipped
+/// face, but no colour changes by more than 1/255 as a corner passes a plane (`tests/shading/cut.rs`); from there
+/// they approach perspective-correct ones.
 ///
-/// For one colour and a light at each corner [`Gouraud::lit`] takes less work, and
+/// For one colour with a light level at each corner [`Gouraud::lit`] takes less work, and
 /// [`ShadeTable::lit`](crate::ShadeTable::lit) least.
 ///
 /// ```
@@ -32,12 +31,12 @@ use core::marker::PhantomData;
 pub struct Gouraud([Flat; 3]);
 
 impl Gouraud {
-    /// From a colour for each corner, of `Rgb888` or [`Flat`], exactly.
+    /// From a colour per corner, `Rgb888` or [`Flat`], exact.
     pub fn new(corners: [impl Into<Flat>; 3]) -> Self {
         Self(corners.map(Into::into))
     }
 
-    /// For a part of the face: how much of each of its corners the new ones are, in 2⁻³⁰.
+    /// The shader of a sub-face, given the barycentric weights of its corners, in 2⁻³⁰.
     #[must_use]
     pub(crate) fn part(&self, corners: [[i32; 3]; 3]) -> Self {
         Self(corners.map(|weights| {
@@ -48,7 +47,7 @@ impl Gouraud {
         }))
     }
 
-    /// The levels of the channels over a triangle.
+    /// The gradients of the channels over a triangle.
     #[inline(always)]
     pub(crate) fn over<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
         let [a, b, c] = self.0.map(levels::<C>);
@@ -78,26 +77,26 @@ impl<C: Channels> ChannelGradients<C> {
         Self { planes, colour: PhantomData }
     }
 
-    /// The colours of a row from a covered pixel on.
+    /// The colours of a span that starts at the covered pixel (x, y).
     #[inline(always)]
-    pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32) -> Run<C, R> {
-        Run::new(self.planes.map(|p| p.at(x, y)), self.planes.map(|p| p.step()), (x, y))
+    pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32) -> SpanColors<C, R> {
+        SpanColors::new(self.planes.map(|p| p.at(x, y)), self.planes.map(|p| p.step()), (x, y))
     }
 }
 
-/// How levels become whole ones: what is added along a row before the fraction is dropped, in 2⁻²⁴.
+/// How levels are rounded to integers: a bias in 2⁻²⁴, added before the fraction is dropped.
 pub(crate) trait Rounding {
-    /// Added at the first pixel, and kept.
+    /// The constant bias of all pixels.
     const FIRST: u32;
 
-    /// From a pixel on.
+    /// The biases of a span that starts at pixel (x, y).
     fn from(x: i32, y: i32) -> Self;
 
-    /// Added at the next pixel alone.
+    /// The additional bias of the next pixel.
     fn next(&mut self) -> u32;
 }
 
-/// To the nearest level.
+/// Rounds to the nearest level.
 pub(crate) struct Nearest;
 
 impl Rounding for Nearest {
@@ -114,28 +113,28 @@ impl Rounding for Nearest {
     }
 }
 
-/// Colours of pixels from left to right, without end.
-pub(crate) struct Run<C, R> {
+/// The colours of a span from left to right; it has no end.
+pub(crate) struct SpanColors<C, R> {
     levels: [u32; 3],
     steps: [u32; 3],
     rounding: R,
     colour: PhantomData<C>,
 }
 
-impl<C: Channels, R: Rounding> Run<C, R> {
+impl<C: Channels, R: Rounding> SpanColors<C, R> {
     #[inline(always)]
     pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
-        let levels = more::<C>(levels, R::FIRST);
+        let levels = add_bias::<C>(levels, R::FIRST);
         Self { levels, steps, rounding: R::from(x, y), colour: PhantomData }
     }
 }
 
-impl<C: Channels, R: Rounding> Iterator for Run<C, R> {
+impl<C: Channels, R: Rounding> Iterator for SpanColors<C, R> {
     type Item = C;
 
     #[inline(always)]
     fn next(&mut self) -> Option<C> {
-        let whole = whole::<C>(more::<C>(self.levels, self.rounding.next()));
+        let whole = integer_parts::<C>(add_bias::<C>(self.levels, self.rounding.next()));
         let ([r, g, b], [x, y, z]) = (self.levels, self.steps);
         self.levels = match C::GRAY {
             true => [r.wrapping_add(x), 0, 0],

@@ -1,14 +1,14 @@
-//! Ambient and Lambert light, per face or per vertex.
+//! Ambient and diffuse (Lambert) lighting, per face or per vertex.
 
 use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
-use crate::math::{to_short, Affine, NormalMap, Vector3};
+use crate::math::{to_q15, Affine, NormalMatrix, Vector3};
 use crate::space::{Model, World};
 
-/// One directional light and an ambient part, made ready for one object.
+/// One directional light and ambient light, set up for one object.
 ///
-/// Normals go through the inverse transpose of the model transform. Where that is a rotation with a uniform scale,
-/// the light is brought to the model instead, and a face costs three products. (Lambert's law: Foley et al.,
+/// Normals go through the inverse transpose of the model transform. If that is conformal (a
+/// rotation or reflection with uniform scale), the light direction is transformed to model space instead, and a normal costs three products. (Lambert's law: Foley et al.,
 /// *Computer Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
 ///
 /// ```
@@ -23,39 +23,39 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lambert {
-    /// Towards the light, in 2⁻¹⁵, as long as the light is strong that the ambient part leaves: of the model when the
-    /// transform keeps angles, of the world otherwise.
+    /// The direction towards the light in 2⁻¹⁵, times the share of light that is not ambient: in model space if the transform is conformal,
+    /// otherwise in world space.
     towards: [i16; 3],
-    /// The way of normals to the world, where the transform bends angles.
-    bend: Option<NormalMap<Model, World>>,
-    /// The ambient part in 2⁻²² of a level, and the half that rounds.
+    /// The normal matrix to world space, if the transform is not conformal.
+    normal_matrix: Option<NormalMatrix<Model, World>>,
+    /// Ambient light in 2⁻²² of a level, plus the half that rounds.
     ambient: u32,
 }
 
-/// Why there is no light.
+/// Why a light cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LightError {
-    /// The direction towards the light has length zero: give any vector towards it.
+    /// The direction towards the light has length zero: give a vector of any other length.
     ZeroDirection,
 }
 
 impl core::fmt::Display for LightError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the direction towards the light has length zero")
+        f.write_str("the direction towards the light has length zero: give a vector that points to the light")
     }
 }
 
 impl core::error::Error for LightError {}
 
 impl Lambert {
-    /// Light from the direction `towards_light` (any length) on an object placed by `model`; `ambient`/256 of full
-    /// light everywhere (more than 256 counts as 256).
+    /// Sets up light from the direction `towards_light` (world space, any length) on an object with the transform `model`, plus ambient light of
+    /// `ambient`/256 of full light (more than 256 counts as 256).
     ///
     /// # Errors
     ///
-    /// [`LightError::ZeroDirection`] where `towards_light` has length zero.
-    #[inline(never)] // set-up: its numbers are off the stack when it returns
+    /// [`LightError::ZeroDirection`] if `towards_light` has length zero.
+    #[inline(never)] // set-up: its stack frame is gone before faces are drawn
     pub fn new(
         model: &Affine<Model, World>,
         towards_light: Vector3<World>,
@@ -68,15 +68,15 @@ impl Lambert {
         let normals = model.normals();
         // n·(Cᵀ·l) = (C·n)·l.
         let in_model = normalise(&row_times(&light, normals.rows()));
-        let even = keeps_angles(normals.rows());
+        let conformal = is_conformal(normals.rows());
         let ambient = ambient.min(256);
         let rest = 256 - i32::from(ambient);
         // |v · rest| ≤ 2²³: no longer than a unit vector.
-        let towards =
-            to_short(if even { in_model } else { light }).map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
+        let towards = to_q15(if conformal { in_model } else { light })
+            .map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
         Ok(Self {
             towards,
-            bend: (!even).then_some(normals),
+            normal_matrix: (!conformal).then_some(normals),
             ambient: (u32::from(ambient) << 22) + (1 << 21),
         })
     }
@@ -86,22 +86,28 @@ impl Lambert {
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
         let [a, b, c] = normal;
-        match &self.bend {
-            None => self.lit(a, b, c),
-            Some(bend) => self.bent(bend, a, b, c),
+        match &self.normal_matrix {
+            None => self.level_in_light_space(a, b, c),
+            Some(normal_matrix) => self.level_by_normal_matrix(normal_matrix, a, b, c),
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn bent(&self, bend: &NormalMap<Model, World>, a: i16, b: i16, c: i16) -> u16 {
-        let [a, b, c] = bend.apply([a, b, c]);
-        self.lit(a, b, c)
+    fn level_by_normal_matrix(
+        &self,
+        normal_matrix: &NormalMatrix<Model, World>,
+        a: i16,
+        b: i16,
+        c: i16,
+    ) -> u16 {
+        let [a, b, c] = normal_matrix.apply([a, b, c]);
+        self.level_in_light_space(a, b, c)
     }
 
-    /// The light where the normal is in the light's own space.
+    /// The light for a normal in the space of the light direction.
     #[inline(always)]
-    fn lit(&self, a: i16, b: i16, c: i16) -> u16 {
+    fn level_in_light_space(&self, a: i16, b: i16, c: i16) -> u16 {
         let ([a, b, c], [x, y, z]) = ([a, b, c].map(i32::from), self.towards.map(i32::from));
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹; as l is the shorter the more is ambient, the last
         // one stays below 2³².
@@ -127,9 +133,9 @@ impl Lambert {
     }
 }
 
-/// Whether the rows are orthogonal and equally long, to 2⁻¹⁰: then angles err by less than a step
-/// of light.
-fn keeps_angles([x, y, z]: &[[i32; 3]; 3]) -> bool {
+/// Whether the transform is conformal: rows are orthogonal and of equal length, to 2⁻¹⁰, so that errors of angles change light by less than
+/// a level.
+fn is_conformal([x, y, z]: &[[i32; 3]; 3]) -> bool {
     let length = dot(x, x); // 3·2⁶⁰ at most, as all
     let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
     near(dot(y, y), length)

@@ -1,24 +1,23 @@
-//! Levels of channels in 32 bits.
+//! Levels of colour channels as fixed-point numbers of 32 bits.
 
 use super::{Channels, Flat};
 use crate::math::num::mul_wide;
 
-/// Where the whole part of a level begins in 32 bits: as high as the largest one allows. So it is what is left when
-/// they are shifted to the right.
-pub(super) const fn places(max: u8) -> u32 {
+/// The number of fractional bits of a level in 32 bits: as many as the largest level leaves. A right shift by it gives the integer part.
+pub(super) const fn fraction_bits(max: u8) -> u32 {
     24 + (max | 1).leading_zeros()
 }
 
-/// The largest level times as much as it has unused bits.
-pub(super) const fn aligned(max: u8) -> u8 {
+/// The largest level, shifted left so that its highest bit is bit 7.
+pub(super) const fn aligned_max(max: u8) -> u8 {
     max << (max | 1).leading_zeros()
 }
 
-/// The channels of `C` in the upper 24 of 32 bits, with their [`places`], rounded to nearest.
+/// The channels of `C` as levels with [`fraction_bits`] − 8 fractional bits, below 2²⁴, rounded to nearest.
 #[inline]
 pub(super) fn levels<C: Channels>(colour: Flat) -> [i32; 3] {
     let [r, g, b] = colour.0.map(u32::from); // ≤ 255·2⁸
-    let [x, y, z] = C::MAX.map(aligned);
+    let [x, y, z] = C::MAX.map(aligned_max);
     if C::GRAY {
         [level(luma([r, g, b]), x), 0, 0]
     } else {
@@ -40,35 +39,35 @@ fn level(value: u32, max: u8) -> i32 {
     ((u64::from(sum) * 0x8080_8081) >> 39) as i32
 }
 
-/// The mean of values 0 … full by weights in 2⁻³⁰, rounded to nearest.
+/// The weighted mean of values 0 … `full`, with weights in 2⁻³⁰, rounded to nearest.
 #[inline(always)] // out of line, S8 takes 1 % more on a Cortex-M0
 pub(super) fn weighed(values: [i32; 3], weights: [i32; 3], full: i32) -> i32 {
-    // Weights of 0 … 2³⁰, 6 more or less, and 2³⁰ in all; full < 2²⁴.
+    // Weights are −6 … 2³⁰ + 6 and sum to 2³⁰; full < 2²⁴.
     let sum: i64 = values.iter().zip(weights).map(|(&value, weight)| mul_wide(value, weight)).sum();
     ((sum + (1 << 29)) >> 30).clamp(0, full.into()) as i32
 }
 
-/// In all of 32 bits.
+/// A level from [`levels`], aligned to the top of 32 bits: with all [`fraction_bits`].
 #[inline(always)]
-pub(super) fn upper(level: i32) -> u32 {
+pub(super) fn align(level: i32) -> u32 {
     (level as u32) << 8 // < 2²⁴ and not negative
 }
 
-/// The channels' levels and as much of a level more, in 2⁻²⁴.
+/// Adds `by`, in 2⁻²⁴ level, to the level of each channel.
 #[inline(always)]
-pub(super) fn more<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
-    let [x, y, z] = C::MAX.map(places);
-    let more = |level: u32, places: u32| level.wrapping_add(by << (places - 24)); // by < 2²⁴
+pub(super) fn add_bias<C: Channels>([r, g, b]: [u32; 3], by: u32) -> [u32; 3] {
+    let [x, y, z] = C::MAX.map(fraction_bits);
+    let more = |level: u32, fraction_bits: u32| level.wrapping_add(by << (fraction_bits - 24)); // by < 2²⁴
     match C::GRAY {
         true => [more(r, x), 0, 0],
         false => [more(r, x), more(g, y), more(b, z)],
     }
 }
 
-/// Without their fractions.
+/// The integer parts of levels.
 #[inline(always)]
-pub(super) fn whole<C: Channels>([r, g, b]: [u32; 3]) -> [u8; 3] {
-    let [x, y, z] = C::MAX.map(places);
+pub(super) fn integer_parts<C: Channels>([r, g, b]: [u32; 3]) -> [u8; 3] {
+    let [x, y, z] = C::MAX.map(fraction_bits);
     match C::GRAY {
         true => [(r >> x) as u8, 0, 0],
         false => [(r >> x) as u8, (g >> y) as u8, (b >> z) as u8],

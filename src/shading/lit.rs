@@ -1,29 +1,28 @@
-//! One colour in a light that runs smoothly over a triangle.
+//! Gouraud shading of one colour: only the light is interpolated.
 
 use super::gouraud::{ChannelGradients, Gouraud};
-use super::levels::{aligned, luma, places, weighed};
+use super::levels::{aligned_max, fraction_bits, luma, weighed};
 use super::Channels;
 use crate::math::num::mul_wide;
 use crate::raster::{GradientSetup, Triangle};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
-/// One colour, and the light at each corner of a face, in the order in which it names them; in between light is linear on
-/// the screen. So are the colours, as those of [`Gouraud::new`], for less work: one plane in place of three.
-/// It is made by [`Gouraud::lit`].
+/// Gouraud shading of one colour with a light level at each corner of a face, in the order of its indices, interpolated linearly on the screen.
+/// The pixels are those of [`Gouraud::new`] with three dimmed colours, for less work: one gradient in place of three. [`Gouraud::lit`] makes it.
 ///
-/// **Error.** As of [`Gouraud`]: each channel of a pixel is the exact one at its centre, rounded to nearest in levels of
+/// **Error.** The bound of [`Gouraud`]: each channel of a pixel is the exact one at its centre, rounded to nearest in levels of
 /// the target, off by at most ½ + 2⁻⁹ level.
 ///
-/// **Cut faces.** As of [`Gouraud`]; the light at new corners is rounded to 2⁻²² of full light.
+/// **Clipped faces.** Like [`Gouraud`]; the light at new corners is rounded to 2⁻²² of full light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lit {
     colour: [u8; 3],
-    /// In 2⁻²² / 255 of a level: times a channel of the colour, 2³⁰ is full.
+    /// In 2⁻²² / 255 of a level: the product with a channel of the colour is at most 2³⁰.
     light: [i32; 3],
 }
 
-/// At 256.
+/// The light of level 256.
 const FULL: i32 = light(256);
 
 /// `level · 2²² / 255`, off by less than 1.
@@ -32,7 +31,7 @@ const fn light(level: u16) -> i32 {
 }
 
 impl Gouraud {
-    /// One colour, and the light at each corner, 0 … 256 (more counts as 256).
+    /// One colour with the light level at each corner, 0 … 256 (more counts as 256).
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -47,31 +46,32 @@ impl Gouraud {
 }
 
 impl Lit {
-    /// For a part of the face: how much of each of its corners the new ones are, in 2⁻³⁰.
+    /// The shader of a sub-face, given the barycentric weights of its corners, in 2⁻³⁰.
     #[must_use]
     pub(crate) fn part(&self, corners: [[i32; 3]; 3]) -> Self {
         Self { light: corners.map(|weights| weighed(self.light, weights, FULL)), ..*self }
     }
 
-    /// The levels of the channels over a triangle.
+    /// The gradients of the channels over a triangle.
     #[inline(always)]
     pub(crate) fn over<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
         let planes = GradientSetup::new(triangle);
         let Some(light) = (if C::GRAY { None } else { planes.slope_through(&self.light) }) else {
-            return self.each::<C>(&planes);
+            return self.per_channel::<C>(&planes);
         };
         // Within 512 pixels, beyond which it counts as steep, light is off by less than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is 2⁻¹¹
         // of 255 levels; what is rounded down adds 1024 · 2⁻²⁴.
-        let times = |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - places(max));
+        let times =
+            |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - fraction_bits(max));
         let ([r, g, b], [x, y, z]) = (self.colour, C::MAX);
         ChannelGradients::new([times(r, x), times(g, y), times(b, z)])
     }
 
-    /// The same by a plane for each channel: of greys, and where light changes much from pixel to pixel.
+    /// The gradients by one set-up per channel: for greys, and where light changes fast from pixel to pixel.
     #[inline(never)]
-    fn each<C: Channels>(&self, planes: &GradientSetup<'_>) -> ChannelGradients<C> {
+    fn per_channel<C: Channels>(&self, planes: &GradientSetup<'_>) -> ChannelGradients<C> {
         let through = |factor: u32, max: u8| {
-            let factor = (factor * u32::from(aligned(max))) as i32; // ≤ 255² · 2⁸
+            let factor = (factor * u32::from(aligned_max(max))) as i32; // ≤ 255² · 2⁸
             planes.through(&self.light.map(|light| ((mul_wide(light, factor) + (1 << 21)) >> 22) as i32))
         };
         let ([r, g, b], [x, y, z]) = (self.colour.map(u32::from), C::MAX);

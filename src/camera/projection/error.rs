@@ -1,48 +1,49 @@
 //! Why a projection cannot be set up.
 
-/// Why there is no such projection.
+/// Why a projection cannot be set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ProjectionError {
-    /// The field of view is closer than 1/4096 turn to 0° or to 180°.
+    /// The field of view is not 1/4096 to 2047/4096 turn, about 0.09° to 179.9°.
     FieldOfView,
-    /// An aspect of zero width or height: pass the viewport's size, or a ratio such as 4 × 3.
+    /// The aspect ratio has a width or height of zero: pass the viewport's size, or a ratio such as 4 × 3.
     EmptyAspect,
-    /// A perspective needs near > 0, or front before the centre of projection.
+    /// The near plane of a perspective is not in front of the centre of projection: near must be > 0, front nearer to the view plane than
+    /// the PRP.
     NearNotPositive,
-    /// Far must lie beyond near, back behind front.
+    /// The far plane is not beyond the near plane, or the back plane not behind the front plane.
     NearNotBeforeFar,
-    /// near·far/(far − near) must stay below 2³⁰ for a perspective, near/(far − near) for a parallel projection
-    /// and a [`ReferenceVolume`], for depth to mean anything: move them apart.
+    /// Near and far are too close for depth: near·far/(far − near) must be below 2³⁰ for a perspective, near/(far − near) for a parallel
+    /// projection and a [`ReferenceVolume`](crate::ReferenceVolume). Move the planes apart.
     NearTooCloseToFar,
-    /// The window needs left < right and bottom < top.
+    /// The window is empty: it needs left < right and bottom < top.
     EmptyWindow,
-    /// The window is 2³⁰ times smaller than its distance from the axis: enlarge or centre it.
+    /// The window's distance from the axis is 2³⁰ times its extent: enlarge or centre it.
     WindowTooSmall,
-    /// The projectors run along the view plane, or the distance to it is zero.
+    /// The projectors are parallel to the view plane, or the centre of projection lies in it.
     NoViewPlane,
-    /// The projection reference point must lie in front of the view plane, at n > 0.
+    /// The projection reference point is not in front of the view plane, at n > 0.
     ReferenceBehindPlane,
-    /// A matrix with a number that is NaN or infinite, or with zeros only.
+    /// The matrix has a number that is NaN or infinite, or only zeros.
     Matrix,
-    /// A constant of the projection leaves ±2³⁰: choose a larger unit, or a plane nearer to the origin.
+    /// A constant of the matrix is beyond ±2³⁰: choose a larger unit, or a view plane nearer to the origin.
     OutOfRange,
 }
 
 impl core::fmt::Display for ProjectionError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
-            Self::FieldOfView => "the field of view must lie between 1/4096 and 2047/4096 turn",
-            Self::EmptyAspect => "the aspect needs a width and a height",
-            Self::NearNotPositive => "a perspective needs a near plane in front of the eye",
+            Self::FieldOfView => "field of view must be 0.09° to 179.9°",
+            Self::EmptyAspect => "the aspect ratio has a width or height of zero: pass the viewport's size",
+            Self::NearNotPositive => "the near plane of a perspective must be in front of the eye, at a distance greater than 0",
             Self::NearNotBeforeFar => "the far plane must lie beyond the near plane",
-            Self::NearTooCloseToFar => "near and far are too close together for depth",
-            Self::EmptyWindow => "the window needs left < right and bottom < top",
-            Self::WindowTooSmall => "the window is too small for its distance from the axis",
-            Self::NoViewPlane => "the projectors never meet the view plane",
-            Self::ReferenceBehindPlane => "the reference point must lie in front of the view plane",
-            Self::Matrix => "the matrix is zero or has a number that is not finite",
-            Self::OutOfRange => "the projection's numbers are out of range: choose a larger unit",
+            Self::NearTooCloseToFar => "near and far planes are too close together for depth: move them apart",
+            Self::EmptyWindow => "the window is empty: it needs left < right and bottom < top",
+            Self::WindowTooSmall => "the window is too small for its distance from the axis: enlarge or centre it",
+            Self::NoViewPlane => "the projectors are parallel to the view plane, or start in it: change the direction or the distance",
+            Self::ReferenceBehindPlane => "the projection reference point must be in front of the view plane, at n > 0",
+            Self::Matrix => "the matrix has only zeros, or a number that is NaN or infinite",
+            Self::OutOfRange => "a constant of the projection is beyond 2^30: choose a larger unit, or a plane nearer to the origin",
         })
     }
 }

@@ -1,28 +1,27 @@
-//! Any projective matrix, as it is.
+//! Projections given as a 4 × 4 matrix.
 
 use super::{Projection, ProjectionError};
-use crate::math::float::{coefficients, parts, row};
+use crate::math::float::{coefficients, mantissa_and_exponent, row_from_f64};
 
-/// `a·s + b·t`. Indexed by constants only: not even without inlining is there a bounds check.
+/// `a·s + b·t`. Constant indices need no bounds checks, even where the function is not inlined.
 fn sum(a: &[f64; 4], s: f64, b: &[f64; 4], t: f64) -> [f64; 4] {
     [a[0] * s + b[0] * t, a[1] * s + b[1] * t, a[2] * s + b[2] * t, a[3] * s + b[3] * t]
 }
 
 impl Projection {
-    /// A matrix from view to clip space, row by row, for column vectors: visible points must have
-    /// w > 0 and −w ≤ x, y, z ≤ w, near at z = −w. It stands for itself times any positive factor.
+    /// From a row-major matrix, view to clip space, for column vectors: visible points must have w > 0 and −w ≤ x, y, z ≤ w, with the near
+    /// plane at z = −w. A positive factor of the whole matrix changes nothing.
     ///
-    /// The rows x, y, w and (z + w)/2 are kept: each row's coefficients are rounded to 30 bits of its
-    /// largest, and its constant to 2⁻⁴² of the matrix's largest coefficient or 2⁻⁵⁸ of its largest
-    /// constant, whichever is more.
+    /// The rows x, y, w and (z + w)/2 are stored: each row's coefficients are rounded to 30 bits of its
+    /// largest, and its constant to the larger of 2⁻⁴² of the matrix's largest coefficient and 2⁻⁵⁸ of its largest constant.
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::Matrix`] for NaN and infinities, and where all is zero.
+    /// [`ProjectionError::Matrix`] if a number is NaN or infinite, or all are zero.
     ///
     /// ```
     /// use pinhole::{space::View, Point3, Projection, ProjectionError};
-    /// // A reverse perspective: what is farther away is larger. w = 1 + z/8.
+    /// // A reverse perspective, in which distant objects are larger: w = 1 + z/8.
     /// let reverse =
     ///     [[0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, -0.25, -1.0], [0.0, 0.0, 0.125, 1.0]];
     /// let lens = Projection::from_matrix(&reverse)?;
@@ -35,7 +34,7 @@ impl Projection {
         // The exponents of the largest coefficient and of the largest constant.
         let (mut linear, mut constant) = (None, None);
         for (i, &v) in matrix.iter().flatten().enumerate() {
-            let (m, e) = parts(v).ok_or(ProjectionError::Matrix)?;
+            let (m, e) = mantissa_and_exponent(v).ok_or(ProjectionError::Matrix)?;
             if m != 0 {
                 let largest = if i % 4 == 3 { &mut constant } else { &mut linear };
                 *largest = (*largest).max(Some(e + 64 - m.unsigned_abs().leading_zeros() as i32));
@@ -50,20 +49,20 @@ impl Projection {
             (Some(m), Some(c)) => (10 - m).min(26 - c),
         };
         let [x, y, z, w] = matrix;
-        // d = (z + w)/2 where f64 is exact or nearly so: rounded to 30 bits only once.
+        // d = (z + w)/2 in f64, exact or nearly so, so that it is rounded to 30 bits only once.
         let d = sum(z, 0.5, w, 0.5);
-        let all = (row(x, shift), row(y, shift), row(&d, shift), row(w, shift));
+        let all =
+            (row_from_f64(x, shift), row_from_f64(y, shift), row_from_f64(&d, shift), row_from_f64(w, shift));
         let (Some(x), Some(y), Some(d), Some(w)) = all else { return Err(ProjectionError::Matrix) };
         Ok(Self { rows: [x, y, d, w] })
     }
 
-    /// The matrix as it is drawn with, up to a power of two that brings the largest number of the last row to
-    /// between ½ and 1. Exact but for z, which is computed from (z + w)/2 and rounded to 53 bits where it needs
-    /// more; [`from_matrix`](Self::from_matrix) reads it back.
+    /// The row-major matrix that the camera uses, scaled by a power of two so that the largest number of its last row is ½ to 1. Exact but
+    /// for the row z, which is computed from (z + w)/2 and rounded to 53 bits. [`from_matrix`](Self::from_matrix) reads it back.
     pub fn to_matrix(&self) -> [[f64; 4]; 4] {
         let [x, y, d, w] = &self.rows;
         let largest = coefficients(w, 0).into_iter().fold(0.0f64, |a, b| a.max(b.abs()));
-        let shift = match parts(largest) {
+        let shift = match mantissa_and_exponent(largest) {
             Some((m, e)) if m != 0 => -(e + 64 - m.leading_zeros() as i32),
             _ => 0,
         };

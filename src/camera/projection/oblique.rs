@@ -1,12 +1,12 @@
-//! Oblique parallel projections: a face keeps its shape, depth recedes at an angle.
+//! Oblique parallel projections: faces parallel to the view plane keep their shape, the z axis recedes at an angle.
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
 use crate::math::{Angle, Row, Scalar};
 
 impl Projection {
-    /// Parallel projectors that cut the plane z = 0 at a slant: a unit of depth recedes by
-    /// `factor` units in the direction `angle` (from the x axis, towards y):
+    /// An oblique projection onto the plane z = 0: a unit along −z appears as `factor` units in the direction `angle`, measured from the x
+    /// axis towards y:
     ///
     /// ```text
     ///     x_p = x − factor·cos(angle)·z,   y_p = y − factor·sin(angle)·z
@@ -48,7 +48,7 @@ impl Projection {
             // −2·factor·part/extent: 2⁻¹⁶ · 2⁻³⁰ over 2⁻¹⁶; 32 + 31 bits over 33 bits.
             let (m, e) = ratio(-i64::from(factor.to_bits()) * i64::from(part), extent);
             let slope = row(2, (m, e - 29), 0);
-            Ok(straight.combined(ONE, &slope, ONE))
+            Ok(straight.linear_combination(ONE, &slope, ONE))
         };
         let x = slanted(x, cosine, window.left, window.right)?;
         let y = slanted(y, sine, window.bottom, window.top)?;

@@ -1,4 +1,4 @@
-//! Projection onto a plane: points and drawings, no depth.
+//! Planar geometric projections: points to points of a plane, without depth.
 
 use super::parts::{extent, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
@@ -49,7 +49,7 @@ impl PlanarProjection {
     ///     | 0 0 1/d 0 |
     /// ```
     ///
-    /// It looks along +z for d > 0; for a picture take d < 0.
+    /// The gaze is along +z for d > 0; for [`Projection::from_planar`], whose camera looks along −z, use d < 0.
     ///
     /// # Errors
     ///
@@ -98,15 +98,14 @@ impl PlanarProjection {
     ///     | 0  0  −1/(Q·dz)      1 + z_p/(Q·dz)      |
     /// ```
     ///
-    /// All others are special cases. A negative `distance` puts the centre on the other side of the plane; one of
-    /// `None` is infinite: the parallel projections along `direction`, the oblique ones among them. (Foley et al.,
+    /// All other constructors are special cases. A negative `distance` puts the centre on the other side of the plane. `None` is an infinite
+    /// distance: a parallel projection along `direction`, orthographic or oblique. (Foley et al.,
     /// section 6.4, equation 6.17.)
     ///
     /// # Errors
     ///
-    /// [`ProjectionError::NoViewPlane`] where the direction runs along the plane or the distance
-    /// is zero, and [`OutOfRange`](ProjectionError::OutOfRange) where a constant of the matrix leaves
-    /// ±2³⁰.
+    /// [`ProjectionError::NoViewPlane`] if the direction is parallel to the plane or the distance is zero,
+    /// [`OutOfRange`](ProjectionError::OutOfRange) if a constant of the matrix is beyond ±2³⁰.
     pub fn general(
         z_p: Scalar,
         distance: Option<Scalar>,
@@ -118,7 +117,8 @@ impl PlanarProjection {
         }
         let z_p = i64::from(z_p.to_bits()) << 16; // in 2⁻³²
                                                   // plus + slope·(z − z_p).
-        let slanted = |plus: Row, slope: (i64, i32)| plus.combined(ONE, &Row { offset: -z_p, ..Z }, slope);
+        let slanted =
+            |plus: Row, slope: (i64, i32)| plus.linear_combination(ONE, &Row { offset: -z_p, ..Z }, slope);
         let over_dz =
             |n: i64| if dz < 0 { ratio(n, dz.unsigned_abs()) } else { ratio(-n, dz.unsigned_abs()) };
         let x = slanted(X, over_dz(dx));
@@ -151,9 +151,9 @@ impl PlanarProjection {
     }
 
     /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and saturated. Rounded coefficients add at most 2⁻²⁸/(w·dz) of the
-    /// largest coordinate of point, plane and image; dz is 1 except in [`general`](Self::general). `None` where
-    /// the ray runs along the plane (w = 0, or rounds to it). A point behind the centre has an image too, upside down: this is the
-    /// arithmetic of the matrix.
+    /// largest coordinate of point, plane and image; dz is 1 except in [`general`](Self::general). `None` if
+    /// the ray is parallel to the plane (w rounds to 0). A point behind the centre of projection has an image too, upside down, as the matrix
+    /// gives it.
     pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let ([x, y, z, w], _) = homogeneous(&self.rows, &p);
@@ -184,8 +184,8 @@ fn by(d: Scalar, offset: i64) -> Result<Row, ProjectionError> {
 }
 
 impl Projection {
-    /// What a planar projection shows through a `window` of its plane, with depth between the
-    /// planes z = −near and z = −far (distances along −z, near < far).
+    /// A planar projection seen through a `window` of its plane, with depth between the planes z = −near and z = −far (distances along −z,
+    /// near < far).
     ///
     /// The camera looks along −z. If the centre of projection lies at smaller z than the volume (as with d > 0),
     /// the far plane is the one closer to it and the picture is mirrored, as the matrix says.
@@ -197,7 +197,7 @@ impl Projection {
     /// use pinhole::{PlanarProjection, Projection, ProjectionError, Scalar, Vector3, Window};
     /// let [one, two] = [1, 2].map(Scalar::from_num);
     /// let window = Window { left: -two, right: two, bottom: -two, top: two };
-    /// // Parallel, along (0, -1, 1): what is parallel to the plane z = 0 keeps its shape.
+    /// // Parallel, along (0, -1, 1): shapes parallel to the plane z = 0 are preserved.
     /// let planar = PlanarProjection::general(Scalar::ZERO, None, Vector3::from_ints(0, -1, 1))?;
     /// let lens = Projection::from_planar(&planar, window, -one, two)?;
     /// # let _ = lens;
@@ -222,8 +222,8 @@ impl Projection {
             let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
             let (a, b) = (ratio(2 << 16, extent), ratio(-sum, extent));
-            let row = image.combined(a, w, b);
-            // Each part by itself too: the other may bring a saturated one back into range.
+            let row = image.linear_combination(a, w, b);
+            // Each term by itself too: a saturated one may cancel with the other.
             if [row, image.times(a), w.times(b)].iter().any(|row| row.offset.abs() >= SATURATED) {
                 return Err(ProjectionError::WindowTooSmall);
             }

@@ -1,4 +1,4 @@
-//! ViewTransform by projection reference point and window.
+//! View volumes by projection reference point and window.
 
 use super::parts::{extent, offset, ratio, row, ONE};
 use super::{Projection, ProjectionError, Window};
@@ -9,7 +9,7 @@ use crate::space::{Canonical, View};
 /// A view volume by projection reference point (PRP), window on the view plane, and front and back
 /// planes, all in view coordinates u, v, n; the view plane is n = 0, through the VRP.
 ///
-/// It holds the normalising transform from view coordinates to the canonical volume:
+/// It stores the normalising transform from view coordinates to the canonical view volume:
 ///
 /// ```text
 ///     parallel     S · T · Sh          onto −1 ≤ x, y ≤ 1, −1 ≤ z ≤ 0
@@ -17,7 +17,7 @@ use crate::space::{Canonical, View};
 /// ```
 ///
 /// where Sh shears the volume's centre line, from the PRP to the window's centre, onto the z axis.
-/// [`Projection::from_reference`] goes on to clip space. (Foley et al., *Computer Graphics*, 2nd
+/// [`Projection::from_reference`] continues to clip space. (Foley et al., *Computer Graphics*, 2nd
 /// ed., sections 6.2 and 6.5.)
 ///
 /// ```
@@ -34,8 +34,8 @@ use crate::space::{Canonical, View};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReferenceVolume {
-    /// Canonical x, y, z over view coordinates; those of a perspective times its back plane's
-    /// distance, so that their constants keep their bits however far that is.
+    /// Canonical x, y, z over view coordinates; for a perspective times the distance of its back plane, so that constants keep their bits
+    /// for distant back planes too.
     rows: [Row; 3],
     kind: Kind,
 }
@@ -87,7 +87,7 @@ impl ReferenceVolume {
     ///
     /// # Errors
     ///
-    /// As [`perspective`](Self::perspective), but that front may lie anywhere.
+    /// The errors of [`perspective`](Self::perspective) except `NearNotPositive`: front may lie anywhere.
     pub fn parallel(
         prp: Point3<View>,
         window: Window,
@@ -141,8 +141,7 @@ fn before_plane(prp: Point3<View>) -> Result<i64, ProjectionError> {
     Ok(pn)
 }
 
-/// The rows x and y: sheared so that the volume's centre line runs along n, times what `factor` makes of the
-/// window's extent.
+/// The rows x and y: sheared so that the volume's centre line is parallel to n, times `factor` of the window's extent.
 fn sides(
     prp: Point3<View>,
     window: Window,
@@ -151,23 +150,23 @@ fn sides(
     let [px, py, pn] = prp.bits().map(i64::from);
     let form = |axis: usize, p: i64, low: Scalar, high: Scalar| {
         let (sheared, extent) = sheared(axis, p, pn, low, high)?;
-        whole(sheared.times(factor(extent)))
+        unsaturated(sheared.times(factor(extent)))
     };
     Ok([form(0, px, window.left, window.right)?, form(1, py, window.bottom, window.top)?])
 }
 
-/// `axis + n·(centre − p)/pn − centre`, which is 0 along the centre line and unchanged, but for
-/// the centre, in the view plane; and the window's extent.
+/// `axis + n·(centre − p)/pn − centre`, which is 0 on the volume's centre line and a translation in the view plane; and the window's
+/// extent.
 fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(Row, u64), ProjectionError> {
     let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
     let sum = i64::from(low.to_bits()) + i64::from(high.to_bits()); // twice the centre
     let slope = ratio(sum - 2 * p, 2 * pn.unsigned_abs());
     let straight = row(axis, (1, 0), -(sum << 15));
-    Ok((straight.combined(ONE, &row(2, slope, 0), ONE), extent))
+    Ok((straight.linear_combination(ONE, &row(2, slope, 0), ONE), extent))
 }
 
-/// The row, unless its constant was saturated.
-fn whole(row: Row) -> Result<Row, ProjectionError> {
+/// The row; an error if its constant is saturated.
+fn unsaturated(row: Row) -> Result<Row, ProjectionError> {
     if row.offset.abs() >= SATURATED {
         return Err(ProjectionError::WindowTooSmall);
     }
@@ -175,7 +174,7 @@ fn whole(row: Row) -> Result<Row, ProjectionError> {
 }
 
 impl Projection {
-    /// From a canonical volume to clip space: parallel `z = −2·z − 1, w = 1`; perspective
+    /// The projection of a view volume: from canonical coordinates to clip space by parallel `z = −2·z − 1, w = 1`; perspective
     /// `z = (−(1 + z_min)·z − 2·z_min)/(1 − z_min), w = −z`.
     pub fn from_reference(volume: &ReferenceVolume) -> Self {
         let [x, y, z] = volume.rows;

@@ -1,4 +1,4 @@
-//! View volumes: frustums and boxes along −z.
+//! View volumes along −z: frustums (perspective) and boxes (orthographic).
 
 use super::parts::{extent, offset, ratio, row};
 use super::{Projection, ProjectionError, Window};
@@ -7,8 +7,8 @@ use crate::math::{Angle, Row, Scalar};
 use embedded_graphics_core::geometry::Size;
 
 impl Projection {
-    /// A frustum by its vertical field of view, symmetric about the axis. `aspect` gives
-    /// width : height as any pair, usually the viewport's size; `near` and `far` are distances.
+    /// The symmetric perspective with a vertical field of view of `fov_y`. `aspect` is width : height as any pair, usually the viewport's
+    /// size; `near` and `far` are distances from the eye in world units.
     ///
     /// ```text
     ///     | cot(fov/2)·h/w  0           0             0           |
@@ -17,7 +17,7 @@ impl Projection {
     ///     | 0               0           −1            0           |
     /// ```
     ///
-    /// cot(fov/2) is within 2⁻²⁷/sin(fov) of itself, (z + w)/2 within 2⁻³⁰ of itself and 2⁻³³.
+    /// cot(fov/2) has a relative error of 2⁻²⁷/sin(fov); (z + w)/2 a relative error of 2⁻³⁰ plus 2⁻³³.
     ///
     /// (*OpenGL Programming Guide*, appendix on homogeneous coordinates; Marschner and Shirley,
     /// *Fundamentals of Computer Graphics*, section on perspective projection.)
@@ -38,7 +38,7 @@ impl Projection {
     /// [`NearNotPositive`](ProjectionError::NearNotPositive),
     /// [`NearNotBeforeFar`](ProjectionError::NearNotBeforeFar) and
     /// [`NearTooCloseToFar`](ProjectionError::NearTooCloseToFar).
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     pub const fn perspective(
         fov_y: Angle,
         aspect: Size,
@@ -59,7 +59,7 @@ impl Projection {
         Self::by_distance(&row(0, across, 0), &row(1, up, 0), near, far)
     }
 
-    /// A frustum by the window that it cuts out of the near plane; it may lie off the axis.
+    /// The perspective whose frustum cuts `window` out of the near plane; the window may be off-axis.
     ///
     /// ```text
     ///     | 2n/(r−l)  0         (r+l)/(r−l)   0           |
@@ -68,7 +68,7 @@ impl Projection {
     ///     | 0         0         −1            0           |
     /// ```
     ///
-    /// Coefficients of x and y are within 2⁻²⁹ of the row's largest, (z + w)/2 within 2⁻³⁰ of itself and 2⁻³³.
+    /// Coefficients of x and y are within 2⁻²⁹ of the row's largest, (z + w)/2 has a relative error of 2⁻³⁰ plus 2⁻³³.
     ///
     /// (OpenGL 1.x, `glFrustum`; *OpenGL Programming Guide*, appendix on homogeneous coordinates.)
     ///
@@ -103,7 +103,7 @@ impl Projection {
         // Both coefficients over one denominator: the numerators, 33 bits, are exact.
         let (focal, shear) = (2 * near.to_bits() as i64, high.to_bits() as i64 + low.to_bits() as i64);
         let ((focal, e), (shear, own)) = (ratio(focal, extent), ratio(shear, extent));
-        // Both in the larger one's unit; a zero has none.
+        // Both with the larger exponent; a zero has no exponent.
         let unit = if focal == 0 || (shear != 0 && own > e) { own } else { e };
         let (focal, shear) = (scale(focal, e - unit), scale(shear, own - unit));
         let linear = if axis == 0 { [focal, 0, shear] } else { [0, focal, shear] };
@@ -111,7 +111,7 @@ impl Projection {
     }
 
     /// The rows d and w of a frustum: `d = (f·(−z) − f·n)/(f − n)`, `w = −z`.
-    #[inline(never)] // set-up: small is better
+    #[inline(never)] // set-up: code size counts, speed does not
     const fn by_distance(x: &Row, y: &Row, near: Scalar, far: Scalar) -> Result<Self, ProjectionError> {
         if near.to_bits() <= 0 {
             return Err(ProjectionError::NearNotPositive);
@@ -126,8 +126,8 @@ impl Projection {
         Ok(Self { rows: [*x, *y, d, w] })
     }
 
-    /// A box in view space, seen along −z: no size change with distance. `near` and `far` are
-    /// distances along −z and may be negative (behind the eye point).
+    /// The orthographic projection of a box in view space: size does not change with distance. `near` and `far` are distances along −z in
+    /// world units, and may be negative (behind the eye).
     ///
     /// ```text
     ///     | 2/(r−l)  0        0         −(r+l)/(r−l) |
@@ -136,7 +136,7 @@ impl Projection {
     ///     | 0        0        0         1            |
     /// ```
     ///
-    /// Coefficients are within 2⁻³⁰ of themselves, constants within 2⁻³⁰ of themselves and 2⁻³³.
+    /// Coefficients have a relative error of 2⁻³⁰, constants of 2⁻³⁰ plus 2⁻³³.
     ///
     /// (OpenGL 1.x, `glOrtho`.)
     ///

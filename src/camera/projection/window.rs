@@ -2,8 +2,9 @@
 
 use crate::math::Scalar;
 
-/// A rectangle of the near plane (perspective) or of any plane z = const (orthographic), in view
-/// units: x from `left` to `right`, y from `bottom` to `top`.
+/// The rectangle of the view plane that the viewport shows, in world units along the axes of view space: on the near plane for a
+/// [frustum](crate::Projection::frustum), on any plane z = const for a parallel projection. (Foley et al., *Computer Graphics*, 2nd ed.,
+/// section 6.2; OpenGL: `left`, `right`, `bottom`, `top` of `glFrustum`.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Window {
     /// Smallest x.

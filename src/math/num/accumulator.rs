@@ -3,7 +3,7 @@
 use super::bits::{max, min};
 use super::scaling::scale;
 
-/// A sum of up to three products of a coefficient (at most 2³⁰ in absolute value) and a translation (2⁶²), exactly:
+/// The exact sum of up to three products of a coefficient (at most 2³⁰ in absolute value) and a translation (at most 2⁶²), as
 /// high·2³² + low.
 #[derive(Clone, Copy)]
 pub(crate) struct Accumulator {
@@ -23,12 +23,11 @@ impl Accumulator {
         Self { high: self.high + m * (t >> 32) + (low >> 32), low: low as u32 }
     }
 
-    /// Times 2^exponent, rounded to nearest; beyond ±(2⁶³ − 2³²) anything that far.
+    /// The sum times 2^exponent, rounded to nearest. A result beyond ±(2⁶³ − 2³²) is only known to be beyond it.
     #[inline(always)]
     pub(crate) const fn scaled(self, exponent: i32) -> i64 {
         let (down, up) = (min(exponent, 0), max(exponent, 0));
-        // Shifted right by 32 or more, the high word rounds by itself; the low one has the rounding bit where
-        // the shift is exactly 32, and is nothing beyond.
+        // Shifted right by more than 32, the high word alone gives the rounding bit; at 32 the low word gives it.
         scale(scale(self.high, 32 + down).saturating_add(scale(self.low as i64, down)), up)
     }
 }

@@ -1,7 +1,7 @@
 //! Bit counts of numbers, and the shifts that follow from them.
 
 use crate::math::cores::{CORTEX_M0, COUNTS_LEADING_ZEROS};
-use crate::math::halfword::{leading_zeros_by_steps, normalised_by_ones, normalised_by_steps};
+use crate::math::halfword::{leading_zeros_by_steps, normalised_by_bits, normalised_by_steps};
 use crate::math::hints::keep_rolled;
 
 /// The number of zero bits above the highest one of `v`: 32 for 0.
@@ -27,13 +27,13 @@ pub(super) fn normalised(v: i32) -> (i32, u32) {
 #[inline(always)]
 pub(super) fn normalised_near_2_30(v: i32) -> (i32, u32) {
     if !COUNTS_LEADING_ZEROS {
-        return normalised_by_ones(v);
+        return normalised_by_bits(v);
     }
     normalised(v)
 }
 
-/// The bits that any of the numbers has: as many as the largest.
-#[inline(never)] // set-up: small is better
+/// The bitwise OR of the numbers' magnitudes: it has as many bits as the largest magnitude.
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn bits_of(mut numbers: &[i64]) -> u64 {
     let mut bits = 0;
     while let Some((number, left)) = numbers.split_first() {
@@ -44,8 +44,8 @@ pub(crate) const fn bits_of(mut numbers: &[i64]) -> u64 {
     bits
 }
 
-/// The same for coefficients.
-#[inline(never)] // set-up: small is better
+/// The bitwise OR of the coefficients' magnitudes: it has as many bits as the largest magnitude.
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) fn magnitude(linear: &[i32]) -> u32 {
     linear.iter().fold(0, |bits, m| {
         keep_rolled();
@@ -53,12 +53,12 @@ pub(crate) fn magnitude(linear: &[i32]) -> u32 {
     })
 }
 
-/// How far to shift `v` right so that it keeps at most `bits` bits: negative to the left.
+/// The right shift that brings the highest bit of `v` to bit `bits − 1`; negative for a left shift.
 pub(crate) const fn shift_to_fit(v: u64, bits: i32) -> i32 {
     64 - v.leading_zeros() as i32 - bits
 }
 
-/// The larger one: `Ord` is not for constants.
+/// The larger of two numbers: `Ord::max` is not `const`.
 pub(crate) const fn max(a: i32, b: i32) -> i32 {
     if a > b {
         a
@@ -67,7 +67,7 @@ pub(crate) const fn max(a: i32, b: i32) -> i32 {
     }
 }
 
-/// The smaller one.
+/// The smaller of two numbers.
 pub(crate) const fn min(a: i32, b: i32) -> i32 {
     -max(-a, -b)
 }

@@ -5,7 +5,7 @@ use crate::math::hints::keep_rolled;
 
 /// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Wants `n < 2·d`, `0 < d < 2⁶²`
 /// and `bits ≤ 62`; a zero divisor gives all ones.
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
     let (mut rest, mut quotient, mut left) = (n, 0, bits + 1);
     while left != 0 {
@@ -22,7 +22,7 @@ pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
 }
 
 /// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
     // Their difference in bits; `n` is less than twice `d` shifted by it.
     let bits = max(shift_to_fit(n, 0) - shift_to_fit(d.into(), 0), 0) as u32;

@@ -19,19 +19,19 @@ pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
 }
 
 /// `a · b`, exact in 64 bits for coefficients of at most 2³⁰: sums of three products, below 2⁶².
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     let ([a, b, c], [x, y, z]) = (*a, *b);
     a as i64 * x as i64 + b as i64 * y as i64 + c as i64 * z as i64
 }
 
-/// The rows as columns.
+/// The transpose of a matrix.
 pub(crate) const fn transposed([x, y, z]: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
 }
 
 /// Row `v` times matrix `m`, coefficients of at most 2³⁰: sums of three products, below 2⁶².
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn row_times(v: &[i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
     let ([a, b, c], [x, y, z]) = (*v, m);
     let (a, b, c) = (a as i64, b as i64, c as i64);

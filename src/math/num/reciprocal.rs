@@ -45,19 +45,19 @@ pub(crate) fn reciprocal(v: i32) -> Reciprocal {
     reciprocal_of_positive(v.max(1))
 }
 
-/// [`reciprocal`] where `v ≥ 1` is known.
+/// [`reciprocal`] for `v ≥ 1`.
 #[inline(always)]
 pub(crate) fn reciprocal_of_positive(v: i32) -> Reciprocal {
     reciprocal_of_normalised(normalised(v))
 }
 
-/// [`reciprocal`] where `v ≥ 1` is known, and most often near 2³⁰: quickest there.
+/// [`reciprocal`] for `v ≥ 1` that is most often near 2³⁰, where it is fastest.
 #[inline(always)]
 pub(crate) fn reciprocal_of_large(v: i32) -> Reciprocal {
     reciprocal_of_normalised(normalised_near_2_30(v))
 }
 
-/// `m`: 2³⁰ … 2³¹ − 1, in 2⁻³⁰.
+/// The reciprocal of m in 2⁻³⁰, 2³⁰ … 2³¹ − 1, with the shift that normalised it.
 #[inline(always)]
 fn reciprocal_of_normalised((m, shift): (i32, u32)) -> Reciprocal {
     let index = (m >> 22) as usize & 0xff;

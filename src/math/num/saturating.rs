@@ -6,7 +6,7 @@ use super::accumulator::Accumulator;
 pub(crate) const SATURATED: i64 = 1 << 62;
 
 /// `a + b` for translations, saturating at ±2⁶².
-#[inline(never)] // set-up: small is better
+#[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn add(a: i64, b: i64) -> i64 {
     match a.saturating_add(b) {
         sum if sum > SATURATED => SATURATED,
