@@ -15,17 +15,17 @@ use embedded_graphics_core::pixelcolor::{
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb666, RgbColor};
 /// use pinhole::PixelFormat;
 /// assert_eq!((Rgb565::BITS, Rgb565::RED.encode()), (16, 0xf800));
-/// assert_eq!((Rgb666::BITS, Rgb666::RED.encode()), (24, 0xfc_0000)); // six bits to a byte, on top
+/// assert_eq!((Rgb666::BITS, Rgb666::RED.encode()), (24, 0xfc_0000)); // six bits to a byte, at its upper end
 /// assert_eq!((Gray4::BITS, Gray4::decode(9)), (4, Gray4::new(9)));
 /// ```
 pub trait PixelFormat: PixelColor {
     /// Bits per pixel: 1, 2, 4, 8, 16, 24 or 32. A band of any other number does not compile.
     const BITS: u32;
 
-    /// The bits, in the lowest [`BITS`](Self::BITS); higher ones do not count.
+    /// The color's bits, in the lowest [`BITS`](Self::BITS) bits; higher ones are ignored.
     fn encode(self) -> u32;
 
-    /// The colour that [`encode`](Self::encode) turns into these bits.
+    /// The color of which [`encode`](Self::encode) gives these bits.
     fn decode(bits: u32) -> Self;
 }
 
@@ -75,8 +75,8 @@ macro_rules! stored_as_number {
 stored_as_number!(Rgb555, Bgr555, Rgb565, Bgr565);
 
 macro_rules! wire_raw {
-    ($($colour:ty: $raw:ty, $bits:literal;)*) => {$(
-        impl PixelFormat for $colour {
+    ($($color:ty: $raw:ty, $bits:literal;)*) => {$(
+        impl PixelFormat for $color {
             const BITS: u32 = $bits;
 
             #[inline(always)]
@@ -105,7 +105,7 @@ wire_raw! {
     Bgr888: RawU24, 24;
 }
 
-/// Controllers take 18-bit colours as three bytes, six bits on top of each, the first channel first.
+/// Display controllers take an 18-bit color as three bytes, each with six bits at its upper end, the first channel first.
 impl PixelFormat for Rgb666 {
     const BITS: u32 = 24;
 
@@ -136,8 +136,8 @@ impl PixelFormat for Bgr666 {
     }
 }
 
-/// The bytes of a row of `width` pixels.
-pub(super) const fn stride<C: PixelFormat>(width: u32) -> usize {
+/// The number of bytes of a row of `width` pixels.
+pub(super) const fn row_bytes<C: PixelFormat>(width: u32) -> usize {
     const {
         assert!(
             matches!(C::BITS, 1 | 2 | 4 | 8 | 16 | 24 | 32),
@@ -148,14 +148,14 @@ pub(super) const fn stride<C: PixelFormat>(width: u32) -> usize {
     if bytes < usize::MAX as u64 {
         bytes as usize
     } else {
-        usize::MAX // no strip is as long
+        usize::MAX // longer than any strip
     }
 }
 
-/// Fills pixels `from..to` of a row, in which they lie.
+/// Sets pixels `from..to` of a row, in which they lie, to one color.
 #[inline(always)]
-pub(super) fn fill<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, colour: C) {
-    let bits = colour.encode();
+pub(super) fn fill_pixels<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, color: C) {
+    let bits = color.encode();
     let [_, a, b, c] = bits.to_be_bytes();
     match C::BITS {
         8 => fill_bytes(row, from, to, [c], [c; 4]),
@@ -166,34 +166,37 @@ pub(super) fn fill<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, colou
     }
 }
 
-/// With pixels of `N` bytes, and a few of them in `M` bytes, which become one store.
+/// Sets pixels of `N` bytes. `word` is as many whole pixels as fit in one store: `M` bytes.
 #[inline(always)]
 fn fill_bytes<const N: usize, const M: usize>(
     row: &mut [u8],
     from: usize,
     to: usize,
     pixel: [u8; N],
-    some: [u8; M],
+    word: [u8; M],
 ) {
-    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N)); // inside a row that is in memory
+    let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N)); // no product wraps: the row lies in memory
     if let Some(run) = row.get_mut(from..to) {
-        fill_run(run, pixel, some);
+        fill_blocks(run, pixel, word);
     }
 }
 
-/// Not part of the loops that draw: it needs their registers.
-#[inline(never)]
-fn fill_run<const N: usize, const M: usize>(run: &mut [u8], pixel: [u8; N], some: [u8; M]) {
-    // Eight at a time, and of long runs, such as a whole band, 32. The hints keep the compiler from unrolling the
-    // loops, which costs short runs more than it saves.
-    let mut run = run;
+/// Repeats a pixel: eight pixels at a time, and 32 in long runs, such as a whole band. `black_box` keeps LLVM from unrolling the
+/// loops, which costs short runs more than it saves.
+///
+/// With `--cfg pinhole_plain` pixel by pixel, to the same bytes, as `rows_are_the_bits_of_their_pixels` tests.
+#[inline(never)] // its loops need the registers of the loops that draw
+fn fill_blocks<const N: usize, const M: usize>(mut run: &mut [u8], pixel: [u8; N], word: [u8; M]) {
+    if cfg!(pinhole_plain) {
+        return run.chunks_exact_mut(N).for_each(|bytes| put(bytes, pixel));
+    }
     if run.len() >= 64 * N {
-        let (rest, many) = run.split_at_mut(run.len() % (32 * N));
-        for many in many.chunks_exact_mut(32 * N) {
-            let (a, b) = many.split_at_mut(16 * N);
+        let (rest, blocks) = run.split_at_mut(run.len() % (32 * N));
+        for block in blocks.chunks_exact_mut(32 * N) {
+            let (a, b) = block.split_at_mut(16 * N);
             let ((a, b), (c, d)) = (a.split_at_mut(8 * N), b.split_at_mut(8 * N));
             for eight in [a, b, c, d] {
-                eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+                eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, word));
             }
             black_box(());
         }
@@ -205,7 +208,7 @@ fn fill_run<const N: usize, const M: usize>(run: &mut [u8], pixel: [u8; N], some
         black_box(());
     }
     for eight in eights.chunks_exact_mut(8 * N) {
-        eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, some));
+        eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, word));
         black_box(());
     }
 }
@@ -217,8 +220,8 @@ fn put<const N: usize>(bytes: &mut [u8], value: [u8; N]) {
     }
 }
 
-/// Pixels a byte, for those that share one.
-const fn shared<C: PixelFormat>() -> u32 {
+/// The number of pixels in a byte, for formats of fewer than 8 bits.
+const fn per_byte<C: PixelFormat>() -> u32 {
     match C::BITS {
         1 => 8,
         2 => 4,
@@ -226,19 +229,20 @@ const fn shared<C: PixelFormat>() -> u32 {
     }
 }
 
+/// Sets pixels of fewer than 8 bits: whole bytes at once, and parts of the first and the last byte.
 #[inline(never)]
 fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32) {
-    let shared = shared::<C>() as usize;
-    // The same pixel all over a byte: bits · 0b…0001_0001.
+    let per_byte = per_byte::<C>() as usize;
+    // Times the pixel's bits: a byte full of it.
     let ones = match C::BITS {
         1 => 0xff,
         2 => 0x55,
         _ => 0x11,
     };
     let pattern = ((bits & ((1 << C::BITS) - 1)) * ones) as u8; // below 2⁸
-    let (first, last) = (from / shared, to / shared); // by a power of two
-                                                      // Bits from a pixel of a byte onwards.
-    let from_on = |x: usize| 0xff_u8.checked_shr((x % shared) as u32 * C::BITS).unwrap_or(0);
+    let (first, last) = (from / per_byte, to / per_byte); // a power of two
+                                                          // The bits of a byte from this pixel to the last one.
+    let from_on = |x: usize| 0xff_u8.checked_shr((x % per_byte) as u32 * C::BITS).unwrap_or(0);
     let mut put = |index: usize, mask: u8| {
         if let Some(byte) = row.get_mut(index) {
             *byte = (*byte & !mask) | (pattern & mask);
@@ -254,10 +258,10 @@ fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32
     }
 }
 
-/// Sets pixel `x` of a row, if it is there.
+/// Sets pixel `x` of a row, if the row has it.
 #[inline(always)]
-pub(super) fn set<C: PixelFormat>(row: &mut [u8], x: usize, colour: C) {
-    let bits = colour.encode();
+pub(super) fn set_pixel<C: PixelFormat>(row: &mut [u8], x: usize, color: C) {
+    let bits = color.encode();
     match C::BITS {
         8 => set_bytes(row, x, [bits as u8]),
         16 => set_bytes(row, x, (bits as u16).to_be_bytes()),
@@ -278,44 +282,44 @@ fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
     }
 }
 
-/// Writes the colours to pixels `from..to` of a row, as long as both last.
+/// Sets pixels `from..to` of a row to colors from left to right, until either ends.
 #[inline(always)]
-pub(super) fn copy<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, colours: impl Iterator<Item = C>) {
+pub(super) fn copy_pixels<C: PixelFormat>(
+    row: &mut [u8],
+    from: usize,
+    to: usize,
+    colors: impl Iterator<Item = C>,
+) {
     match C::BITS {
-        8 => copy_bytes(row, from, to, colours.map(|c| [c.encode() as u8])),
-        16 => copy_bytes(row, from, to, colours.map(|c| (c.encode() as u16).to_be_bytes())),
+        8 => copy_bytes(row, from, to, colors.map(|c| [c.encode() as u8])),
+        16 => copy_bytes(row, from, to, colors.map(|c| (c.encode() as u16).to_be_bytes())),
         24 => copy_bytes(
             row,
             from,
             to,
-            colours.map(|c| {
+            colors.map(|c| {
                 let [_, x, y, z] = c.encode().to_be_bytes();
                 [x, y, z]
             }),
         ),
-        32 => copy_bytes(row, from, to, colours.map(|c| c.encode().to_be_bytes())),
-        _ => (from..to).zip(colours).for_each(|(x, colour)| set(row, x, colour)),
+        32 => copy_bytes(row, from, to, colors.map(|c| c.encode().to_be_bytes())),
+        _ => (from..to).zip(colors).for_each(|(x, color)| set_pixel(row, x, color)),
     }
 }
 
 #[inline(always)]
-fn copy_bytes<const N: usize>(
-    row: &mut [u8],
-    from: usize,
-    to: usize,
-    colours: impl Iterator<Item = [u8; N]>,
-) {
+fn copy_bytes<const N: usize>(row: &mut [u8], from: usize, to: usize, colors: impl Iterator<Item = [u8; N]>) {
     let (from, to) = (from.wrapping_mul(N), to.wrapping_mul(N));
     if let Some(run) = row.get_mut(from..to) {
-        for (pixel, bytes) in run.chunks_exact_mut(N).zip(colours) {
+        for (pixel, bytes) in run.chunks_exact_mut(N).zip(colors) {
             put(pixel, bytes);
         }
     }
 }
 
-/// Pixel `x` of a row.
+/// The color of pixel `x` of a row, if the row has it.
 #[inline(always)]
-pub(super) fn get<C: PixelFormat>(row: &[u8], x: usize) -> Option<C> {
+pub(super) fn get_pixel<C: PixelFormat>(row: &[u8], x: usize) -> Option<C> {
     let bytes = |n: usize| {
         let from = x.wrapping_mul(n);
         let pixel = row.get(from..from.wrapping_add(n))?;
@@ -327,9 +331,9 @@ pub(super) fn get<C: PixelFormat>(row: &[u8], x: usize) -> Option<C> {
         24 => bytes(3)?,
         32 => bytes(4)?,
         _ => {
-            let shared = shared::<C>() as usize;
-            let down = 8 - C::BITS - (x % shared) as u32 * C::BITS; // 0 … 7
-            u32::from(*row.get(x / shared)?) >> down & ((1 << C::BITS) - 1)
+            let per_byte = per_byte::<C>() as usize;
+            let down = 8 - C::BITS - (x % per_byte) as u32 * C::BITS; // 0 … 7
+            u32::from(*row.get(x / per_byte)?) >> down & ((1 << C::BITS) - 1)
         }
     };
     Some(C::decode(bits))
@@ -340,10 +344,10 @@ mod tests {
     use super::*;
     use embedded_graphics_core::pixelcolor::GrayColor;
 
-    /// Long enough for a byte shared at both ends and two whole ones between; the rest is a byte too many.
+    /// Long enough for a partly covered byte at both ends and two whole bytes between. Test rows have one byte more than it needs.
     const WIDTH: usize = 33;
 
-    /// The bits of a row, one after the other, most significant first.
+    /// The bits of a row, the most significant bit of each byte first.
     type Bits = [bool; 8 * (3 * WIDTH + 1)];
 
     fn put(bits: &mut Bits, x: usize, size: usize, value: u32) {
@@ -356,32 +360,32 @@ mod tests {
         (0..size).fold(0, |value, bit| value << 1 | u32::from(bits[x * size + bit]))
     }
 
-    /// All ways to write a row and to read it, at all offsets, against one bit after the other.
-    fn check<C: PixelFormat + core::fmt::Debug>(size: usize, colours: &[C]) {
+    /// Every function that writes or reads a row, at all offsets, against a row that is written bit by bit.
+    fn check<C: PixelFormat + core::fmt::Debug>(size: usize, colors: &[C]) {
         assert_eq!(C::BITS as usize, size);
-        let bytes = stride::<C>(WIDTH as u32);
+        let bytes = row_bytes::<C>(WIDTH as u32);
         assert_eq!(bytes, (WIDTH * size).div_ceil(8));
-        for (i, &colour) in colours.iter().enumerate() {
-            assert_eq!(C::decode(colour.encode()), colour);
-            assert!(size == 32 || colour.encode() < 1 << size, "{colour:?}");
+        for (i, &color) in colors.iter().enumerate() {
+            assert_eq!(C::decode(color.encode()), color);
+            assert!(size == 32 || color.encode() < 1 << size, "{color:?}");
             for from in 0..=WIDTH {
                 for to in from..=WIDTH {
-                    // Not all zeros or ones before.
+                    // The row holds neither all zeros nor all ones beforehand.
                     let mut filled = [0xa5; 3 * WIDTH + 1];
                     let mut copied = filled;
                     let mut wanted: Bits = core::array::from_fn(|bit| 0xa5 >> (7 - bit % 8) & 1 == 1);
                     let mut wanted_copy = wanted;
-                    // Colours that end before the row does, and ones that do not.
-                    let some = to - (to - from) / 3;
+                    // Where the colors end: before the run does, but for short runs.
+                    let end = to - (to - from) / 3;
                     for x in from..to {
-                        put(&mut wanted, x, size, colour.encode());
-                        if x < some {
-                            put(&mut wanted_copy, x, size, colours[(i + x) % colours.len()].encode());
+                        put(&mut wanted, x, size, color.encode());
+                        if x < end {
+                            put(&mut wanted_copy, x, size, colors[(i + x) % colors.len()].encode());
                         }
                     }
-                    fill(&mut filled[..bytes], from, to, colour);
-                    let run = (from..some).map(|x| colours[(i + x) % colours.len()]);
-                    copy(&mut copied[..bytes], from, to, run);
+                    fill_pixels(&mut filled[..bytes], from, to, color);
+                    let run = (from..end).map(|x| colors[(i + x) % colors.len()]);
+                    copy_pixels(&mut copied[..bytes], from, to, run);
                     for (row, wanted) in [(filled, wanted), (copied, wanted_copy)] {
                         for (bit, wanted) in wanted.into_iter().enumerate() {
                             assert_eq!(
@@ -391,17 +395,20 @@ mod tests {
                             );
                         }
                         for x in 0..WIDTH {
-                            assert_eq!(get::<C>(&row[..bytes], x), Some(C::decode(read(&wanted, x, size))));
+                            assert_eq!(
+                                get_pixel::<C>(&row[..bytes], x),
+                                Some(C::decode(read(&wanted, x, size)))
+                            );
                         }
                     }
                 }
             }
         }
-        // Beyond the end nothing is written or read.
-        let (mut row, colour) = ([0; 3 * WIDTH], colours[0]);
-        set(&mut row[..bytes], 8 * bytes, colour);
-        copy(&mut row[..bytes], 8 * bytes, 8 * bytes + 1, [colour].into_iter());
-        assert_eq!((row, get::<C>(&row[..bytes], 8 * bytes)), ([0; 3 * WIDTH], None));
+        // Nothing is written or read beyond the end.
+        let (mut row, color) = ([0; 3 * WIDTH], colors[0]);
+        set_pixel(&mut row[..bytes], 8 * bytes, color);
+        copy_pixels(&mut row[..bytes], 8 * bytes, 8 * bytes + 1, [color].into_iter());
+        assert_eq!((row, get_pixel::<C>(&row[..bytes], 8 * bytes)), ([0; 3 * WIDTH], None));
     }
 
     #[test]
@@ -417,19 +424,19 @@ mod tests {
         check(24, &[Bgr666::new(63, 1, 0), Bgr666::new(2, 0, 62)]);
     }
 
-    /// Written out by hand.
+    /// The expected bytes are written out, not computed.
     #[test]
     fn the_first_pixel_is_in_the_upper_bits() {
         let mut row = [0; 3];
-        fill(&mut row[..2], 0, 1, Rgb565::new(0b10001, 0b110011, 0b01010));
+        fill_pixels(&mut row[..2], 0, 1, Rgb565::new(0b10001, 0b110011, 0b01010));
         assert_eq!(row, [0b1000_1110, 0b0110_1010, 0]);
-        fill(&mut row, 0, 1, Rgb666::new(0b100001, 0b110011, 0b010101));
+        fill_pixels(&mut row, 0, 1, Rgb666::new(0b100001, 0b110011, 0b010101));
         assert_eq!(row, [0b1000_0100, 0b1100_1100, 0b0101_0100]);
-        fill(&mut row, 0, 1, Bgr666::new(0b100001, 0b110011, 0b010101));
+        fill_pixels(&mut row, 0, 1, Bgr666::new(0b100001, 0b110011, 0b010101));
         assert_eq!(row, [0b0101_0100, 0b1100_1100, 0b1000_0100]);
         row = [0; 3];
-        set(&mut row, 1, Gray4::new(0xb));
-        set(&mut row, 2, Gray4::WHITE);
+        set_pixel(&mut row, 1, Gray4::new(0xb));
+        set_pixel(&mut row, 2, Gray4::WHITE);
         assert_eq!(row, [0x0b, 0xf0, 0]);
     }
 }

@@ -1,7 +1,6 @@
-//! Rectangles on a grid of cells.
+//! Rectangles of cells. A cell is the smallest block of pixels that a display controller can address.
 
-/// What a controller can address: from `left`, `top` up to but not including `right`, `bottom`. Never
-/// empty.
+/// A rectangle of cells, from `left`, `top` up to but not including `right`, `bottom`. It is never empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Cells {
     pub(super) left: u16,
@@ -11,7 +10,7 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// `None` when there is nothing between the borders.
+    /// The rectangle between these borders; `None` when it would be empty.
     pub(super) fn new(left: u16, top: u16, right: u16, bottom: u16) -> Option<Self> {
         (left < right && top < bottom).then_some(Self { left, top, right, bottom })
     }
@@ -24,7 +23,7 @@ impl Cells {
         self.bottom.saturating_sub(self.top)
     }
 
-    /// The least one that holds both.
+    /// The smallest rectangle that contains both.
     pub(super) fn enclosing(self, other: Self) -> Self {
         Self {
             left: self.left.min(other.left),
@@ -34,28 +33,28 @@ impl Cells {
         }
     }
 
-    /// What a hole leaves, in at most four pieces: the rows above and below it, then what stands
-    /// beside it. All of it in one piece where the hole is elsewhere.
-    #[inline(never)] // once a pair: small is better
+    /// The cells outside a hole, as at most four rectangles: the rows above the hole, the cells to its left and right, and the rows
+    /// below it. Where the hole does not overlap the rectangle, that is the rectangle itself.
+    #[inline(never)] // called once a pair: size matters more than time
     pub(super) fn without(self, hole: Self) -> heapless::Vec<Self, 4> {
         let Self { left, top, right, bottom } = self;
         let (first, end) = (top.max(hole.top), bottom.min(hole.bottom));
-        let apart = first >= end || left.max(hole.left) >= right.min(hole.right);
-        let mut left_over = heapless::Vec::new();
-        let mut keep = |left, top, right, bottom| {
+        let is_disjoint = first >= end || left.max(hole.left) >= right.min(hole.right);
+        let mut pieces = heapless::Vec::new();
+        let mut push = |left, top, right, bottom| {
             if left < right && top < bottom {
-                let _ = left_over.push(Self { left, top, right, bottom }); // at most four
+                let _ = pieces.push(Self { left, top, right, bottom }); // at most four
             }
         };
-        if apart {
-            keep(left, top, right, bottom);
+        if is_disjoint {
+            push(left, top, right, bottom);
         } else {
-            keep(left, top, right, first);
-            keep(left, first, hole.left, end);
-            keep(hole.right, first, right, end);
-            keep(left, end, right, bottom);
+            push(left, top, right, first);
+            push(left, first, hole.left, end);
+            push(hole.right, first, right, end);
+            push(left, end, right, bottom);
         }
-        left_over
+        pieces
     }
 }
 
@@ -68,31 +67,33 @@ mod tests {
         pairs().flat_map(move |(left, right)| pairs().filter_map(move |(t, b)| Cells::new(left, t, right, b)))
     }
 
-    fn holds(c: &Cells, x: u16, y: u16) -> bool {
+    fn contains(c: &Cells, x: u16, y: u16) -> bool {
         (c.left..c.right).contains(&x) && (c.top..c.bottom).contains(&y)
     }
 
-    /// Every rectangle and every hole of a small grid, cell by cell.
+    /// Every rectangle and every hole on a grid of 5 × 5 cells, compared cell by cell.
     #[test]
-    fn a_hole_leaves_all_but_itself_once() {
+    fn pieces_cover_each_cell_outside_the_hole_once() {
         assert_eq!(all().count(), 225);
-        for whole in all() {
+        for rectangle in all() {
             for hole in all() {
-                let pieces = whole.without(hole);
-                let both = whole.enclosing(hole);
+                let pieces = rectangle.without(hole);
+                let both = rectangle.enclosing(hole);
                 for (x, y) in (0..6).flat_map(|x| (0..6).map(move |y| (x, y))) {
-                    let times = pieces.iter().filter(|piece| holds(piece, x, y)).count();
-                    let left = holds(&whole, x, y) && !holds(&hole, x, y);
-                    assert_eq!(times, usize::from(left), "{whole:?} without {hole:?} at {x}, {y}");
-                    assert!(holds(&both, x, y) || !(holds(&whole, x, y) || holds(&hole, x, y)));
+                    let times = pieces.iter().filter(|piece| contains(piece, x, y)).count();
+                    let left = contains(&rectangle, x, y) && !contains(&hole, x, y);
+                    assert_eq!(times, usize::from(left), "{rectangle:?} without {hole:?} at {x}, {y}");
+                    assert!(contains(&both, x, y) || !(contains(&rectangle, x, y) || contains(&hole, x, y)));
                 }
             }
         }
     }
 
     #[test]
-    fn what_is_apart_stays_in_one_piece() {
-        let (Some(whole), Some(beside)) = (Cells::new(0, 0, 2, 6), Cells::new(2, 2, 4, 4)) else { panic!() };
-        assert_eq!(whole.without(beside), [whole]);
+    fn a_hole_elsewhere_leaves_the_rectangle_in_one_piece() {
+        let (Some(rectangle), Some(hole)) = (Cells::new(0, 0, 2, 6), Cells::new(2, 2, 4, 4)) else {
+            panic!()
+        };
+        assert_eq!(rectangle.without(hole), [rectangle]);
     }
 }

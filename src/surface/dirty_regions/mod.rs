@@ -1,16 +1,16 @@
-//! DirtyRegions rectangles: which parts of the target a new frame has to send.
+//! Dirty rectangles: the parts of the target that a new frame has to send.
 
 mod cells;
 mod cover;
 
 use cells::Cells;
 use core::num::{NonZeroU16, NonZeroU32};
-use cover::Price;
+use cover::TransferBytes;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
-/// What a target charges for a rectangle of pixels: what decides whether two rectangles are sent as one.
+/// How many bytes a target takes for a rectangle of pixels, which decides whether two rectangles are sent as one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TransferCost {
@@ -19,31 +19,31 @@ pub struct TransferCost {
 }
 
 impl TransferCost {
-    /// The bytes of one window for controllers with the MIPI Display Command Set (ST7789, ILI9341,
-    /// GC9A01 and kin) on a bus of 8 bits: `set_column_address` and `set_page_address` with four bytes
+    /// The command bytes of one window for controllers with the MIPI Display Command Set (such as ST7789, ILI9341 and GC9A01) on a
+    /// bus of 8 bits: `set_column_address` and `set_page_address` with four bytes
     /// each, and `write_memory_start` (MIPI Alliance, *Specification for Display Command Set*).
     pub const MIPI_DCS: u16 = 11;
 
-    /// A pixel of `pixel_bits`, [`PixelFormat::BITS`](crate::PixelFormat::BITS) (beyond 256 they count as 256), and
-    /// windows of `window_bytes` in commands before their first pixel. A row of pixels takes whole bytes; with
-    /// [steps](DirtyRegions::with_steps) a row of these does, and each counts whole. 2³¹ bytes and more count as equal.
+    /// The cost of pixels of `pixel_bits` (see [`PixelFormat::BITS`](crate::PixelFormat::BITS); more than 256 count as 256), and
+    /// of `window_bytes` of commands before the first pixel of each rectangle. A row of pixels is rounded up to whole bytes, and
+    /// with [steps](DirtyRegions::with_steps) to whole steps. 2³¹ bytes and more count as equal.
     pub const fn new(pixel_bits: u32, window_bytes: u16) -> Self {
         let pixel_bits = if pixel_bits < 256 { pixel_bits as u16 } else { 256 };
         Self { pixel_bits, window_bytes }
     }
 }
 
-/// The rectangles of a target that differ from what it shows: those drawn in the last frame, which are
-/// erased, and those of this one. Integers only; 16 bytes a rectangle.
+/// The rectangles of a target that a new frame changes: those drawn in the last frame, which have to be erased, and those drawn in
+/// this frame. Integers only; 16 bytes per rectangle.
 ///
-/// For every frame, [`mark`](Self::mark) what is drawn, then [`take`](Self::take) the rectangles and draw each
-/// anew with its background: everything outside them is as it was. Marks are merged where the rectangle about both
-/// costs no more bytes than both apart. What rests need not be marked. When it starts to move, mark both its old
-/// and its new place, since its last mark is gone; in the frame after it stops it is sent once more.
+/// For every frame, [`mark`](Self::mark) what is drawn, then [`take`](Self::take) the rectangles and draw each of them again with
+/// its background. Nothing changes outside them. Marks are merged where the rectangle around both takes no more bytes than the two
+/// apart. An object at rest need not be marked. When it starts to move, mark its old and its new rectangle, because its last mark
+/// was taken; in the frame after it stops it is sent once more.
 ///
-/// `N` is how many rectangles are marked in a frame, and how many are taken, at most. Two for each thing
-/// that moves are room for where it was and where it is; a third one for leaving out the corners that
-/// neither has. With more marks nothing is lost: the two that cost least are merged.
+/// `N` is the largest number of rectangles that are marked in a frame, and of those that are taken. For each moving object two are
+/// enough for its old and its new rectangle; a third saves sending the corners that lie in neither. More marks are never lost: the
+/// two whose merging loses least are merged.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
@@ -53,14 +53,14 @@ impl TransferCost {
 /// let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
 ///
 /// dirty.mark(at(20, 50));
-/// assert_eq!(dirty.take(), [screen]); // nothing is known of a new target
+/// assert_eq!(dirty.take(), [screen]); // a new target shows anything
 /// dirty.mark(at(200, 50));
-/// assert_eq!(dirty.take(), [at(20, 50), at(200, 50)]); // where it was, and where it is
+/// assert_eq!(dirty.take(), [at(20, 50), at(200, 50)]); // the old and the new rectangle
 /// dirty.mark(at(201, 50));
 /// assert_eq!(dirty.take(), [Rectangle::new(Point::new(200, 50), Size::new(11, 10))]);
-/// assert_eq!(dirty.take(), [at(201, 50)]); // gone
+/// assert_eq!(dirty.take(), [at(201, 50)]); // erased
 /// assert_eq!(dirty.take(), []);
-/// dirty.invalidate(); // after an error of the target, say
+/// dirty.invalidate(); // for example after an error of the target
 /// assert_eq!(dirty.take(), [screen]);
 /// ```
 ///
@@ -76,11 +76,11 @@ impl TransferCost {
 /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
 /// for x in [5, 9, 30] {
 ///     let ball = Circle::new(Point::new(x, 20), 12).into_styled(PrimitiveStyle::with_fill(Gray8::WHITE));
-///     dirty.mark(ball.bounding_box()); // of a mesh: `BinnedFaces::bounds`
+///     dirty.mark(ball.bounding_box()); // for a mesh: `BinnedFaces::bounds`
 ///     for area in dirty.take() {
 ///         let mut frame = Frame::new(area, Gray8::BLACK);
 ///         while let Some(mut band) = frame.next_band(&mut strip)? {
-///             ball.draw(&mut band)?; // and all else that lies there
+///             ball.draw(&mut band)?; // and everything else in this band
 ///             band.send(&mut display)?;
 ///         }
 ///     }
@@ -97,11 +97,11 @@ pub struct DirtyRegions<const N: usize> {
     rows: NonZeroU16,
     last: Vec<Cells, N>,
     now: Vec<Cells, N>,
-    /// Nothing is known of the target.
+    /// Whether the target may show anything, so that all of it is dirty.
     all: bool,
 }
 
-/// Rectangles are no larger than this.
+/// The largest width and height of an area.
 const LARGEST: u32 = u16::MAX as u32;
 
 const fn step(n: u16) -> NonZeroU16 {
@@ -120,10 +120,10 @@ const fn at_most_largest(extent: u32) -> u32 {
 }
 
 impl<const N: usize> DirtyRegions<N> {
-    /// For the pixels of `area`, cut to 65535 × 65535: what is beyond is never sent. The first frame is all of
-    /// what remains. It lives as long as what the target shows: a variable of the program, or a static.
+    /// No marks yet, for the pixels of `area`. The first frame is all of the area. Pixels beyond 65535 × 65535 are never sent. The
+    /// value has to live as long as the target's picture: as a variable of the program, or a static.
     ///
-    /// A capacity `N` of 0 does not compile.
+    /// `DirtyRegions<0>` does not compile.
     pub const fn new(area: Rectangle, cost: TransferCost) -> Self {
         const { assert!(N > 0, "DirtyRegions<0> has no room for any rectangle") };
         let (width, height) = (at_most_largest(area.size.width), at_most_largest(area.size.height));
@@ -138,10 +138,10 @@ impl<const N: usize> DirtyRegions<N> {
         }
     }
 
-    /// Rounds rectangles outward to whole multiples of `columns` and `rows` (0 is 1), counted from the
-    /// area's corner, for controllers that address several pixels at once: 2 columns where a byte is
-    /// two pixels of Gray4, 8 rows where a byte is a column of eight (SSD1306). Where the area is no
-    /// multiple, its last rectangles end with it. The first frame is all of the area again.
+    /// Rounds rectangles outward to multiples of `columns` and `rows` (0 counts as 1), from the area's top left corner, for
+    /// controllers that address several pixels at once: 2 columns where a byte holds two pixels of Gray4, 8 rows where a byte holds
+    /// a column of eight (SSD1306). Where the area is not a multiple, the last rectangles end with it. The next frame is all of the
+    /// area.
     #[must_use]
     pub const fn with_steps(self, columns: u16, rows: u16) -> Self {
         let mut anew = Self::new(self.area, self.cost);
@@ -150,67 +150,65 @@ impl<const N: usize> DirtyRegions<N> {
         anew
     }
 
-    /// The pixels it stands for.
+    /// The rectangle of the target.
     pub const fn area(&self) -> Rectangle {
         self.area
     }
 
-    /// Marks what this frame draws; parts outside the area do not count.
+    /// Marks a rectangle that this frame draws; parts outside the area are ignored.
     pub fn mark(&mut self, rectangle: Rectangle) {
-        let price = self.price();
+        let bytes = self.transfer_bytes();
         if let Some(cells) = self.cells(&rectangle) {
-            cover::add(&mut self.now, cells, &price);
+            cover::add(&mut self.now, cells, &bytes);
         }
     }
 
-    /// Nothing is known of the target any more, as at the beginning, or after an error of the
-    /// target: the next frame is all of the area.
+    /// Marks all of the area for the next frame: because the target may show anything, as after a reset or an error.
     pub fn invalidate(&mut self) {
         self.all = true;
     }
 
-    /// Ends the frame: the rectangles that hold all marks of the last frame and of this one, from top to
-    /// bottom (of those that begin in the same row, from left to right). They lie in the area; none is
-    /// empty.
+    /// Ends the frame: the rectangles that contain all marks of the last frame and of this one, from top to bottom, and from left to
+    /// right where they begin in one row. They lie in the area; none is empty.
     ///
-    /// They cost no more bytes than one rectangle about all marks; and as long as the marks of two frames
-    /// are `N` at most, no more than each by itself. They overlap only where cutting saves less
-    /// than another window costs, or there is no room for more of them.
+    /// They take no more bytes than one rectangle around all marks, and as long as the marks of two frames are at most `N`, no more
+    /// than all marks by themselves. They overlap only where a cut saves fewer bytes than another window takes, or where there is no
+    /// room for more rectangles.
     #[inline(never)] // its lists are gone when it returns
     pub fn take(&mut self) -> Vec<Rectangle, N> {
-        let price = self.price();
+        let bytes = self.transfer_bytes();
         let now = core::mem::take(&mut self.now);
         let mut cover = core::mem::replace(&mut self.last, now);
         if core::mem::take(&mut self.all) {
             let all = self.cells(&self.area);
             cover.clear();
-            all.into_iter().for_each(|all| cover::add(&mut cover, all, &price));
+            all.into_iter().for_each(|all| cover::add(&mut cover, all, &bytes));
         } else {
-            self.last.iter().for_each(|cells| cover::add(&mut cover, *cells, &price));
-            cover::settle(&mut cover, &price);
+            self.last.iter().for_each(|cells| cover::add(&mut cover, *cells, &bytes));
+            cover::simplify(&mut cover, &bytes);
         }
         let mut rectangles = Vec::new();
         while let Some(cells) = cover::take_first(&mut cover) {
-            let _ = rectangles.push(self.rectangle(cells)); // as many as a cover has room for
+            let _ = rectangles.push(self.rectangle(cells)); // both have the capacity `N`
         }
         rectangles
     }
 
-    fn price(&self) -> Price {
+    fn transfer_bytes(&self) -> TransferBytes {
         let TransferCost { pixel_bits, window_bytes } = self.cost;
         let pixels = i32::from(self.columns.get()).saturating_mul(self.rows.get().into());
-        Price { cell_bits: pixels.saturating_mul(pixel_bits.into()), window: window_bytes.into() }
+        TransferBytes { cell_bits: pixels.saturating_mul(pixel_bits.into()), window: window_bytes.into() }
     }
 
     /// The cells that a rectangle touches.
     fn cells(&self, rectangle: &Rectangle) -> Option<Cells> {
-        // One direction: 35 bits before they are brought into the area.
+        // Along one axis. Differences have up to 35 bits until they are clamped to the area.
         let along = |low: i32, extent: u32, start: i32, length: u32, step: NonZeroU16| {
             let from = i64::from(low) - i64::from(start);
             let inside = |v: i64| v.clamp(0, length.min(LARGEST).into()) as u32;
             let (from, to) = (inside(from), inside(from + i64::from(extent)));
             let step = NonZeroU32::from(step);
-            // At most 2¹⁶ − 1 again.
+            // At most 2¹⁶ − 1.
             (from < to).then(|| ((from / step) as u16, ((to - 1) / step + 1) as u16))
         };
         let (r, area) = (rectangle, &self.area);
@@ -220,7 +218,7 @@ impl<const N: usize> DirtyRegions<N> {
         Cells::new(left, top, right, bottom)
     }
 
-    /// The pixels of cells.
+    /// The pixels of a rectangle of cells.
     fn rectangle(&self, cells: Cells) -> Rectangle {
         let along = |from: u16, to: u16, length: u32, step: NonZeroU16| {
             let pixels = |n: u16| (u32::from(n) * u32::from(step.get())).min(length);
@@ -229,7 +227,7 @@ impl<const N: usize> DirtyRegions<N> {
         let (x, width) = along(cells.left, cells.right, self.area.size.width, self.columns);
         let (y, height) = along(cells.top, cells.bottom, self.area.size.height, self.rows);
         let Point { x: left, y: top } = self.area.top_left;
-        // Inside the area; an area that leaves i32 has no rectangles there that a target could show.
+        // Saturates only for an area that leaves i32, where no target shows anything.
         let corner = Point::new(left.saturating_add_unsigned(x), top.saturating_add_unsigned(y));
         Rectangle::new(corner, Size::new(width, height))
     }
@@ -242,7 +240,7 @@ impl<const N: usize> defmt::Format for DirtyRegions<N> {
         let Rectangle { top_left, size } = self.area;
         defmt::write!(
             f,
-            "dirty of {} at {}: {=usize}/{=usize} marks, {=usize} before, all: {=bool}",
+            "dirty regions of {} at {}: {=usize}/{=usize} marks, {=usize} before, all: {=bool}",
             size,
             top_left,
             marks,
@@ -272,9 +270,9 @@ mod tests {
         dirty.take()
     }
 
-    /// 5 pixels of 16 bits are less than a window's 11 bytes, 6 are more.
+    /// 5 pixels of 16 bits take fewer bytes than a window's 11, 6 take more.
     #[test]
-    fn two_are_merged_where_that_is_no_dearer() {
+    fn two_marks_are_merged_where_that_takes_no_more_bytes() {
         assert_eq!(taken::<8>(16, &[at(0, 0, 9, 5), at(10, 0, 9, 5)]), [at(0, 0, 19, 5)]);
         assert_eq!(taken::<8>(16, &[at(0, 0, 9, 6), at(10, 0, 9, 6)]), [at(0, 0, 9, 6), at(10, 0, 9, 6)]);
         assert_eq!(taken::<8>(24, &[at(0, 0, 9, 4), at(10, 0, 9, 4)]), [at(0, 0, 9, 4), at(10, 0, 9, 4)]);
@@ -288,7 +286,7 @@ mod tests {
         for marks in [[bar, stem], [stem, bar]] {
             assert_eq!(taken::<8>(16, &marks), [bar, at(40, 30, 10, 95)]);
         }
-        // A thing that moved by half its size: where it is whole, and the angle it left.
+        // An object that moved by half its size: its new square, and the L that it left.
         let moved = [at(10, 10, 40, 40), at(30, 30, 40, 40)];
         assert_eq!(taken::<8>(16, &moved).len(), 3);
         assert_eq!(taken::<2>(16, &moved), moved); // no room for three
@@ -299,17 +297,17 @@ mod tests {
         assert_eq!(pixels, 2 * 1600 - 400);
     }
 
-    /// A square moved by d pixels both ways: one rectangle about both has 2·d² pixels, of 2 bytes, that
-    /// neither has, and saves two windows of 11 bytes.
+    /// A square moved by d pixels along both axes: one rectangle around both has 2·d² pixels of 2 bytes that lie in neither, and
+    /// saves two windows of 11 bytes.
     #[test]
-    fn corners_that_neither_has_are_left_out() {
+    fn corners_in_neither_square_are_left_out() {
         let moved = |d: i32| taken::<8>(16, &[at(10, 10, 40, 40), at(10 + d, 10 + d, 40, 40)]);
         assert_eq!(moved(2), [at(10, 10, 42, 42)]);
         assert_eq!(moved(3), [at(10, 10, 40, 40), at(50, 13, 3, 37), at(13, 50, 40, 3)]);
     }
 
     #[test]
-    fn without_room_the_two_that_cost_least_are_merged() {
+    fn without_room_the_two_whose_merging_loses_least_are_merged() {
         let far = [at(0, 0, 20, 20), at(200, 200, 20, 20), at(200, 0, 20, 20)];
         let near = at(225, 0, 10, 20);
         for order in [[far[0], far[1], far[2], near], [near, far[2], far[1], far[0]]] {
@@ -319,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_still_and_is_not_marked_is_not_sent() {
+    fn an_unmarked_object_at_rest_is_not_sent() {
         let mut dirty = DirtyRegions::<2>::new(SCREEN, TransferCost::new(16, TransferCost::MIPI_DCS));
         dirty.mark(at(10, 10, 9, 9));
         assert_eq!(dirty.take(), [SCREEN]);
@@ -332,7 +330,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lost_transfer_is_made_good() {
+    fn invalidate_repairs_a_lost_transfer() {
         let mut dirty = DirtyRegions::<2>::new(SCREEN, TransferCost::new(16, TransferCost::MIPI_DCS));
         dirty.take();
         dirty.mark(at(10, 10, 9, 9));
@@ -340,12 +338,12 @@ mod tests {
         dirty.invalidate();
         dirty.mark(at(50, 10, 9, 9));
         assert_eq!(dirty.take(), [SCREEN]);
-        assert_eq!(dirty.take(), [at(50, 10, 9, 9)]); // that frame's mark is not forgotten
+        assert_eq!(dirty.take(), [at(50, 10, 9, 9)]); // the mark of the frame before is kept
     }
 
-    /// Gray4 in bytes of two pixels, and the pages of an SSD1306.
+    /// Two pixels of Gray4 in a byte, and the pages of an SSD1306.
     #[test]
-    fn rectangles_are_whole_steps() {
+    fn rectangles_are_rounded_to_steps() {
         let area = at(0, 0, 127, 64);
         let mut gray = DirtyRegions::<4>::new(area, TransferCost::new(4, 6)).with_steps(2, 1);
         assert_eq!(gray.take(), [area]);
