@@ -11,13 +11,13 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(display: &mut D, turn: Angle) -> Resu
     let [eye, origin] = [Point3::from_ints(0, 3, 7), Point3::from_ints(0, 0, 0)];
     let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("not straight up");
     let [near, far] = [1, 12].map(Scalar::from_num);
-    let lens = Projection::perspective(Angle::degrees(30), screen.size, near, far).expect("near before far");
+    let projection = Projection::perspective(Angle::degrees(30), screen.size, near, far).expect("near before far");
     let mesh = Mesh::new(&VERTICES, 0, &FACES).expect("faces of these vertices");
 
-    let (mut corners, mut records) = ([ScreenVertex::EMPTY; 5], [0; 7]); // a vertex each; a face each, and one for every 16
+    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 5], [0; 7]); // one per vertex; one per face, and one per 16 faces
     let mut strip = [0; Frame::<Rgb565>::strip_bytes(320, 8)]; // the widest display, and 8 rows
-    let placed = Camera::new(&view, &lens, &viewport).place(&mesh, &Affine::rotation_y(turn));
-    let mut faces = placed.transform(&mut corners).bin_faces(&mut records).expect("room for the faces");
+    let instance = Camera::new(&view, &projection, &viewport).place(&mesh, &Affine::rotation_y(turn));
+    let mut faces = instance.transform(&mut cache).bin_faces(&mut bins).expect("room for the faces");
     let mut frame = Frame::new(screen, Rgb565::BLACK);
     while let Some(mut band) = frame.next_band(&mut strip).expect("room for a row") {
         let Ok(_) = faces.solid(|face| Rgb565::CSS_GOLD.dim(256 - 40 * face as u16), &mut band.pixels());

@@ -1,15 +1,15 @@
-//! The book: what one needs to know beyond the single item.
+//! The book: what a user needs to know beyond the documentation of single items.
 //!
 //! 1. [The pipeline, type by type](ch1_tour)
 //! 2. [Spaces, axes and signs](ch2_coordinates), with a figure
 //! 3. [Choosing a projection](ch3_projections), with the gallery
-//! 4. [What hides what](ch4_visibility): the mesh's order, painter's order, a depth buffer, hidden lines
+//! 4. [Hidden-surface removal](ch4_visibility): the mesh's order, painter's order, a depth buffer, hidden lines
 //! 5. [Bands and DMA](ch5_bands)
-//! 6. [RAM, flash and time before it is written](ch6_budget)
+//! 6. [Estimating RAM, flash and frame time](ch6_budget)
 //! 7. [Number formats and errors](ch7_numbers)
 //! 8. [From embedded-gfx and embedded-3dgfx](ch8_porting)
 //!
-//! It exists in the documentation only: there is nothing in here to import.
+//! The module exists in the documentation only: it has nothing to import.
 
 #[doc = include_str!("ch1_tour.md")]
 pub mod ch1_tour {}

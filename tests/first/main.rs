@@ -84,7 +84,7 @@ fn of_a_model(name: &str, file: &str, model: &[u8]) -> String {
             list if list.starts_with("const FACES") => None,
             list if list.starts_with("const VERTICES") => Some("use crate::part::MESH;"),
             "let mesh" => Some("    let mesh = MESH;"),
-            "let (mut corners, mut records)" => Some(lists),
+            "let (mut cache, mut bins)" => Some(lists),
             "let Ok(_)" => Some(shade),
             _ => Some(line),
         })
@@ -164,7 +164,7 @@ fn assert_pyramid(printed: &str) {
 /// The README's only block of this language after the heading.
 fn block(language: &str) -> String {
     let readme = read("README.md");
-    let (_, section) = readme.split_once("\n## In a firmware of yours\n").expect("the heading");
+    let (_, section) = readme.split_once("\n## In your own firmware\n").expect("the heading");
     let section = section.split("\n## ").next().unwrap_or("");
     let (_, block) = section.split_once(&format!("```{language}\n")).expect("a block");
     block.split_once("```\n").expect("its end").0.to_string()
