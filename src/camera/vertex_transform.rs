@@ -168,7 +168,7 @@ impl VertexTransform {
 
     /// Clip space's w of a vertex, in a unit of the instance: positive in front of the eye.
     pub(crate) fn w<V: Coordinate>(&self, vertex: &[V; 3]) -> i32 {
-        self.w.at(vertex.map(|c| c.times(self.factor)), V::NARROW)
+        self.w.at(vertex.map(|c| c.times(self.justify_factor)), V::NARROW)
     }
 
     /// The linear forms x, y (in one unit) and w (in another) of a justified vertex: coefficients in 2⁻³¹, and an offset.
