@@ -1,6 +1,6 @@
 //! A checkered floor that the near plane cuts, a wall in fog, and a pane of glass before both.
 
-use crate::shaders::{Checkerboard, Fog, Glass};
+use super::shaders::{Checkerboard, Fog, Glass};
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use pinhole::{
     Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport,

@@ -8,6 +8,7 @@ mod oracle;
 mod bands;
 mod cut;
 mod dither;
+mod own_shaders;
 mod shaded;
 mod smooth;
 mod target;

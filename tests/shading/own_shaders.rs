@@ -1,0 +1,139 @@
+//! `examples/shader`: shaders made with the public interface alone, each pixel against rays in f64 that share no code with
+//! the library.
+
+#[path = "../../examples/shader"]
+mod example {
+    pub(crate) mod scene;
+    pub(crate) mod shaders;
+}
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, SKY, TILES, WALL_COLOR};
+
+type V = [f64; 3];
+
+fn sub(a: V, b: V) -> V {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn dot(a: V, b: V) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: V, b: V) -> V {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(a: V) -> V {
+    a.map(|c| c / dot(a, a).sqrt())
+}
+
+/// What a ray meets first, and how its color was made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Seen {
+    Sky,
+    Tile(u32),
+    Wall,
+}
+
+struct Ray {
+    seen: Seen,
+    /// Whether glass is before it.
+    glass: bool,
+    color: [f64; 3],
+}
+
+/// Where a ray meets a quad: how far along the view direction, and where in the quad's sides.
+fn meets(quad: &[[i16; 3]; 4], eye: V, ray: V) -> Option<(f64, [f64; 2])> {
+    let [a, b, _, d] = quad.map(|corner| corner.map(f64::from));
+    let (u, v) = (sub(b, a), sub(d, a));
+    let normal = cross(u, v);
+    let towards = dot(normal, ray);
+    if towards >= 0.0 {
+        return None; // from behind, or along it
+    }
+    let t = dot(normal, sub(a, eye)) / towards;
+    let at = sub([0, 1, 2].map(|i| eye[i] + t * ray[i]), a);
+    let uv = [dot(at, u) / dot(u, u), dot(at, v) / dot(v, v)];
+    let [near, far] = NEAR_FAR.map(f64::from);
+    (t >= near && t <= far && uv.iter().all(|c| (0.0..=1.0).contains(c))).then_some((t, uv))
+}
+
+fn channels(c: Rgb888) -> [f64; 3] {
+    [c.r(), c.g(), c.b()].map(f64::from)
+}
+
+/// The scene at a point of the screen, in pixels.
+fn look(x: f64, y: f64) -> Ray {
+    let [eye, towards] = [scene::EYE, scene::TOWARDS].map(|p| p.map(f64::from));
+    let ahead = unit(sub(towards, eye));
+    let right = unit(cross(ahead, [0.0, 1.0, 0.0]));
+    let up = cross(right, ahead);
+    let (width, height) = (f64::from(SIZE.width), f64::from(SIZE.height));
+    let scale = (f64::from(scene::FIELD_OF_VIEW).to_radians() / 2.0).tan();
+    let [sx, sy] = [(2.0 * x / width - 1.0) * scale * width / height, (1.0 - 2.0 * y / height) * scale];
+    let ray = [0, 1, 2].map(|i| ahead[i] + right[i] * sx + up[i] * sy);
+
+    let floor = meets(&scene::FLOOR, eye, ray);
+    let wall = meets(&scene::WALL, eye, ray);
+    let (mut seen, mut color, mut nearest) = (Seen::Sky, channels(SKY), f64::MAX);
+    if let Some((t, uv)) = floor {
+        let tile = uv.map(|c| (c * f64::from(TILES)).floor() as u32).iter().sum::<u32>();
+        (seen, color, nearest) = (Seen::Tile(tile % 2), channels(BOARD[(tile % 2) as usize]), t);
+    }
+    if let Some((t, _)) = wall.filter(|(t, _)| *t < nearest) {
+        let [near, far] = NEAR_FAR.map(f64::from);
+        let depth = 65_535.0 * (far / (far - near) - far * near / ((far - near) * t));
+        let [begin, end] = FOG_RANGE.map(f64::from);
+        let share = ((depth - begin) / (end - begin)).clamp(0.0, 1.0);
+        let (own, fog) = (channels(WALL_COLOR), channels(FOG_COLOR));
+        (seen, color, nearest) = (Seen::Wall, [0, 1, 2].map(|i| own[i] + (fog[i] - own[i]) * share), t);
+    }
+    let glass = meets(&scene::PANE, eye, ray).is_some_and(|(t, _)| t < nearest);
+    if glass {
+        let own = channels(GLASS);
+        color = [0, 1, 2].map(|i| (own[i] + color[i]) / 2.0);
+    }
+    Ray { seen, glass, color }
+}
+
+/// A pixel is compared where the scene is the same 1/64 pixel around its center: vertices lie on 1/256 pixel, and the
+/// checkerboard's 1/w and u/w have 24 bits.
+#[test]
+fn a_checkerboard_a_fog_and_glass_made_outside_the_crate_are_those_of_rays() {
+    let pixels = scene::draw().expect("the scene");
+    let (mut compared, mut met, mut worst) = (0, [0; 4], 0.0_f64);
+    for (i, pixel) in pixels.iter().enumerate() {
+        let (x, y) = ((i as u32 % SIZE.width) as f64 + 0.5, (i as u32 / SIZE.width) as f64 + 0.5);
+        let ray = look(x, y);
+        let around = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+        let is_same = |(dx, dy): (f64, f64)| {
+            let other = look(x + dx / 64.0, y + dy / 64.0);
+            other.seen == ray.seen && other.glass == ray.glass
+        };
+        if !around.into_iter().all(is_same) {
+            continue;
+        }
+        let error = (0..3).map(|c| (channels(*pixel)[c] - ray.color[c]).abs()).fold(0.0, f64::max);
+        // A channel of the fog is rounded to 1/256 of its range downwards, and then to nearest; glass to nearest.
+        let bound = match (ray.seen, ray.glass) {
+            (Seen::Wall, _) => 1.2,
+            (_, true) => 0.5,
+            (_, false) => 0.0,
+        };
+        assert!(error <= bound, "({x}, {y}): {pixel:?}, {:?} {:?}", ray.seen, ray.color);
+        if ray.seen == Seen::Wall {
+            worst = worst.max(error);
+        }
+        compared += 1;
+        met[match ray.seen {
+            Seen::Sky => 0,
+            Seen::Tile(_) => 1,
+            Seen::Wall => 2,
+        }] += 1;
+        met[3] += usize::from(ray.glass);
+    }
+    assert!(compared * 100 > pixels.len() * 97, "{compared} of {}", pixels.len());
+    assert!(met.iter().all(|&count| count > 3_000), "{met:?}");
+    assert!(worst > 0.6, "{worst}");
+}
