@@ -10,15 +10,15 @@
 //!
 //! | hint | prevents | gains |
 //! |---|---|---|
-//! | [`keep_rolled`] | unrolling | flash on every core; on a Cortex-M0 also registers |
-//! | [`opaque_next`] | unrolling of loops whose count is a small constant | flash on every core |
+//! | [`keep_rolled`] | unrolling | S3 z: Cortex-M0 3.6 % of instructions, 3020 bytes of flash; M3 1.1 %, 1708 bytes |
+//! | [`opaque_next`] | unrolling of loops whose count is a small constant | S3 z: Cortex-M0 880 bytes of flash, M3 1272 bytes |
 //! | [`keep_branch`] | a branch turned into arithmetic, or two tests merged into one | instructions on a Cortex-M0 and M3 |
 //! | [`opaque`] | constant propagation, keeping a value in a register across a loop, recognition of `memset` | instructions |
 
 use core::hint::black_box;
 
-/// Keeps a loop rolled when its body calls it: LLVM unrolls four times and more, which costs flash on every core and
-/// gains time only in the inner loops of pixels. Set-up code and short loops call it.
+/// Keeps a loop rolled when its body calls it: LLVM unrolls four times and more, which costs flash on every core, and time where unrolled
+/// code runs out of registers. Set-up code and short loops call it.
 #[inline(always)]
 pub(crate) const fn keep_rolled() {
     black_box(());
