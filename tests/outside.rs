@@ -6,13 +6,18 @@ mod oracle;
 
 use bridge::draw::{cube_camera as camera, turned_cube as draw, Shader, CUBE, CUBE_FACES, WAYS};
 use bridge::pair::ModelBits;
+use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, IntoStorage, Rgb565, Rgb888, WebColors};
 use embedded_graphics_core::primitives::Rectangle;
 use oracle::rng::Rng;
 use oracle::target::{Call, Recorder, Refused};
-use pinhole::{Frame, Mesh, Painter, Picture};
+use pinhole::raster::Span;
+use pinhole::{
+    DepthBuffer, Frame, Gouraud, Memory, Mesh, Painter, Picture, PictureError, PixelStore, Pixels,
+    ShadeTable, StoredPixel, Target,
+};
 
 #[test]
 fn what_the_target_refuses_comes_back_at_every_call() {
@@ -129,4 +134,97 @@ fn rectangles_of_any_place_and_size_are_filled() {
         }
     }
     assert!(met > 100_000 && met_by_each > 10_000, "{met}, {met_by_each}");
+}
+
+/// A target of this test's own whose pixels lie in memory, as numbers.
+struct Numbers<'a>(Memory<&'a mut [u16]>);
+
+impl<'a> Target for Numbers<'a> {
+    type Color = Rgb565;
+    type Error = Infallible;
+    type Store = &'a mut [u16];
+
+    fn area(&self) -> Rectangle {
+        self.0.area()
+    }
+
+    fn fill(&mut self, span: Span, color: Rgb565) -> Result<(), Infallible> {
+        self.0.fill(span, color.stored());
+        Ok(())
+    }
+
+    fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Rgb565>) -> Result<(), Infallible> {
+        self.0.fill_run(span, colors.map(StoredPixel::stored));
+        Ok(())
+    }
+
+    fn memory(&mut self) -> Option<&mut Memory<&'a mut [u16]>> {
+        Some(&mut self.0)
+    }
+}
+
+/// A target of this test's own that takes spans and hands out no memory.
+struct Spans<'a>(Numbers<'a>);
+
+impl Target for Spans<'_> {
+    type Color = Rgb565;
+    type Error = Infallible;
+    type Store = [Rgb565; 0];
+
+    fn area(&self) -> Rectangle {
+        self.0.area()
+    }
+
+    fn fill(&mut self, span: Span, color: Rgb565) -> Result<(), Infallible> {
+        self.0.fill(span, color)
+    }
+
+    fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Rgb565>) -> Result<(), Infallible> {
+        self.0.fill_run(span, colors)
+    }
+}
+
+/// Draws a cube in every way, with and without depth.
+fn cubes<T: Target<Color = Rgb565>>(target: &mut T) {
+    let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
+    let (model, camera) = (ModelBits::default().library(), camera((0, 0, 40, 30)).library());
+    let placed = camera.place(&mesh, &model);
+    let table = ShadeTable::new(Rgb888::CSS_GOLD);
+    let smooth = |face| table.lit([10 * face as u16, 200, 256]);
+    let solid = |face| Rgb565::new(face as u8 + 1, 9, 9);
+    let _ = placed.solid(solid, &mut [], target);
+    let _ =
+        placed.solid(|face| Gouraud::lit(Rgb888::CSS_CORAL, [10 * face as u16, 200, 256]), &mut [], target);
+    let mut depths = [0; 40 * 30];
+    let mut depth = DepthBuffer::new(target.area(), &mut depths).expect("as many numbers");
+    let _ = placed.depth_tested(solid, &mut [], &mut depth, target);
+    depth.clear();
+    let _ = placed.depth_tested(smooth, &mut [], &mut depth, target);
+    let _ = placed.wireframe(Rgb565::CSS_WHITE, &mut [], target);
+}
+
+#[test]
+fn a_target_of_ones_own_gets_the_picture_with_memory_and_without() {
+    let area = Rectangle::new(Point::zero(), Size::new(40, 30));
+    let mut colors = [Rgb565::CSS_BLACK; 40 * 30];
+    let mut frames = [[0_u16; 40 * 30]; 3];
+    cubes(&mut Picture::new(&mut colors, area.size).expect("as many colors"));
+    let [pixels, numbers, spans] = &mut frames;
+    cubes(&mut Pixels::new(pixels, area).expect("as many cells"));
+    cubes(&mut Numbers(Memory::new(&mut numbers[..], area).expect("as many cells")));
+    cubes(&mut Spans(Numbers(Memory::new(&mut spans[..], area).expect("as many cells"))));
+    let wanted = colors.map(IntoStorage::into_storage);
+    assert!(frames.iter().all(|frame| *frame == wanted));
+    assert!(wanted.iter().filter(|color| **color != 0).count() > 100);
+    let readable = [<Numbers<'_> as Target>::Store::READABLE, <Spans<'_> as Target>::Store::READABLE];
+    assert_eq!(readable, [true, false]);
+}
+
+#[test]
+fn too_few_cells_for_the_area_are_refused() {
+    let area = Rectangle::new(Point::zero(), Size::new(40, 30));
+    let error = Pixels::<Rgb565, u16>::new(&mut [0; 1199], area).map(|_| ()).expect_err("one too few");
+    assert_eq!(error, PictureError { needed: 1200, given: 1199 });
+    let huge = Rectangle::new(Point::zero(), Size::new(u32::MAX, u32::MAX));
+    assert!(Pixels::<Rgb565, u16>::new(&mut [0; 9], huge).is_err());
 }
