@@ -11,7 +11,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(display: &mut D, turn: Angle) -> Resu
     let [eye, origin] = [Point3::from_ints(0, 3, 7), Point3::from_ints(0, 0, 0)];
     let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0)).expect("not straight up");
     let [near, far] = [1, 12].map(Scalar::from_num);
-    let projection = Projection::perspective(Angle::degrees(30), screen.size, near, far).expect("near before far");
+    let projection = Projection::perspective(Angle::degrees(30), screen.size, near, far).expect("near < far");
     let mesh = Mesh::new(&VERTICES, 0, &FACES).expect("faces of these vertices");
 
     let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 5], [0; 7]); // one per vertex; one per face, and one per 16 faces
