@@ -1,7 +1,9 @@
 //! What pixels are filled with where they are nearer than what is held.
 
+use super::RowOrigin;
+use crate::fast;
 use crate::math::num::CORTEX_M0;
-use crate::raster::{DepthTriangle, Gradient, RowOrigin};
+use crate::raster::{DepthTriangle, Gradient};
 use core::hint::black_box;
 
 /// What a triangle is filled with.
@@ -38,7 +40,7 @@ impl<Cell: Copy> DepthFill<Cell> for [Cell; 2] {
 
     #[inline(always)]
     fn over(self, piece: &DepthTriangle<'_>) -> Gradient {
-        piece.plane()
+        fast::depth_gradient(&piece.triangle, &piece.depths)
     }
 
     #[inline(always)]
@@ -54,7 +56,7 @@ impl<Cell: Copy> DepthFill<Cell> for [Cell; 2] {
     {
         let (cells, held) = as_long(cells, held);
         let depth = depth.sheared(shear);
-        OneCell { two: self, cells, held, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
+        OneCell { two: self, cells, held, step: depth.step(), down: depth.row_step(), z: depth.at(x, y) }
     }
 }
 

@@ -6,7 +6,7 @@
 //! row, with Bresenham's error in integers.
 
 use crate::math::num::{mul_high, reciprocal};
-use crate::raster::{place, LineSetup, LineSpans, Pixel, Scissor, Span};
+use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
 use crate::surface::memory::{fill, pair, Memory};
 use core::hint::black_box;
 
@@ -15,7 +15,7 @@ impl<Cell: Copy> Memory<'_, Cell> {
     #[inline(always)]
     pub(crate) fn line(&mut self, from: Pixel, to: Pixel, scissor: &Scissor, cell: Cell) {
         // From where the first pixel lies.
-        let (left, top, stride) = (self.left, self.top, self.ground.places.stride);
+        let (left, top, stride) = (self.left, self.top, self.scratch.layout.stride);
         // These wrap where the area begins so far away that no pixel of it is in the scissor.
         let (right, down) = (|x: i32| x.wrapping_sub(left), |y: i32| y.wrapping_sub(top));
         let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
@@ -24,7 +24,7 @@ impl<Cell: Copy> Memory<'_, Cell> {
             return;
         }
         let scissor =
-            Scissor::as_given(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
+            Scissor::unclamped(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
         line(self.cells, stride, moved(from), moved(to), &scissor, cell);
     }
 }
@@ -49,7 +49,7 @@ fn line<Cell: Copy>(
     } else if course.rise <= course.length >> 2 {
         gentle(
             cells,
-            place(start.0, start.1, stride),
+            pixel_index(start.0, start.1, stride),
             down(stride, course.up),
             course.rise,
             course.length,
@@ -117,9 +117,9 @@ fn flat<Cell: Copy>(
     cell: Cell,
 ) {
     // All rows but the last one: to come there is to leave them.
-    let last = place(0, end.1, stride);
+    let last = pixel_index(0, end.1, stride);
     let (low, high) = if course.up { (last.wrapping_add(stride), cells.len()) } else { (0, last) };
-    let (mut at, down) = (place(x, y, stride).wrapping_sub(low), down(stride, course.up));
+    let (mut at, down) = (pixel_index(x, y, stride).wrapping_sub(low), down(stride, course.up));
     // It is negative at every pixel: it carries where it comes to 0 from below.
     let (along, back) = (2 * course.rise as u32, 2 * course.length as u32);
     let mut error = error as u32;
@@ -137,7 +137,8 @@ fn flat<Cell: Copy>(
             black_box(()); // not unrolled
         }
     }
-    if let Some(run) = cells.get_mut(at.wrapping_add(low)..place(end.0, end.1, stride).wrapping_add(1)) {
+    if let Some(run) = cells.get_mut(at.wrapping_add(low)..pixel_index(end.0, end.1, stride).wrapping_add(1))
+    {
         for pixel in run {
             *pixel = cell;
             black_box(()); // not unrolled: a few pixels
@@ -191,7 +192,7 @@ fn steep<Cell: Copy>(
     first: u32,
     cell: Cell,
 ) {
-    let (start, end) = (place(x, y, stride), place(end.0, end.1, stride));
+    let (start, end) = (pixel_index(x, y, stride), pixel_index(end.0, end.1, stride));
     let (low, high) = if course.up { (end, start) } else { (start, end) };
     let Some(cells) = cells.get_mut(low..high.wrapping_add(1)) else { return };
     // Steps aside in a row, in 2⁻³².
@@ -252,7 +253,7 @@ fn by_runs<Cell: Copy>(
 ) {
     for Span { x, y, width, height } in LineSpans::new(&LineSetup::between(from, to), scissor) {
         for y in y..y.wrapping_add(height) {
-            let from = place(x, y, stride);
+            let from = pixel_index(x, y, stride);
             if let Some(run) = cells.get_mut(from..from.wrapping_add(width as usize)) {
                 run.fill(cell);
             }

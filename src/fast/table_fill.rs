@@ -1,8 +1,10 @@
 //! A colour for each level of light, and light that runs over a triangle.
 
 use super::depth_fill::{as_long, nothing_is_held, DepthFill, RowFill, MANY};
+use super::RowOrigin;
+use crate::fast;
 use crate::math::num::CORTEX_M0;
-use crate::raster::{DepthTriangle, Gradient, RowOrigin, Span, Triangle};
+use crate::raster::{DepthTriangle, Gradient, Span, Triangle};
 use crate::surface::StoredPixel;
 use core::hint::black_box;
 use core::iter::repeat_with;
@@ -53,7 +55,7 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &Shades<'_, C> {
 
     #[inline(always)]
     fn over(self, piece: &DepthTriangle<'_>) -> [Gradient; 2] {
-        Gradient::of_depth_and_light(&piece.triangle, &piece.depths, &self.light)
+        fast::depth_and_light_gradients(&piece.triangle, &piece.depths, &self.light)
     }
 
     #[inline(always)]
@@ -99,8 +101,8 @@ impl<C: StoredPixel<Cell>, Cell> RowFill for Looked<'_, C, Cell> {
             }
         }
         let [depth, light] = self.over;
-        self.z = self.z.wrapping_add(depth.down());
-        self.light = self.light.wrapping_add(light.down());
+        self.z = self.z.wrapping_add(depth.row_step());
+        self.light = self.light.wrapping_add(light.row_step());
     }
 }
 

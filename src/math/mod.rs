@@ -4,6 +4,7 @@
 mod affine;
 mod angle;
 mod clip_point;
+mod determinant;
 pub(crate) mod float;
 mod form;
 mod normal;
@@ -20,6 +21,7 @@ pub(crate) use affine::{product, to_scalar};
 pub use affine::{Affine, AxisError, InverseError, MatrixError};
 pub use angle::Angle;
 pub use clip_point::{ClipPoint, Outcode};
+pub(crate) use determinant::determinant;
 pub use form::Coordinate;
 pub(crate) use form::{ClipCoords, Form};
 pub(crate) use normal::to_short;

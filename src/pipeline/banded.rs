@@ -136,7 +136,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Where a face with these corners may cover pixels.
     #[inline(always)]
     fn reach(&self, corners: [ScreenVertex; 3]) -> Scissor {
-        Scissor::of(&self.images(corners).map(|image| image.point))
+        Scissor::bounding_box(&self.images(corners).map(|image| image.point))
     }
 
     /// The first row of that.
@@ -348,7 +348,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
             }
             let (mut end, mut shaded) = (i32::MIN, None);
             loop {
-                let reach = Scissor::of(piece.triangle.corners()).rows();
+                let reach = Scissor::bounding_box(piece.triangle.corners()).rows();
                 end = end.max(reach.end);
                 if reach.start < rows.end && reach.end > rows.start {
                     let ink = *shaded.get_or_insert_with(|| shade(index));

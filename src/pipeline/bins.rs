@@ -95,7 +95,7 @@ impl<'s> Bins<'s> {
     /// [sorted](Sorting::sort).
     #[inline(always)]
     pub(super) fn sorting(&mut self) -> Sorting<'_, 's> {
-        let viewport = core::mem::replace(&mut self.bounds, Scissor::NOTHING);
+        let viewport = core::mem::replace(&mut self.bounds, Scissor::UNION_IDENTITY);
         Sorting { bins: self, viewport, ends: [0; BINS] }
     }
 
@@ -179,7 +179,7 @@ impl Sorting<'_, '_> {
         if reach.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
             return;
         }
-        self.bins.bounds = self.bins.bounds.enclosing(reach);
+        self.bins.bounds = self.bins.bounds.union(reach);
         self.bins.taken += 1; // at most all items
         if let Some(bits) = self.bins.open.get_mut(item / 16) {
             *bits |= 1 << (item % 16);
@@ -247,7 +247,7 @@ impl Sorting<'_, '_> {
         }
         self.bins.taken = 0;
         // Each of them lies in the viewport in part.
-        self.bins.bounds = self.bins.bounds.within(&self.viewport);
+        self.bins.bounds = self.bins.bounds.clipped_to(&self.viewport);
     }
 }
 

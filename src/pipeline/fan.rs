@@ -65,11 +65,11 @@ impl Polygon {
 
     /// Where it may cover pixels, though a triangle may be left out.
     pub(super) fn reach(&self) -> Scissor {
-        let mut reach = Scissor::NOTHING;
+        let mut reach = Scissor::UNION_IDENTITY;
         for &at in &self.order {
             keep_rolled();
             if let Some(place) = self.places.get(usize::from(at)) {
-                reach = reach.enclosing(&Scissor::of(&[UnpackedVertex::of_held(place).point; 3]));
+                reach = reach.union(&Scissor::bounding_box(&[UnpackedVertex::of_held(place).point; 3]));
             }
         }
         reach

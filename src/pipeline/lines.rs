@@ -3,6 +3,7 @@
 use super::{BinnedEdges, DrawRegion, MeshInstance, Polygon, Progress, Statistics, TransformedMesh};
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::clip::CLIP_SLOTS;
+use crate::fast;
 use crate::math::Coordinate;
 use crate::raster::{self, DepthTriangle, Gradient, LineDepth, Scissor, ScreenPoint, Triangle};
 use crate::scene::Mesh;
@@ -237,8 +238,10 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             while let Some(area) = progress.next(&polygon, &mut corners) {
                 let points = corners.map(|c| c.point);
                 if piece >= first {
-                    let plane =
-                        Gradient::of_depth(&Triangle::new(points, area, viewport), &corners.map(|c| c.depth));
+                    let plane = fast::depth_gradient(
+                        &Triangle::new(points, area, viewport),
+                        &corners.map(|c| c.depth),
+                    );
                     if beside.push(Beside { points, plane }).is_err() {
                         return true;
                     }
@@ -285,8 +288,8 @@ impl Shader for Nothing {
 }
 
 fn keep(piece: &DepthTriangle<'_>, scissor: &Scissor, depth: &mut DepthBuffer<'_>) {
-    let plane = piece.plane();
-    for span in piece.triangle.spans(scissor) {
+    let plane = fast::depth_gradient(&piece.triangle, &piece.depths);
+    for span in fast::spans(&piece.triangle, scissor) {
         let Ok(()) = depth.test(span, &plane, |_| Ok::<(), core::convert::Infallible>(()));
     }
 }

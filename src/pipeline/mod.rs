@@ -316,7 +316,7 @@ struct DrawRegion {
 /// The pixels of a viewport, which lies inside the guard band: no sum saturates.
 fn pixels(viewport: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *viewport;
-    Scissor::as_given(x, y, x.wrapping_add_unsigned(size.width), y.wrapping_add_unsigned(size.height))
+    Scissor::unclamped(x, y, x.wrapping_add_unsigned(size.width), y.wrapping_add_unsigned(size.height))
 }
 
 impl DrawRegion {
@@ -329,12 +329,12 @@ impl DrawRegion {
     #[inline(always)]
     fn of(target: &Rectangle, viewport: &Rectangle) -> Self {
         let viewport = pixels(viewport);
-        Self { scissor: inside(target).within(&viewport), viewport }
+        Self { scissor: inside(target).clipped_to(&viewport), viewport }
     }
 
     /// Less what a depth buffer does not hold.
     fn with_depth(self, depth: &DepthBuffer<'_>) -> Self {
-        Self { scissor: depth.scissor().within(&self.scissor), ..self }
+        Self { scissor: depth.scissor().clipped_to(&self.scissor), ..self }
     }
 
     /// The same for what is drawn in several ways in one firmware: in bands, in painter's order, lines against depth.
@@ -351,7 +351,7 @@ impl DrawRegion {
 /// Makes a triangle with these corners, and their area, what is drawn next.
 #[inline(always)]
 fn put<const DEPTH: bool>(piece: &mut DepthTriangle<'_>, corners: &[UnpackedVertex; 3], area: i64) {
-    piece.triangle.put(corners.map(|corner| corner.point), area);
+    piece.triangle.set(corners.map(|corner| corner.point), area);
     if DEPTH {
         piece.depths = corners.map(|corner| corner.depth);
     }

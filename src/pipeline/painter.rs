@@ -144,7 +144,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
             let points = face
                 .corners
                 .map(|i| self.corners.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
-            if !Scissor::of(&points).and(&limits.scissor).is_empty() {
+            if !Scissor::bounding_box(&points).intersection(&limits.scissor).is_empty() {
                 let triangle = Triangle::new(points, raster::area(&points), &limits.viewport);
                 fill(&triangle, &face.ink, &limits.scissor, target)?;
             }

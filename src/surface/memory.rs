@@ -2,10 +2,10 @@
 
 use super::depth::DepthBuffer;
 use crate::fast::depth_fill::{one_nearer, DepthFill, RowFill};
+use crate::fast::{self, Low, RowOrigin, Rows, Small};
 use crate::math::num::CORTEX_M0;
 use crate::raster::{
-    AnyTriangle, DepthTriangle, Low, PixelLayout, RowOrigin, RowScratch, Rows, Scissor, Small, Span,
-    Trapezoid, Triangle,
+    AnyTriangle, DepthTriangle, PixelLayout, RowScratch, Scissor, Span, Trapezoid, Triangle,
 };
 use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
@@ -17,7 +17,7 @@ pub(crate) struct Memory<'a, Cell> {
     /// Where the first one lies.
     pub(crate) left: i32,
     pub(crate) top: i32,
-    pub(crate) ground: RowScratch,
+    pub(crate) scratch: RowScratch,
 }
 
 impl<'a, Cell: Copy> Memory<'a, Cell> {
@@ -25,20 +25,20 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     pub(crate) fn new(cells: &'a mut [Cell], area: &Rectangle) -> Self {
         let Rectangle { top_left, size } = *area;
         let (left, top, stride) = (top_left.x, top_left.y, size.width as usize);
-        Self { cells, left, top, ground: RowScratch::new(PixelLayout::new(left, top, stride)) }
+        Self { cells, left, top, scratch: RowScratch::new(PixelLayout::new(left, top, stride)) }
     }
 
     /// A row's pixels. Those of a row that does not lie inside are others, or none.
     #[inline(always)]
     pub(crate) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [Cell]> {
-        let from = self.ground.places.at(x, y);
+        let from = self.scratch.layout.at(x, y);
         self.cells.get_mut(from..from.wrapping_add(width as usize))
     }
 
     /// Fills a triangle. `two` is the same cell twice; the compiler must not know, or it would use two registers.
     #[inline(never)] // its loop needs all registers
     pub(crate) fn triangle(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        match Small::new(triangle, scissor, &mut self.ground) {
+        match Small::new(triangle, scissor, &mut self.scratch) {
             Some(small) => self.rows(small, two),
             None => self.cut(triangle, scissor, two),
         }
@@ -47,7 +47,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
     /// One that is cut, wide or large.
     #[inline(never)]
     fn cut(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
-        match Low::new(triangle, scissor, &mut self.ground) {
+        match Low::new(triangle, scissor, &mut self.scratch) {
             Some(low) => self.rows(low, two),
             None => self.large(triangle, scissor, two),
         }
@@ -55,16 +55,16 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
 
     #[inline(always)]
     fn rows<R: Rows>(&mut self, rows: R, two: [Cell; 2]) {
-        let (cells, ground) = (&mut *self.cells, &mut self.ground);
+        let (cells, scratch) = (&mut *self.cells, &mut self.scratch);
         let long = R::WIDTH > LONG << 8;
-        rows.each(ground, |start, left, right| fill_row(cells, start, left, right, two, long));
+        rows.each(scratch, |start, left, right| fill_row(cells, start, left, right, two, long));
     }
 
     #[inline(never)] // its loop needs all registers
     fn large(&mut self, triangle: &Triangle<'_>, scissor: &Scissor, two: [Cell; 2]) {
         let (mut large, mut stretch) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
-        while large.stretch(&mut stretch) {
-            match stretch.upright(self.ground.places.stride as i32) {
+        while large.trapezoid(&mut stretch) {
+            match stretch.as_rectangle(self.scratch.layout.stride as i32) {
                 // All of so many rows, as where a large face is cut on both sides: one run.
                 Some((x, pixels)) => {
                     if let Some(run) = self.row(x, stretch.y, pixels) {
@@ -72,8 +72,8 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
                     }
                 }
                 None => {
-                    let start = self.ground.places.at(stretch.x, stretch.y);
-                    let (cells, stride) = (&mut *self.cells, self.ground.places.stride);
+                    let start = self.scratch.layout.at(stretch.x, stretch.y);
+                    let (cells, stride) = (&mut *self.cells, self.scratch.layout.stride);
                     stretch.each(start, stride, |start, left, right| {
                         fill_row(cells, start, left, right, two, true)
                     });
@@ -91,7 +91,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         depth: &mut DepthBuffer<'_>,
         filling: F,
     ) {
-        match Small::new(&piece.triangle, scissor, &mut self.ground) {
+        match Small::new(&piece.triangle, scissor, &mut self.scratch) {
             Some(small) => self.rows_nearer(small, piece, depth.held(), filling),
             None => self.cut_nearer(piece, scissor, depth, filling),
         }
@@ -106,7 +106,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         depth: &mut DepthBuffer<'_>,
         filling: F,
     ) {
-        match Low::new(&piece.triangle, scissor, &mut self.ground) {
+        match Low::new(&piece.triangle, scissor, &mut self.scratch) {
             Some(low) => self.rows_nearer(low, piece, depth.held(), filling),
             None => self.large_nearer(piece, scissor, depth, filling),
         }
@@ -121,11 +121,11 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         filling: F,
     ) {
         if !rows.is_empty() {
-            let start = rows.start(self.ground.places);
+            let start = rows.start(self.scratch.layout);
             let mut over = filling.over(piece);
-            let (cells, ground) = (&mut *self.cells, &mut self.ground);
+            let (cells, scratch) = (&mut *self.cells, &mut self.scratch);
             let mut filled = filling.rows(&mut over, cells, held, start);
-            rows.each(ground, |start, left, right| filled.row(start, left, right));
+            rows.each(scratch, |start, left, right| filled.row(start, left, right));
         }
     }
 
@@ -142,12 +142,12 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
             return;
         }
         let (mut over, held) = (filling.over(piece), depth.held());
-        let Self { cells, ground: RowScratch { places, .. }, .. } = self;
+        let Self { cells, scratch: RowScratch { layout, .. }, .. } = self;
         let mut stretch = Trapezoid::default();
-        while large.stretch(&mut stretch) {
+        while large.trapezoid(&mut stretch) {
             let start @ RowOrigin { x, y, .. } = RowOrigin { x: stretch.x, y: stretch.y, shear: 0 };
             let mut filled = filling.rows(&mut over, cells, held, start);
-            stretch.each(places.at(x, y), places.stride, |start, left, right| filled.row(start, left, right));
+            stretch.each(layout.at(x, y), layout.stride, |start, left, right| filled.row(start, left, right));
         }
     }
 
@@ -159,7 +159,7 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         scissor: &Scissor,
         run: impl Fn(Span) -> R,
     ) {
-        triangle.each_span(scissor, |span| {
+        fast::each_span(triangle, scissor, |span| {
             if let Some(cells) = self.row(span.x, span.y, span.width) {
                 cells.iter_mut().zip(run(span)).for_each(|(pixel, cell)| *pixel = cell);
             }
@@ -175,10 +175,10 @@ impl<'a, Cell: Copy> Memory<'a, Cell> {
         held: &mut [u16],
         run: impl Fn(Span) -> R,
     ) {
-        let plane = piece.plane();
+        let plane = fast::depth_gradient(&piece.triangle, &piece.depths);
         let step = plane.step();
-        piece.triangle.each_span(scissor, |span| {
-            let from = self.ground.places.at(span.x, span.y);
+        fast::each_span(&piece.triangle, scissor, |span| {
+            let from = self.scratch.layout.at(span.x, span.y);
             let to = from.wrapping_add(span.width as usize);
             if let (Some(cells), Some(held)) = (self.cells.get_mut(from..to), held.get_mut(from..to)) {
                 let mut z = plane.at(span.x, span.y);

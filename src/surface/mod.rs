@@ -25,7 +25,7 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// The pixels of a target as far as anything is drawn, however large it is.
 pub(crate) fn reach(area: &Rectangle) -> Scissor {
-    inside(area).near()
+    inside(area).clamped()
 }
 
 /// As `embedded-graphics` has it.
@@ -40,5 +40,5 @@ pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
 pub(crate) fn inside(area: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *area;
     let (right, bottom) = (x.saturating_add_unsigned(size.width), y.saturating_add_unsigned(size.height));
-    Scissor::as_given(x, y, right, bottom)
+    Scissor::unclamped(x, y, right, bottom)
 }

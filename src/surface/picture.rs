@@ -73,7 +73,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     #[inline(never)]
     fn fill_part(&mut self, area: &Rectangle, colour: C) {
         // Not by `Rectangle::intersection`, whose sums overflow.
-        let both = inside(area).within(&inside(&self.area));
+        let both = inside(area).clipped_to(&inside(&self.area));
         let (columns, rows) = (both.columns(), both.rows());
         // Of the picture at most, which begins at 0.
         let (width, height) = (columns.end.wrapping_sub(columns.start), rows.end.wrapping_sub(rows.start));

@@ -2,7 +2,7 @@
 
 use super::depth::{DepthBuffer, DepthTarget};
 use super::reach;
-use crate::fast::table_fill::Shades;
+use crate::fast::{self, table_fill::Shades};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, ScreenPoint, Span, Triangle};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -55,7 +55,7 @@ pub trait Target: sealed::Sealed {
         scissor: &Scissor,
         colour: Self::Color,
     ) -> Result<(), Self::Error> {
-        triangle.spans(scissor).try_for_each(|span| self.fill(span, colour))
+        fast::spans(triangle, scissor).try_for_each(|span| self.fill(span, colour))
     }
 
     /// Draws a triangle of one colour in 2D, with its area, which is not zero.
@@ -99,7 +99,7 @@ pub trait Target: sealed::Sealed {
         scissor: &Scissor,
         run: impl Fn(Span) -> R,
     ) -> Result<(), Self::Error> {
-        triangle.spans(scissor).try_for_each(|span| self.fill_run(span, run(span)))
+        fast::spans(triangle, scissor).try_for_each(|span| self.fill_run(span, run(span)))
     }
 
     /// Draws it where it is nearer than what is held.
@@ -152,11 +152,11 @@ pub(super) fn spans_nearer<T: Target + ?Sized>(
     against: &mut DepthTarget<'_, '_>,
     colour: T::Color,
 ) -> Result<(), T::Error> {
-    let mut spans = piece.triangle.spans(scissor);
+    let mut spans = fast::spans(&piece.triangle, scissor);
     if spans.is_empty() {
         return Ok(());
     }
-    let plane = piece.plane();
+    let plane = fast::depth_gradient(&piece.triangle, &piece.depths);
     spans.try_for_each(|span| against.buffer.test(span, &plane, |visible| target.fill(visible, colour)))
 }
 
@@ -169,8 +169,8 @@ pub(super) fn spans_shaded_nearer<T: Target + ?Sized, R: Iterator<Item = T::Colo
     against: &mut DepthTarget<'_, '_>,
     run: impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
-    let plane = piece.plane();
-    let mut spans = piece.triangle.spans(scissor);
+    let plane = fast::depth_gradient(&piece.triangle, &piece.depths);
+    let mut spans = fast::spans(&piece.triangle, scissor);
     spans.try_for_each(|span| span_shaded_nearer(target, span, &plane, against, &run))
 }
 
