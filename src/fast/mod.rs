@@ -10,9 +10,9 @@
 //!
 //! | tier | domain | row ends | core | gain of the tier |
 //! |---|---|---|---|---|
-//! | [`Small`]: [`SmallTriangle`](small_triangle) with [`OneDivision`](edge20) | 32 × 30, inside the scissor | 12.20 in 32 bits; one division for an edge's value, one for its step | all but Cortex-M0 | GAIN_SMALL |
-//! | [`Low`] and [`Inside`], the middle tier: [`SmallTriangle`](small_triangle) with [`TwoDivisions`](edge20) | 2040 × 32, rows clipped | 12.20 in 32 bits; two divisions each | all but Cortex-M0 | S3 takes 9 % fewer instructions on an M3, 4.5 % with depth |
-//! | all three: [`BresenhamTriangle`](bresenham_triangle) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | GAIN_M0 |
+//! | [`Small`]: [`SmallTriangle`](small_triangle) with [`OneDivision`](edge20) | 32 × 30, inside the scissor | 12.20 in 32 bits; one division for an edge's value, one for its step | all but Cortex-M0 | not measured alone |
+//! | [`Low`] and [`Inside`], the middle tier: [`SmallTriangle`](small_triangle) with [`TwoDivisions`](edge20) | 2040 × 32, rows clipped | 12.20 in 32 bits; two divisions each | all but Cortex-M0 | S3 takes 9 % fewer instructions on an M3, 4.5 % with depth; nothing on an M0 |
+//! | all three: [`BresenhamTriangle`](bresenham_triangle) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | not measured alone |
 //! | [`AnyTriangle`](crate::raster::AnyTriangle), the definition | any in the guard band | 32.32 in 64 bits; a reciprocal and two corrections | all | – |
 //!
 //! Gradients have one fast tier: [`tiny_gradient`].

@@ -1,8 +1,8 @@
 //! Gradients of depth, and of depth and light, over tiny triangles in 32-bit arithmetic.
 //!
 //! - **Plain twins**: `Gradient::of_depth` in `raster/depth.rs` and `Gradient::of_light` in `raster/table_light.rs`.
-//! - **Domain**: `GradientSetup::is_near` in `raster/gradient_setup.rs`: corners within 32 pixels, an area that is not thin,
-//!   values less than 2¹⁹ − 4 apart. Most triangles of a fine mesh. All others go to the plain twin.
+//! - **Domain**: that of `GradientSetup::through_tiny` in `raster/gradient_setup.rs`: corners within 32 pixels, an area that
+//!   is not thin, values less than 2¹⁹ − 4 apart. Most triangles of a fine mesh. All others go to the plain twin.
 //! - **Gain**: two 32-bit products and no search for leading zeros per step in place of 64-bit products; light shares
 //!   depth's reciprocal.
 //! - **Test**: `gradients_are_those_of_the_plain_twins` in this file.
@@ -39,7 +39,7 @@ pub(crate) fn depth_and_light_gradients(
             if let Some(gradient) = through_tiny(&shared, depths) {
                 *of_depth = gradient.add_bias(Gradient::DEPTH_BIAS);
                 match shared.through_exactly(lights) {
-                    Some(gradient) => *of_light = gradient.of_light_in_18_bits(),
+                    Some(gradient) => *of_light = gradient.times_64().add_bias(Gradient::LIGHT_BIAS),
                     None => *of_light = Gradient::of_light(triangle, lights),
                 }
                 return gradients;
@@ -51,7 +51,7 @@ pub(crate) fn depth_and_light_gradients(
     gradients
 }
 
-/// [`GradientSetup::through_tiny`] in 32 bits.
+/// [`GradientSetup::through_tiny`] in 32 bits, for set-up of a triangle within 32 pixels.
 #[inline(always)]
 fn through_tiny(setup: &GradientSetup<'_>, values: &[i32; 3]) -> Option<Gradient> {
     let (dz1, dz2) = differences(values);
@@ -114,7 +114,9 @@ mod tests {
             assert_eq!(bits(depth_gradient(&triangle, &depths)), bits(plain[0]), "{triangle:?} {depths:?}");
             assert_eq!(shared.map(bits), plain.map(bits), "{triangle:?} {depths:?} {lights:?}");
             let setup = GradientSetup::new(&triangle);
-            let (plain, fast) = (setup.through_tiny(&depths), through_tiny(&setup, &depths));
+            let tiny = Extent::of(&triangle).is_tiny().then_some(&setup);
+            let plain = setup.through_tiny(&depths);
+            let fast = tiny.and_then(|setup| through_tiny(setup, &depths));
             assert_eq!(fast.map(bits), plain.map(bits), "{triangle:?} {depths:?}");
             near += u32::from(fast.is_some());
         }

@@ -202,7 +202,7 @@ impl<'t> GradientSetup<'t> {
     /// 2¹⁰·⁶.
     pub(crate) fn through_tiny(&self, values: &[i32; 3]) -> Option<Gradient> {
         let (dz1, dz2) = differences(values);
-        if !self.is_near(dz1, dz2) {
+        if !self.extent.is_tiny() || !self.is_near(dz1, dz2) {
             return None;
         }
         let Triangle { corners: [a, b, c], .. } = self.triangle;
@@ -224,13 +224,14 @@ impl<'t> GradientSetup<'t> {
         Some(Slope::new(a, value as i32, right as i32, down as i32).gradient())
     }
 
-    /// The domain of [`through_tiny`](Self::through_tiny), given the values' differences: corners within 32 pixels, an area
-    /// that is not thin, |den| ≥ 32·(E + 1), and values less than 2¹⁹ − 4 apart, so that a quarter of a difference is less
-    /// than 2¹⁷ and 32 bits are enough.
+    /// Whether a triangle within 32 pixels is in the domain of [`through_tiny`](Self::through_tiny), given the values'
+    /// differences: its area is not thin, |den| ≥ 32·(E + 1), and values are less than 2¹⁹ − 4 apart, so that a quarter of a
+    /// difference is less than 2¹⁷ and 32 bits are enough.
     #[inline(always)]
     pub(crate) fn is_near(&self, dz1: i32, dz2: i32) -> bool {
         let bits = magnitude(dz1) | magnitude(dz2);
-        self.extent.is_tiny() && (bits + 4) >> 19 == 0 && (self.area >> 5) as u32 > self.extent.0
+        debug_assert!(self.extent.is_tiny());
+        (bits + 4) >> 19 == 0 && (self.area >> 5) as u32 > self.extent.0
     }
 
     /// [`through`](Self::through) if the numerators are exact in 32 bits and the gradient is not steep: then a pixel is off

@@ -5,7 +5,7 @@ use super::{Gradient, GradientSetup, Triangle};
 
 impl Gradient {
     /// The half that rounds light in 8.24 when its lower 24 bits are dropped.
-    const LIGHT_BIAS: u32 = 1 << 23;
+    pub(crate) const LIGHT_BIAS: u32 = 1 << 23;
 
     /// The gradient of light in 8.10 at the corners, 0 … 255 · 2¹⁰, and in 8.24 at pixels, including the half that rounds:
     /// the upper 8 bits at a pixel are the index of its colour in the table, rounded to nearest after an error of less
@@ -18,19 +18,16 @@ impl Gradient {
     pub(crate) fn of_light(triangle: &Triangle<'_>, lights: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);
         match GradientSetup::of_small(triangle, extent).and_then(|setup| setup.through_exactly(lights)) {
-            Some(gradient) => gradient.of_light_in_18_bits(),
-            None => {
-                let lights = lights.map(|light| light << 6); // < 2²⁴
-                GradientSetup::with_extent(triangle, extent).through(&lights).add_bias(Self::LIGHT_BIAS)
-            }
+            Some(gradient) => gradient.times_64(),
+            None => GradientSetup::with_extent(triangle, extent).through(&lights.map(|light| light << 6)), // < 2²⁴
         }
+        .add_bias(Self::LIGHT_BIAS)
     }
 
-    /// The gradient of light, given the gradient of its 8.10 values.
+    /// The gradient of values 2⁶ times as large.
     #[inline(always)]
-    pub(crate) fn of_light_in_18_bits(self) -> Self {
+    pub(crate) fn times_64(self) -> Self {
         Self { origin: self.origin << 6, right: self.right << 6, down: self.down << 6 }
-            .add_bias(Self::LIGHT_BIAS)
     }
 }
 
