@@ -3,7 +3,8 @@
 use super::shaders::{Checkerboard, Fog, Glass};
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport,
+    Affine, Angle, Camera, DepthBuffer, Mesh, Picture, Point3, Projection, Scalar, Vector3, ViewTransform,
+    Viewport,
 };
 use std::error::Error;
 

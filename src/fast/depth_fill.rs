@@ -9,9 +9,9 @@
 //!
 //! [`DepthFill`] is what differs between one color and [table lookup](super::table_fill); the loops over rows are shared.
 
-use super::{memory_of, Low, Small};
+use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
 use crate::math::num::CORTEX_M0;
-use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowOrigin, RowScratch, Rows, Scissor, Trapezoid};
+use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowScratch, Scissor, Trapezoid};
 use crate::surface::{DepthBuffer, DepthTarget, Memory, PixelStore, StoredPixel, Target};
 use core::hint::black_box;
 
@@ -112,7 +112,7 @@ fn fill_rows<Cell: Copy, F: DepthFill<Cell>>(
     fill: F,
 ) {
     if !rows.is_empty() {
-        let start = rows.start(scratch.places);
+        let start = rows.start(scratch.layout);
         let mut gradients = fill.set_up(triangle);
         let mut filler = fill.rows(&mut gradients, cells, depths, start);
         rows.each(scratch, |start, left, right| filler.row(start, left, right));
@@ -133,9 +133,9 @@ fn large<S: PixelStore, F: DepthFill<S::Cell>>(
         return;
     }
     let (mut gradients, depths) = (fill.set_up(triangle), depth.values_mut());
-    let (cells, RowScratch { places: layout, .. }) = memory.parts();
+    let (cells, RowScratch { layout, .. }) = memory.parts();
     let mut trapezoid = Trapezoid::default();
-    while trapezoids.stretch(&mut trapezoid) {
+    while trapezoids.trapezoid(&mut trapezoid) {
         let start @ RowOrigin { x, y, .. } = RowOrigin { x: trapezoid.x, y: trapezoid.y, shear: 0 };
         let mut filler = fill.rows(&mut gradients, cells, depths, start);
         trapezoid.each(layout.at(x, y), layout.stride, |start, left, right| filler.row(start, left, right));
@@ -148,7 +148,7 @@ impl<Cell: Copy> DepthFill<Cell> for [Cell; 2] {
 
     #[inline(always)]
     fn set_up(self, triangle: &DepthTriangle<'_>) -> Gradient {
-        triangle.plane()
+        depth_gradient(&triangle.triangle, &triangle.depths)
     }
 
     #[inline(always)]
@@ -164,7 +164,7 @@ impl<Cell: Copy> DepthFill<Cell> for [Cell; 2] {
     {
         let (cells, depths) = same_length(cells, depths);
         let depth = depth.sheared(shear);
-        SolidRows { pair: self, cells, depths, step: depth.step(), down: depth.down(), z: depth.at(x, y) }
+        SolidRows { pair: self, cells, depths, step: depth.step(), down: depth.row_step(), z: depth.at(x, y) }
     }
 }
 

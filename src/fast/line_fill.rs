@@ -11,7 +11,7 @@
 
 use super::memory_of;
 use crate::math::num::{mul_high, reciprocal};
-use crate::raster::{place, LineSetup, LineSpans, Pixel, Scissor, Span};
+use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
 use crate::surface::block_fill::{fill_pairs, pair};
 use crate::surface::{StoredPixel, Target};
 use core::hint::black_box;
@@ -35,7 +35,7 @@ pub(crate) fn line_into_memory<T: Target>(
     let (rows, columns) = (scissor.rows(), scissor.columns());
     if !rows.is_empty() && !columns.is_empty() {
         let scissor =
-            Scissor::as_given(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
+            Scissor::unclamped(right(columns.start), down(rows.start), right(columns.end), down(rows.end));
         line(cells, size.width as usize, moved(from), moved(to), &scissor, color.stored());
     }
     true
@@ -61,7 +61,7 @@ fn line<Cell: Copy>(
     } else if course.rise <= course.length >> 2 {
         gentle(
             cells,
-            place(start.0, start.1, stride),
+            pixel_index(start.0, start.1, stride),
             down(stride, course.up),
             course.rise,
             course.length,
@@ -130,9 +130,9 @@ fn flat<Cell: Copy>(
     cell: Cell,
 ) {
     // All rows but the last one: the index leaves this slice when the line comes to its last row.
-    let last = place(0, end.1, stride);
+    let last = pixel_index(0, end.1, stride);
     let (low, high) = if course.up { (last.wrapping_add(stride), cells.len()) } else { (0, last) };
-    let (mut at, down) = (place(x, y, stride).wrapping_sub(low), down(stride, course.up));
+    let (mut at, down) = (pixel_index(x, y, stride).wrapping_sub(low), down(stride, course.up));
     // The error is negative at every pixel: the addition carries where it becomes 0 or more.
     let (along, back) = (2 * course.rise as u32, 2 * course.length as u32);
     let mut error = error as u32;
@@ -150,7 +150,8 @@ fn flat<Cell: Copy>(
             black_box(()); // not unrolled
         }
     }
-    if let Some(run) = cells.get_mut(at.wrapping_add(low)..place(end.0, end.1, stride).wrapping_add(1)) {
+    if let Some(run) = cells.get_mut(at.wrapping_add(low)..pixel_index(end.0, end.1, stride).wrapping_add(1))
+    {
         for pixel in run {
             *pixel = cell;
             black_box(()); // not unrolled: a few pixels
@@ -204,7 +205,7 @@ fn steep<Cell: Copy>(
     first: u32,
     cell: Cell,
 ) {
-    let (start, end) = (place(x, y, stride), place(end.0, end.1, stride));
+    let (start, end) = (pixel_index(x, y, stride), pixel_index(end.0, end.1, stride));
     let (low, high) = if course.up { (end, start) } else { (start, end) };
     let Some(cells) = cells.get_mut(low..high.wrapping_add(1)) else { return };
     // Steps aside in a row, in 2⁻³².
@@ -265,7 +266,7 @@ fn by_runs<Cell: Copy>(
 ) {
     for Span { x, y, width, height } in LineSpans::new(&LineSetup::between(from, to), scissor) {
         for y in y..y.wrapping_add(height) {
-            let from = place(x, y, stride);
+            let from = pixel_index(x, y, stride);
             if let Some(run) = cells.get_mut(from..from.wrapping_add(width as usize)) {
                 run.fill(cell);
             }

@@ -9,7 +9,7 @@
 //! - **Test**: `pipeline::fill::tests`.
 
 use super::depth_fill::put_nearer;
-use super::memory_of;
+use super::{depth_gradient, each_span, memory_of};
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
 use crate::surface::{DepthTarget, Memory, PixelStore, StoredPixel, Target};
 use core::hint::black_box;
@@ -35,8 +35,8 @@ fn fill<S: PixelStore, R: Iterator<Item = S::Cell>>(
     span_cells: impl Fn(Span) -> R,
 ) {
     let (cells, scratch) = memory.parts();
-    let layout = scratch.places;
-    triangle.each_span(scissor, |span| {
+    let layout = scratch.layout;
+    each_span(triangle, scissor, |span| {
         let from = layout.at(span.x, span.y);
         if let Some(cells) = cells.get_mut(from..from.wrapping_add(span.width as usize)) {
             cells.iter_mut().zip(span_cells(span)).for_each(|(pixel, cell)| *pixel = cell);
@@ -68,11 +68,11 @@ fn fill_nearer<S: PixelStore, R: Iterator<Item = S::Cell>>(
     depths: &mut [u16],
     span_cells: impl Fn(Span) -> R,
 ) {
-    let plane = triangle.plane();
+    let plane = depth_gradient(&triangle.triangle, &triangle.depths);
     let step = plane.step();
     let (cells, scratch) = memory.parts();
-    let layout = scratch.places;
-    triangle.triangle.each_span(scissor, |span| {
+    let layout = scratch.layout;
+    each_span(&triangle.triangle, scissor, |span| {
         let from = layout.at(span.x, span.y);
         let to = from.wrapping_add(span.width as usize);
         if let (Some(cells), Some(depths)) = (cells.get_mut(from..to), depths.get_mut(from..to)) {

@@ -1,107 +1,118 @@
-//! Low triangles where a division is one instruction: two stretches of rows, above and below the middle corner.
+//! Triangles of few rows where a division is one instruction.
+//!
+//! - **Plain twin**: [`AnyTriangle`](crate::raster::AnyTriangle), and its spans, [`Triangle::spans`].
+//! - **Domain**: all corners between the scissor's columns, and within the [`Divisor`]'s width and height: 32 × 30 pixels
+//!   for one division per edge, 2040 × 32 pixels for the middle tier. Without `CLIP_ROWS` all corners lie inside the scissor.
+//! - **Gain**: see the table in [`fast`](super). Not on a Cortex-M0, which has
+//!   [`BresenhamTriangle`](super::bresenham_triangle).
+//! - **Test**: `spans_are_those_of_the_plain_triangle` in `spans.rs`, `tests/raster_twins.rs` and
+//!   `tests/memory_triangles.rs`.
 
-use super::edge20::{ByDivision, Divisor, Edge20};
+use super::edge20::{Divisor, Edge20, TwoDivisions};
+use super::rows::{RowOrigin, Rows};
 use crate::math::num::keep_rolled;
-use crate::raster::edge::{column, first_row};
-use crate::raster::pixel_layout::{PixelLayout, RowOrigin, RowScratch, Rows};
-use crate::raster::triangle::down;
-use crate::raster::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
+use crate::raster::edge::{base_column, first_row};
+use crate::raster::triangle::sort_by_y;
+use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Trapezoid, Triangle};
 use core::hint::black_box;
 use core::marker::PhantomData;
 
-/// The two stretches of a small triangle between the scissor's columns, above and below the middle corner: most triangles
-/// are that, and their way is short, to be part of the loops that draw. `CUT`: there may be rows above and below the
-/// scissor's.
-pub(crate) struct SmallTriangle<D, const CUT: bool> {
-    /// The ends of the side, or of two sides, with the middle corner, from the stretch on that is next.
+/// A triangle of few rows as two trapezoids, above and below its middle corner. Set-up is short enough to be inlined into
+/// the loops that fill memory. `CLIP_ROWS`: rows may lie above and below the scissor.
+pub(crate) struct SmallTriangle<D, const CLIP_ROWS: bool> {
+    /// The ends of the short edges that are left: the upper one's top and bottom, the lower one's bottom.
     ends: [ScreenPoint; 3],
-    /// The next row, and there the side between the first and the last corner.
+    /// The next row, and the edge from the top to the bottom corner in that row.
     row: i32,
     long: Edge20,
-    /// That the sides are counted from.
+    /// The column that edges count from.
     column: i32,
-    middle_left: bool,
-    /// The scissor's rows, where it is `CUT`.
+    middle_is_left: bool,
+    /// The scissor's rows, for `CLIP_ROWS`.
     top: i32,
     bottom: i32,
-    /// How its sides are divided.
+    /// How edges are divided.
     divisor: PhantomData<D>,
 }
 
-impl<D: Divisor, const CUT: bool> SmallTriangle<D, CUT> {
-    /// `None` for all other triangles.
+impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
+    /// `None` outside of the domain.
     #[inline(always)]
     pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor, _: &mut RowScratch) -> Option<Self> {
+        if cfg!(pinhole_plain) {
+            return None;
+        }
         let [p, q, r] = &triangle.corners;
         let (left, right) = (p.x.min(q.x).min(r.x), p.x.max(q.x).max(r.x));
-        let (ends, middle_left) = down(triangle.corners, triangle.area);
+        let (ends, middle_is_left) = sort_by_y(triangle.corners, triangle.area);
         let [a, _, c] = &ends;
-        // Negative where one of these is: below 2²⁴, all of them. Ends lie within a column of the corners.
+        // The sign bit is set if a difference is negative: one test for all comparisons. Differences are below 2²⁴. Row
+        // ends lie within a column of the corners.
         let mut room = (left - (scissor.left << 8)) | ((scissor.right << 8) - right);
         room |= (D::WIDTH - 1 - (right - left)) | (D::HEIGHT - 1 - (c.y - a.y));
-        if !CUT {
+        if !CLIP_ROWS {
             room |= (a.y - (scissor.top << 8)) | ((scissor.bottom << 8) - c.y);
         }
         if room < 0 {
             return None;
         }
-        let (row, column, long) = (first_row(a), column(a), Edge20::new::<D>(a, c, 0));
+        let (row, column, long) = (first_row(a), base_column(a), Edge20::new::<D>(a, c, 0));
         Some(Self {
             ends,
             row,
             long,
             column,
-            middle_left,
+            middle_is_left,
             top: scissor.top,
             bottom: scissor.bottom,
             divisor: PhantomData,
         })
     }
 
-    /// The next stretch, which may have no rows: to be asked for twice.
+    /// The upper trapezoid, then the lower one; each may have no rows.
     #[inline(always)]
-    fn stretch(&mut self) -> Trapezoid<Edge20> {
+    fn trapezoid(&mut self) -> Trapezoid<Edge20> {
         let Self { ends: [p, q, last], row: y, long, column: origin, .. } = *self;
         let end = first_row(&q);
         let rows = end - y;
-        let mut sides = [long; 2];
+        let mut edges = [long; 2];
         if rows > 0 {
-            let short = Edge20::new::<D>(&p, &q, column(&p) - origin);
-            sides = if self.middle_left { [short, long] } else { [long, short] };
-            self.long.skip(rows);
+            let short = Edge20::new::<D>(&p, &q, base_column(&p) - origin);
+            edges = if self.middle_is_left { [short, long] } else { [long, short] };
+            self.long.advance(rows);
         }
         (self.ends, self.row) = ([q, last, last], end);
-        let mut stretch = Trapezoid { x: origin + 1, y, rows, sides };
-        if CUT {
+        let mut trapezoid = Trapezoid { x: origin + 1, y, rows, edges };
+        if CLIP_ROWS {
             let above = (self.top - y).clamp(0, rows.max(0));
-            stretch.y += above;
-            stretch.rows = end.min(self.bottom) - stretch.y;
-            stretch.sides.iter_mut().for_each(|side| side.skip(above));
+            trapezoid.y += above;
+            trapezoid.rows = end.min(self.bottom) - trapezoid.y;
+            trapezoid.edges.iter_mut().for_each(|edge| edge.advance(above));
         }
-        stretch
+        trapezoid
     }
 
-    /// All that have pixels.
+    /// Calls `draw` with the span of each row that covers a pixel.
     #[inline(always)]
     pub(crate) fn each_span(mut self, _: &mut RowScratch, mut draw: impl FnMut(Span)) {
-        // A loop of loops stays one: small is better.
+        // The opaque count keeps one copy of `draw`: code size counts here.
         for _ in 0..black_box(2) {
-            let mut stretch = self.stretch();
-            while let Some(span) = stretch.span() {
+            let mut trapezoid = self.trapezoid();
+            while let Some(span) = trapezoid.span() {
                 draw(span);
             }
         }
     }
 }
 
-impl<D: Divisor, const CUT: bool> Rows for SmallTriangle<D, CUT> {
+impl<D: Divisor, const CLIP_ROWS: bool> Rows for SmallTriangle<D, CLIP_ROWS> {
     const WIDTH: i32 = D::WIDTH;
 
     #[inline(always)]
     fn is_empty(&self) -> bool {
         let [_, _, last] = &self.ends;
         let end = first_row(last);
-        match CUT {
+        match CLIP_ROWS {
             true => self.row.max(self.top) >= end.min(self.bottom),
             false => self.row >= end,
         }
@@ -109,43 +120,48 @@ impl<D: Divisor, const CUT: bool> Rows for SmallTriangle<D, CUT> {
 
     #[inline(always)]
     fn start(&self, _: PixelLayout) -> RowOrigin {
-        RowOrigin { x: self.column + 1, y: if CUT { self.row.max(self.top) } else { self.row }, shear: 0 }
+        RowOrigin {
+            x: self.column + 1,
+            y: if CLIP_ROWS { self.row.max(self.top) } else { self.row },
+            shear: 0,
+        }
     }
 
-    // Where it is `CUT`, small is better than fast, and the loop over both stretches stays one.
     #[inline(always)]
-    fn each(mut self, ground: &mut RowScratch, mut row: impl FnMut(usize, i32, i32)) {
-        // Every stretch begins where the one before ends.
-        let RowOrigin { x, y, .. } = self.start(ground.places);
-        let mut start = ground.places.at(x, y);
-        for _ in 0..if CUT { black_box(2) } else { 2 } {
+    fn each(mut self, scratch: &mut RowScratch, mut row: impl FnMut(usize, i32, i32)) {
+        // The lower trapezoid begins where the upper one ends.
+        let RowOrigin { x, y, .. } = self.start(scratch.layout);
+        let mut start = scratch.layout.at(x, y);
+        // Clipped triangles are few: an opaque count keeps one copy of the loop.
+        for _ in 0..if CLIP_ROWS { black_box(2) } else { 2 } {
             keep_rolled();
-            start = self.stretch().each(start, ground.places.stride, &mut row);
+            start = self.trapezoid().each(start, scratch.layout.stride, &mut row);
         }
     }
 }
 
-/// The rows of a low triangle: those of the next stretch, and of the one below, without rows if there is none.
-pub(crate) struct Kept([Trapezoid<Edge20>; 2]);
+/// The spans of a triangle of few rows: the rest of the upper trapezoid, and the lower one.
+pub(crate) struct LowSpans([Trapezoid<Edge20>; 2]);
 
-const NONE: Trapezoid<Edge20> = Trapezoid { x: 0, y: 0, rows: 0, sides: [Edge20::NONE; 2] };
+const NO_ROWS: Trapezoid<Edge20> = Trapezoid { x: 0, y: 0, rows: 0, edges: [Edge20::ZERO; 2] };
 
-impl Kept {
+impl LowSpans {
     #[inline(always)]
-    pub(crate) fn new(mut low: SmallTriangle<ByDivision, true>, _: RowScratch) -> Self {
-        let mut stretches = [NONE; 2];
-        for stretch in stretches.iter_mut().take(black_box(2)) {
-            *stretch = low.stretch(); // not unrolled: small is better
+    pub(crate) fn new(mut low: SmallTriangle<TwoDivisions, true>, _: RowScratch) -> Self {
+        let mut trapezoids = [NO_ROWS; 2];
+        // The opaque count keeps the loop rolled: code size counts here.
+        for trapezoid in trapezoids.iter_mut().take(black_box(2)) {
+            *trapezoid = low.trapezoid();
         }
-        Self(stretches)
+        Self(trapezoids)
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        let Self(stretches) = self;
-        stretches.iter().all(|stretch| stretch.rows <= 0)
+        let Self(trapezoids) = self;
+        trapezoids.iter().all(|trapezoid| trapezoid.rows <= 0)
     }
 
-    /// The next one that has pixels.
+    /// The span of the next row that covers a pixel.
     #[inline(always)]
     pub(crate) fn span(&mut self) -> Option<Span> {
         let Self([upper, lower]) = self;

@@ -6,9 +6,10 @@
 //!   on a Cortex-M0) has a loop of its own with all registers.
 //! - **Test**: `pipeline::fill::tests`.
 
+use super::Rows;
 use super::{memory_of, Low, Small};
 use crate::math::num::CORTEX_M0;
-use crate::raster::{AnyTriangle, Rows, Scissor, ScreenPoint, Trapezoid, Triangle};
+use crate::raster::{AnyTriangle, Scissor, ScreenPoint, Trapezoid, Triangle};
 use crate::surface::block_fill::{fill_pairs, LONG};
 use crate::surface::{Memory, PixelStore, StoredPixel, Target};
 
@@ -92,9 +93,9 @@ fn large<S: PixelStore>(
 ) {
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
     let (cells, scratch) = memory.parts();
-    let layout = scratch.places;
-    while triangle.stretch(&mut trapezoid) {
-        match trapezoid.upright(layout.stride as i32) {
+    let layout = scratch.layout;
+    while triangle.trapezoid(&mut trapezoid) {
+        match trapezoid.as_rectangle(layout.stride as i32) {
             // A large face is cut on both sides: its rows are as wide as memory's, and so one run.
             Some((x, pixels)) => {
                 let from = layout.at(x, trapezoid.y);

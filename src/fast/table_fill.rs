@@ -7,8 +7,9 @@
 //! - **Test**: `pipeline::fill::tests`.
 
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
+use super::{depth_and_light_gradients, RowOrigin};
 use crate::math::num::CORTEX_M0;
-use crate::raster::{DepthTriangle, Gradient, RowOrigin, Scissor};
+use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
 use crate::surface::{DepthTarget, StoredPixel, Target};
 use core::hint::black_box;
@@ -33,7 +34,7 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
 
     #[inline(always)]
     fn set_up(self, triangle: &DepthTriangle<'_>) -> [Gradient; 2] {
-        Gradient::of_depth_and_light(&triangle.triangle, &triangle.depths, self.light())
+        depth_and_light_gradients(&triangle.triangle, &triangle.depths, self.light())
     }
 
     #[inline(always)]
@@ -79,8 +80,8 @@ impl<C: StoredPixel<Cell>, Cell> RowFill for TableRows<'_, C, Cell> {
             }
         }
         let [depth, light] = self.gradients;
-        self.z = self.z.wrapping_add(depth.down());
-        self.light = self.light.wrapping_add(light.down());
+        self.z = self.z.wrapping_add(depth.row_step());
+        self.light = self.light.wrapping_add(light.row_step());
     }
 }
 

@@ -49,7 +49,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     pub(super) fn first_row(&self, index: usize) -> i32 {
         let Some(face) = self.instance.mesh.faces().get(index) else { return 0 };
         match self.on_screen(face) {
-            Some(corners) => Scissor::of(&self.unpack(corners).map(|corner| corner.point)).rows().start,
+            Some(corners) => {
+                Scissor::bounding_box(&self.unpack(corners).map(|corner| corner.point)).rows().start
+            }
             None => self.first_row_of_clipped(face),
         }
     }

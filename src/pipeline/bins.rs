@@ -98,7 +98,7 @@ impl<'s> Bins<'s> {
     /// [finished](BinSort::finish).
     #[inline(always)]
     pub(super) fn sort(&mut self) -> BinSort<'_, 's> {
-        let viewport = core::mem::replace(&mut self.bounds, Scissor::NOTHING);
+        let viewport = core::mem::replace(&mut self.bounds, Scissor::UNION_IDENTITY);
         BinSort { bins: self, viewport, ends: [0; BINS] }
     }
 
@@ -183,7 +183,7 @@ impl BinSort<'_, '_> {
         if reach.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
             return;
         }
-        self.bins.bounds = self.bins.bounds.enclosing(reach);
+        self.bins.bounds = self.bins.bounds.union(reach);
         self.bins.taken += 1; // at most all items
         if let Some(bits) = self.bins.open.get_mut(item / 16) {
             *bits |= 1 << (item % 16);
@@ -250,7 +250,7 @@ impl BinSort<'_, '_> {
         }
         self.bins.taken = 0;
         // Each primitive meets the viewport.
-        self.bins.bounds = self.bins.bounds.within(&self.viewport);
+        self.bins.bounds = self.bins.bounds.clipped_to(&self.viewport);
     }
 }
 

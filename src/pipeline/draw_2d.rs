@@ -28,7 +28,12 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
     shader: S,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    const { assert!(!(S::NEEDS_DEPTH || S::NEEDS_W), "this shader needs depth or w, which corners in 2D do not have") };
+    const {
+        assert!(
+            !(S::NEEDS_DEPTH || S::NEEDS_W),
+            "this shader needs depth or w, which corners in 2D do not have"
+        )
+    };
     let area = raster::area(&corners);
     if area == 0 {
         return Ok(()); // R6

@@ -16,7 +16,7 @@ pub(super) struct DrawRegion {
 /// The pixels of a viewport. It lies inside the guard band, so no sum overflows.
 pub(super) fn pixels(viewport: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *viewport;
-    Scissor::as_given(x, y, x.wrapping_add_unsigned(size.width), y.wrapping_add_unsigned(size.height))
+    Scissor::unclamped(x, y, x.wrapping_add_unsigned(size.width), y.wrapping_add_unsigned(size.height))
 }
 
 impl DrawRegion {
@@ -30,12 +30,12 @@ impl DrawRegion {
     #[inline(always)]
     fn of(target: &Rectangle, viewport: &Rectangle) -> Self {
         let viewport = pixels(viewport);
-        Self { scissor: inside(target).within(&viewport), viewport }
+        Self { scissor: inside(target).clipped_to(&viewport), viewport }
     }
 
     /// The part of the region that lies in a depth buffer.
     pub(super) fn with_depth(self, depth: &DepthBuffer<'_>) -> Self {
-        Self { scissor: depth.scissor().within(&self.scissor), ..self }
+        Self { scissor: depth.scissor().clipped_to(&self.scissor), ..self }
     }
 
     /// [`new`](Self::new) out of line, for draw calls that a firmware uses several of: bands, painter's order, lines

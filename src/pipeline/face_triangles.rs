@@ -36,11 +36,11 @@ impl<K: Varying> Polygon<K> {
 
     /// The rows and columns in which the polygon may cover pixels.
     fn reach(&self) -> Scissor {
-        let mut reach = Scissor::NOTHING;
+        let mut reach = Scissor::UNION_IDENTITY;
         for &slot in &self.order {
             keep_rolled();
             if let Some(corner) = self.slots.get(usize::from(slot)) {
-                reach = reach.enclosing(&Scissor::of(&[UnpackedVertex::of_held(corner).point; 3]));
+                reach = reach.union(&Scissor::bounding_box(&[UnpackedVertex::of_held(corner).point; 3]));
             }
         }
         reach
@@ -172,7 +172,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     #[inline(always)]
     pub(super) fn reach(&self) -> Scissor {
         if self.is_cached() {
-            Scissor::of(self.triangle.triangle.corners())
+            Scissor::bounding_box(self.triangle.triangle.corners())
         } else {
             self.reach_of_polygon()
         }
@@ -219,7 +219,7 @@ fn set_triangle<const DEPTH: bool>(
     corners: &[UnpackedVertex; 3],
     area: i64,
 ) {
-    triangle.triangle.put(corners.map(|corner| corner.point), area);
+    triangle.triangle.set(corners.map(|corner| corner.point), area);
     if DEPTH {
         triangle.depths = corners.map(|corner| corner.depth);
     }

@@ -14,6 +14,7 @@ use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::{area, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::clip::Varying;
+use crate::fast;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::shading::{CornerValues, Shader, SpanShader};
@@ -178,8 +179,8 @@ pub(super) fn keep_depth(
 ) {
     loop {
         let triangle = triangles.triangle();
-        let gradient = triangle.plane();
-        for span in triangle.triangle.spans(scissor) {
+        let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
+        for span in fast::spans(&triangle.triangle, scissor) {
             let Ok(()) = depth.test(span, &gradient, |_| Ok::<(), Infallible>(()));
         }
         if !triangles.advance() {

@@ -4,7 +4,7 @@
 //! before it attaches a fast path, which may decline; all of them decline with `--cfg pinhole_plain`, and for targets whose
 //! pixels do not lie in memory.
 
-use crate::fast::{depth_fill, line_fill, shaded_fill, solid_fill, table_fill};
+use crate::fast::{self, depth_fill, line_fill, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::{drawable, DepthTarget, PixelStore, StoredPixel, Target};
@@ -25,13 +25,13 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
         if solid_fill::triangle(triangle, color, scissor, target) {
             return Ok(());
         }
-        return triangle.spans(scissor).try_for_each(|span| target.fill(span, color));
+        return fast::spans(triangle, scissor).try_for_each(|span| target.fill(span, color));
     }
     let setup = shader.set_up(triangle);
     if shaded_fill::triangle(triangle, scissor, target, |span| S::span(&setup, span)) {
         return Ok(());
     }
-    triangle.spans(scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
+    fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
 }
 
 /// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and in
@@ -74,11 +74,11 @@ fn fill_spans_nearer<T: Target>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let mut spans = triangle.triangle.spans(scissor);
+    let mut spans = fast::spans(&triangle.triangle, scissor);
     if spans.is_empty() {
         return Ok(()); // without setting up the gradient
     }
-    let plane = triangle.plane();
+    let plane = fast::depth_gradient(&triangle.triangle, &triangle.depths);
     spans.try_for_each(|span| depth.buffer.test(span, &plane, |visible| target.fill(visible, color)))
 }
 
@@ -91,8 +91,8 @@ fn shade_spans_nearer<T: Target, R: Iterator<Item = T::Color>>(
     target: &mut T,
     span_colors: impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
-    let plane = triangle.plane();
-    let mut spans = triangle.triangle.spans(scissor);
+    let plane = fast::depth_gradient(&triangle.triangle, &triangle.depths);
+    let mut spans = fast::spans(&triangle.triangle, scissor);
     spans.try_for_each(|span| shade_span_nearer(span, &plane, depth, target, &span_colors))
 }
 
@@ -116,7 +116,7 @@ fn blend<T: Target, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(triangle);
-    triangle.spans(scissor).for_each(|span| blend_span::<T, S>(&setup, span, target));
+    fast::spans(triangle, scissor).for_each(|span| blend_span::<T, S>(&setup, span, target));
     Ok(())
 }
 
@@ -129,8 +129,9 @@ fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    let (setup, gradient) = (shader.set_up(&triangle.triangle), triangle.plane());
-    triangle.triangle.spans(scissor).try_for_each(|span| {
+    let (setup, gradient) =
+        (shader.set_up(&triangle.triangle), fast::depth_gradient(&triangle.triangle, &triangle.depths));
+    fast::spans(&triangle.triangle, scissor).try_for_each(|span| {
         depth.buffer.test(span, &gradient, |visible| {
             blend_span::<T, S>(&setup, visible, target);
             Ok(())
@@ -320,8 +321,8 @@ mod tests {
             depth: &mut DepthBuffer<'_>,
         ) {
             let viewport = Scissor::new(-200, -200, 200, 200);
-            let scissor = scissor_of(target).within(&viewport);
-            let depth_scissor = depth.scissor().within(&scissor);
+            let scissor = scissor_of(target).clipped_to(&viewport);
+            let depth_scissor = depth.scissor().clipped_to(&scissor);
             let area = area(&self.points);
             let color = Rgb565::decode(self.color.into());
             let table = ShadeTable::new(Rgb888::CSS_GOLD);

@@ -7,6 +7,7 @@ use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use super::wireframe::each_edge;
 use crate::camera::{ScreenVertex, UnpackedVertex};
+use crate::fast;
 use crate::math::Coordinate;
 use crate::raster::{self, Gradient, LineDepth, Scissor, ScreenPoint};
 use crate::scene::Mesh;
@@ -147,7 +148,13 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
                 if number >= first {
                     let triangle = triangles.triangle();
                     let points = *triangle.triangle.corners();
-                    if beside.push(TriangleBeside { points, depth: triangle.plane() }).is_err() {
+                    if beside
+                        .push(TriangleBeside {
+                            points,
+                            depth: fast::depth_gradient(&triangle.triangle, &triangle.depths),
+                        })
+                        .is_err()
+                    {
                         return true;
                     }
                 }

@@ -149,7 +149,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
             let points = face
                 .vertices
                 .map(|i| self.vertices.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
-            if !Scissor::of(&points).and(&region.scissor).is_empty() {
+            if !Scissor::bounding_box(&points).intersection(&region.scissor).is_empty() {
                 let triangle = Triangle::new(points, raster::area(&points), &region.viewport);
                 fill(&triangle, &face.shader, &region.scissor, target)?;
             }

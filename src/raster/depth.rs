@@ -1,51 +1,49 @@
-//! Depth over a triangle: a plane in 16.16, kept below what stands for nothing.
+//! Depth over a triangle in 16.16, below the value of an empty depth buffer.
 
-use super::gradient::Extent;
+use super::gradient_setup::Extent;
 use super::{Gradient, GradientSetup, Scissor, Triangle};
 
 /// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less, so
-/// that what stepping adds to it within 512 pixels does not reach 65535, which stands for nothing.
+/// that what stepping adds to it within 512 pixels does not reach 65535, the value of an empty depth buffer.
 pub(crate) const FARTHEST: i32 = 65_534 * 256 + 119;
 
-/// The same beyond 512 pixels, where stepping adds 2⁻¹⁷ for every column and row.
+/// The largest depth of a corner beyond 512 pixels, where stepping adds 2⁻¹⁷ for every column and row.
 fn farthest_of_large(viewport: &Scissor) -> i32 {
     let pixels = (viewport.right - viewport.left).max(0) + (viewport.bottom - viewport.top).max(0); // ≤ 2¹⁷
     FARTHEST.min(65_534 * 256 + 127 - (pixels >> 9))
 }
 
 #[cold]
-fn lowered(depths: [i32; 3], viewport: &Scissor) -> [i32; 3] {
+fn clamp_depths(depths: [i32; 3], viewport: &Scissor) -> [i32; 3] {
     let farthest = farthest_of_large(viewport);
     depths.map(|z| z.min(farthest))
 }
 
 impl Gradient {
-    /// Depths in 16.8, 0 … [`FARTHEST`], with the half that rounds: the upper 16 bits at a pixel are its
-    /// depth. In steps of depth the error of [`GradientSetup::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
+    /// The half that rounds depths in 16.16 when their lower 16 bits are dropped.
+    pub(crate) const DEPTH_BIAS: u32 = 1 << 15;
+
+    /// The gradient of depths in 16.8, 0 … [`FARTHEST`], including the half that rounds: the upper 16 bits at a pixel are
+    /// its depth. In steps of depth the error of [`GradientSetup::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
     /// triangles within 512 pixels stay below 1/30, all others below ¼.
-    #[inline(never)]
+    ///
+    /// Its fast twin is `fast::depth_gradient`.
     pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
         let extent = Extent::of(triangle);
-        match GradientSetup::tiny(triangle, extent).and_then(|planes| planes.through_near(depths)) {
-            Some(plane) => plane.with_half(),
-            None => Self::of_any_depth(triangle, extent, depths),
+        match GradientSetup::with_extent(triangle, extent).through_tiny(depths) {
+            Some(gradient) => gradient.add_bias(Self::DEPTH_BIAS),
+            None => Self::of_general_depth(triangle, extent, depths),
         }
     }
 
+    /// [`of_depth`](Self::of_depth) outside of the domain of [`GradientSetup::through_tiny`].
     #[inline(never)]
-    fn of_any_depth(triangle: &Triangle<'_>, extent: Extent, depths: &[i32; 3]) -> Self {
+    pub(crate) fn of_general_depth(triangle: &Triangle<'_>, extent: Extent, depths: &[i32; 3]) -> Self {
         let mut depths = *depths;
         if extent.is_large() {
-            depths = lowered(depths, triangle.viewport);
+            depths = clamp_depths(depths, triangle.viewport);
         }
-        GradientSetup::of_extent(triangle, extent).through(&depths).with_half()
-    }
-
-    /// With the half that rounds.
-    #[inline(always)]
-    pub(super) fn with_half(mut self) -> Self {
-        self.origin = self.origin.wrapping_add(1 << 15);
-        self
+        GradientSetup::with_extent(triangle, extent).through(&depths).add_bias(Self::DEPTH_BIAS)
     }
 }
 
@@ -55,23 +53,23 @@ mod tests {
     use crate::math::random::Random;
     use crate::raster::{area, triangle, ScreenPoint};
 
-    /// Half a step, in 2⁻²⁰; a pixel's 2⁻¹⁷ is 8 of these.
+    /// Half a step of depth in 2⁻²⁰; the 2⁻¹⁷ of a pixel are 8 of these units.
     const HALF: i128 = 1 << 19;
 
-    /// Largest distance of a covered pixel's stored depth from the exact plane, in 2⁻²⁰ steps, rounded
-    /// up; the plane in rationals, over all covered pixels of a scissor.
+    /// The largest distance of a covered pixel's stored depth from the exact plane, over all covered pixels of a scissor,
+    /// in 2⁻²⁰ steps, rounded up. The plane is evaluated in rationals.
     fn worst(corners: [(i32, i32, i32); 3], scissor: &Scissor) -> i128 {
         let points = corners.map(|(x, y, _)| ScreenPoint::from_subpixels(x, y).unwrap());
         if area(&points) == 0 {
             return 0;
         }
         let plane = Gradient::of_depth(&Triangle::new(points, area(&points), scissor), &corners.map(|c| c.2));
-        // The determinant form of the plane, at p: three areas as weights.
+        // The plane at p in barycentric form: three areas as weights.
         let cross = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
             (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)
         };
         let [a, b, c] = corners.map(|(x, y, _)| (i128::from(x), i128::from(y)));
-        // From the first corner, as the code measures it.
+        // Differences from the first corner, as `Extent` measures them.
         let beyond = |c: &(i32, i32, i32)| {
             let (dx, dy) = (c.0 - corners[0].0, c.1 - corners[0].1);
             dx.abs().max(dy.abs()) >= 512 * 256
@@ -107,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn d2_small_triangles_and_slivers_stay_within_the_bound() {
+    fn d2_depth_of_small_triangles_and_slivers_stays_within_the_bound() {
         let (mut random, mut largest) = (Random(1), 0);
         let scissor = Scissor::new(-600, -600, 600, 600);
         for i in 0..100_000 {
@@ -116,7 +114,7 @@ mod tests {
             let mut corner = || (centre.0 + random.within(reach), centre.1 + random.within(reach));
             let (a, b, mut c) = (corner(), corner(), corner());
             if i % 4 == 0 {
-                // On the line through a and b but for a unit: as thin as can be.
+                // Within a unit of the line through a and b: a sliver.
                 let t = random.below(257) as i32;
                 let along = |p: i32, q: i32| (i64::from(p) + ((i64::from(q - p) * i64::from(t)) >> 8)) as i32;
                 c = (along(a.0, b.0) + random.within(1), along(a.1, b.1) + random.within(1));
@@ -129,9 +127,9 @@ mod tests {
         assert!(largest <= bound && largest > HALF + (HALF / 100), "{largest} of {bound}");
     }
 
-    /// Most of a fine mesh: the way that does not ask how large numbers are, up to the limits of what goes there.
+    /// Triangles at and inside the limits of `through_tiny`, most triangles of a fine mesh.
     #[test]
-    fn d2_tiny_triangles_stay_within_the_bound() {
+    fn d2_depth_of_tiny_triangles_stays_within_the_bound() {
         let (mut random, mut largest, mut near) = (Random(3), 0, 0);
         let scissor = Scissor::new(-600, -600, 600, 600);
         for i in 0..200_000 {
@@ -140,7 +138,7 @@ mod tests {
             let mut point = || (centre.0 + random.within(reach), centre.1 + random.within(reach));
             let (a, b, mut c) = (point(), point(), point());
             if i % 2 == 0 {
-                // Close to the edge from a to b: as thin as goes there, and a little more.
+                // Close to the edge from a to b: about as thin as the domain allows.
                 let away = 40 + random.below(200);
                 c = ((a.0 + b.0) / 2 + random.within(away), (a.1 + b.1) / 2 + random.within(away));
             }
@@ -155,21 +153,20 @@ mod tests {
             let points = corners.map(|(x, y, _)| ScreenPoint::from_subpixels(x, y).unwrap());
             if area(&points) != 0 {
                 let triangle = Triangle::new(points, area(&points), &scissor);
-                let planes = GradientSetup::tiny(&triangle, Extent::of(&triangle));
                 let own = worst(corners, &scissor);
-                if planes.and_then(|planes| planes.through_near(&corners.map(|c| c.2))).is_some() {
+                if GradientSetup::new(&triangle).through_tiny(&corners.map(|c| c.2)).is_some() {
                     (largest, near) = (largest.max(own), near + 1);
                 }
             }
         }
-        // 1/2, and what differences and steps lose.
+        // 1/2, and the error of differences and steps.
         let bound = HALF + 20_496; // 1281 · 2⁻¹⁶
         assert!(largest <= bound && largest - HALF > (bound - HALF) / 2, "{largest} of {bound}");
         assert!(near > 80_000, "{near}");
     }
 
     #[test]
-    fn d2_triangles_across_the_guard_band_stay_within_the_bound() {
+    fn d2_depth_of_triangles_across_the_guard_band_stays_within_the_bound() {
         let (mut random, mut largest) = (Random(2), 0);
         for i in 0..1_000 {
             let mut corner = || (random.within(1 << 21), random.within(1 << 21));

@@ -1,25 +1,20 @@
-//! What is drawn at a time.
+//! Triangles with depth, as the pipeline passes them to fills.
 
-use super::{Gradient, Scissor, ScreenPoint, Triangle};
+use super::{Scissor, ScreenPoint, Triangle};
 
-/// A triangle to draw, a face or a part of one. There is room for one, used for all of a mesh.
+/// A triangle to fill, a face or a part of a clipped face, with the depths of its corners. A draw call keeps one and
+/// overwrites it for each triangle.
 #[derive(Debug)]
 pub(crate) struct DepthTriangle<'v> {
     pub(crate) triangle: Triangle<'v>,
-    /// Of its corners, if depth was computed.
+    /// The corners' depths in 16.8, or zeros if depth is not computed.
     pub(crate) depths: [i32; 3],
 }
 
 impl<'v> DepthTriangle<'v> {
-    /// None yet.
+    /// A placeholder that is overwritten before it is filled.
     #[inline(always)]
     pub(crate) fn new(viewport: &'v Scissor) -> Self {
         Self { triangle: Triangle::new([ScreenPoint::ORIGIN; 3], 0, viewport), depths: [0; 3] }
-    }
-
-    /// Its depth.
-    #[inline(always)]
-    pub(crate) fn plane(&self) -> Gradient {
-        Gradient::of_depth(&self.triangle, &self.depths)
     }
 }

@@ -1,171 +1,173 @@
-//! BinnedEdges of triangles, on their way down the screen.
+//! Edges of triangles, walked down the screen row by row (DDA).
 //!
-//! For an edge from p to q, `dy > 0`, the end of a row's span is, at the n-th row of centres below p,
+//! For an edge from p to q, `dy > 0`, the end of the span in the n-th row of pixel centres below p is
 //!
 //! ```text
 //!     ⌈X − ½⌉ = c + ⌈T⌉,   T = (m + n·dx) / dy,   m = ⌈(xr·dy + yr·dx) / 256⌉
 //! ```
 //!
-//! where `p.x − 128 = 256·c + xr`, and yr in 0 … 255 leads from p to its first row of centres: numerators on
+//! where `p.x − 128 = 256·c + xr`, and yr in 0 … 255 is the distance from p to its first row of centres. Numerators on
 //! the lattice 1/256 may be rounded up first, since `⌈a/(256·b)⌉ = ⌈⌈a/256⌉/b⌉`. So T lies on the lattice
-//! of 1/dy. What is stepped in its place is S, with
+//! of 1/dy. An edge walker steps S instead, with
 //!
 //! ```text
 //!     T − 1/dy < S ≤ T
 //! ```
 //!
-//! Between S and T there is no other point of the lattice, and so no whole number: `⌈S⌉ = ⌈T⌉`. S is in 12.20 for low
-//! triangles (`side.rs`) and in 32.32 for all others ([`Edge32`]). What is kept is S less its last digit, whose integer part
-//! is ⌈S⌉ − 1: a row costs one addition. Anything from T − 1/dy up to but not including T would do. Where a division is a call,
-//! low triangles have a way of their own (`walk.rs`).
+//! Between S and T lies no other point of the lattice, and so no integer: `⌈S⌉ = ⌈T⌉`. An [`Edge32`] holds S in 32.32, less
+//! one unit of the last place: the integer part of that is ⌈S⌉ − 1, so a row costs one addition. Any value from T − 1/dy up
+//! to but excluding T would serve. `fast/edge20.rs` holds S in 12.20 for triangles of few rows.
 
 use super::ScreenPoint;
 use crate::math::num::{keep_rolled, mul_wide, reciprocal, Reciprocal};
 
-/// The first row whose centres are not above the point: `⌈y − ½⌉`.
+/// The first row whose centres do not lie above the point: `⌈y − ½⌉`.
 #[inline(always)]
 pub(crate) fn first_row(p: &ScreenPoint) -> i32 {
     (p.y + 127) >> 8
 }
 
-/// A side of a triangle, row by row.
-pub(crate) trait Step {
-    /// The end of the row's span; then to the next row.
+/// An edge that is walked row by row.
+pub(crate) trait EdgeWalker {
+    /// The end of the span in the present row; advances to the next row.
     fn next(&mut self) -> i32;
 }
 
-/// c: the column whose centre is not to the right of the point, or the next.
+/// c: the last column whose centre does not lie to the right of the point.
 #[inline(always)]
-pub(crate) fn column(p: &ScreenPoint) -> i32 {
+pub(crate) fn base_column(p: &ScreenPoint) -> i32 {
     (p.x - 128) >> 8
 }
 
-/// xr and yr.
+/// xr and yr: the distances in sub-pixels from the centre of column c to the point, and from the point to its first row.
 #[inline(always)]
-pub(crate) fn first_centre(p: &ScreenPoint) -> (i32, i32) {
+pub(crate) fn distances_to_centre(p: &ScreenPoint) -> (i32, i32) {
     ((p.x - 128) & 255, 255 - ((p.y + 127) & 255))
 }
 
-/// m of the edge that leads by dx and dy: |m| ≤ |dx| + dy.
+/// m of an edge with differences dx and dy: |m| ≤ |dx| + dy.
 #[inline(always)]
 pub(crate) fn numerator((xr, yr): (i32, i32), dx: i32, dy: i32) -> i32 {
     (xr * dy + yr * dx + 255) >> 8 // two products of at most 255·2²²: below 2³¹
 }
 
-/// `⌊n / d⌋` and what is left, of small quotients: counted.
+/// The quotient ⌊n / d⌋ and the remainder, by repeated subtraction: for small quotients.
 #[inline(always)]
-pub(crate) fn counted(n: i32, d: i32) -> (i32, i32) {
-    let (mut quotient, mut rest) = (0, n);
-    while rest < 0 {
+pub(crate) fn divide_by_subtraction(n: i32, d: i32) -> (i32, i32) {
+    let (mut quotient, mut remainder) = (0, n);
+    while remainder < 0 {
         keep_rolled();
-        (quotient, rest) = (quotient - 1, rest.wrapping_add(d));
+        (quotient, remainder) = (quotient - 1, remainder.wrapping_add(d));
     }
-    while rest >= d {
+    while remainder >= d {
         keep_rolled();
-        (quotient, rest) = (quotient + 1, rest.wrapping_sub(d));
+        (quotient, remainder) = (quotient + 1, remainder.wrapping_sub(d));
     }
-    (quotient, rest)
+    (quotient, remainder)
 }
 
-/// One side of any triangle inside the guard band, in 32.32.
+/// An edge of any triangle inside the guard band, in 32.32.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Edge32 {
-    at: i64,
+    /// S in the present row, less one unit of the last place.
+    value: i64,
+    /// The change from a row to the next.
     step: i64,
 }
 
 impl Edge32 {
-    /// The most rows that it may be stepped through.
+    /// The number of rows for which an edge stays exact after set-up.
     ///
-    /// RowOrigin and step are rounded down to multiples of 2⁻³², or of a negative number the one below: S falls behind by at
-    /// most 2⁻³² at first and in each row, 960·2⁻³² in all, where 1/dy ≥ 2⁻²².
-    pub(crate) const ROWS: i32 = 959;
+    /// Value and step are rounded down to multiples of 2⁻³²; of a negative number the multiple below is taken even where it
+    /// is exact. S falls behind T by at most 2⁻³² at first and in each row, 960·2⁻³² in all, where 1/dy ≥ 2⁻²².
+    pub(crate) const MAX_ROWS: i32 = 959;
 
-    /// The edge from `p` down to `q` at `row`, which lies at or below p's first row and above q's; so `q.y > p.y`. Pixels
-    /// are counted from the target's origin.
+    /// The edge from `p` down to `q` at `row`, which is p's first row or below and above q's first row; so `q.y > p.y`.
+    /// Columns are counted from the target's origin.
     #[inline(never)]
     pub(crate) fn new(p: &ScreenPoint, q: &ScreenPoint, row: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
-        let (column, m) = (column(p), numerator(first_centre(p), dx, dy));
-        let by = Long::new(dy);
+        let (column, m) = (base_column(p), numerator(distances_to_centre(p), dx, dy));
+        let by_dy = LongDivision::new(dy);
         // Between the columns of p and q: |n| < 2¹⁵·dy.
         let n = i64::from(m) + mul_wide(row - first_row(p), dx);
-        Self { at: (i64::from(column) << 32) + by.divide(n) + 0xffff_ffff, step: by.divide(dx.into()) }
+        let value = (i64::from(column) << 32) + by_dy.divide(n) + 0xffff_ffff;
+        Self { value, step: by_dy.divide(dx.into()) }
     }
 
-    /// A vertical one.
+    /// A vertical edge: all spans end at `column`.
     pub(crate) fn vertical(column: i32) -> Self {
-        Self { at: i64::from(column) << 32, step: 0 }
+        Self { value: i64::from(column) << 32, step: 0 }
     }
 
-    /// The end of the span.
+    /// The end of the span in the present row.
     #[inline(always)]
-    pub(crate) fn first(&self) -> i32 {
-        (self.at >> 32) as i32
+    pub(crate) fn column(&self) -> i32 {
+        (self.value >> 32) as i32
     }
 
-    /// Whether all spans end there.
+    /// Whether the spans of all rows end at the present column.
     #[inline(always)]
     pub(crate) fn is_vertical(&self) -> bool {
         self.step == 0
     }
 
-    /// By as many rows.
-    pub(crate) fn skip(&mut self, rows: i32) {
-        self.at = self.at.wrapping_add(self.step.wrapping_mul(rows.into()));
+    /// Moves the edge down by `rows` rows.
+    pub(crate) fn advance(&mut self, rows: i32) {
+        self.value = self.value.wrapping_add(self.step.wrapping_mul(rows.into()));
     }
 
-    /// The end of the span so many rows below.
-    pub(crate) fn pixel(&self, below: i32) -> i32 {
-        let mut side = *self;
-        side.skip(below);
-        side.first()
+    /// The end of the span `rows` rows below the present row.
+    pub(crate) fn column_below(&self, rows: i32) -> i32 {
+        let mut edge = *self;
+        edge.advance(rows);
+        edge.column()
     }
 }
 
-impl Step for Edge32 {
+impl EdgeWalker for Edge32 {
     #[inline(always)]
     fn next(&mut self) -> i32 {
-        let pixel = self.first();
-        self.at = self.at.wrapping_add(self.step);
-        pixel
+        let column = self.column();
+        self.value = self.value.wrapping_add(self.step);
+        column
     }
 }
 
-/// n / d in 32.32, rounded as above, for 0 < d ≤ 2²².
+/// Divides by one divisor 0 < d ≤ 2²², to 32.32, rounded as [`Edge32::MAX_ROWS`] says.
 ///
-/// With the reciprocal's relative error of 2⁻²⁹ the fraction is off by less than 9 before it is cut: what is left of n then
-/// tells by how much.
-pub(crate) struct Long {
+/// The reciprocal's relative error of 2⁻²⁹ puts the fraction off by less than 9 units before it is rounded down; the
+/// remainder then tells by how many.
+pub(crate) struct LongDivision {
     d: i32,
     /// 1/d = mantissa · 2^(shift − 61); shifts of 8 … 30.
-    by: Reciprocal,
+    reciprocal: Reciprocal,
 }
 
-impl Long {
+impl LongDivision {
     #[inline(always)]
     pub(crate) fn new(d: i32) -> Self {
-        Self { d, by: reciprocal(d) }
+        Self { d, reciprocal: reciprocal(d) }
     }
 
-    /// For |n| < 2³⁸, and |n / d| < 2²³.
+    /// n / d in 32.32, for |n| < 2³⁸ and |n / d| < 2²³.
     #[inline(never)]
     pub(crate) fn divide(&self, n: i64) -> i64 {
-        let Self { d, by: Reciprocal { mantissa, shift } } = *self;
+        let Self { d, reciprocal: Reciprocal { mantissa, shift } } = *self;
         let (sign, n) = (n >> 63, n.unsigned_abs());
-        // 31 bits of it. Those dropped are less than d: only of a large one are there so many.
+        // The upper 31 bits of n. Only a large d has an n with bits to drop, and what they hold is less than d.
         let dropped = if n >> 31 == 0 { 0 } else { 7 };
         let estimate = mul_wide((n >> dropped) as i32, mantissa) >> ((61 - shift - dropped) & 63);
-        let mut whole = estimate as u32; // less than 2 off
-        let rest = (n as u32).wrapping_sub(whole.wrapping_mul(d as u32)) as i32;
-        let (more, rest) = counted(rest, d); // 0 … d − 1, and 0 where d is 1
-        whole = whole.wrapping_add(more as u32);
-        let mut fraction = (mul_wide(rest, mantissa) >> (29u32.wrapping_sub(shift) & 63)) as u32;
-        // Of rest·2³²: less than 10·d either way, so 32 bits tell. It may have been rounded up to the next whole.
-        let left = 0u32.wrapping_sub(fraction.wrapping_mul(d as u32)) as i32;
-        let (more, _) = counted(left, d);
-        fraction = fraction.wrapping_add(more as u32);
-        ((i64::from(whole) << 32) | i64::from(fraction)) ^ sign
+        let mut integer = estimate as u32; // off by less than 2
+        let remainder = (n as u32).wrapping_sub(integer.wrapping_mul(d as u32)) as i32;
+        let (correction, remainder) = divide_by_subtraction(remainder, d); // 0 … d − 1, and 0 if d is 1
+        integer = integer.wrapping_add(correction as u32);
+        let mut fraction = (mul_wide(remainder, mantissa) >> (29u32.wrapping_sub(shift) & 63)) as u32;
+        // The remainder of remainder·2³² lies within ±10·d, so its lower 32 bits suffice.
+        let rest = 0u32.wrapping_sub(fraction.wrapping_mul(d as u32)) as i32;
+        let (correction, _) = divide_by_subtraction(rest, d);
+        fraction = fraction.wrapping_add(correction as u32);
+        ((i64::from(integer) << 32) | i64::from(fraction)) ^ sign
     }
 }
 
@@ -174,7 +176,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::math::random::Random;
 
-    /// xr and yr, dx and dy of edges within `width` and `height`, and how many rows they meet.
+    /// A random edge within `width` and `height`: xr and yr, dx, dy, and the number of rows that it meets.
     pub(crate) fn edge(random: &mut Random, i: i64, width: i64, height: i64) -> ((i32, i32), i32, i32, i32) {
         let dy = if i % 3 == 0 { height as i32 } else { random.within(height - 1).abs() + 1 };
         let dx = if i % 5 == 0 { width as i32 } else { random.within(width) };
@@ -182,7 +184,7 @@ pub(crate) mod tests {
         ((random.within(255).abs(), yr), dx, dy, (dy - yr - 1) / 256 + 1)
     }
 
-    /// T·dy − S·dy, in units of 2^−digits: from 0 to one lattice unit.
+    /// Asserts 0 ≤ T·dy − S·dy < 1, computed in units of 2^−digits.
     fn assert_behind(n: i64, dx: i32, dy: i32, (start, step): (i64, i64), row: i32, digits: u32) {
         let s = i128::from(start) + i128::from(step) * i128::from(row);
         let t = (i128::from(n) + i128::from(dx) * i128::from(row)) << digits;
@@ -199,9 +201,9 @@ pub(crate) mod tests {
             let (first, dx, dy, left) = edge(random, i as i64, extents[i / 6 % 6], extent);
             let below = random.within(i64::from(left) - 1).abs();
             let n = i64::from(numerator(first, dx, dy)) + i64::from(below) * i64::from(dx);
-            let (by, left) = (Long::new(dy), left - below);
+            let (by, left) = (LongDivision::new(dy), left - below);
             let wide = (by.divide(n), by.divide(dx.into()));
-            let rows = left.min(Edge32::ROWS);
+            let rows = left.min(Edge32::MAX_ROWS);
             for row in [0, 1, rows / 2, rows - 1] {
                 assert_behind(n, dx, dy, wide, row.min(rows - 1), 32);
             }

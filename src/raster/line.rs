@@ -1,4 +1,4 @@
-//! Bresenham's midpoint lines, run by run, with exact clipping.
+//! Bresenham's midpoint lines, one span per run of pixels, with exact clipping.
 //!
 //! From the smaller end, the pixel after i major steps has made
 //! `k(i) = ⌈(2·m·i − L) / (2·L)⌉` minor steps, with L the major and m the minor extent: that is
@@ -11,10 +11,10 @@ use super::{Pixel, Scissor, Span};
 use crate::math::num::divide;
 use core::hint::black_box;
 
-/// Walks the line from `a` to `b`, both included, inside the scissor: rules L1 to L3. LineSpans along
-/// the major axis leave as one span each; a horizontal or vertical line is a single one.
+/// Calls `span` for each run of pixels along the major axis of the line from `a` to `b`, both included, inside the scissor:
+/// rules L1 to L3. A horizontal or vertical line is a single span.
 ///
-/// One addition and one comparison a pixel; set-up has no division unless the line is clipped.
+/// A pixel costs one addition and one comparison; set-up divides only if the line is clipped.
 ///
 /// # Errors
 ///
@@ -41,12 +41,13 @@ pub fn line<E>(
     LineSpans::new(&LineSetup::new(a, b), scissor).try_for_each(span)
 }
 
-/// Where a line goes: from its smaller end by major steps, of which those from `first` to `last` are to be drawn.
+/// Set-up of a line: it starts at its smaller end, the one with the smaller x, and takes steps along its major axis, of which
+/// steps `first` to `last` are drawn.
 pub(crate) struct LineSetup {
     /// The smaller end.
     pub(crate) x: i32,
     pub(crate) y: i32,
-    /// Whether the major axis is y, and whether y runs upwards.
+    /// Whether the major axis is y, and whether y decreases along the line.
     pub(crate) tall: bool,
     pub(crate) up: bool,
     /// The major and the minor extent: `length` ≥ `rise` ≥ 0, both below 2¹⁶.
@@ -54,22 +55,22 @@ pub(crate) struct LineSetup {
     pub(crate) rise: i32,
     /// The larger end.
     pub(crate) end: (i32, i32),
-    /// None where it ends before it begins.
+    /// The steps to draw; none if `first > last`.
     pub(crate) first: i32,
     pub(crate) last: i32,
 }
 
 impl LineSetup {
-    /// All of it.
+    /// The whole line between two pixels.
     #[inline(always)]
     pub(crate) fn new(a: Pixel, b: Pixel) -> Self {
         Self::between((a.x.into(), a.y.into()), (b.x.into(), b.y.into()))
     }
 
-    /// The same, of 16 bits each.
+    /// The whole line between two pixels, given by columns and rows of 16 bits.
     #[inline(always)]
     pub(crate) fn between((ax, ay): (i32, i32), (bx, by): (i32, i32)) -> Self {
-        // By x, then by y: where x is the same, either way gives the same pixels.
+        // Ends sorted by x; with equal x both directions give the same pixels.
         let (x, y, end) = if ax <= bx { (ax, ay, (bx, by)) } else { (bx, by, (ax, ay)) };
         let (width, dy) = (end.0 - x, end.1 - y); // 0 ≤ width < 2¹⁶, |dy| < 2¹⁶
         let height = dy.abs();
@@ -78,7 +79,7 @@ impl LineSetup {
         Self { x, y, tall, up: dy < 0, length, rise, end, first: 0, last: length }
     }
 
-    /// Whether all of it lies in the scissor.
+    /// Whether the whole line lies in the scissor.
     #[inline(always)]
     pub(crate) fn lies_in(&self, scissor: &Scissor) -> bool {
         let &Self { x, y, up, end, .. } = self;
@@ -86,11 +87,11 @@ impl LineSetup {
         x >= scissor.left && end.0 < scissor.right && top >= scissor.top && bottom < scissor.bottom
     }
 
-    /// What of it lies in the scissor.
+    /// The part of the line that lies in the scissor.
     #[inline(always)]
     pub(crate) fn clipped(&self, scissor: &Scissor) -> Self {
         let Self { x, y, tall, up, length, rise, .. } = *self;
-        // The steps that lie in the scissor, from first to last; |·| ≤ 2¹⁷.
+        // The first and the last step inside the scissor's columns and rows; |·| ≤ 2¹⁷.
         let columns = (scissor.left - x, scissor.right - 1 - x);
         let rows = if up {
             (y - (scissor.bottom - 1), y - scissor.top)
@@ -113,8 +114,8 @@ impl LineSetup {
         Self { first, last, ..*self }
     }
 
-    /// k(i), and what is left of the division there: for steps of the line, and a length that is not 0.
-    #[inline(never)] // lines that are cut: small is better
+    /// k(i) at a step of the line, and the remainder of its division. The length must not be 0.
+    #[inline(never)] // only clipped lines call it: code size counts
     pub(crate) fn aside(&self, step: i32) -> (i32, i32) {
         // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ ≤ m < 2¹⁶.
         let (rise, length) = (self.rise.unsigned_abs(), self.length.unsigned_abs());
@@ -124,15 +125,15 @@ impl LineSetup {
     }
 }
 
-/// `⌊odd·L / 2m⌋`, below 2²⁰ at least: all that is beyond L is alike.
-#[inline(never)] // lines that are cut: small is better
+/// `⌊odd·L / 2m⌋`, at most 2²⁰: every result beyond L means the same to the caller.
+#[inline(never)] // only clipped lines call it: code size counts
 fn invert(odd: i32, length: i32, rise: i32) -> i32 {
     // odd·L < 2¹⁷ · 2¹⁶; the quotient may pass `length` but not 2³³.
     let product = u64::from(odd.unsigned_abs()) * u64::from(length.unsigned_abs());
     divide(product, 2 * rise.unsigned_abs()).0.min(1 << 20) as i32
 }
 
-/// The runs of a line that are still to come.
+/// The spans of a line inside a scissor, from its smaller end on: one per run of pixels along the major axis.
 pub(crate) struct LineSpans {
     /// The smaller end.
     x: i32,
@@ -140,12 +141,13 @@ pub(crate) struct LineSpans {
     /// Whether the major axis is y, and whether y runs upwards.
     tall: bool,
     up: bool,
-    /// LineDepth the major axis, the next one and the last one.
+    /// The next step along the major axis, and the last one.
     step: i32,
     last: i32,
+    /// The minor steps made so far.
     minor_step: i32,
-    /// `2·m·(i + 1) − L − 2·L·k`: positive means that the next pixel steps aside. |·| < 2¹⁸, as of what is
-    /// added to it.
+    /// `2·m·(i + 1) − L − 2·L·k`: positive if the next pixel makes a minor step. |·| < 2¹⁸, as of its increments
+    /// `along`, for a major step, and `aside`, for a minor step as well.
     error: i32,
     along: i32,
     aside: i32,
@@ -153,13 +155,13 @@ pub(crate) struct LineSpans {
 
 impl LineSpans {
     #[inline(never)]
-    pub(crate) fn new(course: &LineSetup, scissor: &Scissor) -> Self {
-        let course = course.clipped(scissor);
-        let LineSetup { x, y, tall, up, length, rise, first: step, last, .. } = course;
+    pub(crate) fn new(setup: &LineSetup, scissor: &Scissor) -> Self {
+        let setup = setup.clipped(scissor);
+        let LineSetup { x, y, tall, up, length, rise, first: step, last, .. } = setup;
         let (along, aside) = (2 * rise, 2 * (rise - length));
         let (mut minor_step, mut error) = (0, along - length);
         if step > 0 && step <= last {
-            let (k, r) = course.aside(step);
+            let (k, r) = setup.aside(step);
             // 2m(i + 1) − L − 2Lk = r + 1 + 2m − 2L, with r < 2¹⁷.
             (minor_step, error) = (k, r + 1 + aside);
         }
@@ -176,7 +178,7 @@ impl Iterator for LineSpans {
         if first > last {
             return None;
         }
-        // The run ends before the next step aside.
+        // The run ends before the next minor step.
         let (mut step, mut error) = (first, self.error);
         while error <= 0 && step < last {
             error += along;

@@ -1,21 +1,22 @@
-//! Depth along a line, for the centres of its pixels.
+//! Depth along a line at the centres of its pixels.
 
 use super::{Pixel, ScreenPoint};
 use crate::math::num::{mul_wide, reciprocal};
 
-/// The depth of a line between two points, at the centres of its pixels along the major axis. A centre
-/// beyond an end has that end's depth.
+/// The depth along a line between two points, at the centres of its pixels along the major axis. A centre
+/// beyond an end has the depth of that end, and a line whose ends lie in one column (or row, along the major axis) has the
+/// depth of the nearer end.
 ///
-/// In 16.16, stepped like a [`Gradient`](super::Gradient), and wrapping like one: n pixels from the smaller end, n at
-/// least 1, it is off by less than `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹³ for the reciprocal. So where it
-/// should be 0 it may be below by as much, and wraps.
+/// Values are in 16.16 and wrap as a [`Gradient`](super::Gradient) does: n pixels from the smaller end, n at
+/// least 1, a value is off by less than `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹³ for the reciprocal. Near depth 0 it
+/// may be negative by as much, and wraps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineDepth {
     tall: bool,
-    /// The pixels of the ends, along the major axis.
+    /// The coordinates of the end pixels along the major axis.
     from: i32,
     to: i32,
-    /// At `from`, at `from + 1`, and at `to`.
+    /// The values at `from`, at `from + 1`, and at `to`.
     first: u32,
     second: u32,
     last: u32,
@@ -23,12 +24,12 @@ pub(crate) struct LineDepth {
 }
 
 impl LineDepth {
-    /// Of the line that [`line`](super::line()) draws between the pixels of two points; depths in 16.8, 0 to
-    /// [`FARTHEST`](super::FARTHEST).
+    /// The depth along the line that [`line`](super::line()) draws between the pixels of two points, with depths in 16.8, 0 to
+    /// [`FARTHEST`](super::FARTHEST), at the points.
     pub(crate) fn new([a, b]: [ScreenPoint; 2], [za, zb]: [i32; 2]) -> Self {
         let (p, q): (Pixel, Pixel) = (a.pixel(), b.pixel());
         let extent = |a: i16, b: i16| (i32::from(a) - i32::from(b)).abs();
-        let tall = extent(p.y, q.y) > extent(p.x, q.x); // as `line` has it
+        let tall = extent(p.y, q.y) > extent(p.x, q.x); // the major axis of `line`
         let (a, b) = if tall { (a.y, b.y) } else { (a.x, b.x) };
         let ((a, za), (b, zb)) = if a <= b { ((a, za), (b, zb)) } else { ((b, zb), (a, za)) };
         let (from, to) = (a >> 8, b >> 8);
@@ -42,7 +43,7 @@ impl LineDepth {
         let product = mul_wide(zb - za, r.mantissa) >> 12; // 25 + 31 − 12 bits
         let down = 41 - r.shift.min(30); // 11 … 41
 
-        // Up to 384 sub-pixels: 9 bits. To the nearest: rounded down, the step would be off by twice as much.
+        // `by` is up to 384 sub-pixels: 9 bits. Rounded to nearest, which halves the error of the step.
         let climb = |by: i32| ((product * i64::from(by) + (1 << (down - 1))) >> down) as u32;
         let centre = |pixel: i32| 256 * pixel + 128;
         Self {
@@ -64,14 +65,14 @@ impl LineDepth {
         } else if along >= self.to {
             self.last
         } else {
-            // Between the ends but for its error, so what wraps on the way does no harm.
+            // The exact value lies between the ends, so wrapping products and sums are harmless.
             self.second.wrapping_add(self.step.wrapping_mul((along - self.from - 1) as u32))
         }
     }
 
-    /// Of depths: 0 near … 65534 far.
+    /// The depth at a pixel of the line: 0 near … 65534 far.
     pub(crate) fn depth(&self, x: i32, y: i32) -> u16 {
-        // Off by 2¹⁴·2⁻¹⁷ + 2⁻¹³ at most: rounded, what is below 0 is 0, and what is farthest, 65534.46, stays below 65536.
+        // Off by 2¹⁴·2⁻¹⁷ + 2⁻¹³ at most: a negative value rounds to 0, and the farthest, 65534.46, stays below 65536.
         ((self.at(x, y).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
     }
 }
@@ -84,17 +85,17 @@ mod tests {
     const DEEPEST: i64 = super::super::FARTHEST as i64;
 
     #[test]
-    fn depth_along_a_line_is_that_of_the_point_on_it() {
+    fn depth_along_a_line_is_the_depth_of_the_point_on_it() {
         let mut random = Random(7);
         let mut below = |n| random.below(n);
-        // Of a step, in 2⁻²⁰: beyond 1/2 and n·2⁻¹⁷; and the largest, whatever n.
+        // Errors in 2⁻²⁰ step: beyond 1/2 and n·2⁻¹⁷, and beyond 1/2 alone.
         let (mut beyond, mut largest) = (i128::MIN, 0);
         for i in 0..400_000 {
             let (reach, start) = [(300, 700), (3000, 90), (130_000, 700), (1 << 22, 1 << 21)][i % 4];
             let mut place = || (below(reach) - start) as i32;
             let mut point = || ScreenPoint::from_subpixels(place(), place()).unwrap();
             let (a, b) = (point(), point());
-            // Anywhere; about both limits; and nearly the same, where steps are small.
+            // Any depths; depths near both limits; and one near each limit.
             let (za, zb) = match i / 4 % 4 {
                 0 => (below(DEEPEST + 1), below(DEEPEST + 1)),
                 1 => (below(300), below(300)),
@@ -116,7 +117,7 @@ mod tests {
                 continue;
             }
             for pixel in [first, first + 1, (first + last) / 2, last - 1, last] {
-                // In rationals over to − from, centres beyond the ends brought there.
+                // In rationals over to − from, centres clamped to the ends.
                 let centre = (256 * pixel + 128).clamp(from, to);
                 let exact = za * (to - centre) + zb * (centre - from);
                 let stored = i128::from(along.depth(pixel as i32, pixel as i32)) * 256 * (to - from);
@@ -127,7 +128,8 @@ mod tests {
             }
         }
         assert!(beyond < 1 << 7, "{beyond}"); // 2⁻¹³
-                                              // 2¹⁴ pixels.
+
+        // 2¹⁴ pixels.
         assert!((1 << 16..(1 << 17) + (1 << 7)).contains(&largest), "{largest}");
     }
 

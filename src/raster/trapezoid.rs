@@ -1,26 +1,26 @@
-//! Rows that follow each other.
+//! Trapezoids: consecutive rows between two edges.
 
-use super::edge::{Edge32, Step};
+use super::edge::{Edge32, EdgeWalker};
 use super::Span;
 
-/// Rows that follow each other, between two sides that do not bend there and lie inside the scissor.
+/// Consecutive rows between two straight edges that lie inside the scissor's columns.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Trapezoid<S> {
-    /// The column that the sides are counted from.
+pub(crate) struct Trapezoid<E> {
+    /// The column that the edges count from.
     pub(crate) x: i32,
     /// The next row.
     pub(crate) y: i32,
-    /// How many: may be none, or less.
+    /// The number of rows; none if zero or negative.
     pub(crate) rows: i32,
-    /// Left and right.
-    pub(crate) sides: [S; 2],
+    /// The left and the right edge.
+    pub(crate) edges: [E; 2],
 }
 
-impl<S: Step> Trapezoid<S> {
-    /// The covered pixels of the next row, from the column counted from; there may be none. Then to the row below.
+impl<E: EdgeWalker> Trapezoid<E> {
+    /// The ends of the next row, counted from `x`, and advances to the row below. The row is empty if `left ≥ right`.
     #[inline(always)]
     fn row(&mut self) -> (i32, i32) {
-        let [left, right] = &mut self.sides;
+        let [left, right] = &mut self.edges;
         (left.next(), right.next())
     }
 
@@ -41,7 +41,7 @@ impl<S: Step> Trapezoid<S> {
         start
     }
 
-    /// The next row that has pixels.
+    /// The span of the next row that covers a pixel.
     #[inline(always)]
     pub(crate) fn span(&mut self) -> Option<Span> {
         while self.rows > 0 {
@@ -57,47 +57,49 @@ impl<S: Step> Trapezoid<S> {
 }
 
 impl Trapezoid<Edge32> {
-    /// Its column and how many pixels it has, if it is a rectangle of this width.
+    /// The first column and the number of pixels, if the trapezoid is a rectangle of this width.
     #[inline(always)]
-    pub(crate) fn upright(&self, width: i32) -> Option<(i32, i32)> {
-        let [left, right] = &self.sides;
-        let is_upright = right.first() - left.first() == width && left.is_vertical() && right.is_vertical();
-        is_upright.then(|| (left.first(), width.wrapping_mul(self.rows)))
+    pub(crate) fn as_rectangle(&self, width: i32) -> Option<(i32, i32)> {
+        let [left, right] = &self.edges;
+        let is_rectangle =
+            right.column() - left.column() == width && left.is_vertical() && right.is_vertical();
+        is_rectangle.then(|| (left.column(), width.wrapping_mul(self.rows)))
     }
 
-    /// Cuts it to these columns: what of a side lies outside becomes vertical, and the stretch is as long as either does.
+    /// Clips the trapezoid to columns `left` up to but excluding `right`: an edge outside becomes vertical at the limit,
+    /// and the trapezoid ends where an edge crosses a limit.
     #[inline(always)]
-    pub(crate) fn cut(&mut self, from: i32, to: i32) {
-        let Self { rows, sides: [left, right], .. } = self;
-        *rows = cut(left, from, *rows, false);
-        *rows = cut(right, to, *rows, true);
+    pub(crate) fn clip_columns(&mut self, left: i32, right: i32) {
+        let Self { rows, edges: [left_edge, right_edge], .. } = self;
+        *rows = clip_edge(left_edge, left, *rows, false);
+        *rows = clip_edge(right_edge, right, *rows, true);
     }
 }
 
-/// Of so many rows, those in which a side lies to one side of a column, or in it, or all to the other; what lies outside becomes
-/// vertical there. `right`: outside is to the right.
-#[inline(never)] // once for both sides: small is better
-fn cut(side: &mut Edge32, limit: i32, mut rows: i32, right: bool) -> i32 {
+/// Clips an edge at a column for the first of `rows` rows: those in which the edge stays inside the limit, or outside, where
+/// it becomes vertical. Returns how many these are. `right`: outside is to the right of the limit.
+#[inline(never)] // one copy for both edges: code size counts here, few triangles are clipped
+fn clip_edge(edge: &mut Edge32, limit: i32, mut rows: i32, right: bool) -> i32 {
     let outside = |row: i32| {
-        let pixel = side.pixel(row);
+        let column = edge.column_below(row);
         if right {
-            pixel > limit
+            column > limit
         } else {
-            pixel < limit
+            column < limit
         }
     };
-    let begins_outside = outside(0);
-    if outside(rows - 1) != begins_outside {
-        // By bisection: the first row is as at the beginning, the last one is not.
-        let (mut same, mut other) = (0, rows - 1);
-        while other - same > 1 {
-            let middle = (same + other) >> 1;
-            *(if outside(middle) == begins_outside { &mut same } else { &mut other }) = middle;
+    let starts_outside = outside(0);
+    if outside(rows - 1) != starts_outside {
+        // Bisection between a row on the side of the first row and a row on the other side.
+        let (mut near, mut far) = (0, rows - 1);
+        while far - near > 1 {
+            let middle = (near + far) >> 1;
+            *(if outside(middle) == starts_outside { &mut near } else { &mut far }) = middle;
         }
-        rows = other;
+        rows = far;
     }
-    if begins_outside {
-        *side = Edge32::vertical(limit);
+    if starts_outside {
+        *edge = Edge32::vertical(limit);
     }
     rows
 }

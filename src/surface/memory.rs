@@ -96,7 +96,7 @@ impl<S: PixelStore> Memory<S> {
         let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
         let fits =
             row < size.height && column <= size.width && width as u32 <= size.width.wrapping_sub(column);
-        let from = self.scratch.places.at(x, y);
+        let from = self.scratch.layout.at(x, y);
         self.store.cells().get_mut(from..from.wrapping_add(width as usize)).filter(|_| fits)
     }
 
@@ -104,8 +104,8 @@ impl<S: PixelStore> Memory<S> {
     #[inline(always)]
     pub fn fill(&mut self, span: Span, cell: S::Cell) {
         let Span { x, y, width, height } = span;
-        let clipped = Scissor::as_given(x, y, x.saturating_add(width), y.saturating_add(height));
-        let clipped = clipped.within(&inside(&self.area));
+        let clipped = Scissor::unclamped(x, y, x.saturating_add(width), y.saturating_add(height));
+        let clipped = clipped.clipped_to(&inside(&self.area));
         let (columns, rows) = (clipped.columns(), clipped.rows());
         for y in rows {
             if let Some(run) = self.row(columns.start, y, columns.end.wrapping_sub(columns.start)) {

@@ -27,7 +27,7 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// The part of a target's area that 2D drawing can reach: pixels with 16-bit coordinates.
 pub(crate) fn drawable(area: &Rectangle) -> Scissor {
-    inside(area).near()
+    inside(area).clamped()
 }
 
 /// A scissor, at most 2¹⁶ pixels each way, as a rectangle of `embedded-graphics`.
@@ -41,5 +41,5 @@ pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
 pub(crate) fn inside(area: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *area;
     let (right, bottom) = (x.saturating_add_unsigned(size.width), y.saturating_add_unsigned(size.height));
-    Scissor::as_given(x, y, right, bottom)
+    Scissor::unclamped(x, y, right, bottom)
 }

@@ -84,7 +84,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     #[inline(never)]
     fn fill_part(&mut self, area: &Rectangle, color: C) {
         // Not by `Rectangle::intersection`, whose sums overflow.
-        let both = inside(area).within(&inside(&self.area));
+        let both = inside(area).clipped_to(&inside(&self.area));
         let (columns, rows) = (both.columns(), both.rows());
         let width = columns.end.wrapping_sub(columns.start);
         rows.for_each(|y| self.fill_row(columns.start, y, width as u32, color));

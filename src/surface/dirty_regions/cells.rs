@@ -24,7 +24,7 @@ impl Cells {
     }
 
     /// The smallest rectangle that contains both.
-    pub(super) fn enclosing(self, other: Self) -> Self {
+    pub(super) fn union(self, other: Self) -> Self {
         Self {
             left: self.left.min(other.left),
             top: self.top.min(other.top),
@@ -78,7 +78,7 @@ mod tests {
         for rectangle in all() {
             for hole in all() {
                 let pieces = rectangle.without(hole);
-                let both = rectangle.enclosing(hole);
+                let both = rectangle.union(hole);
                 for (x, y) in (0..6).flat_map(|x| (0..6).map(move |y| (x, y))) {
                     let times = pieces.iter().filter(|piece| contains(piece, x, y)).count();
                     let left = contains(&rectangle, x, y) && !contains(&hole, x, y);

@@ -30,7 +30,7 @@ impl TransferBytes {
     #[inline(never)] // called once a pair: size matters more than time
     fn merge_loss(&self, a: Cells, b: Cells) -> i32 {
         let apart = self.sum(&[a, b]).min(self.with_rest(a, b)).min(self.with_rest(b, a));
-        self.of(&a.enclosing(b)).saturating_sub(apart)
+        self.of(&a.union(b)).saturating_sub(apart)
     }
 
     /// The bytes of `a` and of the part of `b` outside it.
@@ -59,7 +59,7 @@ pub(super) fn add(list: &mut VecView<Cells>, cells: Cells, bytes: &TransferBytes
             (open, partner) = (a, b);
         }
         remove(list, partner);
-        open = open.enclosing(partner);
+        open = open.union(partner);
     }
 }
 
@@ -108,7 +108,7 @@ pub(super) fn simplify(list: &mut VecView<Cells>, bytes: &TransferBytes) {
     let Some(&first) = list.first() else { return };
     let all = list.iter().fold(first, |all, cells| {
         black_box(()); // not unrolled, as in `take_first`
-        all.enclosing(*cells)
+        all.union(*cells)
     });
     if bytes.of(&all) <= bytes.sum(list) {
         list.clear();

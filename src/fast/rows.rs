@@ -1,0 +1,40 @@
+//! Rows of triangles in a buffer of pixels: what the fills of memory ask of a fast triangle.
+
+use crate::raster::{Gradient, PixelLayout, RowScratch};
+
+/// The rows of a triangle, top to bottom.
+pub(crate) trait Rows: Sized {
+    /// An upper bound of a row's width, in sub-pixels.
+    const WIDTH: i32;
+
+    /// Whether the triangle has no row.
+    fn is_empty(&self) -> bool;
+
+    /// The origin that row ends are counted from.
+    fn start(&self, layout: PixelLayout) -> RowOrigin;
+
+    /// Calls `row` with each row's base index and its two ends, counted from there. A row is empty if it ends at or before
+    /// its beginning.
+    fn each(self, scratch: &mut RowScratch, row: impl FnMut(usize, i32, i32));
+}
+
+/// The origin that row ends are counted from: column `x` in the first row, `y`, and `shear` columns farther left in each
+/// row than in the row above.
+///
+/// Only the Cortex-M0 walker has a shear: its row ends are buffer indices, so a gradient subtracts `stride` columns per
+/// row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RowOrigin {
+    pub(crate) x: i32,
+    /// The first row.
+    pub(crate) y: i32,
+    pub(crate) shear: usize,
+}
+
+impl Gradient {
+    /// The gradient whose columns are counted from an origin that moves left by `shear` columns per row.
+    #[inline(always)]
+    pub(crate) fn sheared(self, shear: usize) -> Self {
+        Self { down: self.down.wrapping_sub(self.right.wrapping_mul(shear as u32)), ..self }
+    }
+}

@@ -1,0 +1,129 @@
+//! Any triangle inside the guard band as trapezoids, and these as spans.
+
+use super::edge::{first_row, Edge32};
+use super::triangle::sort_by_y;
+use super::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
+
+/// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, where an edge
+/// enters or leaves the scissor's columns, and where an edge must be set up again to stay exact.
+pub(crate) struct AnyTriangle {
+    /// The next row, and the row below the last one.
+    row: i32,
+    end: i32,
+    /// The edge to or from the middle corner, and the edge between the top and the bottom corner, both at `row`.
+    short: Edge32,
+    long: Edge32,
+    /// The rows at which `short` and `long` must be set up.
+    until: [i32; 2],
+    /// The scissor's columns.
+    left: i32,
+    right: i32,
+    /// Whether the middle corner lies to the left of `long`.
+    middle_is_left: bool,
+    /// Sorted by y.
+    corners: [ScreenPoint; 3],
+}
+
+impl AnyTriangle {
+    #[inline(never)]
+    pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
+        let bounds = Scissor::bounding_box(&triangle.corners);
+        let (corners, middle_is_left) = sort_by_y(triangle.corners, triangle.area);
+        let beside = bounds.left >= scissor.right || bounds.right <= scissor.left;
+        Self {
+            row: bounds.top.max(scissor.top),
+            end: if beside { i32::MIN } else { bounds.bottom.min(scissor.bottom) },
+            short: Edge32::default(),
+            long: Edge32::default(),
+            until: [i32::MIN; 2],
+            left: scissor.left,
+            right: scissor.right,
+            middle_is_left,
+            corners,
+        }
+    }
+
+    /// Whether no row is left.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.row >= self.end
+    }
+
+    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; `false` if none is left. The caller keeps
+    /// the trapezoid, which is too large to be returned in registers.
+    #[inline(never)]
+    pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge32>) -> bool {
+        if self.is_empty() {
+            return false;
+        }
+        self.set_up_edges();
+        self.take_rows(trapezoid);
+        true
+    }
+
+    /// Takes the rows in which neither edge ends or crosses a limit of the scissor's columns.
+    #[inline(never)] // its stack frame is not live while edges are set up
+    fn take_rows(&mut self, trapezoid: &mut Trapezoid<Edge32>) {
+        let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
+        let rows = self.end.min(short_until).min(long_until) - y;
+        let edges = if self.middle_is_left { [short, long] } else { [long, short] };
+        *trapezoid = Trapezoid { x: 0, y, rows, edges };
+        trapezoid.clip_columns(self.left, self.right);
+        self.short.advance(trapezoid.rows);
+        self.long.advance(trapezoid.rows);
+        self.row += trapezoid.rows;
+    }
+
+    /// Sets up the edges that are due at this row.
+    #[inline(never)]
+    fn set_up_edges(&mut self) {
+        let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;
+        let furthest = row + Edge32::MAX_ROWS;
+        if row >= short_until {
+            let middle = first_row(&b);
+            let (p, q, end) = if row < middle { (a, b, middle.min(furthest)) } else { (b, c, furthest) };
+            self.short = Edge32::new(&p, &q, row);
+            self.until = [end, long_until];
+        }
+        if row >= long_until {
+            self.long = Edge32::new(&a, &c, row);
+            let [short_until, _] = self.until;
+            self.until = [short_until, furthest];
+        }
+    }
+}
+
+/// The spans of a triangle inside a scissor, top to bottom: the definition that every fast path reproduces.
+pub(crate) struct Spans {
+    /// The rest of the present trapezoid.
+    trapezoid: Trapezoid<Edge32>,
+    /// The rows below it.
+    below: AnyTriangle,
+}
+
+impl Spans {
+    #[inline]
+    pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
+        Self { trapezoid: Trapezoid::default(), below: AnyTriangle::new(triangle, scissor) }
+    }
+
+    /// Whether the triangle has no row inside the scissor; valid before the first span is taken.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.below.is_empty()
+    }
+}
+
+impl Iterator for Spans {
+    type Item = Span;
+
+    #[inline]
+    fn next(&mut self) -> Option<Span> {
+        loop {
+            if let Some(span) = self.trapezoid.span() {
+                return Some(span);
+            }
+            if !self.below.trapezoid(&mut self.trapezoid) {
+                return None;
+            }
+        }
+    }
+}

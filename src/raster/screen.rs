@@ -1,0 +1,68 @@
+//! Points and pixels of the screen.
+
+/// The guard band: 3D geometry is clipped at this many pixels from the target's origin.
+pub const GUARD_BAND: i32 = 8192;
+
+/// A point on the screen in 24.8: sub-pixels of 1/256 pixel, x right, y down, pixel (i, j) covers
+/// [256·i, 256·i + 256) × [256·j, 256·j + 256). Inside the guard band, its border included.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ScreenPoint {
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+}
+
+impl ScreenPoint {
+    pub(crate) const ORIGIN: Self = Self { x: 0, y: 0 };
+
+    /// A point for 2D drawing, in 1/256 pixel, exact; `None` beyond ±8192 pixels.
+    pub const fn from_subpixels(x: i32, y: i32) -> Option<Self> {
+        const LIMIT: i32 = GUARD_BAND * 256;
+        // The sign bit is set if any difference is negative or wraps: one test for four comparisons.
+        let room =
+            x.wrapping_add(LIMIT) | LIMIT.wrapping_sub(x) | y.wrapping_add(LIMIT) | LIMIT.wrapping_sub(y);
+        if room < 0 {
+            return None;
+        }
+        Some(Self { x, y })
+    }
+
+    /// The point, clamped to the guard band.
+    pub(crate) fn clamped(x: i32, y: i32) -> Self {
+        const LIMIT: i32 = GUARD_BAND * 256;
+        Self { x: x.clamp(-LIMIT, LIMIT), y: y.clamp(-LIMIT, LIMIT) }
+    }
+
+    /// A point that the caller has shown to lie in the guard band: see `VertexTransform::project`.
+    #[inline(always)]
+    pub(crate) fn inside(x: i32, y: i32) -> Self {
+        debug_assert!(Self::from_subpixels(x, y).is_some(), "({x}, {y})");
+        Self { x, y }
+    }
+
+    /// The distance right of the target's origin in 1/256 pixel.
+    pub const fn x(self) -> i32 {
+        self.x
+    }
+
+    /// The distance below the target's origin in 1/256 pixel.
+    pub const fn y(self) -> i32 {
+        self.y
+    }
+
+    /// The pixel that contains the point: (⌊x⌋, ⌊y⌋).
+    pub const fn pixel(self) -> Pixel {
+        // ±2²¹ / 256 fits 16 bits.
+        Pixel { x: (self.x >> 8) as i16, y: (self.y >> 8) as i16 }
+    }
+}
+
+/// A pixel's column and row, −32768 … 32767: the end of a line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Pixel {
+    /// The column.
+    pub x: i16,
+    /// The row.
+    pub y: i16,
+}

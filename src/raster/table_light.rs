@@ -1,0 +1,102 @@
+//! Light over a triangle for a shade table of 256 colours.
+
+use super::gradient_setup::Extent;
+use super::{Gradient, GradientSetup, Triangle};
+
+impl Gradient {
+    /// The half that rounds light in 8.24 when its lower 24 bits are dropped.
+    pub(crate) const LIGHT_BIAS: u32 = 1 << 23;
+
+    /// The gradient of light in 8.10 at the corners, 0 … 255 · 2¹⁰, and in 8.24 at pixels, including the half that rounds:
+    /// the upper 8 bits at a pixel are the index of its colour in the table, rounded to nearest after an error of less
+    /// than 2⁻⁹.
+    ///
+    /// Within 128 pixels most triangles keep 10 bits of fraction, so that 32 bits are enough, and are off by
+    /// `((w + h)·½ + 35)·2⁻¹⁸`. All others have 16 bits of fraction and the error of [`GradientSetup::through`],
+    /// `((w + h)·½ + 34 + 2¹⁰·⁶)·2⁻²⁴`, w + h ≤ 2¹⁵.
+    #[inline(never)]
+    pub(crate) fn of_light(triangle: &Triangle<'_>, lights: &[i32; 3]) -> Self {
+        let extent = Extent::of(triangle);
+        match GradientSetup::of_small(triangle, extent).and_then(|setup| setup.through_exactly(lights)) {
+            Some(gradient) => gradient.times_64(),
+            None => GradientSetup::with_extent(triangle, extent).through(&lights.map(|light| light << 6)), // < 2²⁴
+        }
+        .add_bias(Self::LIGHT_BIAS)
+    }
+
+    /// The gradient of values 2⁶ times as large.
+    #[inline(always)]
+    pub(crate) fn times_64(self) -> Self {
+        Self { origin: self.origin << 6, right: self.right << 6, down: self.down << 6 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+    use crate::raster::{area, triangle, Scissor, ScreenPoint};
+
+    /// The largest distance of a covered pixel's light from the exact light, in 2⁻²⁴, rounded up.
+    fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
+        let (mut worst, side) = (0, i64::from(viewport) * 256);
+        let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
+        for case in 0..cases {
+            let middle = [0; 2].map(|_| i64::from(random.within(side)));
+            let mut corner = || {
+                middle.map(|m| {
+                    // Every fourth triangle as large as `reach` allows.
+                    let end = (2 * random.below(2) - 1) * reach;
+                    let away = if case % 4 == 1 { end } else { i64::from(random.within(reach)) };
+                    (m + away + i64::from(random.within(1))).clamp(-1 << 21, 1 << 21)
+                })
+            };
+            let (a, b, mut c) = (corner(), corner(), corner());
+            if case % 4 == 0 {
+                // A sliver.
+                let k = i64::from(random.within(256)).abs();
+                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(random.within(1)));
+                c = c.map(|v| v.clamp(-1 << 21, 1 << 21));
+            }
+            let points = [a, b, c].map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap());
+            if area(&points) == 0 {
+                continue;
+            }
+            let lights = [0; 3].map(|_| match random.within(2) {
+                0 => 0,
+                1 => 255 << 10,
+                _ => random.within(255 << 10).abs(),
+            });
+            let plane = Gradient::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
+            let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
+                i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
+            };
+            let Ok::<(), core::convert::Infallible>(()) = triangle(points, &scissor, |span| {
+                for x in [span.x, span.x + span.width - 1] {
+                    let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
+                    let [u, v, w] = lights.map(i128::from);
+                    let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
+                    let whole = cross(a, b, c);
+                    // No value leaves 0 … 2³², so the half can be subtracted again.
+                    let light = i128::from(plane.at(x, span.y)) - (1 << 23);
+                    worst = worst.max((light * whole - (exact << 14)).abs() / whole.abs() + 1);
+                }
+                Ok(())
+            });
+        }
+        worst
+    }
+
+    #[test]
+    fn light_over_a_triangle_stays_within_the_bound() {
+        let random = &mut Random(7);
+        // Below 64 pixels light has 18 bits, units of 2⁶; larger triangles have 24 bits.
+        let small = [600, 4_000, 16_000].map(|reach| worst(random, reach, 600, 30_000));
+        let large = [65_000, 300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
+        let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
+        let (bound, bound_large) = ((128 + 35) << 6, (1 << 14) + 34 + 1552);
+        assert!(bound <= 1 << 15 && bound_large <= 1 << 15, "2⁻⁹");
+        assert!(small <= bound && large <= bound_large, "{small} {large}");
+        assert!(small > bound / 2 && large > bound_large / 2, "{small} {large}");
+    }
+}
