@@ -43,6 +43,7 @@ mod sealed {
 
 /// A linear form for cores with a 64-bit multiply-accumulate, `⌊(Σ linear · v · 2⁻³¹) + offset · 2⁻³² + ½⌋`; the offset is
 /// truncated to 15 bits below the unit. Coordinates v are [justified](Self::justify) to the top of 32 bits.
+#[allow(dead_code)] // where `cores` does not choose it, only tests use it
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
 pub(crate) struct WideForm {
@@ -52,6 +53,7 @@ pub(crate) struct WideForm {
     doubled: [i32; 3],
 }
 
+#[allow(dead_code)] // where `cores` does not choose it, only tests use it
 impl WideForm {
     /// The factor that justifies coordinates: 2^`shift`, where a left shift by `shift` brings the largest coordinate to the top of
     /// 32 bits.

@@ -155,7 +155,7 @@ pub fn lit(model: &Affine<ModelSpace, World>) -> Option<Lambert> {
     Lambert::new(model, vector(black_box(LIGHT)), AMBIENT).ok()
 }
 
-fn vector<S: pinhole::space::SetUp>(bits: [i32; 3]) -> Vector3<S> {
+fn vector<S: pinhole::space::SceneSpace>(bits: [i32; 3]) -> Vector3<S> {
     let [x, y, z] = bits.map(Scalar::from_bits);
     Vector3::new(x, y, z)
 }
