@@ -50,9 +50,8 @@ fn small<S: PixelStore>(
     scissor: &Scissor,
     pair: [S::Cell; 2],
 ) {
-    let (cells, scratch) = memory.parts();
-    match Small::new(triangle, scissor, scratch) {
-        Some(small) => fill_rows(small, cells, scratch, pair),
+    match Small::new(triangle, scissor, memory.scratch()) {
+        Some(small) => fill_rows(small, memory, pair),
         None => low(memory, triangle, scissor, pair),
     }
 }
@@ -65,20 +64,15 @@ fn low<S: PixelStore>(
     scissor: &Scissor,
     pair: [S::Cell; 2],
 ) {
-    let (cells, scratch) = memory.parts();
-    match Low::new(triangle, scissor, scratch) {
-        Some(low) => fill_rows(low, cells, scratch, pair),
+    match Low::new(triangle, scissor, memory.scratch()) {
+        Some(low) => fill_rows(low, memory, pair),
         None => large(memory, triangle, scissor, pair),
     }
 }
 
 #[inline(always)]
-fn fill_rows<R: Rows, Cell: Copy>(
-    rows: R,
-    cells: &mut [Cell],
-    scratch: &mut crate::raster::RowScratch,
-    pair: [Cell; 2],
-) {
+fn fill_rows<R: Rows, S: PixelStore>(rows: R, memory: &mut Memory<S>, pair: [S::Cell; 2]) {
+    let (cells, scratch) = memory.parts();
     let may_be_long = R::WIDTH > LONG << 8;
     rows.each(scratch, |start, left, right| fill_row(cells, start, left, right, pair, may_be_long));
 }

@@ -123,6 +123,12 @@ impl<S: PixelStore> Memory<S> {
         }
     }
 
+    /// The layout of the cells and the scratch space, to set up a triangle's rows before the cells are borrowed.
+    #[inline(always)]
+    pub(crate) fn scratch(&mut self) -> &mut RowScratch {
+        &mut self.scratch
+    }
+
     /// The cells, and the layout and scratch space for loops over them.
     #[inline(always)]
     pub(crate) fn parts(&mut self) -> (&mut [S::Cell], &mut RowScratch) {
