@@ -4,8 +4,8 @@
 //! `src/math/num.rs`, `unit.rs` and `quaternion.rs` are compiled in once more, as what is measured: their functions
 //! are private.
 
-mod bridge;
-mod oracle;
+use support::bridge;
+use support::oracle;
 
 #[path = "../examples/accuracy/functions.rs"]
 mod functions;

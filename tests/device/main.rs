@@ -9,14 +9,17 @@ mod cross;
 #[cfg(unix)]
 #[path = "../../examples/oled/emulator.rs"]
 mod emulator;
+mod first;
 mod floats;
 mod hello;
 #[cfg(unix)]
 mod oled;
+mod oled_driver;
 #[path = "../../examples/oled/picture.rs"]
 mod picture;
 #[path = "../../examples/oled/show/mod.rs"]
 mod show;
+mod wire;
 
 use cross::Firmware;
 

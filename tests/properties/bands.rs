@@ -1,8 +1,6 @@
 //! Whatever the bands, the picture is that of the immediate functions in one piece.
 
-use crate::bridge;
 use crate::cases;
-use crate::oracle::target::Recorder;
 use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
 use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
@@ -12,6 +10,8 @@ use pinhole::{
     ScreenVertex, Statistics,
 };
 use proptest::prelude::*;
+use support::bridge;
+use support::oracle::target::Recorder;
 
 #[derive(Clone, Copy, Debug)]
 enum Way {

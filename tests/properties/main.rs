@@ -5,11 +5,6 @@
 //! PROPTEST_RNG_SEED=1 PROPTEST_CASES=100000 cargo test --test properties
 //! ```
 
-#[path = "../bridge/mod.rs"]
-mod bridge;
-#[path = "../oracle/mod.rs"]
-mod oracle;
-
 mod bands;
 mod clips;
 mod dirty;

@@ -1,11 +1,11 @@
 //! The rasteriser: partitions, orders, translations, crops.
 
-use crate::bridge::{self, compare};
 use crate::cases;
-use crate::oracle::cases::{FARTHEST, GUARD};
-use crate::oracle::coverage::{closed, Area, Counts, P};
 use crate::strategies::{part, pixel, triangle, PICTURE};
 use proptest::prelude::*;
+use support::bridge::{self, compare};
+use support::oracle::cases::{FARTHEST, GUARD};
+use support::oracle::coverage::{closed, Area, Counts, P};
 
 /// Splits a triangle of the list at a point of it, in its interior or on its border: in up to three.
 fn split(triangles: &mut Vec<[P; 3]>, which: usize, (u, v): (i64, i64), lattice: bool) {

@@ -1,15 +1,15 @@
 //! Whole scenes through camera, clipping and rasteriser.
 
-use crate::bridge::draw::Shader;
-use crate::bridge::{self, compare};
 use crate::cases;
-use crate::oracle::coverage::Area;
-use crate::oracle::target::Recorder;
 use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{Cull, Mesh, Painter, ScreenVertex, Statistics};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
+use support::bridge::draw::Shader;
+use support::bridge::{self, compare};
+use support::oracle::coverage::Area;
+use support::oracle::target::Recorder;
 
 #[derive(Clone, Copy, Debug)]
 enum Way {

@@ -1,10 +1,10 @@
 //! Values where rasterisers and fixed-point numbers go wrong, more often than chance would have them.
 
-use crate::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use crate::oracle::cases::{FARTHEST, GUARD};
-use crate::oracle::chain;
-use crate::oracle::coverage::{Area, P};
 use proptest::prelude::*;
+use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::oracle::cases::{FARTHEST, GUARD};
+use support::oracle::chain;
+use support::oracle::coverage::{Area, P};
 
 /// A sub-pixel coordinate near a picture of 32 px: centres, corners, a unit beside them, or any.
 pub(crate) fn near() -> impl Strategy<Value = i64> {

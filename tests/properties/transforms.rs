@@ -1,13 +1,13 @@
 //! Transforms compose as matrices do, and their inverses bring points back.
 
-use crate::bridge::pair::{ModelBits, Step};
-use crate::bridge::{point, reals};
 use crate::cases;
-use crate::oracle::chain::fx;
 use crate::strategies::{factor, shift, step, turn};
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Point3};
 use proptest::prelude::*;
+use support::bridge::pair::{ModelBits, Step};
+use support::bridge::{point, reals};
+use support::oracle::chain::fx;
 
 /// How far the steps can stretch a vector, and how far they take the origin at most.
 fn reach(steps: &[Step]) -> (f64, f64) {

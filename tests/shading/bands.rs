@@ -1,10 +1,6 @@
 //! Whatever the bands, smooth and dithered pictures are those in one piece.
 
-use crate::bridge;
-use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
-use crate::oracle::rng::Rng;
-use crate::oracle::shade::Lit;
-use crate::target::{
+use crate::scene::{
     flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Own, Picture,
 };
 use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
@@ -15,6 +11,10 @@ use pinhole::{
     fill_triangle, Affine, Camera, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, Mesh, Painter,
     ScreenVertex, SpanShader, StoredPixel, TableShader,
 };
+use support::bridge;
+use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use support::oracle::rng::Rng;
+use support::oracle::shade::Lit;
 
 const FACES: usize = 14;
 const VERTICES: usize = 16;

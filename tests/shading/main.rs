@@ -1,13 +1,9 @@
 //! Smooth and dithered inks on every kind of target, against exact fractions: `oracle/shade.rs`.
 
-#[path = "../bridge/mod.rs"]
-mod bridge;
-#[path = "../oracle/mod.rs"]
-mod oracle;
-
 mod bands;
-mod cut;
-mod dither;
-mod shaded;
-mod smooth;
-mod target;
+mod cut_faces;
+mod dithered;
+mod gouraud;
+mod light;
+mod scene;
+mod shade_table;

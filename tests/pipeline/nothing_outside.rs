@@ -1,0 +1,129 @@
+//! A foreign DrawTarget: what it refuses comes back unchanged, whenever it does; everything leaves as fills. Nothing
+//! outside viewport ∩ target is written: `hard_cases`, E9.
+
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::{Frame, Mesh, Painter, Picture};
+use support::bridge::draw::{cube_camera as camera, turned_cube as draw, Shader, CUBE, CUBE_FACES, WAYS};
+use support::bridge::pair::ModelBits;
+use support::oracle::rng::Rng;
+use support::oracle::target::{Call, Recorder, Refused};
+
+#[test]
+fn what_the_target_refuses_comes_back_at_every_call() {
+    let camera = camera((0, 0, 40, 30));
+    for way in WAYS {
+        let mut whole = Recorder::sized(40, 30);
+        draw(way, &camera, &mut whole).expect("no error");
+        let calls = whole.calls.len();
+        assert!(calls > 10, "{way:?}");
+        for n in 0..calls {
+            let mut target = Recorder::failing(40, 30, n);
+            assert_eq!(draw(way, &camera, &mut target).err(), Some(Refused(n)), "{way:?}");
+            // It stops right there, and what came before is the same.
+            assert_eq!(target.calls, whole.calls[..=n], "{way:?}");
+        }
+        let mut target = Recorder::failing(40, 30, calls);
+        assert!(draw(way, &camera, &mut target).is_ok());
+    }
+}
+
+#[test]
+fn everything_leaves_as_fills() {
+    for way in WAYS {
+        let mut target = Recorder::sized(40, 30);
+        draw(way, &camera((0, 0, 40, 30)), &mut target).expect("no error");
+        assert!(!target.pixel_by_pixel(), "{way:?}");
+        for call in &target.calls {
+            match call {
+                Call::Solid(area, _) => {
+                    assert!(area.size.width >= 1 && area.size.height >= 1, "{area:?}");
+                }
+                Call::Contiguous(area, n) => {
+                    assert_eq!(area.size.width as usize * area.size.height as usize, *n);
+                }
+                other => panic!("{way:?}: {other:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_painter_serves_again_after_a_target_failed() {
+    let camera = camera((0, 0, 40, 30));
+    let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
+    let model = ModelBits::default().library();
+    let camera = camera.library();
+    let placed = camera.place(&mesh, &model);
+    let mut painter = Painter::<Shader, 64, 64>::new();
+    painter.add(&placed, |_| Shader(1)).expect("enough room");
+    let mut whole = Recorder::sized(40, 30);
+    let statistics = painter.draw(&mut whole).expect("no error");
+    for n in 0..whole.calls.len() {
+        painter.clear();
+        painter.add(&placed, |_| Shader(1)).expect("enough room");
+        let mut target = Recorder::failing(40, 30, n);
+        assert_eq!(painter.draw(&mut target).err(), Some(Refused(n)));
+    }
+    painter.clear();
+    painter.add(&placed, |_| Shader(1)).expect("enough room");
+    let mut target = Recorder::sized(40, 30);
+    assert_eq!(painter.draw(&mut target), Ok(statistics));
+    assert_eq!(target.calls, whole.calls);
+}
+
+/// Rectangles at the ends of their range, filled in a picture and in a band: each pixel that lies in one, and no other.
+#[test]
+fn rectangles_of_any_place_and_size_are_filled() {
+    let (old, new) = (Gray8::new(9), Gray8::new(200));
+    let mut rng = Rng::new(0x3F);
+    const GIVEN: i64 = 3000;
+    let (mut met, mut met_by_each) = (0, 0);
+    for _ in 0..20_000 {
+        let size = Size::new(1 + rng.below(20) as u32, 1 + rng.below(20) as u32);
+        let mut place = || match rng.below(6) {
+            0 => i32::MIN + rng.below(40) as i32,
+            1 => i32::MAX - rng.below(40) as i32,
+            _ => rng.int(-30, 30) as i32,
+        };
+        let at = Point::new(place(), place());
+        let mut extent = || match rng.below(5) {
+            0 => u32::MAX - rng.below(40) as u32,
+            1 => (1 << 31) + rng.below(40) as u32,
+            _ => rng.below(50) as u32,
+        };
+        let area = Rectangle::new(at, Size::new(extent(), extent()));
+        let holds = |x: i32, y: i32| {
+            let along = |p: i32, from: i32, extent: u32| {
+                (0..i64::from(extent)).contains(&(i64::from(p) - i64::from(from)))
+            };
+            along(x, at.x, area.size.width) && along(y, at.y, area.size.height)
+        };
+        let mut memory = vec![old; (size.width * size.height) as usize];
+        let mut strip = vec![old.luma(); memory.len()];
+        let Ok(()) = Picture::new(&mut memory, size).expect("room").fill_solid(&area, new);
+        let mut frame = Frame::new(Rectangle::new(Point::zero(), size), old);
+        let mut band = frame.next_band(&mut strip).expect("room").expect("rows");
+        let Ok(()) = band.fill_solid(&area, new);
+        let solid: Vec<Gray8> = band.colors().collect();
+        // A colour for each pixel of the rectangle, row by row; fewer leave the rest as it was.
+        let nth = |n: i64| Gray8::new((n % 199) as u8);
+        let Ok(()) = band.fill_contiguous(&area, (0..GIVEN).map(nth));
+        for (i, (picture, (solid, each))) in
+            memory.into_iter().zip(solid.into_iter().zip(band.colors())).enumerate()
+        {
+            let [x, y] = [i as u32 % size.width, i as u32 / size.width].map(|p| p as i32);
+            let wanted = if holds(x, y) { new } else { old };
+            assert_eq!((picture, solid), (wanted, wanted), "({x}, {y}) of {size:?}: {area:?}");
+            met += usize::from(wanted == new);
+            let [column, row] = [(x, at.x), (y, at.y)].map(|(p, from)| i64::from(p) - i64::from(from));
+            let place = row.checked_mul(area.size.width.into()).and_then(|start| start.checked_add(column));
+            let given = place.filter(|n| holds(x, y) && (0..GIVEN).contains(n));
+            assert_eq!(each, given.map_or(solid, nth), "({x}, {y}) of {size:?}: {area:?}");
+            met_by_each += usize::from(given.is_some());
+        }
+    }
+    assert!(met > 100_000 && met_by_each > 10_000, "{met}, {met_by_each}");
+}

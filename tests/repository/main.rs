@@ -1,0 +1,3 @@
+//! Rules about the repository itself.
+
+mod layering;
