@@ -66,7 +66,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// So nothing is drawn that lies more than two steps behind what is nearest at the pixel's centre, unless
     /// that is a face beside it. Within a pixel of where another face begins to hide an edge, the picture may
     /// differ from what is true at the edge itself: of the pixels where a part of an edge is seen 99.8 % and more
-    /// are drawn, and 0.3 % at most of those drawn show a part that is just hidden (`tests/hidden_line.rs`). Where
+    /// are drawn, and 0.3 % at most of those drawn show a part that is just hidden (`tests/pipeline/hidden_lines.rs`). Where
     /// an edge lies in a face that is not beside it, as that of a box on a floor does, about half of that
     /// edge's pixels go to the floor.
     ///

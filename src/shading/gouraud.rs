@@ -15,7 +15,7 @@ use core::marker::PhantomData;
 /// **Cut faces.** Where the near plane, the far plane or the guard band cuts a face, the new corners get the
 /// colours that those points of the face have in space, rounded to 1/256 of a step of `Rgb888`: off by another 2⁻⁹
 /// level at most. On the remaining pieces colours are linear on the screen again. That differs from the whole
-/// face, but no colour jumps by more than 1/255 as a corner passes a plane (`tests/shading/cut.rs`); from there
+/// face, but no colour jumps by more than 1/255 as a corner passes a plane (`tests/shading/cut_faces.rs`); from there
 /// they move towards perspective-correct ones.
 ///
 /// For one colour and a light at each corner [`Gouraud::lit`] takes less work, and

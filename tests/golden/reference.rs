@@ -382,7 +382,7 @@ fn s4_worked_set_ups_draw_their_golden_pictures() {
         all.push('\n');
     }
     if std::env::var_os("GOLDEN").is_some() {
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference.golden"), &all)
+        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/reference.golden"), &all)
             .expect("written");
     }
     assert!(all == include_str!("reference.golden"), "{all}");
