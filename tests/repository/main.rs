@@ -1,3 +1,4 @@
 //! Rules about the repository itself.
 
+mod file_cycles;
 mod layering;
