@@ -115,7 +115,7 @@ fn no_public_type_is_missing() {
 /// What cannot be named needs no Format; what can be does. Public modules export what they say `pub use` of, and the public
 /// types in their own files.
 #[test]
-fn what_is_left_out_is_not_exported() {
+fn types_left_out_of_the_list_are_not_public() {
     let source = |path: &str| {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(path);
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))

@@ -83,7 +83,7 @@ Bounds that other tests hold, with their own measurements:
 | `MeshInstance::project`, r/z > 300, 480 × 320 px, focal lengths to 700 px | 1/512 + 6.5·10⁻⁶·r/z px | `vertices_of_objects_beyond_300_times_their_distance` |
 | `Camera::unproject` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
 | `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
-| `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_whole_nodes_by_their_bounding_sphere` |
+| `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_bounding_spheres_are_classified_as_their_vertices` |
 | `MeshInstance::facing`: the eye behind a plane | known beyond 1/290 of the eye's distance or the mesh's largest coordinate, on the safe side | `faces_are_left_out_only_where_the_eye_is_behind_their_plane` |
 | `MeshInstance::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹³ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |
 | `MeshInstance::wireframe_depth_tested`, `hidden_line`: the depth of a line | ½ + n·2⁻¹⁷ + 2⁻¹³ step, n pixels from an end, at least 1 | `depth_along_a_line_is_that_of_the_point_on_it` |
@@ -94,9 +94,9 @@ Bounds that other tests hold, with their own measurements:
 | `ViewTransform::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
 | `Affine::to_matrix`, `Projection::to_matrix` and back | exact | `s2_a_matrix_read_back_is_the_same_transform`, `s4_a_projection_from_its_matrix` |
 | `ViewTransform::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
-| `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_own_and_micromaths` |
+| `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_match_f64_and_micromath` |
 | `Lambert::level` | 1 of 256 | `tests/shading/light.rs` |
-| `Dim::dim` | ½ step of a channel | `colours_dim_by_rounding_each_channel` |
+| `Dim::dim` | ½ step of a channel | `dimmed_colors_round_each_channel` |
 | `clip::line`, `clip::triangle` | 2⁻²⁷ of the largest coordinate | `tests/pipeline/view_volume.rs` |
 | `raster` | none: exact | `tests/raster/fill_rule.rs`, `tests/raster/lines.rs`, `tests/raster/random_shapes.rs`, `tests/hard_cases/` |
 ";

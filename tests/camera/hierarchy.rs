@@ -106,7 +106,7 @@ fn s2_forward_and_own_parents_are_refused() {
 }
 
 #[test]
-fn s2_one_mesh_under_many_nodes() {
+fn s2_one_mesh_may_stand_under_many_nodes() {
     let camera = CameraBits {
         view: ViewBits::LookAt([0, 0, 20 * ONE], [0; 3], [0, ONE, 0]),
         projection: ProjectionBits::Orthographic([-10 * ONE, 10 * ONE, -10 * ONE, 10 * ONE], ONE, 50 * ONE),
@@ -165,7 +165,7 @@ fn s2_a_million_frames_do_not_drift() {
 
 /// What accumulating would cost: the same million turns of 0.1°, each applied to the matrix so far.
 #[test]
-fn s2_what_accumulated_matrices_cost() {
+fn s2_accumulated_matrices_drift_as_documented() {
     let step = Affine::<Model, Model>::rotation_z(Angle::turns(1, 3600));
     let mut all = Affine::<Model, Model>::identity();
     for _ in 0..1_000_000 {

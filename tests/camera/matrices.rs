@@ -66,7 +66,7 @@ fn case(rng: &mut Rng) -> Case {
 }
 
 #[test]
-fn s4_any_matrix_within_1_256_px() {
+fn s4_vertices_through_any_matrix_are_within_1_256_px() {
     let mut rng = Rng::new(0xAA);
     let (mut setups, mut worst, mut steps_worst) = (0, 0f64, 0f64);
     while setups < 100_000 {
@@ -113,7 +113,7 @@ fn s4_any_matrix_within_1_256_px() {
 }
 
 #[test]
-fn s4_what_is_no_matrix_is_refused() {
+fn s4_invalid_projection_matrices_are_refused() {
     let good = chain::frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 10.0);
     assert!(Projection::from_matrix(&good).is_ok());
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -137,7 +137,7 @@ fn turn(rng: &mut Rng) -> [V3; 3] {
 }
 
 #[test]
-fn an_affine_matrix_within_its_rounding_and_back() {
+fn an_affine_matrix_round_trips_within_its_rounding() {
     let mut rng = Rng::new(0xAF);
     let (mut worst, mut shift_worst) = (0f64, 0f64);
     for _ in 0..100_000 {
@@ -172,7 +172,7 @@ fn an_affine_matrix_within_its_rounding_and_back() {
 }
 
 #[test]
-fn what_is_no_affine_matrix_is_refused() {
+fn invalid_affine_matrices_are_refused() {
     let identity = Affine::<Model, World>::identity().to_matrix();
     let read = |m: &M4| Affine::<Model, World>::from_matrix(m);
     assert_eq!(read(&identity).map(|a| a.to_matrix()), Ok(identity));
@@ -198,7 +198,7 @@ fn what_is_no_affine_matrix_is_refused() {
 }
 
 #[test]
-fn a_viewing_matrix_within_its_rounding_and_back() {
+fn a_view_matrix_round_trips_within_its_rounding() {
     let mut rng = Rng::new(0x7E);
     let (mut axes_worst, mut eye_worst) = (0f64, 0f64);
     for _ in 0..100_000 {
@@ -231,7 +231,7 @@ fn a_viewing_matrix_within_its_rounding_and_back() {
 }
 
 #[test]
-fn what_is_no_viewing_matrix_is_refused() {
+fn invalid_view_matrices_are_refused() {
     let mut rng = Rng::new(0x7F);
     for _ in 0..1000 {
         let [u, v, n] = turn(&mut rng);
@@ -264,7 +264,7 @@ fn what_is_no_viewing_matrix_is_refused() {
 }
 
 #[test]
-fn a_projection_matrix_within_its_rounding_and_back() {
+fn a_projection_matrix_round_trips_within_its_rounding() {
     let mut rng = Rng::new(0xBA);
     let mut worst = 0f64;
     for _ in 0..20_000 {

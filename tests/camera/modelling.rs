@@ -139,7 +139,7 @@ fn unit(q: [f64; 4]) -> [f64; 4] {
 }
 
 #[test]
-fn s2_quaternions_own_and_micromaths() {
+fn s2_quaternions_match_f64_and_micromath() {
     let mut rng = Rng::new(0x202);
     let (mut own, mut theirs) = (0f64, 0f64);
     for _ in 0..20_000 {
@@ -183,7 +183,7 @@ fn inverse(m: &M3) -> M3 {
 }
 
 #[test]
-fn s2_general_inverse_is_f64s_and_the_way_back() {
+fn s2_the_general_inverse_matches_f64_and_undoes_the_transform() {
     let mut rng = Rng::new(0x203);
     let mut compared = 0;
     let mut used = 0f64;
@@ -238,7 +238,7 @@ fn read_back(a: &Affine<World, Model>, reach: f64) -> (M3, V3) {
 }
 
 #[test]
-fn s2_singular_frames_are_an_error_on_the_right_side_of_the_bound() {
+fn s2_singular_frames_are_refused_exactly_at_the_bound() {
     let x = vector::<World>([ONE, 0, 0]);
     let y = vector([0, ONE, 0]);
     let frame = |c: [i32; 3]| {

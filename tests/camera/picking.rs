@@ -119,7 +119,7 @@ fn unproject_gives_the_projected_point_back() {
 }
 
 #[test]
-fn why_a_point_is_hidden() {
+fn project_reports_why_a_point_is_hidden() {
     let view =
         ViewTransform::look_at(point([0, 0, 5 * ONE]), point([0; 3]), vector([0, ONE, 0])).expect("a view");
     let family = Family::FieldOfView(1 << 30, (400, 400), ONE, 10 * ONE);
@@ -171,7 +171,7 @@ fn rays_of_a_perspective_meet_in_its_centre() {
 }
 
 #[test]
-fn what_lies_outside_the_world_has_no_place() {
+fn unprojecting_beyond_the_number_range_returns_none() {
     // Orthographic, a window wider than the world: its corners lie outside.
     let view = ViewTransform::look_at(
         point([30_000 * ONE, 0, 0]),
@@ -189,7 +189,7 @@ fn what_lies_outside_the_world_has_no_place() {
 /// Near cuts where it should for any near and far: to 2⁻²⁸ of far's distance and 2⁻¹⁵
 /// (depth in a parallel projection resolves 2⁻³⁰ of its range).
 #[test]
-fn near_cuts_where_it_should_whatever_near_and_far() {
+fn near_cuts_at_its_distance_for_any_near_and_far() {
     let mut rng = Rng::new(0x62);
     let mut exactly = [0; 2];
     for _ in 0..20_000 {

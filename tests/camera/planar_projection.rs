@@ -205,7 +205,7 @@ fn s4_q_to_infinity_gives_the_parallel_projection() {
 /// The textbook's matrices look along +n for d > 0, so the picture wants d < 0; a positive d with
 /// near and far before the eye has w ≤ 0 and is refused.
 #[test]
-fn s4_pictures_want_the_plane_before_the_eye() {
+fn s4_a_view_plane_behind_the_eye_is_refused() {
     let w = window([-ONE, ONE, -ONE, ONE]);
     let (n, f) = (scalar(ONE), scalar(10 * ONE));
     let make = |d: i32| {
@@ -217,7 +217,7 @@ fn s4_pictures_want_the_plane_before_the_eye() {
 }
 
 #[test]
-fn s4_planar_errors() {
+fn s4_planar_projections_report_their_own_errors() {
     let none = Err(ProjectionError::NoViewPlane);
     assert_eq!(PlanarProjection::eye_at_origin(scalar(0)), none);
     assert_eq!(PlanarProjection::origin_in_plane(scalar(0)), none);

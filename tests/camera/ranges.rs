@@ -79,7 +79,7 @@ fn two_equal_axes_have_no_inverse() {
 /// A mesh far from its own origin, brought back by a translation of 2.4 million units, under a matrix that
 /// from_matrix scales up: a row's constant passes 2³⁰ and comes back.
 #[test]
-fn a_mesh_brought_back_from_afar_is_in_its_place() {
+fn a_mesh_moved_far_away_and_back_is_in_place() {
     let (turned, straight) = ([0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0]);
     let last = [0.0, 0.0, 0.0, 1.0];
     let viewing =
@@ -127,7 +127,7 @@ fn any_sides(rng: &mut Rng) -> [i32; 4] {
 
 /// Two products of 2³⁴ that differ by 16.
 #[test]
-fn what_is_left_of_large_products_is_right() {
+fn cancellation_of_large_products_is_exact() {
     let row = |c: [f64; 2]| [c[0], c[1], 0.0, 0.0];
     let large = 2f64.powi(20);
     let matrix = [row([large, -large]), row([0.0, 1.0]), [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];

@@ -12,7 +12,7 @@ use support::bridge::{point, scalar, vector};
 use support::oracle::rng::Rng;
 
 #[test]
-fn meshes() {
+fn invalid_meshes_are_refused_with_the_offending_index() {
     let vertices = [[0i16; 3]; 3];
     assert!(Mesh::new(&vertices, 0, &[[0, 1, 2]]).is_ok());
     assert!(Mesh::new(&[], 0, &[]).is_ok());
@@ -57,7 +57,7 @@ fn meshes() {
 }
 
 #[test]
-fn light_without_direction() {
+fn a_light_without_direction_is_refused() {
     let model = Affine::<Model, World>::identity();
     assert!(matches!(Lambert::new(&model, Vector3::from_ints(0, 0, 0), 64), Err(LightError::ZeroDirection)));
     for l in [[1, 0, 0], [i32::MIN; 3], [i32::MAX, 1, -1]] {
@@ -66,7 +66,7 @@ fn light_without_direction() {
 }
 
 #[test]
-fn numbers_at_the_float_door() {
+fn floats_become_the_nearest_numbers_or_an_error() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         assert_eq!(Point3::<World>::from_f32(0.0, bad, 0.0), Err(NumberError::NotFinite));
         assert_eq!(Vector3::<World>::from_f32(bad, 0.0, 0.0), Err(NumberError::NotFinite));
@@ -91,7 +91,7 @@ fn numbers_at_the_float_door() {
 }
 
 #[test]
-fn angles_at_the_float_door_are_within_the_documented_bound() {
+fn angles_from_floats_are_within_the_documented_bound() {
     let mut rng = Rng::new(0xF4);
     for _ in 0..20_000 {
         let degrees = (rng.real(-1000.0, 1000.0)) as f32;

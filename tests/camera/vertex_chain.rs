@@ -364,18 +364,18 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(Terms) -> f64) -> F
 const PROMISE: f64 = 1.0 / 256.0;
 
 #[test]
-fn vertices_by_field_of_view() {
+fn vertices_by_field_of_view_are_within_1_256_px() {
     run(0xC1, 40_000, PLAIN, |_| PROMISE);
 }
 
 #[test]
-fn vertices_by_off_axis_frustum() {
+fn vertices_by_off_axis_frustum_are_within_1_256_px() {
     let class = Class { kind: Kind::Frustum, ..PLAIN };
     run(0xC2, 40_000, class, |_| PROMISE);
 }
 
 #[test]
-fn vertices_by_orthographic_box() {
+fn vertices_by_orthographic_box_are_within_1_256_px() {
     let class = Class { kind: Kind::Orthographic, ..PLAIN };
     run(0xC4, 20_000, class, |_| PROMISE);
 }
@@ -484,7 +484,7 @@ fn vertices_through_long_and_short_lenses() {
 }
 
 #[test]
-fn vertices_in_viewports_of_every_size() {
+fn vertices_in_viewports_of_every_size_are_within_the_bound() {
     for (seed, size) in [(0xE2, (1, 1)), (0xE3, (1, 4000)), (0xE4, (240, 240)), (0xE5, (16384, 16384))] {
         for (k, kind) in [Kind::Perspective, Kind::Frustum, Kind::Orthographic].into_iter().enumerate() {
             let focal = (8.0, 20_000.0);

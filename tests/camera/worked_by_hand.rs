@@ -142,7 +142,7 @@ fn example_a() -> ViewBits {
 }
 
 #[test]
-fn worked_example_a() {
+fn the_worked_example_of_the_specification_holds() {
     let v = example_a().library().expect("a view");
     let r2 = 2f64.sqrt();
     let [u, w, n] = rows(&v);
@@ -162,7 +162,7 @@ fn worked_example_a() {
 }
 
 #[test]
-fn view_rows_are_the_oracle_s() {
+fn view_rows_match_the_oracle() {
     let mut rng = Rng::new(0x3A);
     let mut worst = 0.0f64;
     for _ in 0..30_000 {
@@ -373,7 +373,7 @@ fn frustum_is_orthographic_after_squish() {
 }
 
 #[test]
-fn orthographic_box_to_the_cube() {
+fn an_orthographic_box_goes_to_the_cube() {
     let p = ProjectionBits::Orthographic(WINDOW, NEAR, FAR).library().expect("a box");
     close3(ndc(&p, [-1.5, -0.5, -0.75]), [-1.0, -1.0, -1.0], 1e-9, "left bottom near");
     close3(ndc(&p, [2.0, 1.25, -40.0]), [1.0, 1.0, 1.0], 1e-9, "right top far");
@@ -406,7 +406,7 @@ fn behind_the_eye_there_is_no_image() {
 // SPEC 6
 
 #[test]
-fn viewport_borders() {
+fn viewport_borders_are_the_corners_of_ndc() {
     for (x, y, w, h) in [(0, 0, 480, 320), (10, 20, 1, 1), (-50, -60, 33, 77), (-8192, -8192, 16384, 16384)] {
         let v = Viewport::new(Point::new(x, y), Size::new(w, h)).expect("a viewport");
         for (nx, ny) in [(-1, 1), (1, 1), (-1, -1), (1, -1), (0, 0)] {

@@ -22,7 +22,7 @@ fn the_readme_shows_the_example_in_under_30_lines() {
 }
 
 #[test]
-fn from_an_empty_folder_to_a_picture() {
+fn the_readme_leads_from_an_empty_folder_to_a_picture() {
     let printed = on_the_host();
     assert_pyramid(&printed);
     if has_tools() {
@@ -32,7 +32,7 @@ fn from_an_empty_folder_to_a_picture() {
 
 /// The same pyramid from an STL file: the same pixels are lit, whatever the order of its faces.
 #[test]
-fn from_a_model_to_a_picture() {
+fn the_readme_leads_from_a_model_to_a_picture() {
     let printed = of_a_model("model", "part.stl", pyramid().as_bytes());
     let lit = |printed: &str| {
         printed.split_whitespace().map(|colour| u8::from(colour != "0000") + b'0').collect::<Vec<_>>()
@@ -42,7 +42,7 @@ fn from_a_model_to_a_picture() {
 
 /// A model of many faces: they are lit by their normals, those that point upwards more than those that do not.
 #[test]
-fn from_a_large_model_to_a_picture() {
+fn the_readme_leads_from_a_large_model_to_a_picture() {
     let teapot = fs::read(Path::new(ROOT).join("assets/teapot.obj")).expect("the teapot");
     let printed = of_a_model("teapot", "part.obj", &teapot);
     let colours: BTreeSet<&str> = printed.split_whitespace().skip(3).collect();

@@ -26,7 +26,7 @@ use cross::Firmware;
 /// QEMU is spoken to over a Unix socket.
 #[cfg(not(unix))]
 #[test]
-fn the_display_is_not_looked_at_here() {
+fn the_display_is_not_tested_on_this_host() {
     use std::io::Write;
     // Not by eprintln, which the test harness shows only when a test fails.
     write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: what the firmware's display shows\n").expect("stderr");

@@ -79,7 +79,7 @@ fn the_controller_wraps_inside_its_window() {
 }
 
 #[test]
-fn what_shares_half_a_byte_is_refused_and_nothing_is_sent() {
+fn windows_that_split_a_byte_are_refused_and_nothing_is_sent() {
     for area in [
         window(1, 0, 2, 1),
         window(0, 0, 3, 2),
@@ -127,7 +127,7 @@ fn a_drawn_window_may_reach_beyond_the_panel() {
 }
 
 #[test]
-fn it_is_cleared_and_draws_pairs() {
+fn clearing_and_drawing_write_pairs_of_pixels() {
     let (wires, mut panel) = panel();
     panel.clear(Gray4::new(5)).expect("all of it");
     assert_eq!(wires.levels(), [5; 128 * 64]);
@@ -138,7 +138,7 @@ fn it_is_cleared_and_draws_pairs() {
 
 /// What the firmware does: bands of the rectangles that changed.
 #[test]
-fn bands_of_dirty_rectangles_leave_what_one_picture_would() {
+fn bands_of_dirty_regions_show_the_full_picture() {
     let (wires, mut panel) = panel();
     let screen = Rectangle::new(Point::zero(), SIZE);
     let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Gray4::BITS, 6)).with_steps(2, 1);
@@ -160,7 +160,7 @@ fn bands_of_dirty_rectangles_leave_what_one_picture_would() {
 }
 
 #[test]
-fn a_failing_bus_and_a_failing_pin_are_passed_on() {
+fn errors_of_the_bus_and_of_a_pin_are_returned() {
     let area = window(0, 0, 4, 4);
     // Two transfers each: the window's commands, and pixels; the pin goes low and high.
     for good in 0..2 {

@@ -22,7 +22,7 @@ const CUBE: Film = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
 
 /// The scene S2 covers 17964 pixels: see `tools/bench/scenes.json`.
 #[test]
-fn the_cube_is_that_of_the_benchmarks() {
+fn the_spinning_cube_is_scene_s2_of_the_benchmarks() {
     let picture = reference::<Rgb565>(&CUBE.frame(ST7789::SIZE, 0), ST7789::SIZE);
     let covered = picture.pixels().iter().filter(|colour| **colour != Rgb565::from(BACKGROUND)).count();
     assert_eq!(covered, 17964);
@@ -31,7 +31,7 @@ fn the_cube_is_that_of_the_benchmarks() {
 /// The driver as `boards/stm32f4-ili9341` sets it up, before the panel that it is for: BGR, with columns from right to left. In
 /// the tests below panels are RGB, and run from left to right.
 #[test]
-fn the_stm32s_panel_shows_the_picture_the_right_way_round() {
+fn the_stm32_board_sets_its_panel_up_the_right_way_round() {
     let board = include_str!("../../boards/stm32f4-ili9341/src/main.rs");
     for line in [
         ".orientation(Orientation::new().rotate(Rotation::Deg90).flip_vertical())",
@@ -93,7 +93,7 @@ fn bands_of_every_height_show_the_picture_and_cost_little() {
 }
 
 #[test]
-fn drawn_straight_onto_the_panel_it_is_the_same_picture() {
+fn drawing_directly_onto_the_panel_shows_the_same_picture() {
     fn test<M: Kind<ColorFormat: Colour>>() {
         let mut screen = Screen::<M>::new();
         for film in [CUBE, Film::Small] {
@@ -118,7 +118,7 @@ fn drawn_straight_onto_the_panel_it_is_the_same_picture() {
 
 /// A window's bytes without the driver's hand on them, as DMA would send them.
 #[test]
-fn a_bands_bytes_are_what_the_wire_wants() {
+fn the_bytes_of_a_band_are_in_wire_order() {
     fn test<M: Kind<ColorFormat: Colour>>() {
         let (mut sent, mut raw) = (Screen::<M>::new(), Screen::<M>::new());
         for (area, rows) in [
@@ -154,7 +154,7 @@ const AXES: [[i16; 3]; 5] = [[0, 1, 0], [1, 0, 0], [0, 0, 1], [1, 1, 1], [3, -2,
 
 /// In every frame, where the cube turns by 5 degrees or more.
 #[test]
-fn the_spinning_cube_costs_no_more_than_what_changed() {
+fn the_spinning_cube_sends_no_more_than_what_changed() {
     fn test<M: Kind<ColorFormat: Colour>>() {
         for axis in AXES {
             for turn in [20, 36, FRAMES] {
@@ -170,7 +170,7 @@ fn the_spinning_cube_costs_no_more_than_what_changed() {
 /// Turned by one degree only, it may change less than its rectangle in some frames: an edge stays within its pixels while
 /// the colours of its faces stay what they were. Over the turn it holds.
 #[test]
-fn so_does_one_that_spins_slowly() {
+fn a_slowly_spinning_cube_sends_no_more_than_what_changed() {
     for axis in AXES {
         let cost = sum(&film::<ST7789>(Film::Cube { axis, turn: 360 }, 360, Way::DirtyRegions));
         assert!(cost.bytes * 100 <= cost.changed * 105, "about {axis:?}: {cost:?}");
@@ -180,7 +180,7 @@ fn so_does_one_that_spins_slowly() {
 /// Over the film it costs less than the one rectangle about what changed, in every frame at most 1.05 of it, and a 25th
 /// of all pixels.
 #[test]
-fn a_small_thing_before_what_stands_still_costs_little() {
+fn a_small_moving_object_sends_few_bytes() {
     fn test<M: Kind<ColorFormat: Colour>>() {
         let costs = film::<M>(Film::Small, FRAMES, Way::DirtyRegions);
         let all = sum(&costs);
@@ -199,7 +199,7 @@ fn a_small_thing_before_what_stands_still_costs_little() {
 
 /// The bus fails once, anywhere in a frame.
 #[test]
-fn after_a_failure_the_next_frame_is_right() {
+fn the_frame_after_a_bus_failure_is_complete() {
     fn test<M: Kind<ColorFormat: Colour>>(film: Film) {
         /// From where the cube's rectangle shrinks.
         const START: u32 = 13;
@@ -304,7 +304,7 @@ mod controller {
     }
 
     #[test]
-    fn what_is_wrong_is_noted() {
+    fn wrong_commands_are_recorded() {
         for (command, data) in [
             (0x2a, &[0, 9, 0, 8][..]), // backwards
             (0x2a, &[0, 0, 0, 240]),   // beyond the glass
@@ -324,7 +324,7 @@ mod controller {
     }
 
     #[test]
-    fn what_is_cut_off_has_no_effect() {
+    fn a_command_cut_off_has_no_effect() {
         let mut controller = ready(0, 0x55);
         let before = controller.picture(Held::Upright, 240, 320);
         send(&mut controller, 0x2a, &[0, 9, 0]);

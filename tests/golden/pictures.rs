@@ -1,5 +1,5 @@
 //! Golden pictures of a cube. What is expected was drawn by the oracles (the chain in f64, snapped,
-//! then exact coverage and exact lines), and frozen; `the_oracle_draws_them` still holds them to it.
+//! then exact coverage and exact lines), and frozen; `the_oracle_draws_the_golden_pictures` still holds them to it.
 
 use pinhole::{Mesh, Painter};
 use support::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
@@ -223,7 +223,7 @@ fn same(ours: &str, golden: &str) {
 }
 
 #[test]
-fn the_oracle_draws_them() {
+fn the_oracle_draws_the_golden_pictures() {
     for (drawn, golden) in [
         (oracle_solid(&perspective()), PERSPECTIVE_SOLID),
         (oracle_wireframe(&perspective()), PERSPECTIVE_WIREFRAME),
@@ -235,23 +235,23 @@ fn the_oracle_draws_them() {
 }
 
 #[test]
-fn a_cube_in_perspective() {
+fn a_solid_cube_in_perspective_matches_its_golden_picture() {
     same(&draw(&perspective(), "solid"), PERSPECTIVE_SOLID);
     same(&draw(&perspective(), "painter"), PERSPECTIVE_SOLID);
 }
 
 #[test]
-fn a_cube_in_perspective_by_its_edges() {
+fn a_wireframe_cube_in_perspective_matches_its_golden_picture() {
     same(&draw(&perspective(), "wireframe"), PERSPECTIVE_WIREFRAME);
 }
 
 #[test]
-fn a_cube_in_a_box() {
+fn a_solid_cube_in_orthographic_projection_matches_its_golden_picture() {
     same(&draw(&orthographic(), "solid"), ORTHOGRAPHIC_SOLID);
     same(&draw(&orthographic(), "painter"), ORTHOGRAPHIC_SOLID);
 }
 
 #[test]
-fn a_cube_in_a_box_by_its_edges() {
+fn a_wireframe_cube_in_orthographic_projection_matches_its_golden_picture() {
     same(&draw(&orthographic(), "wireframe"), ORTHOGRAPHIC_WIREFRAME);
 }

@@ -103,7 +103,7 @@ fn s4_the_view_volumes_corners_go_to_the_canonical_volumes() {
 
 /// From a view point to clip space by N and the two maps of SPEC 4, in f64, and by the library.
 #[test]
-fn s4_canonical_to_clip() {
+fn s4_the_canonical_volumes_go_to_the_clip_volume() {
     let mut rng = Rng::new(0x42);
     for _ in 0..20_000 {
         let r = random(&mut rng);
@@ -164,7 +164,7 @@ fn s4_canonical_to_clip() {
 }
 
 #[test]
-fn s4_reference_errors_are_their_own() {
+fn s4_reference_volumes_report_their_own_errors() {
     let make = |prp: [i32; 3], w: [i32; 4], front: i32, back: i32| {
         (
             ReferenceVolume::perspective(point(prp), window(w), scalar(front), scalar(back)).map(|_| ()),
@@ -423,27 +423,27 @@ fn s4_golden_at_240(s: &SetUp, name: &str) {
 }
 
 #[test]
-fn s4_one_point_golden_at_240() {
+fn s4_one_point_perspective_matches_its_golden_picture_at_240() {
     s4_golden_at_240(&SET_UPS[0], "one_point");
 }
 
 #[test]
-fn s4_two_point_golden_at_240() {
+fn s4_two_point_perspective_matches_its_golden_picture_at_240() {
     s4_golden_at_240(&SET_UPS[1], "two_point");
 }
 
 #[test]
-fn s4_two_point_closer_golden_at_240() {
+fn s4_closer_two_point_perspective_matches_its_golden_picture_at_240() {
     s4_golden_at_240(&SET_UPS[2], "two_point_closer");
 }
 
 #[test]
-fn s4_parallel_golden_at_240() {
+fn s4_parallel_projection_matches_its_golden_picture_at_240() {
     s4_golden_at_240(&SET_UPS[3], "parallel");
 }
 
 #[test]
-fn s4_parallel_dop_is_centre_of_window_less_prp() {
+fn s4_the_direction_of_a_parallel_projection_is_window_center_minus_prp() {
     let Projectors::Along(d) = SET_UPS[3].family().picture().projectors else { panic!("parallel") };
     assert_eq!(d, [0.0, 0.0, -10.0]);
     // Off the centre it is oblique: a unit of depth moves by (2, −1)/4 of a unit.

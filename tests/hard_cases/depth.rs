@@ -132,7 +132,7 @@ fn d1_faces_two_steps_apart_are_told_apart() {
 
 /// Below two steps it is a tie: whichever, but the same every time, and of equal ones the first.
 #[test]
-fn d1_of_equal_depths_the_first_drawn_stays() {
+fn d1_the_first_of_two_equal_depths_stays() {
     let mut rng = Rng::new(0xd1d1);
     for _ in 0..100 {
         let camera = camera(ONE, 100 * ONE);
@@ -193,7 +193,7 @@ fn d2_slivers_never_leave_their_corners_depths() {
 
 /// SPEC 7: round(65535·(z/w + 1)/2), 65535 for nothing; linear on the screen.
 #[test]
-fn d3_what_is_stored() {
+fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
     let mut rng = Rng::new(0xd3);
     let wall = |z: i16| {
         let (x, y) = (i16::MAX, i16::MAX);
@@ -232,7 +232,7 @@ fn d3_what_is_stored() {
 
 /// Only the pixels of the depth buffer are drawn, each as if it had them all.
 #[test]
-fn d3_a_depth_buffer_is_a_window() {
+fn d3_only_pixels_of_the_depth_buffer_are_drawn() {
     let camera = camera(ONE, 100 * ONE);
     let mut rng = Rng::new(0xd3d3);
     let vertices = nearly_coplanar(&mut rng);

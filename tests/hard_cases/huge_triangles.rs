@@ -25,17 +25,17 @@ fn huge(seed: u64, vertex: impl Fn(&mut Rng) -> i64, count: usize) {
 }
 
 #[test]
-fn a5_huge_random() {
+fn a5_random_huge_triangles_cover_exactly() {
     huge(0xA51, |rng| rng.int(-GUARD, GUARD), 15_000);
 }
 
 #[test]
-fn a5_huge_on_centres_and_borders() {
+fn a5_huge_triangles_on_centers_and_borders_cover_exactly() {
     huge(0xA52, |rng| 128 * rng.int(-GUARD / 128, GUARD / 128), 15_000);
 }
 
 #[test]
-fn a5_huge_on_the_limit() {
+fn a5_huge_triangles_on_the_guard_band_cover_exactly() {
     let limit = |rng: &mut Rng| match rng.below(4) {
         0 => -GUARD + rng.int(0, 2),
         1 => GUARD - rng.int(0, 2),
@@ -46,7 +46,7 @@ fn a5_huge_on_the_limit() {
 }
 
 #[test]
-fn a5_huge_and_small_corners_mixed() {
+fn a5_triangles_with_near_and_far_corners_cover_exactly() {
     let mixed = |rng: &mut Rng| {
         let reach = 1i64 << rng.int(1, 21);
         rng.int(-reach, reach)
@@ -55,7 +55,7 @@ fn a5_huge_and_small_corners_mixed() {
 }
 
 #[test]
-fn a5_huge_slivers() {
+fn a5_huge_slivers_cover_exactly() {
     let mut rng = Rng::new(0xA55);
     for _ in 0..15_000 {
         let a = (rng.int(-GUARD, GUARD), rng.int(-GUARD, GUARD));
@@ -73,7 +73,7 @@ fn a5_huge_slivers() {
 }
 
 #[test]
-fn a5_the_whole_guard_band_row_by_row() {
+fn a5_every_row_of_the_guard_band_has_its_exact_span() {
     // Every row's first and last pixel of a triangle 16384 px high, against exact division.
     for t in [
         [(-GUARD, -GUARD), (GUARD, -GUARD + 1), (-GUARD + 1, GUARD)],
@@ -93,7 +93,7 @@ fn a5_the_whole_guard_band_row_by_row() {
 }
 
 #[test]
-fn a5_one_unit_inside_and_one_outside_the_range() {
+fn a5_screen_points_end_at_the_guard_band() {
     use pinhole::raster::ScreenPoint;
     let g = GUARD as i32;
     for (x, y) in [(g, g), (-g, -g), (g, -g), (0, 0)] {
@@ -108,7 +108,7 @@ fn a5_one_unit_inside_and_one_outside_the_range() {
 }
 
 #[test]
-fn a5_beyond_the_range_is_cut_at_the_guard_band() {
+fn a5_faces_beyond_the_guard_band_are_cut_there() {
     // Vertices 2¹⁴ to 2²³ px off, through the longest lens: one that wraps would draw elsewhere.
     let camera = CameraBits {
         view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),

@@ -11,7 +11,7 @@ use support::oracle::rng::Rng;
 use support::oracle::target::{Call, Recorder};
 
 #[test]
-fn b1_a_pixel_a_step_both_ends_within_half_a_pixel() {
+fn b1_lines_have_one_pixel_per_step_within_half_a_pixel() {
     let mut rng = Rng::new(0x11);
     let area = Area::new(-100, -100, 101, 101);
     for _ in 0..2000 {
@@ -30,7 +30,7 @@ fn b1_a_pixel_a_step_both_ends_within_half_a_pixel() {
 }
 
 #[test]
-fn b2_ties() {
+fn b2_lines_with_ties_match_exact_division() {
     let area = Area::new(-70, -70, 71, 71);
     for (x, y) in [(2, 1), (63, 31), (62, 31), (64, 1), (64, 31), (4, 2), (6, 3)] {
         for (x, y) in [(x, y), (y, x)] {
@@ -42,7 +42,7 @@ fn b2_ties() {
 }
 
 #[test]
-fn b2_the_tie_keeps_the_smaller_minor_step() {
+fn b2_a_tie_takes_the_smaller_minor_step() {
     // By hand. From the smaller end in (x, y): (0,0) → (2,1) passes (1, ½).
     let area = Area::new(0, 0, 3, 3);
     assert_eq!(bridge::line((0, 0), (2, 1), area).picture(), "11.\n..1\n...\n");
@@ -82,7 +82,7 @@ fn b3_reversal_keeps_every_pixel() {
 }
 
 #[test]
-fn b4_clipped_is_unclipped() {
+fn b4_a_clipped_line_is_a_crop_of_the_full_line() {
     let mut rng = Rng::new(0xB4);
     let all = Area::new(-240, -240, 304, 304);
     let (mut cuts, mut moved) = (0, 0);
@@ -113,7 +113,7 @@ fn b4_clipped_is_unclipped() {
 }
 
 #[test]
-fn b5_extremes() {
+fn b5_the_longest_and_steepest_lines_match_exact_division() {
     let mut rng = Rng::new(0xB5);
     let far = 32767;
     let ends = [-far, -far + 1, -1, 0, 1, far - 1, far];
@@ -138,7 +138,7 @@ fn b5_extremes() {
 }
 
 #[test]
-fn b5_the_longest_line_whole() {
+fn b5_every_pixel_of_the_longest_line_is_exact() {
     let far = 32767;
     let all = Area::new(i64::from(i32::MIN), i64::from(i32::MIN), i64::from(i32::MAX), i64::from(i32::MAX));
     for (a, b) in [
@@ -165,14 +165,14 @@ fn b5_the_longest_line_whole() {
 }
 
 #[test]
-fn b5_the_type_refuses_what_is_larger() {
+fn b5_the_type_refuses_coordinates_beyond_16_bits() {
     // i32 ends would need 33-bit deltas: they have no way in.
     let door: fn(i16, i16) -> raster::Pixel = |x, y| raster::Pixel { x, y };
     assert_eq!(door(i16::MAX, -i16::MAX), bridge::pixel((32_767, -32_767)));
 }
 
 #[test]
-fn b5_the_last_value_of_i16() {
+fn b5_the_coordinate_minus_32768_draws_without_wrapping() {
     // The documented range ends at −32767; the type holds one more. No panic, no wrapped line.
     let low = -32768;
     for (a, b) in [
@@ -232,7 +232,7 @@ fn b6_diagonals_take_one_pixel_a_row() {
 }
 
 #[test]
-fn b7_who_draws_the_pixel_of_a_joint() {
+fn b7_the_first_line_draws_the_pixel_of_a_joint() {
     // A box in which a unit is a pixel. A poly-line draws a joint once, with the line that ends there; edges of a
     // wireframe know nothing of each other and draw it each.
     let camera = CameraBits {

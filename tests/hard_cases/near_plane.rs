@@ -161,7 +161,7 @@ fn c5_near_a_wall_background_is_exactly_where_the_oracle_has_it() {
 }
 
 #[test]
-fn c1_random_triangles_across_the_near_plane() {
+fn c1_triangles_across_the_near_plane_cover_what_rays_meet() {
     let mut rng = Rng::new(0xC1);
     let (mut crossing, mut total) = (0, Tally::default());
     for k in 0..6000 {
@@ -198,7 +198,7 @@ fn c1_random_triangles_across_the_near_plane() {
 }
 
 #[test]
-fn c1_random_triangles_across_the_far_plane() {
+fn c1_triangles_across_the_far_plane_cover_what_rays_meet() {
     let mut rng = Rng::new(0xFA);
     let mut total = Tally::default();
     for k in 0..2000 {
@@ -287,7 +287,7 @@ fn c2_touching_near_from_in_front_draws_nothing() {
 }
 
 #[test]
-fn c3_w_down_to_nothing() {
+fn c3_faces_with_tiny_w_cover_what_rays_meet() {
     // Vertices in and around the plane of the eye, where w is 0 or a few 2⁻¹⁶ of either sign.
     let mut rng = Rng::new(0xC3);
     let c = camera(24, 18, ONE / 4, 1000 * ONE);
@@ -308,7 +308,7 @@ fn c3_w_down_to_nothing() {
 }
 
 #[test]
-fn c3_w_of_a_billionth() {
+fn c3_faces_with_w_of_a_billionth_cover_what_rays_meet() {
     // The model flattens z by 2¹⁴: one corner has w from 2⁻³⁰ on, of either sign or none, the others are far away.
     let mut rng = Rng::new(0xC39);
     let c = camera(24, 18, ONE / 4, 1000 * ONE);
@@ -372,7 +372,7 @@ fn c6_a_triangle_far_larger_than_the_screen_is_drawn() {
 }
 
 #[test]
-fn c6_random_huge_triangles_about_the_screen() {
+fn c6_huge_triangles_about_the_screen_cover_what_rays_meet() {
     let mut rng = Rng::new(0xC6);
     let c = camera(24, 18, ONE / 4, 30000 * ONE);
     let mut covered = 0;
@@ -495,7 +495,7 @@ fn c6_lines_to_far_outside_the_guard_band_stay_on_course() {
 }
 
 #[test]
-fn c5_close_to_an_edge_of_a_cube() {
+fn c5_an_edge_of_a_cube_close_to_the_eye_leaves_no_gap() {
     // An eye a third of a unit away from the cube's edge, wide open: faces reach over every border.
     for viewport in [(0, 0, 40, 30), (0, 0, 20, 15)] {
         let c = CameraBits {

@@ -8,7 +8,7 @@ use support::oracle::rng::Rng;
 const UP: [i32; 3] = [0, ONE, 0];
 
 #[test]
-fn e4_zero_direction() {
+fn e4_a_zero_direction_is_refused() {
     let eye = [ONE, 2 * ONE, -ONE];
     for view in [
         ViewBits::LookAt(eye, eye, UP),
@@ -20,7 +20,7 @@ fn e4_zero_direction() {
 }
 
 #[test]
-fn e4_zero_up() {
+fn e4_a_zero_up_vector_is_refused() {
     let eye = [ONE, 2 * ONE, -ONE];
     for view in [
         ViewBits::LookAt(eye, [0; 3], [0; 3]),
@@ -32,7 +32,7 @@ fn e4_zero_up() {
 }
 
 #[test]
-fn e3_parallel_up() {
+fn e3_an_up_vector_parallel_to_the_view_is_refused() {
     for k in [1, 3, -7, 1 << 14, -(1 << 14)] {
         for d in [[1, 2, -3], [0, 0, 1], [-1, 0, 0], [60000, 1, -60000]] {
             let view = ViewBits::Reference([0; 3], d, d.map(|c| c * k));
@@ -42,7 +42,7 @@ fn e3_parallel_up() {
 }
 
 #[test]
-fn e3_parallel_up_on_both_sides_of_the_bound() {
+fn e3_up_vectors_are_refused_exactly_below_the_documented_angle() {
     // VUP within 2⁻¹² rad of the line of VPN is an error, beyond it is not. Exact angles from the
     // integers; a thousandth of the bound is left to rounding.
     let mut rng = Rng::new(0xE3);
@@ -100,7 +100,7 @@ fn e3_roll_near_parallel_up_stays_within_one_over_sine() {
 }
 
 #[test]
-fn e4_tiny_and_huge_vectors_are_fine() {
+fn e4_tiny_and_huge_vectors_are_accepted() {
     let all = [1, -1, i32::MAX, i32::MIN, ONE];
     for &a in &all {
         for &b in &all {
@@ -115,7 +115,7 @@ fn e4_tiny_and_huge_vectors_are_fine() {
 }
 
 #[test]
-fn e5_near_and_far() {
+fn e5_near_and_far_must_be_positive_and_in_order() {
     for near in [0, -1, -ONE, i32::MIN] {
         for far in [ONE, i32::MAX, -5] {
             assert_eq!(perspective(near, far), Err(ProjectionError::NearNotPositive));
@@ -144,7 +144,7 @@ fn e5_near_and_far() {
 }
 
 #[test]
-fn e5_near_too_close_to_far_on_both_sides_of_the_bound() {
+fn e5_near_too_close_to_far_is_refused_exactly_at_the_bound() {
     // near·far/(far − near) < 2³⁰
     let mut rng = Rng::new(0x27);
     let (mut errors, mut fine) = (0, 0);
@@ -175,7 +175,7 @@ fn e5_near_too_close_to_far_on_both_sides_of_the_bound() {
 }
 
 #[test]
-fn e5_field_of_view() {
+fn e5_fields_of_view_outside_the_documented_range_are_refused() {
     let fov = |bits| ProjectionBits::Perspective(bits, (4, 3), ONE, 9 * ONE).library();
     for bits in [0, 1, 1000, 1 << 31, (1 << 31) - 1, (1 << 31) + 1, 3 << 30, u32::MAX] {
         assert_eq!(fov(bits), Err(ProjectionError::FieldOfView), "{bits}");
@@ -193,7 +193,7 @@ fn e5_field_of_view() {
 }
 
 #[test]
-fn e5_windows_and_aspects() {
+fn e5_empty_windows_and_extreme_aspects_are_refused() {
     for window in [
         [0; 4],
         [ONE, ONE, -ONE, ONE],
@@ -228,7 +228,7 @@ fn e5_windows_and_aspects() {
 }
 
 #[test]
-fn e5_window_too_small_for_its_distance_from_the_axis() {
+fn e5_a_window_too_small_for_its_distance_from_the_axis_is_refused() {
     // The smallest window at the largest distance: 2⁻¹⁶ at 2¹⁵ is 2³¹ times smaller.
     let window = [i32::MAX - 1, i32::MAX, 0, ONE];
     assert_eq!(

@@ -30,7 +30,7 @@ fn nearest(v: i64) -> i64 {
 }
 
 #[test]
-fn a0_top_and_left_edges_by_hand() {
+fn a0_only_top_and_left_edges_cover_their_ties() {
     // A square from centre to centre, cut along either diagonal.
     let (a, b, c, d) = ((128, 128), (640, 128), (640, 640), (128, 640));
     for (t, picture) in [
@@ -56,7 +56,7 @@ fn a0_top_and_left_edges_by_hand() {
 }
 
 #[test]
-fn a0_snapped_to_24_8_after_the_divide() {
+fn a0_vertices_are_snapped_to_24_8_after_the_divide() {
     let c = CameraBits {
         view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
         projection: ProjectionBits::Perspective((1 << 31) / 3, (60, 40), ONE / 4, 100 * ONE),
@@ -99,7 +99,7 @@ fn a2_a_sliver_around_a_centre_hits_exactly_that_pixel() {
 }
 
 #[test]
-fn a3_degenerate_draws_nothing() {
+fn a3_degenerate_triangles_cover_nothing() {
     // Every repeated or collinear triple of the half-pixel lattice, through centres, corners and borders.
     let at = |k: i64| (128 * (k % 7) - 256, 128 * (k / 7) - 256);
     let mut seen = 0;
@@ -171,7 +171,7 @@ const WRONG: [(&str, Ties); 5] = [
 ];
 
 #[test]
-fn a4_vertices_and_edges_on_centres_and_borders() {
+fn a4_ties_on_centers_and_borders_follow_the_top_left_rule() {
     // All triangles of two lattices: each equals the exact rule, and each wrong rule is found hundreds of times.
     let (mut wrong, mut triangles) = ([0; WRONG.len()], 0);
     for (side, step, origin) in [(5, 128, -128), (4, 256, 128)] {

@@ -9,7 +9,7 @@ use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use support::oracle::target::Recorder;
 
 #[test]
-fn e9_viewports() {
+fn e9_viewports_are_refused_exactly_outside_the_guard_band() {
     let new = |x, y, w, h| Viewport::new(Point::new(x, y), Size::new(w, h));
     for (w, h) in [(0, 0), (0, 5), (5, 0)] {
         assert_eq!(new(0, 0, w, h), Err(ViewportError::Empty));
@@ -41,7 +41,7 @@ fn e9_viewports() {
 }
 
 #[test]
-fn e9_targets_with_any_bounding_box() {
+fn e9_targets_with_any_bounding_box_show_a_crop() {
     for way in WAYS {
         let viewport = (0, 0, 40, 30);
         for (x, y, w, h, seen) in [
@@ -75,7 +75,7 @@ fn e9_targets_with_any_bounding_box() {
 }
 
 #[test]
-fn e9_viewports_partly_and_wholly_outside_the_target() {
+fn e9_viewports_partly_or_fully_outside_the_target_show_a_crop() {
     for way in WAYS {
         let bounds = bridge::rectangle(0, 0, 40, 30);
         for (x, y, w, h, seen) in [
@@ -102,7 +102,7 @@ fn e9_viewports_partly_and_wholly_outside_the_target() {
 }
 
 #[test]
-fn e9_nothing_outside_the_viewport_though_the_scene_is_larger() {
+fn e9_a_scene_larger_than_the_viewport_stays_inside_it() {
     // Inside the cube's shell, so that faces and edges reach over every border.
     let close = |viewport| CameraBits {
         view: ViewBits::LookAt([0, ONE / 8, 5 * ONE / 3], [0; 3], [0, ONE, 0]),

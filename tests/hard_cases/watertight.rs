@@ -97,7 +97,7 @@ fn fan(hub: P, blades: usize, radius: impl Fn(usize) -> f64) -> Partition {
 }
 
 #[test]
-fn a1_fans_of_360_blades_around_a_centre() {
+fn a1_fans_of_360_blades_around_a_center_are_watertight() {
     let mut rng = Rng::new(0xA11);
     for radius in [3.0, 100.0, 500.0, 2560.0, 3007.5, 8191.0] {
         for hub in [centre(0, 0), centre(-5, 7), (0, 0), (256, 128), (17, -33)] {
@@ -113,7 +113,7 @@ fn a1_fans_of_360_blades_around_a_centre() {
 }
 
 #[test]
-fn a1_jagged_fans() {
+fn a1_jagged_fans_are_watertight() {
     let mut rng = Rng::new(0xA12);
     for k in 0..60 {
         let radii: Vec<f64> = (0..90).map(|_| rng.real(20.0, 3000.0)).collect();
@@ -124,7 +124,7 @@ fn a1_jagged_fans() {
 }
 
 #[test]
-fn a1_a_fan_of_2000_tiny_triangles() {
+fn a1_a_fan_of_2000_tiny_triangles_is_watertight() {
     let mut rng = Rng::new(0xA13);
     let fan = fan(centre(1, 1), 2000, |_| 1500.0);
     assert!(fan.triangles.len() > 1900);
@@ -132,7 +132,7 @@ fn a1_a_fan_of_2000_tiny_triangles() {
 }
 
 #[test]
-fn a1_fans_at_the_guard_band() {
+fn a1_fans_at_the_guard_band_are_watertight() {
     let mut rng = Rng::new(0xA14);
     let far = 8192 * 256;
     for hub in
@@ -153,7 +153,7 @@ fn a1_fans_at_the_guard_band() {
 }
 
 #[test]
-fn a1_strips_one_pixel_wide() {
+fn a1_strips_one_pixel_wide_are_watertight() {
     let mut rng = Rng::new(0xA15);
     for k in 0..200 {
         // Two parallel rows of points, a pixel (or less) apart, in a zigzag.
@@ -265,23 +265,23 @@ fn partitions(seed: u64, count: usize, step: i64) -> (u64, u64) {
 }
 
 #[test]
-fn a1_r8_random_partitions() {
+fn a1_r8_random_partitions_are_watertight() {
     assert!(partitions(0x81, 60, 1).0 > 10_000);
 }
 
 #[test]
-fn a1_r8_random_partitions_on_centres_and_borders() {
+fn a1_r8_random_partitions_on_centers_and_borders_are_watertight() {
     let (inside, ties) = partitions(0x82, 60, 128);
     assert!(inside > 10_000 && ties > 500);
 }
 
 #[test]
-fn a1_r8_random_partitions_on_whole_pixels() {
+fn a1_r8_random_partitions_on_pixel_corners_are_watertight() {
     partitions(0x83, 60, 256);
 }
 
 #[test]
-fn a1_r8_random_partitions_of_a_huge_square() {
+fn a1_r8_random_partitions_of_a_huge_square_are_watertight() {
     let mut rng = Rng::new(0x84);
     let far = 8192 * 256;
     let outline = [(-far, -far), (far, -far), (far, far), (-far, far)];
@@ -346,7 +346,7 @@ fn delaunay(mut partition: Partition) -> Partition {
 }
 
 #[test]
-fn a1_delaunay_partitions() {
+fn a1_delaunay_partitions_are_watertight() {
     let mut rng = Rng::new(0xA16);
     let far = 8192 * 256;
     let (mut inside, mut ties) = (0, 0);

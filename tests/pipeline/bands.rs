@@ -168,7 +168,7 @@ fn a_band_beside_the_viewport_changes_nothing() {
 
 /// What fails is the display's own error, at the band where it failed; the next frame is right.
 #[test]
-fn a_display_that_fails_in_the_middle_of_a_frame() {
+fn a_display_error_in_mid_frame_is_returned() {
     cube((0, 0, 64, 64), |placed| {
         for after in 0..8 {
             let mut display = Recorder::failing(64, 64, after);
@@ -280,7 +280,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
 
 /// From inside, faces are cut by the near plane in every band: still the same picture.
 #[test]
-fn the_inside_of_a_room_in_bands() {
+fn a_room_seen_from_inside_in_bands_is_complete() {
     let faces = room_faces();
     let mesh = Mesh::new(&CUBE, 1, &faces).expect("a mesh");
     let mut camera = cube_camera((0, 0, 64, 64));

@@ -120,28 +120,28 @@ fn inside(seed: u64, count: usize, squares: i64, fov: (f64, f64), sizes: (f64, f
 }
 
 #[test]
-fn a_plain_room_of_any_size() {
+fn a_room_of_12_faces_covers_every_pixel_once() {
     inside(0xB1, 1500, 1, (20.0, 100.0), (1.0, 30_000.0));
 }
 
 #[test]
-fn a_plain_room_through_a_long_lens() {
+fn a_room_of_12_faces_through_a_long_lens_covers_every_pixel_once() {
     inside(0xB2, 1000, 1, (0.2, 20.0), (1.0, 30_000.0));
 }
 
 #[test]
-fn a_room_of_many_faces() {
+fn a_room_of_many_faces_covers_every_pixel_once() {
     inside(0xB3, 600, 3, (20.0, 100.0), (1.0, 1000.0));
     inside(0xB4, 150, 7, (20.0, 100.0), (1.0, 1000.0));
 }
 
 #[test]
-fn a_room_of_many_faces_through_a_long_lens() {
+fn a_room_of_many_faces_through_a_long_lens_covers_every_pixel_once() {
     inside(0xB5, 500, 3, (0.2, 20.0), (1.0, 1000.0));
 }
 
 #[test]
-fn a_turned_room() {
+fn a_rotated_room_covers_every_pixel_once() {
     let mut rng = Rng::new(0xB6);
     for k in 0..600 {
         let (vertices, faces) = room(&mut rng, 1 + k % 3, 30_000);
@@ -159,7 +159,7 @@ fn a_turned_room() {
 }
 
 #[test]
-fn a_floor_that_the_near_plane_cuts_in_the_picture() {
+fn a_floor_cut_by_the_near_plane_covers_every_pixel_once() {
     // The cut ends of shared edges lie on the screen: neighbours must cut them at the same point.
     let mut rng = Rng::new(0xB7);
     let (mut floor, mut background) = (0, 0);

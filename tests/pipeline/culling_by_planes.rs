@@ -197,7 +197,7 @@ fn camera(rng: &mut Rng, distance: f64, parallel: bool) -> CameraBits {
 }
 
 #[test]
-fn the_teapot_is_drawn_the_same() {
+fn culling_by_planes_draws_the_same_teapot() {
     let mesh = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES).unwrap();
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
     let planes: [i16; 992] = mesh.face_planes();
@@ -234,7 +234,7 @@ fn the_teapot_is_drawn_the_same() {
 
 /// Without planes only the order differs in which vertices are placed.
 #[test]
-fn without_planes_all_faces_are_looked_at() {
+fn a_mesh_without_planes_is_not_culled_by_planes() {
     let (mut rng, mut drawn) = (Rng::new(0xfad), 0);
     let mesh = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES).unwrap();
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
@@ -256,7 +256,7 @@ fn without_planes_all_faces_are_looked_at() {
 }
 
 #[test]
-fn planes_that_do_not_fit_are_refused() {
+fn a_list_of_planes_of_the_wrong_length_is_refused() {
     let mesh = Mesh::new(&teapot::VERTICES, 0, &teapot::FACES).unwrap();
     assert_eq!(mesh.with_planes(&[0; 992]), Err(MeshError::NormalCount { faces: 992, normals: 0 }));
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();

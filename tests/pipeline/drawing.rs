@@ -297,7 +297,7 @@ fn clipped_counts_what_was_cut_and_nothing_else() {
 }
 
 #[test]
-fn a_painter_takes_one_viewport() {
+fn a_painter_refuses_a_second_viewport() {
     let mut rng = Rng::new(0x0F);
     let scene = scene(&mut rng);
     let (model, mesh) = (scene.model.library(), scene.mesh());
@@ -312,7 +312,7 @@ fn a_painter_takes_one_viewport() {
 }
 
 #[test]
-fn project_of_no_such_vertex_is_none() {
+fn project_of_a_missing_vertex_is_none() {
     let mut rng = Rng::new(0xF5);
     let scene = scene(&mut rng);
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), scene.mesh());
@@ -323,7 +323,7 @@ fn project_of_no_such_vertex_is_none() {
 }
 
 #[test]
-fn beyond_far_a_vertex_is_the_scene_s_choice() {
+fn the_far_clip_setting_decides_whether_a_vertex_beyond_far_is_hidden() {
     let camera = CameraBits {
         view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
         projection: ProjectionBits::Perspective(1 << 30, (4, 3), ONE, 10 * ONE),

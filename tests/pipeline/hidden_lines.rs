@@ -180,7 +180,7 @@ fn camera() -> CameraBits {
 }
 
 #[test]
-fn what_an_oracle_sees_is_drawn_and_nothing_behind_a_face() {
+fn hidden_lines_draw_visible_pixels_and_none_behind_a_face() {
     let mut rng = Rng::new(5);
     let mut all = Score::default();
     let solids = [cube(), torus(25, 20), torus(9, 5), pot(), splinters(&mut rng), splinters(&mut rng)];
@@ -207,7 +207,7 @@ fn what_an_oracle_sees_is_drawn_and_nothing_behind_a_face() {
 
 /// Seven blades about one axis, which is listed once for every two of their faces.
 #[test]
-fn edges_of_many_faces_are_seen_by_all_of_them() {
+fn an_edge_of_many_faces_is_drawn_if_any_of_them_shows_it() {
     let mut vertices = vec![[0, -9_000, 0], [0, 9_000, 0]];
     let mut faces = Vec::new();
     for i in 0..7 {
@@ -235,7 +235,7 @@ fn edges_of_many_faces_are_seen_by_all_of_them() {
 
 /// What stands for no face is none, also where a mesh has a face of that number: the wall hides the edge behind it.
 #[test]
-fn no_face_stays_no_face_in_large_meshes() {
+fn an_edge_without_faces_stays_so_in_large_meshes() {
     let vertices = [[-4, -4, 0], [4, -4, 0], [4, 4, 0], [-4, 4, 0], [-2, 0, -2], [2, 1, -2]];
     let (edges, beside) = ([[4, 5]], [[Mesh::<i16>::NO_FACE; 2]]);
     let camera = CameraBits {
@@ -269,7 +269,7 @@ fn no_face_stays_no_face_in_large_meshes() {
 /// beside it is what is held, whichever of its triangles that is. Each edge and each face drawn by itself tells both; but a
 /// face's border belongs to it here, which the fill rule may leave to a neighbour.
 #[test]
-fn edges_of_faces_that_are_cut() {
+fn hidden_lines_draw_the_edges_of_clipped_faces() {
     const SIDE: u32 = 64;
     let area = bridge::rectangle(0, 0, SIDE, SIDE);
     let mut rng = Rng::new(0x4c);

@@ -208,7 +208,7 @@ fn from_outside_front_and_back_faces_pair() {
 }
 
 #[test]
-fn from_the_surface() {
+fn from_the_surface_of_a_mesh_faces_match_the_rays() {
     let mut rng = Rng::new(0x93);
     let mut tally = Tally::default();
     for body in bodies(&mut rng) {

@@ -140,7 +140,7 @@ fn draw_every_way<V: Coordinate>(
 }
 
 #[test]
-fn wild_scenes() {
+fn extreme_scenes_do_not_panic() {
     let mut rng = Rng::new(0x111);
     let (mut scenes, mut visible) = (0, 0);
     while scenes < 40_000 {
@@ -175,7 +175,7 @@ fn wild_scenes() {
 }
 
 #[test]
-fn wild_objects_before_a_tame_camera() {
+fn extreme_objects_before_an_ordinary_camera_do_not_panic() {
     let mut rng = Rng::new(0x112);
     let bits = CameraBits {
         view: ViewBits::LookAt([0, 0, 5 * ONE], [0; 3], [0, ONE, 0]),
@@ -228,7 +228,7 @@ impl DrawTarget for Endless {
 
 /// In 2D the target itself is all there is to cut at.
 #[test]
-fn targets_without_end() {
+fn targets_of_the_largest_size_do_not_panic() {
     let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(256 * x, 256 * y).unwrap();
     let triangles = [[(0, 0), (4, 0), (0, 4)], [(-8192, -8192), (8192, -8192), (-8192, 8192)]];
     // The slanted edges pass through centres, and are right edges: of the first one rows 0 to 2 are covered. Of the second

@@ -12,7 +12,7 @@ use support::oracle::rng::Rng;
 use support::oracle::target::{Call, Recorder, Refused};
 
 #[test]
-fn what_the_target_refuses_comes_back_at_every_call() {
+fn an_error_of_the_target_is_returned_from_every_call() {
     let camera = camera((0, 0, 40, 30));
     for way in WAYS {
         let mut whole = Recorder::sized(40, 30);
@@ -31,7 +31,7 @@ fn what_the_target_refuses_comes_back_at_every_call() {
 }
 
 #[test]
-fn everything_leaves_as_fills() {
+fn every_pixel_is_drawn_by_a_fill() {
     for way in WAYS {
         let mut target = Recorder::sized(40, 30);
         draw(way, &camera((0, 0, 40, 30)), &mut target).expect("no error");
@@ -51,7 +51,7 @@ fn everything_leaves_as_fills() {
 }
 
 #[test]
-fn a_painter_serves_again_after_a_target_failed() {
+fn a_painter_can_draw_again_after_a_target_failed() {
     let camera = camera((0, 0, 40, 30));
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
     let model = ModelBits::default().library();
@@ -76,7 +76,7 @@ fn a_painter_serves_again_after_a_target_failed() {
 
 /// Rectangles at the ends of their range, filled in a picture and in a band: each pixel that lies in one, and no other.
 #[test]
-fn rectangles_of_any_place_and_size_are_filled() {
+fn rectangles_of_any_position_and_size_are_filled() {
     let (old, new) = (Gray8::new(9), Gray8::new(200));
     let mut rng = Rng::new(0x3F);
     const GIVEN: i64 = 3000;

@@ -48,19 +48,19 @@ fn paint(depths: &[i32]) -> Vec<u16> {
 }
 
 #[test]
-fn far_to_near() {
+fn painter_draws_far_faces_first() {
     assert_eq!(paint(&[2 * ONE, 9 * ONE, 5 * ONE, 100 * ONE]), [3, 1, 2, 0]);
 }
 
 #[test]
-fn equal_ones_in_the_order_recorded() {
+fn painter_keeps_the_order_of_equal_depths() {
     let z = 7 * ONE;
     assert_eq!(paint(&[z; 20]), (0..20).collect::<Vec<u16>>());
     assert_eq!(paint(&[z, 3 * z, z, 3 * z, z]), [1, 3, 0, 2, 4]);
 }
 
 #[test]
-fn any_number_in_any_order() {
+fn painter_sorts_any_number_of_faces() {
     let mut rng = Rng::new(0x9A);
     for n in [1, 2, 3, 17, 64, 100] {
         for _ in 0..20 {
@@ -95,7 +95,7 @@ fn faces_of_one_mesh_are_sorted_too() {
 }
 
 #[test]
-fn full_says_what_to_raise_and_to_how_much() {
+fn a_full_painter_names_the_parameter_and_value_to_raise() {
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
     let (camera, model) = (camera(), ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library());
     let placed = camera.place(&mesh, &model);
@@ -158,7 +158,7 @@ fn an_empty_mesh_leaves_the_viewport_open() {
 
 /// Put in order, drawn, added to, and put in order again: as if all had been there at first.
 #[test]
-fn what_is_added_later_is_put_in_order_too() {
+fn painter_sorts_faces_added_later() {
     let mut rng = Rng::new(0x9C);
     let (camera, mesh) = (camera(), Mesh::new(&VERTICES, 0, &FACE).expect("a mesh"));
     for _ in 0..200 {
@@ -177,7 +177,7 @@ fn what_is_added_later_is_put_in_order_too() {
 }
 
 #[test]
-fn drawing_forgets_what_was_recorded_also_when_the_target_refuses() {
+fn drawing_empties_the_painter_even_if_the_target_fails() {
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
     let (camera, model) = (camera(), ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library());
     let placed = camera.place(&mesh, &model);
@@ -195,7 +195,7 @@ fn drawing_forgets_what_was_recorded_also_when_the_target_refuses() {
 }
 
 #[test]
-fn faces_go_by_the_mean_depth_of_their_corners() {
+fn painter_sorts_by_the_mean_depth_of_the_corners() {
     // Slanted triangles at random; each face shows at least a pixel to be seen in the order.
     let mut rng = Rng::new(0x9B);
     let camera = camera();
@@ -234,7 +234,7 @@ fn faces_go_by_the_mean_depth_of_their_corners() {
 }
 
 #[test]
-fn memory_is_as_stated() {
+fn the_painter_has_its_documented_size() {
     use core::mem::size_of;
     // 8 bytes a corner; 10 bytes and a colour a face.
     assert_eq!(size_of::<pinhole::ScreenVertex>(), 8);
@@ -244,7 +244,7 @@ fn memory_is_as_stated() {
 }
 
 #[test]
-fn as_many_as_an_index_can_name_and_no_more() {
+fn a_painter_holds_as_many_faces_as_its_index_can_name() {
     // The storage is larger than indices reach: 65536 corners and 65535 faces are the end.
     let big = || {
         let camera = camera();

@@ -153,7 +153,7 @@ fn random_paths_are_the_union_of_their_lines() {
 }
 
 #[test]
-fn nothing_and_one_vertex_draw_no_line() {
+fn a_polyline_of_fewer_than_two_vertices_draws_nothing() {
     for n in 0..2 {
         let (target, statistics) = draw(&flat(), &back(), &in_pixels(&[(5, 5)][..n]), -1, false);
         assert!(target.pixels.is_empty());

@@ -75,7 +75,7 @@ fn nudged(p: V4, size: f64, k: usize) -> V4 {
 }
 
 #[test]
-fn s5_lines_are_f64s() {
+fn s5_clipped_lines_match_f64() {
     let mut rng = Rng::new(0x502);
     let (mut cut, mut gone, mut ill, mut worst) = (0, 0, 0, 0f64);
     for projection in projections() {
@@ -161,7 +161,7 @@ fn vertex(p: ClipPoint, attributes: [i32; 2]) -> ClipVertex<2> {
 }
 
 #[test]
-fn s5_triangles_are_f64s_with_their_attributes() {
+fn s5_clipped_triangles_and_attributes_match_f64() {
     let mut rng = Rng::new(0x503);
     let (mut compared, mut ill, mut worst, mut most) = (0, 0, 0f64, 0);
     for projection in projections() {
@@ -309,7 +309,7 @@ fn s5_clipping_twice_changes_nothing() {
 /// Exhaustive: every triple of outcodes by corner points of a grid, so that all counts of corners
 /// appear, and none above nine.
 #[test]
-fn s5_at_most_nine_corners_on_a_grid() {
+fn s5_a_clipped_triangle_has_at_most_nine_corners() {
     let projection = &projections()[1];
     let mut all = Vec::new();
     for x in [-9, -5, 0, 6] {
@@ -357,7 +357,7 @@ impl Tally {
 /// A node's sphere: never `Outside` with a vertex inside the volume, never `Inside` with one outside;
 /// and `Partly` only where the exact sphere comes near to a plane's border.
 #[test]
-fn s5_whole_nodes_by_their_bounding_sphere() {
+fn s5_bounding_spheres_are_classified_as_their_vertices() {
     let mut rng = Rng::new(0x506);
     let mut tally = Tally::default();
     let mut useless = 0;
@@ -430,7 +430,7 @@ fn s5_whole_nodes_by_their_bounding_sphere() {
 
 /// What is inside is not clipped, at any ratio of far to near: where that is large, the far plane is a matter of the last bits.
 #[test]
-fn s5_what_is_inside_is_not_clipped() {
+fn s5_triangles_inside_the_volume_are_not_clipped() {
     let mut rng = Rng::new(0x508);
     let mut tally = Tally::default();
     let faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
@@ -484,7 +484,7 @@ fn s5_what_is_inside_is_not_clipped() {
 /// Next to the borders of windows far aside of the axis, where coefficients are large: what has a place in the picture is not
 /// outside.
 #[test]
-fn s5_points_in_the_picture_are_not_outside_however_far_aside_it_is() {
+fn s5_points_in_an_off_axis_picture_are_inside() {
     let mut rng = Rng::new(0x509);
     let (mut tally, mut shown) = (Tally::default(), 0);
     for _ in 0..200_000 {
@@ -525,7 +525,7 @@ fn s5_points_in_the_picture_are_not_outside_however_far_aside_it_is() {
 
 /// What is far out and next to a plane: the plane's own coefficients are rounded, and that counts as far as the point is away.
 #[test]
-fn s5_points_far_out_are_outside_or_inside_only_where_they_are() {
+fn s5_outcodes_of_far_points_match_f64() {
     let mut rng = Rng::new(0x507);
     let mut tally = Tally::default();
     for _ in 0..60_000 {

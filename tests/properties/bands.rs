@@ -197,7 +197,7 @@ proptest! {
     #![proptest_config(cases(400))]
 
     #[test]
-    fn bands_of_every_height_make_the_whole(scene in scene(), length in prop_oneof![Just(16usize), 0usize..9]) {
+    fn bands_of_every_height_add_up_to_the_full_picture(scene in scene(), length in prop_oneof![Just(16usize), 0usize..9]) {
         let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
         for way in WAYS {
             let (whole, statistics) = reference(&scene, way, area);
@@ -234,7 +234,7 @@ proptest! {
 
     /// Nothing is drawn outside the bounds, which lie in the picture.
     #[test]
-    fn bounds_hold_all_that_is_drawn(scene in scene()) {
+    fn bounds_contain_every_drawn_pixel(scene in scene()) {
         let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
         for way in WAYS {
             let whole = reference(&scene, way, area).0;
@@ -251,7 +251,7 @@ proptest! {
 
     /// Over capacity nothing is drawn, and the error names what is enough; one number less is not.
     #[test]
-    fn records_say_what_they_need(scene in scene(), given in 0usize..10) {
+    fn bin_storage_that_is_too_small_names_the_size_it_needs(scene in scene(), given in 0usize..10) {
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(&scene));
         let (placed, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
         let transformed = placed.transform(&mut corners);

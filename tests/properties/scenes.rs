@@ -80,7 +80,7 @@ proptest! {
     }
 
     #[test]
-    fn two_halves_make_the_whole(scene in scene(), cut in 0u32..=WIDTH, down in prop::bool::ANY) {
+    fn two_half_viewports_add_up_to_the_full_picture(scene in scene(), cut in 0u32..=WIDTH, down in prop::bool::ANY) {
         let cut = if down { cut.min(HEIGHT) } else { cut };
         let halves = if down {
             [bridge::rectangle(0, 0, WIDTH, cut), bridge::rectangle(0, cut as i32, WIDTH, HEIGHT - cut)]

@@ -82,7 +82,7 @@ proptest! {
     }
 
     #[test]
-    fn identity_is_neutral(a in prop::collection::vec(step(), 0..5), p in any::<[i32; 3]>()) {
+    fn identity_changes_no_transform(a in prop::collection::vec(step(), 0..5), p in any::<[i32; 3]>()) {
         let a = ModelBits(a).library();
         let (before, after) = (Affine::<Model, Model>::identity().then(&a), a.then(&Affine::<World, World>::identity()));
         prop_assert_eq!(before.apply(point(p)), a.apply(point(p)));
@@ -90,7 +90,7 @@ proptest! {
     }
 
     #[test]
-    fn the_inverse_brings_points_back(
+    fn the_inverse_returns_points_to_where_they_were(
         first in turn(),
         scale in [factor(), factor(), factor()],
         second in turn(),
@@ -121,7 +121,7 @@ proptest! {
     }
 
     #[test]
-    fn the_rigid_inverse_brings_points_back(
+    fn the_rigid_inverse_returns_points_to_where_they_were(
         first in turn(),
         second in turn(),
         move_by in [shift(2000), shift(2000), shift(2000)],

@@ -77,7 +77,7 @@ fn r7_vertex_order_does_not_matter() {
 }
 
 #[test]
-fn r9_tiny() {
+fn r9_tiny_triangles_cover_exactly() {
     let mut rng = Rng::new(0x91);
     for _ in 0..40_000 {
         let o = (rng.int(-600, 600), rng.int(-600, 600));
@@ -87,7 +87,7 @@ fn r9_tiny() {
 }
 
 #[test]
-fn r9_random_sub_pixels() {
+fn r9_random_sub_pixel_triangles_cover_exactly() {
     let mut rng = Rng::new(0x92);
     for _ in 0..6000 {
         let mut p = || (rng.int(-1000, 5000), rng.int(-1000, 5000));
@@ -96,7 +96,7 @@ fn r9_random_sub_pixels() {
 }
 
 #[test]
-fn r9_axis_aligned() {
+fn r9_axis_aligned_triangles_cover_exactly() {
     let mut rng = Rng::new(0x93);
     for _ in 0..6000 {
         let step = [1, 128][rng.below(2)];
@@ -110,7 +110,7 @@ fn r9_axis_aligned() {
 }
 
 #[test]
-fn r9_slivers_along_centres() {
+fn r9_slivers_along_centers_cover_exactly() {
     let mut rng = Rng::new(0x94);
     for _ in 0..20_000 {
         // A long edge through centres; the third vertex at most a few sub-pixels off it.
@@ -188,7 +188,7 @@ fn r9_short_edges_that_pass_a_centre_within_one_lattice_unit() {
 }
 
 #[test]
-fn scissor_is_a_crop_of_the_unclipped() {
+fn a_scissor_crops_the_triangle() {
     let mut rng = Rng::new(0x5C);
     let all = Area::new(-20, -20, 40, 40);
     for _ in 0..2000 {
@@ -208,7 +208,7 @@ fn scissor_is_a_crop_of_the_unclipped() {
 }
 
 #[test]
-fn scissors_of_every_extreme() {
+fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
     let t = [(-700, -300), (2000, 50), (300, 2400)];
     let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));
     let all = Area::new(-20, -20, 40, 40);
@@ -236,7 +236,7 @@ fn scissors_of_every_extreme() {
 }
 
 #[test]
-fn an_error_ends_the_triangle_and_comes_back() {
+fn an_error_of_the_callback_ends_the_triangle_and_is_returned() {
     use pinhole::raster;
     let t = [(0, 0), (4000, 100), (300, 4000)].map(bridge::screen_point);
     let scissor = bridge::scissor(Area::new(0, 0, 16, 16));

@@ -18,7 +18,7 @@ fn l1_every_line_in_every_octant() {
 }
 
 #[test]
-fn l2_every_small_scissor() {
+fn l2_every_small_scissor_crops_the_line() {
     // Every rectangle of a 9 × 9 field, on lines of every kind through it.
     let lines = [
         ((-3, 1), (11, 7)),
@@ -48,7 +48,7 @@ fn l2_every_small_scissor() {
 }
 
 #[test]
-fn l2_clipped_is_unclipped_cut() {
+fn l2_a_clipped_line_is_a_crop_of_the_full_line() {
     let mut rng = Rng::new(0x12);
     for _ in 0..20_000 {
         let reach = [30, 300, 3000][rng.below(3)];
@@ -63,7 +63,7 @@ fn l2_clipped_is_unclipped_cut() {
 }
 
 #[test]
-fn l2_nearly_horizontal_and_nearly_vertical() {
+fn l2_nearly_horizontal_and_vertical_lines_are_exact() {
     let mut rng = Rng::new(0x121);
     for _ in 0..2000 {
         let (long, short) = (rng.int(200, 4000), rng.int(-3, 3));
@@ -78,7 +78,7 @@ fn l2_nearly_horizontal_and_nearly_vertical() {
 }
 
 #[test]
-fn scissors_of_every_extreme() {
+fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
     let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));
     for (l, t, r, b) in [
         (5, 5, 5, 5),
@@ -96,7 +96,7 @@ fn scissors_of_every_extreme() {
 }
 
 #[test]
-fn an_error_ends_the_line_and_comes_back() {
+fn an_error_of_the_callback_ends_the_line_and_is_returned() {
     use pinhole::raster;
     let (a, b) = (bridge::pixel((0, 0)), bridge::pixel((30, 11)));
     let scissor = bridge::scissor(Area::new(-5, -5, 50, 50));

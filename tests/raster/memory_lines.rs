@@ -50,7 +50,7 @@ fn l1_every_line_in_every_octant() {
 }
 
 #[test]
-fn l2_in_pictures_of_every_shape() {
+fn l2_lines_match_in_pictures_of_every_shape() {
     let mut rng = Rng::new(0x4C49);
     let mut pixels = 0;
     for size in [(1, 1), (1, 40), (40, 1), (2, 2), (2, 60), (3, 41), (60, 2), (37, 53), (64, 32), (240, 17)] {
@@ -74,7 +74,7 @@ fn l2_lines_to_the_ends_of_the_range() {
 }
 
 #[test]
-fn l2_the_longest_lines_of_each_loop() {
+fn l2_the_longest_lines_of_each_loop_match() {
     // A slope in 32 bits is for lines up to 6688; in narrow pictures, whole, and in wide ones, cut.
     let mut rng = Rng::new(0x4C4B);
     for length in [6600, 6687, 6688, 6689, 6690, 8000] {

@@ -70,7 +70,7 @@ fn r9_random_triangles_of_every_class() {
 }
 
 #[test]
-fn r9_in_wide_and_in_high_pictures() {
+fn r9_triangles_match_in_wide_and_in_tall_pictures() {
     // Beyond 2047 columns a row is drawn in pieces; beyond 512 rows sides are wide.
     let mut rng = Rng::new(0x9A19);
     for (width, height) in [(2047, 4), (2048, 4), (5000, 3), (6, 700), (3, 3000)] {
@@ -89,7 +89,7 @@ fn r9_in_wide_and_in_high_pictures() {
 }
 
 #[test]
-fn r9_in_bands_that_do_not_begin_at_the_origin() {
+fn r9_triangles_match_in_bands_away_from_the_origin() {
     let mut rng = Rng::new(0x9A1A);
     for _ in 0..3000 {
         let (left, top) = (rng.int(-20, 30), rng.int(-20, 30));
@@ -141,7 +141,7 @@ fn tested<I: SpanShader<Rgb565>>(
 }
 
 #[test]
-fn depth_and_colours_are_those_of_any_target() {
+fn memory_targets_store_the_depth_and_colors_of_any_target() {
     let mut rng = Rng::new(0x9A1B);
     let mut seen = 0;
     for reach in [60, 300, 1500, 9000] {
@@ -187,7 +187,7 @@ fn depth_and_colours_are_those_of_any_target() {
 }
 
 #[test]
-fn depths_are_cleared_wherever_they_lie() {
+fn clear_resets_every_pixel_of_a_depth_buffer() {
     for (from, count) in
         (0..4).flat_map(|from| [0, 1, 2, 3, 63, 64, 65, 66, 67, 130].map(|count| (from, count)))
     {

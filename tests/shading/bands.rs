@@ -128,7 +128,7 @@ fn every_ink<C: Colour>(scene: &Scene) {
 }
 
 #[test]
-fn bands_of_every_height_make_the_whole() {
+fn bands_of_every_height_add_up_to_the_full_picture() {
     let mut rng = Rng::new(0x80);
     for _ in 0..60 {
         let scene = Scene::random(&mut rng);
@@ -167,7 +167,7 @@ fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scen
 }
 
 #[test]
-fn through_their_memory_bands_are_the_same() {
+fn bands_of_stored_pixels_send_the_full_picture() {
     let mut rng = Rng::new(0x81);
     for _ in 0..60 {
         let scene = Scene::random(&mut rng);
@@ -180,7 +180,7 @@ fn through_their_memory_bands_are_the_same() {
 
 /// Triangles drawn in 2D: what runs over them does not begin anew with every band.
 #[test]
-fn flat_triangles_in_bands_make_the_whole() {
+fn two_dimensional_triangles_in_bands_add_up_to_the_full_picture() {
     let mut rng = Rng::new(0x82);
     let area = Rectangle::new(Point::zero(), Size::new(200, 120));
     for case in 0..4_000 {

@@ -1,204 +1,211 @@
-//! BinnedFaces that the near plane cuts: colours are linear on the screen over each piece, and go over into those of the
-//! whole face.
+//! Colors of faces that the near plane, the far plane or the guard band cuts. A cut corner has the color that its point of
+//! the face has in space, and over each triangle of the clipped polygon colors are linear on the screen.
 
 use crate::scene::{
     draw, for_every_colour, gouraud, lit, mesh, random_colour, random_lights, shaded, Colour, Picture, SIZE,
 };
+use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::Gray8;
 use pinhole::clip::{Barycentric, Varying};
-use pinhole::{Affine, Camera, Scalar, SpanShader};
+use pinhole::{Affine, Scalar, SpanShader};
 use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use support::oracle::chain::{self, fx3};
+use support::oracle::cut_faces::{pieces, Corner};
 use support::oracle::rng::Rng;
-use support::oracle::shade::Lit;
-
-/// From the origin along −z, 90 degrees high.
-fn camera(near: i32) -> Camera {
-    CameraBits {
-        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, SIZE, near, 100 * ONE),
-        viewport: (0, 0, SIZE.0, SIZE.1),
-    }
-    .library()
-}
+use support::oracle::shade::{bayer, Lit};
 
 type V3 = [f64; 3];
 
-/// A corner in space with the levels of its channels.
-#[derive(Clone, Debug)]
-struct ScreenVertex {
-    at: V3,
-    levels: Vec<f64>,
-}
-
-fn reals(bits: [i32; 3]) -> V3 {
-    bits.map(|c| f64::from(c) / 65536.0)
-}
-
-/// What is left beyond the near plane, in the order of Sutherland and Hodgman: each edge's cut, then its end.
-fn clip(corners: &[ScreenVertex; 3], near: f64) -> Vec<ScreenVertex> {
-    let mut left = Vec::new();
-    for (from, to) in [(2, 0), (0, 1), (1, 2)] {
-        let (a, b) = (&corners[from], &corners[to]);
-        let (da, db) = (-a.at[2] - near, -b.at[2] - near);
-        if (da < 0.0) != (db < 0.0) {
-            let t = da / (da - db);
-            let mix = |p: f64, q: f64| p + (q - p) * t;
-            left.push(ScreenVertex {
-                at: [0, 1, 2].map(|i| mix(a.at[i], b.at[i])),
-                levels: a.levels.iter().zip(&b.levels).map(|(&p, &q)| mix(p, q)).collect(),
-            });
-        }
-        if db >= 0.0 {
-            left.push(b.clone());
-        }
+/// At the origin, looking along −z, with a field of view of 90 degrees.
+fn camera(far: i32) -> CameraBits {
+    CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 30, SIZE, ONE, far),
+        viewport: (0, 0, SIZE.0, SIZE.1),
     }
-    left
 }
 
-fn screen(p: V3) -> (f64, f64) {
-    let focal = f64::from(SIZE.1) / 2.0; // 90 degrees
-    (f64::from(SIZE.0) / 2.0 - focal * p[0] / p[2], f64::from(SIZE.1) / 2.0 + focal * p[1] / p[2])
+/// The planes that a random face crosses.
+#[derive(Clone, Copy, Debug)]
+enum Planes {
+    Near,
+    Far,
+    GuardBand,
 }
 
-fn cross(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> f64 {
-    (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
+impl Planes {
+    fn camera(self) -> CameraBits {
+        camera(if matches!(self, Self::Far) { 4 * ONE } else { 100 * ONE })
+    }
+
+    fn random_face(self, rng: &mut Rng) -> [[i32; 3]; 3] {
+        let near = i64::from(ONE);
+        let mut corner = |outside: bool| {
+            let mut at = [rng.int(-5 << 16, 5 << 16), rng.int(-5 << 16, 5 << 16), -rng.int(near, 8 << 16)];
+            match self {
+                Self::Near if outside => at[2] = rng.int(1 - near, 4 << 16),
+                Self::Near => {}
+                Self::Far if outside => at[2] = -rng.int(4 << 16, 12 << 16),
+                Self::Far => at[2] = -rng.int(near, 4 << 16),
+                // 90 degrees on 48 pixels: 24 pixels for a slope of 1, so a slope of 342 leaves the guard band.
+                Self::GuardBand if outside => {
+                    at[2] = -rng.int(near, 2 << 16);
+                    at[rng.below(2)] = rng.int(700 << 16, 3000 << 16) * [1, -1][rng.below(2)];
+                }
+                Self::GuardBand => {}
+            }
+            at.map(|c| c as i32)
+        };
+        let mut face = [corner(false), corner(true), corner(false)];
+        // A third of the faces have one corner inside.
+        let two = corner(true);
+        if rng.one_in(3) {
+            face[0] = two;
+        }
+        face.rotate_left(rng.below(3));
+        face
+    }
 }
 
-/// How far a pixel's centre lies inside a triangle, in pixels.
-fn inside(t: [(f64, f64); 3], p: (f64, f64)) -> f64 {
-    let side = cross(t[0], t[1], t[2]).signum();
-    let from = |a: (f64, f64), b: (f64, f64)| side * cross(a, b, p) / (b.0 - a.0).hypot(b.1 - a.1);
-    from(t[0], t[1]).min(from(t[1], t[2])).min(from(t[2], t[0]))
+/// What a shader may add to the error of a channel, beside the gradients and the rounding of the cut corners.
+#[derive(Clone, Copy)]
+enum Rounding {
+    /// To the nearest level.
+    Level,
+    /// Of light to one of 256 entries, each of which has its nearest level.
+    Entry,
+    /// To the level that the pattern of 8 × 8 thresholds selects.
+    Pattern,
 }
 
-/// Every pixel inside one piece has the colour of that piece's plane, but for what the snap explains, and `more` of a channel.
+/// Every pixel that is surely inside one triangle of the clipped polygon has the color of the oracle, within the documented
+/// bound and the change that the snap of the corners explains. Adds the number of pixels to `seen`.
 fn check<C: Colour, I: SpanShader<C>>(
-    bits: [[i32; 3]; 3],
-    ink: impl Fn([Lit; 3]) -> I,
-    colours: [Lit; 3],
-    more: impl Fn(usize) -> f64,
+    (planes, bits): (Planes, [[i32; 3]; 3]),
+    shader: impl Fn([Lit; 3]) -> I,
+    colors: [Lit; 3],
+    rounding: Rounding,
     seen: &mut usize,
 ) {
-    let corners = [0, 1, 2].map(|i| ScreenVertex {
-        at: reals(bits[i]),
-        levels: C::DEPTHS.levels(colours[i]).iter().map(|&(n, d)| n as f64 / d as f64).collect(),
+    let (far, camera) = (matches!(planes, Planes::Far), planes.camera());
+    let exact = camera.exact();
+    let corners = [0, 1, 2].map(|i| Corner {
+        clip: exact.clip(&chain::IDENTITY, fx3(bits[i])),
+        levels: C::DEPTHS.levels(colors[i]).iter().map(|&(n, d)| n as f64 / d as f64).collect(),
     });
-    let mut polygon = clip(&corners, 1.0);
-    // Seen from behind it is taken the other way round; y points downwards.
-    let places: Vec<_> = polygon.iter().map(|corner| screen(corner.at)).collect();
-    if (2..places.len()).map(|k| cross(places[0], places[k - 1], places[k])).sum::<f64>() > 0.0 {
-        polygon.reverse();
-    }
+    let (pieces, whole) = pieces(&exact, &corners, far);
+    assert!(!whole, "{planes:?} do not cut {bits:?}");
     let vertices = bits.map(|v| v.map(Scalar::from_bits));
     let mesh = mesh(&vertices);
-    let picture = draw::<C, _>(&camera(ONE).place(&mesh, &Affine::identity()), ink(colours));
-    for k in 2..polygon.len() {
-        let piece = [&polygon[0], &polygon[k - 1], &polygon[k]];
-        let t = piece.map(|corner| screen(corner.at));
-        let area = cross(t[0], t[1], t[2]);
-        for (p, colour) in picture.drawn() {
+    let camera = camera.library().with_far_clip(far);
+    let picture = draw::<C, _>(&camera.place(&mesh, &Affine::identity()), shader(colors));
+    let pattern = bayer(8);
+    for piece in &pieces {
+        for (p, color) in picture.drawn() {
             let at = (f64::from(p.x) + 0.5, f64::from(p.y) + 0.5);
-            if inside(t, at) < 1.0 / 64.0 {
+            if piece.inside(at) < 1.0 / 64.0 {
                 continue;
             }
             *seen += 1;
-            for (channel, level) in colour.levels().into_iter().enumerate() {
-                let of = |i: usize| piece[i].levels[channel];
-                let weights = [cross(at, t[1], t[2]), cross(t[0], at, t[2]), cross(t[0], t[1], at)];
-                let exact = (weights[0] * of(0) + weights[1] * of(1) + weights[2] * of(2)) / area;
-                // A corner that moves by d moves the plane by its slope times d: three corners, 1/256 px each.
-                let slope = |x: bool| {
-                    let c = |i: usize| if x { t[i].1 } else { t[i].0 };
-                    let (u, v) = (c(1) - c(0), c(2) - c(0));
-                    ((of(1) - of(0)) * v - (of(2) - of(0)) * u) / area
+            for (channel, level) in color.levels().into_iter().enumerate() {
+                let (level, exact) = (level as f64, piece.level(channel, at));
+                // Gradients are off by 2⁻⁹ level, cut corners by another 2⁻⁹; a corner on the screen by 1/256 pixel.
+                let slack = 1.0 / 512.0 + 1.0 / 512.0 + piece.change(channel, 1.0 / 256.0);
+                let holds = match rounding {
+                    Rounding::Level => (level - exact).abs() <= 0.5 + slack,
+                    Rounding::Entry => {
+                        (level - exact).abs() <= 0.5 + C::DEPTHS.0[channel] as f64 / 510.0 + slack
+                    }
+                    Rounding::Pattern => {
+                        let rank = pattern[p.y as usize % 8][p.x as usize % 8];
+                        let sum = exact + (2 * rank + 1) as f64 / 128.0;
+                        ((sum - slack).floor()..=(sum + slack).floor()).contains(&level)
+                    }
                 };
-                let snap = 3.0 / 256.0 * slope(true).hypot(slope(false));
-                let error = (level as f64 - exact).abs();
-                // ½, the plane's share and that of the cut corners' rounding.
+                let Point { x, y } = p;
                 assert!(
-                    error <= 0.5 + 1.0 / 512.0 + 1.0 / 512.0 + more(channel) + snap,
-                    "{error}, snap {snap}: {bits:?} {colours:?} {p:?}"
+                    holds,
+                    "{planes:?}: level {level} for {exact} ± {slack} at ({x}, {y}): {bits:?} {colors:?}"
                 );
             }
         }
     }
 }
 
-fn random_face(rng: &mut Rng) -> [[i32; 3]; 3] {
-    let mut corner = |behind: bool| {
-        let z = if behind { rng.int(-ONE as i64 + 1, 4 << 16) } else { -rng.int(ONE.into(), 8 << 16) };
-        [rng.int(-5 << 16, 5 << 16) as i32, rng.int(-5 << 16, 5 << 16) as i32, z as i32]
-    };
-    let mut face = [corner(false), corner(true), corner(false)];
-    if rng.one_in(3) {
-        face[0][2] = rng.int(-ONE as i64 + 1, 2 << 16) as i32;
-    }
-    face.rotate_left(rng.below(3));
-    face
-}
-
-fn random<C: Colour>(cases: usize) {
-    let (mut rng, mut seen) = (Rng::new(0x90), 0);
+fn every_shader<C: Colour>(planes: Planes, cases: usize) {
+    let (mut rng, mut seen) = (Rng::new(0x90), [0; 5]);
     for _ in 0..cases {
-        check::<C, _>(
-            random_face(&mut rng),
-            gouraud,
-            [0; 3].map(|_| random_colour(&mut rng)),
-            |_| 0.0,
-            &mut seen,
-        );
-        check::<C, _>(random_face(&mut rng), lit, random_lights(&mut rng), |_| 0.0, &mut seen);
-        // Light is rounded too.
-        let half_an_entry = |channel: usize| C::DEPTHS.0[channel] as f64 / 510.0;
-        check::<C, _>(random_face(&mut rng), shaded, random_lights(&mut rng), half_an_entry, &mut seen);
+        let mut face = || (planes, planes.random_face(&mut rng));
+        let faces = [(); 5].map(|()| face());
+        let mut colors = || [(); 3].map(|()| random_colour(&mut rng));
+        let [first, second] = [colors(), colors()];
+        let mut lights = || random_lights(&mut rng);
+        let [third, fourth, fifth] = [lights(), lights(), lights()];
+        let [a, b, c, d, e] = &mut seen;
+        check::<C, _>(faces[0], gouraud, first, Rounding::Level, a);
+        check::<C, _>(faces[1], lit, third, Rounding::Level, b);
+        check::<C, _>(faces[2], shaded, fourth, Rounding::Entry, c);
+        check::<C, _>(faces[3], |colors| gouraud(colors).dithered(), second, Rounding::Pattern, d);
+        check::<C, _>(faces[4], |lights| lit(lights).dithered(), fifth, Rounding::Pattern, e);
     }
-    assert!(seen > 100 * cases, "{seen} pixels");
+    println!("{planes:?}: {seen:?} pixels");
+    assert!(seen.iter().all(|&pixels| pixels > 100 * cases), "{planes:?}: {seen:?} pixels of {cases} faces");
 }
 
 #[test]
-fn pieces_are_linear_between_the_colours_of_the_cut() {
-    for_every_colour!(random(300));
+fn faces_cut_by_the_near_plane_have_the_colors_of_the_oracle() {
+    for_every_colour!(every_shader(Planes::Near, 150));
 }
 
-/// As a corner passes the near plane, no colour jumps: from one unit of 2⁻¹⁶ before it to one behind it, pixels change
-/// by no more than what the corner's own way on the screen explains.
 #[test]
-fn colours_do_not_jump_at_the_near_plane() {
+fn faces_cut_by_the_far_plane_have_the_colors_of_the_oracle() {
+    for_every_colour!(every_shader(Planes::Far, 150));
+}
+
+#[test]
+fn faces_cut_by_the_guard_band_have_the_colors_of_the_oracle() {
+    for_every_colour!(every_shader(Planes::GuardBand, 150));
+}
+
+/// A corner moves from the near plane to 2⁻¹⁶ behind it: no pixel's color jumps.
+#[test]
+fn colors_do_not_jump_as_a_corner_passes_the_near_plane() {
     let mut rng = Rng::new(0x91);
+    let camera = Planes::Near.camera().library();
     let (mut worst, mut seen, mut faces) = (0, 0, 0);
     for _ in 0..2000 {
-        let mut face = random_face(&mut rng);
+        let mut face = Planes::Near.random_face(&mut rng);
         for corner in &mut face {
             corner[2] = corner[2].min(-ONE);
         }
         let passes = rng.below(3);
-        let colours = [0; 3].map(|_| random_colour(&mut rng));
+        let colors = [(); 3].map(|()| random_colour(&mut rng));
         let picture = |z: i32| -> Picture<Gray8> {
             let mut face = face;
             face[passes][2] = z;
             let vertices = face.map(|v| v.map(Scalar::from_bits));
             let mesh = mesh(&vertices);
-            draw(&camera(ONE).place(&mesh, &Affine::identity()), gouraud(colours))
+            draw(&camera.place(&mesh, &Affine::identity()), gouraud(colors))
         };
         let (before, behind) = (picture(-ONE), picture(1 - ONE));
-        // Slivers change by their own snapping.
+        // The snap of its corners changes a sliver by more.
         if before.drawn().count() < 100 {
             continue;
         }
         faces += 1;
-        for (p, colour) in before.drawn() {
+        for (p, color) in before.drawn() {
             let Some(other) = behind.at(p) else { continue };
             seen += 1;
-            worst = worst.max((colour.levels()[0] - other.levels()[0]).abs());
+            worst = worst.max((color.levels()[0] - other.levels()[0]).abs());
         }
     }
     println!("{faces} faces, {seen} pixels: {worst} levels of 255");
     assert!(faces > 500 && worst <= 2, "{faces} faces, {seen} pixels: {worst}");
 }
 
-/// Weights after six cuts against those in f64: the first two are off by half a unit for each cut, the third by a unit.
+/// Barycentric weights after up to six cuts: the first two are off by half a unit for each cut, the third by one unit.
 #[test]
-fn weights_are_one_in_all_and_those_of_the_point() {
+fn barycentric_weights_follow_the_cuts_and_sum_to_one() {
     let mut rng = Rng::new(0x94);
     let mut largest = [0f64; 2];
     for _ in 0..50_000 {

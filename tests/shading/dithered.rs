@@ -58,7 +58,7 @@ fn smooth<C: Colour>(cases: usize) {
 }
 
 #[test]
-fn smooth_colours_take_the_level_of_the_pattern() {
+fn smooth_dithered_colors_take_the_level_of_the_bayer_pattern() {
     for_every_colour!(smooth(800));
 }
 
@@ -83,7 +83,7 @@ fn even<C: Colour>(colour: Lit, rng: &mut Rng) {
 }
 
 #[test]
-fn means_are_kept_and_full_levels_are_pure() {
+fn dithering_keeps_means_and_leaves_exact_levels_pure() {
     let mut rng = Rng::new(0x71);
     for _ in 0..60 {
         let colour = random_colour(&mut rng);
@@ -123,7 +123,7 @@ fn more_light_makes_no_pixel_darker() {
 
 /// The pattern stands still: where a moving face is, it shows the same pixels of one picture.
 #[test]
-fn the_pattern_stands_still() {
+fn the_dither_pattern_is_fixed_to_the_screen() {
     let (mut rng, camera) = (Rng::new(0x72), flat_camera());
     let ink = flat(Lit { rgb: [90, 140, 33], level: 200 }).dithered();
     let still = everywhere::<Gray4>(ink);

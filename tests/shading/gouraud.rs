@@ -54,7 +54,7 @@ fn random<C: Colour>(cases: usize) {
 }
 
 #[test]
-fn colours_are_the_nearest_ones_of_the_plane() {
+fn gouraud_colors_are_the_nearest_levels_of_their_gradients() {
     for_every_colour!(random(1500));
 }
 
@@ -74,7 +74,7 @@ fn even<C: Colour>(rng: &mut Rng) {
 }
 
 #[test]
-fn even_colours_are_flat() {
+fn three_equal_corner_colors_make_a_solid_face() {
     let mut rng = Rng::new(0x61);
     for _ in 0..300 {
         for_every_colour!(even(&mut rng));
@@ -97,7 +97,7 @@ fn nearest<C: Channels + From<Rgb888> + core::fmt::Debug>(colour: Rgb888) {
 }
 
 #[test]
-fn flat_colours_are_the_nearest_of_every_kind() {
+fn flat_colors_are_the_nearest_of_every_color_type() {
     let mut rng = Rng::new(0x62);
     for _ in 0..300 {
         let [r, g, b] = random_colour(&mut rng).rgb;
@@ -116,7 +116,7 @@ fn flat_colours_are_the_nearest_of_every_kind() {
 
 /// The pixels go out with one call a span.
 #[test]
-fn a_span_is_one_call() {
+fn one_draw_call_fills_a_whole_span() {
     let vertices = [(100, 100), (9000, 3000), (2000, 11_000)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
     let placed = camera.place(&mesh, &Affine::identity()).with_cull(pinhole::Cull::None);
@@ -140,7 +140,7 @@ fn a_span_is_one_call() {
 
 /// Levels of light beyond 256 count as 256.
 #[test]
-fn light_is_full_at_256() {
+fn a_light_level_of_256_is_full_light() {
     for level in [256, 257, u16::MAX] {
         let colour = Rgb888::new(9, 8, 7);
         assert_eq!(Gouraud::lit(colour, [level; 3]), Gouraud::lit(colour, [256; 3]));

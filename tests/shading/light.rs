@@ -45,7 +45,7 @@ fn check(rng: &mut Rng, model: &ModelBits) -> f64 {
 }
 
 #[test]
-fn levels_under_rotations_and_even_scales() {
+fn light_levels_hold_under_rotations_and_even_scales() {
     let mut rng = Rng::new(0x8A);
     let mut worst = 0.0f64;
     for _ in 0..10_000 {
@@ -60,7 +60,7 @@ fn levels_under_rotations_and_even_scales() {
 }
 
 #[test]
-fn levels_under_uneven_scales() {
+fn light_levels_hold_under_uneven_scales() {
     let mut rng = Rng::new(0x8B);
     let mut worst = 0.0f64;
     for _ in 0..10_000 {
@@ -74,7 +74,7 @@ fn levels_under_uneven_scales() {
 }
 
 #[test]
-fn levels_under_mirrors() {
+fn light_levels_hold_under_mirrors() {
     // A mirrored object's normals still point outwards.
     let mut rng = Rng::new(0x8C);
     for _ in 0..10_000 {
@@ -106,7 +106,7 @@ fn light_does_not_depend_on_the_translation() {
 }
 
 #[test]
-fn colours_dim_by_rounding_each_channel() {
+fn dimmed_colors_round_each_channel() {
     let wanted = |channel: u8, level: u16| {
         let exact = f64::from(channel) * f64::from(level.min(256)) / 256.0;
         (exact - 0.5, exact + 0.5)
@@ -132,7 +132,7 @@ fn colours_dim_by_rounding_each_channel() {
 }
 
 #[test]
-fn levels_under_scales_that_are_nearly_even() {
+fn light_levels_hold_under_nearly_even_scales() {
     let mut rng = Rng::new(0x8E);
     let mut worst = 0.0f64;
     for _ in 0..20_000 {
@@ -146,7 +146,7 @@ fn levels_under_scales_that_are_nearly_even() {
 }
 
 #[test]
-fn levels_under_scales_up_to_10_000_to_1() {
+fn light_levels_hold_under_scales_up_to_10_000_to_1() {
     let mut rng = Rng::new(0x8F);
     let mut worst = 0.0f64;
     for _ in 0..20_000 {
@@ -160,7 +160,7 @@ fn levels_under_scales_up_to_10_000_to_1() {
 
 /// At vertices as at faces, as far as both lists go.
 #[test]
-fn levels_of_many_normals_are_those_of_each() {
+fn light_levels_of_a_list_equal_light_levels_one_by_one() {
     let mut rng = Rng::new(0x90);
     for _ in 0..200 {
         let mut model = ModelBits::random_rotation(&mut rng);

@@ -28,7 +28,7 @@ fn numbers() -> ShadeTable<Rgb888> {
 }
 
 #[test]
-fn light_is_the_nearest_entry() {
+fn light_selects_the_nearest_table_entry() {
     let (mut rng, camera, table) = (Rng::new(0xA0), flat_camera(), numbers());
     let (mut worst, mut beyond) = (0.0f64, 0.0f64);
     for _ in 0..6000 {
@@ -78,7 +78,7 @@ fn random<C: Colour>(cases: usize) {
 }
 
 #[test]
-fn colours_are_within_the_bound() {
+fn table_colors_are_within_the_documented_bound() {
     for_every_colour!(random(700));
 }
 
@@ -95,7 +95,7 @@ fn entries<C: Colour>(rng: &mut Rng) {
 }
 
 #[test]
-fn entries_are_the_nearest_colours() {
+fn table_entries_are_the_nearest_colors_of_the_target() {
     let mut rng = Rng::new(0xA2);
     for _ in 0..100 {
         for_every_colour!(entries(&mut rng));
@@ -104,7 +104,7 @@ fn entries_are_the_nearest_colours() {
 
 /// Full light is the last entry all over, no light the first; more than full counts as full.
 #[test]
-fn full_light_and_none_are_the_ends() {
+fn full_light_and_no_light_select_the_last_and_the_first_entry() {
     let (mut rng, camera, table) = (Rng::new(0xA3), flat_camera(), numbers());
     for _ in 0..3000 {
         let vertices = random_triangle(&mut rng).map(vertex);
@@ -119,7 +119,7 @@ fn full_light_and_none_are_the_ends() {
 
 /// In memory, with depth and without, as on any other target: the loops are others.
 #[test]
-fn memory_and_depth_change_nothing() {
+fn memory_targets_and_depth_tests_draw_the_colors_of_any_target() {
     let (mut rng, camera) = (Rng::new(0xA4), flat_camera());
     let size = Size::new(64, 48);
     let area = Rectangle::new(Point::zero(), size);

@@ -46,7 +46,7 @@ fn coverage_by_steps_equals_coverage_by_edges() {
 }
 
 #[test]
-fn the_classes_are_what_their_names_say() {
+fn random_triangles_have_the_property_of_their_class() {
     let mut rng = Rng::new(3);
     for class in CLASSES {
         let mut largest = 0;
@@ -132,7 +132,7 @@ fn sin_cos_is_exact_at_the_quarter_turns() {
 }
 
 #[test]
-fn worked_example_a() {
+fn the_worked_example_of_the_specification_holds() {
     let one = 65536;
     let v = View::from_reference([one, 2 * one, 3 * one], [2 * one, -one, 2 * one], [0, one, 0]);
     let (r2, close) = (2f64.sqrt(), |a: f64, b: f64| (a - b).abs() < 1e-15);

@@ -10,6 +10,7 @@
 //! * [`picture`] how far edges must move to explain a whole depth-tested picture, in f64
 //! * [`volume`] the homogeneous view volume: distances, and what of a line is inside
 //! * [`shade`] colours over a triangle and dithered, in exact fractions
+//! * [`cut_faces`] colors of faces that the near plane, the far plane or the guard band cuts, in f64
 //! * [`rng`] a seeded generator, so that every run draws the same cases
 
 pub mod cases;
@@ -17,6 +18,7 @@ pub mod chain;
 #[cfg(test)]
 mod check;
 pub mod coverage;
+pub mod cut_faces;
 pub mod eye;
 pub mod hidden;
 pub mod line;
