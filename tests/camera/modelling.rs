@@ -306,7 +306,7 @@ fn s2_rigid_inverse_is_the_transpose() {
         point([0; 3]),
     );
     assert_eq!(sheared.rigid_inverse().map(|_| ()), Err(InverseError::NotRigid));
-    // The same limit whether or not a coefficient is 1, which the whole block is scaled for.
+    // A coefficient of 1, for which all coefficients are scaled down, does not change the limit.
     for (long, rigid) in [(2f64.powi(-20), false), (2f64.powi(-22), true)] {
         let c = (0.5f64).sqrt();
         for (a, b) in [(1.0, 0.0), (c, c)] {

@@ -162,7 +162,7 @@ fn rays_of_a_perspective_meet_in_its_centre() {
             let to: V3 = core::array::from_fn(|i| [1.0, 2.0, 5.0][i] - reals(ray.origin)[i]);
             let beside = length(chain::cross(to, d)) / length(d);
             assert!(beside < 2.0 / 65536.0, "{beside}");
-            // The same pixel again.
+            // Projecting the point again gives the pixel that it came from.
             let along = core::array::from_fn(|i| reals(ray.origin)[i] + d[i] / 8192.0 * 5.0);
             let (p, _) = camera.project(point(bits(along).expect("in range"))).expect("seen");
             assert!((p.x() - at.x()).abs() <= 2 && (p.y() - at.y()).abs() <= 2, "{p:?} {at:?}");

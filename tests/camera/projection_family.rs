@@ -82,7 +82,7 @@ fn s4_isometric_foreshortens_all_three_by_root_two_thirds() {
     for (axis, f) in foreshortening(&view).into_iter().enumerate() {
         close(f, (2f64 / 3.0).sqrt(), PX / 10.0, &format!("axis {axis}"));
     }
-    // The same view as by its VPN, to the last bits of its rows.
+    // The view equals the view by its VPN, to the last bits of its rows.
     let by_vpn =
         ViewTransform::from_reference(point([0; 3]), vector([ONE; 3]), vector([0, ONE, 0])).expect("a view");
     for (a, b) in view.rows().iter().flatten().zip(by_vpn.rows().iter().flatten()) {

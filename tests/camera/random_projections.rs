@@ -228,7 +228,7 @@ fn budget(picture: &Picture, at: V3, extent: f64) -> f64 {
     8192.0 * w_row / w + part(0, WIDTH).max(part(1, HEIGHT))
 }
 
-/// The same of depth, in steps.
+/// The error budget of depth, in steps.
 fn depth_budget(picture: &Picture, at: V3, extent: f64) -> f64 {
     let thick = picture.front - picture.back;
     let slope = picture.distance(picture.back) / thick;
@@ -331,7 +331,7 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
             let got = placed.project(i).map(|(p, depth)| (p.x(), p.y(), depth));
             check(at, half_extent, got, "place");
         }
-        // The same place as a point of the world, which has its own rounding.
+        // The point in world coordinates, which has its own rounding.
         let world = exact_model.apply(chain::vertex(c.vertices[0], c.exponent));
         if let Some(world) = bits(world) {
             let at = view.apply(chain::fx3(world));

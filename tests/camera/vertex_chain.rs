@@ -22,7 +22,7 @@ enum Kind {
     Orthographic,
 }
 
-/// What is asked of a class of cases.
+/// The bounds that a class of cases must meet.
 #[derive(Clone, Copy)]
 struct Class {
     kind: Kind,

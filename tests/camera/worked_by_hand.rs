@@ -215,7 +215,7 @@ fn look_at_looks_along_minus_z_with_y_up() {
     close3(z, chain::normalise(gaze.map(|c| -c)), 2f64.powi(-29), "z");
     let above = reals(ours.apply(point(ints(10, 5, -7))));
     assert!(above[0].abs() <= HALF && above[1] > 0.5);
-    // The same view by the other doors.
+    // The other constructors give the same view.
     let along = ViewTransform::look_along(point(eye), vector(ints(-7, 5, 27)), vector(ints(0, 1, 0)));
     let reference =
         ViewTransform::from_reference(point(eye), vector(ints(7, -5, -27)), vector(ints(0, 1, 0)));

@@ -81,10 +81,10 @@ impl Firmware {
         });
         // All is printed when it ends. What hangs is ended here: the script has replaced itself, so the child is QEMU.
         let Ok(text) = printed.recv_timeout(PATIENCE) else {
-            child.kill().expect("a child of ours");
+            child.kill().expect("the child can be killed");
             panic!("{core}: no end after {PATIENCE:?}");
         };
-        let (text, status) = (text.expect("text"), child.wait().expect("a child of ours"));
+        let (text, status) = (text.expect("text"), child.wait().expect("the child can be waited for"));
         reader.join().expect("reader");
         assert!(status.success(), "{core}: {status}\n{text}");
         text.lines().map(str::to_string).collect()

@@ -30,7 +30,7 @@ fn the_readme_leads_from_an_empty_folder_to_a_picture() {
     }
 }
 
-/// The same pyramid from an STL file: the same pixels are lit, whatever the order of its faces.
+/// The pyramid from an STL file lights the pixels of the pyramid in the README, in any order of its faces.
 #[test]
 fn the_readme_leads_from_a_model_to_a_picture() {
     let printed = of_a_model("model", "part.stl", pyramid().as_bytes());

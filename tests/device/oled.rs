@@ -10,7 +10,7 @@ use std::time::Duration;
 
 /// Bytes that the firmware may take of the stack, its own frames included: some 5 % more than it does.
 const STACK: usize = 2160;
-/// The same on a Cortex-M0, which has fewer registers at hand.
+/// A Cortex-M0 draws the pictures of the host with fewer registers.
 const STACK_OF_M0: usize = 2550;
 /// And its variables.
 const VARIABLES: u32 = 22_600;
@@ -128,7 +128,7 @@ fn an_emulator_that_does_not_start_is_an_error() {
     assert!(error.to_string().contains("cortex-m1000"), "{error}");
 }
 
-/// The same firmware, which is told to send a command that the SSD0323 does not have. A QEMU that does not say so, or in
+/// The firmware of the show, told to send a command that the SSD0323 does not have. A QEMU that does not say so, or in
 /// other words, would let everything pass.
 #[test]
 fn an_unknown_display_command_fails_the_test() {

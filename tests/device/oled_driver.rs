@@ -33,7 +33,7 @@ fn bytes(area: &Rectangle) -> Vec<u8> {
     levels.chunks(2).map(|pair| pair[0] << 4 | pair[1]).collect()
 }
 
-/// What is in the window is new, what is beside it is as before.
+/// Writing a window changes the pixels in it and no others.
 fn only(area: &Rectangle, before: &[u8], after: &[u8]) {
     for (at, (before, after)) in window(0, 0, 128, 64).points().zip(before.iter().zip(after)) {
         let wanted = if area.contains(at) { level(at.x, at.y) } else { *before };

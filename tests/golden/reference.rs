@@ -329,7 +329,7 @@ fn wireframe(s: &SetUp, size: u32) -> String {
     target.picture(size as i32, size as i32, |_| '+')
 }
 
-/// The same by the definition: snapped corners, exact coverage of the faces that look at the viewer.
+/// The picture by the definition: snapped corners, and the exact coverage of the faces that face the viewer.
 fn oracle_solid(s: &SetUp, size: u32) -> String {
     let at: Vec<_> = s.exact(size).into_iter().map(snap).collect();
     let front: Vec<_> = FACES

@@ -18,7 +18,7 @@ use support::oracle::rng::Rng;
 
 const SIZE: (u32, u32) = (96, 80);
 
-/// The face seen.
+/// A pixel of the target: the index of the visible face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Face(i32);
 
@@ -46,7 +46,7 @@ impl DrawTarget for Picture {
     }
 }
 
-/// Triangles under a model of the identity: which of them is seen where, and how deep.
+/// Draws triangles with an identity model matrix: the visible face and the depth of each pixel.
 fn draw(
     camera: &CameraBits,
     vertices: &[[i16; 3]],
@@ -65,7 +65,7 @@ fn draw(
     (picture.0, storage)
 }
 
-/// The same for the oracle.
+/// The scene of [`draw`] for the oracle.
 fn scene(camera: &CameraBits, vertices: &[[i16; 3]], exponent: i8, faces: &[[u16; 3]]) -> Scene {
     let exact = camera.exact();
     let row = |i: usize| {
@@ -110,7 +110,7 @@ fn nearly_coplanar(rng: &mut Rng) -> [[i16; 3]; 6] {
     [a, b, c, d, e, f]
 }
 
-/// The oracle's tie is two steps: all that is farther apart must be right, in both orders.
+/// The oracle counts depths within two steps as equal. Faces farther apart must be drawn right in both orders.
 #[test]
 fn d1_faces_two_steps_apart_are_told_apart() {
     let mut rng = Rng::new(0xd1);
@@ -126,11 +126,11 @@ fn d1_faces_two_steps_apart_are_told_apart() {
             decided += ids.iter().filter(|&&id| id == 0).count();
         }
     }
-    // Both triangles are seen about as often as the other.
+    // Each triangle is visible about half of the time.
     assert!(shown > 500_000 && decided * 3 > shown && decided * 3 < shown * 2, "{decided} of {shown}");
 }
 
-/// Below two steps it is a tie: whichever, but the same every time, and of equal ones the first.
+/// Depths less than two steps apart may be drawn in either order, but repeatably; of equal depths the first stays.
 #[test]
 fn d1_the_first_of_two_equal_depths_stays() {
     let mut rng = Rng::new(0xd1d1);
@@ -191,7 +191,7 @@ fn d2_slivers_never_leave_their_corners_depths() {
     assert!(pixels > 20_000 && steep > 1_000, "{pixels}, {steep}");
 }
 
-/// SPEC 7: round(65535·(z/w + 1)/2), 65535 for nothing; linear on the screen.
+/// SPEC 7: the stored depth is round(65535·(z/w + 1)/2), and 65535 where nothing is drawn; it is linear on the screen.
 #[test]
 fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
     let mut rng = Rng::new(0xd3);
@@ -200,7 +200,7 @@ fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
         [[-x, -y, z], [x, -y, z], [x, y, z], [-x, y, z]]
     };
     let faces = [[0, 1, 2], [0, 2, 3]];
-    // Nothing.
+    // An empty depth buffer.
     let (_, depths) = draw(&camera(ONE, 100 * ONE), &wall(0), -10, &[]);
     assert!(depths.iter().all(|&d| d == DepthBuffer::NOTHING));
     for flat in [false, true] {
@@ -218,7 +218,10 @@ fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
             let depth = chain::depth(clip);
             let (_, depths) = draw(&camera, &vertices, -10, &faces);
             let stored = f64::from(depths[0]);
-            assert!(depths.iter().all(|&d| f64::from(d) == stored), "a wall across the view has one depth");
+            assert!(
+                depths.iter().all(|&d| f64::from(d) == stored),
+                "a wall perpendicular to the view has one depth"
+            );
             // Rounded to nearest but for what the chain adds, as stated for `MeshInstance::project`.
             assert!((stored - depth).abs() <= 0.51, "{stored} for {depth}");
         }
@@ -230,7 +233,7 @@ fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
     assert!(depths.iter().all(|&d| d == 65_534));
 }
 
-/// Only the pixels of the depth buffer are drawn, each as if it had them all.
+/// Only pixels of the depth buffer are drawn, as they would be with a depth buffer of the whole target.
 #[test]
 fn d3_only_pixels_of_the_depth_buffer_are_drawn() {
     let camera = camera(ONE, 100 * ONE);

@@ -544,7 +544,7 @@ fn c6_the_cut_of_a_shared_edge_is_the_same_point_for_both() {
             .with_cull(Cull::None)
             .solid(|face| Shader(face as u16), &mut [], &mut target)
             .expect("no error");
-        // The same quadrangle cut along the other diagonal, seen from either side.
+        // The quadrangle split along its other diagonal, seen from either side.
         let other = [[0, 1, 3], [1, 2, 3], [3, 1, 0], [3, 2, 1]];
         let seen = eye::faces(&camera.exact(), &model.exact(), &positions, &other);
         for (x, y) in Area::new(0, 0, 64, 48).pixels() {

@@ -1,4 +1,4 @@
-//! A0, A2, A3, A4, A6, A7: the rule, and where its ties show.
+//! A0, A2, A3, A4, A6, A7: the fill rule of triangles and its ties.
 
 use pinhole::{raster, Mesh};
 use support::bridge::draw::{solid, Shader};
@@ -141,7 +141,7 @@ fn a3_degenerate_faces_are_counted_and_draw_nothing() {
     let s = solid(&camera.place(&mesh, &model), &mut target).expect("no error");
     assert_eq!((s.degenerate as usize, s.drawn, s.culled), (faces.len(), 0, 0));
     assert!(target.calls.is_empty());
-    // The same across the near plane, where they are cut first.
+    // The degenerate faces moved across the near plane, which cuts them first.
     let model = ModelBits(vec![Step::Y(1 << 29), Step::Move([0, 0, -ONE])]).library();
     solid(&camera.place(&mesh, &model), &mut target).expect("no error");
     assert!(target.pixels.is_empty());
@@ -199,7 +199,7 @@ fn a4_ties_on_centers_and_borders_follow_the_top_left_rule() {
 
 #[test]
 fn a4_random_vertices_do_not_tell_the_rules_apart() {
-    // Why the grids: the same wrong rules on vertices spread over 16 px at 8 bits.
+    // The reason for the grids: random vertices over 16 pixels of 8 fractional bits hardly ever show a wrong rule.
     let mut rng = Rng::new(0xA4);
     let mut wrong = [0; WRONG.len()];
     for _ in 0..4096 {
@@ -286,7 +286,7 @@ fn a7_the_snap_rounds_to_nearest_on_both_sides_of_zero() {
             let right = |c: i64| c == nearest(v) || (v.rem_euclid(256) == 128 && c == nearest(v) - 1);
             assert!(right(x) && right(y), "{v}·2⁻¹⁶ px: ({x}, {y})");
             largest = largest.max((256 * x - v).abs());
-            // The grid tells the wrong ways apart: `>>` and `/` without the half.
+            // The grid shows both wrong roundings, `>>` and `/` without adding one half.
             floored += u32::from(x != v >> 8);
             truncated += u32::from(x != v / 256);
             all += 1;

@@ -175,7 +175,7 @@ fn a_display_error_in_mid_frame_is_returned() {
             assert_eq!(draw(placed, 8, &mut display), Err(Refused(after)));
             assert_eq!(display.calls.len(), after + 1);
             display.fails_at = None;
-            draw(placed, 8, &mut display).expect("mended");
+            draw(placed, 8, &mut display).expect("a display that works again");
             assert!(luma(&display) == whole(placed, (0, 0, 64, 64)), "after {after} bands");
         }
     });

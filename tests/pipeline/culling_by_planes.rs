@@ -57,7 +57,7 @@ fn plain<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, depth: bool) -> D
     })
 }
 
-/// `cache`: what is lent, with another picture's corners in it.
+/// `cache` is the vertex cache, filled with the vertices of another picture.
 fn by_planes<V: pinhole::Coordinate>(
     placed: &MeshInstance<'_, V>,
     depth: bool,
@@ -153,7 +153,7 @@ fn compare<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, tally: &mut Tal
             }
             tally.turned += missing.len();
             assert_eq!(f.drawn as usize + missing.len(), e.drawn as usize);
-            // What is known by its plane is culled, whatever else it is.
+            // A face that its plane turns away counts as culled, even if it is also outside or degenerate.
             assert!(f.culled >= e.culled && f.degenerate <= e.degenerate && f.outside <= e.outside);
             assert_eq!(f.drawn + f.culled + f.degenerate + f.outside, faces);
             assert!(

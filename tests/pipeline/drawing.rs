@@ -1,4 +1,4 @@
-//! What is drawn is what `project` says: the exact coverage of the snapped triangle, the exact line
+//! Drawing agrees with `project`: the exact coverage of the snapped triangle, the exact line
 //! between the ends' pixels; faces are culled by the snapped area; every primitive is counted once.
 
 use pinhole::raster::ScreenPoint;

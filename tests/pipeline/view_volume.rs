@@ -288,7 +288,7 @@ fn s5_neighbours_get_the_same_cut_points_whichever_way_they_walk() {
     assert!(shared > 20_000 && lost * 1000 < shared);
 }
 
-/// What is left of a line lies inside, and clipping it once more changes nothing.
+/// A clipped line lies inside the volume, and clipping it again changes nothing.
 #[test]
 fn s5_clipping_twice_changes_nothing() {
     let mut rng = Rng::new(0x505);
@@ -428,7 +428,8 @@ fn s5_bounding_spheres_are_classified_as_their_vertices() {
     tally.assert_each_above(1000);
 }
 
-/// What is inside is not clipped, at any ratio of far to near: where that is large, the far plane is a matter of the last bits.
+/// Geometry inside the volume is not clipped, at any ratio of far to near. At a large ratio the far plane depends on
+/// the last bits.
 #[test]
 fn s5_triangles_inside_the_volume_are_not_clipped() {
     let mut rng = Rng::new(0x508);
@@ -523,7 +524,7 @@ fn s5_points_in_an_off_axis_picture_are_inside() {
     assert!(shown > 1000);
 }
 
-/// What is far out and next to a plane: the plane's own coefficients are rounded, and that counts as far as the point is away.
+/// Points far out and close to a plane: the error of the plane's rounded coefficients grows with the distance.
 #[test]
 fn s5_outcodes_of_far_points_match_f64() {
     let mut rng = Rng::new(0x507);

@@ -90,7 +90,7 @@ fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) 
     )
 }
 
-/// What is recorded once for a frame.
+/// The bin storage that one frame needs.
 enum Recorded<'a> {
     Solid(BinnedFaces<'a>),
     Depth(BinnedFaces<'a, i16, true>),

@@ -136,7 +136,7 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
     }
 }
 
-/// The same through the band's memory, of one byte a pixel to four.
+/// Bands whose pixels are stored in their memory, with one to four bytes per pixel.
 fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scene) {
     let camera = scene.camera();
     let mesh = Mesh::new(&scene.vertices, -6, &scene.faces).expect("a mesh");

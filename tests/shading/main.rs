@@ -1,4 +1,5 @@
-//! Smooth and dithered inks on every kind of target, against exact fractions: `oracle/shade.rs`.
+//! Light and shaders: the levels of each channel on every kind of target, against exact fractions
+//! (`support::oracle::shade`) and f64 (`support::oracle::cut_faces`).
 
 mod bands;
 mod cut_faces;

@@ -1,4 +1,4 @@
-//! Targets of every colour, and triangles brought to given places on the screen.
+//! Targets of every color type, and triangles with given positions on the screen.
 
 use embedded_graphics_core::pixelcolor::{
     BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb565, Rgb888, RgbColor,
@@ -51,7 +51,7 @@ impl Colour for BinaryColor {
     }
 }
 
-/// A colour of one's own: 32 bits on the wire, and channels whose highest levels are no powers of two less one.
+/// A custom color: 32 bits on the wire, and channels whose highest levels are not powers of two minus one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Own([u8; 3]);
 
@@ -106,7 +106,7 @@ macro_rules! for_every_colour {
 }
 pub(crate) use for_every_colour;
 
-/// Pixels in memory, nothing where none was drawn.
+/// Pixels in memory, `None` where nothing was drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Picture<C> {
     area: Rectangle,
@@ -163,7 +163,11 @@ impl<C: PixelColor> DrawTarget for Picture<C> {
         colours: I,
     ) -> Result<(), Infallible> {
         let colours: Vec<C> = colours.into_iter().collect();
-        assert_eq!(colours.len() as u32, area.size.width * area.size.height, "as many as the area has");
+        assert_eq!(
+            colours.len() as u32,
+            area.size.width * area.size.height,
+            "one color per pixel of the area"
+        );
         self.draw_iter(area.points().zip(colours).map(|(p, c)| Pixel(p, c)))
     }
 }
@@ -192,7 +196,7 @@ pub(crate) fn vertex((x, y): P) -> [Scalar; 3] {
     [bits(x - w), bits(h - y), Scalar::from_bits(-2 * ONE)]
 }
 
-/// Where the library put the corners of face 0: what it draws between them is another matter.
+/// The screen positions of the corners of face 0, which the library computes.
 pub(crate) fn corners(placed: &MeshInstance<'_, Scalar>) -> Option<[P; 3]> {
     let at = |i: usize| placed.project(i).map(|(p, _)| (i64::from(p.x()), i64::from(p.y())));
     Some([at(0)?, at(1)?, at(2)?])
@@ -208,7 +212,7 @@ pub(crate) fn draw<C: Colour, I: SpanShader<C>>(placed: &MeshInstance<'_, Scalar
     picture
 }
 
-/// Often at the ends of its ranges.
+/// A random color, often at the ends of its ranges.
 pub(crate) fn random_colour(rng: &mut Rng) -> Lit {
     let mut channel = || match rng.below(4) {
         0 => 0,
@@ -229,20 +233,20 @@ pub(crate) fn gouraud(colours: [Lit; 3]) -> Gouraud {
     Gouraud::new(colours.map(flat))
 }
 
-/// As [`gouraud`], of corners that differ in their light alone.
+/// A shader of corners that differ only in their light.
 pub(crate) fn lit([a, b, c]: [Lit; 3]) -> pinhole::Lit {
     assert!(a.rgb == b.rgb && a.rgb == c.rgb);
     let [red, green, blue] = a.rgb;
     Gouraud::lit(Rgb888::new(red, green, blue), [a.level, b.level, c.level])
 }
 
-/// A table of the first one's colour, which lives on.
+/// A table of the first corner's color, leaked so that a shader can borrow it.
 pub(crate) fn table<C: Colour>([a, ..]: [Lit; 3]) -> &'static ShadeTable<C> {
     let [red, green, blue] = a.rgb;
     Box::leak(Box::new(ShadeTable::new(Rgb888::new(red, green, blue))))
 }
 
-/// The same as [`lit`] by that table.
+/// Corners as in [`lit`], shaded by the table of their color.
 pub(crate) fn shaded<C: Colour>(lights: [Lit; 3]) -> TableShader<'static, C> {
     table(lights).lit(lights.map(|light| light.level))
 }

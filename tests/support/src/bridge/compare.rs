@@ -16,7 +16,7 @@ pub fn triangle_in_all_orders(t: [P; 3], area: Area) {
     }
 }
 
-/// The same in a window that is reached from `above` rows higher up: the edges have come a long
+/// Compares a window that the triangle reaches from `above` rows higher up: the edges have come a long
 /// way by then.
 pub fn triangle_from_above(t: [P; 3], area: Area, above: i64) {
     let tall = Area { top: area.top - above, ..area };

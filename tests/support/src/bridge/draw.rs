@@ -1,4 +1,4 @@
-//! Scenes through the library onto recorders, with a colour type that no library knows.
+//! Draws scenes with the library onto recorders, in a color type of the tests.
 
 use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::oracle::target::{Recorder, Refused};
@@ -6,7 +6,7 @@ use embedded_graphics_core::pixelcolor::raw::RawU16;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
 
-/// A foreign colour: the index of the face (or whatever the test likes).
+/// A color that names what was drawn, such as the index of the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shader(pub u16);
 
@@ -34,7 +34,7 @@ pub const CUBE_FACES: [[u16; 3]; 12] = [
     [0, 3, 1],
 ];
 
-/// The same seen from inside.
+/// The faces of the cube as seen from inside.
 pub fn room_faces() -> [[u16; 3]; 12] {
     CUBE_FACES.map(|[a, b, c]| [a, c, b])
 }

@@ -1,4 +1,4 @@
-//! Carries the oracles' plain numbers to the library and its answers back, and compares them: no arithmetic in here.
+//! Passes the oracles' plain numbers to the library and its answers back, and compares them. It does no arithmetic.
 
 pub mod compare;
 pub mod draw;

@@ -167,7 +167,7 @@ impl View {
         mul3(&self.rows, core::array::from_fn(|i| world[i] - self.eye[i]))
     }
 
-    /// The same for a placed point: the translations meet before anything large is rotated.
+    /// View coordinates of a model point: the translations are added before anything large is rotated.
     pub fn apply_placed(&self, model: &Affine, p: V3) -> V3 {
         let relative = Affine { m: model.m, t: core::array::from_fn(|i| model.t[i] - self.eye[i]) };
         mul3(&self.rows, relative.apply(p))

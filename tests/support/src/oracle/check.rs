@@ -1,4 +1,4 @@
-//! Who checks the oracles: hand-worked cases, and two derivations of the same rule.
+//! The oracles are checked by cases worked out by hand and by a second derivation of each rule.
 
 use super::cases::{self, Class, CLASSES};
 use super::chain::{self, fx, Affine, View};

@@ -1,5 +1,5 @@
-//! Slow, independent oracles. Nothing in here calls the library: what is right comes from the
-//! specification alone, and the tests compare the library with it.
+//! Slow, independent oracles, which never call the library. They compute the right answer from the specification alone,
+//! and the tests compare the library with it.
 //!
 //! * [`coverage`] which pixels a triangle covers (R1–R9), in exact integers
 //! * [`line`] which pixels a line draws (L1–L3), each by its own exact division

@@ -167,7 +167,7 @@ pub struct Comparison {
     /// The largest distance of a stored depth from the exact one, in steps, beyond what a move of the
     /// edges by [`SNAP`] changes and what the chain may do to the corners' depths.
     pub depth: f64,
-    /// The same for triangles that reach the far plane.
+    /// The tolerance for triangles that reach the far plane.
     pub depth_at_far: f64,
     pub pixels: usize,
     pub covered: usize,

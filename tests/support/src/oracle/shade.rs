@@ -16,7 +16,7 @@ pub struct Lit {
     pub level: u16,
 }
 
-/// What every channel's levels are counted in: 1/(255 · 256 · 256).
+/// The common denominator of all levels.
 const UNIT: i128 = 255 * 256 * 256;
 
 impl Depths {
@@ -29,7 +29,7 @@ impl Depths {
         }
     }
 
-    /// The same over a triangle on the screen, at a point in sub-pixels: corners weighed by areas.
+    /// Levels of each channel at a point of a triangle in sub-pixels: the corners' levels weighted by areas.
     pub fn over(&self, t: [P; 3], colours: [Lit; 3], p: P) -> Vec<Fraction> {
         let [a, b, c] = t;
         let whole = i128::from(edge(a, b, c));

@@ -1,4 +1,4 @@
-//! What is shown: the spinning cube S2 of the benchmarks, and a small cube before one that stands still.
+//! The films to send: the spinning cube S2 of the benchmarks, and a small moving cube before one that stands still.
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;

@@ -21,7 +21,7 @@ pub enum Held {
     Upright,
     /// Turned a quarter to the left, so that what was its right border is on top.
     Landscape,
-    /// The same of a glass whose columns run from right to left: what is its right border is the memory's left one.
+    /// A controller behind a glass whose columns run from right to left: the memory's left border is at the right.
     LandscapeMirrored,
 }
 
@@ -85,7 +85,7 @@ impl Controller {
         }
     }
 
-    /// The same before a glass of the other order of colours.
+    /// A controller behind a glass with the opposite order of the color channels.
     pub fn with_bgr(self) -> Self {
         Self { bgr: true, ..self }
     }
@@ -242,7 +242,7 @@ impl Controller {
         };
     }
 
-    /// What is seen: the pixels of the upper left `width` × `height` of the glass as it is held, row by row.
+    /// The visible picture: the pixels of the upper left `width` × `height` of the glass as it is mounted, row by row.
     pub fn picture(&self, held: Held, width: usize, height: usize) -> Vec<u32> {
         let at = |x: usize, y: usize| match held {
             Held::Upright => (x, y),

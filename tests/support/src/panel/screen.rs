@@ -96,7 +96,7 @@ impl<M: Kind> Screen<M> {
         self.panel.controller_mut().count()
     }
 
-    /// What is seen; panics if the controller was sent anything wrong.
+    /// The visible picture; panics if the controller received a wrong command.
     pub fn picture(&self) -> Vec<u32> {
         let controller = self.panel.controller();
         assert!(controller.errors.is_empty(), "{:?}", controller.errors);
