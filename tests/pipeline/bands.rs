@@ -1,5 +1,5 @@
-//! Bands at their limits: what does not fit, what fails on the way, what is larger than its storage. That bands make
-//! the whole picture, `properties/bands.rs` holds for random scenes.
+//! Bands at their limits: storage that is too small, displays that fail, meshes larger than the storage. That bands add up
+//! to the full picture is tested on random scenes in `properties/bands.rs`.
 
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565};
 use embedded_graphics_core::prelude::*;
@@ -23,7 +23,7 @@ fn colour(face: usize) -> Gray8 {
     Gray8::new(face as u8 + 1)
 }
 
-/// The cube in bands of so many rows, sent to a display.
+/// Draws the cube in bands of `rows` rows and sends them to a display.
 fn draw(placed: &MeshInstance<'_>, rows: u32, display: &mut Recorder<Gray8>) -> Result<Statistics, Refused> {
     let (mut corners, mut records) = ([ScreenVertex::EMPTY; 8], [0; 13]);
     let area = display.bounding_box();
@@ -60,7 +60,7 @@ fn a_strip_without_room_for_a_row_says_what_it_needs() {
         assert_eq!(error, BandError { needed: 480, given });
         assert!(error.to_string().contains("480"));
     }
-    // Nothing was given out: the frame still begins at its top.
+    // The failed call returned no band: the frame still begins at its top.
     let mut strip = [0; 480];
     assert_eq!(frame.next_band(&mut strip).expect("a row").expect("a band").area(), rectangle(0, 0, 240, 1));
     // A frame without pixels needs no strip.
@@ -84,13 +84,13 @@ fn without_records_nothing_is_drawn_and_the_error_names_the_need() {
     cube((0, 0, 64, 64), |placed| {
         let mut corners = [ScreenVertex::EMPTY; 8];
         let projected = placed.transform(&mut corners);
-        // Three sides of the cube are seen: six faces, and one number for every 16 of twelve.
+        // Three sides of the cube are visible: six faces, and one number for every 16 of the mesh's twelve.
         let (mut records, mut enough) = ([], [0; 7]);
         let error = projected.bin_faces(&mut records).map(|_| ()).expect_err("no room");
         assert_eq!(error, BinError::Storage { needed: 7, given: 0 });
         assert!(error.to_string().contains('7'));
         assert_eq!(projected.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
-        // Corners are no capacity: without any, each is computed where it is needed.
+        // A vertex cache is optional: without it each vertex is computed where a face needs it.
         let none = placed.transform(&mut []);
         assert_eq!(none.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
     });
@@ -130,8 +130,8 @@ fn a_viewport_beside_the_target_draws_background_and_one_larger_a_crop() {
     }
 }
 
-/// Between bands of a viewport that begins above row 0 come others beside, above and below it: nobody is asked for a colour
-/// there, and nothing of the bands behind is lost.
+/// Bands beside, above and below the viewport alternate with bands of it: there the shader is not called, and later bands
+/// are complete.
 #[test]
 fn a_band_beside_the_viewport_changes_nothing() {
     for viewport in [(0, -64, 64, 64), (0, -32, 64, 64)] {
@@ -166,7 +166,7 @@ fn a_band_beside_the_viewport_changes_nothing() {
     }
 }
 
-/// What fails is the display's own error, at the band where it failed; the next frame is right.
+/// The error of the display is returned at the band where it failed, and the next frame is right.
 #[test]
 fn a_display_error_in_mid_frame_is_returned() {
     cube((0, 0, 64, 64), |placed| {
@@ -181,7 +181,7 @@ fn a_display_error_in_mid_frame_is_returned() {
     });
 }
 
-/// A target that refuses in the middle of drawing into it: what was recorded is still whole.
+/// After a target failed in mid-band the binned faces are complete and can be drawn again.
 #[test]
 fn a_band_that_fails_can_be_drawn_again() {
     cube((0, 0, 64, 64), |placed| {
@@ -200,7 +200,7 @@ fn a_band_that_fails_can_be_drawn_again() {
     });
 }
 
-/// A band goes out with one call, whatever is in it.
+/// A band is sent by one call, whatever it contains.
 #[test]
 fn a_band_is_sent_in_one_piece() {
     cube((0, 0, 60, 60), |placed| {
@@ -217,7 +217,7 @@ fn a_band_is_sent_in_one_piece() {
 }
 
 /// A mesh of 65 536 vertices, in chunks of 512 that share storage: every band draws chunk after chunk, in one order over
-/// all of them. Then all of it recorded once, with storage for 300.
+/// all of them. Then the mesh is binned once, with a cache of 300 vertices.
 #[test]
 fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     // A field of 256 x 256 posts, hilly enough to hide parts of itself.
@@ -264,7 +264,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     }
     assert!(picture == luma(&reference));
 
-    // Recorded once, with storage for 300 of the vertices: the others are computed where they are needed.
+    // Binned once, with a cache of 300 vertices: the others are computed where a face needs them.
     let mut records = vec![0; faces.len() + faces.len().div_ceil(16)];
     let projected = placed.transform_depth(&mut corners[..300]);
     let mut recorded = projected.bin_faces(&mut records).expect("room");
@@ -278,7 +278,7 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     assert!(picture.iter().filter(|&&luma| luma != 0).count() > 1000, "hardly anything is seen");
 }
 
-/// From inside, faces are cut by the near plane in every band: still the same picture.
+/// Seen from inside, the near plane cuts faces in every band; the bands add up to the full picture.
 #[test]
 fn a_room_seen_from_inside_in_bands_is_complete() {
     let faces = room_faces();

@@ -1,5 +1,5 @@
-//! R8 across the clips: what is cut at the near plane and at the guard band fits together as the
-//! uncut does. From inside a closed mesh every pixel is drawn exactly once.
+//! R8 for clipped faces: faces cut at the near plane and at the guard band are as watertight as others. From inside a
+//! closed mesh every pixel is drawn exactly once.
 
 use pinhole::{Cull, Mesh, Painter};
 use std::collections::BTreeMap;
@@ -50,7 +50,7 @@ fn room(rng: &mut Rng, n: i64, size: i64) -> (Vec<[i16; 3]>, Vec<[u16; 3]>) {
     (vertices, faces)
 }
 
-/// Every pixel is drawn exactly once, straight and by the painter.
+/// Every pixel is drawn exactly once, in mesh order and in painter's order.
 fn once(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent: i8, faces: &[[u16; 3]]) {
     let (_, _, width, height) = camera.viewport;
     let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
@@ -71,7 +71,7 @@ fn once(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent:
     let mut painted = Recorder::sized(width, height);
     assert_eq!(painter.draw(&mut painted), Ok(statistics));
     assert!(painted.pixels == target.pixels, "the painter draws another picture");
-    // Culling leaves nothing out here.
+    // All faces face the eye: culling removes none.
     let mut both = Recorder::sized(width, height);
     solid(&placed.with_cull(Cull::None), &mut both).expect("no error");
     assert!(
@@ -193,7 +193,7 @@ fn a_floor_cut_by_the_near_plane_covers_every_pixel_once() {
         let library = camera.library();
         let mut target = Recorder::sized(64, 48);
         solid(&library.place(&mesh, &model.library()), &mut target).expect("no error");
-        // The view of the whole: the same box, one square a side.
+        // The reference view: this box with one square per side.
         let plain = room(&mut rng, 1, 32_000);
         let positions: Vec<_> = plain.0.iter().map(|&v| oracle::chain::vertex(v, exponent)).collect();
         let seen = oracle::eye::faces(&camera.exact(), &model.exact(), &positions, &plain.1);

@@ -1,5 +1,5 @@
-//! Drawing by planes: the same calls, in the same order, as without, but for faces that are turned away and that the
-//! rounding of their corners turns to the front.
+//! Culling by face planes leaves the calls to the target and their order unchanged, except for faces that face away and
+//! that the snap of their corners turns to the front.
 
 #[allow(dead_code, unreachable_pub)]
 use support::teapot;
@@ -16,7 +16,7 @@ use support::oracle::target::{Call, Recorder};
 const WIDTH: u32 = 90;
 const HEIGHT: u32 = 60;
 
-/// What came of a drawing.
+/// The result of a draw call.
 struct Drawing {
     calls: Vec<Call<Shader>>,
     depths: Vec<u16>,
@@ -127,7 +127,7 @@ struct Tally {
     turned: usize,
 }
 
-/// Twice the area before corners are rounded, positive to the front: in 2⁻⁶⁴ pixels.
+/// Twice the area before corners are snapped, in 2⁻⁶⁴ pixels; positive for front faces.
 fn exact_area<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, face: [u16; 3]) -> Option<i128> {
     let [a, b, c] = face.map(|index| placed.project_unsnapped(index.into()).map(|p| p.map(i128::from)));
     let (a, b, c) = (a?, b?, c?);
@@ -136,7 +136,7 @@ fn exact_area<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, face: [u16; 
 
 fn compare<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, tally: &mut Tally) {
     let (count, faces) = (placed.mesh().vertices().len(), placed.mesh().faces().len() as u32);
-    // Of another model.
+    // Vertices of a mesh with another model matrix.
     let mut stale = vec![ScreenVertex::EMPTY; count + 3];
     let _ = placed.solid(|_| Shader(0), &mut stale, &mut Recorder::sized(9, 9));
     stale.rotate_right(5);
@@ -163,7 +163,7 @@ fn compare<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, tally: &mut Tal
             let others: Vec<u16> =
                 expected.faces.iter().copied().filter(|face| !missing.contains(face)).collect();
             assert_eq!(found.faces, others);
-            // In these views those that are missing cover no pixel.
+            // In these views the missing faces cover no pixel.
             assert!(found.calls == expected.calls, "other spans");
             assert!(found.depths == expected.depths, "other depths");
         }
@@ -232,13 +232,13 @@ fn culling_by_planes_draws_the_same_teapot() {
     assert!(near.clipped > 5000, "{near:?}");
 }
 
-/// Without planes only the order differs in which vertices are placed.
+/// Without planes only the order differs in which vertices are transformed.
 #[test]
 fn a_mesh_without_planes_is_not_culled_by_planes() {
     let (mut rng, mut drawn) = (Rng::new(0xfad), 0);
     let mesh = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES).unwrap();
     let mesh = mesh.with_normals(&teapot::NORMALS).unwrap();
-    // Normals are replaced: planes were the old ones'.
+    // New normals remove the planes, which belonged to the old normals.
     let zeros = [0; 992];
     let replaced = mesh.with_planes(&zeros).unwrap().with_normals(&teapot::NORMALS).unwrap();
     assert_eq!((mesh.planes(), replaced), (&[][..], mesh));
@@ -263,7 +263,7 @@ fn a_list_of_planes_of_the_wrong_length_is_refused() {
     let error = mesh.with_planes(&[0; 991]).unwrap_err();
     assert_eq!(error, MeshError::PlaneCount { faces: 992, planes: 991 });
     assert_eq!(error.to_string(), "991 planes for 992 faces: give one per face");
-    // Fewer and more than there are; and of normals that are longer than 1.
+    // Fewer planes and more planes than faces; planes of normals longer than 1.
     assert_eq!(mesh.face_planes::<3>(), mesh.face_planes::<992>()[..3]);
     assert_eq!(mesh.face_planes::<993>()[992], 0);
     let vertices = [[i16::MAX; 3], [i16::MIN; 3], [0, 0, 1]];

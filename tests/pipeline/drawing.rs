@@ -48,7 +48,7 @@ fn scene(rng: &mut Rng) -> Scene {
     Scene { camera, model, vertices, faces, edges }
 }
 
-/// In units of 2⁻¹² before the scale.
+/// Coordinates in units of 2⁻¹² before the scale.
 const EXPONENT: i8 = -12;
 
 impl Scene {
@@ -111,7 +111,7 @@ fn r9_faces_are_the_exact_coverage_of_their_corners() {
                     (_, true) => (1, 0, 0),
                     _ => (0, 1, 0),
                 };
-                // A face wholly beside the viewport may count as drawn only.
+                // A face that lies completely beside the viewport may only count as drawn.
                 assert_eq!(
                     (s.drawn, s.culled, s.degenerate, s.outside),
                     (expected.0, expected.1, expected.2, 0)
@@ -219,7 +219,7 @@ fn a_shorter_cache_draws_the_same_picture() {
             let mut cache = vec![ScreenVertex::default(); length];
             let mut solid = Recorder::sized(WIDTH as u32, HEIGHT as u32);
             let s = placed.solid(|face| Shader(face as u16), &mut cache, &mut solid).expect("no error");
-            // A cache full of another scene's corners does no harm.
+            // Vertices of another scene in the cache do no harm.
             let mut lines = Recorder::sized(WIDTH as u32, HEIGHT as u32);
             let w = placed.wireframe(Shader(9), &mut cache, &mut lines).expect("no error");
             (solid.calls, lines.calls, s, w)

@@ -1,4 +1,4 @@
-//! ProjectError lines, on one bit a pixel, against an oracle that knows every face.
+//! Hidden-line removal, with one bit per pixel, against an oracle that tests every face.
 
 #[allow(dead_code, unreachable_pub)]
 use support::teapot;
@@ -28,7 +28,7 @@ impl Solid {
         Self { vertices, exponent, faces, edges: edges.into_iter().collect() }
     }
 
-    /// The faces beside each edge, by a map in place of the library's search.
+    /// The faces adjacent to each edge, by a map instead of the library's search.
     fn edge_faces(&self) -> Vec<[u16; 2]> {
         let mut beside = BTreeMap::<[u16; 2], Vec<u16>>::new();
         for (number, &[a, b, c]) in self.faces.iter().enumerate() {
@@ -36,7 +36,7 @@ impl Solid {
                 beside.entry([a.min(b), a.max(b)]).or_default().push(number as u16);
             }
         }
-        // An edge that is listed again gets the next two.
+        // An edge that is listed again gets the next two faces.
         let mut listed = BTreeMap::<[u16; 2], usize>::new();
         let pair = |edge: &[u16; 2]| {
             let times = listed.entry(*edge).or_default();
@@ -99,9 +99,9 @@ struct Score {
     seen: u32,
     missed: u32,
     drawn: u32,
-    /// Drawn though the point of the edge is hidden.
+    /// Pixels drawn though the point of the edge is hidden.
     behind: u32,
-    /// Drawn though what is nearest at the pixel's centre lies before the edge, and is no face beside it.
+    /// Pixels drawn though a face that is not adjacent to the edge lies before it at the pixel's center.
     behind_centre: u32,
 }
 
@@ -153,7 +153,7 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
             if sample.behind <= 0.0 {
                 seen.insert(sample.pixel);
             }
-            // Several edges may pass through a pixel: one that is seen is enough.
+            // Several edges may pass through a pixel: one visible edge is enough.
             let (behind, centre) = least.entry(sample.pixel).or_insert((f64::INFINITY, f64::INFINITY));
             *behind = sample.behind.min(*behind);
             *centre = sample.behind_centre.min(*centre);
@@ -213,7 +213,7 @@ fn an_edge_of_many_faces_is_drawn_if_any_of_them_shows_it() {
     for i in 0..7 {
         let (s, c) = (f64::from(i) * core::f64::consts::TAU / 7.0 + 0.2).sin_cos();
         vertices.push([(12_000.0 * c) as i16, 500 * i as i16, (12_000.0 * s) as i16]);
-        // Both sides: what is turned away is left out.
+        // Each blade has two faces: back faces are culled.
         faces.extend([[0, 1, i as u16 + 2], [1, 0, i as u16 + 2]]);
     }
     let mut blades = Solid::new(vertices, -13, faces);
@@ -233,7 +233,8 @@ fn an_edge_of_many_faces_is_drawn_if_any_of_them_shows_it() {
     assert!(all.seen > 2000 && all.missed * 100 <= all.seen && all.behind_centre == 0, "{all:?}");
 }
 
-/// What stands for no face is none, also where a mesh has a face of that number: the wall hides the edge behind it.
+/// The index that means "no face" is no face in a mesh that has a face of this number either: the wall hides the edge
+/// behind it.
 #[test]
 fn an_edge_without_faces_stays_so_in_large_meshes() {
     let vertices = [[-4, -4, 0], [4, -4, 0], [4, 4, 0], [-4, 4, 0], [-2, 0, -2], [2, 1, -2]];
@@ -265,9 +266,9 @@ fn an_edge_without_faces_stays_so_in_large_meshes() {
     }
 }
 
-/// BinnedFaces that the near plane cuts to several triangles: an edge is drawn where it is as near as what is held, and where a face
-/// beside it is what is held, whichever of its triangles that is. Each edge and each face drawn by itself tells both; but a
-/// face's border belongs to it here, which the fill rule may leave to a neighbour.
+/// Faces that the near plane cuts to several triangles: an edge is drawn where it is as near as the stored depth, and where
+/// the visible face is adjacent to it, whichever of its triangles that is. Edges and faces drawn one by one give both;
+/// unlike the fill rule, this test counts the border of a face as part of it.
 #[test]
 fn hidden_lines_draw_the_edges_of_clipped_faces() {
     const SIDE: u32 = 64;

@@ -80,7 +80,7 @@ fn counts(camera: &CameraBits, model: &ModelBits, body: &Body) -> (Recorder<Shad
     };
     let turned: Vec<[u16; 3]> = body.faces.iter().map(|&[a, b, c]| [a, c, b]).collect();
     let (front, back) = (draw(&body.faces, Cull::Back), draw(&turned, Cull::Back));
-    // Without culling both are drawn.
+    // Without culling front and back faces are drawn.
     let both = draw(&body.faces, Cull::None);
     for (x, y) in Area::new(0, 0, WIDTH.into(), HEIGHT.into()).pixels() {
         let at = (x as i32, y as i32);
@@ -121,7 +121,7 @@ fn compare(camera: &CameraBits, model: &ModelBits, body: &Body, tally: &mut Tall
     for (x, y) in Area::new(0, 0, WIDTH.into(), HEIGHT.into()).pixels() {
         let got = (front.count(x as i32, y as i32), back.count(x as i32, y as i32));
         let (cx, cy) = (x as f64 + 0.5, y as f64 + 0.5);
-        // A closed body: nothing is ever drawn twice by one side, on borders neither.
+        // The body is closed: front faces draw no pixel twice, nor do back faces, not even on borders.
         assert!(got.0 <= 1 && got.1 <= 1, "({x}, {y}): {got:?} {camera:?} {model:?} {:?}", body.vertices);
         let seen = around.map(|(dx, dy)| met(&faces, cx + dx, cy + dy));
         // On a border or an edge of the body, where one of nine rays may count two faces.
@@ -162,7 +162,7 @@ fn model(rng: &mut Rng) -> ModelBits {
     model
 }
 
-/// From the middle of the body, so far out along a direction.
+/// An eye at a distance from the middle of the body, along a direction.
 fn eye_at(model: &ModelBits, body_point: V3) -> [i32; 3] {
     bits(model.exact().apply(body_point)).expect("in range")
 }

@@ -1,5 +1,5 @@
-//! No input panics: extremes in every place at once, drawn every way in a plain colour (others: `shading`, `properties`, the
-//! fuzz targets), in debug with its overflow checks. And whatever the scene, nothing is written outside viewport ∩ target.
+//! No input panics: all arguments extreme at once, drawn by every call in a solid color, with overflow checks (other
+//! shaders: `shading`, `properties` and the fuzz targets). No scene writes outside viewport ∩ target.
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -194,7 +194,7 @@ fn extreme_objects_before_an_ordinary_camera_do_not_panic() {
     assert!(visible > 1000, "{visible}");
 }
 
-/// As large as `embedded-graphics` can say, from anywhere.
+/// A target of the largest size that `embedded-graphics` can express, at any position.
 struct Endless {
     area: Rectangle,
     runs: u32,
@@ -226,7 +226,7 @@ impl DrawTarget for Endless {
     }
 }
 
-/// In 2D the target itself is all there is to cut at.
+/// 2D calls have no viewport: only the bounds of the target clip them.
 #[test]
 fn targets_of_the_largest_size_do_not_panic() {
     let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(256 * x, 256 * y).unwrap();

@@ -1,5 +1,5 @@
-//! A foreign DrawTarget: what it refuses comes back unchanged, whenever it does; everything leaves as fills. Nothing
-//! outside viewport ∩ target is written: `hard_cases`, E9.
+//! A DrawTarget that the library does not know: its errors are returned unchanged from every call, and every pixel is drawn
+//! by a fill. That nothing is written outside viewport ∩ target is case E9 of `hard_cases`.
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -22,7 +22,7 @@ fn an_error_of_the_target_is_returned_from_every_call() {
         for n in 0..calls {
             let mut target = Recorder::failing(40, 30, n);
             assert_eq!(draw(way, &camera, &mut target).err(), Some(Refused(n)), "{way:?}");
-            // It stops right there, and what came before is the same.
+            // Drawing stops at the error, and the calls before it are unchanged.
             assert_eq!(target.calls, whole.calls[..=n], "{way:?}");
         }
         let mut target = Recorder::failing(40, 30, calls);
@@ -74,7 +74,7 @@ fn a_painter_can_draw_again_after_a_target_failed() {
     assert_eq!(target.calls, whole.calls);
 }
 
-/// Rectangles at the ends of their range, filled in a picture and in a band: each pixel that lies in one, and no other.
+/// Filling rectangles at the ends of their range in a picture and in a band changes each pixel inside and no other.
 #[test]
 fn rectangles_of_any_position_and_size_are_filled() {
     let (old, new) = (Gray8::new(9), Gray8::new(200));

@@ -1,4 +1,4 @@
-//! Painter's order: from far to near, equal ones in the order recorded.
+//! Painter's order: from far to near, faces of equal depth in the order in which they were added.
 
 use pinhole::{Mesh, Painter, PainterError};
 use support::bridge;
@@ -17,7 +17,7 @@ fn camera() -> pinhole::Camera {
     .library()
 }
 
-/// Square to the axis, over the whole picture at any distance up to 100.
+/// A square perpendicular to the axis that covers the picture at any distance up to 100.
 const VERTICES: [[i16; 3]; 3] = [[-600, -300, 0], [600, -300, 0], [0, 600, 0]];
 const FACE: [[u16; 3]; 1] = [[0, 1, 2]];
 
@@ -90,7 +90,7 @@ fn faces_of_one_mesh_are_sorted_too() {
     let mut target = Recorder::sized(16, 16);
     painter.draw(&mut target).expect("no error");
     assert_eq!(order(&target.calls), [2, 4, 0, 1, 5, 3]);
-    // The nearest one is what remains.
+    // Only the nearest face remains visible.
     assert!(target.pixels.values().all(|&(c, n)| (c, n) == (Shader(3), 6)));
 }
 
@@ -115,11 +115,11 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
         painter.add(&placed, |_| Shader(1)),
         Err(PainterError::Faces { needed: 3, capacity: 2 })
     ));
-    // What was recorded before is drawn.
+    // The faces added before are drawn.
     let mut target = Recorder::sized(16, 16);
     assert_eq!(painter.draw(&mut target).expect("no error").drawn, 2);
     assert!(target.pixels.values().all(|&(c, n)| (c, n) == (Shader(0), 2)));
-    // And with exactly that much it fits.
+    // With exactly that capacity the mesh fits.
     let mut painter = Painter::<Shader, 9, 3>::new();
     for _ in 0..3 {
         painter.add(&placed, |_| Shader(0)).expect("enough room");
@@ -156,7 +156,7 @@ fn an_empty_mesh_leaves_the_viewport_open() {
     assert_eq!(order(&target.calls), [7]);
 }
 
-/// Put in order, drawn, added to, and put in order again: as if all had been there at first.
+/// Sorting, drawing, adding faces and sorting again gives the order of all faces added at once.
 #[test]
 fn painter_sorts_faces_added_later() {
     let mut rng = Rng::new(0x9C);
@@ -225,7 +225,7 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
         for pair in order(&target.calls).windows(2) {
             let (Some(a), Some(b)) = (sum(pair[0]), sum(pair[1])) else { continue };
             compared += 1;
-            // Mean depths of the same step may come in the order recorded.
+            // Faces whose mean depths are the same step keep the order in which they were added.
             assert!(a + 3 >= b, "face {} at {a}/3 before face {} at {b}/3", pair[0], pair[1]);
             assert!(a != b || pair[0] < pair[1]);
         }
@@ -236,7 +236,7 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
 #[test]
 fn the_painter_has_its_documented_size() {
     use core::mem::size_of;
-    // 8 bytes a corner; 10 bytes and a colour a face.
+    // 8 bytes for a vertex; 10 bytes and a color for a face.
     assert_eq!(size_of::<pinhole::ScreenVertex>(), 8);
     let empty = size_of::<Painter<Shader, 0, 0>>();
     assert_eq!(size_of::<Painter<Shader, 100, 0>>() - empty, 800);
@@ -269,7 +269,7 @@ fn a_painter_holds_as_many_faces_as_its_index_can_name() {
         ));
         let mut target = Recorder::new(bridge::rectangle(8, 8, 1, 1));
         assert_eq!(painter.draw(&mut target).expect("no error").drawn, 65_535);
-        // All of equal depth: in the order recorded.
+        // All depths are equal: the order in which the faces were added.
         let wanted: Vec<_> = (1..=65_535).collect();
         assert_eq!(order(&target.calls), wanted);
         // The last face that fits, and one too many, with few corners: 6 · 10922 + 3 = 65535.

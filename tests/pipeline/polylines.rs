@@ -1,5 +1,5 @@
-//! Points and poly-lines: each pixel is the point's own, joints are drawn once, and the picture is the
-//! union of the lines by the line oracle; closed figures; what near and the guard band cut.
+//! Points and polylines: a point draws its own pixel, a joint is drawn once, and the picture is the union of the lines of
+//! the line oracle. Closed figures, and lines that the near plane and the guard band cut.
 
 use pinhole::{Mesh, Statistics};
 use std::collections::BTreeMap;
@@ -51,7 +51,7 @@ fn in_pixels(path: &[(i64, i64)]) -> Vec<[i16; 3]> {
     path.iter().map(|&(x, y)| [(2 * x + 1) as i16, -(2 * y + 1) as i16, 0]).collect()
 }
 
-/// How often each pixel is met by the lines, and that less one for each joint.
+/// How many lines draw each pixel, and this count without the repeated joints.
 fn oracle(path: &[(i64, i64)]) -> BTreeMap<(i32, i32), u32> {
     let area = Area::new(0, 0, SIZE.into(), SIZE.into());
     let mut counts: BTreeMap<(i32, i32), i32> = BTreeMap::new();
@@ -104,7 +104,7 @@ fn closed_figures_close_without_drawing_twice() {
     check(&[(10, 10), (40, 10), (10, 10)]);
 }
 
-/// So far from the viewport's middle that a vertex is not kept in a `ScreenVertex`: joints are joints there too.
+/// Vertices too far from the viewport for a `ScreenVertex`: their joints are drawn once too.
 #[test]
 fn joints_far_out_in_a_wide_viewport_are_drawn_once() {
     const WIDTH: u32 = 4096;

@@ -1,5 +1,5 @@
-//! SPEC 5: outcodes, lines and triangles against an f64 clipper, attributes carried, the same cut
-//! points for both neighbours, at most nine corners; and whole nodes by their bounding sphere.
+//! SPEC 5: outcodes, lines and triangles with attributes against an f64 clipper, equal cut points for both neighbors of an
+//! edge, at most nine corners, and the visibility of bounding spheres.
 
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
@@ -28,7 +28,7 @@ fn projections() -> [Projection; 3] {
     ]
 }
 
-/// The value that the point stands for: its own numbers, exactly.
+/// The exact value of a clip point.
 fn real(p: &ClipPoint) -> V4 {
     let unit = f64::from(p.exponent()).exp2();
     p.xyzw().map(|c| f64::from(c) * unit)
@@ -63,7 +63,7 @@ fn s5_outcodes_are_the_six_inequalities() {
     assert_eq!(Outcode::LEFT.and(Outcode::RIGHT), Outcode::INSIDE);
 }
 
-/// More than a point of the line, by the oracle.
+/// Whether the oracle leaves more of a line than one point.
 fn inside(a: V4, b: V4) -> Option<(f64, f64)> {
     volume::inside(a, b, 0.0).filter(|(from, to)| from < to)
 }
@@ -131,7 +131,7 @@ fn s5_clipped_lines_match_f64() {
     assert!(worst <= 2f64.powi(-27), "2^{}", worst.log2());
 }
 
-/// Sutherland–Hodgman in f64, attributes and all.
+/// Sutherland–Hodgman in f64, with attributes.
 fn polygon(corners: [(V4, [f64; 2]); 3]) -> Vec<(V4, [f64; 2])> {
     let mut all = corners.to_vec();
     for plane in 0..6 {
@@ -199,7 +199,7 @@ fn s5_clipped_triangles_and_attributes_match_f64() {
             if near_tie {
                 continue;
             }
-            // BinnedEdges along a plane: what moving the corners by 2⁻³⁰ does in f64.
+            // Edges along a plane: what moving the corners by 2⁻³⁰ does in f64.
             let mut moved = 0f64;
             for k in [0x000, 0xfff, 0x12e, 0x7a5, 0xb34, 0x4d9, 0xc63, 0x8f0, 0x369, 0xa5a] {
                 let again = polygon(core::array::from_fn(|j| {
@@ -332,7 +332,7 @@ fn s5_a_clipped_triangle_has_at_most_nine_corners() {
     assert!(counts[7] > 0);
 }
 
-/// How often each answer was given.
+/// How often each answer was returned.
 #[derive(Debug, Default)]
 struct Tally {
     outside: usize,
@@ -482,8 +482,8 @@ fn s5_triangles_inside_the_volume_are_not_clipped() {
     tally.assert_each_above(1000);
 }
 
-/// Next to the borders of windows far aside of the axis, where coefficients are large: what has a place in the picture is not
-/// outside.
+/// Points next to the borders of windows far off the axis, where coefficients are large: a point with a position in the
+/// picture is not outside.
 #[test]
 fn s5_points_in_an_off_axis_picture_are_inside() {
     let mut rng = Rng::new(0x509);
@@ -542,7 +542,7 @@ fn s5_outcodes_of_far_points_match_f64() {
         let sphere = Sphere { centre: point(world), radius: scalar(0) };
         let (library, identity) = (camera.library(), ModelBits(Vec::new()).library());
         let found = library.visibility(&sphere, &identity);
-        // A negative radius is none.
+        // A negative radius counts as 0.
         let negative = Sphere { radius: scalar(-rng.log(1.0, f64::from(i32::MAX)) as i32), ..sphere };
         assert_eq!(library.visibility(&negative, &identity), found, "{camera:?} {negative:?}");
         let at = exact.view.apply(chain::fx3(world));

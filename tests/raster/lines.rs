@@ -1,5 +1,5 @@
 //! L1–L3: line pixels equal the exact ones, in every octant, under every scissor, in every order
-//! of the ends; runs leave as one span each.
+//! of the ends; each run is one span.
 
 use support::bridge;
 use support::bridge::compare::{line as same, line_both_ways as both_ways};

@@ -1,5 +1,5 @@
-//! L1–L3 in memory: the lines of `Picture::pixels`, which have loops of their own, against the oracle and against those
-//! of any other target.
+//! L1–L3 in memory: the loops that draw lines into `Picture::pixels`, against the oracle and against lines on any other
+//! target.
 
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Gray8;
@@ -10,7 +10,7 @@ use support::oracle::coverage::Area;
 use support::oracle::line::{self, P};
 use support::oracle::rng::Rng;
 
-/// The pixels of a picture after a line, one way or the other; what stands behind the picture stays as it was.
+/// The pixels of a picture after a line is drawn in either direction; memory behind the picture must not change.
 fn drawn(a: P, b: P, (width, height): (u32, u32), fast: bool) -> Vec<bool> {
     let (empty, ink, size) = (Gray8::new(0), Gray8::new(1), (width * height) as usize);
     let mut memory = vec![empty; size + 3];
@@ -24,7 +24,7 @@ fn drawn(a: P, b: P, (width, height): (u32, u32), fast: bool) -> Vec<bool> {
     memory[..size].iter().map(|&c| c == ink).collect()
 }
 
-/// Returns how many pixels the line has there.
+/// Compares the picture with the oracle and returns the number of pixels of the line.
 fn check(a: P, b: P, size: (u32, u32)) -> usize {
     let (width, height) = (i64::from(size.0), i64::from(size.1));
     let mut exact = vec![false; (width * height) as usize];

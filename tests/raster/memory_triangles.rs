@@ -1,5 +1,5 @@
-//! R1–R9 in memory: the triangles of `Picture::pixels` and `Band::pixels`, which have loops of their own, against the
-//! oracle; and with depth against those of any other target, which `tests/pictures.rs` holds to its oracle.
+//! R1–R9 in memory: the loops that draw triangles into `Picture::pixels` and `Band::pixels`, against the oracle; with depth,
+//! against triangles on any other target, which `tests/pictures.rs` holds to its oracle.
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, WebColors};
@@ -16,7 +16,7 @@ use support::oracle::rng::Rng;
 
 const INK: Gray8 = Gray8::new(1);
 
-/// The pixels of a picture after a triangle; what stands behind the picture stays as it was.
+/// The pixels of a picture after a triangle is drawn; memory behind the picture must not change.
 fn drawn(t: [P; 3], (width, height): (usize, usize)) -> Vec<Gray8> {
     let mut memory = vec![Gray8::BLACK; width * height + 3];
     let mut picture =
@@ -33,8 +33,8 @@ fn words(pixels: &[Gray8], width: usize) -> Vec<u64> {
     pixels.chunks(width).map(word).collect()
 }
 
-/// Of the size of a triangle that takes a short way (up to 8160 sub-pixels across and 7680 down, or 8191 down; on a Cortex-M0
-/// 7936 down), or a little too large for it, at its limits as often as not.
+/// A triangle at or about the largest size of a fast path (8160 sub-pixels across and 7680 down, or 8191 down; on a
+/// Cortex-M0 7936 down).
 fn small(rng: &mut Rng) -> [P; 3] {
     let reach =
         [256, 1000, 4095, 7680, 7681, 7936, 7937, 8160, 8161, 8191, 8192, 8300, 16_384][rng.below(13)];
@@ -113,7 +113,7 @@ fn r9_triangles_match_in_bands_away_from_the_origin() {
 
 const SIZE: Size = Size::new(90, 70);
 
-/// Colours and depths of a mesh, through the picture's pixels or as any target, with depth for an area.
+/// Colors and depths of a mesh, drawn into the picture's memory or as on any target, with a depth buffer for an area.
 fn tested<I: SpanShader<Rgb565>>(
     mesh: &Mesh<'_>,
     area: Rectangle,
@@ -146,7 +146,7 @@ fn memory_targets_store_the_depth_and_colors_of_any_target() {
     let mut seen = 0;
     for reach in [60, 300, 1500, 9000] {
         for case in 0..60 {
-            // Depths stand where pixels do in the first three only.
+            // Only in the first three does the depth buffer have the layout of the picture.
             let Size { width, height } = SIZE;
             let area = [
                 bridge::rectangle(0, 0, width, height),
@@ -156,7 +156,7 @@ fn memory_targets_store_the_depth_and_colors_of_any_target() {
                 bridge::rectangle(0, 1, width, height),
                 bridge::rectangle(-5, -3, width + 20, height / 2),
             ][case % 6];
-            // About points in 2^-10 units, some of them before near, and beyond the picture's border.
+            // Vertices in units of 2^-10, some before the near plane, some outside the picture.
             let mut vertices = Vec::new();
             for _ in 0..20 {
                 let centre: [i64; 3] = core::array::from_fn(|_| rng.int(-4000, 4000));

@@ -1,8 +1,8 @@
 //! R9 and L2 by sheer number: a million random triangles of mixed classes and a million lines, compared pixel by
 //! pixel with the exact oracles. `--nocapture` shows how many pixels that is.
 //!
-//! A small triangle is seen whole; a larger one, and a line, through small scissors along its border and about its
-//! vertices, where a rasteriser can go wrong, some of them reached from many rows above.
+//! Small triangles are compared completely. Larger triangles and lines are compared in small scissors along their borders
+//! and about their vertices, where rasterizers go wrong; some scissors are reached from many rows above.
 
 use support::bridge;
 use support::oracle::cases::{self, Class, CLASSES};
@@ -10,7 +10,7 @@ use support::oracle::coverage::{rows, Area, P};
 use support::oracle::line;
 use support::oracle::rng::Rng;
 
-/// Of triangles, and of lines.
+/// The numbers of triangles and of lines.
 const NUMBER: usize = 1_000_000;
 
 /// The library's pixels inside a window at most 64 wide, as words; how many were drawn more than once goes to
@@ -53,7 +53,7 @@ impl Tally {
     }
 }
 
-/// What of a triangle to look at.
+/// The window of a triangle to compare.
 fn windows(rng: &mut Rng, t: [P; 3]) -> Vec<Area> {
     let (x, y) = (t.map(|p| p.0.div_euclid(256)), t.map(|p| p.1.div_euclid(256)));
     let low = |c: [i64; 3]| c[0].min(c[1]).min(c[2]) - 1;
@@ -72,13 +72,13 @@ fn r9_random_triangles_of_every_class() {
     let (mut twice, mut all) = (0, 0);
     for class in CLASSES {
         let mut tally = Tally::default();
-        // The last class takes what the division leaves.
+        // The last class gets the remainder of the division.
         let share = if class == Class::Huge { NUMBER - all } else { NUMBER / CLASSES.len() };
         all += share;
         for _ in 0..share {
             let t = cases::triangle(&mut rng, class);
             for window in windows(&mut rng, t) {
-                // Now and then the scissor begins far above, so that the edges have come a long way.
+                // Some scissors begin far above the window, so that the edge walkers take many steps.
                 let above = if rng.one_in(8) { 1 << rng.int(0, 9) } else { 0 };
                 let scissor = Area { top: window.top - above, ..window };
                 let ours = words(&bridge::triangle_spans(t, scissor), window, &mut twice);

@@ -1,4 +1,4 @@
-//! Whatever the bands, smooth and dithered pictures are those in one piece.
+//! Smooth and dithered pictures in bands of any height equal the picture drawn at once.
 
 use crate::scene::{
     flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Own, Picture,
@@ -25,7 +25,7 @@ struct Scene {
     faces: [[u16; 3]; FACES],
     inks: Vec<(Flat, Gouraud)>,
     lights: Vec<[Lit; 3]>,
-    /// The viewport, and a frame that sees a part of it, or all.
+    /// The viewport, and a frame that shows a part of it or all of it.
     viewport: (i32, i32, u32, u32),
     frame: Rectangle,
 }
@@ -178,7 +178,7 @@ fn bands_of_stored_pixels_send_the_full_picture() {
     }
 }
 
-/// Triangles drawn in 2D: what runs over them does not begin anew with every band.
+/// 2D triangles: gradients continue from band to band.
 #[test]
 fn two_dimensional_triangles_in_bands_add_up_to_the_full_picture() {
     let mut rng = Rng::new(0x82);
@@ -191,7 +191,7 @@ fn two_dimensional_triangles_in_bands_add_up_to_the_full_picture() {
         };
         let [a, b, mut c] = [0; 3].map(|_| corner(&mut rng));
         if case % 2 == 0 {
-            // Steep: next to the line through both.
+            // A steep gradient: the third corner is next to the line through the other two.
             let mut between = |a: i32, b: i32| a / 2 + b / 2 + rng.int(-3000, 3000) as i32;
             let (x, y) = (between(a.x(), b.x()), between(a.y(), b.y()));
             c = ScreenPoint::from_subpixels(x, y).unwrap_or(c);

@@ -13,7 +13,7 @@ use support::oracle::coverage::centre;
 use support::oracle::rng::Rng;
 use support::oracle::shade::{bayer, dithered, Fraction, Lit};
 
-/// What the corners' colours may be rounded by, and what a run over a triangle may be off by: in levels.
+/// Bounds in levels: the rounding of the corners' colors, and the error of a gradient over a triangle.
 const EVEN: Fraction = (1, 1 << 16);
 const SMOOTH: Fraction = (1, 512);
 
@@ -21,7 +21,7 @@ fn rank(pattern: &[Vec<i128>], p: Point) -> i128 {
     pattern[p.y.rem_euclid(8) as usize][p.x.rem_euclid(8) as usize]
 }
 
-/// All of the picture in one colour.
+/// A picture filled with one color.
 fn everywhere<C: Colour>(ink: pinhole::Dithered<Flat>) -> Picture<C> {
     let vertices = [(-20_000, -20_000), (60_000, -20_000), (-20_000, 60_000)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
@@ -68,7 +68,7 @@ fn even<C: Colour>(colour: Lit, rng: &mut Rng) {
     for (p, drawn) in picture.drawn() {
         for (level, exact) in drawn.levels().into_iter().zip(&exact) {
             assert!(dithered(*exact, rank(&pattern, p), EVEN).contains(&level), "{p:?} {colour:?}");
-            // On a level: pure.
+            // A color that is exactly a level is not dithered.
             assert!(exact.0 % exact.1 != 0 || level == exact.0 / exact.1, "{p:?} {colour:?}");
         }
     }
@@ -90,13 +90,13 @@ fn dithering_keeps_means_and_leaves_exact_levels_pure() {
         for_every_colour!(even(colour, &mut rng));
     }
     for grey in [0, 17, 85, 170, 255] {
-        // Levels of Gray4, of Gray2 and of them all.
+        // Lights that are levels of Gray4, levels of Gray2, and all lights.
         let colour = Lit { rgb: [grey; 3], level: 256 };
         for_every_colour!(even(colour, &mut rng));
     }
 }
 
-/// More light makes no pixel darker, and all shades there are differ.
+/// More light makes no pixel darker, and all 65 shades of the pattern differ.
 fn monotone<C: Colour>() {
     let shades = |grey: u8| everywhere::<C>(flat(Lit { rgb: [grey; 3], level: 256 }).dithered());
     let levels =
@@ -121,7 +121,7 @@ fn more_light_makes_no_pixel_darker() {
     for_every_colour!(monotone());
 }
 
-/// The pattern stands still: where a moving face is, it shows the same pixels of one picture.
+/// The pattern is fixed to the screen: a moving face uncovers pixels of one fixed picture.
 #[test]
 fn the_dither_pattern_is_fixed_to_the_screen() {
     let (mut rng, camera) = (Rng::new(0x72), flat_camera());

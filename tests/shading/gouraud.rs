@@ -1,4 +1,4 @@
-//! Gouraud's colours against the plane through the corners, at the centres of pixels.
+//! Gouraud colors against the plane through the corners' levels, at the centers of pixels.
 
 use crate::scene::{
     corners, draw, flat, flat_camera, for_every_colour, gouraud, lit, mesh, random_colour, random_lights,
@@ -13,7 +13,7 @@ use support::oracle::rng::Rng;
 use support::oracle::shade::{distance, Lit};
 use support::oracle::target::{Call, Recorder};
 
-/// ½ for the rounding, and what the documentation allows beyond.
+/// The bound in levels: ½ for the rounding, and the documented error of a gradient.
 const BOUND: f64 = 0.5 + 1.0 / 512.0;
 
 fn check<C: Colour, I: SpanShader<C>>(
@@ -58,7 +58,7 @@ fn gouraud_colors_are_the_nearest_levels_of_their_gradients() {
     for_every_colour!(random(1500));
 }
 
-/// One colour at all corners is one colour all over, to the last bit: that of a flat face.
+/// Three equal corner colors give the color of a flat face in every pixel, to the last bit.
 fn even<C: Colour>(rng: &mut Rng) {
     let (camera, colour) = (flat_camera(), random_colour(rng));
     let vertices = random_triangle(rng).map(vertex);
@@ -114,7 +114,7 @@ fn flat_colors_are_the_nearest_of_every_color_type() {
     }
 }
 
-/// The pixels go out with one call a span.
+/// Pixels are sent with one call for each span.
 #[test]
 fn one_draw_call_fills_a_whole_span() {
     let vertices = [(100, 100), (9000, 3000), (2000, 11_000)].map(vertex);

@@ -82,7 +82,7 @@ fn light_levels_hold_under_mirrors() {
         let s = [0; 3].map(|_| (f64::from(ONE) * rng.log(0.2, 5.0)) as i32 * [1, -1][rng.below(2)]);
         model.0.push(Step::Scale(s));
         check(&mut rng, &model);
-        // Even, but mirrored.
+        // An even scale that mirrors.
         let mut model = ModelBits::random_rotation(&mut rng);
         let signs = [0; 3].map(|_| [ONE, -ONE][rng.below(2)]);
         model.0.push(Step::Scale(signs));
@@ -158,7 +158,7 @@ fn light_levels_hold_under_scales_up_to_10_000_to_1() {
     println!("within {worst:.3} levels");
 }
 
-/// At vertices as at faces, as far as both lists go.
+/// The levels of a list of normals equal the levels of each normal, up to the end of the shorter list.
 #[test]
 fn light_levels_of_a_list_equal_light_levels_one_by_one() {
     let mut rng = Rng::new(0x90);

@@ -16,7 +16,7 @@ use support::oracle::coverage::P;
 use support::oracle::rng::Rng;
 use support::oracle::shade::{Depths, Lit};
 
-/// A colour whose channels the tests can read.
+/// A color whose channels the tests can read.
 pub(crate) trait Colour: Channels + PixelFormat + core::fmt::Debug + 'static {
     const DEPTHS: Depths;
     fn levels(self) -> Vec<i128>;
@@ -128,7 +128,7 @@ impl<C: PixelColor> Picture<C> {
         self.pixels[p.y as usize * self.area.size.width as usize + p.x as usize]
     }
 
-    /// All pixels, before a background.
+    /// All pixels, drawn over a background.
     pub(crate) fn before(&self, background: C) -> Vec<C> {
         self.pixels.iter().map(|c| c.unwrap_or(background)).collect()
     }
@@ -178,7 +178,7 @@ pub(crate) fn screen() -> Rectangle {
     bridge::rectangle(0, 0, SIZE.0, SIZE.1)
 }
 
-/// A unit of the world is a pixel, (0, 0) the middle of the picture.
+/// A camera for which a world unit is a pixel and (0, 0) the middle of the picture.
 pub(crate) fn flat_camera() -> Camera {
     let (w, h) = (SIZE.0 as i32 * ONE / 2, SIZE.1 as i32 * ONE / 2);
     CameraBits {
@@ -189,7 +189,7 @@ pub(crate) fn flat_camera() -> Camera {
     .library()
 }
 
-/// The vertex that the flat camera sees at a place in sub-pixels.
+/// The vertex that [`flat_camera`] projects to a position in sub-pixels.
 pub(crate) fn vertex((x, y): P) -> [Scalar; 3] {
     let (w, h) = (i64::from(SIZE.0) * 128, i64::from(SIZE.1) * 128);
     let bits = |v: i64| Scalar::from_bits(i32::try_from(v << 8).expect("a scalar"));
@@ -257,7 +257,7 @@ pub(crate) fn random_lights(rng: &mut Rng) -> [Lit; 3] {
     [0; 3].map(|_| Lit { rgb, ..random_colour(rng) })
 }
 
-/// Within the guard band: small, as large as the picture, far larger, and slivers.
+/// A triangle inside the guard band: small, as large as the picture, far larger, or a sliver.
 pub(crate) fn random_triangle(rng: &mut Rng) -> [P; 3] {
     let reach = [300, 3_000, 12_000, 100_000, 2_000_000][rng.below(5)];
     let (w, h) = (i64::from(SIZE.0) * 256, i64::from(SIZE.1) * 256);

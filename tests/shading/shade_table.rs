@@ -1,4 +1,4 @@
-//! Colours of a shade table against the light's plane through the corners, at the centres of pixels.
+//! Colors of a shade table against the plane through the corners' light, at the centers of pixels.
 
 use crate::scene::{
     corners, draw, flat_camera, for_every_colour, mesh, random_lights, random_triangle, shaded, table,
@@ -12,17 +12,17 @@ use support::oracle::coverage::{centre, P};
 use support::oracle::rng::Rng;
 use support::oracle::shade::{distance, Depths, Lit};
 
-/// Of an entry's number: for the rounding, and what the documentation allows beyond.
+/// The bound in entries: ½ for the rounding, and the documented error of a gradient.
 const BOUND: f64 = 0.5 + 1.0 / 512.0;
 
-/// White's light in 255 levels is the number of the entry.
+/// A table of white in 255 levels: the level is the index of the entry.
 const NUMBERS: Depths = Depths(&[255]);
 
 fn white(light: Lit) -> Lit {
     Lit { rgb: [255; 3], ..light }
 }
 
-/// Numbers as colours: what a pixel has looked up.
+/// A color type of indices: the entry that a pixel shows.
 fn numbers() -> ShadeTable<Rgb888> {
     ShadeTable::from_colors(core::array::from_fn(|i| Rgb888::new(i as u8, 255 - i as u8, 7)))
 }
@@ -51,7 +51,7 @@ fn light_selects_the_nearest_table_entry() {
     assert!(worst > 0.499);
 }
 
-/// A channel's error: its entry's rounding, and the light's.
+/// The bound of a channel: the rounding of its entry and of the light.
 fn random<C: Colour>(cases: usize) {
     let (mut rng, camera) = (Rng::new(0xA1), flat_camera());
     let mut worst = 0.0f64;
@@ -102,7 +102,7 @@ fn table_entries_are_the_nearest_colors_of_the_target() {
     }
 }
 
-/// Full light is the last entry all over, no light the first; more than full counts as full.
+/// Full light selects the last entry in every pixel, no light the first; more than full light counts as full.
 #[test]
 fn full_light_and_no_light_select_the_last_and_the_first_entry() {
     let (mut rng, camera, table) = (Rng::new(0xA3), flat_camera(), numbers());
@@ -117,7 +117,7 @@ fn full_light_and_no_light_select_the_last_and_the_first_entry() {
     }
 }
 
-/// In memory, with depth and without, as on any other target: the loops are others.
+/// The loops for memory targets, with depth and without, draw the pixels of any other target.
 #[test]
 fn memory_targets_and_depth_tests_draw_the_colors_of_any_target() {
     let (mut rng, camera) = (Rng::new(0xA4), flat_camera());

@@ -1,5 +1,5 @@
-//! Random triangles and lines, dense in what rasterisers get wrong: ties, slivers, the ends of the range. Vertices
-//! spread evenly over all sub-pixels hardly ever meet a centre.
+//! Random triangles and lines, dense in cases that rasterizers get wrong: ties, slivers, the ends of the range. Vertices
+//! spread evenly over all sub-pixels hardly ever meet a pixel center.
 
 use super::coverage::{centre, Area, P};
 use super::rng::Rng;
@@ -19,7 +19,7 @@ pub enum Class {
     Centres,
     /// One side horizontal or vertical, often through centres.
     Axes,
-    /// Of the size of a small display.
+    /// As large as a small display.
     Plain,
     /// Anywhere in the guard band, its border included.
     Huge,
@@ -41,7 +41,7 @@ fn far(rng: &mut Rng) -> i64 {
     }
 }
 
-/// Around the picture 0 … 64 px, but for the huge ones and some slivers.
+/// A triangle of a class. All but huge triangles and some slivers lie around the picture of 0 … 64 pixels.
 pub fn triangle(rng: &mut Rng, class: Class) -> [P; 3] {
     let near = |rng: &mut Rng, step: i64| step * rng.int(-4000 / step, 20_000 / step);
     match class {

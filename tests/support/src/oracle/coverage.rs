@@ -36,7 +36,7 @@ pub fn covers(t: [P; 3], i: i64, j: i64) -> bool {
 }
 
 /// The covered pixels of an area at most 64 wide, a word a row, bit k for column left + k: the edge functions again,
-/// stepped from pixel to pixel instead of worked out for each. A tie that does not count is a function one less.
+/// stepped from pixel to pixel instead of evaluated for each. For edges whose ties do not count, 1 is subtracted.
 pub fn rows(t: [P; 3], area: Area) -> Vec<u64> {
     assert!(area.width() <= 64);
     let full = edge(t[0], t[1], t[2]);
@@ -67,7 +67,7 @@ pub fn rows(t: [P; 3], area: Area) -> Vec<u64> {
         .collect()
 }
 
-/// A second derivation of the same rules, to check the first: a scan line has the half-open
+/// A second derivation of the rules, to check the first: a scanline covers the half-open
 /// interval [leftmost crossing, rightmost crossing), a triangle the half-open rows [top, bottom).
 pub fn covers_by_scanline(t: [P; 3], i: i64, j: i64) -> bool {
     let (x, y) = centre(i, j);
@@ -90,7 +90,7 @@ pub fn covers_by_scanline(t: [P; 3], i: i64, j: i64) -> bool {
     at_or_right == 1
 }
 
-/// In the closed triangle (border included)? A degenerate triangle holds nothing.
+/// Whether a point lies in the closed triangle, border included. A degenerate triangle contains no point.
 pub fn closed(t: [P; 3], p: P) -> bool {
     let area = edge(t[0], t[1], t[2]).signum();
     area != 0 && (0..3).all(|k| area * edge(t[k], t[(k + 1) % 3], p) >= 0)
@@ -145,7 +145,7 @@ impl Area {
     }
 }
 
-/// How often each pixel of an area was drawn; a hit outside it is an error of the caller.
+/// How often each pixel of an area was drawn; a pixel outside the area is an error of the caller.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Counts {
     pub area: Area,
@@ -197,7 +197,7 @@ impl core::fmt::Debug for Counts {
     }
 }
 
-/// The whole triangle in an area.
+/// The coverage of a triangle in an area.
 pub fn triangle(t: [P; 3], area: Area) -> Counts {
     let mut counts = Counts::new(area);
     for (x, y) in area.pixels() {

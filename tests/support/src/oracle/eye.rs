@@ -1,4 +1,4 @@
-//! What a camera sees in a pixel, by the ray through its centre, in f64. There is no clipping in here:
+//! The face that a camera sees in a pixel, by the ray through its center, in f64, without clipping:
 //! the ray meets the triangle where the three barycentric weights are positive, and that point counts
 //! if it lies between near and far. Culling by the sign of the homogeneous determinant.
 
@@ -62,7 +62,7 @@ enum Meeting {
     Surely(f64, f64),
 }
 
-/// All faces of a placed mesh.
+/// All faces of a mesh instance.
 pub fn faces(camera: &Camera, model: &Affine, vertices: &[V3], faces: &[[u16; 3]]) -> Vec<Face> {
     faces.iter().map(|f| Face::new(camera, f.map(|i| camera.clip(model, vertices[usize::from(i)])))).collect()
 }

@@ -1,4 +1,4 @@
-//! Which pixels of an edge are hidden: by f64, at the point of the edge itself, against every face.
+//! The hidden pixels of an edge, in f64: the point of the edge is compared with every face.
 
 use super::line;
 
@@ -9,10 +9,10 @@ pub type Vertex = [f64; 3];
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     pub pixel: (i64, i64),
-    /// How far the edge lies, at its point there, behind the nearest face that is not beside it, in
-    /// steps; negative in front.
+    /// How far the point of the edge lies behind the nearest face that is not adjacent to it, in depth
+    /// steps; negative in front of it.
     pub behind: f64,
-    /// How far it lies behind what is nearest at the pixel's centre; 0 where that is a face beside it.
+    /// How far it lies behind the nearest face at the pixel's center; 0 if that face is adjacent to it.
     pub behind_centre: f64,
 }
 

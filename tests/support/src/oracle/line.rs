@@ -1,5 +1,5 @@
 //! Line pixels by SPEC 7: ends ordered by (x, y) ascending, one pixel per major step, the nearest
-//! minor step, a tie keeps the smaller one. Every pixel by its own exact division: no error term.
+//! minor step, a tie takes the smaller one. Each pixel has its own exact division, without an error term.
 
 use super::coverage::{Area, Counts};
 

@@ -1,4 +1,4 @@
-//! Whole pictures: what each pixel of a depth-tested scene may show, in f64.
+//! Complete pictures: what each pixel of a depth-tested scene may show, in f64.
 //!
 //! Every triangle becomes a polygon on the screen, cut at near and far in homogeneous coordinates. A
 //! pixel that shows a triangle is explained by moving edges: the triangle's own outwards until it
@@ -155,7 +155,7 @@ impl Polygon {
     }
 }
 
-/// What comparing a picture with the oracle gives.
+/// The result of comparing a picture with the oracle.
 #[derive(Debug, Default)]
 pub struct Comparison {
     /// The smallest move of edges that explains all pixels, in px.

@@ -1,4 +1,4 @@
-//! Draw targets that watch the library.
+//! Draw targets that record the calls of the library.
 
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -7,13 +7,13 @@ use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 use std::collections::BTreeMap;
 
-/// What reached the target, in order.
+/// A call that reached the target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Call<C> {
     Solid(Rectangle, C),
     /// The rectangle and how many colours came.
     Contiguous(Rectangle, usize),
-    /// How many pixels came, one by one.
+    /// How many single pixels came.
     Pixels(usize),
     Clear,
 }
@@ -57,7 +57,7 @@ impl<C: PixelColor> Recorder<C> {
         self.pixels.get(&(x, y)).map(|&(c, _)| c)
     }
 
-    /// Did a pixel come by itself through `draw_iter`?
+    /// Whether a single pixel came through `draw_iter`.
     pub fn pixel_by_pixel(&self) -> bool {
         self.calls.iter().any(|c| matches!(c, Call::Pixels(_)))
     }

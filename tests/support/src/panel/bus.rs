@@ -13,11 +13,11 @@ struct Wires {
     controller: Controller,
     /// The D/C line: high for data.
     data: bool,
-    /// After so many bytes the bus fails once.
+    /// The number of bytes after which the bus fails once.
     until_failure: Option<usize>,
 }
 
-/// A controller with its bus and its D/C line: all clones are the same one.
+/// A controller with its bus and its D/C line; all clones share it.
 #[derive(Clone, Debug)]
 pub struct Panel(Rc<RefCell<Wires>>);
 
@@ -42,7 +42,7 @@ impl Panel {
         RefMut::map(self.0.borrow_mut(), |wires| &mut wires.controller)
     }
 
-    /// After `bytes` more the bus fails, once.
+    /// Makes the bus fail once, after `bytes` more bytes.
     pub fn fail_after(&self, bytes: usize) {
         self.0.borrow_mut().until_failure = Some(bytes);
     }
@@ -105,7 +105,7 @@ impl OutputPin for DataOrCommand {
     }
 }
 
-/// No time passes.
+/// A delay that does not wait.
 pub struct NoDelay;
 
 impl DelayNs for NoDelay {

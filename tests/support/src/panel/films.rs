@@ -26,10 +26,10 @@ const FACES: [[u16; 3]; 12] = [
     [4, 0, 3],
     [4, 3, 7],
 ];
-/// Of each pair of faces.
+/// The color of each pair of faces.
 const NORMALS: [[i16; 3]; 6] =
     [[0, 0, 32767], [0, 0, -32767], [0, 32767, 0], [0, -32767, 0], [32767, 0, 0], [-32767, 0, 0]];
-/// How S2 stands.
+/// The orientation of the cube of S2.
 const ROTATION: [[f64; 4]; 4] = [
     [0.7986355, 0.0, 0.601815, 0.0],
     [0.282535, 0.8829476, -0.3749367, 0.0],
@@ -43,13 +43,13 @@ pub const BACKGROUND: Rgb888 = Rgb888::new(16, 16, 32);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Film {
-    /// The cube spins about an axis of the world, in so many frames a turn.
+    /// The cube spins about an axis of the world, with this many frames per turn.
     Cube { axis: [i16; 3], turn: u32 },
-    /// The cube stands, and a small one flies an eight before it.
+    /// The cube stands still, and a small cube flies a figure eight before it.
     Small,
 }
 
-/// How many frames a film has.
+/// The number of frames of a film.
 pub const FRAMES: u32 = 72;
 
 /// An object of a frame.
@@ -120,20 +120,20 @@ impl Thing {
         C::from(self.colour).dim(self.light.level(NORMALS[face / 2]))
     }
 
-    /// At once, onto anything.
+    /// Draws the object at once, onto any target.
     pub fn draw<D: DrawTarget<Color: Dim + From<Rgb888>>>(&self, target: &mut D) -> Result<(), D::Error> {
         self.placed.solid(|face| self.colour::<D::Color>(face), &mut [], target).map(|_| ())
     }
 }
 
-/// Memory for the vertices and faces of a thing: a number for each face, and one for every 16.
+/// Memory for the vertices and faces of an object: a number for each face, and one for every 16.
 type Store = ([ScreenVertex; VERTICES.len()], [u16; FACES.len() + 1]);
 
-/// Memory for things.
+/// Memory for the objects of a frame.
 #[derive(Default)]
 pub struct Memory(Vec<Store>);
 
-/// A thing that is ready for bands.
+/// An object that is binned for bands.
 pub struct Recorded<'a> {
     pub thing: &'a Thing,
     pub faces: BinnedFaces<'a>,

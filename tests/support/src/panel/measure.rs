@@ -1,4 +1,4 @@
-//! What a film costs on the wire, each of its frames held against one drawn whole in memory.
+//! The bytes that a film sends over the wire. Each frame on the panel is compared with the frame drawn in memory.
 
 use super::films::{Film, Memory, Thing, BACKGROUND};
 use super::framebuffer::Framebuffer;
@@ -9,7 +9,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::PixelFormat;
 
-/// A frame, drawn whole in memory.
+/// A frame, drawn in memory at once.
 pub fn reference<C: Colour>(things: &[Thing], size: Size) -> Framebuffer<C> {
     let mut picture = Framebuffer::new(size, C::from(BACKGROUND));
     for thing in things {
@@ -33,7 +33,7 @@ pub fn pixel_bytes<C: PixelFormat>(size: Size) -> usize {
     size.width as usize * size.height as usize * C::BITS as usize / 8
 }
 
-/// The least rectangle about the pixels that differ.
+/// The smallest rectangle that contains the pixels that differ.
 fn difference<C: PixelColor>(a: &Framebuffer<C>, b: &Framebuffer<C>) -> Rectangle {
     let width = a.size().width as usize;
     let differing = a.pixels().iter().zip(b.pixels()).enumerate().filter(|(_, (a, b))| a != b);
@@ -54,19 +54,19 @@ pub enum Way {
     Pixels,
 }
 
-/// The rows that bands have room for, as wide as the panel.
+/// The number of rows of a band, which is as wide as the panel.
 pub const ROWS: u32 = 8;
 
-/// What a frame cost.
+/// The traffic of a frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cost {
     pub bytes: usize,
     pub windows: usize,
-    /// The bytes of the pixels of the least rectangle about those that changed.
+    /// The bytes of the pixels of the smallest rectangle that contains all changes.
     pub changed: usize,
 }
 
-/// The frames of a film after its first one. Every frame that is seen is the reference.
+/// The traffic of each frame of a film after the first. Asserts that the panel shows the reference after every frame.
 pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> Vec<Cost> {
     let mut screen = Screen::<M>::new();
     let area = screen.display.bounding_box();
@@ -98,7 +98,7 @@ pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> 
     costs
 }
 
-/// All frames together.
+/// The sum over all frames.
 pub fn sum(costs: &[Cost]) -> Cost {
     costs.iter().fold(Cost::default(), |sum, cost| Cost {
         bytes: sum.bytes + cost.bytes,

@@ -15,7 +15,7 @@ pub mod ways;
 const COLUMNS: u16 = 240;
 const ROWS: u16 = 320;
 
-/// How the glass is looked at.
+/// How the glass is mounted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
     Upright,
@@ -25,7 +25,7 @@ pub enum Held {
     LandscapeMirrored,
 }
 
-/// What the last command was, and what it still waits for.
+/// The last command, and the parameters that it still waits for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum State {
     /// A command that takes this many parameters, with those it has.
@@ -99,7 +99,7 @@ impl Controller {
         self.errors.push(what.into());
     }
 
-    /// One byte, with what the D/C line says of it.
+    /// Receives one byte, with the level of the D/C line.
     pub fn receive(&mut self, byte: u8, data: bool) {
         self.bytes += 1;
         if data {

@@ -1,4 +1,4 @@
-//! The real driver at the controller's bus, for the panels and colours that are tried.
+//! The driver mipidsi at the bus of the controller, for the panels and colors that the tests use.
 
 use super::bus::{DataOrCommand, NoDelay, Panel};
 use super::Held;
@@ -19,7 +19,7 @@ pub struct Screen<M: Kind> {
     held: Held,
 }
 
-/// What a driver can be set up for.
+/// A panel that the driver supports, with its settings.
 pub trait Kind: Model<ColorFormat: InterfacePixelFormat<u8>> + Sized {
     const NAME: &'static str;
     const SIZE: Size;
@@ -54,7 +54,7 @@ impl Kind for ILI9341Rgb666 {
     }
 }
 
-/// A colour as the controller's memory holds it.
+/// A color as the controller's memory stores it.
 pub trait StoredPixel: PixelColor {
     fn stored(self) -> u32;
 }
@@ -72,7 +72,7 @@ impl StoredPixel for Rgb666 {
 }
 
 impl<M: Kind> Screen<M> {
-    /// Initialised, and the bytes of that not counted.
+    /// An initialized panel; the bytes of the initialization are not counted.
     pub fn new() -> Self {
         let panel = Panel::new();
         let buffer = Vec::leak(vec![0; 100]);

@@ -1,4 +1,4 @@
-//! The ways to get a frame onto a panel.
+//! Four methods of sending a frame to a panel.
 
 use super::films::{Recorded, Thing, BACKGROUND};
 use super::screen::StoredPixel;
@@ -7,11 +7,11 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Dim, DirtyRegions, Frame, PixelFormat, TransferCost};
 
-/// A colour that can do all that is asked of one here.
+/// A color with all traits that these functions need.
 pub trait Colour: PixelFormat + Dim + StoredPixel + From<Rgb888> {}
 impl<C: PixelFormat + Dim + StoredPixel + From<Rgb888>> Colour for C {}
 
-/// Memory for so many rows.
+/// Memory for `rows` rows.
 pub fn strip<C: PixelFormat>(width: u32, rows: u32) -> Vec<u8> {
     vec![0; Frame::<C>::strip_bytes(width, rows)]
 }
@@ -31,7 +31,7 @@ pub fn in_bands<D: DrawTarget<Color: Colour>>(
     Ok(())
 }
 
-/// What can tell which parts of a film's frame changed.
+/// The tracker of the regions of a frame that changed.
 pub fn dirty<C: PixelFormat>(area: Rectangle) -> DirtyRegions<4> {
     DirtyRegions::new(area, TransferCost::new(C::BITS, TransferCost::MIPI_DCS))
 }
@@ -50,13 +50,13 @@ pub fn changes<D: DrawTarget<Color: Colour>>(
     Ok(())
 }
 
-/// Straight onto the panel: cleared, then each run of pixels as it comes.
+/// Draws directly onto the panel: clears it, then sends each span.
 pub fn in_spans<D: DrawTarget<Color: Colour>>(things: &[Thing], target: &mut D) -> Result<(), D::Error> {
     target.clear(BACKGROUND.into())?;
     things.iter().try_for_each(|thing| thing.draw(target))
 }
 
-/// Straight onto the panel: cleared, then each pixel for itself.
+/// Draws directly onto the panel: clears it, then sends each pixel.
 pub fn in_pixels<D: DrawTarget<Color: Colour>>(things: &[Thing], target: &mut D) -> Result<(), D::Error> {
     target.clear(BACKGROUND.into())?;
     things.iter().try_for_each(|thing| thing.draw(&mut Single(target)))
