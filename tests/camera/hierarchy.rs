@@ -1,5 +1,5 @@
-//! SPEC 2, scene hierarchy: world = parent's world · local, a node moves all below it, wrong parents
-//! are refused, one mesh under many nodes and many meshes under one; and no drift.
+//! SPEC 2, scene hierarchy: world = parent's world · local, a node moves its descendants, invalid parents are refused, one
+//! mesh under many nodes and many meshes under one, and no drift.
 
 use pinhole::space::Model;
 use pinhole::{Affine, Angle, Hierarchy, HierarchyError, Mesh, Node};
@@ -163,7 +163,7 @@ fn s2_a_million_frames_do_not_drift() {
     assert!(worst <= 0.51 / 65536.0 + 1000.0 * 2f64.powi(-29));
 }
 
-/// What accumulating would cost: the same million turns of 0.1°, each applied to the matrix so far.
+/// The drift of accumulated matrices: a million turns of 0.1°, each multiplied onto the matrix.
 #[test]
 fn s2_accumulated_matrices_drift_as_documented() {
     let step = Affine::<Model, Model>::rotation_z(Angle::turns(1, 3600));

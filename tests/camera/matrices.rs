@@ -1,6 +1,6 @@
-//! SPEC 4, issue B: any projective 4 × 4 as it is. 10⁵ random matrices, each a frustum, a box or a
+//! SPEC 4: any projective 4 × 4 matrix. 10⁵ random matrices, each a frustum, a box or a
 //! slanted box after a rigid move of view space, times any positive factor: vertices within 1/256 px
-//! of the same matrix in f64. The other doors for matrices, and the way back; what is refused.
+//! of the matrix in f64. Affine and view matrices, their round trips, and the matrices that are refused.
 
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Camera, MatrixError, Projection, ProjectionError, ViewTransform, ViewTransformError};

@@ -8,7 +8,7 @@ use support::bridge::{point, reals, scalar, vector};
 use support::oracle::chain::{self, cross, dot, fx, fx3, length, matmul3, normalise, M3, V3};
 use support::oracle::rng::Rng;
 
-/// The linear part and the translation read off a transform: coefficients to 2⁻³¹, where they are
+/// The linear part and the translation of a transform, measured from images of points: coefficients to 2⁻³¹, where they are
 /// small enough for the image of a long vector not to saturate.
 fn read(a: &Affine<Model, World>, reach: f64) -> (M3, V3) {
     let step = (reach * 65536.0) as i32;

@@ -1,6 +1,6 @@
-//! Issue B, picking: `unproject(project(p))` gives p back within what half a sub-pixel and half a step
-//! of depth allow; the ray through a pixel passes through what is seen there; each reason to be hidden.
-//! (That `project` agrees with f64 for every projection stands in `family_random`.)
+//! Picking: `unproject(project(p))` returns p within the change that half a sub-pixel and half a step of depth explain, the
+//! ray through a pixel meets the point visible there, and each reason to be hidden is reported. That `project` agrees with
+//! f64 for every projection is tested in `random_projections.rs`.
 
 use pinhole::raster::ScreenPoint;
 use pinhole::{Camera, ProjectError, ViewTransform, Viewport};
@@ -186,7 +186,7 @@ fn unprojecting_beyond_the_number_range_returns_none() {
     assert_eq!(camera.ray(at(400)), None);
 }
 
-/// Near cuts where it should for any near and far: to 2⁻²⁸ of far's distance and 2⁻¹⁵
+/// The near plane cuts at its distance for any near and far: to 2⁻²⁸ of far's distance and 2⁻¹⁵
 /// (depth in a parallel projection resolves 2⁻³⁰ of its range).
 #[test]
 fn near_cuts_at_its_distance_for_any_near_and_far() {

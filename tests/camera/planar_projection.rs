@@ -1,5 +1,5 @@
 //! SPEC 4, planar projections by position of the view plane: worked example A, the general matrix
-//! that contains all others, Q → ∞, and what is refused.
+//! that contains all others, Q → ∞, and the planes that are refused.
 
 use pinhole::space::{View, World};
 use pinhole::{PlanarProjection, Point3, Projection, ProjectionError, Vector3, ViewTransform};
@@ -9,7 +9,7 @@ use support::definition::Family;
 use support::oracle::chain::{self, fx};
 use support::oracle::rng::Rng;
 
-/// Half a unit of the last place of I16F16, and a little for what was rounded before.
+/// Half a unit of the last place of I16F16, and a little for earlier roundings.
 const HALF: f64 = 0.502 / 65536.0;
 
 fn example_a() -> ViewTransform {
@@ -47,8 +47,8 @@ fn s4_worked_example_a_points() {
     }
 }
 
-/// The composite's rows, read off the library: the images of the world's unit points less that of its
-/// origin, and the origin's own.
+/// The rows of the composite matrix, measured from the library: the images of the world's unit points minus the image of
+/// its origin, and the image of the origin.
 #[test]
 fn s4_worked_example_a_composite_rows() {
     let (s, view) = (2f64.sqrt(), example_a());

@@ -1,4 +1,4 @@
-//! SPEC 4, the family by name: each one's defining property.
+//! SPEC 4, projections by name: the defining property of each.
 
 use pinhole::space::World;
 use pinhole::{Angle, Camera, Point3, Projection, Scalar, Side, ViewTransform, ViewTransformError, Viewport};
@@ -19,7 +19,7 @@ fn orthographic() -> Projection {
     Projection::orthographic(w, scalar(-100 * ONE), scalar(100 * ONE)).expect("a box")
 }
 
-/// On the drawing, in units, x to the right and y up.
+/// The position of a point in the drawing, in units, x to the right and y up.
 fn at(camera: &Camera, p: [i32; 3]) -> (f64, f64) {
     let (p, _) = camera.project(point(p)).expect("on the drawing");
     ((f64::from(p.x()) / 256.0 - 2000.0) / 100.0, (2000.0 - f64::from(p.y()) / 256.0) / 100.0)
@@ -167,7 +167,7 @@ fn s4_oblique_a_receding_unit_has_its_length_and_angle() {
         let camera = drawing(&front, &projection);
         let o = at(&camera, [0; 3]);
         assert_eq!(o, (0.0, 0.0));
-        // BinnedFaces parallel to the plane keep their size.
+        // Faces parallel to the plane keep their size.
         assert_eq!(at(&camera, [5 * ONE, 0, 0]), (5.0, 0.0));
         assert_eq!(at(&camera, [0, -5 * ONE, 0]), (0.0, -5.0));
         // Ten units of depth, away from the viewer.
@@ -324,7 +324,7 @@ fn s4_vanishing_points_beyond_all_numbers_keep_their_side() {
     }
 }
 
-/// The camera by `CameraBits` is the one by the family: the bridge carries the same numbers.
+/// A camera from `CameraBits` equals the camera from `Family` of these numbers.
 #[test]
 fn the_two_bridges_agree() {
     let bits = CameraBits {

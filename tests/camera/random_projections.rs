@@ -29,7 +29,7 @@ enum Kind {
     GeneralParallel,
 }
 
-/// How far a class of set-ups goes.
+/// The range of a class of set-ups.
 #[derive(Clone, Copy)]
 struct Reach {
     /// The longest focal length in px.

@@ -1,4 +1,4 @@
-//! Numbers at the ends of their ranges, as fuzzing found them: right, or refused, never wrong in silence.
+//! Numbers at the ends of their ranges, found by fuzzing: the result is right or an error, never silently wrong.
 
 use pinhole::space::{Model, View, World};
 use pinhole::{

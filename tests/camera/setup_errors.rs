@@ -168,7 +168,7 @@ fn no_set_up_panics() {
     }
 }
 
-/// Cameras made by the compiler: with every constructor that may stand in a constant.
+/// Cameras built at compile time, with every `const` constructor.
 mod constant {
     use super::*;
     use pinhole::{Camera, Projection, Window};
@@ -185,7 +185,7 @@ mod constant {
         top: Scalar::from_bits(55_555),
     };
 
-    /// Made where it stands, from every constructor that may stand in a constant.
+    /// Built at run time, by every `const` constructor.
     macro_rules! cameras {
         ($eye:expr) => {{
             let eye = $eye;
@@ -224,7 +224,7 @@ mod constant {
     }
 }
 
-/// BinnedFaces beside edges belong to the edges that the mesh had when they were given.
+/// The faces adjacent to edges belong to the edges that the mesh had when they were set.
 #[test]
 fn other_edges_have_no_faces_beside_them_yet() {
     let (vertices, faces) = ([[0; 3], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 3]]);

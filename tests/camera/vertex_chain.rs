@@ -229,7 +229,7 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
     Some(Case { camera, model, exponent, vertices, fixed, half_extent: largest * scale })
 }
 
-/// What a bound may depend on.
+/// The quantities that a bound may depend on.
 #[derive(Clone, Copy)]
 struct Terms {
     /// Half extent ÷ distance.

@@ -10,7 +10,7 @@ use support::bridge::{point, reals, scalar, vector};
 use support::oracle::chain::{self, V3};
 use support::oracle::rng::Rng;
 
-/// The library's image of a point, against the exact one.
+/// Compares the library's image of a point with the exact image.
 fn check(model: &ModelBits, p: [i32; 3], bound: f64) {
     let ours = model.library().apply(point::<Model>(p));
     let exact = model.exact().apply(chain::fx3(p));

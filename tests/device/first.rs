@@ -1,5 +1,5 @@
-//! The README's way from an empty folder to a picture: its code is that of `examples/first`, is short, and does what
-//! the README says, on the host and on an emulated microcontroller.
+//! The README's steps from an empty folder to a picture: its code equals `examples/first`, is short, and does what the
+//! README says, on the host and on an emulated microcontroller.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -95,7 +95,7 @@ fn of_a_model(name: &str, file: &str, model: &[u8]) -> String {
     printed
 }
 
-/// The README's, as text.
+/// The README's code, as text.
 fn pyramid() -> String {
     let corners = [[-1, -1, 1], [1, -1, 1], [1, -1, -1], [-1, -1, -1], [0, 1, 0]];
     let mut stl = String::from("solid pyramid\n");
@@ -226,7 +226,7 @@ struct Firmware<'a> {
 }
 
 impl Firmware<'_> {
-    /// Takes a file of the repository over.
+    /// Copies a file of the repository.
     fn copy(&self, file: &str) {
         let to = self.path.join(file);
         fs::create_dir_all(to.parent().expect("a folder")).expect("a folder");
@@ -247,7 +247,7 @@ fn cargo() -> Command {
     cargo
 }
 
-/// If not, it says so; with `CI` set it is a failure.
+/// Whether a target is installed. If not, the test says so; with `CI` set it fails.
 fn has_tools() -> bool {
     let check = Command::new("bash").args(["tools/cross", "--check", TARGET]).current_dir(ROOT).output();
     let lacking = match check {

@@ -1,4 +1,4 @@
-//! The show on an SPI display: every pixel of every frame, as the display shows it, is the host's.
+//! The show on an SPI display: every pixel of every frame on the display equals the host's.
 
 use crate::cross::{Firmware, PATIENCE};
 use crate::emulator::{complains, Emulator, Report};
@@ -8,14 +8,14 @@ use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::time::Duration;
 
-/// Bytes that the firmware may take of the stack, its own frames included: some 5 % more than it does.
+/// The bound of the firmware's stack in bytes, about 5 % above the measured use.
 const STACK: usize = 2160;
 /// A Cortex-M0 draws the pictures of the host with fewer registers.
 const STACK_OF_M0: usize = 2550;
-/// And its variables.
+/// The bound of the firmware's variables in bytes.
 const VARIABLES: u32 = 22_600;
 
-/// What differs, frame by frame; nothing where there are the same pictures, no more and no fewer.
+/// The differences, frame by frame; empty if the pictures and their number are equal.
 fn differences(seen: &[Picture], wanted: &[Picture]) -> Vec<String> {
     let frames = seen.iter().zip(wanted).enumerate();
     let pixels = frames
@@ -89,7 +89,7 @@ fn the_frames_of_the_show_differ() {
     assert!(frames.iter().all(|levels| levels.iter().filter(|level| **level > 0).count() > 200));
 }
 
-/// A check that cannot fail would be none.
+/// The check itself must be able to fail.
 #[test]
 fn a_single_wrong_pixel_is_reported() {
     let wanted = host();
@@ -106,7 +106,7 @@ fn a_single_wrong_pixel_is_reported() {
     assert!(Picture::new(vec![16; 128 * 64]).is_none() && Picture::new(vec![0; 128]).is_none());
 }
 
-/// Firmware that is not answered waits for ever: so does one that hangs. It is noticed, and QEMU goes with the test.
+/// A firmware that gets no answer waits forever, like a firmware that hangs. The test notices and ends QEMU.
 #[test]
 fn a_firmware_that_hangs_is_killed() {
     let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };

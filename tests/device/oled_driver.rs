@@ -1,4 +1,4 @@
-//! The OLED driver of `examples/oled` against a controller in memory: windows, partial ones, and what it refuses.
+//! The OLED driver of `examples/oled` against a controller in memory: full and partial windows, and the windows that it refuses.
 
 #[path = "../../examples/oled/panel.rs"]
 mod panel;
@@ -67,7 +67,7 @@ fn a_window_is_written_and_nothing_beside_it() {
     }
 }
 
-/// Row by row, and from the end back to the start of the window.
+/// The controller fills the window row by row and wraps from its end to its start.
 #[test]
 fn the_controller_wraps_inside_its_window() {
     let wires = Wires::new();
@@ -112,7 +112,7 @@ fn windows_that_split_a_byte_are_refused_and_nothing_is_sent() {
     assert_eq!(wires.count(), count);
 }
 
-/// As for any DrawTarget; the colours of what is left out are passed over.
+/// As for any DrawTarget: the colors of pixels outside are skipped.
 #[test]
 fn a_drawn_window_may_reach_beyond_the_panel() {
     for area in [window(-4, -3, 10, 7), window(120, 60, 20, 9), window(-6, 5, 200, 3), window(200, 0, 4, 4)] {
@@ -136,7 +136,7 @@ fn clearing_and_drawing_write_pairs_of_pixels() {
     assert_eq!(wires.levels()[9 * 128 + 7..9 * 128 + 13], [5, 8, 9, 10, 11, 5]);
 }
 
-/// What the firmware does: bands of the rectangles that changed.
+/// The firmware's method: bands of the regions that changed.
 #[test]
 fn bands_of_dirty_regions_show_the_full_picture() {
     let (wires, mut panel) = panel();

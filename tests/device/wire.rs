@@ -1,5 +1,5 @@
-//! On the wire: the real driver's bytes, and the picture that a controller makes of them, against pictures that are
-//! drawn whole in memory.
+//! On the wire: the bytes of the driver mipidsi, and the picture that a controller shows after them, against pictures drawn
+//! in memory.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
@@ -17,7 +17,7 @@ use support::panel::screen::{Kind, Screen, StoredPixel};
 use support::panel::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
 use support::panel::{Controller, Held};
 
-/// The spinning cube, for what any film would show.
+/// The spinning cube, for tests that any film would serve.
 const CUBE: Film = Film::Cube { axis: [0, 1, 0], turn: FRAMES };
 
 /// The scene S2 covers 17964 pixels: see `tools/bench/scenes.json`.
@@ -116,7 +116,7 @@ fn drawing_directly_onto_the_panel_shows_the_same_picture() {
     for_every_panel!(test);
 }
 
-/// A window's bytes without the driver's hand on them, as DMA would send them.
+/// The bytes of a window without the driver's conversion, as DMA would send them.
 #[test]
 fn the_bytes_of_a_band_are_in_wire_order() {
     fn test<M: Kind<ColorFormat: Colour>>() {

@@ -1,4 +1,4 @@
-//! A5: triangles of any size in the guard band are right to the pixel; what reaches beyond it is cut there first.
+//! A5: triangles of any size in the guard band are exact to the pixel; larger triangles are cut there first.
 
 use crate::near_plane;
 use pinhole::Mesh;

@@ -1,8 +1,7 @@
-//! C1–C6: the near plane always cuts, and what is seen is what one ray per pixel meets. The oracle
-//! does not clip at all.
+//! C1–C6: the near plane always cuts, and each pixel shows the face that its ray meets. The oracle does not clip.
 //!
 //! A snapped vertex is up to 1/256 px off, so pixels whose answer is not certain for every ray within
-//! 1/64 px are left out; they are counted, and few.
+//! 1/64 px are left out; their number is bounded.
 
 use pinhole::{Coordinate, Cull, Mesh};
 use support::bridge::draw::{room_faces, solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};

@@ -1,4 +1,4 @@
-//! E1, E2, E4, E6, E7: numbers that leave naive formats.
+//! E1, E2, E4, E6, E7: numbers that overflow naive formats, and numbers that drift.
 
 use crate::near_plane;
 use pinhole::space::{Model, World};

@@ -1,4 +1,4 @@
-//! E9: nothing outside viewport ∩ target is written, wherever they lie.
+//! E9: no pixel outside viewport ∩ target is written, wherever the two lie.
 
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;

@@ -1,4 +1,4 @@
-//! Whatever the bands, the picture is that of the immediate functions in one piece.
+//! Bands of any kind add up to the picture that the immediate functions draw at once.
 
 use crate::cases;
 use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
@@ -18,7 +18,7 @@ enum Way {
     Solid(Cull),
     Depth(Cull),
     Wireframe,
-    /// Lines against the depth of the faces.
+    /// Lines that are tested against the depth of the faces.
     DepthLines,
     HiddenLines,
     Painter,
@@ -95,7 +95,7 @@ enum Recorded<'a> {
     Solid(BinnedFaces<'a>),
     Depth(BinnedFaces<'a, i16, true>),
     Wireframe(BinnedEdges<'a>),
-    /// Whether they are those that faces do not hide.
+    /// Whether hidden lines are removed.
     Lines(Box<(BinnedFaces<'a, i16, true>, BinnedEdges<'a, i16, true>, bool)>),
     Painter(Box<Painter<Gray8, 128, 64>>),
 }

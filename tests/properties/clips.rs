@@ -1,4 +1,4 @@
-//! Clipping to the view volume: what is inside stays as it is, and what was cut is inside.
+//! Clipping to the view volume: geometry inside is unchanged, and clipped geometry is inside.
 
 use crate::cases;
 use crate::strategies::shift;

@@ -1,4 +1,4 @@
-//! DirtyRegions rectangles against sets of pixels.
+//! Dirty regions against sets of pixels.
 
 use crate::cases;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -17,7 +17,7 @@ fn borders(r: &Rectangle) -> Borders {
     [x, y, x + i64::from(r.size.width), y + i64::from(r.size.height)]
 }
 
-/// A target, and what it charges.
+/// A target and its transfer cost.
 #[derive(Clone, Debug)]
 struct Target {
     area: Rectangle,

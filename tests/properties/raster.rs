@@ -1,4 +1,4 @@
-//! The rasteriser: partitions, orders, translations, crops.
+//! The rasterizer: partitions, vertex orders, translations, crops.
 
 use crate::cases;
 use crate::strategies::{part, pixel, triangle, PICTURE};
@@ -40,8 +40,8 @@ fn sum(pictures: impl Iterator<Item = Counts>) -> Vec<u32> {
 proptest! {
     #![proptest_config(cases(10_000))]
 
-    /// A triangle in parts covers what it covered whole, each pixel once, borders included: as if every centre lay a
-    /// hair to the lower right of itself, and on no edge.
+    /// The parts of a triangle cover its pixels, each pixel once, borders included: as if every center lay a tiny distance
+    /// to its lower right, on no edge.
     #[test]
     fn r8_coverage_of_a_partition_is_one(
         t in triangle(),

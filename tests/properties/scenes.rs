@@ -1,4 +1,4 @@
-//! Whole scenes through camera, clipping and rasteriser.
+//! Random scenes through camera, clipping and rasterizer.
 
 use crate::cases;
 use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
@@ -26,7 +26,7 @@ fn mesh(scene: &Scene) -> Mesh<'_> {
         .expect("a mesh")
 }
 
-/// Draws a scene with a cache of a length.
+/// Draws a scene with a vertex cache of `length` entries.
 fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Shader>) -> Statistics {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
     let placed = camera.place(&mesh, &model);
@@ -132,7 +132,7 @@ proptest! {
         }
     }
 
-    /// BinnedFaces whose corners have an image cover exactly what the rules say.
+    /// Faces whose corners have an image cover exactly what the rules say.
     #[test]
     fn faces_are_the_exact_coverage_of_their_corners(scene in scene()) {
         let points = points(&scene);

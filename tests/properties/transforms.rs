@@ -1,4 +1,4 @@
-//! Transforms compose as matrices do, and their inverses bring points back.
+//! Transforms compose as matrices do, and their inverses return points to where they were.
 
 use crate::cases;
 use crate::strategies::{factor, shift, step, turn};

@@ -26,7 +26,7 @@ pub fn triangle_from_above(t: [P; 3], area: Area, above: i64) {
     }
 }
 
-/// The library's pixels equal the oracle's, and leave in as few spans as there are runs.
+/// The library's pixels equal the oracle's, with one span for each run.
 pub fn line(a: P, b: P, area: Area) {
     let spans = super::line_spans(a, b, area);
     let (ours, exact) = (super::counts(&spans, area), line::line(a, b, area));
@@ -40,7 +40,7 @@ pub fn line_both_ways(a: P, b: P, area: Area) {
     line(b, a, area);
 }
 
-/// Half a unit of the last place of I16F16, and a little for what was rounded before.
+/// Half a unit of the last place of I16F16, and a little for earlier roundings.
 pub const HALF: f64 = 0.51 / 65536.0;
 
 /// Each coordinate, within a bound.
