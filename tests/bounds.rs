@@ -4,8 +4,8 @@
 //! `src/math` is compiled in once more, as what is measured: its functions
 //! are private.
 
-mod bridge;
-mod oracle;
+use support::bridge;
+use support::oracle;
 
 #[path = "../examples/accuracy/functions.rs"]
 mod functions;

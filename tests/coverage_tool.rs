@@ -1,15 +1,14 @@
 //! `examples/coverage`: its formats, its pictures against the exact oracles, and what it says to bad input.
 
-mod oracle;
 mod programs;
 
-use oracle::cases::{self, Class, CLASSES};
-use oracle::coverage::{self, Area, Counts, P};
-use oracle::line;
-use oracle::rng::Rng;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use support::oracle::cases::{self, Class, CLASSES};
+use support::oracle::coverage::{self, Area, Counts, P};
+use support::oracle::line;
+use support::oracle::rng::Rng;
 
 fn folder(name: &str) -> PathBuf {
     programs::folder("coverage", name)

@@ -3,15 +3,15 @@
 //!
 //! 100 random scenes of each kind; `PINHOLE_FULL=1 cargo test --test pictures -- --nocapture` takes 3000.
 
-mod oracle;
 mod programs;
 
-use oracle::chain::{matmul4, M4, V3};
-use oracle::picture::{compare, Comparison, Scene};
-use oracle::rng::Rng;
 use serde_json::{json, Value};
 use std::fs;
 use std::path::{Path, PathBuf};
+use support::oracle;
+use support::oracle::chain::{matmul4, M4, V3};
+use support::oracle::picture::{compare, Comparison, Scene};
+use support::oracle::rng::Rng;
 
 fn text(path: &Path) -> &str {
     path.to_str().unwrap()

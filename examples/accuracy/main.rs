@@ -4,8 +4,7 @@
 //! cargo run --release --example accuracy -- --help
 //! ```
 
-#[path = "../../tests/bridge/mod.rs"]
-mod bridge;
+use support::bridge;
 #[path = "../common/command.rs"]
 mod command;
 mod figures;
@@ -16,8 +15,7 @@ mod functions;
 mod generated;
 #[path = "../../tools/bench/report/grouped.rs"]
 mod grouped;
-#[path = "../../tests/oracle/mod.rs"]
-mod oracle;
+use support::oracle;
 mod page;
 mod population;
 mod sweep;

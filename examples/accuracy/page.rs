@@ -23,7 +23,7 @@ cargo run --release --example accuracy
 ```
 
 and CI checks that it is current (`-- --check`). The reference is f64 from the same quantised inputs: the bits of
-angles, eyes, vertices and matrices, never the library's own intermediate results (`tests/oracle`). All inputs come from
+angles, eyes, vertices and matrices, never the library's own intermediate results (`tests/support/src/oracle`). All inputs come from
 a seeded generator. Every bound on this page stands in the documentation of the function and is asserted by the test named
 beside it. That a bound is at most twice the largest error found is asserted for the functions of `tests/bounds.rs`; the
 margins of `Camera::visibility` and `MeshInstance::facing` are derived, and err on the safe side. A Cortex-M0, whose multiplier
@@ -79,26 +79,26 @@ Bounds that other tests hold, with their own measurements:
 
 | function | bound | test |
 |---|---|---|
-| `MeshInstance::project`, any projection, viewport and focal length | the budget in ARCHITECTURE.md, \"Numbers\" | `tests/chain.rs`, `tests/family_random.rs` |
+| `MeshInstance::project`, any projection, viewport and focal length | the budget in ARCHITECTURE.md, \"Numbers\" | `tests/camera/vertex_chain.rs`, `tests/camera/random_projections.rs` |
 | `MeshInstance::project`, r/z > 300, 480 × 320 px, focal lengths to 700 px | 1/512 + 6.5·10⁻⁶·r/z px | `vertices_of_objects_beyond_300_times_their_distance` |
 | `Camera::unproject` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
 | `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
-| `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_whole_nodes_by_their_bounding_sphere` |
+| `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_bounding_spheres_are_classified_as_their_vertices` |
 | `MeshInstance::facing`: the eye behind a plane | known beyond 1/290 of the eye's distance or the mesh's largest coordinate, on the safe side | `faces_are_left_out_only_where_the_eye_is_behind_their_plane` |
 | `MeshInstance::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹³ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |
 | `MeshInstance::wireframe_depth_tested`, `hidden_line`: the depth of a line | ½ + n·2⁻¹⁷ + 2⁻¹³ step, n pixels from an end, at least 1 | `depth_along_a_line_is_that_of_the_point_on_it` |
-| `MeshInstance::hidden_line` | 99.8 % of what is seen is drawn; nothing more than two steps behind what is nearest at the pixel's centre, but for the edge's own faces | `tests/hidden_line.rs` |
+| `MeshInstance::hidden_line` | 99.8 % of what is seen is drawn; nothing more than two steps behind what is nearest at the pixel's centre, but for the edge's own faces | `tests/pipeline/hidden_lines.rs` |
 | `Gouraud`, `Flat` | ½ + 2⁻⁹ level of the target's channel | `tests/shading/` |
-| `Dithered`, mean of 8 × 8 pixels of one colour | 1/128 + 2⁻¹⁶ level | `tests/shading/dither.rs` |
+| `Dithered`, mean of 8 × 8 pixels of one colour | 1/128 + 2⁻¹⁶ level | `tests/shading/dithered.rs` |
 | `Mesh::bounding_sphere`, radius | √3 times the least, 9·2⁻¹⁶ and 2⁻²⁸ of itself | `s5_bounding_spheres` |
 | `ViewTransform::from_matrix` | rows ½·2⁻³⁰, eye ½·2⁻³² and what f64 loses | `s3_a_view_from_its_matrix` |
 | `Affine::to_matrix`, `Projection::to_matrix` and back | exact | `s2_a_matrix_read_back_is_the_same_transform`, `s4_a_projection_from_its_matrix` |
 | `ViewTransform::isometric`, rows | 2⁻³² | `s4_isometric_rows` |
-| `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_own_and_micromaths` |
-| `Lambert::level` | 1 of 256 | `tests/light.rs` |
-| `Dim::dim` | ½ step of a channel | `colours_dim_by_rounding_each_channel` |
-| `clip::line`, `clip::triangle` | 2⁻²⁷ of the largest coordinate | `tests/volume_clip.rs` |
-| `raster` | none: exact | `tests/fill_rule.rs`, `tests/lines.rs`, `tests/raster_many.rs`, `tests/hard_cases/` |
+| `Quaternion` from micromath's, through `Affine::from_quaternion` | 2⁻²⁷ | `s2_quaternions_match_f64_and_micromath` |
+| `Lambert::level` | 1 of 256 | `tests/shading/light.rs` |
+| `Dim::dim` | ½ step of a channel | `dimmed_colors_round_each_channel` |
+| `clip::line`, `clip::triangle` | 2⁻²⁷ of the largest coordinate | `tests/pipeline/view_volume.rs` |
+| `raster` | none: exact | `tests/raster/fill_rule.rs`, `tests/raster/lines.rs`, `tests/raster/random_shapes.rs`, `tests/hard_cases/` |
 ";
 
 /// The whole page, or which bound is broken.
@@ -146,7 +146,7 @@ fn write_tables(
     let steepest = sweeps.iter().fold(0f64, |a, s| a.max(s.per_ratio));
     writeln!(
         page,
-        "\nBound, for all of them: 1/256 = 3.91·10⁻³ px after the snap (`tests/chain.rs`). From r/z = 16 on a unit of r/z \
+        "\nBound, for all of them: 1/256 = 3.91·10⁻³ px after the snap (`tests/camera/vertex_chain.rs`). From r/z = 16 on a unit of r/z \
          costs at most {} px before the snap.\n",
         decimal(steepest)
     )?;
@@ -169,7 +169,9 @@ fn write_tables(
             }
         }
     }
-    page.push_str("\nThe bound is asserted in `tests/chain.rs`, for perspectives and boxes alike.\n\n");
+    page.push_str(
+        "\nThe bound is asserted in `tests/camera/vertex_chain.rs`, for perspectives and boxes alike.\n\n",
+    );
     page.push_str(FUNCTIONS);
     for Measured { what, unit, error, bound, test } in functions {
         // Steps as they are, the rest in bits.

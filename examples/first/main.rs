@@ -1,4 +1,4 @@
-//! The README's first firmware, on the host: `picture.rs` is its code, to the letter (`tests/first` compares them, and goes
+//! The README's first firmware, on the host: `picture.rs` is its code, to the letter (`tests/device/first.rs` compares them, and goes
 //! the README's way from an empty folder).
 //!
 //! ```text

@@ -4,9 +4,6 @@
 //! cargo run --release --example wire -- --help
 //! ```
 
-#[allow(dead_code)]
-#[path = "../common/canvas.rs"]
-mod canvas;
 #[path = "../common/command.rs"]
 mod command;
 #[path = "../common/files.rs"]
@@ -16,8 +13,7 @@ mod generated;
 #[path = "../../tools/bench/report/grouped.rs"]
 mod grouped;
 mod page;
-#[path = "../../tests/panel/mod.rs"]
-mod panel;
+use support::panel;
 
 use generated::Generated;
 use std::process::ExitCode;

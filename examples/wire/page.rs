@@ -20,9 +20,9 @@ cargo run --release --example wire
 ```
 
 and CI checks that it is current (`-- --check`). The bytes are those of the driver
-[mipidsi](https://docs.rs/mipidsi) 0.10, counted where a controller in memory (`tests/panel`) receives them through the
+[mipidsi](https://docs.rs/mipidsi) 0.10, counted where a controller in memory (`tests/support/src/panel`) receives them through the
 traits of embedded-hal. It decodes them, and every frame on this page was compared with one drawn whole in memory: they
-are equal, pixel by pixel. `tests/wire.rs` asserts what is promised.
+are equal, pixel by pixel. `tests/device/wire.rs` asserts what is promised.
 
 A **window** is one rectangle: 11 bytes of commands (column range, row range, memory write), then its pixels.
 **Frames a second** are SPI clock ÷ (8 × bytes): the bus alone. A real one has gaps between bytes and transfers, and the

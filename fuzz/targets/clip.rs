@@ -7,11 +7,9 @@
 //! triangle must be in the result where they are in the volume, whatever way the clipper took.
 #![no_main]
 
-#[path = "../../tests/bridge/mod.rs"]
-mod bridge;
+use support::bridge;
 mod bytes;
-#[path = "../../tests/oracle/mod.rs"]
-mod oracle;
+use support::oracle;
 
 use bridge::point;
 use bytes::Bytes;

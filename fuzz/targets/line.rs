@@ -2,11 +2,9 @@
 //! same from both ends (L1–L3).
 #![no_main]
 
-#[path = "../../tests/bridge/mod.rs"]
-mod bridge;
+use support::bridge;
 mod bytes;
-#[path = "../../tests/oracle/mod.rs"]
-mod oracle;
+use support::oracle;
 
 use bridge::line_spans;
 use bytes::Bytes;

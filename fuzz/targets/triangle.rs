@@ -3,11 +3,9 @@
 //! neighbour across an edge no pixel twice and no gap (R8).
 #![no_main]
 
-#[path = "../../tests/bridge/mod.rs"]
-mod bridge;
+use support::bridge;
 mod bytes;
-#[path = "../../tests/oracle/mod.rs"]
-mod oracle;
+use support::oracle;
 
 use bridge::{screen_point, triangle_spans};
 use bytes::Bytes;

@@ -14,7 +14,7 @@ use core::marker::PhantomData;
 /// **Clipped faces.** Where the near plane, the far plane or the guard band clips a face, the new corners get the
 /// colours that those points of the face have in space, rounded to 1/256 of a step of `Rgb888`: off by another 2⁻⁹
 /// level at most. On each sub-face colours are again linear on the screen. That differs from the unclipped
-/// face, but no colour changes by more than 1/255 as a corner passes a plane (`tests/shading/cut.rs`); from there
+/// face, but no colour changes by more than 1/255 as a corner passes a plane (`tests/shading/cut_faces.rs`); from there
 /// they approach perspective-correct ones.
 ///
 /// For one colour with a light level at each corner [`Gouraud::lit`] takes less work, and

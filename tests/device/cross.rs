@@ -22,11 +22,11 @@ pub(crate) struct Firmware {
     target: &'static str,
 }
 
-/// What was built. Locked while something is, or a run would have to wait for a build and seem to hang.
+/// The builds so far, locked during a build: a run that waited for a build would seem to hang.
 static BUILT: Mutex<BTreeMap<&'static str, Option<Firmware>>> = Mutex::new(BTreeMap::new());
 
 impl Firmware {
-    /// None if the tools for it are missing, which fails with `CI` set.
+    /// `None` if the tools for the target are missing; with `CI` set that fails.
     pub(crate) fn for_target(target: &'static str) -> Option<Self> {
         let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
         *built.entry(target).or_insert_with(|| Self::build(target))
@@ -81,10 +81,10 @@ impl Firmware {
         });
         // All is printed when it ends. What hangs is ended here: the script has replaced itself, so the child is QEMU.
         let Ok(text) = printed.recv_timeout(PATIENCE) else {
-            child.kill().expect("a child of ours");
+            child.kill().expect("the child can be killed");
             panic!("{core}: no end after {PATIENCE:?}");
         };
-        let (text, status) = (text.expect("text"), child.wait().expect("a child of ours"));
+        let (text, status) = (text.expect("text"), child.wait().expect("the child can be waited for"));
         reader.join().expect("reader");
         assert!(status.success(), "{core}: {status}\n{text}");
         text.lines().map(str::to_string).collect()
@@ -123,7 +123,7 @@ impl Firmware {
     }
 }
 
-/// Beside the test's own build, not in it: two compilers share no build, nor two cargos a lock.
+/// A folder beside the test's own build: another compiler and another cargo cannot share it.
 fn target_dir() -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
 }

@@ -15,7 +15,7 @@ pub(crate) fn is_float_routine(name: &str) -> bool {
     rust.iter().any(|part| name.contains(part))
 }
 
-/// A check that cannot fail would be none.
+/// The check itself must be able to fail.
 #[test]
 fn float_routines_are_known_by_name() {
     for name in [

@@ -32,7 +32,7 @@ fn risc_v_draws_as_the_host() {
 
 /// The comparison would mean little if the frames were empty or alike.
 #[test]
-fn frames_differ() {
+fn the_checksums_of_the_frames_differ() {
     let lines = host();
     let checksum = |line: &String| line.split_once(" crc ").map(|(_, rest)| rest[..8].to_string());
     let mut checksums: Vec<_> = lines.iter().map(checksum).collect();

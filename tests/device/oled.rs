@@ -1,4 +1,4 @@
-//! The show on an SPI display: every pixel of every frame, as the display shows it, is the host's.
+//! The show on an SPI display: every pixel of every frame on the display equals the host's.
 
 use crate::cross::{Firmware, PATIENCE};
 use crate::emulator::{complains, Emulator, Report};
@@ -8,14 +8,14 @@ use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::time::Duration;
 
-/// Bytes that the firmware may take of the stack, its own frames included: some 5 % more than it does.
+/// The bound of the firmware's stack in bytes, about 5 % above the measured use.
 const STACK: usize = 2160;
-/// The same on a Cortex-M0, which has fewer registers at hand.
+/// A Cortex-M0 draws the pictures of the host with fewer registers.
 const STACK_OF_M0: usize = 2550;
-/// And its variables.
+/// The bound of the firmware's variables in bytes.
 const VARIABLES: u32 = 22_600;
 
-/// What differs, frame by frame; nothing where there are the same pictures, no more and no fewer.
+/// The differences, frame by frame; empty if the pictures and their number are equal.
 fn differences(seen: &[Picture], wanted: &[Picture]) -> Vec<String> {
     let frames = seen.iter().zip(wanted).enumerate();
     let pixels = frames
@@ -55,33 +55,33 @@ fn shows_what_the_host_draws(target: &'static str, core: &str, most: usize) {
 }
 
 #[test]
-fn cortex_m0() {
+fn cortex_m0_shows_the_pictures_of_the_host() {
     shows_what_the_host_draws("thumbv6m-none-eabi", "cortex-m0", STACK_OF_M0);
 }
 
 #[test]
-fn cortex_m3() {
+fn cortex_m3_shows_the_pictures_of_the_host() {
     shows_what_the_host_draws("thumbv7m-none-eabi", "cortex-m3", STACK);
 }
 
 #[test]
-fn cortex_m4f() {
+fn cortex_m4f_shows_the_pictures_of_the_host() {
     shows_what_the_host_draws("thumbv7em-none-eabihf", "cortex-m4", STACK);
 }
 
 #[test]
-fn cortex_m7() {
+fn cortex_m7_shows_the_pictures_of_the_host() {
     shows_what_the_host_draws("thumbv7em-none-eabihf", "cortex-m7", STACK);
 }
 
 #[test]
-fn cortex_m33() {
+fn cortex_m33_shows_the_pictures_of_the_host() {
     shows_what_the_host_draws("thumbv8m.main-none-eabihf", "cortex-m33", STACK);
 }
 
 /// The comparison would mean little if the frames were empty or alike.
 #[test]
-fn frames_differ() {
+fn the_frames_of_the_show_differ() {
     let frames: BTreeSet<_> = host().iter().map(|picture| picture.levels().to_vec()).collect();
     assert_eq!(frames.len(), FRAMES as usize);
     // Levels that no display has stand for pixels that were not drawn.
@@ -89,9 +89,9 @@ fn frames_differ() {
     assert!(frames.iter().all(|levels| levels.iter().filter(|level| **level > 0).count() > 200));
 }
 
-/// A check that cannot fail would be none.
+/// The check itself must be able to fail.
 #[test]
-fn one_pixel_is_reported() {
+fn a_single_wrong_pixel_is_reported() {
     let wanted = host();
     let mut seen = wanted.clone();
     assert_eq!(differences(&seen, &wanted), [""; 0]);
@@ -106,9 +106,9 @@ fn one_pixel_is_reported() {
     assert!(Picture::new(vec![16; 128 * 64]).is_none() && Picture::new(vec![0; 128]).is_none());
 }
 
-/// Firmware that is not answered waits for ever: so does one that hangs. It is noticed, and QEMU goes with the test.
+/// A firmware that gets no answer waits forever, like a firmware that hangs. The test notices and ends QEMU.
 #[test]
-fn a_hanging_firmware_is_ended() {
+fn a_firmware_that_hangs_is_killed() {
     let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };
     // Enough for a start under load; the firmware itself says nothing any more.
     let patience = Duration::from_secs(10);
@@ -128,10 +128,10 @@ fn an_emulator_that_does_not_start_is_an_error() {
     assert!(error.to_string().contains("cortex-m1000"), "{error}");
 }
 
-/// The same firmware, which is told to send a command that the SSD0323 does not have. A QEMU that does not say so, or in
+/// The firmware of the show, told to send a command that the SSD0323 does not have. A QEMU that does not say so, or in
 /// other words, would let everything pass.
 #[test]
-fn a_command_that_the_display_does_not_know_is_noticed() {
+fn an_unknown_display_command_fails_the_test() {
     let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };
     let mut emulator = Emulator::start("cortex-m3", &firmware.image("oled"), PATIENCE).expect("QEMU");
     assert!(emulator.frame().expect("the first frame").is_some());
@@ -143,7 +143,7 @@ fn a_command_that_the_display_does_not_know_is_noticed() {
 
 /// In QEMU 7.2's words: what it says of every firmware here, and of one that sends 0x01 for a command.
 #[test]
-fn what_the_display_says_is_known() {
+fn complaints_of_the_display_are_recognized() {
     let always = "qemu-system-arm: Timer with period zero, disabling\n";
     assert!(!complains(always));
     assert!(complains(&format!("{always}ssd0323: error: Unknown command: 0x1\n")));

@@ -1,8 +1,6 @@
-//! Whatever the bands, the picture is that of the immediate functions in one piece.
+//! Bands of any kind add up to the picture that the immediate functions draw at once.
 
-use crate::bridge;
 use crate::cases;
-use crate::oracle::target::Recorder;
 use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
 use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
@@ -12,13 +10,15 @@ use pinhole::{
     ScreenVertex, Statistics,
 };
 use proptest::prelude::*;
+use support::bridge;
+use support::oracle::target::Recorder;
 
 #[derive(Clone, Copy, Debug)]
 enum Way {
     Solid(Cull),
     Depth(Cull),
     Wireframe,
-    /// Lines against the depth of the faces.
+    /// Lines that are tested against the depth of the faces.
     DepthLines,
     HiddenLines,
     Painter,
@@ -90,12 +90,12 @@ fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) 
     )
 }
 
-/// What is recorded once for a frame.
+/// The bin storage that one frame needs.
 enum Recorded<'a> {
     Solid(BinnedFaces<'a>),
     Depth(BinnedFaces<'a, i16, true>),
     Wireframe(BinnedEdges<'a>),
-    /// Whether they are those that faces do not hide.
+    /// Whether hidden lines are removed.
     Lines(Box<(BinnedFaces<'a, i16, true>, BinnedEdges<'a, i16, true>, bool)>),
     Painter(Box<Painter<Gray8, 128, 64>>),
 }
@@ -197,7 +197,7 @@ proptest! {
     #![proptest_config(cases(400))]
 
     #[test]
-    fn bands_of_every_height_make_the_whole(scene in scene(), length in prop_oneof![Just(16usize), 0usize..9]) {
+    fn bands_of_every_height_add_up_to_the_full_picture(scene in scene(), length in prop_oneof![Just(16usize), 0usize..9]) {
         let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
         for way in WAYS {
             let (whole, statistics) = reference(&scene, way, area);
@@ -234,7 +234,7 @@ proptest! {
 
     /// Nothing is drawn outside the bounds, which lie in the picture.
     #[test]
-    fn bounds_hold_all_that_is_drawn(scene in scene()) {
+    fn bounds_contain_every_drawn_pixel(scene in scene()) {
         let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
         for way in WAYS {
             let whole = reference(&scene, way, area).0;
@@ -251,7 +251,7 @@ proptest! {
 
     /// Over capacity nothing is drawn, and the error names what is enough; one number less is not.
     #[test]
-    fn records_say_what_they_need(scene in scene(), given in 0usize..10) {
+    fn bin_storage_that_is_too_small_names_the_size_it_needs(scene in scene(), given in 0usize..10) {
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(&scene));
         let (placed, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
         let transformed = placed.transform(&mut corners);

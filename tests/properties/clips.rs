@@ -1,13 +1,13 @@
-//! Clipping to the view volume: what is inside stays as it is, and what was cut is inside.
+//! Clipping to the view volume: geometry inside is unchanged, and clipped geometry is inside.
 
-use crate::bridge::pair::{window, ONE};
-use crate::bridge::{point, scalar};
 use crate::cases;
 use crate::strategies::shift;
 use pinhole::clip::{self, ClipVertex};
 use pinhole::space::View;
 use pinhole::{ClipPoint, Outcode, Projection};
 use proptest::prelude::*;
+use support::bridge::pair::{window, ONE};
+use support::bridge::{point, scalar};
 
 fn projections() -> [Projection; 3] {
     let square = |half: i32| window([-half, half, -half, half]);

@@ -1,4 +1,4 @@
-//! DirtyRegions rectangles against sets of pixels.
+//! Dirty regions against sets of pixels.
 
 use crate::cases;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -17,7 +17,7 @@ fn borders(r: &Rectangle) -> Borders {
     [x, y, x + i64::from(r.size.width), y + i64::from(r.size.height)]
 }
 
-/// A target, and what it charges.
+/// A target and its transfer cost.
 #[derive(Clone, Debug)]
 struct Target {
     area: Rectangle,
@@ -143,12 +143,12 @@ proptest! {
     #![proptest_config(cases(2_000))]
 
     #[test]
-    fn dirty_rectangles_with_room_for_all(target in target(), frames in frames(5)) {
+    fn dirty_regions_with_enough_room_cover_every_change(target in target(), frames in frames(5)) {
         holds::<8>(&target, &frames)?;
     }
 
     #[test]
-    fn dirty_rectangles_with_too_little_room(target in target(), frames in frames(12)) {
+    fn dirty_regions_with_too_little_room_cover_every_change(target in target(), frames in frames(12)) {
         holds::<1>(&target, &frames)?;
         holds::<2>(&target, &frames)?;
         holds::<5>(&target, &frames)?;
@@ -156,7 +156,7 @@ proptest! {
 
     /// Whatever numbers a rectangle has.
     #[test]
-    fn dirty_rectangles_at_the_ends_of_i32(
+    fn dirty_regions_at_the_ends_of_i32_do_not_wrap(
         area in (any::<i32>(), any::<i32>(), any::<u32>(), any::<u32>()),
         marks in prop::collection::vec((any::<i32>(), any::<i32>(), any::<u32>(), any::<u32>()), 0..9),
         steps in (any::<u16>(), any::<u16>()),
@@ -191,7 +191,7 @@ proptest! {
 
 /// In a static, as a firmware's may be: the area is cut, and steps of nothing are steps of one.
 #[test]
-fn made_at_compile_time() {
+fn dirty_regions_can_be_built_at_compile_time() {
     const AREA: Rectangle = Rectangle::new(Point::new(-3, 5), Size::new(70_000, 9));
     const DIRTY: DirtyRegions<2> = DirtyRegions::new(AREA, TransferCost::new(4, 6)).with_steps(2, 0);
     let mut dirty = DIRTY;

@@ -1,14 +1,9 @@
-//! What holds for every input, on random ones dense in hard values; what fails is shrunk to a small case. The cases
-//! are the same in every run, and nothing is written into the tree. For others, and more of them:
+//! Properties of every input, tested on random inputs dense in hard values. Proptest shrinks a failing input to a small
+//! case. Every run tests the same cases and writes no files. To test other cases, and more of them:
 //!
 //! ```text
 //! PROPTEST_RNG_SEED=1 PROPTEST_CASES=100000 cargo test --test properties
 //! ```
-
-#[path = "../bridge/mod.rs"]
-mod bridge;
-#[path = "../oracle/mod.rs"]
-mod oracle;
 
 mod bands;
 mod clips;
@@ -20,7 +15,7 @@ mod transforms;
 
 use proptest::test_runner::{Config, RngSeed};
 
-/// So many cases, from a fixed seed, unless the environment says otherwise.
+/// A configuration of `number` cases from a fixed seed, unless the environment sets others.
 fn cases(number: u32) -> Config {
     let mut config =
         Config { failure_persistence: None, max_global_rejects: 100 * number, ..Config::default() };

@@ -1,11 +1,11 @@
-//! The rasteriser: partitions, orders, translations, crops.
+//! The rasterizer: partitions, vertex orders, translations, crops.
 
-use crate::bridge::{self, compare};
 use crate::cases;
-use crate::oracle::cases::{FARTHEST, GUARD};
-use crate::oracle::coverage::{closed, Area, Counts, P};
 use crate::strategies::{part, pixel, triangle, PICTURE};
 use proptest::prelude::*;
+use support::bridge::{self, compare};
+use support::oracle::cases::{FARTHEST, GUARD};
+use support::oracle::coverage::{closed, Area, Counts, P};
 
 /// Splits a triangle of the list at a point of it, in its interior or on its border: in up to three.
 fn split(triangles: &mut Vec<[P; 3]>, which: usize, (u, v): (i64, i64), lattice: bool) {
@@ -40,8 +40,8 @@ fn sum(pictures: impl Iterator<Item = Counts>) -> Vec<u32> {
 proptest! {
     #![proptest_config(cases(10_000))]
 
-    /// A triangle in parts covers what it covered whole, each pixel once, borders included: as if every centre lay a
-    /// hair to the lower right of itself, and on no edge.
+    /// The parts of a triangle cover its pixels, each pixel once, borders included: as if every center lay a tiny distance
+    /// to its lower right, on no edge.
     #[test]
     fn r8_coverage_of_a_partition_is_one(
         t in triangle(),

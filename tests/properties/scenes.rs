@@ -1,15 +1,15 @@
-//! Whole scenes through camera, clipping and rasteriser.
+//! Random scenes through camera, clipping and rasterizer.
 
-use crate::bridge::draw::Shader;
-use crate::bridge::{self, compare};
 use crate::cases;
-use crate::oracle::coverage::Area;
-use crate::oracle::target::Recorder;
 use crate::strategies::{scene, Scene, EXPONENT, HEIGHT, WIDTH};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{Cull, Mesh, Painter, ScreenVertex, Statistics};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
+use support::bridge::draw::Shader;
+use support::bridge::{self, compare};
+use support::oracle::coverage::Area;
+use support::oracle::target::Recorder;
 
 #[derive(Clone, Copy, Debug)]
 enum Way {
@@ -26,7 +26,7 @@ fn mesh(scene: &Scene) -> Mesh<'_> {
         .expect("a mesh")
 }
 
-/// Draws a scene with a cache of a length.
+/// Draws a scene with a vertex cache of `length` entries.
 fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Shader>) -> Statistics {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
     let placed = camera.place(&mesh, &model);
@@ -80,7 +80,7 @@ proptest! {
     }
 
     #[test]
-    fn two_halves_make_the_whole(scene in scene(), cut in 0u32..=WIDTH, down in prop::bool::ANY) {
+    fn two_half_viewports_add_up_to_the_full_picture(scene in scene(), cut in 0u32..=WIDTH, down in prop::bool::ANY) {
         let cut = if down { cut.min(HEIGHT) } else { cut };
         let halves = if down {
             [bridge::rectangle(0, 0, WIDTH, cut), bridge::rectangle(0, cut as i32, WIDTH, HEIGHT - cut)]
@@ -132,7 +132,7 @@ proptest! {
         }
     }
 
-    /// BinnedFaces whose corners have an image cover exactly what the rules say.
+    /// Faces whose corners have an image cover exactly what the rules say.
     #[test]
     fn faces_are_the_exact_coverage_of_their_corners(scene in scene()) {
         let points = points(&scene);

@@ -1,10 +1,10 @@
-//! Values where rasterisers and fixed-point numbers go wrong, more often than chance would have them.
+//! Random values, dense in those where rasterizers and fixed-point numbers go wrong.
 
-use crate::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use crate::oracle::cases::{FARTHEST, GUARD};
-use crate::oracle::chain;
-use crate::oracle::coverage::{Area, P};
 use proptest::prelude::*;
+use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::oracle::cases::{FARTHEST, GUARD};
+use support::oracle::chain;
+use support::oracle::coverage::{Area, P};
 
 /// A sub-pixel coordinate near a picture of 32 px: centres, corners, a unit beside them, or any.
 pub(crate) fn near() -> impl Strategy<Value = i64> {
@@ -53,7 +53,7 @@ pub(crate) fn pixel() -> impl Strategy<Value = P> {
     (c(), c())
 }
 
-/// The picture in which most of these fall.
+/// The picture that most of these values lie in.
 pub(crate) const PICTURE: Area = Area { left: -3, top: -3, right: 36, bottom: 36 };
 
 /// A part of the picture, often empty or a single row.
@@ -91,7 +91,7 @@ pub(crate) fn step() -> impl Strategy<Value = Step> {
     ]
 }
 
-/// A rotation about any axis by any of the doors, made of three turns.
+/// A rotation about any axis by any constructor, made of three turns.
 pub(crate) fn turn() -> impl Strategy<Value = ModelBits> {
     (angle(), angle(), angle()).prop_map(|(a, b, c)| ModelBits(vec![Step::Z(a), Step::X(b), Step::Z(c)]))
 }

@@ -1,13 +1,13 @@
-//! Transforms compose as matrices do, and their inverses bring points back.
+//! Transforms compose as matrices do, and their inverses return points to where they were.
 
-use crate::bridge::pair::{ModelBits, Step};
-use crate::bridge::{point, reals};
 use crate::cases;
-use crate::oracle::chain::fx;
 use crate::strategies::{factor, shift, step, turn};
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Point3};
 use proptest::prelude::*;
+use support::bridge::pair::{ModelBits, Step};
+use support::bridge::{point, reals};
+use support::oracle::chain::fx;
 
 /// How far the steps can stretch a vector, and how far they take the origin at most.
 fn reach(steps: &[Step]) -> (f64, f64) {
@@ -82,7 +82,7 @@ proptest! {
     }
 
     #[test]
-    fn identity_is_neutral(a in prop::collection::vec(step(), 0..5), p in any::<[i32; 3]>()) {
+    fn identity_changes_no_transform(a in prop::collection::vec(step(), 0..5), p in any::<[i32; 3]>()) {
         let a = ModelBits(a).library();
         let (before, after) = (Affine::<Model, Model>::identity().then(&a), a.then(&Affine::<World, World>::identity()));
         prop_assert_eq!(before.apply(point(p)), a.apply(point(p)));
@@ -90,7 +90,7 @@ proptest! {
     }
 
     #[test]
-    fn the_inverse_brings_points_back(
+    fn the_inverse_returns_points_to_where_they_were(
         first in turn(),
         scale in [factor(), factor(), factor()],
         second in turn(),
@@ -121,7 +121,7 @@ proptest! {
     }
 
     #[test]
-    fn the_rigid_inverse_brings_points_back(
+    fn the_rigid_inverse_returns_points_to_where_they_were(
         first in turn(),
         second in turn(),
         move_by in [shift(2000), shift(2000), shift(2000)],

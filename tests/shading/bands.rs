@@ -1,10 +1,6 @@
-//! Whatever the bands, smooth and dithered pictures are those in one piece.
+//! Smooth and dithered pictures in bands of any height equal the picture drawn at once.
 
-use crate::bridge;
-use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
-use crate::oracle::rng::Rng;
-use crate::oracle::shade::Lit;
-use crate::target::{
+use crate::scene::{
     flat, for_every_colour, gouraud, random_colour, random_lights, shaded, Colour, Own, Picture,
 };
 use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
@@ -15,6 +11,10 @@ use pinhole::{
     fill_triangle, Affine, Camera, Cull, DepthBuffer, Dithered, Flat, Frame, Gouraud, Mesh, Painter,
     ScreenVertex, SpanShader, StoredPixel, TableShader,
 };
+use support::bridge;
+use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use support::oracle::rng::Rng;
+use support::oracle::shade::Lit;
 
 const FACES: usize = 14;
 const VERTICES: usize = 16;
@@ -25,7 +25,7 @@ struct Scene {
     faces: [[u16; 3]; FACES],
     inks: Vec<(Flat, Gouraud)>,
     lights: Vec<[Lit; 3]>,
-    /// The viewport, and a frame that sees a part of it, or all.
+    /// The viewport, and a frame that shows a part of it or all of it.
     viewport: (i32, i32, u32, u32),
     frame: Rectangle,
 }
@@ -128,7 +128,7 @@ fn every_ink<C: Colour>(scene: &Scene) {
 }
 
 #[test]
-fn bands_of_every_height_make_the_whole() {
+fn bands_of_every_height_add_up_to_the_full_picture() {
     let mut rng = Rng::new(0x80);
     for _ in 0..60 {
         let scene = Scene::random(&mut rng);
@@ -136,7 +136,7 @@ fn bands_of_every_height_make_the_whole() {
     }
 }
 
-/// The same through the band's memory, of one byte a pixel to four.
+/// Bands whose pixels are stored in their memory, with one to four bytes per pixel.
 fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scene) {
     let camera = scene.camera();
     let mesh = Mesh::new(&scene.vertices, -6, &scene.faces).expect("a mesh");
@@ -167,7 +167,7 @@ fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scen
 }
 
 #[test]
-fn through_their_memory_bands_are_the_same() {
+fn bands_of_stored_pixels_send_the_full_picture() {
     let mut rng = Rng::new(0x81);
     for _ in 0..60 {
         let scene = Scene::random(&mut rng);
@@ -178,9 +178,9 @@ fn through_their_memory_bands_are_the_same() {
     }
 }
 
-/// Triangles drawn in 2D: what runs over them does not begin anew with every band.
+/// 2D triangles: gradients continue from band to band.
 #[test]
-fn flat_triangles_in_bands_make_the_whole() {
+fn two_dimensional_triangles_in_bands_add_up_to_the_full_picture() {
     let mut rng = Rng::new(0x82);
     let area = Rectangle::new(Point::zero(), Size::new(200, 120));
     for case in 0..4_000 {
@@ -191,7 +191,7 @@ fn flat_triangles_in_bands_make_the_whole() {
         };
         let [a, b, mut c] = [0; 3].map(|_| corner(&mut rng));
         if case % 2 == 0 {
-            // Steep: next to the line through both.
+            // A steep gradient: the third corner is next to the line through the other two.
             let mut between = |a: i32, b: i32| a / 2 + b / 2 + rng.int(-3000, 3000) as i32;
             let (x, y) = (between(a.x(), b.x()), between(a.y(), b.y()));
             c = ScreenPoint::from_subpixels(x, y).unwrap_or(c);

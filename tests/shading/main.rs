@@ -1,14 +1,11 @@
-//! Smooth and dithered inks on every kind of target, against exact fractions: `oracle/shade.rs`.
-
-#[path = "../bridge/mod.rs"]
-mod bridge;
-#[path = "../oracle/mod.rs"]
-mod oracle;
+//! Light and shaders: the levels of each channel on every kind of target, against exact fractions
+//! (`support::oracle::shade`) and f64 (`support::oracle::cut_faces`).
 
 mod bands;
-mod cut;
-mod dither;
+mod cut_faces;
+mod dithered;
+mod gouraud;
+mod light;
 mod own_shaders;
-mod shaded;
-mod smooth;
-mod target;
+mod scene;
+mod shade_table;

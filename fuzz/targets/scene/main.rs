@@ -10,12 +10,10 @@
 //! - What is cut is what one ray a pixel meets, where no ray nearby tells otherwise.
 #![no_main]
 
-#[path = "../../../tests/bridge/mod.rs"]
-mod bridge;
+use support::bridge;
 #[path = "../bytes.rs"]
 mod bytes;
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
+use support::oracle;
 
 mod bands;
 mod cut;

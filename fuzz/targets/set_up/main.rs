@@ -3,14 +3,11 @@
 //! documented bound.
 #![no_main]
 
-#[path = "../../../tests/bridge/mod.rs"]
-mod bridge;
+use support::bridge;
 #[path = "../bytes.rs"]
 mod bytes;
-#[path = "../../../tests/definition/mod.rs"]
-mod definition;
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
+use support::definition;
+use support::oracle;
 
 mod camera;
 mod doors;

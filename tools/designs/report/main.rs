@@ -1,10 +1,8 @@
 //! Measures number designs of the vertex chain and writes `docs/speed-vs-error.md` with its plot. `tools/designs/run`
 //! starts it.
 
-#[path = "../../../tests/bridge/mod.rs"]
-mod bridge;
-#[path = "../../../tests/oracle/mod.rs"]
-mod oracle;
+use support::bridge;
+use support::oracle;
 #[allow(dead_code)] // other ways to give a vertex, and classes of depth
 #[path = "../../../examples/accuracy/population.rs"]
 mod population;

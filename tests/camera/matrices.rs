@@ -1,0 +1,290 @@
+//! SPEC 4: any projective 4 × 4 matrix. 10⁵ random matrices, each a frustum, a box or a
+//! slanted box after a rigid move of view space, times any positive factor: vertices within 1/256 px
+//! of the matrix in f64. Affine and view matrices, their round trips, and the matrices that are refused.
+
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Camera, MatrixError, Projection, ProjectionError, ViewTransform, ViewTransformError};
+use support::bridge::pair::{bits, random_view, ModelBits};
+use support::bridge::{point, rectangle};
+use support::oracle::chain::{self, length, Viewport, M4, V3};
+use support::oracle::rng::Rng;
+
+const WIDTH: f64 = 480.0;
+const HEIGHT: f64 = 320.0;
+
+struct Case {
+    matrix: M4,
+    /// A view point, and its distance or the scale of the scene.
+    at: V3,
+    scale: f64,
+    away: f64,
+}
+
+fn case(rng: &mut Rng) -> Case {
+    let distance = rng.log(0.25, 10_000.0);
+    let (fx, fy) = (rng.log(8.0, 700.0), rng.log(8.0, 700.0));
+    let (w, h) = (WIDTH / fx, HEIGHT / fy);
+    let (x, y) = (w * rng.real(-1.0, 1.0), h * rng.real(-1.0, 1.0));
+    let (l, r, b, t) = (x - w / 2.0, x + w / 2.0, y - h / 2.0, y + h / 2.0);
+    let near = distance * rng.log(0.01, 0.9);
+    let far = distance * rng.log(1.1, 100.0);
+    let flat = rng.one_in(3);
+    let (mut m, at) = if flat {
+        let [l, r, b, t] = [l, r, b, t].map(|c| c * distance);
+        let mut m = chain::orthographic(l, r, b, t, near, far);
+        m[0][2] = m[0][0] * rng.real(-2.0, 2.0);
+        m[1][2] = m[1][1] * rng.real(-2.0, 2.0);
+        (m, distance)
+    } else {
+        let [l, r, b, t] = [l, r, b, t].map(|c| c * near);
+        (chain::frustum(l, r, b, t, near, far), distance)
+    };
+    // A place in the picture.
+    let wanted = [rng.real(-1.0, 1.0), rng.real(-1.0, 1.0)];
+    let w = if flat { 1.0 } else { at };
+    let p = [
+        (wanted[0] * w + m[0][2] * at - m[0][3]) / m[0][0],
+        (wanted[1] * w + m[1][2] * at - m[1][3]) / m[1][1],
+        -at,
+    ];
+    // The move, undone on the point.
+    let turn = ModelBits::random_rotation(rng).exact();
+    let shift = rng.direction().map(|c| c * distance * rng.log(0.01, 10.0));
+    let back: V3 = core::array::from_fn(|i| (0..3).map(|k| turn.m[k][i] * (p[k] - shift[k])).sum());
+    let rigid: M4 = core::array::from_fn(|i| match i {
+        3 => [0.0, 0.0, 0.0, 1.0],
+        _ => [turn.m[i][0], turn.m[i][1], turn.m[i][2], shift[i]],
+    });
+    m = chain::matmul4(&m, &rigid);
+    let factor = match rng.below(3) {
+        0 => 1.0,
+        1 => rng.log(1e-6, 1e6),
+        _ => rng.log(1e-30, 1e30),
+    };
+    let matrix = m.map(|row| row.map(|c| c * factor));
+    Case { matrix, at: back, scale: distance, away: length(shift) }
+}
+
+#[test]
+fn s4_vertices_through_any_matrix_are_within_1_256_px() {
+    let mut rng = Rng::new(0xAA);
+    let (mut setups, mut worst, mut steps_worst) = (0, 0f64, 0f64);
+    while setups < 100_000 {
+        let c = case(&mut rng);
+        let bits_view = random_view(&mut rng);
+        let view = bits_view.exact();
+        let Some(world) = bits(view.back(c.at)) else { continue };
+        let at = view.apply(chain::fx3(world));
+        let clip = chain::mul4(&c.matrix, [at[0], at[1], at[2], 1.0]);
+        let exact_viewport = Viewport::new(5, -7, 480, 320);
+        let [x, y, z] = [0, 1, 2].map(|i| clip[i] / clip[3]);
+        // The world's 2⁻¹⁶ may have moved it out.
+        if clip[3] <= 0.0 || x.abs() > 1.0 || y.abs() > 1.0 || z < -0.9999 {
+            continue;
+        }
+        let ratio = (length(at) + c.away) / c.scale;
+        assert!(ratio < 300.0);
+        setups += 1;
+        let projection = Projection::from_matrix(&c.matrix).expect("a matrix");
+        let area = rectangle(5, -7, 480, 320);
+        let viewport = pinhole::Viewport::new(area.top_left, area.size).expect("a viewport");
+        let camera = Camera::new(&bits_view.library().expect("a view"), &projection, &viewport);
+        let (p, depth) = match camera.project(point(world)) {
+            Ok(found) => found,
+            Err(error) => panic!("{error}: {bits_view:?} {:?} {world:?} {clip:?}", c.matrix),
+        };
+        let (ex, ey) = exact_viewport.apply([x, y, z]);
+        let error = (f64::from(p.x()) / 256.0 - ex).abs().max((f64::from(p.y()) / 256.0 - ey).abs());
+        worst = worst.max(error);
+        assert!(
+            error <= 1.0 / 256.0,
+            "{error} px off, ratio {ratio}: {bits_view:?} {:?} {world:?} {clip:?}",
+            c.matrix
+        );
+        let wanted = chain::depth(clip).clamp(0.0, 65534.0).round();
+        let steps = (f64::from(depth) - wanted).abs();
+        steps_worst = steps_worst.max(steps);
+        assert!(steps <= 1.0, "depth {depth} for {wanted}: {bits_view:?} {:?} {world:?} {clip:?}", c.matrix);
+    }
+    println!(
+        "matrices: {worst:.7} px, beyond the snap {:.2e} px, depth {steps_worst} steps",
+        worst - 1.0 / 512.0
+    );
+}
+
+#[test]
+fn s4_invalid_projection_matrices_are_refused() {
+    let good = chain::frustum(-1.0, 1.0, -1.0, 1.0, 1.0, 10.0);
+    assert!(Projection::from_matrix(&good).is_ok());
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for i in 0..4 {
+            for j in 0..4 {
+                let mut m = good;
+                m[i][j] = bad;
+                assert_eq!(Projection::from_matrix(&m), Err(ProjectionError::Matrix));
+            }
+        }
+    }
+    assert_eq!(Projection::from_matrix(&[[0.0; 4]; 4]), Err(ProjectionError::Matrix));
+}
+
+/// A rotation, exact to f64.
+fn turn(rng: &mut Rng) -> [V3; 3] {
+    let m = ModelBits::random_rotation(rng).exact().m;
+    let u = chain::normalise(m[0]);
+    let w = chain::normalise(chain::cross(u, m[1]));
+    [u, chain::cross(w, u), w]
+}
+
+#[test]
+fn an_affine_matrix_round_trips_within_its_rounding() {
+    let mut rng = Rng::new(0xAF);
+    let (mut worst, mut shift_worst) = (0f64, 0f64);
+    for _ in 0..100_000 {
+        let size = rng.log(1e-9, 1e9);
+        let mut m = [[0.0; 4]; 4];
+        m[3][3] = 1.0;
+        let away = rng.log(1e-6, 1e6);
+        for row in m.iter_mut().take(3) {
+            for c in row.iter_mut().take(3) {
+                *c = rng.real(-size, size) * if rng.one_in(4) { rng.log(1e-12, 1.0) } else { 1.0 };
+            }
+            row[3] = rng.real(-away, away);
+        }
+        let largest = m.iter().take(3).flat_map(|r| &r[..3]).fold(0f64, |a, c| a.max(c.abs()));
+        let affine = Affine::<Model, World>::from_matrix(&m).expect("a matrix");
+        let back = affine.to_matrix();
+        assert_eq!(back[3], [0.0, 0.0, 0.0, 1.0]);
+        for i in 0..3 {
+            for j in 0..3 {
+                worst = worst.max((back[i][j] - m[i][j]).abs() / largest);
+            }
+            shift_worst = shift_worst.max((back[i][3] - m[i][3]).abs());
+        }
+        // What was rounded once stays, unless rounding carried it to the next power of two.
+        let again = Affine::<Model, World>::from_matrix(&back).expect("a matrix");
+        let carried = back.iter().take(3).flat_map(|r| &r[..3]).any(|c| c.abs().log2().fract() == 0.0);
+        assert!(again == affine || carried, "{back:?}");
+    }
+    let (bound, shift_bound) = ((-30f64).exp2(), (-33f64).exp2());
+    assert!(worst <= bound && 2.0 * worst >= bound, "2^{}", worst.log2());
+    assert!(shift_worst <= shift_bound && 2.0 * shift_worst >= shift_bound, "2^{}", shift_worst.log2());
+}
+
+#[test]
+fn invalid_affine_matrices_are_refused() {
+    let identity = Affine::<Model, World>::identity().to_matrix();
+    let read = |m: &M4| Affine::<Model, World>::from_matrix(m);
+    assert_eq!(read(&identity).map(|a| a.to_matrix()), Ok(identity));
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for i in 0..3 {
+            for j in 0..4 {
+                let mut m = identity;
+                m[i][j] = bad;
+                assert_eq!(read(&m), Err(MatrixError::NotFinite), "{m:?}");
+            }
+        }
+    }
+    for j in 0..4 {
+        let mut m = identity;
+        m[3][j] += 0.5;
+        assert_eq!(read(&m), Err(MatrixError::NotAffine));
+    }
+    let mut m = identity;
+    m[1][3] = (30f64).exp2() + 1.0;
+    assert_eq!(read(&m), Err(MatrixError::OutOfRange));
+    m[1][3] = -(30f64).exp2();
+    assert!(read(&m).is_ok());
+}
+
+#[test]
+fn a_view_matrix_round_trips_within_its_rounding() {
+    let mut rng = Rng::new(0x7E);
+    let (mut axes_worst, mut eye_worst) = (0f64, 0f64);
+    for _ in 0..100_000 {
+        let exact = turn(&mut rng);
+        // As a file may have it: rounded to six digits and more.
+        let digits = 10f64.powi(rng.int(6, 15) as i32);
+        let axes = exact.map(|row| row.map(|c| (c * digits).round() / digits));
+        let reach = rng.log(1e-3, 32_000.0);
+        let eye = [0; 3].map(|_| rng.real(-reach, reach));
+        let mut m = [[0.0; 4]; 4];
+        m[3][3] = 1.0;
+        for (row, axis) in m.iter_mut().zip(axes) {
+            *row = [axis[0], axis[1], axis[2], -chain::dot(axis, eye)];
+        }
+        let viewing = ViewTransform::from_matrix(&m).expect("a rigid matrix");
+        for (found, axis) in viewing.rows().iter().zip(axes) {
+            for (found, c) in found.iter().zip(axis) {
+                axes_worst = axes_worst.max((f64::from(*found) / (30f64).exp2() - c).abs());
+            }
+        }
+        for (found, e) in viewing.eye().iter().zip(eye) {
+            // The translation is rounded to 53 bits already, and so is what is made of it.
+            eye_worst = eye_worst.max((*found as f64 / (32f64).exp2() - e).abs() - 4e-16 * reach);
+        }
+        assert_eq!(ViewTransform::from_matrix(&viewing.to_matrix()), Ok(viewing));
+    }
+    let (bound, eye_bound) = ((-31f64).exp2(), (-33f64).exp2());
+    assert!(axes_worst <= bound && 2.0 * axes_worst >= bound, "2^{}", axes_worst.log2());
+    assert!(eye_worst <= eye_bound && 2.0 * eye_worst >= eye_bound, "2^{}", eye_worst.log2());
+}
+
+#[test]
+fn invalid_view_matrices_are_refused() {
+    let mut rng = Rng::new(0x7F);
+    for _ in 0..1000 {
+        let [u, v, n] = turn(&mut rng);
+        let matrix = |u: V3, v: V3, n: V3, shift: f64| {
+            [
+                [u[0], u[1], u[2], 1.0],
+                [v[0], v[1], v[2], shift],
+                [n[0], n[1], n[2], 3.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        };
+        let read = |m: M4| ViewTransform::from_matrix(&m).err();
+        assert_eq!(read(matrix(u, v, n, 0.0)), None);
+        assert_eq!(read(matrix(v, u, n, 0.0)), Some(ViewTransformError::NotRigid), "left-handed");
+        assert_eq!(read(matrix(u, v, n, 60_000.0)), Some(ViewTransformError::EyeOutside));
+        assert_eq!(read(matrix(u, v, n, f64::NAN)), Some(ViewTransformError::EyeOutside));
+        // Both sides of the bound: the square of the length, and the product of two axes.
+        for (off, refused) in [(1.9e-6, None), (2.1e-6, Some(ViewTransformError::NotRigid))] {
+            assert_eq!(read(matrix(u, v, n.map(|c| c * (1.0 + off)), 0.0)), refused);
+            let leaning = core::array::from_fn(|i| u[i] + 2.0 * off * v[i]);
+            assert_eq!(read(matrix(leaning, v, n, 0.0)), refused);
+        }
+        let mut m = matrix(u, v, n, 0.0);
+        m[rng.below(3)][rng.below(3)] = f64::NAN;
+        assert_eq!(read(m), Some(ViewTransformError::NotRigid));
+        m = matrix(u, v, n, 0.0);
+        m[3][rng.below(4)] += 1.0;
+        assert_eq!(read(m), Some(ViewTransformError::NotRigid));
+    }
+}
+
+#[test]
+fn a_projection_matrix_round_trips_within_its_rounding() {
+    let mut rng = Rng::new(0xBA);
+    let mut worst = 0f64;
+    for _ in 0..20_000 {
+        let m = case(&mut rng).matrix;
+        let projection = Projection::from_matrix(&m).expect("a matrix");
+        let back = projection.to_matrix();
+        // Up to a power of two, by the last row.
+        let largest = |row: &[f64]| row.iter().fold(0f64, |a, c| a.max(c.abs()));
+        let factor = (largest(&m[3]) / largest(&back[3])).log2().round().exp2();
+        for (i, (row, back)) in m.iter().zip(back).enumerate() {
+            // z comes from twice (z + w)/2 and w.
+            let size = largest(&row[..3]) + if i == 2 { 2.0 * largest(&m[3][..3]) } else { 0.0 };
+            for j in 0..3 {
+                let error = (back[j] * factor - row[j]).abs();
+                assert!(error == 0.0 || error <= size * (-30f64).exp2(), "{row:?} {back:?}");
+                worst = worst.max(if size > 0.0 { error / size } else { 0.0 });
+            }
+        }
+        let again = Projection::from_matrix(&back).expect("a matrix");
+        assert_eq!(Projection::from_matrix(&again.to_matrix()), Ok(again));
+    }
+    assert!(worst * 2.0 >= (-30f64).exp2(), "2^{}", worst.log2());
+}

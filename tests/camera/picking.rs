@@ -1,0 +1,222 @@
+//! Picking: `unproject(project(p))` returns p within the change that half a sub-pixel and half a step of depth explain, the
+//! ray through a pixel meets the point visible there, and each reason to be hidden is reported. That `project` agrees with
+//! f64 for every projection is tested in `random_projections.rs`.
+
+use pinhole::raster::ScreenPoint;
+use pinhole::{Camera, ProjectError, ViewTransform, Viewport};
+use support::bridge::pair::{bits, random_view, ONE};
+use support::bridge::{point, reals, rectangle, vector};
+use support::definition::{Family, Picture, Projectors};
+use support::oracle::chain::{self, dot, length, V3};
+use support::oracle::rng::Rng;
+
+const SIZE: f64 = 400.0;
+
+fn camera(view: ViewTransform, family: &Family) -> Camera {
+    let area = rectangle(0, 0, 400, 400);
+    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    Camera::new(&view, &family.library().expect("a projection"), &viewport)
+}
+
+/// A family member of each kind, about a scene of this size.
+fn random_family(rng: &mut Rng, size: f64) -> Option<Family> {
+    let f = |v: f64| chain::to_fx(v);
+    let w = size * rng.log(0.3, 3.0);
+    let (x, y) = (w * rng.real(-0.5, 0.5), w * rng.real(-0.5, 0.5));
+    let window = [f(x - w / 2.0)?, f(x + w / 2.0)?, f(y - w / 2.0)?, f(y + w / 2.0)?];
+    let (near, far) = (f(size)?, f(size * rng.log(1.5, 50.0))?);
+    let prp = bits([w * rng.real(-1.0, 1.0), w * rng.real(-1.0, 1.0), size])?;
+    Some(match rng.below(7) {
+        0 => Family::FieldOfView(rng.int(1 << 26, 3 << 29) as u32, (400, 400), near, far),
+        1 => Family::Frustum(window, near, far),
+        2 => Family::Orthographic(window, near, far),
+        3 => Family::Oblique(window, near, far, rng.bits(), ONE / 2),
+        4 => Family::Reference(prp, window, prp[2].checked_sub(near)?, prp[2].checked_sub(far)?),
+        5 => Family::ReferenceParallel(prp, window, near, near.checked_sub(far)?),
+        _ => Family::OriginInPlane(-near, window, 0, far.checked_sub(near)?),
+    })
+}
+
+/// How far a view point moves when its image moves by `px` pixels and its depth by `steps`.
+fn sensitivity(picture: &Picture, at: V3, px: f64, steps: f64) -> f64 {
+    let (l, r) = (picture.window[0], picture.window[1]);
+    let w = picture.distance(at[2]) / picture.distance(picture.plane);
+    let across = px * (r - l) / SIZE * w.abs();
+    // d depth/d n by the definition.
+    let h = 1e-6 * picture.distance(at[2]).max(1e-3);
+    let slope =
+        (picture.depth([at[0], at[1], at[2] - h]) - picture.depth([at[0], at[1], at[2] + h])) / (2.0 * h);
+    let along = steps / slope;
+    // Along the projector.
+    let slant = match picture.projectors {
+        Projectors::From(c) => length(core::array::from_fn(|i| at[i] - c[i])) / (c[2] - at[2]),
+        Projectors::Along(d) => length(d) / d[2].abs(),
+    };
+    across * 2f64.sqrt() + along * slant
+}
+
+#[test]
+fn unproject_gives_the_projected_point_back() {
+    let mut rng = Rng::new(0x61);
+    let (mut compared, mut worst, mut rays, mut worst_ray) = (0, 0f64, 0, 0f64);
+    while compared < 60_000 {
+        let size = rng.log(0.25, 600.0);
+        let Some(family) = random_family(&mut rng, size) else { continue };
+        let view_bits = random_view(&mut rng);
+        let view = view_bits.exact();
+        let picture = family.picture();
+        let n = picture.front + (picture.back - picture.front) * rng.real(0.001, 0.999);
+        let at = picture.back_to([rng.real(-1.0, 1.0), rng.real(-1.0, 1.0)], n);
+        let Some(world) = bits(view.back(at)) else { continue };
+        let at = view.apply(chain::fx3(world));
+        let camera = camera(view_bits.library().expect("a view"), &family);
+        let Ok((screen, depth)) = camera.project(point(world)) else {
+            panic!("hidden: {view_bits:?} {family:?} {world:?}");
+        };
+        if depth == 65_534 {
+            continue; // clamped
+        }
+        compared += 1;
+        let back = camera.unproject(screen, depth).expect("inside the world");
+        let gap = length(core::array::from_fn(|i| reals(back)[i] - chain::fx(world[i])));
+        // Half a sub-pixel and half a step, what `project` itself may add to each (1/256 px and one
+        // step in all), and 2⁻¹⁷ a coordinate.
+        let allowed =
+            sensitivity(&picture, at, 1.0 / 256.0, 1.0) + 2f64.sqrt().max(3f64.sqrt()) * 2f64.powi(-17) * 1.1;
+        worst = worst.max(gap / allowed);
+        assert!(
+            gap <= allowed,
+            "{gap} for {allowed}: {view_bits:?} {family:?} {world:?} {screen:?} {depth} {back:?}"
+        );
+        // The ray through the same place passes the point, ahead of its origin.
+        let Some(ray) = camera.ray(screen) else { continue };
+        rays += 1;
+        let (o, d) = (
+            reals(ray.origin),
+            [ray.direction.x(), ray.direction.y(), ray.direction.z()]
+                .map(|c| f64::from(c.to_bits()) / 65536.0),
+        );
+        assert!((8192.0..=32768.0).contains(&length(d)), "{d:?}");
+        let to: V3 = core::array::from_fn(|i| chain::fx(world[i]) - o[i]);
+        let t = dot(to, d) / dot(d, d);
+        assert!(t >= -1e-9, "behind the ray's origin: {view_bits:?} {family:?} {world:?}");
+        let beside = length(core::array::from_fn(|i| to[i] - t * d[i]));
+        // The pixel's own width there, the origin's and the direction's rounding.
+        let allowed =
+            sensitivity(&picture, at, 1.0 / 256.0, 0.0) + 2.0 * 2f64.powi(-16) + length(to) * 2f64.powi(-27);
+        worst_ray = worst_ray.max(beside / allowed);
+        assert!(beside <= allowed, "{beside} beside for {allowed}: {view_bits:?} {family:?} {world:?}");
+        // Its origin lies on the near plane.
+        let start = view.apply(o);
+        let off = (start[2] - picture.front).abs();
+        assert!(
+            off <= 2f64.powi(-15) + 2f64.powi(-27) * (length(start) + picture.front.abs()),
+            "{off} off near: {view_bits:?} {family:?}"
+        );
+    }
+    println!("{compared} points: at most {worst:.3} of what is allowed; {rays} rays, {worst_ray:.3}");
+    assert!(rays * 10 > compared * 9);
+}
+
+#[test]
+fn project_reports_why_a_point_is_hidden() {
+    let view =
+        ViewTransform::look_at(point([0, 0, 5 * ONE]), point([0; 3]), vector([0, ONE, 0])).expect("a view");
+    let family = Family::FieldOfView(1 << 30, (400, 400), ONE, 10 * ONE);
+    let plain = camera(view, &family);
+    let far = plain.with_far_clip(true);
+    let at = |x: i32, y: i32, z: i32| point([x, y, z]);
+    // Near is at z = 4: exactly on it is seen, one step before it is not.
+    assert!(plain.project(at(0, 0, 4 * ONE)).is_ok_and(|(_, d)| d == 0));
+    assert_eq!(plain.project(at(0, 0, 4 * ONE + 1)), Err(ProjectError::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 5 * ONE)), Err(ProjectError::BeforeNear));
+    assert_eq!(plain.project(at(0, 0, 9 * ONE)), Err(ProjectError::BeforeNear));
+    // Far is at z = −5, to the rounding of the projection's coefficients.
+    assert!(far.project(at(0, 0, -5 * ONE + 1)).is_ok());
+    assert_eq!(far.project(at(0, 0, -5 * ONE - 1)), Err(ProjectError::BeyondFar));
+    assert!(plain.project(at(0, 0, -6 * ONE)).is_ok_and(|(_, d)| d == 65_534));
+    // 200 px a unit at distance 1: the guard band is 8192 px from the origin, the centre at 200.
+    let edge = |px: f64| ((px - 200.0) / 200.0 * 65536.0) as i32;
+    assert!(plain.project(at(edge(8191.9), 0, 4 * ONE)).is_ok());
+    assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(ProjectError::OutsideGuardBand));
+    assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(ProjectError::OutsideGuardBand));
+    // A point outside the viewport has a place too.
+    let (p, _) = plain.project(at(-2 * ONE, 0, 4 * ONE)).expect("a place");
+    assert_eq!((p.x(), p.y()), (-200 * 256, 200 * 256));
+    // The reasons differ in words.
+    let words = [ProjectError::BeforeNear, ProjectError::BeyondFar, ProjectError::OutsideGuardBand]
+        .map(|h| h.to_string());
+    assert!(words[0] != words[1] && words[1] != words[2]);
+}
+
+#[test]
+fn rays_of_a_perspective_meet_in_its_centre() {
+    let view = ViewTransform::look_at(point([ONE, 2 * ONE, 5 * ONE]), point([0; 3]), vector([0, ONE, 0]))
+        .expect("a view");
+    let camera = camera(view, &Family::FieldOfView(1 << 29, (400, 400), ONE, 100 * ONE));
+    for x in [-100, 0, 199, 400] {
+        for y in [-300, 0, 123, 400] {
+            let at = ScreenPoint::from_subpixels(x * 256, y * 256).expect("inside");
+            let ray = camera.ray(at).expect("a ray");
+            let d = [ray.direction.x(), ray.direction.y(), ray.direction.z()].map(|c| chain::fx(c.to_bits()));
+            let to: V3 = core::array::from_fn(|i| [1.0, 2.0, 5.0][i] - reals(ray.origin)[i]);
+            let beside = length(chain::cross(to, d)) / length(d);
+            assert!(beside < 2.0 / 65536.0, "{beside}");
+            // Projecting the point again gives the pixel that it came from.
+            let along = core::array::from_fn(|i| reals(ray.origin)[i] + d[i] / 8192.0 * 5.0);
+            let (p, _) = camera.project(point(bits(along).expect("in range"))).expect("seen");
+            assert!((p.x() - at.x()).abs() <= 2 && (p.y() - at.y()).abs() <= 2, "{p:?} {at:?}");
+        }
+    }
+}
+
+#[test]
+fn unprojecting_beyond_the_number_range_returns_none() {
+    // Orthographic, a window wider than the world: its corners lie outside.
+    let view = ViewTransform::look_at(
+        point([30_000 * ONE, 0, 0]),
+        point([30_000 * ONE, 0, -ONE]),
+        vector([0, ONE, 0]),
+    );
+    let family = Family::Orthographic([-10_000 * ONE, 10_000 * ONE, -ONE, ONE], 0, ONE);
+    let camera = camera(view.expect("a view"), &family);
+    let at = |x: i32| ScreenPoint::from_subpixels(x * 256, 200 * 256).expect("inside");
+    assert!(camera.unproject(at(200), 0).is_some());
+    assert_eq!(camera.unproject(at(400), 0), None);
+    assert_eq!(camera.ray(at(400)), None);
+}
+
+/// The near plane cuts at its distance for any near and far: to 2⁻²⁸ of far's distance and 2⁻¹⁵
+/// (depth in a parallel projection resolves 2⁻³⁰ of its range).
+#[test]
+fn near_cuts_at_its_distance_for_any_near_and_far() {
+    let mut rng = Rng::new(0x62);
+    let mut exactly = [0; 2];
+    for _ in 0..20_000 {
+        let near = rng.log(0.01, 1000.0);
+        let Some(n) = chain::to_fx(near) else { continue };
+        let Some(f) = chain::to_fx(near * rng.log(1.01, 1000.0) + 0.01) else { continue };
+        let w = [-n, n, -n, n];
+        let prp = [0, 0, n];
+        for family in [
+            Family::FieldOfView(1 << 29, (400, 400), n, f),
+            Family::Frustum(w, n, f),
+            Family::Orthographic(w, n, f),
+            Family::Oblique(w, n, f, rng.bits(), ONE / 2),
+            Family::Reference(prp, w, 0, n.saturating_sub(f)),
+            Family::ReferenceParallel(prp, w, -n, -f),
+            Family::EyeAtOrigin(-n, w, n, f),
+        ] {
+            let eye = [0; 3].map(|_| rng.int(-10_000 << 16, 10_000 << 16) as i32);
+            let view = ViewTransform::look_along(point(eye), vector([0, 0, -ONE]), vector([0, ONE, 0]))
+                .expect("a view");
+            let at = if matches!(family, Family::Reference(..)) { 0 } else { n };
+            let camera = camera(view, &family);
+            let found = |beyond: i32| camera.project(point([eye[0], eye[1], eye[2] - at - beyond]));
+            assert!(found(2 + (f >> 28)).is_ok(), "{family:?} {eye:?}");
+            assert_eq!(found(-2 - (f >> 28)), Err(ProjectError::BeforeNear), "{family:?} {eye:?}");
+            exactly[usize::from(found(0).is_ok())] += 1;
+        }
+    }
+    println!("exactly on near: {} seen, {} not", exactly[1], exactly[0]);
+}

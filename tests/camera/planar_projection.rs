@@ -1,0 +1,271 @@
+//! SPEC 4, planar projections by position of the view plane: worked example A, the general matrix
+//! that contains all others, Q → ∞, and the planes that are refused.
+
+use pinhole::space::{View, World};
+use pinhole::{PlanarProjection, Point3, Projection, ProjectionError, Vector3, ViewTransform};
+use support::bridge::pair::{bits, window, ONE};
+use support::bridge::{point, reals, scalar, vector};
+use support::definition::Family;
+use support::oracle::chain::{self, fx};
+use support::oracle::rng::Rng;
+
+/// Half a unit of the last place of I16F16, and a little for earlier roundings.
+const HALF: f64 = 0.502 / 65536.0;
+
+fn example_a() -> ViewTransform {
+    let (vrp, vpn, vup) =
+        (Point3::from_ints(1, 2, 3), Vector3::from_ints(2, -1, 2), Vector3::from_ints(0, 1, 0));
+    ViewTransform::from_reference(vrp, vpn, vup).expect("a view")
+}
+
+fn five() -> [PlanarProjection; 3] {
+    let d = scalar(5 * ONE);
+    [
+        PlanarProjection::eye_at_origin(d).expect("a plane"),
+        PlanarProjection::origin_in_plane(d).expect("a plane"),
+        PlanarProjection::parallel(),
+    ]
+}
+
+fn close(ours: &[f64], exact: &[f64], bound: f64, what: &str) {
+    for (a, b) in ours.iter().zip(exact) {
+        assert!((a - b).abs() <= bound, "{what}: {ours:?} instead of {exact:?}");
+    }
+}
+
+#[test]
+fn s4_worked_example_a_points() {
+    let p = example_a().apply(Point3::<World>::from_ints(3, 1, 5));
+    close(&reals(p), &[0.0, 0.0, 3.0], 1.1 / 65536.0, "in view coordinates");
+    let homogeneous = [[0.0, 0.0, 3.0, 0.6], [0.0, 0.0, 0.0, 1.6], [0.0, 0.0, 0.0, 1.0]];
+    let images = [[0.0, 0.0, 5.0], [0.0; 3], [0.0; 3]];
+    for (k, planar) in five().iter().enumerate() {
+        let got = planar.homogeneous(p).map(|c| fx(c.to_bits()));
+        close(&got, &homogeneous[k], 2.0 * HALF, "homogeneous");
+        let image = planar.apply(p).expect("an image");
+        close(&reals(image), &images[k], 4.0 * HALF, "image");
+    }
+}
+
+/// The rows of the composite matrix, measured from the library: the images of the world's unit points minus the image of
+/// its origin, and the image of the origin.
+#[test]
+fn s4_worked_example_a_composite_rows() {
+    let (s, view) = (2f64.sqrt(), example_a());
+    let x = [s / 2.0, 0.0, -s / 2.0, s];
+    let y = [s / 6.0, 2.0 * s / 3.0, s / 6.0, -2.0 * s];
+    let fifteenth = |last: f64| [2.0 / 15.0, -1.0 / 15.0, 2.0 / 15.0, last];
+    let none = [0.0; 4];
+    let tables = [
+        [x, y, [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0, -2.0], fifteenth(-0.4)],
+        [x, y, none, fifteenth(0.6)],
+        [x, y, none, [0.0, 0.0, 0.0, 1.0]],
+    ];
+    // A step of 8192 makes 2⁻¹⁶ of the image 2⁻²⁹ of the coefficient.
+    const STEP: i16 = 8192;
+    for (planar, table) in five().iter().zip(tables) {
+        let at = |p: Point3<World>| planar.homogeneous(view.apply(p)).map(|c| fx(c.to_bits()));
+        let origin = at(Point3::from_ints(0, 0, 0));
+        let steps = [
+            at(Point3::from_ints(STEP, 0, 0)),
+            at(Point3::from_ints(0, STEP, 0)),
+            at(Point3::from_ints(0, 0, STEP)),
+        ];
+        for row in 0..4 {
+            let got: Vec<f64> =
+                steps.iter().map(|s| (s[row] - origin[row]) / f64::from(STEP)).chain([origin[row]]).collect();
+            // The view point and the image are rounded to 2⁻¹⁶ each, at both ends.
+            close(&got[..3], &table[row][..3], 4.0 * HALF / f64::from(STEP), "coefficients");
+            close(&got[3..], &table[row][3..], 2.0 * HALF, "constant");
+        }
+    }
+}
+
+fn random_point(rng: &mut Rng) -> [i32; 3] {
+    [0; 3].map(|_| rng.int(-50 * i64::from(ONE), 50 * i64::from(ONE)) as i32)
+}
+
+#[test]
+fn s4_general_matrix_contains_eye_at_origin_and_origin_in_plane() {
+    let mut rng = Rng::new(0x4A);
+    for _ in 0..5000 {
+        let d = rng.int(i64::from(ONE), 100 * i64::from(ONE)) as i32 * if rng.one_in(2) { 1 } else { -1 };
+        let down = Vector3::<View>::from_ints(0, 0, -1);
+        // Plane z = d, COP at the origin: at distance d in the direction (0, 0, −1).
+        let first = PlanarProjection::eye_at_origin(scalar(d)).expect("a plane");
+        let general = PlanarProjection::general(scalar(d), Some(scalar(d)), down).expect("a plane");
+        // Plane z = 0, COP at z = −d.
+        let second = PlanarProjection::origin_in_plane(scalar(d)).expect("a plane");
+        let general_second = PlanarProjection::general(scalar(0), Some(scalar(d)), down).expect("a plane");
+        for _ in 0..4 {
+            let p = point::<View>(random_point(&mut rng));
+            for (special, general) in [(first, general), (second, general_second)] {
+                let (a, b) = (special.apply(p), general.apply(p));
+                let (Some(a), Some(b)) = (a, b) else {
+                    assert_eq!(a, b);
+                    continue;
+                };
+                let (a, b) = (reals(a), reals(b));
+                // Saturated images are far: compare where both are finite, to the number's own size.
+                if a.iter().any(|c| c.abs() > 30_000.0) {
+                    continue;
+                }
+                let size = a.iter().fold(1.0f64, |m, c| m.max(c.abs()));
+                // w may be a small difference of two numbers near 1.
+                let w = fx(special.homogeneous(p)[3].to_bits()).abs();
+                if w < 0.01 {
+                    continue;
+                }
+                close(&b, &a, HALF * 2.0 + size * 2f64.powi(-28) / w, "general");
+            }
+        }
+    }
+}
+
+/// Against the definition: the line through the point and the COP cuts z = z_p.
+#[test]
+fn s4_general_matrix_is_the_projector_cut_by_the_plane() {
+    let mut rng = Rng::new(0x4B);
+    let mut compared = 0;
+    for _ in 0..30_000 {
+        let z_p = rng.int(-20 * i64::from(ONE), 20 * i64::from(ONE)) as i32;
+        let q = (!rng.one_in(3))
+            .then(|| rng.int(i64::from(ONE), 200 * i64::from(ONE)) as i32 * [1, -1][rng.below(2)]);
+        let length = rng.log(0.01, 20_000.0);
+        let Some(d) = bits(rng.direction().map(|c| c * length)) else { continue };
+        if d[2].unsigned_abs() < 1 + d[0].unsigned_abs().max(d[1].unsigned_abs()) / 8 {
+            continue;
+        }
+        let planar = PlanarProjection::general(scalar(z_p), q.map(scalar), vector(d)).expect("a plane");
+        let picture = Family::General(z_p, q, d, [0; 4], 0, 0).picture();
+        let p = random_point(&mut rng);
+        let at = chain::fx3(p);
+        // Not where the projector runs along the plane.
+        let t = if q.is_some() { picture.distance(at[2]) / picture.distance(picture.plane) } else { 1.0 };
+        if t.abs() < 0.01 {
+            continue;
+        }
+        let (x, y) = picture.cut(at, picture.plane);
+        if x.abs().max(y.abs()) > 30_000.0 {
+            continue;
+        }
+        compared += 1;
+        let got = reals(planar.apply(point(p)).expect("an image"));
+        let size = 100.0 + x.abs().max(y.abs());
+        close(
+            &got,
+            &[x, y, fx(z_p)],
+            HALF * 1.5 + size * 2f64.powi(-27) / t.abs(),
+            &format!("{z_p} {q:?} {d:?} {p:?} {t}"),
+        );
+    }
+    assert!(compared > 15_000, "{compared}");
+}
+
+#[test]
+fn s4_general_matrix_contains_the_oblique_ones() {
+    // Q infinite and (dx, dy) ≠ 0: x − dx/dz·z.
+    let oblique = PlanarProjection::general(scalar(0), None, Vector3::from_ints(3, 4, 5)).expect("a plane");
+    assert_eq!(oblique.apply(Point3::from_ints(1, 1, -5)), Some(Point3::from_ints(4, 5, 0)));
+    assert_eq!(oblique.homogeneous(Point3::from_ints(1, 1, -5)), [4, 5, 0, 1].map(|c| scalar(c * ONE)));
+    // Straight down: the parallel one, exactly.
+    let straight = PlanarProjection::general(scalar(0), None, Vector3::from_ints(0, 0, 7)).expect("a plane");
+    let mut rng = Rng::new(0x4C);
+    for _ in 0..1000 {
+        let p = point::<View>(random_point(&mut rng));
+        assert_eq!(straight.apply(p), PlanarProjection::parallel().apply(p));
+    }
+}
+
+#[test]
+fn s4_q_to_infinity_gives_the_parallel_projection() {
+    let d = Vector3::<View>::from_ints(1, -2, 4);
+    let limit = PlanarProjection::general(scalar(ONE), None, d).expect("a plane");
+    let p = Point3::from_ints(3, 2, -7);
+    let want = reals(limit.apply(p).expect("an image"));
+    let mut last = f64::INFINITY;
+    for k in 8..15 {
+        let q = 1i32 << (16 + k);
+        let near = PlanarProjection::general(scalar(ONE), Some(scalar(q)), d).expect("a plane");
+        let got = reals(near.apply(p).expect("an image"));
+        let gap = (0..3).map(|i| (got[i] - want[i]).abs()).fold(0.0, f64::max);
+        assert!(gap < last / 1.9, "{gap} after {last}");
+        last = gap;
+    }
+    assert!(last < 0.01);
+    // And origin-in-plane tends to the parallel one as d grows: (x, y)·d/(d + z).
+    for k in 8..15 {
+        let d = f64::from(1 << k);
+        let second = PlanarProjection::origin_in_plane(scalar(ONE << k)).expect("a plane");
+        let got = reals(second.apply(p).expect("an image"));
+        close(&got, &[3.0 * d / (d - 7.0), 2.0 * d / (d - 7.0), 0.0], HALF, "d");
+    }
+}
+
+/// The textbook's matrices look along +n for d > 0, so the picture wants d < 0; a positive d with
+/// near and far before the eye has w ≤ 0 and is refused.
+#[test]
+fn s4_a_view_plane_behind_the_eye_is_refused() {
+    let w = window([-ONE, ONE, -ONE, ONE]);
+    let (n, f) = (scalar(ONE), scalar(10 * ONE));
+    let make = |d: i32| {
+        let planar = PlanarProjection::eye_at_origin(scalar(d)).expect("a plane");
+        Projection::from_planar(&planar, w, n, f).map(|_| ())
+    };
+    assert_eq!(make(-ONE), Ok(()));
+    assert_eq!(make(ONE), Err(ProjectionError::NearNotPositive));
+}
+
+#[test]
+fn s4_planar_projections_report_their_own_errors() {
+    let none = Err(ProjectionError::NoViewPlane);
+    assert_eq!(PlanarProjection::eye_at_origin(scalar(0)), none);
+    assert_eq!(PlanarProjection::origin_in_plane(scalar(0)), none);
+    for q in [None, Some(scalar(ONE))] {
+        assert_eq!(PlanarProjection::general(scalar(0), q, Vector3::from_ints(1, 2, 0)), none);
+        assert_eq!(PlanarProjection::general(scalar(0), q, Vector3::from_ints(0, 0, 0)), none);
+        assert!(PlanarProjection::general(scalar(0), q, vector([i32::MAX, 0, 1])).is_ok());
+    }
+    assert_eq!(PlanarProjection::general(scalar(0), Some(scalar(0)), Vector3::from_ints(0, 0, 1)), none);
+    // w = 0: no image.
+    let first = PlanarProjection::eye_at_origin(scalar(5 * ONE)).expect("a plane");
+    assert_eq!(first.apply(Point3::from_ints(1, 1, 0)), None);
+    let planar = PlanarProjection::parallel();
+    let make = |w: [i32; 4], n: i32, f: i32| {
+        Projection::from_planar(&planar, window(w), scalar(n), scalar(f)).map(|_| ())
+    };
+    let good = [-ONE, ONE, -ONE, ONE];
+    assert_eq!(make(good, -ONE, ONE), Ok(()));
+    assert_eq!(make([ONE, ONE, -ONE, ONE], 0, ONE), Err(ProjectionError::EmptyWindow));
+    assert_eq!(make(good, ONE, ONE), Err(ProjectionError::NearNotBeforeFar));
+    let far = [30_000 * ONE, 30_000 * ONE + 1, -ONE, ONE];
+    assert_eq!(make(far, 0, ONE), Err(ProjectionError::WindowTooSmall));
+    assert_eq!(make(good, 30_000 * ONE, 30_000 * ONE + 1), Err(ProjectionError::NearTooCloseToFar));
+}
+
+/// x = x + 2³⁰·(z − 2⁻¹⁰) through a window 2⁻¹⁶ wide: its constant is −2³⁷, which the window's own +1 must not
+/// hide.
+#[test]
+fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
+    for dx in [1 << 30, -(1 << 30)] {
+        for (left, right) in [(-1, 0), (0, 1)] {
+            let window = [left, right, -ONE, ONE];
+            let general = Family::General(ONE >> 10, None, [dx, 0, -1], window, ONE, 2 * ONE);
+            assert_eq!(general.library().map(|_| ()), Err(ProjectionError::WindowTooSmall), "{general:?}");
+        }
+    }
+}
+
+/// The centre lies one unit beside the origin and almost in the plane, so that is where the origin's image is:
+/// also where a component is the least number of all, and the smallest ones must not lose their last bit.
+#[test]
+fn s4_directions_keep_their_last_bit_beside_the_least_number() {
+    for least in [i32::MIN, -i32::MAX] {
+        for dz in [1, -1, 3, -3] {
+            let direction = vector([0, least, dz]);
+            let general = PlanarProjection::general(scalar(ONE / 64), Some(scalar(ONE)), direction);
+            let image = general.expect("a plane").apply(Point3::from_ints(0, 0, 0)).expect("an image");
+            close(&reals(image), &[0.0, -1.0, 1.0 / 64.0], 2.0 * HALF, "beside the origin");
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Numbers at the ends of their ranges, found by fuzzing: the result is right or an error, never silently wrong.
+
+use pinhole::space::{Model, View, World};
+use pinhole::{
+    Affine, Camera, InverseError, Mesh, PlanarProjection, Point3, Projection, ProjectionError,
+    ReferenceVolume, Scalar, ViewTransform, Viewport, Visibility, Window,
+};
+use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::{point, reals, rectangle, scalar, vector};
+use support::definition::Family;
+use support::oracle::chain::mul4;
+use support::oracle::rng::Rng;
+
+/// far/(far − near) is 8·10⁵, and times the object's 2000 units from the eye that passes 2³⁰, where a row's
+/// constant would saturate.
+#[test]
+fn a_vertex_beyond_near_is_there_however_thin_the_volume() {
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 30, (4, 3), 100 * ONE, 100 * ONE + 8),
+        viewport: (0, 0, 40, 30),
+    };
+    let mesh = Mesh::new(&[[0, 0, 1850]], 0, &[]).expect("a mesh");
+    let model = ModelBits(vec![Step::Move([0, 0, -2000 * ONE])]).library();
+    assert!(camera.library().place(&mesh, &model).project(0).is_some());
+}
+
+/// The z row's constant, z_p·(1 + z_p/(Q·dz)), passes 2³⁰ for the one plane and not for the other.
+#[test]
+fn a_planar_image_lies_in_its_plane_or_there_is_none() {
+    let general = |z_p: i32| {
+        PlanarProjection::general(scalar(z_p * ONE), Some(scalar(-ONE / 2)), vector([-ONE, -ONE, -ONE]))
+    };
+    assert_eq!(general(20_304), Err(ProjectionError::OutOfRange));
+    let image = general(17_000).expect("a plane").apply(point([-ONE / 2; 3])).expect("an image");
+    assert!((reals(image)[2] - 17_000.0).abs() < 0.01, "{image:?}");
+}
+
+/// w(far) = far/d passes 2³⁰ for the one far plane and not for the other: all depths are scaled by it.
+#[test]
+fn depth_of_a_picture_on_a_plane_close_to_the_eye() {
+    let far = Family::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 32_767 * ONE);
+    assert_eq!(far.library().err(), Some(ProjectionError::OutOfRange));
+    let family = Family::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 16_000 * ONE);
+    let area = rectangle(0, 0, 40, 40);
+    let view = ViewTransform::look_along(point([0; 3]), vector([0, 0, -ONE]), vector([0, ONE, 0]));
+    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    let camera = Camera::new(&view.expect("a view"), &family.library().expect("a projection"), &viewport);
+    let (_, depth) = camera.project(point([0, 0, -2 * ONE])).expect("seen");
+    let wanted = family.picture().depth([0.0, 0.0, -2.0]);
+    assert!((f64::from(depth) - wanted).abs() <= 1.0, "{depth} instead of {wanted}");
+}
+
+/// A mesh wider than ±32768 of its units has a sphere whose radius saturates, which stands for any.
+#[test]
+fn a_sphere_holds_all_vertices_of_the_widest_meshes() {
+    let mesh = Mesh::new(&[[-32_767, 0, 0], [32_767, 0, 0]], 4, &[]).expect("a mesh");
+    let model = Affine::<Model, World>::scale(scalar(ONE / 64));
+    let camera = CameraBits {
+        view: ViewBits::LookAlong([8191 * ONE, 0, 10 * ONE], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(1 << 30, (4, 3), ONE, 100 * ONE),
+        viewport: (0, 0, 40, 30),
+    }
+    .library();
+    let (p, _) = camera.place(&mesh, &model).project(1).expect("a place");
+    assert!((0..40 * 256).contains(&p.x()) && (0..30 * 256).contains(&p.y()), "seen");
+    assert_ne!(camera.visibility(&mesh.bounding_sphere(), &model), Visibility::Outside);
+}
+
+/// Two equal axes lie in a plane with any third. The rows' lengths differ by 2²⁶ here, so that a determinant of
+/// rounded cofactors would pass for a volume.
+#[test]
+fn two_equal_axes_have_no_inverse() {
+    let (a, b) = ([-1_073_741_823, -16, -8], [-33_554_432, 1, -14]);
+    let frame = Affine::<Model, World>::from_frame(vector(a), vector(b), vector(a), point([0; 3]));
+    assert_eq!(frame.inverse().map(|_| ()), Err(InverseError::Singular));
+}
+
+/// A mesh far from its own origin, brought back by a translation of 2.4 million units, under a matrix that
+/// from_matrix scales up: a row's constant passes 2³⁰ and comes back.
+#[test]
+fn a_mesh_moved_far_away_and_back_is_in_place() {
+    let (turned, straight) = ([0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0]);
+    let last = [0.0, 0.0, 0.0, 1.0];
+    let viewing =
+        ViewTransform::from_matrix(&[[1.0, 0.0, 0.0, 0.0], turned, straight, last]).expect("a view");
+    for factor in [1.0, 8.0, 10.0, 0.1, 1.01, 500.0] {
+        let row = |axis: usize, c: f64| core::array::from_fn(|i| if i == axis { c } else { 0.0 });
+        let scale = 8.0 * factor;
+        let mut model = [row(0, scale), row(1, scale), row(2, scale), last];
+        model[2][3] = 240.0 * 1024.0 * factor;
+        let narrow = 1.0 / (1024.0 * factor);
+        let matrix = [row(0, narrow), row(1, narrow), row(2, -0.5 * narrow), last];
+        let projection = Projection::from_matrix(&matrix).expect("a projection");
+        let area = rectangle(0, 0, 16, 16);
+        let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+        let camera = Camera::new(&viewing, &projection, &viewport);
+        // (±1, ±1, −240 ± 1) · 128
+        let vertices = [[-1, -1, -241], [1, 1, -239], [0, 0, -240]];
+        let vertices = vertices.map(|v: [i32; 3]| v.map(|c| scalar(c * 128 * ONE)));
+        let mesh = Mesh::from_fixed(&vertices, &[]).expect("a mesh");
+        let placed = camera.place(&mesh, &Affine::from_matrix(&model).expect("a model"));
+        let found = [0, 1, 2].map(|i| placed.project(i).map(|(p, _)| (p.x(), p.y())));
+        assert_eq!(found, [Some((0, 0)), Some((4096, 4096)), Some((2048, 2048))], "{factor}");
+    }
+}
+
+fn window([left, right, bottom, top]: [i32; 4]) -> Window {
+    let [left, right, bottom, top] = [left, right, bottom, top].map(scalar);
+    Window { left, right, bottom, top }
+}
+
+/// A point of whole units, for which f64 has the products with 30-bit coefficients, or 2⁻¹⁶ beside one.
+fn any_point(rng: &mut Rng) -> [i32; 3] {
+    [0; 3].map(|_| rng.int(-32_767, 32_766) as i32 * ONE + rng.int(-1, 1) as i32)
+}
+
+/// Of windows of one step of 2⁻¹⁶ and more, at any distance from the axis.
+fn any_sides(rng: &mut Rng) -> [i32; 4] {
+    let mut side = || {
+        let low = rng.int(-32_767, 32_000) as i32 * ONE;
+        [low, low.saturating_add(1 << rng.below(27))]
+    };
+    let ([left, right], [bottom, top]) = (side(), side());
+    [left, right, bottom, top]
+}
+
+/// Two products of 2³⁴ that differ by 16.
+#[test]
+fn cancellation_of_large_products_is_exact() {
+    let row = |c: [f64; 2]| [c[0], c[1], 0.0, 0.0];
+    let large = 2f64.powi(20);
+    let matrix = [row([large, -large]), row([0.0, 1.0]), [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+    let shear = Affine::<Model, World>::from_matrix(&matrix).expect("a matrix");
+    let image = shear.apply(point([16_384 * ONE + 1, 16_384 * ONE, 0]));
+    assert_eq!(reals(image), [16.0, 16_384.0, 0.0]);
+}
+
+/// Windows of one step of 2⁻¹⁶ and more, at any distance from the axis.
+#[test]
+fn clip_points_are_the_matrix_times_the_point_however_large_the_products() {
+    let far_aside = [30_000, 30_001, -1, 1].map(|c| c * ONE);
+    let frustum = Projection::frustum(window(far_aside), scalar(30_000 * ONE), scalar(32_000 * ONE));
+    for (x, wanted) in [(30_000, -1.0), (30_001, 1.0)] {
+        let clip = frustum.expect("a window").apply(point([x * ONE, 0, -30_000 * ONE]));
+        let [x, ..] = reals(clip.ndc().expect("in front of the eye"));
+        assert!((x - wanted).abs() < 1e-4, "{x} instead of {wanted}"); // 30 bits of 30 000
+    }
+    let narrow = Projection::orthographic(window([-1, 1, -1, 1]), scalar(0), scalar(ONE)).expect("a window");
+    let ndc = narrow.apply(point([-ONE, ONE, -ONE])).ndc().expect("in front");
+    assert_eq!((ndc.x(), ndc.y(), ndc.z().to_bits()), (Scalar::MIN, Scalar::MAX, ONE));
+    let (mut rng, mut seen) = (Rng::new(11), 0);
+    for _ in 0..100_000 {
+        let sides = any_sides(&mut rng);
+        let near = rng.int(1, 30_000) as i32 * ONE;
+        let (window, near, far) = (window(sides), scalar(near), scalar(near + ONE));
+        let lens = match rng.below(2) {
+            0 => Projection::frustum(window, near, far),
+            _ => Projection::orthographic(window, near, far),
+        };
+        let Ok(lens) = lens else { continue };
+        let p = any_point(&mut rng);
+        let (matrix, [x, y, z]) = (lens.to_matrix(), p.map(|c| f64::from(c) / 65_536.0));
+        let wanted = mul4(&matrix, [x, y, z, 1.0]);
+        let terms = matrix.iter().flat_map(|m| [m[0] * x, m[1] * y, m[2] * z, m[3]]);
+        let term = terms.fold(0f64, |a, t| a.max(t.abs()));
+        let clip = lens.apply(point(p));
+        let largest = wanted.iter().fold(0f64, |a, c| a.max(c.abs()));
+        // The matrix stands for all its multiples, this one and the clip point's differ by a power of two.
+        let got = clip.xyzw().map(|c| f64::from(c) * 2f64.powi(clip.exponent()));
+        let unit = got.iter().fold(0f64, |a, c| a.max(c.abs())) / largest;
+        let unit = 2f64.powf(unit.log2().round());
+        for (got, wanted) in got.iter().zip(wanted) {
+            let bound = largest * 2f64.powi(-30) + 2f64.powi(-29) / unit + term * 2f64.powi(-50); // f64 rounds, too
+            assert!((got / unit - wanted).abs() <= bound, "{lens:?} {p:?}: {clip:?} for {wanted}");
+        }
+        seen += 1;
+    }
+    assert!(seen > 50_000);
+}
+
+/// A PRP far aside: its shear and the distance cancel each other.
+#[test]
+fn canonical_points_hold_however_large_the_products() {
+    let hold = |prp: [i32; 3], sides: [i32; 4], front: i32, back: i32, p: [i32; 3]| {
+        let real = |v: i32| f64::from(v) / 65_536.0;
+        let volume = ReferenceVolume::perspective(point(prp), window(sides), scalar(front), scalar(back));
+        let Ok(volume) = volume else { return false };
+        let (got, depth) = (reals(volume.normalise(point(p))), real(prp[2]) - real(back));
+        let n = real(p[2]) - real(prp[2]);
+        let mut wanted = [0.0, 0.0, n / depth];
+        let mut term = 1f64;
+        for i in 0..2 {
+            let (low, high, at) = (real(sides[2 * i]), real(sides[2 * i + 1]), real(prp[i]));
+            let centre = (low + high) / 2.0;
+            let stretch = 2.0 * real(prp[2]) / ((high - low) * depth);
+            let slope = (centre - at) / real(prp[2]);
+            wanted[i] = (real(p[i]) - at + n * slope) * stretch;
+            let coordinate = p.map(real).into_iter().fold(0f64, |a, c| a.max(c.abs()));
+            // The larger coefficient, of p or of n along the shear, and the constant: the centre.
+            term = term.max((stretch * coordinate * slope.abs().max(1.0)).max((stretch * centre).abs()));
+        }
+        for (got, wanted) in got.into_iter().zip(wanted) {
+            let wanted = wanted.clamp(-32_768.0, 32_768.0);
+            let bound = 2f64.powi(-17) + term * 2f64.powi(-27) + 2f64.powi(-31);
+            assert!((got - wanted).abs() <= bound, "{prp:?} {sides:?} {back}, {p:?}: {got} for {wanted}");
+        }
+        true
+    };
+    let aside = [32_000 * ONE, 0, 32_000 * ONE];
+    let half = ONE / 2;
+    let p = [-32_000 * ONE - half, 0, -32_000 * ONE];
+    assert!(hold(aside, [-half, half, -half, half], 1000 * ONE, -32_768 * ONE, p));
+    let (mut rng, mut seen) = (Rng::new(12), 0);
+    for _ in 0..100_000 {
+        let sides = any_sides(&mut rng);
+        let mut prp = any_point(&mut rng);
+        prp[2] = prp[2].saturating_abs();
+        let back = -(rng.int(1, 32_767) as i32) * ONE;
+        seen += usize::from(hold(prp, sides, 0, back, any_point(&mut rng)));
+    }
+    assert!(seen > 20_000, "{seen}");
+}
+
+/// Planes within a few steps of 2⁻¹⁶ of the eye: w alone passes what a coordinate may be.
+#[test]
+fn planar_images_hold_on_planes_close_to_the_eye() {
+    let onto = PlanarProjection::eye_at_origin(scalar(1)).expect("a plane");
+    let image: Option<Point3<View>> = onto.apply(point([32_767, 16_000, 32_767].map(|c| c * ONE)));
+    assert_eq!(image, Some(point([1, 0, 1])));
+    let mut rng = Rng::new(13);
+    for _ in 0..100_000 {
+        let d = 1 << rng.below(31);
+        let onto = PlanarProjection::eye_at_origin(scalar(d)).expect("a plane");
+        let p = any_point(&mut rng);
+        let Some(image) = onto.apply(point::<View>(p)) else {
+            assert_eq!(p[2], 0);
+            continue;
+        };
+        for (got, c) in [image.x(), image.y(), image.z()].into_iter().zip(p) {
+            let wanted = f64::from(c) * f64::from(d) / f64::from(p[2]);
+            let wanted = wanted.clamp(i32::MIN.into(), i32::MAX.into());
+            assert!(
+                (f64::from(got.to_bits()) - wanted).abs()
+                    <= 0.5 + 2f64.powi(-16) + wanted.abs() * 2f64.powi(-28),
+                "{d}: {p:?}"
+            );
+        }
+    }
+    assert_eq!(onto.homogeneous(point([ONE, 0, ONE]))[3], Scalar::MAX);
+}

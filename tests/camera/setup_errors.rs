@@ -1,0 +1,238 @@
+//! Bad meshes, lights and numbers give their own error variant; no input of any set-up panics. Views, projections and
+//! viewports: `hard_cases`, E3 to E5 and E9.
+
+use embedded_graphics_core::geometry::{Point, Size};
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Lambert, LightError, Mesh, MeshError, NumberError, Point3, Scalar, Vector3, ViewTransform,
+    Viewport,
+};
+use support::bridge::pair::{ProjectionBits, ONE};
+use support::bridge::{point, scalar, vector};
+use support::oracle::rng::Rng;
+
+#[test]
+fn invalid_meshes_are_refused_with_the_offending_index() {
+    let vertices = [[0i16; 3]; 3];
+    assert!(Mesh::new(&vertices, 0, &[[0, 1, 2]]).is_ok());
+    assert!(Mesh::new(&[], 0, &[]).is_ok());
+    assert!(matches!(
+        Mesh::new(&vertices, 0, &[[0, 1, 2], [0, 3, 1]]),
+        Err(MeshError::FaceIndex { face: 1, index: 3 })
+    ));
+    assert!(matches!(Mesh::new(&[], 0, &[[0, 0, 0]]), Err(MeshError::FaceIndex { face: 0, index: 0 })));
+    let mesh = Mesh::new(&vertices, 0, &[[0, 1, 2]]).expect("a mesh");
+    assert!(mesh.with_edges(&[[0, 1], [2, 2]]).is_ok());
+    assert!(matches!(
+        mesh.with_edges(&[[0, 1], [1, 2], [65535, 0]]),
+        Err(MeshError::EdgeIndex { edge: 2, index: 65535 })
+    ));
+    assert!(mesh.with_normals(&[[0, 0, 1]]).is_ok());
+    assert!(matches!(mesh.with_normals(&[]), Err(MeshError::NormalCount { faces: 1, normals: 0 })));
+    let wrong = MeshError::VertexNormalCount { vertices: mesh.vertices().len(), normals: 1 };
+    assert_eq!(mesh.with_vertex_normals(&[[0, 0, 1]]), Err(wrong));
+    let normals = vec![[0, 0, 32767]; mesh.vertices().len()];
+    assert_eq!(mesh.with_vertex_normals(&normals).expect("one each").vertex_normals(), normals);
+    assert_eq!(mesh.corners_of(0, &[7]).iter().filter(|&&c| c == 7).count(), 1);
+    assert_eq!(mesh.corners_of(1, &[7; 9]), [0; 3]); // no such face
+
+    // As many vertices as a u16 can name, and one more.
+    let many = vec![[1i16, 2, 3]; 65537];
+    assert!(Mesh::new(&many[..65536], 0, &[[0, 65535, 9]]).is_ok());
+    assert!(matches!(Mesh::new(&many, 0, &[]), Err(MeshError::TooManyVertices { .. })));
+    // −32 … 15
+    for exponent in i8::MIN..=i8::MAX {
+        let mesh = Mesh::new(&vertices, exponent, &[]);
+        if (-32..=15).contains(&exponent) {
+            assert!(mesh.is_ok(), "{exponent}");
+        } else {
+            assert!(matches!(mesh, Err(MeshError::Exponent { .. })), "{exponent}");
+        }
+    }
+    let fixed = [[Scalar::ZERO; 3]; 2];
+    assert!(matches!(
+        Mesh::from_fixed(&fixed, &[[0, 1, 2]]),
+        Err(MeshError::FaceIndex { face: 0, index: 2 })
+    ));
+}
+
+#[test]
+fn a_light_without_direction_is_refused() {
+    let model = Affine::<Model, World>::identity();
+    assert!(matches!(Lambert::new(&model, Vector3::from_ints(0, 0, 0), 64), Err(LightError::ZeroDirection)));
+    for l in [[1, 0, 0], [i32::MIN; 3], [i32::MAX, 1, -1]] {
+        assert!(Lambert::new(&model, vector(l), 300).is_ok());
+    }
+}
+
+#[test]
+fn floats_become_the_nearest_numbers_or_an_error() {
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        assert_eq!(Point3::<World>::from_f32(0.0, bad, 0.0), Err(NumberError::NotFinite));
+        assert_eq!(Vector3::<World>::from_f32(bad, 0.0, 0.0), Err(NumberError::NotFinite));
+        assert_eq!(Angle::from_degrees_f32(bad), Err(NumberError::NotFinite));
+    }
+    for bad in [32768.0, -32769.0, 1e30, f32::MAX, f32::MIN] {
+        assert_eq!(Point3::<World>::from_f32(0.0, 0.0, bad), Err(NumberError::OutOfRange));
+    }
+    assert_eq!(Angle::from_degrees_f32(1e30), Err(NumberError::OutOfRange));
+    let mut rng = Rng::new(0xF3);
+    for _ in 0..20_000 {
+        let v = rng.real(-32768.0, 32767.0) as f32 * [1.0, 1e-3, 1e-6][rng.below(3)];
+        let p = Point3::<World>::from_f32(v, -v / 2.0, 0.0).expect("in range");
+        // Nearest, ties away from zero: f64 holds both exactly.
+        let nearest = |v: f64| {
+            let s = v * 65536.0;
+            (s.abs() + 0.5).floor() * s.signum()
+        };
+        assert_eq!(f64::from(p.x().to_bits()), nearest(f64::from(v)) + 0.0, "{v}");
+        assert_eq!(f64::from(p.y().to_bits()), nearest(f64::from(-v / 2.0)) + 0.0, "{v}");
+    }
+}
+
+#[test]
+fn angles_from_floats_are_within_the_documented_bound() {
+    let mut rng = Rng::new(0xF4);
+    for _ in 0..20_000 {
+        let degrees = (rng.real(-1000.0, 1000.0)) as f32;
+        let bits = Angle::from_degrees_f32(degrees).expect("in range").bits();
+        let exact = f64::from(degrees) / 360.0 * 4_294_967_296.0;
+        let off = (exact - f64::from(bits)).rem_euclid(4_294_967_296.0);
+        let off = off.min(4_294_967_296.0 - off);
+        assert!(off <= 0.5 + 2f64.powi(-10), "{degrees}: {off}");
+    }
+}
+
+#[test]
+fn no_set_up_panics() {
+    // Extremes in every place, in debug with its overflow checks.
+    let mut rng = Rng::new(0xBAD);
+    let wild = |rng: &mut Rng| match rng.below(5) {
+        0 => [0, 1, -1, i32::MAX, i32::MIN, ONE, -ONE][rng.below(7)],
+        1 => (rng.bits() as i32) >> rng.below(32),
+        2 => i32::MAX - rng.int(0, 3) as i32,
+        3 => i32::MIN + rng.int(0, 3) as i32,
+        _ => rng.bits() as i32,
+    };
+    for _ in 0..100_000 {
+        let mut v = || [0; 3].map(|_| wild(&mut rng));
+        let (a, b, c) = (v(), v(), v());
+        if let Ok(view) = ViewTransform::look_at(point(a), point(b), vector(c)) {
+            let _ = (view.apply(point(c)), view.translation());
+        }
+        if let Ok(view) = ViewTransform::from_reference(point(a), vector(b), vector(c)) {
+            let _ = (view.apply(point(c)), view.translation());
+        }
+        let (n, f) = (wild(&mut rng), wild(&mut rng));
+        let w = [0; 4].map(|_| wild(&mut rng));
+        let aspect = (rng.bits() >> rng.below(32), rng.bits() >> rng.below(32));
+        for p in [
+            ProjectionBits::Perspective(rng.bits(), aspect, n, f),
+            ProjectionBits::Frustum(w, n, f),
+            ProjectionBits::Orthographic(w, n, f),
+        ] {
+            if let Ok(p) = p.library() {
+                let clip = p.apply(point(a));
+                if let Some(ndc) = clip.ndc() {
+                    if let Ok(v) = Viewport::new(
+                        Point::new(wild(&mut rng) >> 18, wild(&mut rng) >> 18),
+                        Size::new(rng.bits() >> 19, rng.bits() >> 19),
+                    ) {
+                        let _ = v.apply(ndc);
+                    }
+                }
+            }
+        }
+        let _ = Viewport::new(
+            Point::new(wild(&mut rng), wild(&mut rng)),
+            Size::new(rng.bits(), wild(&mut rng) as u32),
+        );
+        let step = |rng: &mut Rng| match rng.below(5) {
+            0 => Affine::<World, World>::rotation_x(Angle::from_bits(rng.bits())),
+            1 => Affine::rotation_y(Angle::from_bits(rng.bits())),
+            2 => Affine::scale(scalar(wild(rng))),
+            3 => Affine::scale_axes(scalar(wild(rng)), scalar(wild(rng)), scalar(wild(rng))),
+            _ => Affine::translation(vector([wild(rng), wild(rng), wild(rng)])),
+        };
+        let mut all = step(&mut rng);
+        for _ in 0..rng.below(12) {
+            all = all.then(&step(&mut rng));
+        }
+        let _ = all.apply(point(a));
+        let _ = Angle::turns(a[0], b[0] as u32);
+        let _ = Angle::degrees(a[1]);
+        let model = Affine::<Model, World>::identity().then(&all);
+        if let Ok(light) = Lambert::new(&model, vector(b), a[2] as u16) {
+            let _ = light.level([a[0] as i16, b[0] as i16, c[0] as i16]);
+        }
+    }
+}
+
+/// Cameras built at compile time, with every `const` constructor.
+mod constant {
+    use super::*;
+    use pinhole::{Camera, Projection, Window};
+
+    const SIZE: Size = Size::new(320, 240);
+    const UP: Vector3<World> = Vector3::from_ints(1, 9, 2);
+    const EYE: Point3<World> = Point3::from_ints(7, -3, 11);
+    const NEAR: Scalar = Scalar::from_bits(45_678);
+    const FAR: Scalar = Scalar::const_from_int(77);
+    const WINDOW: Window = Window {
+        left: Scalar::from_bits(-33_333),
+        right: Scalar::from_bits(44_444),
+        bottom: Scalar::from_bits(-22_222),
+        top: Scalar::from_bits(55_555),
+    };
+
+    /// Built at run time, by every `const` constructor.
+    macro_rules! cameras {
+        ($eye:expr) => {{
+            let eye = $eye;
+            let viewings = [
+                ViewTransform::look_at(eye, Point3::from_ints(0, 1, 0), UP),
+                ViewTransform::look_along(eye, Vector3::from_ints(-3, 1, 4), UP),
+                ViewTransform::from_reference(eye, Vector3::from_ints(1, 2, 3), UP),
+            ];
+            let projections = [
+                Projection::perspective(Angle::degrees(50), SIZE, NEAR, FAR),
+                Projection::frustum(WINDOW, NEAR, FAR),
+                Projection::orthographic(WINDOW, NEAR, FAR),
+            ];
+            let viewport = Viewport::new(Point::new(5, -7), SIZE);
+            let (mut cameras, mut i) = ([None; 9], 0);
+            while i < 9 {
+                if let (Ok(viewing), Ok(projection), Ok(viewport)) =
+                    (&viewings[i / 3], &projections[i % 3], &viewport)
+                {
+                    cameras[i] = Some(Camera::new(viewing, projection, viewport));
+                }
+                i += 1;
+            }
+            cameras
+        }};
+    }
+
+    const CAMERAS: [Option<Camera>; 9] = cameras!(EYE);
+
+    #[test]
+    fn is_what_the_program_makes() {
+        assert!(CAMERAS.iter().all(Option::is_some));
+        assert_eq!(CAMERAS, cameras!(core::hint::black_box(EYE)));
+        const TURN: Affine<Model, World> = Affine::rotation_y(Angle::degrees(33));
+        assert_eq!(TURN, Affine::rotation_y(core::hint::black_box(Angle::degrees(33))));
+    }
+}
+
+/// The faces adjacent to edges belong to the edges that the mesh had when they were set.
+#[test]
+fn other_edges_have_no_faces_beside_them_yet() {
+    let (vertices, faces) = ([[0; 3], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 3]]);
+    let mesh = Mesh::new(&vertices, 0, &faces)
+        .and_then(|mesh| mesh.with_edges(&[[0, 2]]))
+        .and_then(|mesh| mesh.with_edge_faces(&[[0, 1]]))
+        .expect("a mesh");
+    assert_eq!(mesh.edge_faces(), [[0, 1]]);
+    let other = mesh.with_edges(&[[0, 1], [1, 2]]).expect("edges");
+    assert_eq!(other.edge_faces(), [[0; 2]; 0]);
+}

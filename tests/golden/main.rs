@@ -1,0 +1,4 @@
+//! Reference pictures and coordinates in files. `GOLDEN=1 cargo test --test golden` writes them anew.
+
+mod pictures;
+mod reference;

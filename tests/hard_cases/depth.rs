@@ -1,0 +1,259 @@
+//! D: depth.
+
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics_core::pixelcolor::raw::RawU32;
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Cull, DepthBuffer, Mesh, ScreenVertex};
+use std::convert::Infallible;
+use support::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
+use support::bridge::rectangle;
+use support::oracle::chain;
+use support::oracle::coverage::{edge, P};
+use support::oracle::picture::{compare, Scene};
+use support::oracle::rng::Rng;
+
+const SIZE: (u32, u32) = (96, 80);
+
+/// A pixel of the target: the index of the visible face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Face(i32);
+
+impl PixelColor for Face {
+    type Raw = RawU32;
+}
+
+struct Picture(Vec<i32>);
+
+impl OriginDimensions for Picture {
+    fn size(&self) -> Size {
+        Size::new(SIZE.0, SIZE.1)
+    }
+}
+
+impl DrawTarget for Picture {
+    type Color = Face;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Face>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(Point { x, y }, Face(face)) in pixels {
+            self.0[y as usize * SIZE.0 as usize + x as usize] = face;
+        }
+        Ok(())
+    }
+}
+
+/// Draws triangles with an identity model matrix: the visible face and the depth of each pixel.
+fn draw(
+    camera: &CameraBits,
+    vertices: &[[i16; 3]],
+    exponent: i8,
+    faces: &[[u16; 3]],
+) -> (Vec<i32>, Vec<u16>) {
+    let mut picture = Picture(vec![-1; (SIZE.0 * SIZE.1) as usize]);
+    let mut storage = vec![0; picture.0.len()];
+    let area = Rectangle::new(Point::zero(), picture.size());
+    let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
+    let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
+    let model = Affine::<Model, World>::identity();
+    let placed = camera.library().place(&mesh, &model).with_cull(Cull::None);
+    let mut corners = vec![ScreenVertex::default(); vertices.len()];
+    let Ok(_) = placed.depth_tested(|face| Face(face as i32), &mut corners, &mut depth, &mut picture);
+    (picture.0, storage)
+}
+
+/// The scene of [`draw`] for the oracle.
+fn scene(camera: &CameraBits, vertices: &[[i16; 3]], exponent: i8, faces: &[[u16; 3]]) -> Scene {
+    let exact = camera.exact();
+    let row = |i: usize| {
+        let [x, y, z] = exact.view.rows[i];
+        [x, y, z, -chain::dot(exact.view.rows[i], exact.view.eye)]
+    };
+    let (last, viewport) = ([0.0, 0.0, 0.0, 1.0], exact.viewport);
+    Scene {
+        vertices: vertices.iter().map(|&v| chain::vertex(v, exponent)).collect(),
+        triangles: faces.iter().map(|f| f.map(usize::from)).collect(),
+        model: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], last],
+        view: [row(0), row(1), row(2), last],
+        projection: exact.projection,
+        width: SIZE.0 as usize,
+        height: SIZE.1 as usize,
+        viewport: [viewport.x, viewport.y, viewport.width, viewport.height],
+        cull: false,
+    }
+}
+
+/// From z = 20 to the origin, 60° upright.
+fn camera(near: i32, far: i32) -> CameraBits {
+    CameraBits {
+        view: ViewBits::LookAt([0, 0, 20 * ONE], [0; 3], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(0x2aaa_aaab, SIZE, near, far),
+        viewport: (0, 0, SIZE.0, SIZE.1),
+    }
+}
+
+/// Two triangles over each other's middle, tilted alike, a few units of 2⁻¹⁰ apart: a step of depth is
+/// dz = z²·(f − n)/(f·n)·2⁻¹⁶ = 0.0060 there for n = 1, f = 100, about six units.
+fn nearly_coplanar(rng: &mut Rng) -> [[i16; 3]; 6] {
+    let tilt = [rng.real(-0.7, 0.7), rng.real(-0.7, 0.7)];
+    let apart = rng.real(-30.0, 30.0);
+    let mut corner = |lift: f64, at: [f64; 2]| {
+        let [x, y] = at.map(|c| c * 9_000.0 + rng.real(-1_000.0, 1_000.0));
+        [x, y, tilt[0] * x + tilt[1] * y + lift].map(|c| c.round() as i16)
+    };
+    let around = [[-1.0, -0.8], [1.0, -0.8], [0.0, 1.0]];
+    let [a, b, c] = around.map(|at| corner(0.0, at));
+    let [d, e, f] = around.map(|at| corner(apart, at));
+    [a, b, c, d, e, f]
+}
+
+/// The oracle counts depths within two steps as equal. Faces farther apart must be drawn right in both orders.
+#[test]
+fn d1_faces_two_steps_apart_are_told_apart() {
+    let mut rng = Rng::new(0xd1);
+    let (mut shown, mut decided) = (0, 0);
+    for _ in 0..300 {
+        let camera = camera(ONE, 100 * ONE);
+        let vertices = nearly_coplanar(&mut rng);
+        for faces in [[[0, 1, 2], [3, 4, 5]], [[3, 4, 5], [0, 1, 2]]] {
+            let (ids, depths) = draw(&camera, &vertices, -10, &faces);
+            let found = compare(&scene(&camera, &vertices, -10, &faces), &ids, &depths);
+            assert!(found.shift <= 0.0028 && found.depth <= 0.54, "{vertices:?}: {found:?}");
+            shown += found.covered;
+            decided += ids.iter().filter(|&&id| id == 0).count();
+        }
+    }
+    // Each triangle is visible about half of the time.
+    assert!(shown > 500_000 && decided * 3 > shown && decided * 3 < shown * 2, "{decided} of {shown}");
+}
+
+/// Depths less than two steps apart may be drawn in either order, but repeatably; of equal depths the first stays.
+#[test]
+fn d1_the_first_of_two_equal_depths_stays() {
+    let mut rng = Rng::new(0xd1d1);
+    for _ in 0..100 {
+        let camera = camera(ONE, 100 * ONE);
+        let mut vertices = nearly_coplanar(&mut rng);
+        let once = draw(&camera, &vertices, -10, &[[0, 1, 2], [3, 4, 5]]);
+        assert!(once == draw(&camera, &vertices, -10, &[[0, 1, 2], [3, 4, 5]]));
+        for i in 0..3 {
+            vertices[3 + i] = vertices[i];
+        }
+        let (ids, _) = draw(&camera, &vertices, -10, &[[0, 1, 2], [3, 4, 5]]);
+        assert!(ids.iter().all(|&id| id <= 0) && ids.contains(&0));
+    }
+}
+
+/// Slivers and faces seen edge-on: the plane of the snapped corners in rationals.
+#[test]
+fn d2_slivers_never_leave_their_corners_depths() {
+    let mut rng = Rng::new(0xd2);
+    let (mut pixels, mut largest, mut steep) = (0, 0f64, 0);
+    for round in 0..20_000 {
+        let camera = camera([1, 4, 7][round % 3] * ONE, 40 * ONE);
+        // A needle: two corners close together, or three nearly in a row, along or across the view.
+        let reach = |rng: &mut Rng, n: f64| [0; 3].map(|_| rng.real(-n, n));
+        let (a, b) = (reach(&mut rng, 12_000.0), reach(&mut rng, 12_000.0));
+        let width = rng.log(0.5, 300.0);
+        let t = if round % 2 == 0 { 0.0 } else { rng.unit() };
+        let beside = reach(&mut rng, width);
+        let c: [f64; 3] = core::array::from_fn(|i| a[i] + t * (b[i] - a[i]) + beside[i]);
+        let vertices = [a, b, c].map(|p| p.map(|c| c.round() as i16));
+        let mesh = Mesh::new(&vertices, -10, &[[0, 1, 2]]).expect("a mesh");
+        let placed = camera.library().place(&mesh, &Affine::<Model, World>::identity());
+        let corners = [0, 1, 2].map(|i| placed.project(i).zip(placed.project_unsnapped(i)));
+        let [Some(a), Some(b), Some(c)] = corners else { continue };
+        let [a, b, c] = [a, b, c].map(|((p, _), fine)| ((i64::from(p.x()), i64::from(p.y())), fine[2]));
+        // Nearer than the last half step before far, where depths end.
+        if [a, b, c].iter().any(|corner| corner.1 >> 32 >= 65_534) {
+            continue;
+        }
+        let (ids, depths) = draw(&camera, &vertices, -10, &[[0, 1, 2]]);
+        for (place, _) in ids.iter().enumerate().filter(|(_, id)| **id == 0) {
+            let (x, y) = ((place % SIZE.0 as usize) as i64, (place / SIZE.0 as usize) as i64);
+            let at: P = (256 * x + 128, 256 * y + 128);
+            let weights = [edge(b.0, c.0, at), edge(c.0, a.0, at), edge(a.0, b.0, at)].map(i128::from);
+            let area: i128 = weights.iter().sum();
+            let sum: i128 = weights.iter().zip([a.1, b.1, c.1]).map(|(w, z)| w * i128::from(z)).sum();
+            let error = (i128::from(depths[place]) * (area << 32) - sum) as f64 / (area << 32) as f64;
+            largest = largest.max(error.abs());
+            pixels += 1;
+            let [low, high] = [a.1.min(b.1).min(c.1), a.1.max(b.1).max(c.1)].map(|z| z >> 32);
+            steep += usize::from(area.abs() < 1 << 18 && high - low > 10_000);
+            let depth = i64::from(depths[place]);
+            assert!(low <= depth && depth <= high + 1, "{vertices:?} {at:?}: {depth} of {low} … {high}");
+        }
+    }
+    assert!(largest <= 0.54 && largest > 0.5, "{largest}");
+    assert!(pixels > 20_000 && steep > 1_000, "{pixels}, {steep}");
+}
+
+/// SPEC 7: the stored depth is round(65535·(z/w + 1)/2), and 65535 where nothing is drawn; it is linear on the screen.
+#[test]
+fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
+    let mut rng = Rng::new(0xd3);
+    let wall = |z: i16| {
+        let (x, y) = (i16::MAX, i16::MAX);
+        [[-x, -y, z], [x, -y, z], [x, y, z], [-x, y, z]]
+    };
+    let faces = [[0, 1, 2], [0, 2, 3]];
+    // An empty depth buffer.
+    let (_, depths) = draw(&camera(ONE, 100 * ONE), &wall(0), -10, &[]);
+    assert!(depths.iter().all(|&d| d == DepthBuffer::NOTHING));
+    for flat in [false, true] {
+        for _ in 0..300 {
+            let (near, far) = (rng.int(1, 12) as i32 * ONE / 2, rng.int(26, 200) as i32 * ONE);
+            let mut camera = camera(near, far);
+            if flat {
+                let window = [-20, 20, -20, 20].map(|c| c * ONE);
+                camera.projection = ProjectionBits::Orthographic(window, near, far);
+            }
+            // From 14 units before the middle to 6 behind.
+            let vertices = wall(rng.int(-6 * 1024, 14 * 1024) as i16);
+            let exact = camera.exact();
+            let clip = exact.clip(&chain::IDENTITY, chain::vertex(vertices[0], -10));
+            let depth = chain::depth(clip);
+            let (_, depths) = draw(&camera, &vertices, -10, &faces);
+            let stored = f64::from(depths[0]);
+            assert!(
+                depths.iter().all(|&d| f64::from(d) == stored),
+                "a wall perpendicular to the view has one depth"
+            );
+            // Rounded to nearest but for what the chain adds, as stated for `MeshInstance::project`.
+            assert!((stored - depth).abs() <= 0.51, "{stored} for {depth}");
+        }
+    }
+    // On the near plane and on the far one.
+    let (_, depths) = draw(&camera(8 * ONE, 24 * ONE), &wall(12 * 1024), -10, &faces);
+    assert!(depths.iter().all(|&d| d == 0));
+    let (_, depths) = draw(&camera(8 * ONE, 24 * ONE), &wall(-4 * 1024), -10, &faces);
+    assert!(depths.iter().all(|&d| d == 65_534));
+}
+
+/// Only pixels of the depth buffer are drawn, as they would be with a depth buffer of the whole target.
+#[test]
+fn d3_only_pixels_of_the_depth_buffer_are_drawn() {
+    let camera = camera(ONE, 100 * ONE);
+    let mut rng = Rng::new(0xd3d3);
+    let vertices = nearly_coplanar(&mut rng);
+    let faces = [[0, 1, 2], [3, 4, 5]];
+    let (ids, whole) = draw(&camera, &vertices, -10, &faces);
+    let mesh = Mesh::new(&vertices, -10, &faces).expect("a mesh");
+    let placed = camera.library().place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
+    for (x, y, width, height) in [(0, 0, SIZE.0, 8), (-5, 30, 40, 1), (90, 70, 1000, 1000), (20, 20, 0, 5)] {
+        let mut picture = Picture(vec![-1; ids.len()]);
+        let mut storage = vec![7; (width * height) as usize];
+        let mut depth = DepthBuffer::new(rectangle(x, y, width, height), &mut storage).expect("storage");
+        let Ok(_) = placed.depth_tested(|face| Face(face as i32), &mut [], &mut depth, &mut picture);
+        for (place, (&id, &deep)) in ids.iter().zip(&whole).enumerate() {
+            let at = Point::new((place % SIZE.0 as usize) as i32, (place / SIZE.0 as usize) as i32);
+            let held = depth.at(at);
+            assert_eq!(held.is_some(), rectangle(x, y, width, height).contains(at));
+            assert_eq!(picture.0[place], if held.is_some() { id } else { -1 });
+            assert_eq!(held.unwrap_or(deep), deep);
+        }
+    }
+}

@@ -1,0 +1,562 @@
+//! C1–C6: the near plane always cuts, and each pixel shows the face that its ray meets. The oracle does not clip.
+//!
+//! A snapped vertex is up to 1/256 px off, so pixels whose answer is not certain for every ray within
+//! 1/64 px are left out; their number is bounded.
+
+use pinhole::{Coordinate, Cull, Mesh};
+use support::bridge::draw::{room_faces, solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
+use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::scalar;
+use support::oracle::chain::{self, vertex, V3, V4};
+use support::oracle::coverage::{self, triangle, Area};
+use support::oracle::eye;
+use support::oracle::line;
+use support::oracle::rng::Rng;
+use support::oracle::target::Recorder;
+
+const TOLERANCE: f64 = 1.0 / 64.0;
+
+/// At the origin, looking along −z.
+fn camera(width: u32, height: u32, near: i32, far: i32) -> CameraBits {
+    CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective(
+            (1 << 31) / 3, // 60°
+            (width, height),
+            near,
+            far,
+        ),
+        viewport: (0, 0, width, height),
+    }
+}
+
+#[derive(Default)]
+pub(crate) struct Tally {
+    pub(crate) covered: usize,
+    pub(crate) background: usize,
+    pub(crate) ambiguous: usize,
+}
+
+/// Draws the front faces of a mesh and compares every pixel with the eye's, but for those that another ray within
+/// `tolerance` px may see otherwise.
+pub(crate) fn compare(
+    c: &CameraBits,
+    far: bool,
+    model: &ModelBits,
+    vertices: &[[i16; 3]],
+    exponent: i8,
+    faces: &[[u16; 3]],
+    tolerance: f64,
+) -> Tally {
+    let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
+    let positions: Vec<V3> = vertices.iter().map(|&v| vertex(v, exponent)).collect();
+    compare_mesh(c, far, model, &mesh, &positions, tolerance)
+}
+
+fn compare_mesh<V: Coordinate>(
+    c: &CameraBits,
+    far: bool,
+    model: &ModelBits,
+    mesh: &Mesh<'_, V>,
+    positions: &[V3],
+    tolerance: f64,
+) -> Tally {
+    let (_, _, width, height) = c.viewport;
+    let faces = mesh.faces();
+    let mut target = Recorder::sized(width, height);
+    let library = c.library().with_far_clip(far);
+    let statistics = solid(&library.place(mesh, &model.library()), &mut target).expect("no error");
+    let seen = eye::faces(&c.exact(), &model.exact(), positions, faces);
+    let mut tally = Tally::default();
+    for (x, y) in Area::new(0, 0, width.into(), height.into()).pixels() {
+        let (count, colour) = (target.count(x as i32, y as i32), target.colour(x as i32, y as i32));
+        match eye::pixel(&seen, (x, y), far, tolerance) {
+            Ok(Some(face)) => {
+                tally.covered += 1;
+                assert_eq!(
+                    (count, colour),
+                    (1, Some(Shader(face as u16))),
+                    "({x}, {y}) sees face {face}; {c:?} {model:?} {positions:?} {faces:?} {statistics:?}"
+                );
+            }
+            Ok(None) => {
+                tally.background += 1;
+                assert_eq!(
+                    count, 0,
+                    "({x}, {y}) sees nothing but {colour:?} is drawn; {c:?} {model:?} {positions:?} {faces:?} {statistics:?}"
+                );
+            }
+            Err(()) => {
+                tally.ambiguous += 1;
+                assert!(count <= 1, "({x}, {y}) is drawn {count} times");
+            }
+        }
+    }
+    tally
+}
+
+fn room(size: i16) -> [[i16; 3]; 8] {
+    CUBE.map(|v| v.map(|c| c * size))
+}
+
+#[test]
+fn c5_inside_a_room_every_pixel_is_covered_exactly_once() {
+    let mut rng = Rng::new(0xC5);
+    for _ in 0..300 {
+        // The near window (half diagonal < 0.5) stays inside the room of ±2.
+        let eye = [0; 3].map(|_| rng.int(-(3 * ONE as i64) / 2, 3 * ONE as i64 / 2) as i32);
+        let gaze = bits(rng.direction()).expect("in range");
+        if gaze[0] == 0 && gaze[2] == 0 {
+            continue;
+        }
+        let c = CameraBits {
+            view: ViewBits::LookAlong(eye, gaze, [0, ONE, 0]),
+            ..camera(48, 32, ONE / 4, 50 * ONE)
+        };
+        let mesh = room(2);
+        let faces = room_faces();
+        let (library, model) = (c.library(), ModelBits::default());
+        let mesh_ours = Mesh::new(&mesh, 0, &faces).expect("a mesh");
+        let mut target = Recorder::sized(48, 32);
+        let placed_model = model.library();
+        solid(&library.place(&mesh_ours, &placed_model), &mut target).expect("no error");
+        for (x, y) in Area::new(0, 0, 48, 32).pixels() {
+            assert_eq!(target.count(x as i32, y as i32), 1, "({x}, {y}) {c:?}");
+        }
+        let tally = compare(&c, false, &model, &mesh, 0, &faces, TOLERANCE);
+        assert_eq!(tally.background, 0);
+        assert!(tally.ambiguous * 10 < tally.covered);
+    }
+}
+
+#[test]
+fn c5_near_a_wall_background_is_exactly_where_the_oracle_has_it() {
+    let mut rng = Rng::new(0xC51);
+    let (mut mixed, mut total) = (0, Tally::default());
+    for _ in 0..600 {
+        // The near window is 2.3 wide at 2: it sticks through the walls of a room of ±2.
+        let eye = [0; 3].map(|_| rng.int(-2 * ONE as i64, 2 * ONE as i64) as i32);
+        let gaze = bits(rng.direction()).expect("in range");
+        if gaze[0] == 0 && gaze[2] == 0 {
+            continue;
+        }
+        let c = CameraBits {
+            view: ViewBits::LookAlong(eye, gaze, [0, ONE, 0]),
+            ..camera(30, 24, rng.int(ONE as i64 / 4, 2 * ONE as i64) as i32, 50 * ONE)
+        };
+        let faces = if rng.one_in(3) { CUBE_FACES } else { room_faces() };
+        let t = compare(&c, false, &ModelBits::default(), &room(2), 0, &faces, TOLERANCE);
+        mixed += usize::from(t.covered > 0 && t.background > 0);
+        total.covered += t.covered;
+        total.background += t.background;
+        total.ambiguous += t.ambiguous;
+    }
+    println!(
+        "{mixed} pictures with background; {} covered, {} background, {} ambiguous",
+        total.covered, total.background, total.ambiguous
+    );
+    assert!(mixed > 100);
+    assert!(total.ambiguous * 20 < total.covered + total.background);
+}
+
+#[test]
+fn c1_triangles_across_the_near_plane_cover_what_rays_meet() {
+    let mut rng = Rng::new(0xC1);
+    let (mut crossing, mut total) = (0, Tally::default());
+    for k in 0..6000 {
+        let reach = rng.log(20.0, 32767.0) as i64;
+        let exponent = rng.int(-14, -4) as i8;
+        let size = reach as f64 * f64::from(exponent).exp2();
+        let vertices = [(); 3].map(|()| [0; 3].map(|_| rng.int(-reach, reach) as i16));
+        // About the near plane, at any size against it.
+        let near = 0.25f64.max(size * rng.log(1e-3, 0.5));
+        let near = chain::to_fx(near).expect("in range").max(ONE / 4);
+        let c = camera(24, 18, near, 32000 * ONE);
+        let shift = bits([
+            size * rng.real(-0.5, 0.5),
+            size * rng.real(-0.5, 0.5),
+            -chain::fx(near) - size * rng.real(-0.7, 0.7),
+        ]);
+        let model = ModelBits(vec![Step::Move(shift.expect("in range"))]);
+        let placed = model.exact();
+        let front =
+            vertices.iter().filter(|&&v| placed.apply(vertex(v, exponent))[2] < -chain::fx(near)).count();
+        crossing += usize::from(front == 1 || front == 2);
+        let faces = [[0, 1, 2], [0, 2, 1]];
+        let t = compare(&c, false, &model, &vertices, exponent, &faces[k % 2..=k % 2], TOLERANCE);
+        total.covered += t.covered;
+        total.background += t.background;
+        total.ambiguous += t.ambiguous;
+    }
+    println!(
+        "{crossing} cross; {} covered, {} background, {} ambiguous",
+        total.covered, total.background, total.ambiguous
+    );
+    assert!(crossing > 2000 && total.covered > 50_000);
+    assert!(total.ambiguous * 20 < total.covered);
+}
+
+#[test]
+fn c1_triangles_across_the_far_plane_cover_what_rays_meet() {
+    let mut rng = Rng::new(0xFA);
+    let mut total = Tally::default();
+    for k in 0..2000 {
+        let vertices = [(); 3].map(|()| [0; 3].map(|_| rng.int(-30000, 30000) as i16));
+        let c = camera(24, 18, ONE / 2, 20 * ONE);
+        let model = ModelBits(vec![Step::Move([0, 0, -20 * ONE])]);
+        let faces = [[0, 1, 2], [0, 2, 1]];
+        let t = compare(&c, k % 4 != 0, &model, &vertices, -11, &faces[k % 2..=k % 2], TOLERANCE);
+        total.covered += t.covered;
+        total.background += t.background;
+        total.ambiguous += t.ambiguous;
+    }
+    println!("{} covered, {} background, {} ambiguous", total.covered, total.background, total.ambiguous);
+    assert!(total.covered > 20_000 && total.ambiguous * 10 < total.covered);
+}
+
+/// The corners of one triangle in the oracle's clip space.
+fn corners(c: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent: i8) -> Vec<V4> {
+    let (camera, model) = (c.exact(), model.exact());
+    vertices.iter().map(|&v| camera.clip(&model, vertex(v, exponent))).collect()
+}
+
+#[test]
+fn c2_a_vertex_exactly_on_near_is_not_cut() {
+    let mut rng = Rng::new(0xC2);
+    let near = ONE / 2;
+    let c = camera(40, 30, near, 100 * ONE);
+    for k in 0..3000 {
+        // Units of 1/64; near is at z = −32.
+        let on = k % 3; // one, two or three vertices lie on it
+        let vertices: Vec<[i16; 3]> = (0..3)
+            .map(|i| {
+                let z = if i <= on { -32 } else { -32 - rng.int(1, 200) };
+                let r = -z / 2;
+                [rng.int(-r, r) as i16, rng.int(-r, r) as i16, z as i16]
+            })
+            .collect();
+        let model = ModelBits::default();
+        let clip = corners(&c, &model, &vertices, -6);
+        // Nothing is cut, so the snapped triangle's coverage is exact.
+        let exact = c.exact();
+        let at: Vec<(f64, f64)> = clip.iter().map(|&p| exact.screen(p)).collect();
+        let tie = |v: f64| ((v * 256.0).fract().abs() - 0.5).abs() < 1e-3;
+        if at.iter().any(|&(x, y)| tie(x) || tie(y)) {
+            continue;
+        }
+        let t = [chain::snap(at[0]), chain::snap(at[1]), chain::snap(at[2])];
+        let front = coverage::edge(t[0], t[1], t[2]) < 0;
+        let faces = [if front { [0, 1, 2] } else { [0, 2, 1] }];
+        let mesh = Mesh::new(&vertices, -6, &faces).expect("a mesh");
+        let mut target = Recorder::sized(40, 30);
+        let library = c.library();
+        solid(&library.place(&mesh, &model.library()), &mut target).expect("no error");
+        let wanted = triangle(t, Area::new(0, 0, 40, 30));
+        for (x, y) in wanted.area.pixels() {
+            assert_eq!(target.count(x as i32, y as i32), wanted.at(x, y), "({x}, {y}) of {vertices:?}");
+        }
+        for (v, at) in t.into_iter().enumerate() {
+            let (p, depth) = library.place(&mesh, &model.library()).project(v).expect("on near is visible");
+            assert_eq!((i64::from(p.x()), i64::from(p.y())), at);
+            if v <= on {
+                assert_eq!(depth, 0);
+            }
+        }
+    }
+}
+
+#[test]
+fn c2_touching_near_from_in_front_draws_nothing() {
+    let near = ONE / 2;
+    let c = camera(40, 30, near, 100 * ONE);
+    for vertices in [
+        [[-9i16, -9, -32], [9, -9, -31], [0, 9, -20]],
+        [[-9, -9, -32], [9, -9, -32], [0, 9, -31]],
+        [[-9, -9, -32], [9, -9, 0], [0, 9, 40]],
+        [[-9, -9, -32], [9, -9, -32], [0, 9, 100]],
+    ] {
+        for faces in [[[0, 1, 2]], [[0, 2, 1]]] {
+            let mesh = Mesh::new(&vertices, -6, &faces).expect("a mesh");
+            let mut target = Recorder::sized(40, 30);
+            let model = ModelBits::default().library();
+            solid(&c.library().place(&mesh, &model), &mut target).expect("no error");
+            assert!(target.pixels.is_empty(), "{vertices:?}");
+        }
+    }
+}
+
+#[test]
+fn c3_faces_with_tiny_w_cover_what_rays_meet() {
+    // Vertices in and around the plane of the eye, where w is 0 or a few 2⁻¹⁶ of either sign.
+    let mut rng = Rng::new(0xC3);
+    let c = camera(24, 18, ONE / 4, 1000 * ONE);
+    for k in 0..3000 {
+        let exponent = -10;
+        let vertices = [(); 3].map(|()| {
+            let z = match rng.below(4) {
+                0 => 0,
+                1 => rng.int(-2, 2),
+                _ => rng.int(-3000, 300),
+            };
+            [rng.int(-2000, 2000) as i16, rng.int(-2000, 2000) as i16, z as i16]
+        });
+        let faces = [[0, 1, 2], [0, 2, 1]];
+        let model = ModelBits::default();
+        compare(&c, false, &model, &vertices, exponent, &faces[k % 2..=k % 2], TOLERANCE);
+    }
+}
+
+#[test]
+fn c3_faces_with_w_of_a_billionth_cover_what_rays_meet() {
+    // The model flattens z by 2¹⁴: one corner has w from 2⁻³⁰ on, of either sign or none, the others are far away.
+    let mut rng = Rng::new(0xC39);
+    let c = camera(24, 18, ONE / 4, 1000 * ONE);
+    let model = ModelBits(vec![Step::Scale([ONE, ONE, ONE >> 14])]);
+    let mut covered = 0;
+    for k in 0..3000 {
+        let corners = [0, 1, 2].map(|corner| {
+            let z = match corner {
+                // 10⁻⁹ and 10⁻⁶ are 1 and 1074 of 2⁻³⁰.
+                0 => [0, 1, -1, 2, 1074, -1074, 100_000][rng.below(7)],
+                _ => rng.int(8192 << 16, 32767 << 16) as i32,
+            };
+            let reach = if corner == 0 { rng.log(1.0, 65536.0) as i64 } else { 2 << 16 };
+            [rng.int(-reach, reach) as i32, rng.int(-reach, reach) as i32, -z]
+        });
+        let fixed = corners.map(|corner| corner.map(scalar));
+        let positions = corners.map(chain::fx3);
+        let face = [[[0, 1, 2]], [[0, 2, 1]]][k % 2];
+        let mesh = Mesh::from_fixed(&fixed, &face).expect("a mesh");
+        covered += compare_mesh(&c, false, &model, &mesh, &positions, TOLERANCE).covered;
+    }
+    assert!(covered > 10_000, "{covered}");
+}
+
+#[test]
+fn c4_everything_behind_is_empty() {
+    let c = camera(40, 30, ONE / 4, 100 * ONE);
+    for z in [10, 3, 2] {
+        let model = ModelBits(vec![Step::Move([0, 0, z * ONE])]).library();
+        let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
+        let library = c.library();
+        let placed = library.place(&mesh, &model);
+        let mut target = Recorder::sized(40, 30);
+        let s = solid(&placed, &mut target).expect("no error");
+        let w = wireframe(&placed, &mut target).expect("no error");
+        assert!(target.calls.is_empty());
+        assert_eq!((s.drawn, w.drawn), (0, 0));
+        for v in 0..8 {
+            assert!(placed.project(v).is_none());
+        }
+    }
+}
+
+#[test]
+fn c6_a_triangle_far_larger_than_the_screen_is_drawn() {
+    // All three vertices outside, from just outside to far beyond the guard band.
+    let c = camera(40, 30, ONE / 4, 30000 * ONE);
+    for size in [3i16, 10, 100, 1000, 8000, 32000] {
+        for depth in [1, 2, 40, 700] {
+            let vertices = [[-size, -size, 0], [size, -size, 0], [0, size, 0]];
+            let model = ModelBits(vec![Step::Move([0, 0, -depth * ONE])]);
+            let tally = compare(&c, false, &model, &vertices, 0, &[[0, 1, 2]], TOLERANCE);
+            if i32::from(size) >= 3 * depth {
+                assert_eq!((tally.covered, tally.background), (40 * 30, 0), "{size} {depth}");
+            }
+            // Seen from behind: culled.
+            let tally = compare(&c, false, &model, &vertices, 0, &[[0, 2, 1]], TOLERANCE);
+            assert_eq!(tally.covered, 0);
+        }
+    }
+}
+
+#[test]
+fn c6_huge_triangles_about_the_screen_cover_what_rays_meet() {
+    let mut rng = Rng::new(0xC6);
+    let c = camera(24, 18, ONE / 4, 30000 * ONE);
+    let mut covered = 0;
+    for k in 0..6000 {
+        let depth = rng.log(1.0, 3000.0);
+        let size = rng.log(depth, 32767.0) as i64;
+        let tilt = rng.log(1.0, size as f64) as i64;
+        let vertices = [(); 3].map(|()| {
+            [rng.int(-size, size) as i16, rng.int(-size, size) as i16, rng.int(-tilt, tilt) as i16]
+        });
+        let shift = bits([0.0, 0.0, -depth]).expect("in range");
+        let faces = [[0, 1, 2], [0, 2, 1]];
+        let model = ModelBits(vec![Step::Move(shift)]);
+        covered += compare(&c, false, &model, &vertices, 0, &faces[k % 2..=k % 2], TOLERANCE).covered;
+    }
+    assert!(covered > 50_000);
+}
+
+#[test]
+fn c1_lines_are_cut_by_near() {
+    let mut rng = Rng::new(0x11E);
+    let (mut cut, mut drawn) = (0, 0);
+    while drawn < 4000 {
+        let near = [ONE / 4, ONE, 3 * ONE][rng.below(3)];
+        let c = camera(60, 40, near, 30000 * ONE);
+        let n = chain::fx(near);
+        // In 1/64; one end behind near, the other in front of it and not far off screen.
+        let z = [-n * rng.log(1.01, 30.0), -n * rng.real(-2.0, 3.0)];
+        let end = |rng: &mut Rng, z: f64| {
+            let r = 1.5 * z.abs().max(n);
+            [rng.real(-r, r), rng.real(-r, r), z].map(|c| (c * 64.0).round() as i16)
+        };
+        let mut vertices = [end(&mut rng, z[0]), end(&mut rng, z[1])];
+        if rng.one_in(2) {
+            vertices.swap(0, 1);
+        }
+        let model = ModelBits::default();
+        let clip = corners(&c, &model, &vertices, -6);
+        let d = [clip[0][2] + clip[0][3], clip[1][2] + clip[1][3]];
+        let exact = c.exact();
+        let (mut ends, mut unsure) = (Vec::new(), false);
+        for i in 0..2 {
+            let p: V4 = if d[i] >= 0.0 {
+                clip[i]
+            } else if d[1 - i] > 0.0 {
+                // The exact cut with near.
+                let t = d[1 - i] / (d[1 - i] - d[i]);
+                core::array::from_fn(|k| clip[1 - i][k] + t * (clip[i][k] - clip[1 - i][k]))
+            } else {
+                continue;
+            };
+            let (x, y) = exact.screen(p);
+            // An end next to a pixel's border may be rounded across it.
+            let unsafe_border = |v: f64| (v - v.round()).abs() < 1.0 / 100.0;
+            unsure |= unsafe_border(x) || unsafe_border(y) || x.abs().max(y.abs()) > 8000.0;
+            ends.push((x.floor() as i64, y.floor() as i64));
+        }
+        if unsure {
+            continue;
+        }
+        drawn += 1;
+        cut += usize::from(d[0] < 0.0 || d[1] < 0.0);
+        let edges = [[0, 1]];
+        let mesh = Mesh::new(&vertices, -6, &[]).and_then(|m| m.with_edges(&edges)).expect("a mesh");
+        let mut target = Recorder::sized(60, 40);
+        wireframe(&c.library().place(&mesh, &model.library()), &mut target).expect("no error");
+        let area = Area::new(0, 0, 60, 40);
+        let wanted = match ends[..] {
+            [a, b] => line::clipped(a, b, area),
+            _ => Vec::new(),
+        };
+        let mut ours: Vec<(i64, i64)> = Vec::new();
+        for (&(x, y), &(_, n)) in &target.pixels {
+            assert_eq!(n, 1);
+            ours.push((i64::from(x), i64::from(y)));
+        }
+        let mut wanted = wanted;
+        ours.sort_unstable();
+        wanted.sort_unstable();
+        assert_eq!(ours, wanted, "{vertices:?} near {n} ends {ends:?}");
+    }
+    assert!(cut > 1000);
+}
+
+#[test]
+fn c6_lines_to_far_outside_the_guard_band_stay_on_course() {
+    // An end is floored to a pixel: its centre is up to ½ px off in x and in y, so up to 1 px along the
+    // minor axis, and Bresenham adds ½. The cut at the guard band must not add a pixel to that.
+    let mut rng = Rng::new(0x6B);
+    let c = camera(60, 40, ONE / 4, 30000 * ONE);
+    let exact = c.exact();
+    let mut pixels = 0;
+    for _ in 0..4000 {
+        let inner = [rng.int(-40, 40) as i16, rng.int(-30, 30) as i16, -64];
+        let outer = [rng.int(-32000, 32000) as i16, rng.int(-32000, 32000) as i16, rng.int(-600, 600) as i16];
+        let vertices = [inner, outer];
+        let model = ModelBits::default();
+        let clip = corners(&c, &model, &vertices, -6);
+        let edges = [[0, 1]];
+        let mesh = Mesh::new(&vertices, -6, &[]).and_then(|m| m.with_edges(&edges)).expect("a mesh");
+        let mut target = Recorder::sized(60, 40);
+        wireframe(&c.library().place(&mesh, &model.library()), &mut target).expect("no error");
+        // The line on screen through the two homogeneous points.
+        let (a, b) = (exact.homogeneous_screen(clip[0]), exact.homogeneous_screen(clip[1]));
+        let l = chain::cross(a, b);
+        let steepness = l[0].abs().max(l[1].abs());
+        for &(x, y) in target.pixels.keys() {
+            let p = [f64::from(x) + 0.5, f64::from(y) + 0.5, 1.0];
+            let off = (chain::dot(l, p) / steepness).abs();
+            assert!(off <= 1.5 + 1.0 / 64.0, "({x}, {y}) is {off} px off {vertices:?}");
+        }
+        pixels += target.pixels.len();
+        // The inner end lies well inside: it is drawn.
+        let (x, y) = exact.screen(clip[0]);
+        if x > 0.1 && y > 0.1 && x < 59.9 && y < 39.9 {
+            assert!(!target.pixels.is_empty(), "{vertices:?}");
+        }
+    }
+    assert!(pixels > 40_000);
+}
+
+#[test]
+fn c5_an_edge_of_a_cube_close_to_the_eye_leaves_no_gap() {
+    // An eye a third of a unit away from the cube's edge, wide open: faces reach over every border.
+    for viewport in [(0, 0, 40, 30), (0, 0, 20, 15)] {
+        let c = CameraBits {
+            view: ViewBits::LookAt([0, ONE / 8, 5 * ONE / 3], [0; 3], [0, ONE, 0]),
+            projection: ProjectionBits::Perspective(1 << 30, (4, 3), ONE / 4, 50 * ONE),
+            viewport,
+        };
+        let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]);
+        let tally = compare(&c, false, &model, &CUBE, 0, &CUBE_FACES, TOLERANCE);
+        println!("{} {} {}", tally.covered, tally.background, tally.ambiguous);
+    }
+}
+
+#[test]
+fn c6_the_cut_of_a_shared_edge_is_the_same_point_for_both() {
+    // Two huge triangles, 10⁴ times larger than their distance, share a diagonal through the picture
+    // that near cuts: were the cut a unit apart, centres on the diagonal would show it.
+    let mut rng = Rng::new(0xB8);
+    let mut once = 0;
+    for _ in 0..800 {
+        let near = rng.real(1.0, 2.0);
+        let camera = camera(64, 48, (near * 65536.0) as i32, 32767 * ONE);
+        // A plane through the axis just behind near, tilted.
+        let tilt = rng.real(0.5, 1.2);
+        let (turn, spin) = (rng.real(0.0, core::f64::consts::TAU), rng.real(0.0, core::f64::consts::TAU));
+        let across = [turn.cos(), turn.sin(), 0.0];
+        let along = [-turn.sin() * tilt.cos(), turn.cos() * tilt.cos(), tilt.sin()];
+        let size = rng.log(3000.0, 20_000.0);
+        let centre = [0.0, 0.0, -near * rng.real(1.05, 1.3)];
+        let corners: Option<Vec<[i32; 3]>> = (0..4)
+            .map(|k| {
+                let a = spin + core::f64::consts::FRAC_PI_2 * f64::from(k);
+                let (u, v) = (size * a.cos(), size * a.sin());
+                bits(core::array::from_fn(|i| centre[i] + u * across[i] + v * along[i]))
+            })
+            .collect();
+        let corners = corners.expect("in range");
+        let fixed: Vec<_> = corners.iter().map(|c| c.map(scalar)).collect();
+        let positions: Vec<_> = corners.iter().map(|&c| chain::fx3(c)).collect();
+        let faces = [[0, 1, 2], [0, 2, 3]];
+        let mesh = Mesh::from_fixed(&fixed, &faces).expect("a mesh");
+        let (library, model) = (camera.library(), ModelBits::default());
+        let mut target = Recorder::sized(64, 48);
+        library
+            .place(&mesh, &model.library())
+            .with_cull(Cull::None)
+            .solid(|face| Shader(face as u16), &mut [], &mut target)
+            .expect("no error");
+        // The quadrangle split along its other diagonal, seen from either side.
+        let other = [[0, 1, 3], [1, 2, 3], [3, 1, 0], [3, 2, 1]];
+        let seen = eye::faces(&camera.exact(), &model.exact(), &positions, &other);
+        for (x, y) in Area::new(0, 0, 64, 48).pixels() {
+            let count = target.count(x as i32, y as i32);
+            match eye::pixel(&seen, (x, y), false, 0.75) {
+                Ok(Some(_)) => {
+                    once += 1;
+                    assert_eq!(count, 1, "({x}, {y}): {camera:?} {corners:?}");
+                }
+                Ok(None) => assert_eq!(count, 0, "({x}, {y}): {camera:?} {corners:?}"),
+                Err(()) => assert!(count <= 1, "({x}, {y}): {camera:?} {corners:?}"),
+            }
+        }
+    }
+    assert!(once > 500_000, "{once}");
+}

@@ -1,0 +1,300 @@
+//! E1, E2, E4, E6, E7: numbers that overflow naive formats, and numbers that drift.
+
+use crate::near_plane;
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Angle, Mesh, Point3, Vector3, ViewTransform};
+use support::bridge::compare::{close3, HALF};
+use support::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};
+use support::bridge::pair::{
+    bits, ints, random_view, rows, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE,
+};
+use support::bridge::{point, reals, scalar, vector};
+use support::oracle::chain::{self, dot, fx3, vertex, V3};
+use support::oracle::rng::Rng;
+use support::oracle::target::Recorder;
+
+#[test]
+fn e7_sine_and_cosine() {
+    let mut rng = Rng::new(0xE7);
+    let one = f64::from(1 << 30);
+    for (bits, exact) in
+        [(0, (0, 1 << 30)), (1 << 30, (1 << 30, 0)), (1 << 31, (0, -1 << 30)), (3 << 30, (-1 << 30, 0))]
+    {
+        assert_eq!(Angle::from_bits(bits).sin_cos(), exact);
+    }
+    let (mut worst, mut unit) = (0.0f64, 0.0f64);
+    for k in 0..200_000u32 {
+        let bits = match k % 4 {
+            0 => (k / 4) << 15,
+            1 => ((k / 4) << 15).wrapping_sub(1),
+            _ => rng.bits(),
+        };
+        let (s, c) = Angle::from_bits(bits).sin_cos();
+        let (s, c) = (f64::from(s) / one, f64::from(c) / one);
+        let (es, ec) = chain::sin_cos(bits);
+        worst = worst.max((s - es).abs()).max((c - ec).abs());
+        unit = unit.max((s * s + c * c - 1.0).abs());
+    }
+    println!("sine and cosine within 2^{:.2}, sin² + cos² within 2^{:.2}", worst.log2(), unit.log2());
+    assert!(worst <= 2f64.powf(-29.5) && unit <= 2f64.powi(-28));
+}
+
+#[test]
+fn e7_angles_wrap_and_round() {
+    assert_eq!(Angle::turns(1, 4), Angle::QUARTER_TURN);
+    assert_eq!(Angle::turns(-3, 4), Angle::QUARTER_TURN);
+    assert_eq!(Angle::turns(9, 4), Angle::QUARTER_TURN);
+    assert_eq!(Angle::turns(5, 0), Angle::ZERO);
+    assert_eq!(Angle::degrees(180), Angle::HALF_TURN);
+    assert_eq!(Angle::degrees(-270), Angle::QUARTER_TURN);
+    assert_eq!(Angle::QUARTER_TURN + Angle::HALF_TURN, -Angle::QUARTER_TURN);
+    assert_eq!(Angle::ZERO - Angle::HALF_TURN, Angle::HALF_TURN);
+    let mut rng = Rng::new(0xA4);
+    for _ in 0..20_000 {
+        let (n, d) = (rng.bits() as i32 >> rng.below(31), rng.bits() >> rng.below(31));
+        if d == 0 {
+            continue;
+        }
+        // Rounded to the nearest of 2³² parts, in i128.
+        let (n, d) = (i128::from(n), i128::from(d));
+        let ours = i128::from(Angle::turns(n as i32, d as u32).bits());
+        let error = ((n << 32) - ours * d).rem_euclid(d << 32);
+        let error = error.min((d << 32) - error);
+        assert!(2 * error <= d, "{n}/{d}");
+        let degrees = rng.bits() as i32;
+        let ours = i128::from(Angle::degrees(degrees).bits());
+        let error = ((i128::from(degrees) << 32) - ours * 360).rem_euclid(360 << 32);
+        assert!(2 * error.min((360 << 32) - error) <= 360, "{degrees}°");
+    }
+}
+
+#[test]
+fn e2_apply_saturates_and_never_wraps() {
+    let far = Affine::<Model, World>::translation(Vector3::from_ints(32767, -32768, 0));
+    let p = reals(far.apply(Point3::from_ints(32767, -32768, 32767)));
+    let top = 32768.0 - 1.0 / 65536.0;
+    assert_eq!(p, [top, -32768.0, 32767.0]);
+    let large = Affine::<Model, World>::scale(scalar(i32::MAX));
+    assert_eq!(reals(large.apply(Point3::from_ints(32767, -32768, 0))), [top, -32768.0, 0.0]);
+    let larger = large.then(&Affine::<World, World>::scale(scalar(i32::MIN)));
+    assert_eq!(reals(larger.apply(Point3::from_ints(1, -1, 0))), [-32768.0, top, 0.0]);
+    let view = ViewTransform::look_along(point([i32::MIN; 3]), vector(ints(0, 0, -1)), vector(ints(0, 1, 0)));
+    assert_eq!(reals(view.expect("a view").apply(point([i32::MAX; 3]))), [top; 3]);
+}
+
+#[test]
+fn e1_view_points_are_the_oracle_s_even_far_from_the_origin() {
+    // E1: the eye first. Within half a unit of I16F16 and the rows' 2⁻²⁹.
+    let mut rng = Rng::new(0xE1);
+    for _ in 0..30_000 {
+        let view = random_view(&mut rng);
+        let (ours, exact) = (view.library().expect("a view"), view.exact());
+        let reach = rng.log(1.0, 30000.0);
+        let Some(p) = bits(core::array::from_fn(|i| exact.eye[i] + reach * rng.real(-1.0, 1.0))) else {
+            continue;
+        };
+        let at = exact.apply(chain::fx3(p));
+        if at.iter().any(|c| c.abs() > 32767.0) {
+            continue;
+        }
+        let bound = HALF + 1.8 * reach * 2f64.powi(-28);
+        close3(reals(ours.apply(point(p))), at, bound, &format!("{view:?}"));
+    }
+}
+
+#[test]
+fn e4_directions_of_very_unequal_components_are_exact() {
+    let mut rng = Rng::new(0xE4);
+    let mut worst = 0.0f64;
+    for _ in 0..30_000 {
+        let component = |rng: &mut Rng| {
+            let size = rng.log(0.5, 2_147_483_647.0) as i64;
+            [size, -size, size, 0][rng.below(4)] as i32
+        };
+        let mut vector = || [0; 3].map(|_| component(&mut rng));
+        let view = match vector() {
+            eye if eye[0] & 1 == 0 => ViewBits::Reference(eye, vector(), vector()),
+            // Eye and target as far apart as can be: differences of 33 bits.
+            eye => ViewBits::LookAt(eye, vector(), vector()),
+        };
+        let Ok(ours) = view.library() else { continue };
+        let exact = view.exact();
+        // sin of the angle between n and up, from the exact rows: up · v / |up|.
+        let up = match view {
+            ViewBits::Reference(_, _, up) | ViewBits::LookAt(_, _, up) | ViewBits::LookAlong(_, _, up) => up,
+        };
+        let up = chain::fx3(up);
+        let sine = chain::dot(up, exact.rows[1]) / chain::length(up);
+        for (ours, exact) in rows(&ours).iter().flatten().zip(exact.rows.iter().flatten()) {
+            worst = worst.max((ours - exact).abs() * sine);
+        }
+    }
+    println!("rows within 2^{:.2} / sine", worst.log2());
+    assert!(worst <= 2f64.powi(-28));
+}
+
+#[test]
+fn e4_the_length_of_vpn_and_vup_does_not_matter() {
+    // E4: one unit of 2⁻¹⁶ and 2¹⁵ world units normalise alike.
+    let exact = ViewBits::Reference(ints(1, 2, 3), ints(2, -1, 2), ints(0, 1, 0)).exact().rows;
+    for (a, b) in [(1, 1), (1, 100), (16383, 32767), (1 << 29, 1 << 30), (1 << 29, 1), (3, 1 << 30)] {
+        let v = ViewBits::Reference(ints(1, 2, 3), [2 * a, -a, 2 * a], [0, b, 0]);
+        let ours = rows(&v.library().expect("a view"));
+        for i in 0..3 {
+            close3(ours[i], exact[i], 2f64.powi(-29), &format!("{a} {b}"));
+        }
+    }
+    // Axes of one unit.
+    let v = ViewBits::LookAlong([0; 3], [0, 0, -1], [0, 1, 0]).library().expect("a view");
+    let one = 1 << 30;
+    assert_eq!(v.rows(), [[one, 0, 0], [0, one, 0], [0, 0, one]]);
+    let v = ViewBits::LookAlong([0; 3], [0, 0, i32::MIN], [0, i32::MAX, 0]);
+    assert_eq!(v.library().expect("a view").rows(), [[one, 0, 0], [0, one, 0], [0, 0, one]]);
+}
+
+#[test]
+fn e1_a_scene_at_20000_is_the_scene_at_the_origin() {
+    // A translation worked out from a rounded rotation costs up to 453 px here. Ours: not a bit.
+    let mut rng = Rng::new(0xE11);
+    let mut covered = 0;
+    for _ in 0..200 {
+        let eye = rng.direction().map(|c| 4.0 * c);
+        let gaze: V3 = core::array::from_fn(|i| rng.real(-0.7, 0.7) - eye[i]);
+        let (eye, gaze) = (bits(eye).expect("in range"), bits(gaze).expect("in range"));
+        if gaze[0].abs().max(gaze[2].abs()) < 1000 {
+            continue;
+        }
+        let turn = ModelBits::random_rotation(&mut rng);
+        let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
+        let far = [0; 3].map(|_| {
+            let side = if rng.one_in(2) { 20_000.0 } else { -20_000.0 };
+            ((side + rng.real(-9.0, 9.0)) * 65536.0) as i32
+        });
+        let draw = |offset: [i32; 3]| {
+            let c = CameraBits {
+                view: ViewBits::LookAlong(core::array::from_fn(|i| eye[i] + offset[i]), gaze, [0, ONE, 0]),
+                projection: ProjectionBits::Perspective((1 << 31) / 3, (48, 32), ONE / 4, 100 * ONE),
+                viewport: (0, 0, 48, 32),
+            };
+            let mut model = turn.clone();
+            model.0.push(Step::Move(offset));
+            // What one ray a pixel sees, in f64.
+            let tally = near_plane::compare(&c, false, &model, &CUBE, 0, &CUBE_FACES, 1.0 / 64.0);
+            let (mut faces, mut edges) =
+                (Recorder::<Shader>::sized(48, 32), Recorder::<Shader>::sized(48, 32));
+            let (library, model) = (c.library(), model.library());
+            let placed = library.place(&mesh, &model);
+            solid(&placed, &mut faces).expect("no error");
+            wireframe(&placed, &mut edges).expect("no error");
+            let points: Vec<_> = (0..8).map(|v| placed.project(v)).collect();
+            (tally.covered, faces.calls, edges.calls, points)
+        };
+        let (near, away) = (draw([0; 3]), draw(far));
+        covered += away.0;
+        assert!(near == away, "{eye:?} {gaze:?} {turn:?} {far:?}");
+    }
+    assert!(covered > 10_000, "{covered}");
+}
+
+#[test]
+fn e2_any_vertex_is_exact_or_hidden_for_any_camera() {
+    // View coordinates reach 2·32767·√3, times a focal length of 277 px: far out of Q16.16, and right all the same.
+    let mut rng = Rng::new(0xE2);
+    let focal = 160.0 / (core::f64::consts::PI / 6.0).tan();
+    let (mut seen, mut rotated_out, mut scaled_out, mut worst) = (0, 0, 0, 0f64);
+    for _ in 0..30_000 {
+        let vertices = [(); 4].map(|()| [0; 3].map(|_| rng.int(-32_767, 32_767) as i16));
+        let eye = [0; 3].map(|_| rng.int(-32_767 << 16, 32_767 << 16) as i32);
+        // Towards the first vertex, more or less: a third of the way, as the whole may leave I16F16.
+        let gaze: V3 = core::array::from_fn(|i| {
+            (f64::from(vertices[0][i]) - chain::fx(eye[i])) / 3.0 * rng.real(0.8, 1.25)
+        });
+        let gaze = bits(gaze).expect("in range");
+        if gaze[0].abs().max(gaze[2].abs()) < ONE {
+            continue;
+        }
+        let c = CameraBits {
+            view: ViewBits::LookAlong(eye, gaze, [0, ONE, 0]),
+            projection: ProjectionBits::Perspective((1 << 31) / 3, (480, 320), ONE, 32_767 * ONE),
+            viewport: (0, 0, 480, 320),
+        };
+        let (library, exact) = (c.library(), c.exact());
+        let mesh = Mesh::new(&vertices, 0, &[]).expect("a mesh");
+        let model = ModelBits::default();
+        let placed_model = model.library();
+        let placed = library.place(&mesh, &placed_model);
+        for (i, &v) in vertices.iter().enumerate() {
+            let world = vertex(v, 0);
+            let view = exact.view.apply(world);
+            // 1/256 px is the promise up to 300 times the distance.
+            if -view[2] < 32_767.0 / 300.0 {
+                continue;
+            }
+            let (x, y) = exact.screen(exact.clip(&model.exact(), world));
+            if !(0.0..480.0).contains(&x) || !(0.0..320.0).contains(&y) {
+                continue;
+            }
+            let (p, _) = placed.project(i).expect("on the screen");
+            let error = (f64::from(p.x()) / 256.0 - x).abs().max((f64::from(p.y()) / 256.0 - y).abs());
+            worst = worst.max(error);
+            assert!(error <= 1.0 / 256.0, "{error} px off: {c:?} {v:?}");
+            seen += 1;
+            let out = |v: f64| v.abs() >= 32_768.0;
+            rotated_out += u32::from(
+                exact.view.rows.iter().any(|&row| out(dot(row, world))) || view.into_iter().any(out),
+            );
+            scaled_out += u32::from(out(focal * view[0]) || out(focal * view[1]));
+        }
+    }
+    println!(
+        "{seen} seen; rotated {rotated_out} leave Q16.16, times the focal length {scaled_out}; {worst} px"
+    );
+    assert!(seen > 20_000 && rotated_out * 8 > seen && scaled_out * 2 > seen);
+}
+
+#[test]
+fn e6_a_million_turns_of_a_tenth_of_a_degree_do_not_drift() {
+    // An angle made from the frame's number is the nearest of 2³² for each of them, the millionth as the first.
+    let mut worst = 0;
+    for i in 0..=1_000_000i32 {
+        let exact = i128::from(i) << 32; // times 3600
+        let ours = i128::from(Angle::turns(i, 3600).bits()) * 3600;
+        let off = (exact - ours).rem_euclid(3600 << 32);
+        worst = worst.max(off.min((3600 << 32) - off));
+        assert!(Angle::turns(i, 3600) == Angle::turns(i % 3600, 3600), "{i}");
+    }
+    assert!(2 * worst <= 3600, "{worst}");
+    // A matrix rebuilt from it is that of the first turn, bit for bit; 10⁶ is 2800/3600 and 277 whole turns.
+    let at = |i: i32| Affine::<Model, World>::rotation_z(Angle::turns(i, 3600));
+    assert_eq!(at(1_000_000), at(2800));
+    let p = point::<Model>(ints(30_000, 100, 7));
+    let (s, c) = chain::sin_cos((2800u64 * (1 << 32) / 3600) as u32);
+    let [x, y, z] = fx3(ints(30_000, 100, 7));
+    close3(
+        reals(at(1_000_000).apply(p)),
+        [c * x - s * y, s * x + c * y, z],
+        HALF + 30_100.0 * 2f64.powi(-29),
+        "turned",
+    );
+    // What adding up a rounded tenth of a degree makes of it instead: 0.039° off.
+    let step = Angle::turns(1, 3600).bits();
+    let off = Angle::turns(1_000_000, 3600).bits().wrapping_sub(step.wrapping_mul(1_000_000)) as i32;
+    let degrees = f64::from(off).abs() * 360.0 / 4_294_967_296.0;
+    assert!((0.039..0.040).contains(&degrees), "{degrees}");
+}
+
+#[test]
+fn e6_accumulated_matrices_drift_as_documented() {
+    // The documentation of `Affine` says by how much: 0.037 % longer and 0.057° behind.
+    let step = Affine::<World, World>::rotation_z(Angle::turns(1, 3600));
+    let mut all = Affine::<World, World>::identity();
+    for _ in 0..1_000_000 {
+        all = all.then(&step);
+    }
+    let [x, y, _] = reals(all.apply(point(ints(30_000, 0, 0))));
+    let stretch = (x * x + y * y).sqrt() / 30_000.0 - 1.0;
+    // 10⁶ tenths of a degree end at 280°.
+    let behind = (280.0 - y.atan2(x).to_degrees()).rem_euclid(360.0);
+    assert!((100.0 * stretch - 0.037).abs() < 0.0005, "{stretch}");
+    assert!((behind - 0.057).abs() < 0.0005, "{behind}");
+}

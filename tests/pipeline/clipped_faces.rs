@@ -1,0 +1,220 @@
+//! R8 for clipped faces: faces cut at the near plane and at the guard band are as watertight as others. From inside a
+//! closed mesh every pixel is drawn exactly once.
+
+use pinhole::{Cull, Mesh, Painter};
+use std::collections::BTreeMap;
+use support::bridge::draw::{solid, Shader};
+use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::oracle;
+use support::oracle::coverage::Area;
+use support::oracle::rng::Rng;
+use support::oracle::target::Recorder;
+
+/// A box of n × n squares a side, its faces seen from inside, no T-junctions: the vertices are
+/// jittered along the walls.
+fn room(rng: &mut Rng, n: i64, size: i64) -> (Vec<[i16; 3]>, Vec<[u16; 3]>) {
+    let mut index: BTreeMap<[i64; 3], u16> = BTreeMap::new();
+    let mut vertices: Vec<[i16; 3]> = Vec::new();
+    let mut faces = Vec::new();
+    for axis in 0..3 {
+        for side in [0, n] {
+            for i in 0..n {
+                for j in 0..n {
+                    let mut corner = |i: i64, j: i64| {
+                        let mut key = [0; 3];
+                        (key[axis], key[(axis + 1) % 3], key[(axis + 2) % 3]) = (side, i, j);
+                        *index.entry(key).or_insert_with(|| {
+                            let jitter = (2 * size / n / 4).max(1);
+                            vertices.push(key.map(|k| {
+                                let inner = k > 0 && k < n;
+                                let at = -size + 2 * size * k / n;
+                                (at + if inner { rng.int(-jitter, jitter) } else { 0 }) as i16
+                            }));
+                            (vertices.len() - 1) as u16
+                        })
+                    };
+                    let [a, b, c, d] =
+                        [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                    // (axis, next, next) is right-handed: a b c d turns towards +axis.
+                    let quad = if side == 0 { [a, b, c, d] } else { [a, d, c, b] };
+                    let [a, b, c, d] = quad;
+                    if rng.one_in(2) {
+                        faces.extend([[a, b, c], [a, c, d]]);
+                    } else {
+                        faces.extend([[a, b, d], [b, c, d]]);
+                    }
+                }
+            }
+        }
+    }
+    (vertices, faces)
+}
+
+/// Every pixel is drawn exactly once, in mesh order and in painter's order.
+fn once(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent: i8, faces: &[[u16; 3]]) {
+    let (_, _, width, height) = camera.viewport;
+    let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
+    let (library, model_library) = (camera.library(), model.library());
+    let placed = library.place(&mesh, &model_library);
+    let mut target = Recorder::sized(width, height);
+    let statistics = solid(&placed, &mut target).expect("no error");
+    for (x, y) in Area::new(0, 0, width.into(), height.into()).pixels() {
+        assert_eq!(
+            target.count(x as i32, y as i32),
+            1,
+            "({x}, {y}): {camera:?} {model:?} {vertices:?}·2^{exponent} {faces:?} {statistics:?}\n{}",
+            target.picture(width as i32, height as i32, |Shader(f)| char::from(b'a' + (f % 26) as u8))
+        );
+    }
+    let mut painter = Painter::<Shader, 800, 800>::new();
+    painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
+    let mut painted = Recorder::sized(width, height);
+    assert_eq!(painter.draw(&mut painted), Ok(statistics));
+    assert!(painted.pixels == target.pixels, "the painter draws another picture");
+    // All faces face the eye: culling removes none.
+    let mut both = Recorder::sized(width, height);
+    solid(&placed.with_cull(Cull::None), &mut both).expect("no error");
+    assert!(
+        both.pixels == target.pixels,
+        "faces turned over: {camera:?} {model:?} {vertices:?}·2^{exponent}"
+    );
+}
+
+fn inside(seed: u64, count: usize, squares: i64, fov: (f64, f64), sizes: (f64, f64)) {
+    let mut rng = Rng::new(seed);
+    let mut done = 0;
+    while done < count {
+        let size = rng.log(sizes.0, sizes.1);
+        // The mesh in i16 with an exponent that makes the size.
+        let exponent = (size / 32767.0).log2().ceil() as i8 + rng.int(0, 6) as i8;
+        let units = (size / f64::from(exponent).exp2()).round() as i64;
+        if !(squares * 8..=32767).contains(&units) || exponent > 0 {
+            continue;
+        }
+        let size = units as f64 * f64::from(exponent).exp2();
+        let (vertices, faces) = room(&mut rng, squares, units);
+        // The eye at least 0.75 away from the walls; the near window stays within that.
+        let free = size - 0.75;
+        let at = [0; 3].map(|_| free * [rng.real(-1.0, 1.0), 1.0, -1.0, 0.0][rng.below(4)]);
+        let offset = [[0.0; 3], [20_000.0, -19_500.0, 20_300.0]][rng.below(2)];
+        if offset[0] != 0.0 && size > 8000.0 {
+            continue;
+        }
+        let eye = bits(core::array::from_fn(|i| at[i] + offset[i])).expect("in range");
+        let gaze = bits(rng.direction().map(|c| 100.0 * c)).expect("in range");
+        let turn = 2f64.powi(32) / 360.0;
+        let camera = CameraBits {
+            view: ViewBits::LookAlong(eye, gaze, [0, ONE, 3]),
+            projection: ProjectionBits::Perspective(
+                (rng.log(fov.0, fov.1) * turn) as u32,
+                (4, 3),
+                ONE / 4,
+                32767 * ONE,
+            ),
+            viewport: (0, 0, 32, 24),
+        };
+        let model = ModelBits(vec![Step::Move(bits(offset).expect("in range"))]);
+        once(&camera, &model, &vertices, exponent, &faces);
+        done += 1;
+    }
+}
+
+#[test]
+fn a_room_of_12_faces_covers_every_pixel_once() {
+    inside(0xB1, 1500, 1, (20.0, 100.0), (1.0, 30_000.0));
+}
+
+#[test]
+fn a_room_of_12_faces_through_a_long_lens_covers_every_pixel_once() {
+    inside(0xB2, 1000, 1, (0.2, 20.0), (1.0, 30_000.0));
+}
+
+#[test]
+fn a_room_of_many_faces_covers_every_pixel_once() {
+    inside(0xB3, 600, 3, (20.0, 100.0), (1.0, 1000.0));
+    inside(0xB4, 150, 7, (20.0, 100.0), (1.0, 1000.0));
+}
+
+#[test]
+fn a_room_of_many_faces_through_a_long_lens_covers_every_pixel_once() {
+    inside(0xB5, 500, 3, (0.2, 20.0), (1.0, 1000.0));
+}
+
+#[test]
+fn a_rotated_room_covers_every_pixel_once() {
+    let mut rng = Rng::new(0xB6);
+    for k in 0..600 {
+        let (vertices, faces) = room(&mut rng, 1 + k % 3, 30_000);
+        let model = ModelBits(vec![Step::X(rng.bits()), Step::Y(rng.bits()), Step::Z(rng.bits())]);
+        let eye = bits(rng.direction().map(|c| 12.0 * c)).expect("in range");
+        let gaze = bits(rng.direction().map(|c| 3.0 * c)).expect("in range");
+        let camera = CameraBits {
+            view: ViewBits::LookAlong(eye, gaze, [0, ONE, 3]),
+            projection: ProjectionBits::Perspective(1 << 29, (4, 3), ONE / 4, 100 * ONE),
+            viewport: (0, 0, 32, 24),
+        };
+        // Half a side is 15.
+        once(&camera, &model, &vertices, -11, &faces);
+    }
+}
+
+#[test]
+fn a_floor_cut_by_the_near_plane_covers_every_pixel_once() {
+    // The cut ends of shared edges lie on the screen: neighbours must cut them at the same point.
+    let mut rng = Rng::new(0xB7);
+    let (mut floor, mut background) = (0, 0);
+    for k in 0..400 {
+        let (vertices, faces) = room(&mut rng, [1, 2, 5, 9][k % 4], 32_000);
+        // The floor is 1 below the eye; near starts below the view's lower border at 1.7. Boxes of up to
+        // ±63: larger floors are folded by the snap at their horizon.
+        let exponent = rng.int(-12, -9) as i8;
+        let half = 32_000.0 * f64::from(exponent).exp2();
+        let eye =
+            bits([half * rng.real(-0.1, 0.1), 1.0 - half, half * rng.real(-0.1, 0.1)]).expect("in range");
+        let near = rng.log(2.0, 5.0);
+        let azimuth = rng.real(0.0, core::f64::consts::TAU);
+        let roll = rng.real(-0.5, 0.5);
+        let camera = CameraBits {
+            view: ViewBits::LookAlong(
+                eye,
+                bits([azimuth.cos(), 0.0, azimuth.sin()]).expect("in range"),
+                bits([-roll * azimuth.sin(), 1.0, roll * azimuth.cos()]).expect("in range"),
+            ),
+            projection: ProjectionBits::Perspective(
+                (1 << 31) / 3,
+                (4, 3),
+                (near * 65536.0) as i32,
+                32767 * ONE,
+            ),
+            viewport: (0, 0, 64, 48),
+        };
+        let mesh = Mesh::new(&vertices, exponent, &faces).expect("a mesh");
+        let model = ModelBits::default();
+        let library = camera.library();
+        let mut target = Recorder::sized(64, 48);
+        solid(&library.place(&mesh, &model.library()), &mut target).expect("no error");
+        // The reference view: this box with one square per side.
+        let plain = room(&mut rng, 1, 32_000);
+        let positions: Vec<_> = plain.0.iter().map(|&v| oracle::chain::vertex(v, exponent)).collect();
+        let seen = oracle::eye::faces(&camera.exact(), &model.exact(), &positions, &plain.1);
+        for (x, y) in Area::new(0, 0, 64, 48).pixels() {
+            let count = target.count(x as i32, y as i32);
+            match oracle::eye::pixel(&seen, (x, y), false, 1.0 / 64.0) {
+                Ok(Some(_)) => {
+                    floor += 1;
+                    assert_eq!(count, 1, "({x}, {y}): {camera:?} {vertices:?}·2^{exponent} {faces:?}");
+                }
+                Ok(None) => {
+                    background += 1;
+                    assert_eq!(count, 0, "({x}, {y}): {camera:?} {vertices:?}·2^{exponent} {faces:?}");
+                }
+                Err(()) => assert!(
+                    count <= 1,
+                    "({x}, {y}) is drawn {count} times: {camera:?} {vertices:?}·2^{exponent} {faces:?}"
+                ),
+            }
+        }
+    }
+    println!("{floor} covered, {background} background");
+    assert!(floor > 100_000 && background > 50_000);
+}

@@ -1,0 +1,14 @@
+//! Meshes drawn by every pipeline: solid, depth-tested, in painter's order, as wireframes and in bands; culled, clipped and
+//! seen from inside.
+
+mod bands;
+mod clipped_faces;
+mod culling_by_planes;
+mod drawing;
+mod hidden_lines;
+mod inside_a_mesh;
+mod no_panic;
+mod nothing_outside;
+mod painter;
+mod polylines;
+mod view_volume;

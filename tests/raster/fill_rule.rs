@@ -1,0 +1,264 @@
+//! R1–R7 and R9: the library's coverage equals the exact edge functions, with no tolerance.
+
+use support::bridge;
+use support::bridge::compare;
+use support::oracle;
+use support::oracle::cases::GUARD;
+use support::oracle::coverage::{triangle, Area, P};
+use support::oracle::rng::Rng;
+
+/// All ordered triples of points on a square lattice, repeated points included.
+fn exhaustive(side: i64, step: i64, origin: P, area: Area) {
+    let n = side * side;
+    let at = |k: i64| (origin.0 + step * (k % side), origin.1 + step * (k / side));
+    for a in 0..n {
+        for b in 0..n {
+            for c in 0..n {
+                compare::triangle([at(a), at(b), at(c)], area);
+            }
+        }
+    }
+}
+
+#[test]
+fn r2_every_triangle_on_the_half_pixel_lattice() {
+    exhaustive(5, 128, (0, 0), Area::new(-1, -1, 3, 3));
+}
+
+#[test]
+fn r2_every_triangle_on_the_half_pixel_lattice_across_the_origin() {
+    exhaustive(6, 128, (-384, -384), Area::new(-3, -3, 3, 3));
+}
+
+#[test]
+fn r5_every_triangle_on_centres() {
+    exhaustive(6, 256, (-128, 128), Area::new(-2, -1, 7, 7));
+}
+
+#[test]
+fn r2_every_triangle_on_the_quarter_pixel_lattice() {
+    exhaustive(7, 64, (-64, -64), Area::new(-1, -1, 2, 2));
+}
+
+#[test]
+fn r2_every_triangle_of_sub_pixels_around_a_centre() {
+    exhaustive(7, 1, (128 - 3, 128 - 3), Area::new(-1, -1, 2, 2));
+}
+
+#[test]
+fn r2_every_triangle_of_sub_pixels_around_a_corner() {
+    // No centre near: nothing is covered.
+    exhaustive(4, 1, (256 - 2, 256 - 1), Area::new(-1, -1, 3, 3));
+}
+
+#[test]
+fn r6_zero_area_covers_nothing() {
+    let mut rng = Rng::new(0x6A);
+    let area = Area::new(-20, -20, 20, 20);
+    for _ in 0..3000 {
+        // Collinear through centres, and repeated.
+        let a = oracle::coverage::centre(rng.int(-15, 15), rng.int(-15, 15));
+        let d = (128 * rng.int(-3, 3), 128 * rng.int(-3, 3));
+        let (k, l) = (rng.int(-4, 4), rng.int(-4, 4));
+        let t = [a, (a.0 + k * d.0, a.1 + k * d.1), (a.0 + l * d.0, a.1 + l * d.1)];
+        assert_eq!(bridge::triangle(t, area).total(), 0, "{t:?}");
+        assert_eq!(bridge::triangle([a, a, t[1]], area).total(), 0);
+    }
+}
+
+#[test]
+fn r7_vertex_order_does_not_matter() {
+    let mut rng = Rng::new(0x77);
+    let area = Area::new(-2, -2, 14, 14);
+    for _ in 0..4000 {
+        let mut p = || (128 * rng.int(-4, 28), 128 * rng.int(-4, 28));
+        compare::triangle_in_all_orders([p(), p(), p()], area);
+    }
+}
+
+#[test]
+fn r9_tiny_triangles_cover_exactly() {
+    let mut rng = Rng::new(0x91);
+    for _ in 0..40_000 {
+        let o = (rng.int(-600, 600), rng.int(-600, 600));
+        let mut p = || (o.0 + rng.int(-40, 40), o.1 + rng.int(-40, 40));
+        compare::triangle([p(), p(), p()], Area::new(-3, -3, 3, 3));
+    }
+}
+
+#[test]
+fn r9_random_sub_pixel_triangles_cover_exactly() {
+    let mut rng = Rng::new(0x92);
+    for _ in 0..6000 {
+        let mut p = || (rng.int(-1000, 5000), rng.int(-1000, 5000));
+        compare::triangle([p(), p(), p()], Area::new(-1, -1, 17, 17));
+    }
+}
+
+#[test]
+fn r9_axis_aligned_triangles_cover_exactly() {
+    let mut rng = Rng::new(0x93);
+    for _ in 0..6000 {
+        let step = [1, 128][rng.below(2)];
+        let reach = 3000 / step;
+        let mut c = || step * rng.int(-200 / step, reach);
+        let (a, b, d) = ((c(), c()), c(), c());
+        // A right angle at a, and one with only one side along an axis.
+        compare::triangle_in_all_orders([a, (b, a.1), (a.0, d)], Area::new(-1, -1, 13, 13));
+        compare::triangle_in_all_orders([a, (b, a.1), (c(), d)], Area::new(-1, -1, 13, 13));
+    }
+}
+
+#[test]
+fn r9_slivers_along_centers_cover_exactly() {
+    let mut rng = Rng::new(0x94);
+    for _ in 0..20_000 {
+        // A long edge through centres; the third vertex at most a few sub-pixels off it.
+        let a = oracle::coverage::centre(rng.int(0, 20), rng.int(0, 20));
+        let b = oracle::coverage::centre(rng.int(0, 20), rng.int(0, 20));
+        let k = rng.int(-1, 9);
+        let c = (a.0 + (b.0 - a.0) * k / 8 + rng.int(-2, 2), a.1 + (b.1 - a.1) * k / 8 + rng.int(-2, 2));
+        compare::triangle([a, b, c], Area::new(-3, -3, 24, 24));
+    }
+}
+
+/// (g, s, t) with a·s + b·t = g.
+fn euclid(a: i64, b: i64) -> (i64, i64, i64) {
+    if b == 0 {
+        (a, 1, 0)
+    } else {
+        let (g, s, t) = euclid(b, a % b);
+        (g, t, s - a / b * t)
+    }
+}
+
+/// The hardest centres for anything that steps: the exact crossing is r/dy sub-pixels from the
+/// centre, r = −1, 0, 1 times the gcd, as many rows below the edge's start as there are.
+fn near_misses(seed: u64, count: usize, limits: &[(i64, i64)], fars: &[i64]) {
+    let mut rng = Rng::new(seed);
+    let mut near = 0;
+    while near < count {
+        let (limit_x, limit_y) = limits[rng.below(limits.len())];
+        let side = |rng: &mut Rng, limit: i64| match rng.below(3) {
+            0 => limit - rng.int(0, 3),
+            1 => rng.int(limit / 2, limit),
+            _ => rng.log(200.0, limit as f64) as i64,
+        };
+        let (dx, dy) = (side(&mut rng, limit_x) * [1, -1][rng.below(2)], side(&mut rng, limit_y));
+        let (g, s, t) = euclid(dx.abs(), dy);
+        let r = g * rng.int(-1, 1);
+        // dx·my − dy·mx = r
+        let (my, mx) = (dx.signum() * s * (r / g), -t * (r / g));
+        assert_eq!(dx * my - dy * mx, r);
+        // Shift by whole periods of the edge, so that it lies on the edge, far down if it may.
+        let k = (dy - 1 - my).div_euclid(dy / g);
+        let (mx, my) = (mx + k * (dx / g), my + k * (dy / g));
+        if my < 1 || my >= dy {
+            continue;
+        }
+        let reach = GUARD - 2 * (1 << 17);
+        let (cx, cy) = oracle::coverage::centre(rng.int(-20, 20), rng.int(-20, 20));
+        let a = (cx - mx, cy - my);
+        let b = (a.0 + dx, a.1 + dy);
+        if [a.0, a.1, b.0, b.1].iter().any(|c| c.abs() > reach) {
+            continue;
+        }
+        near += 1;
+        let far = fars[rng.below(fars.len())];
+        let c = (cx + [far, -far][rng.below(2)], [a.1, b.1, cy, rng.int(a.1, b.1)][rng.below(4)]);
+        let (x, y) = (cx.div_euclid(256), cy.div_euclid(256));
+        let area = Area::new(x - 1, y - 1, x + 2, y + 2);
+        let above = (my / 256 + 2).min(3000);
+        compare::triangle_from_above([a, b, c], area, above);
+        compare::triangle([a, b, c], area);
+    }
+}
+
+#[test]
+fn r9_edges_that_pass_a_centre_within_one_lattice_unit() {
+    let limits = [1 << 17, 1 << 17, 1 << 18, 1 << 21].map(|limit| (limit, limit));
+    near_misses(0x95, 12_000, &limits, &[1 << 12, 1 << 17, 1 << 18]);
+}
+
+/// On both sides of the 32 pixels within which one digit is enough for an edge.
+#[test]
+fn r9_short_edges_that_pass_a_centre_within_one_lattice_unit() {
+    let limits = [(1 << 13, 1 << 14), (1 << 13, 1 << 14), (1 << 10, 1 << 14), (1 << 14, 1 << 15)];
+    near_misses(0x96, 40_000, &limits, &[300, 1 << 11, 1 << 12, 1 << 13]);
+}
+
+#[test]
+fn a_scissor_crops_the_triangle() {
+    let mut rng = Rng::new(0x5C);
+    let all = Area::new(-20, -20, 40, 40);
+    for _ in 0..2000 {
+        let step = [1, 128][rng.below(2)];
+        let mut p = || (step * rng.int(-4000 / step, 9000 / step), step * rng.int(-4000 / step, 9000 / step));
+        let t = [p(), p(), p()];
+        let whole = bridge::triangle(t, all);
+        for _ in 0..6 {
+            let (x, y) = (rng.int(-20, 39), rng.int(-20, 39));
+            let area = Area::new(x, y, x + rng.int(0, 30), y + rng.int(0, 30));
+            let cropped = bridge::triangle(t, area);
+            for (x, y) in area.intersect(all).pixels() {
+                assert_eq!(cropped.at(x, y), whole.at(x, y), "{t:?} {area:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn scissors_of_extreme_bounds_crop_and_do_not_panic() {
+    let t = [(-700, -300), (2000, 50), (300, 2400)];
+    let (low, high) = (i64::from(i32::MIN), i64::from(i32::MAX));
+    let all = Area::new(-20, -20, 40, 40);
+    let whole = bridge::triangle(t, all);
+    assert!(whole.total() > 20);
+    let exact = triangle(t, all);
+    assert_eq!(whole, exact);
+    let spans = bridge::triangle_spans(t, Area::new(low, low, high, high));
+    assert_eq!(bridge::counts(&spans, all), whole);
+    for (l, t0, r, b) in [
+        (5, 5, 5, 5),
+        (9, 0, 3, 20), // inside out
+        (0, 9, 20, 3),
+        (high, high, low, low),
+        (low, low, low, high),
+        (high, low, high, high),
+        (low, low, low + 1, high),
+        (high - 1, low, high, high),
+        (8000, 8000, 8100, 8100),
+        (low, high - 1, high, high),
+    ] {
+        let spans = bridge::triangle_spans(t, Area::new(l, t0, r, b));
+        assert!(spans.is_empty(), "{spans:?}");
+    }
+}
+
+#[test]
+fn an_error_of_the_callback_ends_the_triangle_and_is_returned() {
+    use pinhole::raster;
+    let t = [(0, 0), (4000, 100), (300, 4000)].map(bridge::screen_point);
+    let scissor = bridge::scissor(Area::new(0, 0, 16, 16));
+    let mut rows = 0;
+    let Ok(()) = raster::triangle(t, &scissor, |_| {
+        rows += 1;
+        Ok::<(), core::convert::Infallible>(())
+    });
+    for n in 0..=rows {
+        let mut calls = 0;
+        let result = raster::triangle(t, &scissor, |_| {
+            calls += 1;
+            if calls > n {
+                Err(n)
+            } else {
+                Ok(())
+            }
+        });
+        if n == rows {
+            assert_eq!((result, calls), (Ok(()), rows));
+        } else {
+            assert_eq!((result, calls), (Err(n), n + 1));
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Rules about the repository itself.
+
+mod file_cycles;
+mod glossary;
+mod layering;

@@ -1,0 +1,106 @@
+//! Draws scenes with the library onto recorders, in a color type of the tests.
+
+use super::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use crate::oracle::target::{Recorder, Refused};
+use embedded_graphics_core::pixelcolor::raw::RawU16;
+use embedded_graphics_core::pixelcolor::PixelColor;
+use pinhole::{Coordinate, DepthBuffer, Mesh, MeshInstance, Painter, ScreenVertex, Statistics};
+
+/// A color that names what was drawn, such as the index of the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shader(pub u16);
+
+impl PixelColor for Shader {
+    type Raw = RawU16;
+}
+
+/// The cube −1 … 1 in i16: vertex k has x, y, z = ±1 by bits 0, 1, 2.
+pub const CUBE: [[i16; 3]; 8] =
+    [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [1, 1, -1], [-1, -1, 1], [1, -1, 1], [-1, 1, 1], [1, 1, 1]];
+
+/// Counter-clockwise from outside: +x, −x, +y, −y, +z, −z, two each.
+pub const CUBE_FACES: [[u16; 3]; 12] = [
+    [1, 3, 7],
+    [1, 7, 5],
+    [0, 4, 6],
+    [0, 6, 2],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 1, 5],
+    [0, 5, 4],
+    [4, 5, 7],
+    [4, 7, 6],
+    [0, 2, 3],
+    [0, 3, 1],
+];
+
+/// The faces of the cube as seen from inside.
+pub fn room_faces() -> [[u16; 3]; 12] {
+    CUBE_FACES.map(|[a, b, c]| [a, c, b])
+}
+
+pub const CUBE_EDGES: [[u16; 2]; 12] =
+    [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
+
+/// Front faces in mesh order; face k in Shader(k).
+pub fn solid<V: Coordinate>(
+    placed: &MeshInstance<'_, V>,
+    target: &mut Recorder<Shader>,
+) -> Result<Statistics, Refused> {
+    let mut cache = [ScreenVertex::default(); 64];
+    placed.solid(|face| Shader(face as u16), &mut cache, target)
+}
+
+pub fn wireframe(placed: &MeshInstance<'_>, target: &mut Recorder<Shader>) -> Result<Statistics, Refused> {
+    let mut cache = [ScreenVertex::default(); 64];
+    placed.wireframe(Shader(7), &mut cache, target)
+}
+
+/// At a turned cube, from above and before it.
+pub fn cube_camera(viewport: (i32, i32, u32, u32)) -> CameraBits {
+    CameraBits {
+        view: ViewBits::LookAt([0, ONE, 3 * ONE], [0; 3], [0, ONE, 0]),
+        projection: ProjectionBits::Perspective((1 << 31) / 3, (viewport.2, viewport.3), ONE / 2, 50 * ONE),
+        viewport,
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    Wireframe,
+    Solid,
+    Painter,
+    Depth,
+}
+
+/// The ways to draw a mesh.
+pub const WAYS: [Way; 4] = [Way::Wireframe, Way::Solid, Way::Painter, Way::Depth];
+
+/// A turned cube, any way, onto a target.
+pub fn turned_cube(
+    way: Way,
+    camera: &CameraBits,
+    target: &mut Recorder<Shader>,
+) -> Result<Statistics, Refused> {
+    let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
+    let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]).library();
+    let (x, y, width, height) = camera.viewport;
+    let camera = camera.library();
+    let placed = camera.place(&mesh, &model);
+    let mut cache = [ScreenVertex::default(); 8];
+    match way {
+        Way::Wireframe => placed.wireframe(Shader(7), &mut cache, target),
+        Way::Solid => placed.solid(|face| Shader(face as u16), &mut cache, target),
+        Way::Painter => {
+            let mut painter = Painter::<Shader, 64, 64>::new();
+            painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
+            painter.draw(target)
+        }
+        Way::Depth => {
+            let mut storage = vec![0; (width * height) as usize];
+            let area = super::rectangle(x, y, width, height);
+            let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
+            placed.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target)
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Passes the oracles' plain numbers to the library and its answers back, and compares them. It does no arithmetic.
+
+pub mod compare;
+pub mod draw;
+pub mod pair;
+
+use crate::oracle::coverage::{Area, Counts, P};
+use core::convert::Infallible;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::raster::{self, Pixel, Scissor, ScreenPoint, Span};
+use pinhole::{Point3, Scalar, Vector3};
+
+pub fn scalar(bits: i32) -> Scalar {
+    Scalar::from_bits(bits)
+}
+
+pub fn point<S>(bits: [i32; 3]) -> Point3<S> {
+    let [x, y, z] = bits.map(scalar);
+    Point3::new(x, y, z)
+}
+
+pub fn vector<S>(bits: [i32; 3]) -> Vector3<S> {
+    let [x, y, z] = bits.map(scalar);
+    Vector3::new(x, y, z)
+}
+
+/// The coordinates of a point, as reals.
+pub fn reals<S>(p: Point3<S>) -> [f64; 3] {
+    [p.x(), p.y(), p.z()].map(|c| f64::from(c.to_bits()) / 65536.0)
+}
+
+pub fn rectangle(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
+    Rectangle::new(Point::new(x, y), Size::new(width, height))
+}
+
+pub fn screen_point(p: P) -> ScreenPoint {
+    let (Ok(x), Ok(y)) = (i32::try_from(p.0), i32::try_from(p.1)) else {
+        panic!("{p:?} is no i32");
+    };
+    ScreenPoint::from_subpixels(x, y).expect("inside the guard band")
+}
+
+pub fn pixel(p: P) -> Pixel {
+    let (Ok(x), Ok(y)) = (i16::try_from(p.0), i16::try_from(p.1)) else {
+        panic!("{p:?} is no i16");
+    };
+    Pixel { x, y }
+}
+
+pub fn scissor(area: Area) -> Scissor {
+    let [l, t, r, b] =
+        [area.left, area.top, area.right, area.bottom].map(|c| i32::try_from(c).expect("an i32"));
+    Scissor::new(l, t, r, b)
+}
+
+/// All spans of a triangle.
+pub fn triangle_spans(t: [P; 3], area: Area) -> Vec<Span> {
+    let mut spans = Vec::new();
+    let Ok(()) = raster::triangle(t.map(screen_point), &scissor(area), |span| {
+        spans.push(span);
+        Ok::<(), Infallible>(())
+    });
+    spans
+}
+
+/// All spans of a line.
+pub fn line_spans(a: P, b: P, area: Area) -> Vec<Span> {
+    let mut spans = Vec::new();
+    let Ok(()) = raster::line(pixel(a), pixel(b), &scissor(area), |span| {
+        spans.push(span);
+        Ok::<(), Infallible>(())
+    });
+    spans
+}
+
+/// The pixels of spans; panics if a span is not one row or column, or leaves the area.
+pub fn counts(spans: &[Span], area: Area) -> Counts {
+    let mut counts = Counts::new(area);
+    for s in spans {
+        assert!(s.width >= 1 && s.height >= 1 && (s.width == 1 || s.height == 1), "{s:?} is no span");
+        for y in 0..i64::from(s.height) {
+            for x in 0..i64::from(s.width) {
+                counts.hit(i64::from(s.x) + x, i64::from(s.y) + y);
+            }
+        }
+    }
+    counts
+}
+
+/// The triangle as the library draws it. At most one span a row, as a triangle is convex.
+pub fn triangle(t: [P; 3], area: Area) -> Counts {
+    let spans = triangle_spans(t, area);
+    let mut rows: Vec<_> = spans.iter().map(|s| s.y).collect();
+    rows.sort_unstable();
+    rows.dedup();
+    assert_eq!(rows.len(), spans.len(), "{t:?}: a row in several spans");
+    counts(&spans, area)
+}
+
+pub fn line(a: P, b: P, area: Area) -> Counts {
+    counts(&line_spans(a, b, area), area)
+}

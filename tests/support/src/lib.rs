@@ -1,0 +1,17 @@
+//! What the tests, the fuzz targets and the measuring programs share.
+//!
+//! * [`oracle`]: what is right, computed slowly from the specification. No oracle imports the library.
+//! * [`bridge`]: passes an oracle's plain numbers to the library and the library's answers back.
+//! * [`definition`]: every projection by its geometric definition, in f64.
+//! * [`teapot`]: the Utah teapot as a constant mesh.
+//! * `panel`, `ssd0323` (feature `panel`): models of display controllers behind their buses.
+
+pub mod bridge;
+pub mod definition;
+pub mod oracle;
+#[cfg(feature = "panel")]
+pub mod panel;
+#[cfg(feature = "panel")]
+pub mod ssd0323;
+#[path = "../../../assets/teapot.rs"]
+pub mod teapot;

@@ -1,0 +1,182 @@
+//! The oracles are checked by cases worked out by hand and by a second derivation of each rule.
+
+use super::cases::{self, Class, CLASSES};
+use super::chain::{self, fx, Affine, View};
+use super::coverage::{covers, covers_by_scanline, rows, triangle, Area};
+use super::line;
+use super::rng::Rng;
+
+#[test]
+fn coverage_by_edges_equals_coverage_by_scan_lines() {
+    let mut rng = Rng::new(1);
+    for class in 0..4 {
+        for _ in 0..20_000 {
+            let mut p = || {
+                let (step, reach) = [(1, 700), (64, 10), (128, 6), (256, 3)][class];
+                let offset = if class == 3 { 128 } else { 0 };
+                (step * rng.int(0, reach) + offset, step * rng.int(0, reach) + offset)
+            };
+            let t = [p(), p(), p()];
+            for (x, y) in Area::new(-1, -1, 5, 5).pixels() {
+                assert_eq!(covers(t, x, y), covers_by_scanline(t, x, y), "{t:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn coverage_by_steps_equals_coverage_by_edges() {
+    let mut rng = Rng::new(2);
+    for class in CLASSES {
+        for _ in 0..2000 {
+            let t = cases::triangle(&mut rng, class);
+            for area in [cases::window(&mut rng, &t, 9), cases::window(&mut rng, &t, 64)] {
+                let steps = rows(t, area);
+                for (x, y) in (Area { bottom: area.top + 9, ..area }).pixels() {
+                    let row = steps[(y - area.top) as usize];
+                    assert_eq!(
+                        row >> (x - area.left) & 1 == 1,
+                        covers(t, x, y),
+                        "{class:?} {t:?} ({x}, {y})"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn random_triangles_have_the_property_of_their_class() {
+    let mut rng = Rng::new(3);
+    for class in CLASSES {
+        let mut largest = 0;
+        for _ in 0..2000 {
+            let t = cases::triangle(&mut rng, class);
+            let extent = |c: [i64; 3]| c.iter().max().unwrap() - c.iter().min().unwrap();
+            let (w, h) = (extent(t.map(|p| p.0)), extent(t.map(|p| p.1)));
+            largest = largest.max(w).max(h);
+            assert!(t.iter().all(|p| p.0.abs() <= cases::GUARD && p.1.abs() <= cases::GUARD));
+            match class {
+                Class::Tiny => assert!(w.max(h) <= 512),
+                Class::Centres => assert!(t.iter().all(|p| p.0 % 128 == 0 && p.1 % 128 == 0)),
+                Class::Axes => assert!(t[0].1 == t[1].1 || t[0].0 == t[1].0, "{t:?}"),
+                _ => {}
+            }
+        }
+        assert!(class == Class::Tiny || largest > 4000, "{class:?}");
+    }
+}
+
+#[test]
+fn coverage_of_a_unit_square_by_hand() {
+    // From centre to centre: four centres, each once; none on the right and bottom border (R2–R4).
+    let (a, b, c, d) = ((128, 128), (640, 128), (640, 640), (128, 640));
+    let area = Area::new(0, 0, 4, 4);
+    assert_eq!(triangle([a, b, c], area).picture(), "11..\n.1..\n....\n....\n");
+    assert_eq!(triangle([a, c, d], area).picture(), "....\n1...\n....\n....\n");
+}
+
+#[test]
+fn line_ties_by_hand() {
+    assert_eq!(line::pixels((0, 0), (2, 1)), [(0, 0), (1, 0), (2, 1)]);
+    assert_eq!(line::pixels((2, 1), (0, 0)), [(0, 0), (1, 0), (2, 1)]);
+    assert_eq!(line::pixels((0, 1), (2, 0)), [(0, 1), (1, 1), (2, 0)]);
+    assert_eq!(line::pixels((0, 0), (1, 2)), [(0, 0), (0, 1), (1, 2)]);
+    // Downwards in x is the same pair of ends as upwards: the tie stays with the smaller x.
+    assert_eq!(line::pixels((1, 0), (0, 2)), [(0, 2), (0, 1), (1, 0)]);
+    assert_eq!(line::pixels((5, 5), (5, 5)), [(5, 5)]);
+    assert_eq!(line::runs((0, 0), (2, 1), &line::pixels((0, 0), (2, 1))), 2);
+}
+
+#[test]
+fn a_clipped_line_is_the_line_cut() {
+    let mut rng = Rng::new(4);
+    for _ in 0..20_000 {
+        let mut p = || (rng.int(-30, 30), rng.int(-30, 30));
+        let (a, b) = (p(), p());
+        let (x, y) = p();
+        let area = Area::new(x, y, x + rng.int(0, 30), y + rng.int(0, 30));
+        let cut: Vec<_> = line::pixels(a, b).into_iter().filter(|&(x, y)| area.contains(x, y)).collect();
+        assert_eq!(line::clipped(a, b, area), cut, "{a:?} {b:?} {area:?}");
+    }
+}
+
+#[test]
+fn line_equals_the_midpoint_algorithm() {
+    // SPEC 7: d₀ = 2dy − dx; E adds 2dy, NE adds 2(dy − dx); d ≤ 0 chooses E. First octant.
+    for dx in 0i64..70 {
+        for dy in 0..=dx {
+            let (mut d, mut y, mut pixels) = (2 * dy - dx, 0, vec![]);
+            for x in 0..=dx {
+                pixels.push((x, y));
+                if d <= 0 {
+                    d += 2 * dy;
+                } else {
+                    d += 2 * (dy - dx);
+                    y += 1;
+                }
+            }
+            assert_eq!(line::pixels((0, 0), (dx, dy)), pixels);
+        }
+    }
+}
+
+#[test]
+fn sin_cos_is_exact_at_the_quarter_turns() {
+    assert_eq!(chain::sin_cos(0), (0.0, 1.0));
+    assert_eq!(chain::sin_cos(1 << 30), (1.0, 0.0));
+    assert_eq!(chain::sin_cos(2 << 30), (0.0, -1.0));
+    assert_eq!(chain::sin_cos(3 << 30), (-1.0, 0.0));
+    let (s, c) = chain::sin_cos(u32::MAX / 12);
+    assert!((s - 0.5).abs() < 1e-9 && (c - 0.75f64.sqrt()).abs() < 1e-9);
+}
+
+#[test]
+fn the_worked_example_of_the_specification_holds() {
+    let one = 65536;
+    let v = View::from_reference([one, 2 * one, 3 * one], [2 * one, -one, 2 * one], [0, one, 0]);
+    let (r2, close) = (2f64.sqrt(), |a: f64, b: f64| (a - b).abs() < 1e-15);
+    let expected = [
+        [1.0 / r2, 0.0, -1.0 / r2],
+        [1.0 / (3.0 * r2), 4.0 / (3.0 * r2), 1.0 / (3.0 * r2)],
+        [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0],
+    ];
+    for (ours, exact) in v.rows.iter().flatten().zip(expected.iter().flatten()) {
+        assert!(close(*ours, *exact));
+    }
+    let origin = v.apply([0.0; 3]);
+    for (a, b) in origin.iter().zip([r2, -2.0 * r2, -2.0]) {
+        assert!((a - b).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn frustum_is_orthographic_after_squish() {
+    let (l, r, b, t, n, f) = (-1.5, 2.0, -0.5, 1.25, 0.75, 40.0);
+    let frustum = chain::frustum(l, r, b, t, n, f);
+    // In signed z the near plane is −n; that box puts near at +1, hence z/w of the opposite sign.
+    let (sn, sf) = (-n, -f);
+    let boxed = [
+        [2.0 / (r - l), 0.0, 0.0, -(r + l) / (r - l)],
+        [0.0, 2.0 / (t - b), 0.0, -(t + b) / (t - b)],
+        [0.0, 0.0, 2.0 / (sn - sf), -(sn + sf) / (sn - sf)],
+        [0.0, 0.0, 0.0, 1.0],
+    ];
+    let product = chain::matmul4(&boxed, &chain::squish(sn, sf));
+    for (i, row) in product.iter().enumerate() {
+        for (j, &value) in row.iter().enumerate() {
+            let sign = if i == 2 { 1.0 } else { -1.0 };
+            // The homogeneous factor: w is −z in one and z in the other.
+            assert!((value - sign * frustum[i][j]).abs() < 1e-12, "{i} {j}");
+        }
+    }
+}
+
+#[test]
+fn then_reads_left_to_right() {
+    let a = Affine::rotation_z(1 << 30);
+    let b = Affine::translation([65536, 0, 0]);
+    assert_eq!(a.then(&b).apply([1.0, 0.0, 0.0]), [1.0, 1.0, 0.0]);
+    assert_eq!(b.then(&a).apply([1.0, 0.0, 0.0]), [0.0, 2.0, 0.0]);
+    assert_eq!(fx(-65536), -1.0);
+}
