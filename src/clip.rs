@@ -78,7 +78,7 @@ pub trait Carried: Copy {
     /// What corner 0, 1 or 2 of the whole face carries.
     fn of(corner: usize) -> Self;
 
-    /// What the point carries that lies `t`·2⁻³¹ of the way to `other`, 0 ≤ t < 2³¹.
+    /// The value of the point that lies `t`·2⁻³¹ of the way to `other`. The clipper passes 0 ≤ t < 2³¹.
     #[must_use]
     fn towards(&self, other: &Self, t: i64) -> Self;
 }
@@ -109,7 +109,9 @@ impl Carried for Barycentric {
     }
 
     fn towards(&self, other: &Self, t: i64) -> Self {
-        let ([a, b], [p, q], t) = (self.0, other.0, t as i32); // below 2³¹
+        // A `t` outside of 0 … 2³¹ − 1 counts as the nearer end of that range, so the weights stay between both ends.
+        let t = t.clamp(0, i64::from(i32::MAX)) as i32;
+        let ([a, b], [p, q]) = (self.0, other.0);
         Self([between(a, p, t), between(b, q, t)])
     }
 }

@@ -63,7 +63,9 @@ impl<C: Stored<Cell>, Cell: Copy> Target for Pixels<'_, C, Cell> {
 
     #[inline(always)]
     fn fill(&mut self, Span { x, y, width, height }: Span, colour: C) -> Result<(), Infallible> {
-        for y in y..y.wrapping_add(height) {
+        // Only rows of the area: a span may be of any height.
+        let rows = self.reach.rows();
+        for y in y.max(rows.start)..y.saturating_add(height).min(rows.end) {
             if let Some(run) = self.memory.row(x, y, width) {
                 fill(run, [colour.stored(); 2]);
             }

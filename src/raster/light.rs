@@ -64,6 +64,25 @@ mod tests {
     use crate::math::random::Random;
     use crate::raster::{area, triangle, Scissor, ScreenPoint};
 
+    /// A light of a table's entry plus ½ or more is the next entry, at every pixel: on a small and a large triangle, by
+    /// itself and next to depth.
+    #[test]
+    fn an_even_light_is_rounded_to_the_nearest_entry() {
+        for size in [8, 2000] {
+            let at = |x: i32, y: i32| ScreenPoint::from_subpixels(x << 8, y << 8).unwrap();
+            let corners = [at(0, 0), at(0, size), at(size, 0)];
+            let scissor = Scissor::new(0, 0, size, size);
+            let triangle = Triangle::new(corners, area(&corners), &scissor);
+            for (light, entry) in [(100 << 10, 100), ((100 << 10) + 256, 100), ((100 << 10) + 768, 101)] {
+                let alone = Plane::of_light(&triangle, &[light; 3]);
+                let [_, with_depth] = Plane::of_depth_and_light(&triangle, &[1 << 16; 3], &[light; 3]);
+                for plane in [alone, with_depth] {
+                    assert_eq!(plane.at(1, 1) >> 24, entry, "{light} over {size} pixels");
+                }
+            }
+        }
+    }
+
     /// The largest distance of a covered pixel's light from the exact one, in 2⁻²⁴, rounded up.
     fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
         let (mut worst, side) = (0, i64::from(viewport) * 256);

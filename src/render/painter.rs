@@ -90,8 +90,17 @@ pub enum RecordError {
 impl core::fmt::Display for RecordError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
+            Self::Corners { needed, capacity: 65_536 } => {
+                write!(f, "{needed} corners, but a painter holds at most 65536: record fewer meshes, or smaller ones")
+            }
             Self::Corners { needed, capacity } => {
                 write!(f, "{needed} corners for {capacity} places: raise CORNERS")
+            }
+            Self::Faces { needed, capacity: 65_535 } => {
+                write!(
+                    f,
+                    "{needed} faces, but a painter holds at most 65535: record fewer meshes, or smaller ones"
+                )
             }
             Self::Faces { needed, capacity } => {
                 write!(f, "{needed} faces for {capacity} places: raise FACES")
