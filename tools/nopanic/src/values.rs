@@ -85,7 +85,7 @@ entries! {
         point: &Point3<World>,
         vector: &Vector3<World>
     ) -> () {
-        core::hint::black_box((Clone::clone(affine), Clone::clone(normals), Clone::clone(point), Clone::clone(vector)));
+        { core::hint::black_box((Clone::clone(affine), Clone::clone(normals), Clone::clone(point), Clone::clone(vector))); }
     }
     entry_copy_of_mesh(mesh: &Mesh<'static>) -> Mesh<'static> { Clone::clone(mesh) }
     entry_copy_of_transformed(transformed: &Transformed<'static, i16, true>) -> Transformed<'static, i16, true> { Clone::clone(transformed) }
