@@ -79,7 +79,7 @@ pub trait Varying: Copy {
     /// The value at corner 0, 1 or 2 of the unclipped face.
     fn of(corner: usize) -> Self;
 
-    /// The value at parameter `t`·2⁻³¹ from this point to `other`, 0 ≤ t < 2³¹.
+    /// The value at parameter `t`·2⁻³¹ from this point to `other`. The clipper passes 0 ≤ t < 2³¹.
     #[must_use]
     fn towards(&self, other: &Self, t: i64) -> Self;
 }
@@ -111,7 +111,9 @@ impl Varying for Barycentric {
     }
 
     fn towards(&self, other: &Self, t: i64) -> Self {
-        let ([a, b], [p, q], t) = (self.0, other.0, t as i32); // below 2³¹
+        // A `t` outside of 0 … 2³¹ − 1 counts as the nearer end of that range, so the weights stay between both ends.
+        let t = t.clamp(0, i64::from(i32::MAX)) as i32;
+        let ([a, b], [p, q]) = (self.0, other.0);
         Self([lerp(a, p, t), lerp(b, q, t)])
     }
 }

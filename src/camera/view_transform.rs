@@ -381,3 +381,21 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 fn cross_f64(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_rigid;
+
+    /// The tolerance itself is refused: `from_matrix` rounds to 2⁻³⁰ afterwards and asks again, so only this function
+    /// shows on which side of the limit it lies.
+    #[test]
+    fn axes_as_skew_as_the_tolerance_are_not_rigid() {
+        let skewed = |by: f64| is_rigid(&[[1.0, 0.0, 0.0], [by, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        for by in [4e-6, -4e-6, 5e-6, f64::NAN] {
+            assert!(!skewed(by), "{by}");
+        }
+        for by in [0.0, 3.9e-6, -3.9e-6] {
+            assert!(skewed(by), "{by}");
+        }
+    }
+}

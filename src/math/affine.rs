@@ -480,6 +480,25 @@ mod tests {
     use super::*;
     use crate::space::{Model, World};
 
+    /// Where the determinant equals the limit, a transform still has an inverse; one unit below, it has none.
+    #[test]
+    fn flat_is_below_the_limit_not_at_it() {
+        // Rows of length 2²⁹: their product, 2⁸⁷·2⁻⁹⁰, times 2⁻²⁴ is 2⁻²⁷. So is a determinant of 2³³·2⁻⁶⁰.
+        let axes = Affine::<World, World>::from_parts(
+            [[1 << 29, 0, 0], [0, 1 << 29, 0], [0, 0, 1 << 29]],
+            1,
+            [0; 3],
+        );
+        for (at, exponent) in [(1 << 33, 0), (1 << 61, -28)] {
+            for det in [at, -at] {
+                assert!(!axes.is_near_singular(det, exponent), "{det} at exponent {exponent}");
+            }
+            for det in [at - 1, 1 - at] {
+                assert!(axes.is_near_singular(det, exponent), "{det} at exponent {exponent}");
+            }
+        }
+    }
+
     #[test]
     fn extremes_saturate_and_never_panic() {
         let huge = Affine::<World, World>::scale(Scalar::MAX);

@@ -20,7 +20,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// [`wireframe`](Self::wireframe).
     ///
     /// A pixel's depth is that of the line at the pixel's centre along the major axis, within 0.51 of a step for
-    /// lines within 512 pixels, beyond within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. Call this after the solid things
+    /// lines within 512 pixels, beyond within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line whose two ends lie in one pixel is
+    /// tested by its nearer end. Call this after the solid things
     /// were drawn [`depth_tested`](Self::depth_tested) into the same buffer. A line that lies in a face flickers:
     /// use [`hidden_line`](Self::hidden_line) for a solid's own edges.
     ///
@@ -47,12 +48,13 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// A pixel of an edge is drawn where the edge is at least as near as the buffer, or where the buffer holds one
     /// of the edge's own two faces ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)): a pixel's centre
     /// lies to one side of the edge, and on a steep face its depth differs much. Without the faces beside them,
-    /// edges come out dotted: up to half of their pixels are missing.
+    /// edges come out dotted: up to half of their pixels are missing. An edge whose two ends lie in one pixel is tested by
+    /// its nearer end.
     ///
     /// So nothing is drawn that lies more than two steps behind what is nearest at the pixel's centre, unless
     /// that is a face beside it. Within a pixel of where another face begins to hide an edge, the picture may
     /// differ from what is true at the edge itself: of the pixels where a part of an edge is seen 99.8 % and more
-    /// are drawn, and 0.3 % at most of those drawn show a part that is just hidden (`tests/hidden_line.rs`). Where
+    /// are drawn, and 0.3 % at most of those drawn show a part that is just hidden (`tests/pipeline/hidden_lines.rs`). Where
     /// an edge lies in a face that is not beside it, as that of a box on a floor does, about half of that
     /// edge's pixels go to the floor.
     ///

@@ -62,8 +62,8 @@ use heapless::Vec;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Painter<I, const CORNERS: usize, const FACES: usize> {
-    vertices: Vec<ScreenVertex, CORNERS>,
+pub struct Painter<I, const VERTICES: usize, const FACES: usize> {
+    vertices: Vec<ScreenVertex, VERTICES>,
     faces: Vec<Face<I>, FACES>,
     statistics: Statistics,
     /// The viewport drawn into.
@@ -74,7 +74,7 @@ pub struct Painter<I, const CORNERS: usize, const FACES: usize> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PainterError {
-    /// Raise `CORNERS` (65536 at most): every vertex takes one, and every corner of a face that
+    /// Raise `VERTICES` (65536 at most): every vertex takes one, and every corner of a face that
     /// was cut.
     Vertices {
         /// What this mesh would fill.
@@ -97,11 +97,23 @@ pub enum PainterError {
 impl core::fmt::Display for PainterError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
+            Self::Vertices { needed, capacity: 65_536 } => {
+                write!(
+                    f,
+                    "{needed} vertices, but a painter holds at most 65536: record fewer meshes, or smaller ones"
+                )
+            }
             Self::Vertices { needed, capacity } => {
-                write!(f, "{needed} corners for {capacity} places: raise CORNERS")
+                write!(f, "{needed} vertices, but the painter has room for {capacity}: raise VERTICES")
+            }
+            Self::Faces { needed, capacity: 65_535 } => {
+                write!(
+                    f,
+                    "{needed} faces, but a painter holds at most 65535: record fewer meshes, or smaller ones"
+                )
             }
             Self::Faces { needed, capacity } => {
-                write!(f, "{needed} faces for {capacity} places: raise FACES")
+                write!(f, "{needed} faces, but the painter has room for {capacity}: raise FACES")
             }
             Self::OtherViewport => f.write_str("one painter draws into one viewport at a time"),
         }
@@ -167,7 +179,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
 /// No face: the end of a list.
 const NONE: u16 = u16::MAX;
 
-impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACES> {
+impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FACES> {
     /// An empty recorder.
     pub const fn new() -> Self {
         Self { vertices: Vec::new(), faces: Vec::new(), statistics: Statistics::NONE, area: None }
@@ -248,7 +260,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
         let room =
             Room { first, vertices: first + count, first_face: self.faces.len(), faces: self.faces.len() };
         // A mesh without room is reported at the end, with the room that all of it needs.
-        let _ = self.vertices.resize_default(CORNERS);
+        let _ = self.vertices.resize_default(VERTICES);
         let vertices = self.vertices.get_mut(first..).unwrap_or_default();
         let (vertices, own) = vertices.split_at_mut(count.min(vertices.len()));
         Ok((vertices, Recorder { own: own.iter_mut(), faces: &mut self.faces, room }))
@@ -256,7 +268,7 @@ impl<I: Copy, const CORNERS: usize, const FACES: usize> Painter<I, CORNERS, FACE
 
     /// Keeps what was recorded if there was room for it, and drops it otherwise.
     fn finish(&mut self, room: &Room, statistics: Statistics) -> Result<(), PainterError> {
-        let (most_vertices, most_faces) = (CORNERS.min(65_536), FACES.min(usize::from(NONE)));
+        let (most_vertices, most_faces) = (VERTICES.min(65_536), FACES.min(usize::from(NONE)));
         let error = if room.vertices > most_vertices {
             PainterError::Vertices { needed: room.vertices, capacity: most_vertices }
         } else if room.faces > most_faces {
@@ -473,14 +485,14 @@ impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
 }
 
 #[cfg(feature = "defmt")]
-impl<I, const CORNERS: usize, const FACES: usize> defmt::Format for Painter<I, CORNERS, FACES> {
+impl<I, const VERTICES: usize, const FACES: usize> defmt::Format for Painter<I, VERTICES, FACES> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let (vertices, faces) = (self.vertices.len(), self.faces.len());
         defmt::write!(
             f,
             "painter of {=usize}/{=usize} vertices, {=usize}/{=usize} faces: {}",
             vertices,
-            CORNERS,
+            VERTICES,
             faces,
             FACES,
             self.statistics

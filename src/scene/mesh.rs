@@ -168,20 +168,24 @@ pub const fn edge_faces<const E: usize>(edges: &[[u16; 2]; E], faces: &[[u16; 3]
 }
 
 /// Two faces beside an edge, after the first `skip`.
-const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], skip: usize) -> [u16; 2] {
-    let mut beside = [u16::MAX; 2];
-    let (mut face, mut found) = (0, 0);
-    while face < faces.len() && face < u16::MAX as usize && found < skip + 2 {
+const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], mut skip: usize) -> [u16; 2] {
+    // Two variables, not an array: an index that the optimiser cannot bound would link a panic.
+    let (mut first, mut second) = (u16::MAX, u16::MAX);
+    let mut face = 0;
+    while face < faces.len() && face < u16::MAX as usize && second == u16::MAX {
         let [a, b, c] = faces[face];
         if (p == a || p == b || p == c) && (q == a || q == b || q == c) {
-            if found >= skip {
-                beside[found - skip] = face as u16;
+            if skip > 0 {
+                skip -= 1;
+            } else if first == u16::MAX {
+                first = face as u16;
+            } else {
+                second = face as u16;
             }
-            found += 1;
         }
         face += 1;
     }
-    beside
+    [first, second]
 }
 
 /// Checks the number of vertices and the faces' indices. Written without iterators, which a `const fn` cannot use.

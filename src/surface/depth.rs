@@ -229,3 +229,33 @@ impl defmt::Format for DepthBuffer<'_> {
         defmt::write!(f, "depth buffer of {} at {}", size, top_left);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    /// The visible runs of a line's span keep the span's place across the line and its thickness of 1, whether the span
+    /// runs along a row or a column.
+    #[test]
+    fn runs_of_a_line_are_parts_of_its_span() {
+        let mut values = [0; 8 * 8];
+        let area = Rectangle::new(Point::new(10, 20), Size::new(8, 8));
+        let mut depth = DepthBuffer::new(area, &mut values).unwrap();
+        // Of six pixels the second and the fifth are hidden: runs of 1, 2 and 1 pixels.
+        let mut runs = |span: Span| {
+            let mut found = heapless::Vec::<Span, 6>::new();
+            let mut seen = 0;
+            let is_seen = |_, _, _: &mut u16| {
+                seen += 1;
+                ![2, 5].contains(&seen)
+            };
+            depth.along(span, is_seen, |run| found.push(run)).unwrap();
+            found
+        };
+        let across = |x, width| Span { x, y: 23, width, height: 1 };
+        assert_eq!(runs(across(11, 6)), [across(11, 1), across(13, 2), across(16, 1)]);
+        let down = |y, height| Span { x: 13, y, width: 1, height };
+        assert_eq!(runs(down(21, 6)), [down(21, 1), down(23, 2), down(26, 1)]);
+    }
+}

@@ -4,6 +4,7 @@
 mod bands;
 mod clipped_faces;
 mod culling_by_planes;
+mod documented_ranges;
 mod drawing;
 mod hidden_lines;
 mod inside_a_mesh;

@@ -5,7 +5,7 @@ use crate::{elf, Result};
 use std::collections::BTreeMap;
 use std::process::{Command, Stdio};
 
-/// The firmwares that count, each of one way to draw.
+/// The images that count instructions, one for each way to draw.
 const BINS: &[&str] = &[
     "full_empty",
     "full_wireframe",
@@ -17,7 +17,7 @@ const BINS: &[&str] = &[
     "band_depth",
 ];
 
-/// `scene,way,how` of a line, with its number and its picture's checksum.
+/// By `scene,way,how`: a number of instructions, and the picture's checksum.
 pub(crate) type Lines = BTreeMap<String, (u64, String)>;
 
 pub(crate) struct Speed {
@@ -39,15 +39,15 @@ impl Ram {
     }
 }
 
-/// The firmwares that measure RAM, their scenes, and the most that these may take.
+/// The images that measure RAM, their scenes, and the limits in bytes.
 const RAM: &[(&str, &str, u64)] = &[("ram_s3", "S3", 20 << 10), ("ram_s4", "S4", 40 << 10)];
 
-/// All of them, as arguments for cargo.
+/// All images, as arguments for cargo.
 pub(crate) fn bins() -> Vec<String> {
     BINS.iter().chain(RAM.iter().map(|(bin, ..)| bin)).map(|bin| format!("--bin={bin}")).collect()
 }
 
-/// Of S3 with depth: instructions in bands of 16 rows, over those at once.
+/// The limit for S3 with depth: instructions in bands of 16 rows, divided by those of a whole frame.
 const MOST: f64 = 1.25;
 
 impl Speed {
@@ -55,7 +55,7 @@ impl Speed {
         self.lines.get(&format!("{scene},{way},{how}")).map(|line| line.0)
     }
 
-    /// Bands of 16 rows over drawing at once: with all it takes, and without the clears.
+    /// Instructions in bands of 16 rows divided by those of a whole frame: with the clears, and without.
     pub(crate) fn ratios(&self, scene: &str, way: &str) -> [Option<f64>; 2] {
         let count = |scene, how| self.instructions(scene, way, how).map(|count| count as f64);
         // An empty wireframe is an empty frame without depth.
@@ -77,7 +77,7 @@ fn parse(text: &str, lines: &mut Lines) -> Result<()> {
     Ok(())
 }
 
-/// The same programs here.
+/// What the images print when they run on the host.
 pub(crate) fn host() -> Result<Lines> {
     let cargo = |arguments: &[&str]| -> Result<String> {
         let mut command = Command::new("cargo");
@@ -117,7 +117,7 @@ pub(crate) fn measure(build: Build, host: &Lines, failures: &mut Vec<String>) ->
         if host.get(key).map(|line| &line.1) != Some(checksum) {
             failures.push(format!("{key}: not the host's picture"));
         }
-        // All ways to draw a scene give one picture.
+        // A scene's picture does not depend on how it is drawn.
         let full = key.rsplit_once(',').and_then(|(scene, _)| lines.get(&format!("{scene},full")));
         if full.map(|line| &line.1) != Some(checksum) {
             failures.push(format!("{key}: not the picture that is drawn at once"));

@@ -20,18 +20,18 @@ and CI runs that with `--check`: it fails where a limit is broken or, with the s
 const SPEED: &str = "
 ## Instructions
 
-Of one frame on a Cortex-M3 (thumbv7m, opt-level 3, fat LTO), 240 × 240 pixels of Rgb565. Instructions are not cycles.
-They are counted by the emulator's clock, 64 ns for each, against a loop of known length in the same run; the same in
-every run. Counted is the second frame of a scene, all of it: the frame's pixels set to the background, the depth strips
-cleared, the object placed, its vertices transformed, its faces sorted out, lit and drawn. It ends when the pixels lie
+For one frame on a Cortex-M3 (thumbv7m, opt-level 3, fat LTO), 240 × 240 pixels of Rgb565. Instructions are not cycles.
+The emulator's clock counts them, 64 ns for each, checked against a loop of known length in the same run; every run
+gives the same counts. They are those of the second frame of a scene: its pixels set to the background, the depth strips
+cleared, the object placed, its vertices transformed, its faces culled, lit and drawn. The count ends when the pixels lie
 in memory: nothing is sent. Camera and light are set up before. The compiler knows none of the numbers. Every picture
-is that of the host, compared by checksum, and the scenes cover the pixels that `tools/bench/scenes.json` says.
+equals the host's, by checksum, and each scene covers as many pixels as `tools/bench/scenes.json` states.
 
 *At once* draws the whole frame into memory through the generic `DrawTarget` interface, with a depth for each pixel; in
-*bands* the same goes through strips of so many rows, by `Band::pixels`. (A whole frame by `Picture::pixels` takes less than
-either: see [speed.md](speed.md). S3 and S4 are drawn by planes there, and without here: of their faces the corners are
-looked at.) *Empty* is a frame in which nothing is drawn: what the clears cost. The last columns divide the bands of 16 rows
-by what is drawn at once, and both less the empty frame; for the torus with depth the former is to be at most 1.25.
+*bands* the frame is drawn strip by strip, by `Band::pixels`. (A whole frame by `Picture::pixels` takes less than
+either: see [speed.md](speed.md). S3 and S4 are culled by face planes there; here, by the area of the projected
+corners.) *Empty* is a frame in which nothing is drawn: the cost of the clears. The last columns divide the bands of 16 rows
+by the frame drawn at once, with the clears and without; for the torus with depth the limit of the former is 1.25.
 
 | scene | | at once | one band of 240 rows | bands of 16 rows | of 8 rows | 16 rows / at once | without the clears |
 |---|---|--:|--:|--:|--:|--:|--:|

@@ -30,14 +30,14 @@ impl fmt::Display for Cell {
     }
 }
 
-/// What is asked for: scenes, variants and cores by their names. Of what is not named, all.
+/// The scenes, variants and cores that the command line names. A kind of which it names none is not limited.
 #[derive(Default)]
 pub(crate) struct Choice {
     names: Vec<String>,
 }
 
 impl Choice {
-    /// `Err` names what there is, if one of them is something else.
+    /// `Err` lists the known names, if one of `names` is unknown.
     pub(crate) fn new(names: Vec<String>) -> Result<Self> {
         let known = |name: &&String| Self::all().iter().flatten().any(|known| known == *name);
         match names.iter().find(|name| !known(name)) {
@@ -71,7 +71,7 @@ impl Choice {
     }
 }
 
-/// Of a cell.
+/// The name of a cell's image.
 pub(crate) fn bin(scene: &str, variant: &str) -> String {
     let scene = scene.to_lowercase();
     if variant == "plain" {
@@ -81,7 +81,7 @@ pub(crate) fn bin(scene: &str, variant: &str) -> String {
     }
 }
 
-/// Hands every cell that is asked for to `each`, core by core.
+/// Measures the chosen cells, core by core, and hands each to `each`.
 pub(crate) fn measure(choice: &Choice, failures: &mut Vec<String>, mut each: impl FnMut(Cell)) -> Result<()> {
     let chosen: Vec<Known> = CELLS
         .iter()
@@ -95,8 +95,8 @@ pub(crate) fn measure(choice: &Choice, failures: &mut Vec<String>, mut each: imp
     Ok(())
 }
 
-/// The cells that are drawn by planes, here without, on the cores that have targets. They are printed to stderr: they are no
-/// cells of the table.
+/// Measures the cells with early culling by face planes once more without it, on the cores that have targets, and prints them
+/// to stderr: the table does not list them.
 pub(crate) fn measure_without_planes(failures: &mut Vec<String>) -> Result<Vec<Cell>> {
     let no_planes = |scene: &str, variant: &str| bin(scene, variant) + "_no_planes";
     let (mut pictures, mut cells) = (Pictures::new(), Vec::new());
@@ -110,7 +110,7 @@ pub(crate) fn measure_without_planes(failures: &mut Vec<String>) -> Result<Vec<C
 /// Checksums of the host's pictures, by scene and variant.
 type Pictures = BTreeMap<(&'static str, &'static str), Option<u32>>;
 
-/// All of these on one core.
+/// Builds and runs `these` cells on one core.
 fn on(
     core: Core,
     these: &[Known],

@@ -9,7 +9,7 @@ use std::fmt::Write;
 const HEAD: &str = "\
 # Footprint
 
-What each feature takes of flash, RAM and stack. This page is written by
+Flash, RAM and stack of each feature. This page is written by
 
 ```sh
 tools/bench/run
@@ -25,16 +25,16 @@ const FLASH: &str = "
 Code, constants and start values of a single-purpose firmware, minus an empty one, which has the same mesh, start and end.
 Fat LTO. The display is a stub. Each turns a cube by an angle and places it before a camera, which is a constant of 224
 bytes; the second row makes it at run time (`look_at` and `perspective`): add this difference once to any other row.
-*Everything* draws wireframes, hidden and depth-tested lines, flat faces, smooth faces with dither and depth, painter's order
-and points, in bands and dirty rectangles, from two cameras, one of them made at run time. The goals are those of thumbv7m at
+The image *everything* draws wireframes, hidden and depth-tested lines, flat faces, smooth faces with dither and depth, painter's order
+and points, in bands and dirty rectangles, from two cameras, one of them made at run time. The goals are for thumbv7m at
 opt-level 3.
 
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the README does: faster, and larger. The other rows in bands
 draw into it as into any DrawTarget (`&mut band`). *By planes* is `MeshInstance::cull_by_planes()`, of a mesh with planes.
 
-The target, the ink, and what gives a face its ink are type parameters: each closure type instantiates the drawing code
-again, even if two closures return the same colours. One call in a loop over objects is linked once, and so are calls that
-are given one function.
+The target, the ink, and the closure that gives a face its ink are type parameters: each closure type instantiates the
+drawing code again, even if two closures return equal colours. A call in a loop over objects is linked once, and so are
+several calls with one named function.
 
 | bytes | goal |";
 
@@ -42,9 +42,9 @@ const STACK_TEXT: &str = "
 ## RAM and stack
 
 Of the same images: variables (vertices, records of faces, the strips of colour and depth, which are 8 rows of 240 pixels here), and the stack,
-painted first and looked at afterwards: from the top of RAM to the deepest byte that changed while the program ran,
-set-up and the program's own frames included. There is no heap. Each draws two frames in a loop, which the one that does nothing
-has too: the cube whole, and a cube twice as large, which the near plane cuts where it shows. So what cutting takes is in these figures.
+filled with a pattern before the run: from the top of RAM to the deepest byte that changed while the program ran,
+set-up and the program's own frames included. There is no heap. Each image draws two frames in a loop, and so does the empty
+one: the cube, and a cube twice as large, of which the near plane clips visible faces. So these figures include clipping.
 
 | bytes |";
 
@@ -52,9 +52,9 @@ const FILES: &str = "
 ## Where the code comes from
 
 In bytes of code on thumbv7m at opt-level 3, by the module of the library that an instruction was written for,
-wherever it was inlined: the innermost one, when code of Rust's own library was inlined there. The rest is the compiler's
-routines and the firmware's own. CI fails if an image holds a byte that it has no use for: a wireframe of triangles,
-planes, depth and `shade`; flat faces of smooth shades and dither; those without depth of depth; and if the dithered image does not hold all of these, for then the check would be blind.
+wherever it was inlined: the innermost module, where code of Rust's own library was inlined. The rest is the compiler's
+routines and the firmware's own code. CI fails if an image holds a byte that it does not use: a wireframe a byte of triangles,
+planes, depth or `shade`; flat faces a byte of smooth shading or dither; faces without depth a byte of depth. It also fails if the dithered image does not hold bytes of all of these: then the check would see nothing.
 
 | bytes of |";
 

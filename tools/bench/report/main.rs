@@ -46,7 +46,7 @@ tools/bench/run guard [--rebase]
 tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]
 tools/bench/run floats IMAGE...";
 
-/// What is asked for on the command line.
+/// The task that the command line names.
 enum Task {
     /// Write pages.
     Write { pages: Vec<Page>, rebase: bool },

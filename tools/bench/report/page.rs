@@ -8,7 +8,7 @@ pub(crate) const BUILT: &str = "Built with ";
 /// What a number of bytes may differ by where 2 % are less: little functions come and go.
 const BYTES: f64 = 64.0;
 
-/// The same words, and numbers within 2 %.
+/// Fails for each line of the new page whose words differ from the old page, or a number by more than 2 %.
 pub(crate) fn compare(page: &str, old: &str, new: &str, compiler: &str, failures: &mut Vec<String>) {
     if !old.contains(&format!("{BUILT}{compiler}.")) {
         eprintln!("{page} is another compiler's: nothing is compared with it.");

@@ -118,7 +118,7 @@ camera and light and the firmware's own frames. In bands it takes a fraction: [b
 /// All numbers of the page.
 pub(crate) struct Figures<'f> {
     pub(crate) cells: &'f [Cell],
-    /// Those of them that have planes, without.
+    /// The cells with early culling by face planes, measured without it.
     pub(crate) without: &'f [Cell],
     pub(crate) targets: &'f [Target],
     pub(crate) rivals: &'f [Rival],

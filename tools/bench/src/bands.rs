@@ -1,4 +1,4 @@
-//! Whole frames in bands: the scene is recorded once, then drawn into strips of some rows.
+//! Whole frames in bands: faces are binned once, then drawn band by band.
 
 use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
@@ -6,19 +6,20 @@ use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex};
 
-/// What the largest scene takes: vertices, and visible faces with one for every 16 of the mesh.
+/// Sizes for the largest scene: its vertices, and its visible faces with a bit for each face of the mesh.
 const CORNERS: usize = 2892;
 const RECORDS: usize = 1800 + 5780_usize.div_ceil(16);
 
-/// Of the strip of colour and the one of depth, for bands of so many rows.
+/// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {
     Frame::<Rgb565>::strip_bytes(SIZE, rows)
 }
+/// Pixels of the depth strip, for bands of `rows` rows.
 pub const fn pixels(rows: u32) -> usize {
     (SIZE * rows) as usize
 }
 
-/// What a frame in bands is lent. The strips' lengths say how many rows a band has.
+/// Buffers that the caller provides for a frame in bands. The strips' lengths determine the rows of a band.
 pub struct Storage<'s> {
     pub corners: &'s mut [ScreenVertex],
     pub records: &'s mut [u16],
@@ -42,7 +43,7 @@ impl Memory {
         depth: [0; pixels(SIZE)],
     };
 
-    /// For bands of so many rows.
+    /// Buffers for bands of `rows` rows.
     pub fn rows(&mut self, rows: u32) -> Option<Storage<'_>> {
         let Self { corners, records, strip, depth } = self;
         let (strip, depth) = (strip.get_mut(..bytes(rows))?, depth.get_mut(..pixels(rows))?);
@@ -50,7 +51,7 @@ impl Memory {
     }
 }
 
-/// What a frame costs before anything is drawn.
+/// Clears a frame and draws nothing.
 pub fn empty(Storage { strip, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(band) = frame.next_band(strip).ok()? {
@@ -59,7 +60,7 @@ pub fn empty(Storage { strip, .. }: Storage<'_>, display: &mut Display) -> Optio
     Some(())
 }
 
-/// The same, with depth.
+/// Clears a frame and its depth strips, and draws nothing.
 pub fn empty_depth(Storage { strip, depth, .. }: Storage<'_>, display: &mut Display) -> Option<()> {
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(band) = frame.next_band(strip).ok()? {

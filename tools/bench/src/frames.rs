@@ -1,4 +1,4 @@
-//! Whole frames, drawn at once: into memory, with depth for every pixel.
+//! Whole frames drawn into memory, with a depth buffer for the whole frame.
 
 use crate::measure::Display;
 use crate::scene::{area, Scene, BACKGROUND, LINE, SIZE};
@@ -24,14 +24,14 @@ impl Memory {
         Self { pixels: [BACKGROUND; PIXELS], depth: [0; PIXELS], corners: [ScreenVertex::EMPTY; CORNERS] };
 }
 
-/// What a frame costs before anything is drawn.
+/// Clears a picture and draws nothing.
 pub fn empty(Memory { pixels, .. }: &mut Memory, display: &mut Display) -> Option<()> {
     picture(pixels)?;
     display.take_pixels(pixels);
     Some(())
 }
 
-/// The same, with depth.
+/// Clears a picture and a depth buffer, and draws nothing.
 pub fn empty_depth(Memory { pixels, depth, .. }: &mut Memory, display: &mut Display) -> Option<()> {
     picture(pixels)?;
     black_box(DepthBuffer::new(area(), depth).ok()?);
@@ -79,7 +79,7 @@ pub fn depth(
     Some(())
 }
 
-/// Cleared.
+/// A picture over `pixels`, cleared.
 fn picture(pixels: &mut [Rgb565]) -> Option<Picture<'_, Rgb565>> {
     let mut picture = Picture::new(pixels, Size::new(SIZE, SIZE)).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);

@@ -57,7 +57,7 @@ macro_rules! depth_in_bands {
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut $band) = frame.next_band(strip).ok()? {
                     let mut $depth = pinhole::DepthBuffer::new($band.area(), storage).ok()?;
-                    $draw.ok()?;
+                    $draw;
                     $band.send(&mut $crate::image::Sink).ok()?;
                 }
                 Some(())

@@ -14,6 +14,24 @@ pub mod scene;
 pub mod stack;
 pub mod tally;
 
+/// Where the name of an image stands among those of a source file: several images are built from one, and each chooses
+/// its part by its name when it is compiled. A name that is not there does not compile.
+pub const fn position(name: &str, names: &[&str]) -> usize {
+    let mut at = 0;
+    while at < names.len() {
+        let (a, b) = (name.as_bytes(), names[at].as_bytes());
+        let mut same = 0;
+        while same < a.len() && same < b.len() && a[same] == b[same] {
+            same += 1;
+        }
+        if same == a.len() && same == b.len() {
+            return at;
+        }
+        at += 1;
+    }
+    panic!("no image of this name in the list")
+}
+
 /// A program over variables, each in a static of its own: the linker says so if they do not fit, and those that start
 /// with zeros take no flash.
 #[macro_export]

@@ -108,7 +108,7 @@ fn draw_solid(model: &'static Model, tally: &mut Tally) -> Option<(usize, usize,
     Some((model.mesh.vertices().len(), model.mesh.faces().len(), statistics.drawn as usize))
 }
 
-/// The same; all of them are drawn.
+/// Number of vertices, triangles, and triangles drawn: all of the list.
 fn fill_triangles(list: &[[i16; 6]], tally: &mut Tally) -> Option<(usize, usize, usize)> {
     for triangle in list {
         let Ok(()) = fill_triangle(flat(triangle)?, LINE, tally);

@@ -1,4 +1,4 @@
-//! The same object three times, from the same bits: for the library, for the designs, and for the oracle.
+//! One object in three forms, made from one set of bits: for the library, for the designs, and for the oracle.
 
 use crate::bridge::pair::{CameraBits, ModelBits};
 use crate::oracle::chain;

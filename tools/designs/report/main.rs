@@ -51,7 +51,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// All that was measured of a design.
+/// The measured speed and errors of a design.
 struct Measured {
     about: &'static about::About,
     /// Instructions a vertex, in the order of [`speed::CORES`].

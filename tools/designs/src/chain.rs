@@ -26,9 +26,9 @@ pub trait Design: Sized {
 
     /// `None` where the design cannot show such an object.
     fn new(object: &Object) -> Option<Self>;
-    /// What is counted: near test, projection, range test if integers could wrap, and snap.
+    /// The counted part: near test, projection, range test if integers could wrap, and snap.
     fn corner(&self, vertex: Self::Vertex) -> ScreenVertex;
-    /// The same before the snap, in pixels, for a vertex that has a place.
+    /// The screen position before the snap, in pixels, of a vertex that has one.
     fn before_snap(&self, vertex: Self::Vertex) -> [f64; 2];
 }
 

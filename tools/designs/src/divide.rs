@@ -9,7 +9,7 @@ pub(crate) trait Divide {
     fn by(w: i32) -> (Self::By, u32);
     /// `x/w · 2^(29 − n)`, rounded down.
     fn high(x: i32, by: Self::By) -> i32;
-    /// The same before it was rounded down.
+    /// The quotient before it is rounded down.
     fn before(x: i32, by: Self::By) -> f64;
 }
 

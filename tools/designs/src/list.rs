@@ -9,7 +9,7 @@ use crate::sixteen::{EyeFirst, Mismatched, Naive};
 use crate::thirty::Thirty;
 use crate::world::BlockScaled;
 
-/// What is done with each design. `id` is the design's name between programs.
+/// A function over all designs. `id` is the design's name, which the programs exchange.
 pub trait Visit {
     fn visit<D: Design>(&mut self, id: &'static str);
 }

@@ -18,7 +18,7 @@ use core::cell::Cell;
 use critical_section::Mutex;
 use register::Register;
 
-/// All that the board has, each once.
+/// The peripherals of the board, one of each.
 pub struct Board {
     /// The bus that the display is alone on, selected.
     pub spi: Spi,

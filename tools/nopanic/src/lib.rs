@@ -17,6 +17,8 @@ mod draw;
 mod set_up;
 #[cfg(not(feature = "provoke"))]
 mod targets;
+#[cfg(not(feature = "provoke"))]
+mod values;
 
 #[cfg(panic = "abort")]
 #[panic_handler]

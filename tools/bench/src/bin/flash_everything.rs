@@ -8,17 +8,17 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use heapless::Vec;
 use pinhole::{DepthBuffer, DirtyRegions, Frame, Lambert, MeshInstance, Painter, ScreenVertex, TransferCost};
 
-/// The cube's, and those that cuts make.
+/// BinnedFaces of the cube, and of the triangles that clipping makes of them.
 const FACES: usize = 12;
 type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 
-/// What is there all frame long.
+/// An object with its light, which live as long as the frame.
 struct Object {
     placed: MeshInstance<'static>,
     light: Lambert,
 }
 
-/// What is lent for a frame.
+/// Buffers that the caller provides for a frame.
 struct Buffers {
     corners: [ScreenVertex; CORNERS],
     records: [u16; RECORDS],
@@ -37,7 +37,8 @@ impl Buffers {
     };
 }
 
-/// A solid, before a camera made at run time. In a function of its own, as each step: what it takes is off the stack when it returns.
+/// Places the cube before a camera made at run time. Each step is a function of its own, so that its stack is free again
+/// when it returns.
 #[inline(never)]
 fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
     let camera = cube.camera();
@@ -46,14 +47,14 @@ fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
     objects.push(Object { placed, light: Turntable::new().light()? }).ok()
 }
 
-/// Before it one in painter's order, of another camera.
+/// Records the cube for painter's order, before another camera.
 #[inline(never)]
 fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<()> {
     painter.clear();
     painter.add(&Turntable::new().place(cube), scene::flat(&cube.mesh, light)).ok()
 }
 
-/// Dithered, with hidden lines, and then all else.
+/// Draws dithered faces with hidden lines, then in all other ways.
 #[inline(never)]
 fn draw(
     Object { placed, light }: &Object,

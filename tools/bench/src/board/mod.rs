@@ -37,7 +37,7 @@ impl Clock {
         (long.abs_diff(short) == 50_000 * counter::TURN).then_some(clock)
     }
 
-    /// The same instructions but for the turns.
+    /// Counts a loop of `count` turns; the other instructions do not depend on `count`.
     #[inline(never)]
     fn turns(&mut self, count: u32) -> Option<u32> {
         self.count(&mut || counter::turns(count))

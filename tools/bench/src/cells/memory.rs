@@ -1,4 +1,4 @@
-//! What cells are lent.
+//! Memory of the cells.
 
 use crate::scene::{BACKGROUND, SIZE};
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -6,7 +6,7 @@ use pinhole::ScreenVertex;
 
 const PIXELS: usize = (SIZE * SIZE) as usize;
 
-/// A whole picture, at the start of a word: as a DMA controller would have it.
+/// A whole picture, aligned to a word as a DMA controller needs it.
 #[repr(C, align(4))]
 pub struct Frame(pub(crate) [Rgb565; PIXELS]);
 
@@ -24,7 +24,7 @@ impl<const N: usize> Plain<N> {
     pub const NEW: Self = Self { frame: Frame::NEW, corners: [ScreenVertex::EMPTY; N] };
 }
 
-/// The same with depth.
+/// A picture, depth, and a mesh of so many vertices.
 pub struct Deep<const N: usize> {
     pub(crate) frame: Frame,
     pub(crate) depth: Depth,
@@ -39,7 +39,7 @@ impl<const N: usize> Deep<N> {
         Self { frame: Frame::NEW, depth: Depth([0; PIXELS]), corners: [ScreenVertex::EMPTY; N] };
 }
 
-/// The same, and the light at each vertex.
+/// A picture, depth, a mesh of so many vertices, and the light at each.
 pub struct Smooth<const N: usize> {
     pub(crate) deep: Deep<N>,
     pub(crate) levels: [u16; N],

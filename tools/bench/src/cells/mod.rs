@@ -20,10 +20,10 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::Rgb565;
 
-/// What is drawn on: of a size that the compiler does not know.
+/// The picture that cells are drawn into; its size is unknown to the compiler.
 pub type Picture<'p> = pinhole::Picture<'p, Rgb565>;
 
-/// What came of a cell.
+/// The result of a cell.
 #[derive(Clone, Copy)]
 pub struct Counted {
     pub instructions: u32,
@@ -61,7 +61,7 @@ pub const CELLS: &[Known] = &[
     ("S8", "z", || s8_z(&mut boxed(Smooth::NEW))),
 ];
 
-/// Those of them that are drawn by planes, here without; they are no cells of the table.
+/// The cells with early culling by face planes, drawn without it; the table does not list them.
 #[cfg(not(target_os = "none"))]
 pub const NO_PLANES: &[Known] = &[
     ("S3", "plain", || s3_no_planes(&mut boxed(Plain::NEW))),
@@ -71,7 +71,7 @@ pub const NO_PLANES: &[Known] = &[
     ("S8", "z", || s8_z_no_planes(&mut boxed(Smooth::NEW))),
 ];
 
-/// What a scene's planes take of flash, in bytes.
+/// Flash of a scene's face planes, in bytes.
 #[cfg(not(target_os = "none"))]
 pub fn planes(scene: &str) -> usize {
     use crate::scene::{ICO, TORUS};
@@ -82,7 +82,7 @@ pub fn planes(scene: &str) -> usize {
     }
 }
 
-/// What a scene's data take of flash, in bytes: its mesh or list.
+/// Flash of a scene's data, its mesh or list, in bytes.
 #[cfg(not(target_os = "none"))]
 pub fn data(scene: &str) -> usize {
     use crate::lists::{COLOURS, LINES, SCREEN, TORUS_NORMALS, TRIANGLES};
@@ -114,7 +114,7 @@ pub fn count(frame: &mut Frame, draw: &mut dyn FnMut(&mut Picture<'_>) -> Option
     count_by(&mut Clock::new()?, frame, draw)
 }
 
-/// The same by a clock that is there.
+/// [`count`] with a given clock.
 #[inline(never)]
 pub fn count_by(
     clock: &mut Clock,

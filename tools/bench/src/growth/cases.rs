@@ -1,4 +1,4 @@
-//! What is drawn: some cases for the fit, others to see how well it foretells.
+//! The cases that are drawn: some to fit the constants, others to test the predictions.
 
 use super::shapes::{
     Shape, SHEET_3200, SHEET_800, SPHERE_10, SPHERE_224, SPHERE_720, TORUS_1024, TORUS_20000, TORUS_24,

@@ -53,16 +53,17 @@ pub enum Way {
     Lines,
     Faces,
     Depth,
-    /// The same, asked by their planes.
+    /// BinnedFaces, with early culling by face planes.
     PlaneCulled,
+    /// BinnedFaces with depth, with early culling by face planes.
     FacingDepth,
     /// BinnedFaces with depth, in bands of so many rows.
     Bands(u32),
-    /// The same, asked by their planes.
+    /// BinnedFaces with depth in bands of so many rows, with early culling by face planes.
     FacingBands(u32),
 }
 
-/// Those that share their constants together.
+/// The ways to draw, grouped by the constants that they share.
 pub const WAYS: [&[Way]; 7] = [
     &[Way::Lines],
     &[Way::Faces],

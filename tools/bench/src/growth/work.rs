@@ -17,7 +17,7 @@ pub struct Work {
     pub large: u32,
     /// With a corner that must be clipped: drawn or not.
     pub clipped: u32,
-    /// Of these, those that a plane of the view volume cuts: drawn, or turned away, which is known only then. BinnedEdges are drawn.
+    /// Of these, those that a plane of the view volume cuts: drawn, or culled, which is known only after clipping. BinnedEdges are drawn.
     pub cut: u32,
     pub rows: u32,
     pub pixels: u32,
@@ -168,7 +168,7 @@ impl Case {
         let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&placed, face)).collect();
         let of = |kind| kinds.iter().filter(|&&of| of == kind).count() as u32;
         let (clipped, cut) = match way.asks_planes() {
-            // Those turned away are not looked at.
+            // Back faces are culled before.
             true => (of(Kind::Cut) + statistics.outside, statistics.clipped),
             false => {
                 let all = 0..mesh.faces().len();

@@ -1,5 +1,0 @@
-//! S1: the cube's edges.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::cells::{self, Plain};
-
-bench::cell!(Plain<{ cells::CUBE }>, cells::s1);

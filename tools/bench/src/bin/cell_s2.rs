@@ -1,5 +1,0 @@
-//! S2: the cube, a colour for each face.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::cells::{self, Plain};
-
-bench::cell!(Plain<{ cells::CUBE }>, cells::s2);

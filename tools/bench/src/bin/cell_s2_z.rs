@@ -1,5 +1,0 @@
-//! S2 with depth.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::cells::{self, Deep};
-
-bench::cell!(Deep<{ cells::CUBE }>, cells::s2_z);

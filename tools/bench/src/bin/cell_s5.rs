@@ -1,5 +1,0 @@
-//! S5: one triangle over the whole picture.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::cells::{self, Frame};
-
-bench::cell!(Frame, cells::s5);

@@ -1,9 +1,0 @@
-//! Lit faces, in bands, with depth, into a band's pixels.
-#![cfg_attr(target_os = "none", no_std, no_main)]
-use bench::{depth_in_bands, scene};
-
-depth_in_bands!(|faces, mesh, light, depth, band| faces.depth_tested(
-    scene::flat(mesh, light),
-    &mut depth,
-    &mut band.pixels()
-));

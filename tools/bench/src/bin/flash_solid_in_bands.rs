@@ -1,0 +1,11 @@
+//! Flat faces in bands, into a band's pixels, a firmware each: with and without early culling by face planes.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+use bench::{position, solid_in_bands};
+
+/// The firmware that is built.
+const BY_PLANES: bool = position(env!("CARGO_BIN_NAME"), &["flash_solid_bands", "flash_facing_bands"]) == 1;
+
+solid_in_bands!(|placed, corners, records| match BY_PLANES {
+    true => placed.cull_by_planes().bin_faces(corners, records),
+    false => placed.transform(corners).bin_faces(records),
+});
