@@ -7,7 +7,7 @@
 mod bridge;
 mod oracle;
 
-#[path = "../examples/accuracy/functions.rs"]
+#[path = "../apps/accuracy/src/functions.rs"]
 mod functions;
 #[allow(dead_code)]
 #[path = "../src/math/num.rs"]

@@ -1,9 +1,6 @@
 //! On the wire: the real driver's bytes, and the picture that a controller makes of them, against pictures that are
 //! drawn whole in memory.
 
-#[allow(dead_code)]
-#[path = "../examples/common/canvas.rs"]
-mod canvas;
 mod panel;
 
 use embedded_graphics::pixelcolor::Rgb565;

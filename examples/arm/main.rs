@@ -5,24 +5,10 @@
 //! cargo run --release --example arm -- --help
 //! ```
 
-#[path = "../common/animation.rs"]
-mod animation;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/film.rs"]
-mod film;
 mod meshes;
 mod robot;
-#[path = "../common/still.rs"]
-mod still;
 
-use canvas::Canvas;
 use clap::Command;
-use command::Film;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use pinhole::space::World;
@@ -30,6 +16,9 @@ use pinhole::{
     Affine, Angle, Camera, Cull, Dim, Hierarchy, Lambert, Mesh, Painter, Point3, Projection, Scalar,
     Statistics, Vector3, Viewing, Viewport,
 };
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::command::Film;
+use pinhole_apps_support::{command, film};
 use robot::{Form, Paint};
 use std::collections::BTreeMap;
 use std::error::Error;

@@ -9,20 +9,15 @@
 //! one is written to `target/bands/bands.png`.
 
 mod blocking;
-#[path = "../common/command.rs"]
-mod command;
 mod display;
-#[path = "../common/files.rs"]
-mod files;
 mod ping_pong;
 mod scene;
-#[path = "../common/still.rs"]
-mod still;
 mod task;
 
 use clap::{value_parser, Command};
 use display::Display;
 use embedded_graphics::pixelcolor::Rgb888;
+use pinhole_apps_support::{command, files, still};
 use scene::{Scene, SIZE};
 use std::error::Error;
 use std::path::PathBuf;

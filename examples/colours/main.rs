@@ -4,29 +4,18 @@
 //! cargo run --release --example colours -- --help
 //! ```
 
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/generated.rs"]
-mod generated;
 mod scene;
-#[path = "../common/sheet.rs"]
-mod sheet;
-#[path = "../common/still.rs"]
-mod still;
 
-use canvas::Canvas;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use generated::Generated;
 use pinhole::{Channels, Dithered, Gouraud, InkFor, Lit, Wire};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::sheet::{write, BACKGROUND, FAINT, INK};
+use pinhole_apps_support::{command, still};
 use scene::{Inks, Scene};
-use sheet::{write, BACKGROUND, FAINT, INK};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -41,7 +30,7 @@ const ROWS: u32 = 8;
 fn main() -> ExitCode {
     command::run(|| {
         let about = "Draws a scene in every kind of colour, rounded and dithered: a contact sheet";
-        let file = Generated::arguments("colours", about, "docs/colours.png")?;
+        let file = Generated::arguments("--example colours", about, "docs/colours.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }

@@ -5,18 +5,13 @@
 //! cargo run --release --example first     # writes target/first/first.png
 //! ```
 
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
 #[allow(unreachable_pub)] // as a file of its own it is right
 mod picture;
-#[path = "../common/still.rs"]
-mod still;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Pixel, Size};
 use pinhole::Angle;
+use pinhole_apps_support::{command, files, still};
 use std::convert::Infallible;
 use std::error::Error;
 use std::path::Path;

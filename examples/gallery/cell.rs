@@ -1,14 +1,14 @@
 //! One view drawn into one cell.
 
-use crate::canvas::Canvas;
 use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, NORMALS, SIDES, VERTICES};
-use crate::sheet::INK;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
 use pinhole::raster::area;
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Camera, Corner, Dim, Lambert, Mesh, Painter, VanishingPoint, Vector3, Viewport};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::sheet::INK;
 use std::error::Error;
 
 pub(crate) const PAPER: Rgb888 = Rgb888::new(255, 254, 250);

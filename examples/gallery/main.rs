@@ -4,30 +4,19 @@
 //! cargo run --release --example gallery -- --help
 //! ```
 
-#[path = "../common/canvas.rs"]
-mod canvas;
 mod cell;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/generated.rs"]
-mod generated;
 mod house;
-#[path = "../common/sheet.rs"]
-mod sheet;
-#[path = "../common/still.rs"]
-mod still;
 mod views;
 
-use canvas::Canvas;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_5X8, FONT_6X10};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
-use generated::Generated;
 use pinhole::{Camera, Viewport};
-use sheet::{write, BACKGROUND, FAINT, INK};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::sheet::{write, BACKGROUND, FAINT, INK};
+use pinhole_apps_support::{command, still};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -40,7 +29,7 @@ const COLUMNS: u32 = 6;
 fn main() -> ExitCode {
     command::run(|| {
         let about = "Draws a house under every named projection: a contact sheet";
-        let file = Generated::arguments("gallery", about, "docs/projections.png")?;
+        let file = Generated::arguments("--example gallery", about, "docs/projections.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }

@@ -128,8 +128,8 @@ impl Emulator {
 
     fn picture(&mut self) -> io::Result<Picture> {
         let file = self.folder.0.join("picture.ppm");
-        let name = serde_json::to_string(&file.to_string_lossy())?;
-        self.execute(&format!(r#"{{"execute": "screendump", "arguments": {{"filename": {name}}}}}"#))?;
+        let name = escape(&file.to_string_lossy());
+        self.execute(&format!(r#"{{"execute": "screendump", "arguments": {{"filename": "{name}"}}}}"#))?;
         let dump = std::fs::read(&file)?;
         decode(&dump).ok_or_else(|| io::Error::other("not a picture of the panel"))
     }
@@ -165,6 +165,16 @@ fn end(qemu: &mut Child) {
 /// too.
 pub(crate) fn complains(said: &str) -> bool {
     said.contains("ssd0323")
+}
+
+/// Text between the quotes of a JSON string (RFC 8259, section 7).
+fn escape(text: &str) -> String {
+    let escape = |c: char| match c {
+        '"' | '\\' => format!("\\{c}"),
+        c if c < ' ' => format!("\\u{:04x}", u32::from(c)),
+        c => c.to_string(),
+    };
+    text.chars().map(escape).collect()
 }
 
 /// Asks every few milliseconds, until there is something or patience ends.

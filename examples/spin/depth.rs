@@ -1,13 +1,13 @@
 //! The same picture with a depth buffer: what painter's order should look like. Each face has a colour of its own, to
 //! see which one a pixel shows.
 
-use crate::canvas::Canvas;
 use embedded_graphics::pixelcolor::raw::RawU24;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{area, triangle, Scissor, ScreenPoint};
 use pinhole::Placed;
+use pinhole_apps_support::canvas::Canvas;
 use std::convert::Infallible;
 
 /// The colour of no face.

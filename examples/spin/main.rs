@@ -5,29 +5,18 @@
 //! cargo run --release --example spin -- --help
 //! ```
 
-#[path = "../common/animation.rs"]
-mod animation;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
 mod depth;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/film.rs"]
-mod film;
 mod scene;
-#[path = "../common/still.rs"]
-mod still;
 mod terminal;
 
-use canvas::Canvas;
 use clap::{value_parser, Command};
-use command::Film;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
 use pinhole::{Corner, Dim, Lambert, Painter, Statistics, Vector3};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::command::Film;
+use pinhole_apps_support::{command, film};
 use pinhole_import::ImportedMesh;
 use scene::Turntable;
 use std::error::Error;

@@ -5,24 +5,10 @@
 //! cargo run --release --example surface -- --help
 //! ```
 
-#[path = "../common/animation.rs"]
-mod animation;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/film.rs"]
-mod film;
 mod rgb332;
-#[path = "../common/still.rs"]
-mod still;
 mod water;
 
-use canvas::Canvas;
 use clap::Command;
-use command::Film;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
@@ -30,6 +16,9 @@ use pinhole::{
     edge_faces, Affine, Angle, Camera, Channels, Corner, DepthBuffer, Flat, Frame, Gouraud, Lambert, Point3,
     Projection, Scalar, Statistics, Vector3, Viewing, Viewport, Wire,
 };
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::command::Film;
+use pinhole_apps_support::{command, film};
 use rgb332::Rgb332;
 use std::error::Error;
 use std::process::ExitCode;

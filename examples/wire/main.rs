@@ -4,28 +4,20 @@
 //! cargo run --release --example wire -- --help
 //! ```
 
-#[allow(dead_code)]
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/generated.rs"]
-mod generated;
 #[path = "../../tools/bench/report/grouped.rs"]
 mod grouped;
 mod page;
 #[path = "../../tests/panel/mod.rs"]
 mod panel;
 
-use generated::Generated;
+use pinhole_apps_support::command;
+use pinhole_apps_support::generated::Generated;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     command::run(|| {
         let about = "Counts the bytes that a display driver sends, way by way: a page of tables";
-        let file = Generated::arguments("wire", about, "docs/wire.md")?;
+        let file = Generated::arguments("--example wire", about, "docs/wire.md")?;
         file.finish_page(&page::page())
     })
 }

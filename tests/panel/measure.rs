@@ -3,10 +3,10 @@
 use super::films::{Film, Memory, Thing, BACKGROUND};
 use super::screen::{Kind, Screen, Stored};
 use super::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
-use crate::canvas::Canvas;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::Wire;
+use pinhole_apps_support::canvas::Canvas;
 
 /// A frame, drawn whole in memory.
 pub(crate) fn reference<C: Colour>(things: &[Thing], size: Size) -> Canvas<C> {

@@ -6,7 +6,7 @@ mod bridge;
 #[path = "../../../tests/oracle/mod.rs"]
 mod oracle;
 #[allow(dead_code)] // other ways to give a vertex, and classes of depth
-#[path = "../../../examples/accuracy/population.rs"]
+#[path = "../../../apps/accuracy/src/population.rs"]
 mod population;
 
 mod about;

@@ -1,0 +1,48 @@
+//! Measures how far the library's numbers lie from f64's and writes docs/accuracy.md:
+//!
+//! ```text
+//! cargo run --release -p pinhole-accuracy -- --help
+//! ```
+
+#[path = "../../../tests/bridge/mod.rs"]
+mod bridge;
+mod figures;
+mod functions;
+#[path = "../../../tools/bench/report/grouped.rs"]
+mod grouped;
+#[path = "../../../tests/oracle/mod.rs"]
+mod oracle;
+mod page;
+mod population;
+mod sweep;
+
+// The library's private numbers, as they are.
+#[allow(dead_code)]
+#[path = "../../../src/math/num.rs"]
+mod num;
+#[allow(dead_code, unreachable_pub)]
+#[path = "../../../src/math/quaternion.rs"]
+mod quaternion;
+#[allow(dead_code)]
+#[path = "../../../src/math/unit.rs"]
+mod unit;
+
+use pinhole::{NumberError, Scalar}; // for `quaternion`
+use pinhole_apps_support::command;
+use pinhole_apps_support::generated::Generated;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    command::run(|| {
+        let about = "Measures the library's numbers against f64: a page of tables";
+        let file = Generated::arguments("-p pinhole-accuracy", about, "docs/accuracy.md")?;
+        let page = match page::page() {
+            Ok(page) => page,
+            Err(bound) => {
+                command::complain(bound);
+                return Ok(ExitCode::from(1));
+            }
+        };
+        file.finish_page(&page)
+    })
+}
