@@ -1,5 +1,5 @@
 //! Rule 2 of the house: every stated bound of a numeric function holds, and is at most twice the largest error met.
-//! The measurements are those of docs/accuracy.md, made anew (`examples/accuracy/functions.rs`).
+//! The measurements are those of docs/accuracy.md, made anew (`apps/accuracy/src/functions.rs`).
 //!
 //! `src/math/num.rs`, `unit.rs` and `quaternion.rs` are compiled in once more, as what is measured: their functions
 //! are private.

@@ -1,5 +1,5 @@
 //! R1–R9 in memory: the triangles of `Picture::pixels` and `Band::pixels`, which have loops of their own, against the
-//! oracle; and with depth against those of any other target, which `tests/pictures.rs` holds to its oracle.
+//! oracle; and with depth against those of any other target, which `apps/render/tests/pictures.rs` holds to its oracle.
 
 mod bridge;
 mod oracle;

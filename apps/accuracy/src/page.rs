@@ -19,7 +19,7 @@ const HEAD: &str = "\
 What the integers cost, measured. This page is written by
 
 ```sh
-cargo run --release --example accuracy
+cargo run --release -p pinhole-accuracy
 ```
 
 and CI checks that it is current (`-- --check`). The reference is f64 from the same quantised inputs: the bits of

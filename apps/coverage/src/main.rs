@@ -1,7 +1,7 @@
 //! The rasteriser alone: triangles and lines from a JSON file, and how often each pixel was drawn.
 //!
 //! ```text
-//! cargo run --release --example coverage -- IN.json OUT
+//! cargo run --release -p pinhole-coverage -- IN.json OUT
 //! ```
 
 mod input;

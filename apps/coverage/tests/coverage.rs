@@ -1,4 +1,4 @@
-//! `examples/coverage`: its formats, its pictures against the exact oracles, and what it says to bad input.
+//! `pinhole-coverage`: its formats, its counts against the exact oracles, and its messages for bad input.
 
 #[path = "../../../tests/oracle/mod.rs"]
 mod oracle;

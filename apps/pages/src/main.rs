@@ -2,7 +2,7 @@
 //! the crate's page, and the book's figure. Run it after a page or picture in `docs` has changed:
 //!
 //! ```text
-//! cargo run --release --example pages -- --help
+//! cargo run --release -p pinhole-pages -- --help
 //! ```
 
 mod constants;
@@ -44,7 +44,7 @@ fn main() -> ExitCode {
                 command::say(path)?;
             } else if read(path).as_ref() != Ok(&content) {
                 command::complain(format_args!(
-                    "{path}: not current: run cargo run --release --example pages"
+                    "{path}: out of date: run cargo run --release -p pinhole-pages"
                 ));
                 current = false;
             }

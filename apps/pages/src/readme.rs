@@ -3,7 +3,7 @@
 use crate::grouped::grouped;
 use crate::page::{number, Page};
 
-const BEGIN: &str = "<!-- table: cargo run --release --example pages -->\n";
+const BEGIN: &str = "<!-- table: cargo run --release -p pinhole-pages -->\n";
 const END: &str = "<!-- end of table -->\n";
 
 /// What others take for the torus with depth: measured once, with the targets of `tools/bench/targets.txt`.

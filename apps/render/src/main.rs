@@ -2,8 +2,8 @@
 //! numbers for other programs.
 //!
 //! ```text
-//! cargo run --release --example render -- MODEL.stl
-//! cargo run --release --example render -- --help
+//! cargo run --release -p pinhole-render -- MODEL.stl
+//! cargo run --release -p pinhole-render -- --help
 //! ```
 
 mod arguments;

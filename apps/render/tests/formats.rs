@@ -1,4 +1,4 @@
-//! `examples/render`, driven as another program would: what it writes, and what it says to bad input.
+//! Files that `pinhole-render` writes for other programs, and its messages for bad input.
 
 use pinhole_apps_support::testing::{refusal, Program};
 use serde_json::{json, Value};
@@ -309,7 +309,11 @@ fn bad_meshes_of_a_scene_are_named_themselves() {
     for (name, content, named) in [
         ("m.obj", Some("v 0 0 0\nf 1 2 3\n"), "m.obj:2: the face names a vertex that does not exist"),
         ("m.json", Some("{\"vertices\": [[0, 0, 0]]}"), "m.json: triangles: is missing"),
-        ("m.json", Some("{\"vertices\": [], \"triangles\": [], \"width\": 3}"), "m.json: width: is not a field"),
+        (
+            "m.json",
+            Some("{\"vertices\": [], \"triangles\": [], \"width\": 3}"),
+            "m.json: width: is not a field",
+        ),
         ("m.json", Some("{\"vertices\": [], \"triangles\": []}"), "m.json: triangles: has no faces"),
         ("m.obj", Some("v 0 0 0\n"), "m.obj: has no faces"),
         ("m.ply", Some("ply"), "m.ply: is not a model"),

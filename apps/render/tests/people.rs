@@ -1,4 +1,4 @@
-//! `examples/render` as people use it: a picture without a word said, projections, colours, films, text.
+//! What `pinhole-render` draws for people: pictures without any option, projections, colours, films, text.
 
 use pinhole_apps_support::testing::{refusal, Program};
 use std::collections::BTreeSet;

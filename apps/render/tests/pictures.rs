@@ -1,7 +1,7 @@
-//! Whole pictures of `examples/render` against an oracle that knows the scene only from the file that
-//! `--used` wrote; and that file drawn again.
+//! Complete pictures of `pinhole-render` against an oracle that knows the scene only from the file that `--used` wrote; and
+//! that file drawn again.
 //!
-//! 100 random scenes of each kind; `PINHOLE_FULL=1 cargo test --test pictures -- --nocapture` takes 3000.
+//! 100 random scenes of each kind; `PINHOLE_FULL=1 cargo test -p pinhole-render --test pictures -- --nocapture` draws 3000.
 
 #[path = "../../../tests/oracle/mod.rs"]
 mod oracle;

@@ -1,7 +1,7 @@
 //! The simulator without its window: what keys and mouse do to a [`State`], and what a [`Viewer`] shows of it. The window
 //! is in `window.rs`, an example that needs SDL; all the rest is tested without.
 //!
-//! A model is drawn as `examples/render` draws it, through the same code, but as firmware does: in bands, and only
+//! A model is drawn by the code of `pinhole-render`, but as firmware draws: in bands, and only
 //! where a frame differs from the last one. The scenes of the firmware examples are there, too.
 
 mod firmware;

@@ -1,7 +1,7 @@
 //! The simulator: a model as it looks on a small display, drawn as firmware draws it, in a window.
 //!
 //! ```text
-//! cargo run --release --features viewer --example viewer -- MODEL.stl     # needs SDL2: libsdl2-dev
+//! cargo run --release -p pinhole-viewer --features viewer -- MODEL.stl     # needs SDL2: libsdl2-dev
 //! ```
 
 use clap::{value_parser, Arg, ArgMatches, Command};

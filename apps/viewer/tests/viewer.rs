@@ -424,7 +424,7 @@ fn a_file_that_is_shown_is_not_a_picture_s() {
     for (read, kept) in [(&model, &model), (&scene, &scene), (&scene, &model)] {
         let source = Source::read(read).unwrap();
         let said = source.apart_from(kept).unwrap_err();
-        assert!(said.starts_with(kept.to_str().unwrap()) && said.contains("is the input itself"), "{said}");
+        assert!(said.starts_with(kept.to_str().unwrap()) && said.contains("is the input file"), "{said}");
         source.apart_from(&read.with_extension("png")).unwrap();
     }
 }

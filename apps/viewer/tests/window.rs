@@ -1,5 +1,5 @@
 //! The window itself, under a virtual display: the pixels that X shows are those of the host's own render of the same
-//! state. `cargo test --features viewer --package pinhole-viewer`; it needs SDL2 and Xvfb, and without Xvfb it says so and
+//! state. `cargo test -p pinhole-viewer --features viewer`; it needs SDL2 and Xvfb, and without Xvfb it says so and
 //! tests nothing (with CI set it fails).
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -14,6 +14,7 @@ use std::time::Duration;
 
 const SIZE: Size = Size::new(320, 240);
 const SCREEN: Size = Size::new(400, 300);
+const VIEWER: &str = env!("CARGO_BIN_EXE_pinhole-viewer");
 
 /// A picture in memory.
 struct Picture(Vec<Rgb888>);
@@ -129,13 +130,6 @@ fn read_png(file: &Path) -> Option<Vec<[u8; 3]>> {
     Some(bytes.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect())
 }
 
-fn program() -> PathBuf {
-    let tests = std::env::current_exe().unwrap();
-    let program = tests.with_file_name("../examples/viewer").with_extension(std::env::consts::EXE_EXTENSION);
-    assert!(program.exists(), "cargo test --features viewer builds the example");
-    program
-}
-
 /// A program that cannot open a window refused: exit code 2, and one line, which is given.
 fn refusal(mut viewer: Command) -> String {
     let done = viewer.env("SDL_VIDEODRIVER", "none-such").output().unwrap();
@@ -152,7 +146,7 @@ fn a_scene_too_small_for_a_display_says_so_itself() {
         "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]], "width": 8, "height": 64}"#;
     fs::write(&scene, text).unwrap();
     let viewer = |size: &[&str]| {
-        let mut viewer = Command::new(program());
+        let mut viewer = Command::new(VIEWER);
         viewer.arg(&scene).args(size);
         refusal(viewer)
     };
@@ -166,7 +160,7 @@ fn a_scene_too_small_for_a_display_says_so_itself() {
 fn a_window_that_cannot_be_opened_is_one_line() {
     let png = Path::new(env!("CARGO_TARGET_TMPDIR")).join("unseen.png");
     let _ = fs::remove_file(&png); // from an earlier run
-    let mut viewer = Command::new(program());
+    let mut viewer = Command::new(VIEWER);
     viewer.arg("--screenshot").arg(&png);
     let said = refusal(viewer);
     assert!(said.starts_with("no window can be opened: ") && said.contains("none-such"), "{said}");
@@ -181,7 +175,7 @@ fn the_window_shows_what_the_host_renders() {
     let Some((_server, display)) = server(&folder) else { return };
     for (number, keys) in ["s - - - - r left", "l p p c h", "c c c c d up b", "m b"].into_iter().enumerate() {
         let png = folder.join(format!("{number}.png"));
-        let viewer = Command::new(program())
+        let viewer = Command::new(VIEWER)
             .args(["--scale", "1", "--stay", "60000", "--keys", keys, "--screenshot"])
             .arg(&png)
             .env("DISPLAY", &display)
