@@ -1,6 +1,6 @@
-//! Where links and pictures of the README lead on the crate's page, where files of the repository are not at hand: files
-//! to the source that docs.rs shows, pictures into the page. Markdown takes the first definition of a name, so what
-//! stands before the README goes before its own.
+//! Definitions of the README's links for the crate's page, where files of the repository are not at hand. Links to pages
+//! lead to the source that docs.rs shows, and a small drawing says where each picture is; the picture's alternative text
+//! describes it. Markdown takes the first definition of a name, so this file is included before the README.
 
 use std::fmt::Write;
 
@@ -16,34 +16,49 @@ pub(crate) fn definitions() -> Result<String, String> {
         if path.contains("://") {
             continue;
         }
-        // A file of the package, a picture, or the book itself.
-        match path.rsplit_once('.') {
-            _ if path == "src/book/mod.rs" => {
-                let _ = writeln!(text, "[{name}]: crate::book");
-            }
-            Some((_, "png")) => {
-                let file = std::fs::read(super::root().join(path)).map_err(|e| format!("{path}: {e}"))?;
-                let _ = writeln!(text, "[{name}]: data:image/png;base64,{}", base64(&file));
-            }
-            _ => {
-                let _ = writeln!(text, "[{name}]: {SOURCE}/{path}");
-            }
-        }
+        let target = match path.rsplit_once('.') {
+            _ if path == "src/book/mod.rs" => "crate::book".to_string(),
+            Some((_, "png")) => placeholder(path),
+            _ => format!("{SOURCE}/{path}"),
+        };
+        let _ = writeln!(text, "[{name}]: {target}");
     }
     text.push('\n');
     Ok(text)
 }
 
-/// RFC 4648, section 4.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::new();
-    for three in bytes.chunks(3) {
-        let bits = three.iter().fold(0, |bits, &byte| bits << 8 | u32::from(byte)) << (8 * (3 - three.len()));
-        for digit in 0..4 {
-            let value = bits >> (18 - 6 * digit) & 63;
-            text.push(if digit <= three.len() { char::from(DIGITS[value as usize]) } else { '=' });
+/// A drawing that stands for a picture and names its file, as a data URL: pictures take 80 KB, and the package carries text
+/// alone.
+fn placeholder(path: &str) -> String {
+    // 7 pixels a letter of 12 pixels' height, and a margin.
+    let caption = format!("{path}, in the repository");
+    let width = 7 * caption.len() + 20;
+    let svg = format!(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='{width}' height='32'>\
+         <rect width='100%' height='100%' fill='none' stroke='gray'/>\
+         <text x='10' y='20' font-family='monospace' font-size='12' fill='gray'>{caption}</text></svg>"
+    );
+    let mut url = String::from("data:image/svg+xml,");
+    for byte in svg.bytes() {
+        match byte {
+            // RFC 3986, section 2.3, and what may stand unescaped behind a scheme.
+            b'A'..=b'Z'
+            | b'a'..=b'z'
+            | b'0'..=b'9'
+            | b'-'
+            | b'.'
+            | b'_'
+            | b'~'
+            | b'/'
+            | b':'
+            | b'='
+            | b',' => {
+                url.push(char::from(byte));
+            }
+            _ => {
+                let _ = write!(url, "%{byte:02X}");
+            }
         }
     }
-    text
+    url
 }
