@@ -1,5 +1,5 @@
-//! The input file. It is read as a stream, so that a million triangles take the room that they need and no more;
-//! a number is looked at as it is written, so that nothing is rounded on the way.
+//! The input file. It is parsed as a stream, so that a million triangles take no more memory than they need. Numbers are
+//! parsed from their text, so that none is rounded first.
 
 use pinhole::raster::{Pixel, ScreenPoint, GUARD_BAND};
 use serde::de::{DeserializeSeed, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
@@ -10,7 +10,7 @@ use std::fmt;
 
 const LARGEST: i64 = 4096;
 const LIMIT: i64 = GUARD_BAND as i64 * 256;
-/// `Pixel` holds -32768 too, which the documented range does not.
+/// The documented range is symmetric; `Pixel` could hold -32768 too.
 const FARTHEST: i64 = 32_767;
 
 pub(crate) struct Input {
@@ -21,7 +21,7 @@ pub(crate) struct Input {
 }
 
 impl Input {
-    /// Says which field is wrong, and how.
+    /// Parses the file. The error names the field and what is wrong with it.
     pub(crate) fn parse(text: &[u8]) -> Result<Self, String> {
         let text = str::from_utf8(text).map_err(|e| format!("is not JSON: {e}"))?;
         let place = Cell::new(Place::default());
@@ -34,7 +34,7 @@ impl Input {
     }
 }
 
-/// Where the reader is, for its message.
+/// The field being read, for messages.
 #[derive(Clone, Copy, Default)]
 struct Place {
     field: Option<&'static str>,
@@ -59,7 +59,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// The object that the file is.
+/// The root object.
 struct Whole<'a>(&'a Cell<Place>);
 
 impl<'de> Visitor<'de> for Whole<'_> {
@@ -114,7 +114,7 @@ impl<'de> Visitor<'de> for Whole<'_> {
     }
 }
 
-/// What the numbers of a triangle or a line make, if each lies in ±`LIMIT` or ±`FARTHEST`.
+/// A triangle of numbers in ±`LIMIT`.
 fn triangle([x0, y0, x1, y1, x2, y2]: [i64; 6]) -> Option<[ScreenPoint; 3]> {
     let point = |x: i64, y: i64| ScreenPoint::from_subpixels(x.try_into().ok()?, y.try_into().ok()?);
     Some([point(x0, y0)?, point(x1, y1)?, point(x2, y2)?])
@@ -156,7 +156,7 @@ impl<'de, T, const N: usize> Visitor<'de> for List<'_, T, N> {
     }
 }
 
-/// One triangle or line.
+/// One triangle or line of N numbers.
 struct Item<'a, T, const N: usize>(&'a Cell<Place>, fn([i64; N]) -> Option<T>);
 
 impl<'de, T, const N: usize> DeserializeSeed<'de> for Item<'_, T, N> {
@@ -194,7 +194,7 @@ impl<'de, T, const N: usize> Visitor<'de> for Item<'_, T, N> {
     }
 }
 
-/// An integer from the first to the second.
+/// An integer in an inclusive range.
 struct Number(i64, i64);
 
 impl<'de> DeserializeSeed<'de> for Number {
@@ -205,7 +205,7 @@ impl<'de> DeserializeSeed<'de> for Number {
         let text = <&RawValue as serde::Deserialize>::deserialize(json)?.get();
         match whole(text) {
             Some(number) if (low..=high).contains(&number) => Ok(number),
-            // Too long for 64 bits, or one that is not from low to high.
+            // Out of range, or even of 64 bits.
             _ if is_integer(text) => {
                 Err(Error::custom(format_args!("{} is not from {low} to {high}", Short(text))))
             }
@@ -214,19 +214,19 @@ impl<'de> DeserializeSeed<'de> for Number {
     }
 }
 
-/// Of JSON text: the whole number that it is, also where it is written as 8.0 or 8e2.
+/// The value of JSON text that is an integer, also if it is written as 8.0 or 8e2.
 fn whole(text: &str) -> Option<i64> {
     let float = || text.parse::<f64>().ok().filter(|v| v.fract() == 0.0 && v.abs() < 1e15);
     text.parse().ok().or_else(|| Some(float()? as i64)) // exact below 2⁵³
 }
 
-/// Of JSON text: whether it is a number with neither fraction nor exponent.
+/// Whether JSON text is a number with neither fraction nor exponent.
 fn is_integer(text: &str) -> bool {
     let digits = text.strip_prefix('-').unwrap_or(text);
     digits.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// The text, but for the end of a long one.
+/// A text of at most 30 characters; the rest is replaced by dots.
 struct Short<'a>(&'a str);
 
 impl fmt::Display for Short<'_> {

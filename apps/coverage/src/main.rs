@@ -1,4 +1,4 @@
-//! The rasteriser alone: triangles and lines from a JSON file, and how often each pixel was drawn.
+//! The rasteriser alone: draws triangles and lines from a JSON file and counts how often each pixel is drawn.
 //!
 //! ```text
 //! cargo run --release -p pinhole-coverage -- IN.json OUT
@@ -15,16 +15,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const FORMATS: &str = r#"IN.json, where "triangles" and "lines" may be missing:
+const FORMATS: &str = r#"IN.json ("triangles" and "lines" are optional):
   {"width": W, "height": H,                          pixels, 1 to 4096
    "triangles": [[x0, y0, x1, y1, x2, y2], ...],     in 1/256 pixel, from -2097152 to 2097152
    "lines": [[x0, y0, x1, y1], ...]}                 in whole pixels, from -32767 to 32767
-Numbers are whole; 8.0 is 8. x runs right, y down; pixel (i, j) has its centre
+All numbers are integers; 8.0 is one. x runs right, y down; pixel (i, j) has its centre
 at (256 i + 128, 256 j + 128).
 
-OUT: for each pixel, row by row from the top, a little-endian u32: how many of the triangles and lines drew it.
+OUT: for each pixel, row by row from the top, a little-endian u32: how many triangles and lines drew it.
 
-Bad input: one line on stderr, exit code 2, and OUT as it was."#;
+Bad input: one line on stderr, exit code 2, and OUT is not changed."#;
 
 fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, String> {
@@ -32,8 +32,8 @@ fn main() -> ExitCode {
         let mut given = command::matches(
             Command::new("coverage")
                 .about("Rasterises triangles and lines, and counts how often each pixel is drawn")
-                .arg(path("IN.json", "What to draw"))
-                .arg(path("OUT", "The counts"))
+                .arg(path("IN.json", "The triangles and lines to draw"))
+                .arg(path("OUT", "The file for the counts"))
                 .after_help(FORMATS),
         )?;
         let mut path = |name| given.remove_one::<PathBuf>(name).unwrap_or_default();
@@ -58,7 +58,7 @@ fn run(from: &Path, to: &Path) -> Result<(), String> {
     let bytes: Vec<u8> = counts.iter().flat_map(|count| count.to_le_bytes()).collect();
     files::write(&[(to, bytes)])?;
     command::say(format_args!(
-        "{}: {} x {} pixels, {} triangles, {} lines; {} pixels drawn, the most often {} times",
+        "{}: {} x {} pixels, {} triangles, {} lines; {} pixels drawn, each at most {} times",
         to.display(),
         input.width,
         input.height,

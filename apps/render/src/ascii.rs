@@ -1,4 +1,4 @@
-//! A picture in characters, each for 2 × 4 pixels: as characters are about twice as high as wide, those are square.
+//! A picture as text, one character for 2 × 4 pixels: characters are about twice as high as wide, so these pixels are square.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::Statistics;
@@ -9,9 +9,9 @@ use pinhole_render::scene::Scene;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Characters {
-    /// Of growing weight.
+    /// Characters of growing weight.
     Ramp,
-    /// A dot for each pixel.
+    /// Braille patterns: one dot for each pixel.
     Braille,
 }
 
@@ -19,14 +19,13 @@ impl Characters {
     pub(crate) const ALL: [(&'static str, Self); 2] = [("ramp", Self::Ramp), ("braille", Self::Braille)];
 }
 
-/// From nothing to full light.
+/// The characters from black to white.
 const RAMP: &[u8] = b" .:-=+*#%@";
 const CELL: [usize; 2] = [2, 4];
-/// The bits of the dots, row by row.
+/// The bit of each dot in a braille pattern, row by row.
 const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
-/// Light things on dark paper, as terminals mostly are: lines of equal length. And what became of the scene's faces or
-/// edges.
+/// The picture as lines of equal length, bright on a dark terminal, and the statistics of the scene's faces or edges.
 pub(crate) fn text(
     subject: &Subject,
     scene: (&Scene, &Quantised),
@@ -55,7 +54,7 @@ pub(crate) fn text(
                 let dots: u32 = cell.filter(|&(x, y)| light(x, y) > 127).map(|(x, y)| DOTS[y][x]).sum();
                 text.extend(char::from_u32(0x2800 + dots));
             } else {
-                // At most 255. What is there at all is not blank.
+                // At most 255. A character with any covered pixel is not blank.
                 let mean = cell.map(|(x, y)| light(x, y)).sum::<u32>() / (across * down) as u32;
                 let weight = (mean as usize * RAMP.len() / 256).max(usize::from(mean > 0));
                 text.push(RAMP[weight].into());

@@ -4,7 +4,7 @@ use embedded_graphics::pixelcolor::{Rgb888, WebColors};
 
 macro_rules! css {
     ($($name:ident)*) => {
-        /// The names of CSS, as `embedded-graphics` has them: in capitals, their words apart.
+        /// The CSS names as `embedded-graphics` spells them: capitals, with underscores between words.
         const CSS: &[(&str, Rgb888)] = &[$((stringify!($name), Rgb888::$name)),*];
     };
 }
@@ -34,17 +34,17 @@ css! {
     CSS_WHEAT CSS_WHITE CSS_WHITE_SMOKE CSS_YELLOW CSS_YELLOW_GREEN
 }
 
-/// `gold`, `dark-sea-green`, `#ffd700` or `#fd0`; the error says what there is.
+/// Parses `gold`, `dark-sea-green`, `#ffd700` or `#fd0`. The error lists the names.
 pub(crate) fn parse(text: &str) -> Result<Rgb888, String> {
     if let Some(digits) = text.strip_prefix('#') {
         return hexadecimal(digits)
-            .ok_or_else(|| format!("{text} is no colour: after # come 6 hexadecimal digits, or 3"));
+            .ok_or_else(|| format!("{text} is not a colour: # needs 6 or 3 hexadecimal digits"));
     }
     let wanted = plain(text).replace("grey", "gray");
     let named = CSS.iter().find(|(name, _)| css(name) == wanted);
     named.map(|(_, colour)| *colour).ok_or_else(|| {
         let names: Vec<_> = CSS.iter().map(|(name, _)| css(name)).collect();
-        format!("{text} is no colour: give #rrggbb or a name of CSS: {}", names.join(", "))
+        format!("{text} is not a colour: use #rrggbb or a CSS name: {}", names.join(", "))
     })
 }
 
@@ -62,7 +62,7 @@ fn hexadecimal(digits: &str) -> Option<Rgb888> {
     Some(Rgb888::new(r, g, b))
 }
 
-/// As CSS writes it.
+/// A colour's name as CSS spells it.
 fn css(name: &str) -> String {
     plain(name.trim_start_matches("CSS"))
 }

@@ -1,4 +1,4 @@
-//! Which triangle is seen in each pixel, and its depth: numbers for other programs.
+//! The visible triangle of each pixel and its depth, for other programs.
 
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
@@ -10,7 +10,7 @@ use pinhole_render::parts::parts;
 use pinhole_render::quantised::Quantised;
 use pinhole_render::scene::Scene;
 
-/// The colour of a pixel is the triangle seen in it.
+/// A "colour" that holds the index of the visible triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Seen(u32);
 
@@ -21,7 +21,7 @@ impl PixelColor for Seen {
 impl Seen {
     const NONE: Self = Self(u32::MAX);
 
-    /// -1 for none.
+    /// The triangle's index, -1 for none.
     pub(crate) fn index(self) -> i32 {
         self.0 as i32 // a scene of 2^31 triangles has no room in memory
     }
@@ -33,7 +33,7 @@ pub(crate) struct Solid {
     pub(crate) statistics: Statistics,
 }
 
-/// All triangles, depth-tested.
+/// Draws all triangles with depth test.
 pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, String> {
     let size = Size::new(scene.width, scene.height);
     let mut ids = Canvas::new(size, Seen::NONE);

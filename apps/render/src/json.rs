@@ -1,10 +1,10 @@
-//! JSON as values that know where they stand, for messages that name the field.
+//! JSON values that know their place in the file, so that messages name the field.
 
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::fmt;
 
-/// A value. Numbers are the nearest f64; a key that is given twice is an error.
+/// A value. Numbers are the nearest f64; a repeated key is an error.
 pub(crate) enum Json {
     Null,
     Bool,
@@ -14,7 +14,7 @@ pub(crate) enum Json {
     Object(Vec<(String, Json)>),
 }
 
-/// Fields that every object of a file may have for its readers. They are texts, and ignored.
+/// Fields that describe a scene or mesh to people: texts, which are ignored.
 const ABOUT: [&str; 3] = ["name", "source", "licence"];
 
 /// A value and its place in the file, such as `triangles[3][2]`.
@@ -24,12 +24,12 @@ pub(crate) struct Field<'a> {
 }
 
 impl<'a> Field<'a> {
-    /// The whole file.
+    /// The value that the file consists of.
     pub(crate) fn root(value: &'a Json) -> Self {
         Self { place: String::new(), value }
     }
 
-    /// What is wrong with it.
+    /// The message for a problem with this value.
     pub(crate) fn error(&self, problem: impl fmt::Display) -> String {
         if self.place.is_empty() {
             problem.to_string()
@@ -50,7 +50,7 @@ impl<'a> Field<'a> {
         self.error(format_args!("is {kind} and should be {wanted}"))
     }
 
-    /// The `known` fields of an object. Any other field is an error, but for those in [`ABOUT`].
+    /// The `known` fields of an object. Other fields are errors, except those in [`ABOUT`].
     pub(crate) fn fields<const N: usize>(&self, known: [&str; N]) -> Result<[Option<Field<'a>>; N], String> {
         let Json::Object(members) = self.value else { return Err(self.is_no("an object")) };
         let mut fields = [const { None }; N];
@@ -79,7 +79,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// A whole number from `low` to `high`, which f64 counts without gaps.
+    /// An integer from `low` to `high`, both within ±2⁵³, where f64 is exact.
     pub(crate) fn integer(&self, low: i64, high: i64) -> Result<i64, String> {
         let number = self.number()?;
         if number.fract() != 0.0 {
@@ -110,7 +110,7 @@ impl<'a> Field<'a> {
 }
 
 impl Json {
-    /// The text of a file.
+    /// Parses the text of a file.
     pub(crate) fn parse(text: &[u8]) -> Result<Self, String> {
         serde_json::from_slice(text).map_err(|error| {
             let prefix = if error.is_data() { "" } else { "is not JSON: " };

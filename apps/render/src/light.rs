@@ -1,21 +1,21 @@
-//! A lamp at the camera's left and a weaker one at its right, so that no side is without shape.
+//! Light for models: a lamp at the left of the camera and a weaker one at the right, so that both sides show shape.
 
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use pinhole::{Lambert, Vector3};
 
-/// Towards the lamps, in view coordinates.
+/// Directions to the lamps in view coordinates.
 const KEY: [f64; 3] = [-0.45, 0.6, 0.66];
 const FILL: [f64; 3] = [0.8, -0.15, 0.3];
-/// What they give, and the light that is everywhere; of 256.
+/// Intensities of the lamps and of ambient light; 256 is full.
 const KEY_LEVEL: u32 = 190;
 const FILL_LEVEL: u32 = 48;
 const AMBIENT: u32 = 60;
 
 pub(crate) struct Light {
-    /// None where the model flattens the mesh.
+    /// No lamps where the model matrix flattens the mesh: its normals have no directions then.
     lamps: Option<[Lambert; 2]>,
-    /// Which triangles show the side to which their normals point.
+    /// Whether each triangle shows its front.
     fronts: Vec<bool>,
 }
 
@@ -29,18 +29,18 @@ impl Light {
         };
         let lamps = lamp(KEY).zip(lamp(FILL)).map(|(key, fill)| [key, fill]);
         let points: Vec<_> = scene.vertices.iter().map(|&v| scene.clip(v)).collect();
-        // Of x, y and w: positive where they run counter-clockwise as seen, for any w.
+        // Determinant of the rows (x, y, w): positive where the corners run counter-clockwise on the screen, for any sign of w.
         let front = |t: &[usize; 3]| {
             let [a, b, c] = t.map(|corner| points[corner]).map(|[x, y, _, w]| [x, y, w]);
             determinant([a, b, c]) > 0.0
         };
-        // Where the model mirrors, corners turn round and normals do not.
+        // A model matrix that mirrors reverses the order of corners, but not the normals.
         let mirrors = determinant([0, 1, 2].map(|i| [0, 1, 2].map(|k| scene.model[i][k]))) < 0.0;
         let front = |t: &[usize; 3]| front(t) != mirrors;
         Self { lamps, fronts: scene.triangles.iter().map(front).collect() }
     }
 
-    /// On the side of a triangle that is seen, at its corners, of 256.
+    /// Light levels at the corners of a triangle, on its visible side; 256 is full.
     pub(crate) fn corners(&self, triangle: usize, normals: &[[[i16; 3]; 3]]) -> [u16; 3] {
         let (Some(lamps), Some(normals)) = (&self.lamps, normals.get(triangle)) else { return [256; 3] };
         let front = self.fronts.get(triangle).copied().unwrap_or(true);

@@ -1,5 +1,5 @@
-//! Draws a model or a scene, depth-tested, through the public interface: pictures for people, and raw
-//! numbers for other programs.
+//! Draws a model or a scene with depth test, through the library's public interface: pictures for people, raw numbers for
+//! other programs.
 //!
 //! ```text
 //! cargo run --release -p pinhole-render -- MODEL.stl
@@ -55,7 +55,7 @@ fn run(options: &Options) -> Result<(), String> {
         }
     };
     let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
-    // Of any of the drawings: they draw the same faces or edges.
+    // The statistics of any one output: all outputs draw the same faces or edges.
     let (mut statistics, mut text) = (None, None);
     if options.ids.is_some() || options.depth.is_some() {
         let solid = draw::solid(&used, &quantised).map_err(named)?;
@@ -115,13 +115,13 @@ fn tell(
                 let edges = match parts {
                     1 => "edges".into(),
                     // Each part draws all edges of its own faces.
-                    parts => format!("edges (in {parts} parts, and twice where these meet)"),
+                    parts => format!("edges (in {parts} parts; edges between parts count twice)"),
                 };
                 (edges, (drawn + outside) as usize)
             }
         };
         command::say(format_args!(
-            "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them cut), \
+            "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them clipped), \
              {culled} culled, {outside} outside, {degenerate} without area",
             options.scene.display(),
             scene.width,
@@ -132,8 +132,8 @@ fn tell(
     if options.stats {
         let (part, pixels) = quantised::moved(scene, used);
         command::say(format_args!(
-            "in the crate's numbers a vertex moves by at most {part:.2e} of the mesh's extent; all rounding of \
-             the input by at most {pixels:.2e} px"
+            "rounding to the crate's number formats moves a vertex by at most {part:.2e} of the mesh's extent, and by at \
+             most {pixels:.2e} px on the screen"
         ))?;
     }
     for (path, bytes) in outputs {

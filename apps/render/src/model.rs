@@ -1,18 +1,18 @@
-//! A mesh with nothing said of a camera: one that shows all of it.
+//! A camera for a mesh: one that shows all of it.
 
 use crate::projections::{Kind, Named, Stance};
 use crate::scene::{bounds, Matrix, Scene};
 use pinhole_import::Triangles;
 
-/// How to look at it. Angles in degrees.
+/// The view of a mesh. Angles are in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
     pub projection: Named,
-    /// Of the eye about the upright axis; where y is up, from +z towards +x.
+    /// Angle of the eye about the upright axis; with y up, from +z towards +x.
     pub yaw: f64,
-    /// Of the eye above the horizon.
+    /// Angle of the eye above the horizon.
     pub pitch: f64,
-    /// Of a perspective, from top to bottom.
+    /// Vertical field of view of a perspective.
     pub field_of_view: f64,
     pub width: u32,
     pub height: u32,
@@ -20,22 +20,22 @@ pub struct Look {
     pub fit: Fit,
 }
 
-/// Which way is up in the file.
+/// The file's upright axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Up {
     Y,
     Z,
 }
 
-/// What is as large as fits.
+/// The shape that fills the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(dead_code)] // not every user fits to all of them
 pub enum Fit {
-    /// What is seen: right for one picture.
+    /// The mesh's outline from this direction, for a single picture.
     Outline,
-    /// What is seen while the mesh turns about its upright axis, which stays in the middle.
+    /// The volume that the mesh sweeps while it turns about its upright axis, which stays in the middle.
     Turn,
-    /// The sphere about the mesh, magnified: as large from all sides, and about the picture's middle.
+    /// The mesh's bounding sphere, magnified by a factor: it has one size from all sides, and its centre is the picture's.
     Sphere { zoom: f64 },
 }
 
@@ -44,29 +44,29 @@ const IDENTITY: Matrix =
 const Z_UP: Matrix =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
-/// Of the picture's half width and height, what the mesh may fill.
+/// The part of the picture's half width and height that the mesh may fill.
 const FILL: f64 = 0.92;
 
-/// Where the picture's middle is and what it shows there, in the view plane's axes, sheared so that
-/// projectors do not lean.
+/// The centre and the window of the picture, in the axes of the view plane, sheared so that projectors are perpendicular to
+/// it.
 struct Seen {
     middle: [f64; 3],
-    /// How far it goes towards the eye and away from it.
+    /// Extent of the mesh from the centre, towards the eye and away from it.
     radius: f64,
     distance: f64,
-    /// Half of the picture's, for each unit of distance where it is a perspective.
+    /// Half the height of the picture; of a perspective, at distance 1.
     height: f64,
-    /// How far the window's middle is from where the eye looks, in the same units: what is near is large, so
-    /// that a mesh's middle is not that of its picture.
+    /// Offset of the window's centre from the point that the eye looks at, in the units of `height`: in a perspective near
+    /// parts are larger, so the centre of the mesh is not the centre of its picture.
     window: [f64; 2],
 }
 
-/// The mesh in the middle of the picture, as large as fits. The error names the option.
+/// A scene with the mesh in the middle of the picture, as large as fits. The error names the option.
 pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
     let Triangles { positions: vertices, faces: triangles } = mesh;
     let kind = look.projection.kind;
     let Stance { yaw, pitch, lean } = kind.stance(look.yaw, look.pitch).ok_or_else(|| {
-        format!("--pitch: {} is not from -70 to 70, as {} needs it", look.pitch, look.projection.name)
+        format!("--pitch: {} is not from -70 to 70, which {} needs", look.pitch, look.projection.name)
     })?;
     let axes = axes(yaw, pitch);
     let model = if look.up == Up::Z { Z_UP } else { IDENTITY };
@@ -75,7 +75,7 @@ pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
         Fit::Outline => outline(vertices.iter().map(turned).collect(), None, look),
         Fit::Turn => {
             let (centre, rings) = rings(&vertices, &model);
-            // What turns looks the same from all sides.
+            // A mesh that turns has one size from all sides.
             let axes = self::axes(0.0, pitch);
             let points = rings.map(|p| self::turned(p, &axes, lean)).collect();
             let (seen, centre) = (outline(points, Some([0.0; 3]), look), turned(&centre));
@@ -88,7 +88,7 @@ pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
     let (near, far) = ((distance - deep).max(distance / 64.0), distance + deep);
     let [across, up] = lean;
     let [x, y] = [aspect(look) * height, height].map(|h| 1.0 / h);
-    // The middle, not sheared, goes to (0, 0, -distance); from a shifted eye, aside by as much as it leans.
+    // The centre maps to (0, 0, -distance) before the shear; with oblique projectors the eye is shifted by their slope.
     let mut away = [middle[0] + across * middle[2], middle[1] + up * middle[2], middle[2] + distance];
     let parallel = [0.0, 0.0, -2.0 / (far - near), -(far + near) / (far - near)];
     let projection = if kind.meets_in_the_eye() {
@@ -106,7 +106,7 @@ pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
         let u = |factor: f64, more: f64| [0.0, 0.0, factor / deep, factor * distance / deep + more];
         [[x, 0.0, 0.0, 0.0], [0.0, y, 0.0, 0.0], u(-1.0, -0.5), u(0.5, 1.0)]
     } else {
-        // What is farther than the middle leans to the upper right.
+        // Points beyond the centre shift to the upper right.
         let leaning = |lean: f64, scale: f64| (-lean * scale, -lean * scale * distance);
         let ((a, b), (c, d)) = (leaning(across, x), leaning(up, y));
         [[x, 0.0, a, b], [0.0, y, c, d], parallel, IDENTITY[3]]
@@ -129,7 +129,7 @@ pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
     })
 }
 
-/// To the right, up, and towards the eye.
+/// The axes of the view plane: right, up, and towards the eye.
 fn axes(yaw: f64, pitch: f64) -> [[f64; 3]; 3] {
     let ((sin_yaw, cos_yaw), (sin_pitch, cos_pitch)) = (yaw.sin_cos(), pitch.sin_cos());
     [
@@ -143,12 +143,12 @@ fn aspect(look: &Look) -> f64 {
     f64::from(look.width) / f64::from(look.height)
 }
 
-/// A point of the file where y is up.
+/// A point of the file, turned so that y is up.
 fn upright(p: &[f64; 3], model: &Matrix) -> [f64; 3] {
     [0, 1, 2].map(|i| (0..3).map(|k| model[i][k] * p[k]).sum())
 }
 
-/// In the view plane's axes, sheared.
+/// A point in the axes of the view plane, sheared.
 fn turned(p: [f64; 3], axes: &[[f64; 3]; 3], lean: [f64; 2]) -> [f64; 3] {
     let [x, y, z] = axes.map(|axis| axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]);
     [x - lean[0] * z, y - lean[1] * z, z]
@@ -159,7 +159,7 @@ fn middle_of(vertices: &[[f64; 3]]) -> [f64; 3] {
     [0, 1, 2].map(|i| f64::midpoint(low[i], high[i]))
 }
 
-/// The middle of the mesh, and from there points on the ways of the vertices about its upright axis.
+/// The centre of the mesh and, relative to it, points on the circles of its vertices about the upright axis.
 fn rings<'a>(vertices: &'a [[f64; 3]], model: &'a Matrix) -> ([f64; 3], impl Iterator<Item = [f64; 3]> + 'a) {
     const STEPS: u32 = 48; // between two of them a ring reaches 0.2 % farther
     let centre = middle_of(vertices);
@@ -174,11 +174,11 @@ fn rings<'a>(vertices: &'a [[f64; 3]], model: &'a Matrix) -> ([f64; 3], impl Ite
     (centre, vertices.iter().flat_map(ring))
 }
 
-/// What shows all the points; about `axis`, where it is given, as far as left and right go.
+/// The frame that shows all points, centred on `axis` from left to right if there is one.
 fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     let (low, high) = bounds(&points);
     let middle = axis.unwrap_or([0, 1, 2].map(|i| f64::midpoint(low[i], high[i])));
-    // A point, too, can be looked at.
+    // A mesh that is one point has a picture too.
     let extent = (0..3).map(|i| (high[i] - middle[i]).max(middle[i] - low[i])).fold(0.0, f64::max);
     let radius = if extent > 0.0 { extent } else { 1.0 };
     let from_middle = || points.iter().map(|p| [0, 1, 2].map(|i| p[i] - middle[i]));
@@ -187,7 +187,7 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     if look.projection.kind.meets_in_the_eye() {
         let height = (look.field_of_view / 2.0).to_radians().tan();
         let half = [aspect * height, height];
-        // From a distance, the middle of what is seen along an axis, and what fills how much of the window.
+        // From a distance: the centre of the outline along an axis, and the share of the window that it fills.
         let seen = |distance: f64, i: usize| {
             let high = farthest(&|p| p[i] / (distance - p[2]));
             let low = -farthest(&|p| -p[i] / (distance - p[2]));
@@ -216,7 +216,7 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     Seen { middle, radius, distance: 2.0 * radius, height, window: [0.0; 2] }
 }
 
-/// What shows the sphere about the mesh, whatever turns it.
+/// The frame that shows the bounding sphere of the mesh, which no turn changes.
 fn sphere(
     vertices: &[[f64; 3]],
     turned: impl Fn(&[f64; 3]) -> [f64; 3],
@@ -233,12 +233,12 @@ fn sphere(
     let fitting = |along: [f64; 2]| along[0].max(along[1]) * radius;
     if look.projection.kind.meets_in_the_eye() {
         let height = (look.field_of_view / 2.0).to_radians().tan();
-        // The largest z + (x - lean z)/h over the sphere, for either sign of x.
+        // The maximum of z + (x - lean z)/h over the sphere, for either sign of x.
         let half = [aspect * height * FILL, height * FILL];
         let least = [0, 1].map(|i| (1.0 + lean[i].abs() / half[i]).hypot(1.0 / half[i]));
         return Seen { middle, radius, distance: fitting(least), height: height / zoom, window: [0.0; 2] };
     }
-    // The largest x - lean z; and of a reverse perspective, of x/(1 + u/2) where x² + u² = 1.
+    // The maximum of x - lean z; of a reverse perspective, the maximum of x/(1 + u/2) where x² + u² = 1.
     let grown = if look.projection.kind == Kind::Reverse { (4.0f64 / 3.0).sqrt() } else { 1.0 };
     let extents = [0, 1].map(|i| grown * lean[i].hypot(1.0) / [aspect, 1.0][i]);
     Seen { middle, radius, distance: 2.0 * radius, height: fitting(extents) / FILL / zoom, window: [0.0; 2] }

@@ -1,12 +1,12 @@
-//! Normals at the corners of faces: smooth over what is meant to be round, and not over sharp edges.
+//! Normals at the corners of faces: smooth over round shapes, but not over sharp edges.
 
 use std::collections::HashMap;
 
-/// A unit normal in 2⁻¹⁵ for each corner of each triangle: the mean of the faces around, weighted by
-/// their angles there, as far as they turn from this one by no more than `crease` degrees. So 0 makes every
-/// face flat and 180 makes all smooth. Zero for triangles without area.
+/// A unit normal in 2⁻¹⁵ for each corner of each triangle: the mean of the normals of the faces around the vertex that differ
+/// from this face's by at most `crease` degrees, weighted by their angles at the vertex. 0 makes every face flat, 180 makes
+/// all edges smooth. The normal is zero for triangles without area.
 ///
-/// (Thürmer and Wüthrich, *Computing vertex normals from polygonal facets*, 1998, for the weights.)
+/// Weights: Thürmer and Wüthrich, *Computing vertex normals from polygonal facets*, 1998.
 pub(crate) fn corners(vertices: &[[f64; 3]], triangles: &[[usize; 3]], crease: f64) -> Vec<[[i16; 3]; 3]> {
     let faces: Vec<[f64; 3]> = triangles.iter().map(|t| normal(t.map(|i| vertices[i]))).collect();
     let place = |index: usize| vertices[index].map(|c| (c + 0.0).to_bits());
@@ -36,7 +36,7 @@ fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     unit([(1, 2), (2, 0), (0, 1)].map(|(i, j)| p[i] * q[j] - p[j] * q[i]))
 }
 
-/// Between the ways to two other corners.
+/// The angle at a corner, between the directions to the other two.
 fn angle(at: [f64; 3], to: [f64; 3], from: [f64; 3]) -> f64 {
     dot(unit(minus(to, at)), unit(minus(from, at))).clamp(-1.0, 1.0).acos()
 }
@@ -49,7 +49,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Zero stays zero.
+/// Scales a vector to length 1; zero stays zero.
 fn unit(v: [f64; 3]) -> [f64; 3] {
     let length = dot(v, v).sqrt();
     v.map(|c| if length > 0.0 { c / length } else { 0.0 })

@@ -1,4 +1,4 @@
-//! What is asked for.
+//! The parsed command line.
 
 use crate::arguments::{command, names};
 use crate::ascii::Characters;
@@ -25,9 +25,9 @@ pub(crate) struct Options {
     pub(crate) style: Style,
     pub(crate) format: Format,
     pub(crate) stats: bool,
-    /// For a mesh; `None` where the scene has a camera.
+    /// The camera for a mesh; `None` for a scene, which has its own.
     pub(crate) look: Option<Look>,
-    /// Whether the picture goes where nobody said.
+    /// Whether no output was named, so that the picture goes to the default file.
     pub(crate) unasked: bool,
 }
 
@@ -38,7 +38,7 @@ impl Options {
     }
 }
 
-/// What is asked for; the error is one line.
+/// Parses and checks the command line. The error is one line.
 pub(crate) fn read() -> Result<Options, String> {
     let mut given = pinhole_apps_support::command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
@@ -51,12 +51,12 @@ pub(crate) fn read() -> Result<Options, String> {
     let [mut png, gif, ids, depth, used] = ["png", "gif", "ids", "depth", "used"].map(&mut file);
     let frames = given.remove_one("frames");
     if frames.is_some() && gif.is_none() {
-        return Err("--frames: are those of a film: give --gif FILE, too".into());
+        return Err("--frames: only a film has frames: give --gif FILE too".into());
     }
     let stats = given.get_flag("stats");
     let outputs = [("--png", &png), ("--gif", &gif), ("--ids", &ids), ("--depth", &depth), ("--used", &used)];
     for (place, (flag, file)) in outputs.iter().enumerate() {
-        let same = |earlier: &Option<PathBuf>| file.is_some() && place_of(earlier) == place_of(file);
+        let same = |earlier: &Option<PathBuf>| file.is_some() && canonical(earlier) == canonical(file);
         if let Some((other, _)) = outputs[..place].iter().find(|(_, earlier)| same(earlier)) {
             return Err(format!("{flag}: names the same file as {other}"));
         }
@@ -68,25 +68,25 @@ pub(crate) fn read() -> Result<Options, String> {
     let unasked = nothing && look.is_some();
     if unasked {
         let mut name = scene.file_stem().unwrap_or_default().to_os_string();
-        name.push(".png"); // not by with_extension: of a.v2.obj the stem is a.v2
+        name.push(".png"); // with_extension would make a.png of the stem a.v2
         png = Some(Path::new("target/render").join(name));
     }
     if let Some(name) = painted.filter(|_| png.is_none() && gif.is_none()) {
-        return Err(format!("--{name}: is that of a picture: give --png FILE, too"));
+        return Err(format!("--{name}: applies to pictures alone: give --png FILE too"));
     }
     let frames = frames.unwrap_or(36);
     Ok(Options { scene, png, gif, frames, ids, depth, used, ascii, style, format, stats, look, unasked })
 }
 
-/// Where a file is or would be, whatever links and dots its name has.
-fn place_of(file: &Option<PathBuf>) -> Option<PathBuf> {
+/// The canonical path of a file that exists or would be created.
+fn canonical(file: &Option<PathBuf>) -> Option<PathBuf> {
     let file = file.as_ref()?;
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let beside = || Some(folder.canonicalize().ok()?.join(file.file_name()?));
     file.canonicalize().ok().or_else(beside).or_else(|| Some(file.clone()))
 }
 
-/// What the name that is given stands for; the error says which names there are.
+/// The value that an option's name stands for. The error lists the known names.
 fn choice<T: Copy>(given: &mut ArgMatches, option: &str, known: &[(&str, T)]) -> Result<Option<T>, String> {
     let Some(name) = given.remove_one::<String>(option) else { return Ok(None) };
     let chosen = known.iter().find(|(other, _)| *other == name).map(|(_, chosen)| *chosen);
@@ -107,7 +107,7 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
     Ok((style::chosen(mode, format, colour, background, dither), format))
 }
 
-/// The options for a mesh, which a scene must not have.
+/// The options of the camera, which are for meshes alone.
 fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look>, String> {
     let is = |extension: &str| scene.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
     if !(is("obj") || is("stl")) {
@@ -116,7 +116,9 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
         }
         for name in ["projection", "from", "yaw", "pitch", "fov", "size", "up", "gif", "frames"] {
             if given.contains_id(name) {
-                return Err(format!("--{name}: a scene has its own camera; this is for .obj and .stl"));
+                return Err(format!(
+                    "--{name}: a scene has its own camera; use this option with .obj and .stl"
+                ));
             }
         }
         return Ok(None);
@@ -126,7 +128,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
     let from = match given.remove_one::<String>("from") {
         None => [None; 2],
         Some(_) if given.contains_id("yaw") || given.contains_id("pitch") => {
-            return Err("--from: gives yaw and pitch: leave --yaw and --pitch out".into())
+            return Err("--from: sets yaw and pitch: omit --yaw and --pitch".into())
         }
         Some(text) => {
             let pair =
@@ -151,7 +153,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
         return Err(format!("--fov: {} has no field of view", projection.name));
     }
     let field_of_view = angle("fov", None, projection.field_of_view(), 1.0, 170.0)?;
-    // Other programs read these, and know the defaults.
+    // Other programs read these outputs and rely on their defaults.
     let raw = ["ids", "depth", "used"].iter().any(|name| given.contains_id(name));
     let usual = match (ascii, raw || given.contains_id("gif")) {
         (true, _) => "160x120",

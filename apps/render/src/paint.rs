@@ -1,4 +1,4 @@
-//! A scene as people look at it: lit, in any colours of a display, through bands as firmware draws it.
+//! Draws a scene for people: lit, in any pixel format of a display, and in bands as firmware draws.
 
 use crate::light::Light;
 use crate::normals;
@@ -13,17 +13,17 @@ use pinhole::{
     Scalar, Statistics, Transformed, Wire,
 };
 
-/// A display's colour.
+/// A pixel format of a display.
 pub trait Colour: Wire + Channels + From<Rgb888> + Into<Rgb888> {}
 impl<C: Wire + Channels + From<Rgb888> + Into<Rgb888>> Colour for C {}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
-    /// Smooth, but for sharp edges.
+    /// Smooth shading, except over sharp edges.
     Solid,
-    /// Each face in one colour.
+    /// One colour per face.
     Flat,
-    /// Smooth over all edges.
+    /// Smooth shading over all edges.
     Gouraud,
     Wireframe,
     HiddenLine,
@@ -38,12 +38,12 @@ impl Mode {
         ("hidden-line", Self::HiddenLine),
     ];
 
-    /// Whether it draws edges and not faces.
+    /// Whether the mode draws edges instead of faces.
     pub const fn of_lines(self) -> bool {
         matches!(self, Self::Wireframe | Self::HiddenLine)
     }
 
-    /// The angle in degrees over which faces are smooth.
+    /// The crease angle in degrees, up to which shading is smooth.
     fn crease(self) -> f64 {
         match self {
             Self::Solid => 50.0,
@@ -56,16 +56,16 @@ impl Mode {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     pub mode: Mode,
-    /// Of faces in full light, or of edges.
+    /// Colour of faces in full light, or of edges.
     pub colour: Rgb888,
     pub background: Rgb888,
     pub dither: bool,
 }
 
-/// What of a mesh does not change with the camera.
+/// Data of a mesh that do not depend on the camera.
 pub struct Subject {
     pub parts: Vec<Part>,
-    /// At the corners of the triangles.
+    /// Normals at the corners of the triangles.
     normals: Vec<[[i16; 3]; 3]>,
 }
 
@@ -82,19 +82,19 @@ impl Subject {
     }
 }
 
-/// What became of a frame.
+/// Statistics of a frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Report {
-    /// Of faces, or of edges where the mode draws those.
+    /// Statistics of faces, or of edges where the mode draws edges.
     pub statistics: Statistics,
     pub bands: usize,
-    /// Of pixels, as the wire takes them.
+    /// Bytes of the pixels in the display's format.
     pub bytes: usize,
     pub pixels: usize,
 }
 
-/// Draws what `plan` asks for, told where anything is drawn, through a strip with room for `rows` rows of
-/// the picture; `send` gets every band.
+/// Draws a frame in bands, through a strip with room for `rows` rows of the picture. `plan` gets the area that will be drawn
+/// and chooses the areas to send; `send` gets every band.
 pub fn paint<C: Colour>(
     subject: &Subject,
     (scene, quantised): (&Scene, &Quantised),
@@ -124,7 +124,7 @@ pub fn paint<C: Colour>(
     let out = Out { size: Size::new(scene.width, scene.height), style, rows, send };
 
     if style.mode == Mode::Wireframe {
-        // Without depth: a far plane that is not asked for cuts nothing.
+        // Lines without depth test: no far plane may clip them.
         let transformed: Vec<_> = placed.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
         return out.bands(statistics, &plan(bounds), |band, _| {
@@ -144,7 +144,7 @@ pub fn paint<C: Colour>(
     if style.mode == Mode::HiddenLine {
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
         return out.bands(statistics, &plan(bounds), |band, depth| {
-            // Every part may hide any other.
+            // Any part may hide any other.
             faces.iter_mut().for_each(|faces| faces.depth_only(depth));
             for edges in &mut edges {
                 let Ok(()) = edges.hidden_line(style.colour.into(), depth, band);
@@ -172,7 +172,7 @@ pub fn paint<C: Colour>(
     }
 }
 
-/// The edges of all parts, sorted out once for all bands; what became of them, and where they lie.
+/// Draws the edges of all parts. Their visibility is decided once for all bands. Returns statistics and the area drawn.
 fn edges<'a, const DEPTH: bool>(
     transformed: &[Transformed<'a, Scalar, DEPTH>],
     records: &'a mut [Vec<u16>],
@@ -184,7 +184,7 @@ fn edges<'a, const DEPTH: bool>(
     Ok((edges, statistics, bounds))
 }
 
-/// The faces of all parts.
+/// Draws the faces of all parts.
 struct Solid<'a, 'f> {
     parts: &'a [Part],
     faces: &'a mut [Faces<'f, Scalar, true>],
@@ -203,7 +203,7 @@ impl Solid<'_, '_> {
     }
 }
 
-/// Where the bands go.
+/// The destination of bands.
 struct Out<'a, S> {
     size: Size,
     style: &'a Style,
@@ -223,7 +223,7 @@ impl<S> Out<'_, S> {
     {
         let mut report = Report { statistics, ..Report::default() };
         let mut strip = vec![0; Frame::<C>::strip_bytes(self.size.width, self.rows)];
-        // Of a narrower area a strip has room for more rows, and for up to seven pixels more in each.
+        // A strip holds more rows of a narrower area; a row may take up to seven pixels more.
         let mut depths = vec![0; (self.size.width as usize + 7) * self.rows as usize];
         for area in areas {
             let mut frame = Frame::new(*area, C::from(self.style.background));
@@ -240,7 +240,7 @@ impl<S> Out<'_, S> {
     }
 }
 
-/// The rectangle about all.
+/// The bounding rectangle of all rectangles.
 fn around(areas: impl Iterator<Item = Rectangle>) -> Rectangle {
     let both = |a: Rectangle, b: Rectangle| {
         let corners = a.bottom_right().zip(b.bottom_right());

@@ -1,4 +1,4 @@
-//! Many colours as 256.
+//! Palettes of at most 256 colours.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use std::collections::HashMap;
@@ -8,12 +8,12 @@ pub(crate) struct Palette {
     index: HashMap<[u8; 3], u8>,
 }
 
-/// Colours that one entry stands for, and how often each is met.
+/// The colours that one palette entry replaces, and how often each occurs.
 type Group = Vec<([u8; 3], usize)>;
 
 impl Palette {
-    /// The colours met, the most frequent one as it is, and the others too where they are 255 at most;
-    /// else by the median cut. (Heckbert, *Color image quantization for frame buffer display*, 1982.)
+    /// A palette for the colours that occur. The most frequent one is kept exactly, and so are the others if there are at
+    /// most 255; otherwise median cut chooses them (Heckbert, *Color image quantization for frame buffer display*, 1982).
     pub(crate) fn of<'a>(pixels: impl Iterator<Item = &'a Rgb888>) -> Self {
         let mut counts = HashMap::<[u8; 3], usize>::new();
         for colour in pixels {
@@ -30,7 +30,7 @@ impl Palette {
         Self { index: index.collect(), colours: groups.iter().map(mean).collect() }
     }
 
-    /// The entry for a colour that was met.
+    /// Index of the entry for a colour that occurs.
     pub(crate) fn index(&self, colour: Rgb888) -> u8 {
         self.index.get(&channels(colour)).copied().unwrap_or_default()
     }
@@ -40,7 +40,7 @@ fn channels(colour: Rgb888) -> [u8; 3] {
     [colour.r(), colour.g(), colour.b()]
 }
 
-/// In halves by pixels, always the group that reaches farthest along its longest side.
+/// Median cut: splits the group with the longest side into halves of equal pixel counts, until there are enough.
 fn cut(all: Group, most: usize) -> Vec<Group> {
     let mut groups = vec![all];
     while groups.len() < most {
@@ -61,7 +61,7 @@ fn cut(all: Group, most: usize) -> Vec<Group> {
     groups
 }
 
-/// The channel in which a group reaches farthest, and how far.
+/// The channel with the largest range in a group, and that range.
 fn longest(group: &Group) -> (usize, u8) {
     let reach = |channel: usize| {
         let values = || group.iter().map(|(colour, _)| colour[channel]);

@@ -1,33 +1,33 @@
-//! A mesh of any size in parts whose vertices and faces 16-bit numbers can name.
+//! Splits a mesh of any size into parts whose vertices and faces fit 16-bit indices.
 
 use pinhole::{Mesh, Scalar};
 use std::collections::{BTreeMap, HashMap};
 
 pub struct Part {
-    /// Which of the mesh's vertices its own are, but for the first: see [`Part::vertices`].
+    /// Indices into the mesh's vertices, for all vertices of the part but the first: see [`Part::vertices`].
     indices: Vec<usize>,
     pub faces: Vec<[u16; 3]>,
-    /// The sides of the faces, each once, or once for every two of the faces beside it; empty before
-    /// [`Part::find_edges`].
+    /// Edges of the faces; an edge with more than two faces occurs once for every two of them. Empty until
+    /// [`Part::find_edges`] is called.
     pub edges: Vec<[u16; 2]>,
-    /// Those faces.
+    /// The two faces of each edge.
     pub beside: Vec<[u16; 2]>,
-    /// The number of its first triangle.
+    /// Index of its first triangle in the mesh.
     pub first: usize,
 }
 
 const MOST: usize = 65_536;
-/// Each with three edges of its own: [`pinhole::Transformed::edges`] records as many as 16 bits count.
+/// Three edges per face must fit the 16-bit counters of [`pinhole::Transformed::edges`].
 const MOST_FACES: usize = 65_535 / 3;
 
-/// The triangles, in their order. Vertices at one place are one, so that faces meet in files that
-/// have corners of their own for each.
+/// Splits the triangles into parts, in order. Vertices with equal coordinates are merged, because formats such as STL
+/// repeat them for every face.
 pub fn parts(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Vec<Part> {
     let mut places = HashMap::new();
     let same: Vec<usize> = vertices
         .iter()
         .enumerate()
-        // Adding 0.0 makes one of the two zeros.
+        // Adding 0.0 turns -0.0 into 0.0.
         .map(|(index, v)| *places.entry(v.map(|c| (c + 0.0).to_bits())).or_insert(index))
         .collect();
     let empty =
@@ -68,8 +68,8 @@ impl Part {
         }
     }
 
-    /// Its vertices out of the mesh's. A format is chosen for each part by its largest coordinate: all
-    /// parts get the vertex that has it as their first, so that what they share lands on the same place.
+    /// Vertices of the part. The number format of a part depends on its largest coordinate, so every part gets the mesh's
+    /// vertex with the largest coordinate as its first: vertices that parts share then round to equal positions.
     pub fn vertices(&self, all: &[[Scalar; 3]]) -> Vec<[Scalar; 3]> {
         let largest = |v: &&[Scalar; 3]| v.map(|c| c.to_bits() ^ (c.to_bits() >> 31)).into_iter().max();
         let first = all.iter().max_by_key(largest).copied().unwrap_or_default();

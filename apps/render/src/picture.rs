@@ -1,4 +1,4 @@
-//! A picture in the colours of a display.
+//! A picture in the pixel format of a display.
 
 use crate::paint::{paint, Colour, Style, Subject};
 use crate::quantised::Quantised;
@@ -30,18 +30,18 @@ impl Format {
         ("mono", Self::Mono),
     ];
 
-    /// Whether it has no colours: such displays are mostly dark.
+    /// Whether the format is monochrome; such displays mostly have a dark background.
     pub const fn is_grey(self) -> bool {
         matches!(self, Self::Gray8 | Self::Gray4 | Self::Gray2 | Self::Mono)
     }
 
-    /// Whether its steps are so coarse that one sees them.
+    /// Whether the format is coarse enough to show steps in smooth shading.
     pub const fn wants_dither(self) -> bool {
         !matches!(self, Self::Rgb888 | Self::Gray8)
     }
 }
 
-/// All of a scene, row by row, and what became of its faces or edges.
+/// The pixels of a scene, row by row, and the statistics of its faces or edges.
 pub fn picture(
     subject: &Subject,
     scene: (&Scene, &Quantised),
@@ -73,7 +73,7 @@ fn whole<C: Colour>(
     Ok((pixels, report.statistics))
 }
 
-/// How light a colour is, of 255: the luma that greys take.
+/// Luma of a colour, 0 to 255, as the grey formats take it.
 pub fn luma(colour: Rgb888) -> u32 {
     (77 * u32::from(colour.r()) + 150 * u32::from(colour.g()) + 29 * u32::from(colour.b())) / 256
 }

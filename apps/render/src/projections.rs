@@ -1,30 +1,30 @@
-//! Projections by name: those of the gallery, fitted to any mesh.
+//! The named projections of the gallery, fitted to any mesh.
 
-/// A projection, and where it is usually seen from.
+/// A projection and its default direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Named {
     pub name: &'static str,
     pub kind: Kind,
-    /// Of the eye about the upright axis, in degrees.
+    /// Angle of the eye about the upright axis, in degrees.
     pub yaw: f64,
-    /// Of the eye above the horizon.
+    /// Angle of the eye above the horizon, in degrees.
     pub pitch: f64,
 }
 
-/// What the projectors do, and how the view plane stands to the way from the mesh to the eye.
+/// How the projectors run, and how the view plane lies relative to the direction of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// They meet in the eye; the plane is square to its way.
+    /// Projectors meet in the eye; the plane is perpendicular to the direction of view.
     Perspective,
-    /// The plane is upright, so that uprights stay so: a shift lens.
+    /// Projectors meet in the eye; the plane is upright, so that verticals stay vertical, as with a shift lens.
     Upright,
-    /// The plane is upright and square to the nearest axis as well: a side keeps its shape.
+    /// Projectors meet in the eye; the plane is upright and perpendicular to the nearest axis: a side keeps its shape.
     Frontal,
-    /// They are parallel, and the plane square to them.
+    /// Projectors are parallel, and perpendicular to the plane.
     Parallel,
-    /// They are parallel and lean: what recedes is drawn at `angle` degrees, `factor` times as long.
+    /// Projectors are parallel and oblique: receding lines are drawn at `angle` degrees, `factor` times as long.
     Oblique { angle: f64, factor: f64 },
-    /// They meet behind the mesh: what is farther is larger.
+    /// Projectors meet behind the mesh: distant parts are larger.
     Reverse,
 }
 
@@ -46,7 +46,7 @@ impl Named {
         Self::new("cavalier", Kind::Oblique { angle: 45.0, factor: 1.0 }, 0.0, 0.0),
         Self::new("cabinet", Kind::Oblique { angle: 45.0, factor: 0.5 }, 0.0, 0.0),
         Self::new("oblique", Kind::Oblique { angle: 60.0, factor: 0.75 }, 0.0, 0.0),
-        // From above, so that what is nearer is higher: the plan keeps its shape and uprights their length.
+        // From above: the plan keeps its shape, and verticals their length.
         Self::new("military", Kind::Oblique { angle: 90.0, factor: -1.0 }, 30.0, 90.0),
         Self::new("front", Kind::Parallel, 0.0, 0.0),
         Self::new("back", Kind::Parallel, 180.0, 0.0),
@@ -59,7 +59,7 @@ impl Named {
         Self::new("reverse", Kind::Reverse, 10.0, 10.0),
     ];
 
-    /// Of perspectives, in degrees, where nothing is asked for.
+    /// Default field of view of perspectives, in degrees.
     pub fn field_of_view(&self) -> f64 {
         match self.name {
             "one-point" | "two-point" | "off-axis" => 50.0,
@@ -70,12 +70,12 @@ impl Named {
     }
 }
 
-/// Turned by so much, the plane and the projectors.
+/// Orientation of the view plane and the projectors.
 pub struct Stance {
-    /// Of the view plane normal, in radians.
+    /// Angle of the view plane normal, in radians.
     pub yaw: f64,
     pub pitch: f64,
-    /// How far the projectors lean to the right and up, for each unit towards the eye.
+    /// Slope of the projectors to the right and up, per unit towards the eye.
     pub lean: [f64; 2],
 }
 
@@ -84,7 +84,7 @@ impl Kind {
         matches!(self, Self::Perspective | Self::Upright | Self::Frontal)
     }
 
-    /// From how far above or below it can be seen, in degrees.
+    /// The largest pitch of the eye, up or down, in degrees.
     pub const fn steepest(self) -> f64 {
         match self {
             Self::Upright | Self::Frontal => 70.0,
@@ -92,7 +92,7 @@ impl Kind {
         }
     }
 
-    /// Seen from there, in degrees. `None` where an upright plane would be seen from too far above or below.
+    /// The orientation for an eye at these angles, in degrees. `None` where the pitch is too large for an upright plane.
     pub fn stance(self, yaw: f64, pitch: f64) -> Option<Stance> {
         let radians = f64::to_radians;
         match self {

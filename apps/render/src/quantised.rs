@@ -1,8 +1,7 @@
-//! A scene in the crate's number formats, and back: what is drawn, and a file that says so.
+//! Converts a scene to the crate's number formats, and back to numbers of a file.
 //!
-//! World units are free to choose, so the scene is brought by powers of two to where the formats have
-//! most bits: the mesh to ±32768 of its own units, the world to where eye and mesh lie within 2¹³ to
-//! 2¹⁴. That changes no number but its exponent.
+//! World units are free to choose, so powers of two scale the scene to the range where the formats have most bits: the mesh
+//! to ±32768 of its own units, and eye and mesh to within 2¹³ to 2¹⁴ world units. Such scales change exponents alone.
 
 use crate::scene::Scene;
 use embedded_graphics::geometry::{Point, Size};
@@ -18,20 +17,20 @@ pub struct Quantised {
     units: Units,
 }
 
-/// What stands between the file's numbers and the crate's: powers of two, and the point that a mesh
-/// far from its own origin is measured from.
+/// Conversion between numbers of the file and of the crate: powers of two, and the point that replaces the origin of a mesh
+/// far from its own.
 struct Units {
-    /// Crate's model coordinates = (file's − centre) · 2^mesh.
+    /// Model coordinates: crate = (file − centre) · 2^mesh.
     mesh: i32,
     centre: [f64; 3],
-    /// Crate's world and view coordinates = file's · 2^world.
+    /// World and view coordinates: crate = file · 2^world.
     world: i32,
 }
 
 impl Quantised {
-    /// The scene as it is drawn, and the same in a file's numbers: those, read again, give both again.
+    /// The scene in the crate's formats, and the numbers of a file that converts to exactly this scene.
     pub fn settle(scene: &Scene) -> Result<(Self, Scene), String> {
-        // Rounding may carry a number over a power of two and change a unit: then once more.
+        // Rounding may carry a number over a power of two, which changes a unit: then convert again.
         let mut current = scene.clone();
         for _ in 0..8 {
             let quantised = Self::new(&current)?;
@@ -41,7 +40,7 @@ impl Quantised {
             }
             current = used;
         }
-        Err("its numbers do not settle in the crate's formats".into())
+        Err("its numbers round differently each time: use fewer digits".into())
     }
 
     fn new(scene: &Scene) -> Result<Self, String> {
@@ -61,7 +60,7 @@ impl Quantised {
         }
         let projection = scene.projection.map(|row| scaled(&row, 1.0 / world, 1.0));
         let [left, top, width, height] = scene.viewport;
-        let size = |v: i32| u32::try_from(v).map_err(|_| format!("viewport: {v} is no width or height"));
+        let size = |v: i32| u32::try_from(v).map_err(|_| format!("viewport: {v} is not a width or height"));
         Ok(Self {
             vertices,
             model: Affine::from_matrix(&model).map_err(|e| format!("model: {e}"))?,
@@ -73,7 +72,7 @@ impl Quantised {
         })
     }
 
-    /// In a file's numbers; `like` gives all that is not rounded.
+    /// The scene in numbers of a file. Fields that are not rounded come from `like`.
     fn scene(&self, like: &Scene) -> Scene {
         let Units { mesh, centre, world } = &self.units;
         let (mesh, world) = (two_to(-mesh), two_to(-world));
@@ -91,7 +90,7 @@ impl Quantised {
             row[3] *= world;
         }
         let projection = self.projection.to_matrix().map(|row| scaled(&row, 1.0 / world, 1.0));
-        // Any factor is as good: this one leaves a perspective's last row at -1.
+        // Clip coordinates have any scale; this factor gives the last row of a perspective -1.
         let largest = projection[3].iter().fold(0.0f64, |a, b| a.max(b.abs()));
         let factor = if largest > 0.0 { two_to(-largest.log2().ceil() as i32) } else { 1.0 };
         let projection = projection.map(|row| row.map(|c| c * factor));
@@ -124,12 +123,12 @@ impl Units {
         }
         for (value, field) in [(half, "vertices"), (farthest, "vertices"), (reach, "model or view")] {
             if value != 0.0 && !(1e-100..1e100).contains(&value) {
-                return Err(format!("{field}: numbers of the size of {value:e} are out of range"));
+                return Err(format!("{field}: {value:e} is out of range"));
             }
         }
-        // Near its own origin the mesh keeps its zero; far away it would lose bits to the distance.
+        // A mesh far from its own origin would lose bits to the distance.
         let centre = if farthest > 256.0 * half && half > 0.0 {
-            // On a grid so coarse that rounding the mesh does not move it.
+            // The centre lies on a grid so coarse that rounding the mesh does not move it.
             let grid = two_to(exponent(half) + 2);
             [0, 1, 2].map(|i| (f64::midpoint(low[i], high[i]) / grid).round() * grid)
         } else {
@@ -145,7 +144,7 @@ impl Units {
     }
 }
 
-/// The first three times `linear`, the last times `constant`: powers of two.
+/// Scales the first three coefficients by `linear`, the last by `constant`, both powers of two.
 fn scaled(row: &[f64; 4], linear: f64, constant: f64) -> [f64; 4] {
     [row[0] * linear, row[1] * linear, row[2] * linear, row[3] * constant]
 }
@@ -156,7 +155,7 @@ fn exponent(v: f64) -> i32 {
         return 0;
     }
     let mut exponent = v.log2().floor() as i32;
-    // The logarithm is rounded.
+    // log2 may round up to the next integer.
     while two_to(exponent) > v {
         exponent -= 1;
     }
@@ -170,8 +169,8 @@ fn two_to(exponent: i32) -> f64 {
     2f64.powi(exponent)
 }
 
-/// The largest distance, as a part of the mesh's extent and in pixels of the picture, that bringing
-/// the scene into the crate's formats moved a vertex.
+/// The largest distance by which rounding to the crate's formats moves a vertex: as a fraction of the mesh's extent, and in
+/// pixels.
 pub fn moved(scene: &Scene, used: &Scene) -> (f64, f64) {
     let (mut largest, mut pixels) = (0f64, 0f64);
     for (&a, &b) in scene.vertices.iter().zip(&used.vertices) {

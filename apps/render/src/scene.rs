@@ -1,4 +1,4 @@
-//! A scene as its file has it: plain numbers.
+//! Scene files: meshes, matrices and the size of the picture, as plain numbers.
 
 use crate::json::{Field, Json};
 use pinhole_import::Triangles;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 pub type Matrix = [[f64; 4]; 4];
 
-/// Width and height of a picture, at most.
+/// The largest width and height of a picture.
 pub const LARGEST: u32 = 4096;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -20,9 +20,9 @@ pub struct Scene {
     pub height: u32,
     /// x, y, width, height.
     pub viewport: [i32; 4],
-    /// Whether faces turned away are left out.
+    /// Whether back faces are culled.
     pub cull: bool,
-    /// The file of its mesh, where it names one.
+    /// The mesh file, if the scene names one.
     pub mesh_file: Option<PathBuf>,
 }
 
@@ -49,7 +49,7 @@ impl Scene {
         let mut mesh_file = None;
         let triangles = match (mesh, vertices, triangles) {
             (Some(mesh), None, None) => {
-                // Its own errors name the mesh's file.
+                // Errors of the mesh name the mesh file.
                 let name = mesh.text().map_err(problem)?;
                 if name.is_empty() {
                     return Err(problem(mesh.error("is empty and should name a file")));
@@ -96,7 +96,7 @@ impl Scene {
         rest().map_err(problem)
     }
 
-    /// A vertex in clip space, in f64.
+    /// Transforms a vertex to clip space in f64.
     pub fn clip(&self, vertex: [f64; 3]) -> [f64; 4] {
         let mut p = [vertex[0], vertex[1], vertex[2], 1.0];
         for m in [&self.model, &self.view, &self.projection] {
@@ -105,7 +105,7 @@ impl Scene {
         p
     }
 
-    /// A clip point on the screen, in pixels.
+    /// Maps a clip point to the screen, in pixels.
     pub fn screen(&self, clip: [f64; 4]) -> [f64; 2] {
         let [x, y, _, w] = clip;
         let [left, top, width, height] = self.viewport.map(f64::from);
@@ -132,11 +132,11 @@ pub fn bounds(vertices: &[[f64; 3]]) -> ([f64; 3], [f64; 3]) {
     (along(f64::min), along(f64::max))
 }
 
-/// A mesh of any format, all its triangles in the file's order.
+/// Reads a mesh of any format; triangles keep the order of the file.
 pub fn read_mesh(file: &Path) -> Result<Triangles, String> {
     if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
         let mesh = pinhole_import::read_triangles(file).map_err(|e| e.to_string())?;
-        // As the importer has it.
+        // The importer's message.
         return if mesh.faces.is_empty() {
             Err(format!("{}: has no faces", file.display()))
         } else {

@@ -1,4 +1,4 @@
-//! Colours where nobody chose them.
+//! Default colours.
 
 use crate::paint::{Mode, Style};
 use crate::picture::{luma, Format};
@@ -9,7 +9,7 @@ const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
 const INK: Rgb888 = Rgb888::new(34, 48, 72);
 const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
 
-/// With what is chosen; the rest so that one sees it.
+/// The chosen style, with defaults that are visible in the format.
 pub fn chosen(
     mode: Mode,
     format: Format,

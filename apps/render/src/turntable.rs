@@ -1,4 +1,4 @@
-//! A mesh once around itself, as a GIF.
+//! A film of a mesh that turns once, as a GIF.
 
 use crate::palette::Palette;
 use embedded_graphics::geometry::Size;
@@ -11,7 +11,7 @@ use pinhole_render::picture::{picture, Format};
 use pinhole_render::quantised::Quantised;
 use std::error::Error;
 
-/// How long a turn takes, in 1/100 s.
+/// Duration of a turn in 1/100 s.
 const TURN: u32 = 400;
 
 pub(crate) fn gif(
@@ -24,7 +24,7 @@ pub(crate) fn gif(
     let mut pictures = Vec::new();
     let mut subject = None;
     for frame in 0..frames {
-        // To the right the mesh turns as the camera goes to the left.
+        // The camera moves left, so that the mesh appears to turn right.
         let yaw = look.yaw - 360.0 * f64::from(frame) / f64::from(frames);
         let look = Look { yaw, fit: Fit::Turn, ..*look };
         let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), &look)?)?;
@@ -37,7 +37,7 @@ pub(crate) fn gif(
 
 fn encode(look: &Look, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec<u8>, Box<dyn Error>> {
     let mut film = Animation::new(Vec::new(), Size::new(look.width, look.height), &palette.colours)?;
-    // The moments of the frames, rounded, so that the turn takes its time whatever their number.
+    // Frame times are rounded from the start of the film, so that any number of frames lasts one TURN.
     let moment = |frame: usize| frame as u32 * TURN / pictures.len() as u32;
     for (frame, pixels) in pictures.iter().enumerate() {
         let delay = (moment(frame + 1) - moment(frame)).max(2) as u16; // players take less for 10

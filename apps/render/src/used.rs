@@ -1,4 +1,4 @@
-//! A scene as JSON, its numbers written out to the last digit.
+//! Writes a scene as JSON with every digit of its numbers.
 
 use pinhole_render::scene::{Matrix, Scene};
 use std::fmt::{Display, Write};
@@ -27,9 +27,9 @@ fn list(items: impl Iterator<Item = impl Display>) -> String {
     text
 }
 
-/// All digits of the number: exact, where the shortest one is only the nearest.
+/// A number with all its decimal digits: exact, unlike the shortest representation.
 fn decimal(v: f64) -> String {
-    // v = odd · 2^exponent needs as many digits after the point as the exponent is negative.
+    // v = odd · 2^exponent needs −exponent digits after the point.
     let bits = v.to_bits();
     let field = (bits >> 52 & 0x7ff) as i32;
     let fraction = bits & ((1 << 52) - 1);
