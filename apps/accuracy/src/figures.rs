@@ -1,4 +1,4 @@
-//! Errors by the million, and how they are written down.
+//! Statistics of millions of errors, and their format.
 
 /// The figures of one cell of a table.
 #[derive(Clone, Default)]
@@ -26,8 +26,8 @@ impl Errors {
         self.all.iter().fold(0f32, |a, &b| a.max(b)).into()
     }
 
-    /// The largest, the one that one in a thousand exceeds, and the root of the mean square: three
-    /// cells, of three digits each. There is an error.
+    /// The maximum, the 99.9th percentile and the root mean square: three cells of three digits each. There must be at least
+    /// one error.
     pub(crate) fn cells(&mut self) -> String {
         let n = self.all.len();
         let (_, nearly, above) = self.all.select_nth_unstable_by(n - n / 1000 - 1, f32::total_cmp);
@@ -38,7 +38,7 @@ impl Errors {
     }
 }
 
-/// Three digits and a power of ten.
+/// Formats a number as three digits and a power of ten.
 pub(crate) fn decimal(v: f64) -> String {
     let text = format!("{v:.2e}");
     match text.split_once('e') {
@@ -48,7 +48,7 @@ pub(crate) fn decimal(v: f64) -> String {
     }
 }
 
-/// A power of two, its exponent rounded up to a tenth; 0 stays 0.
+/// Formats a number as a power of two, its exponent rounded up to a tenth; 0 stays 0.
 pub(crate) fn binary(v: f64) -> String {
     if v == 0.0 {
         return "0".to_string();

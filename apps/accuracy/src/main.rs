@@ -1,4 +1,4 @@
-//! Measures how far the library's numbers lie from f64's and writes docs/accuracy.md:
+//! Measures the errors of the library's integers against f64 and writes docs/accuracy.md:
 //!
 //! ```text
 //! cargo run --release -p pinhole-accuracy -- --help
@@ -16,7 +16,7 @@ mod page;
 mod population;
 mod sweep;
 
-// The library's private numbers, as they are.
+// Private modules of the library, which are measured directly.
 #[allow(dead_code)]
 #[path = "../../../src/math/num.rs"]
 mod num;
@@ -34,7 +34,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Measures the library's numbers against f64: a page of tables";
+        let about = "Measures the errors of the library's integers against f64, and writes a page of tables";
         let file = Generated::arguments("-p pinhole-accuracy", about, "docs/accuracy.md")?;
         let page = match page::page() {
             Ok(page) => page,

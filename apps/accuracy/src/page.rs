@@ -1,4 +1,4 @@
-//! docs/accuracy.md.
+//! The text of docs/accuracy.md.
 
 use crate::figures::{binary, decimal};
 use crate::functions::{self, Measured};
@@ -7,10 +7,10 @@ use crate::population::{DESIGNS, POPULATIONS, RANGES};
 use crate::sweep::{sweep, Pair, Sweep, COUNT};
 use std::fmt::Write as _;
 
-/// What [`pinhole::Placed::project`] and [`pinhole::Camera::project`] promise, in px and in steps.
+/// The bounds that [`pinhole::Placed::project`] and [`pinhole::Camera::project`] document, in px and in depth steps.
 const PLACE: f64 = 1.0 / 256.0;
 const DEPTH: f64 = 1.0;
-/// From this ratio of far to near on.
+/// The least ratio of far to near.
 const DEEP: f64 = 2.0;
 
 const HEAD: &str = "\
@@ -101,9 +101,9 @@ Bounds that other tests hold, with their own measurements:
 | `raster` | none: exact | `tests/fill_rule.rs`, `tests/lines.rs`, `tests/raster_many.rs`, `tests/hard_cases/` |
 ";
 
-/// The whole page, or which bound is broken.
+/// The page, or the bound that does not hold.
 pub(crate) fn page() -> Result<String, String> {
-    // Threads only save time: each population draws its own numbers.
+    // Each population has its own random numbers, so the order of threads changes nothing.
     let (sweeps, functions) = std::thread::scope(|scope| {
         let sweeps = POPULATIONS.each_ref().map(|population| scope.spawn(|| sweep(population)));
         let functions = functions::all();
@@ -172,7 +172,7 @@ fn write_tables(
     page.push_str("\nThe bound is asserted in `tests/chain.rs`, for perspectives and boxes alike.\n\n");
     page.push_str(FUNCTIONS);
     for Measured { what, unit, error, bound, test } in functions {
-        // Steps as they are, the rest in bits.
+        // Depth steps in decimal, other errors as powers of two.
         let number = |v: f64| if *bound >= 0.25 { format!("{v:.5}") } else { binary(v) };
         let bound = if *bound == 0.0 { "exact".to_string() } else { number(*bound) };
         writeln!(page, "| {what} | {unit} | {} | {bound} | `{test}` |", number(*error))?;

@@ -1,18 +1,18 @@
-//! Random cameras and objects, as bits: the same ones on every host, since only additions, products, quotients
-//! and roots of f64 go into them, and sines where a last bit more or less makes no difference.
+//! Random cameras and objects, in the library's formats. They are equal on every host: they are computed by additions,
+//! products, quotients and roots of f64, which IEEE 754 defines exactly, and by sines whose last bit makes no difference.
 
 use crate::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits};
 use crate::oracle::chain::{self, dot, length, View, V3};
 use crate::oracle::rng::Rng;
 
-/// Where vertices and cameras are drawn from.
+/// A distribution of cameras and vertices.
 pub(crate) struct Population {
     pub(crate) name: &'static str,
     /// Bound of |world|.
     pub(crate) world: i32,
     /// 1/least distance.
     pub(crate) nearest: i32,
-    /// Of the viewport.
+    /// Size of the viewport.
     pub(crate) size: (u32, u32),
     pub(crate) seed: u64,
 }
@@ -23,13 +23,13 @@ pub(crate) const POPULATIONS: [Population; 3] = [
     Population { name: "C", world: 1024, nearest: 16, size: (320, 240), seed: 0xC },
 ];
 
-/// far ÷ near, the classes of the depth table; the near plane lies at the population's least distance.
+/// Ratios far ÷ near: the classes of the depth table. The near plane lies at the population's least distance.
 pub(crate) const RANGES: [f64; 5] = [1.01, 1.1, 2.0, 16.0, 32_000.0];
 
 /// 26° … 120° in 2⁻³² turn.
 const FIELD: (i64, i64) = (310_189_739, 1_431_655_765);
 
-/// The ways a vertex can be given.
+/// The number formats of a vertex.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Design {
     Short,
@@ -37,7 +37,7 @@ pub(crate) enum Design {
     Point,
 }
 
-/// A design and the least and the greatest half extent ÷ distance.
+/// A format, and the range of half extent ÷ distance.
 pub(crate) const DESIGNS: [(Design, &str, (f64, f64)); 5] = [
     (Design::Short, "`i16` mesh, r/z ≤ 16", (1.0 / 64.0, 16.0)),
     (Design::Short, "`i16` mesh, r/z ≤ 300", (16.0, 300.0)),
@@ -59,7 +59,7 @@ pub(crate) struct Object {
     pub(crate) half_extent: f64,
 }
 
-/// Any number between two positive ones, each doubling as likely as the next.
+/// A number between two positive ones, uniform in its logarithm.
 fn log(rng: &mut Rng, (low, high): (f64, f64)) -> f64 {
     let mut doublings = 0;
     while low * f64::from(1u32 << doublings) < high {
@@ -99,8 +99,7 @@ impl Population {
         world.iter().all(|c| c.abs() < f64::from(self.world))
     }
 
-    /// A place in the picture and in the world, in view coordinates; none where little of the world lies
-    /// before the camera.
+    /// A visible point of the world, in view coordinates; `None` where little of the world lies in front of the camera.
     pub(crate) fn target(&self, rng: &mut Rng, camera: &CameraBits, exact: &chain::Camera) -> Option<V3> {
         let m = exact.projection;
         let (near, far) = (camera.projection.near(), camera.projection.far());
@@ -123,7 +122,7 @@ impl Population {
         if half_extent >= f64::from(self.world) {
             return None;
         }
-        // As many of the 16 bits as there are.
+        // The finest unit in which 16 bits hold the object.
         let mut exponent = 15i8;
         while half_extent < 16_384.0 * f64::from(exponent).exp2() {
             exponent -= 1;

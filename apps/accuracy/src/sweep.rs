@@ -1,4 +1,4 @@
-//! Vertices through the chain, and the same in f64 from the same bits.
+//! Transforms vertices by the library and, from the same bits, in f64.
 
 use crate::bridge::{point, scalar, vector};
 use crate::figures::Errors;
@@ -30,21 +30,21 @@ impl Pair {
     }
 }
 
-/// What a population gave.
+/// The errors of a population.
 #[derive(Default)]
 pub(crate) struct Sweep {
-    /// In px, by design.
+    /// Errors in px, per format.
     pub(crate) places: [Pair; DESIGNS.len()],
-    /// In steps, by far ÷ near; for points and objects up to 16 times their distance, and up to 300.
+    /// Errors in depth steps, per far ÷ near; for points and objects up to 16 times their distance, and up to 300.
     pub(crate) depths: [[Pair; 2]; RANGES.len()],
-    /// The largest part of the error before the snap that a unit of r/z costs, for r/z ≥ 16, in px.
+    /// The largest error before the snap per unit of r/z, for r/z ≥ 16, in px.
     pub(crate) per_ratio: f64,
-    /// The largest error of depth after rounding for which there is a bound.
+    /// The largest error of depth after rounding, where a bound is documented.
     pub(crate) deepest: f64,
     pub(crate) cameras: usize,
 }
 
-/// What the library says of a vertex: x and y in px and depth in steps, before and after the rounding.
+/// The library's result for a vertex: x and y in px and depth in steps, before and after rounding.
 struct Seen {
     before: V3,
     after: V3,
@@ -91,7 +91,7 @@ fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::MeshEr
 /// A million visible vertices for each design.
 pub(crate) fn sweep(population: &Population) -> Result<Sweep, String> {
     let mut sweep = Sweep::default();
-    // Each camera has a generator of its own: no case depends on another.
+    // Each camera has its own generator, so that no case depends on another.
     for index in 0.. {
         if sweep.places.iter().all(|pair| pair.before.count() >= COUNT) {
             break;

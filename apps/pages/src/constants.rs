@@ -1,4 +1,4 @@
-//! The constants of frame time and the bytes of flash and stack, for the book: sections of their pages.
+//! The book's constants of frame time, flash and stack: sections of the pages that measure them.
 
 use crate::grouped::grouped;
 use crate::page::{number, Page};
@@ -10,7 +10,7 @@ pub(crate) fn tables() -> Result<String, String> {
     let footprint = Page::read("docs/footprint.md")?;
     let mut text = String::from("## Instructions\n\n");
     text += growth.section("The constants")?;
-    // A case that had no part in the fit.
+    // A case that the fit did not use.
     let torus = growth.row("Whether it holds", &["bands of 8 rows", "S3's torus", "240 × 240"])?;
     let (counted, off) = (torus.get("M3 counts")?, torus.after("M3 counts")?);
     let sending = 240 * 240 * 16 * 1000 / SPI;

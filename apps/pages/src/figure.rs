@@ -1,5 +1,5 @@
-//! The figure of the spaces: a camera in the world, its volume in NDC, a viewport's pixels. What is in it is projected,
-//! transformed and covered by the library. Lines take the colour of the text about them, so that it fits a dark page.
+//! The figure of the spaces: a camera in the world, its volume in NDC, a viewport's pixels. The library projects, transforms
+//! and rasterises everything in it. Lines have the colour of the surrounding text, which suits dark pages too.
 
 use embedded_graphics::geometry::{Point, Size};
 use pinhole::raster::{self, Scissor, ScreenPoint};
@@ -8,12 +8,12 @@ use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, Viewing, Viewp
 use std::error::Error;
 use std::fmt::Write;
 
-/// The camera that is shown: at the origin of its own view, looking along −n.
+/// The depicted camera: at the origin of its view, looking along −n.
 const NEAR: f32 = 2.0;
 const FAR: f32 = 6.0;
 /// Half the window at distance 1: 4 to 3.
 const SLOPE: [f32; 2] = [0.4, 0.3];
-/// What it looks at: from corner to corner, in view coordinates.
+/// The box that it looks at: two opposite corners in view coordinates.
 const BOX: [[f32; 3]; 2] = [[-0.7, -0.9, -5.0], [0.7, 0.3, -3.4]];
 
 const RED: &str = "#c44";
@@ -52,7 +52,7 @@ fn text(svg: &mut String, [x, y]: Place, anchor: &str, words: &str) {
     let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>");
 }
 
-/// Corners of a box, and its edges: those whose corners differ in one bit.
+/// Corners and edges of a box. The indices of an edge's corners differ in one bit.
 fn corners(low: [f32; 3], high: [f32; 3]) -> [[f32; 3]; 8] {
     std::array::from_fn(|i| {
         std::array::from_fn(|axis| if i >> axis & 1 == 0 { low[axis] } else { high[axis] })
@@ -71,7 +71,7 @@ fn frustum(near: f32, far: f32) -> [[f32; 3]; 8] {
     })
 }
 
-/// The shown camera stands at the world's origin; another one looks at it.
+/// The depicted camera stands at the world's origin; a second camera looks at it.
 fn world(svg: &mut String) -> Result<()> {
     let viewport = Viewport::new(Point::zero(), Size::new(300, 240))?;
     let eye = Point3::from_f32(8.0, 4.5, 4.0)?;
@@ -120,7 +120,7 @@ fn world(svg: &mut String) -> Result<()> {
     Ok(())
 }
 
-/// The same volume and box from the right: z/w across, y/w up.
+/// The view volume and the box in NDC, seen from the right: z/w across, y/w up.
 fn ndc(svg: &mut String) -> Result<()> {
     let near = Scalar::from_num(NEAR);
     let [half_width, half_height] = SLOPE.map(|slope| Scalar::from_num(slope * NEAR));
@@ -153,14 +153,14 @@ fn ndc(svg: &mut String) -> Result<()> {
     Ok(())
 }
 
-/// A viewport of 8 × 6 pixels, and what a triangle covers of it.
+/// A viewport of 8 × 6 pixels, and the pixels that a triangle covers.
 fn pixels(svg: &mut String) -> Result<()> {
     let (corner, side) = ([540.0, 48.0], 24.0);
     let at = |x: f32, y: f32| [corner[0] + side * x, corner[1] + side * y];
     let points = [[1.3, 4.6], [6.4, 5.2], [3.2, 0.7]];
     let triangle =
         points.map(|[x, y]: Place| ScreenPoint::from_subpixels((x * 256.0) as i32, (y * 256.0) as i32));
-    let [Some(a), Some(b), Some(c)] = triangle else { return Err("a corner out of the figure".into()) };
+    let [Some(a), Some(b), Some(c)] = triangle else { return Err("a corner lies outside the figure".into()) };
     raster::triangle([a, b, c], &Scissor::new(0, 0, 8, 6), |span| {
         let [x, y] = at(span.x as f32, span.y as f32);
         let width = side * span.width as f32;

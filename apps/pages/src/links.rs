@@ -30,7 +30,7 @@ pub(crate) fn definitions() -> Result<String, String> {
 /// A drawing that stands for a picture and names its file, as a data URL: pictures take 80 KB, and the package carries text
 /// alone.
 fn placeholder(path: &str) -> String {
-    // 7 pixels a letter of 12 pixels' height, and a margin.
+    // A letter of 12 pixels' height is 7 pixels wide.
     let caption = format!("{path}, in the repository");
     let width = 7 * caption.len() + 20;
     let svg = format!(
@@ -41,7 +41,7 @@ fn placeholder(path: &str) -> String {
     let mut url = String::from("data:image/svg+xml,");
     for byte in svg.bytes() {
         match byte {
-            // RFC 3986, section 2.3, and what may stand unescaped behind a scheme.
+            // RFC 3986, section 2.3, and delimiters that a data URL may contain.
             b'A'..=b'Z'
             | b'a'..=b'z'
             | b'0'..=b'9'

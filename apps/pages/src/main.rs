@@ -1,5 +1,5 @@
-//! What the documentation shows of other files: the README's table, the book's tables of constants, pictures and links of
-//! the crate's page, and the book's figure. Run it after a page or picture in `docs` has changed:
+//! Generates the parts of the documentation that repeat other files: the README's table, the book's tables of constants and
+//! its figure, and the links of the crate's page. Run it after a page or picture in `docs` has changed:
 //!
 //! ```text
 //! cargo run --release -p pinhole-pages -- --help
@@ -18,7 +18,7 @@ use pinhole_apps_support::{command, files};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// A file, and what makes its content.
+/// A file and the function that generates it.
 type Part = (&'static str, fn() -> Result<String, String>);
 
 const PARTS: [Part; 4] = [
@@ -32,8 +32,8 @@ fn main() -> ExitCode {
     command::run(|| {
         let check = Arg::new("check").long("check").action(ArgAction::SetTrue);
         let command = Command::new("pages")
-            .about("Writes what the documentation shows of other files")
-            .arg(check.help("Write nothing; exit code 1 if a file is not what would be written"));
+            .about("Writes the parts of the documentation that repeat other files")
+            .arg(check.help("Write nothing; exit with code 1 if a file is out of date"));
         let check = command::matches(command)?.get_flag("check");
         let mut current = true;
         for (path, content) in PARTS {
@@ -57,7 +57,7 @@ fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
-/// A text of the repository.
+/// Reads a text file of the repository.
 fn read(path: &str) -> Result<String, String> {
     std::fs::read_to_string(root().join(path)).map_err(|e| format!("{path}: cannot be read: {e}"))
 }

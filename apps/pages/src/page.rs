@@ -2,7 +2,7 @@
 
 use crate::grouped::SPACE;
 
-/// A page's rows, each with the section and the header that it stands under.
+/// The table rows of a page, each with its section and header.
 pub(crate) struct Page {
     path: &'static str,
     text: String,
@@ -41,14 +41,14 @@ impl Page {
         found.ok_or_else(|| format!("{}: {section}: no row {start:?}", self.path))
     }
 
-    /// The cell under a column, wherever there is a row that begins so and has that column.
+    /// The cell in a column of the first row that begins with these cells and has the column.
     pub(crate) fn cell(&self, start: &[&str], column: &str) -> Result<&str, String> {
         let mut rows = self.rows.iter().filter(|row| row.begins(start));
         let found = rows.find_map(|row| row.get(column).ok());
         found.ok_or_else(|| format!("{}: no row {start:?} with {column}", self.path))
     }
 
-    /// A section from its title to the next one.
+    /// The text of a section, up to the next title.
     pub(crate) fn section(&self, title: &str) -> Result<&str, String> {
         let heading = format!("\n## {title}\n");
         let (_, rest) =
@@ -62,12 +62,12 @@ impl Row {
         self.cells.len() >= start.len() && self.cells.iter().zip(start).all(|(a, b)| a == b)
     }
 
-    /// The cell under a column's name.
+    /// The cell in a column.
     pub(crate) fn get(&self, column: &str) -> Result<&str, String> {
         self.at(column, 0)
     }
 
-    /// The cell to the right of that.
+    /// The cell to the right of a column.
     pub(crate) fn after(&self, column: &str) -> Result<&str, String> {
         self.at(column, 1)
     }
@@ -83,7 +83,7 @@ fn cells(line: &str) -> Vec<String> {
     line.trim_matches('|').split('|').map(|cell| cell.trim().to_string()).collect()
 }
 
-/// A count as the pages write it.
+/// Parses a count as the pages format it.
 pub(crate) fn number(text: &str) -> Result<u64, String> {
-    text.replace(SPACE, "").parse().map_err(|_| format!("{text} is no count"))
+    text.replace(SPACE, "").parse().map_err(|_| format!("{text} is not a count"))
 }

@@ -1,4 +1,4 @@
-//! The README's table: error, speed and memory beside others, from the pages that measured them.
+//! The README's table: error, speed and memory compared with other libraries, from the generated pages.
 
 use crate::grouped::grouped;
 use crate::page::{number, Page};
@@ -6,7 +6,7 @@ use crate::page::{number, Page};
 const BEGIN: &str = "<!-- table: cargo run --release -p pinhole-pages -->\n";
 const END: &str = "<!-- end of table -->\n";
 
-/// What others take for the torus with depth: measured once, with the targets of `tools/bench/targets.txt`.
+/// Memory of other libraries for the torus with depth: measured once, with the targets of `tools/bench/targets.txt`.
 const CODE: &str = "S3L 6 K, TGX 31 to 45 K, 3DG 81 K";
 const RAM: &str = "TGX 230 K, 3DG 320 K, S3L 345 K";
 
@@ -66,7 +66,7 @@ fn speed(lines: &mut Vec<String>) -> Result<(), String> {
             "3DG" => format!("3DG {published}"),
             _ => format!("{best} {theirs}, 3DG {published}"),
         };
-        // Where it draws the scene at all.
+        // embedded-graphics draws lines only.
         let lines_of_2d = rivals.get("EG")?;
         if lines_of_2d != "–" {
             others = format!("EG {lines_of_2d}, {others}");

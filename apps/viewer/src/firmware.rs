@@ -1,4 +1,4 @@
-//! The scenes of the firmware examples, drawn by their own code.
+//! The scenes of the firmware examples, drawn by the examples' code.
 
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
@@ -17,10 +17,10 @@ mod picture;
 #[path = "../../../examples/oled/show/mod.rs"]
 mod show;
 
-/// Frames of the window that a frame of the OLED stays.
+/// How many frames of the window show one frame of the OLED.
 const PACE: u32 = 8;
 
-/// What went to the display.
+/// Data sent to the display.
 #[derive(Default)]
 pub(crate) struct Sent {
     pub(crate) areas: Vec<Rectangle>,
@@ -28,11 +28,11 @@ pub(crate) struct Sent {
     pub(crate) bytes: usize,
 }
 
-/// The OLED's panel, each of its pixels some of the picture's.
+/// The OLED's panel, magnified in the picture.
 pub(crate) struct Oled {
     scratch: Box<Scratch>,
     nodes: Box<SolarSystem>,
-    /// The frame that it shows.
+    /// The frame on the panel.
     shown: Option<u32>,
 }
 
@@ -41,8 +41,8 @@ impl Oled {
         Self { scratch: Box::new(Scratch::new()), nodes: Box::new(SOLAR_SYSTEM), shown: None }
     }
 
-    /// The frame of a moment, if the panel does not show it: after the one before it only what differs, as the firmware
-    /// sends it; else all of it.
+    /// Draws the frame of a point in time unless the panel shows it: only the difference from the frame before, as firmware
+    /// sends it, or the complete frame if the panel shows any other.
     pub(crate) fn draw(&mut self, step: u32, rows: u32, picture: &mut Canvas<Rgb888>) -> Option<Sent> {
         let frame = step / PACE % FRAMES;
         if self.shown == Some(frame) {
@@ -56,7 +56,7 @@ impl Oled {
         let mut depths = vec![0; SIZE.width as usize * rows];
         let mut screen = Screen::new(&mut panel, &mut colours, &mut depths);
         if let Some(before) = frame.checked_sub(1).filter(|before| self.shown == Some(*before)) {
-            // What is on the panel already, so that the screen knows it.
+            // Draws the frame on the panel again, so that the screen computes the difference from it.
             let Ok(()) = self.scratch.draw(before, &mut self.nodes, &mut screen);
         }
         on.set(true);
@@ -65,7 +65,7 @@ impl Oled {
         Some(sent)
     }
 
-    /// Something else was shown since.
+    /// Forgets the panel's contents, because something else was shown.
     pub(crate) fn forget(&mut self) {
         self.shown = None;
     }
@@ -74,7 +74,7 @@ impl Oled {
 struct Panel<'a> {
     picture: &'a mut Canvas<Rgb888>,
     sent: &'a mut Sent,
-    /// Whether what is sent arrives.
+    /// Whether data are sent to the panel or dropped.
     on: &'a Cell<bool>,
 }
 
@@ -102,9 +102,9 @@ impl Display for Panel<'_> {
     }
 }
 
-/// The README's first picture, as large as it can be.
+/// The README's first picture, as large as its strip allows.
 pub(crate) fn first(step: u32, picture: &mut Canvas<Rgb888>) -> Sent {
-    // Its strip is as wide as the widest display.
+    // Its strip holds 8 rows of 320 pixels.
     let size = picture.size();
     let size = Size::new(size.width.min(320), size.height);
     let mut screen = Colours { size, picture, sent: Sent::default() };

@@ -14,22 +14,22 @@ use pinhole_render::picture::Format;
 use pinhole_render::quantised::Quantised;
 use pinhole_render::style;
 
-/// What became of the last frame.
+/// Statistics of the last frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shown {
-    /// Of faces, or of edges where those are drawn; all zero for the firmware's scenes, which do not tell.
+    /// Statistics of faces, or of edges where the mode draws edges; all zero for the scenes of the firmware examples.
     pub statistics: Statistics,
     /// Bands sent.
     pub bands: usize,
     /// Pixels sent.
     pub pixels: usize,
-    /// Bytes sent: of pixels, and of the commands that say where they go.
+    /// Bytes sent: pixels, and the commands that set windows.
     pub bytes: usize,
     /// The rectangles sent.
     pub areas: Vec<Rectangle>,
 }
 
-/// A display, what it shows, and what is known of it.
+/// A display with its pixels, and the state that they show.
 pub struct Viewer {
     source: Source,
     display: Canvas<Rgb888>,
@@ -41,7 +41,7 @@ pub struct Viewer {
 }
 
 impl Viewer {
-    /// A display of so many pixels, of which nothing is known.
+    /// A display with unknown contents.
     pub fn new(source: Source, size: Size) -> Self {
         let area = Rectangle::new(Point::zero(), size);
         Self {
@@ -55,11 +55,11 @@ impl Viewer {
         }
     }
 
-    /// Brings the display to a state: sends what is not as it was, band by band. Nothing where all is.
+    /// Brings the display to a state: sends the areas that changed, band by band.
     ///
     /// # Errors
     ///
-    /// A line that names the scene's file and says why it cannot be drawn.
+    /// A message that names the scene's file and says why it cannot be drawn.
     pub fn draw(&mut self, state: &State) -> Result<&Shown, String> {
         if !self.drawn.is_some_and(|drawn| drawn.draws_as(state)) {
             self.shown = match state.thing {
@@ -71,16 +71,16 @@ impl Viewer {
         Ok(&self.shown)
     }
 
-    /// The display, row by row.
+    /// The display's pixels, row by row.
     pub fn pixels(&self) -> &[Rgb888] {
         self.display.pixels()
     }
 
-    /// What the window has: the display, and what the state wants written over it. `time` is that of a frame.
+    /// Draws the window: the display with the overlays of the state. `time` is the duration of a frame.
     ///
     /// # Errors
     ///
-    /// The target's own.
+    /// Errors of the target.
     pub fn show<D: DrawTarget<Color = Rgb888>>(
         &self,
         state: &State,
@@ -117,7 +117,7 @@ impl Viewer {
             |drawn: State| (drawn.thing, drawn.mode, drawn.format) == (state.thing, state.mode, state.format);
         let Self { display, dirty, .. } = self;
         if !self.drawn.is_some_and(like) {
-            // Another display, or another background: nothing of it is known. A byte holds whole pixels.
+            // With another format or background the contents are unknown. Areas start and end at whole bytes.
             let steps = (8 / C::BITS.clamp(1, 8)) as u16;
             let cost = WindowCost::new(C::BITS, WindowCost::MIPI_DCS);
             *dirty = Dirty::new(dirty.area(), cost).with_steps(steps, 1);
@@ -147,7 +147,7 @@ impl Viewer {
             Thing::First => Some(firmware::first(state.step, &mut self.display)),
             _ => self.oled.draw(state.step, state.rows.unwrap_or(u32::MAX), &mut self.display),
         };
-        // The panel's frames stay for some of the window's.
+        // The panel shows one frame during several of the window's.
         let Some(Sent { areas, pixels, bytes }) = sent else { return self.shown.clone() };
         Shown { statistics: Statistics::default(), bands: areas.len(), pixels, bytes, areas }
     }

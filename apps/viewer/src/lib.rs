@@ -1,8 +1,8 @@
-//! The simulator without its window: what keys and mouse do to a [`State`], and what a [`Viewer`] shows of it. The window
-//! is in `window.rs`, an example that needs SDL; all the rest is tested without.
+//! The simulator without its window: a [`State`] that keys and mouse change, and a [`Viewer`] that draws it. `main.rs` has
+//! the window, which needs SDL; everything else is tested without it.
 //!
 //! A model is drawn by the code of `pinhole-render`, but as firmware draws: in bands, and only
-//! where a frame differs from the last one. The scenes of the firmware examples are there, too.
+//! where a frame differs from the last one. The scenes of the firmware examples are included.
 
 mod firmware;
 mod frame;
@@ -16,11 +16,11 @@ pub use state::{Action, State};
 
 use pinhole_apps_support::{files, still};
 
-/// Writes a picture as a PNG file, whole or not at all.
+/// Writes a picture as a PNG file, completely or not at all.
 ///
 /// # Errors
 ///
-/// A line that names the file.
+/// A message that names the file.
 pub fn write_png(
     file: &std::path::Path,
     size: embedded_graphics::geometry::Size,

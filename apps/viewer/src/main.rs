@@ -1,4 +1,4 @@
-//! The simulator: a model as it looks on a small display, drawn as firmware draws it, in a window.
+//! The simulator: a window that shows a model on a small display, drawn as firmware draws it.
 //!
 //! ```text
 //! cargo run --release -p pinhole-viewer --features viewer -- MODEL.stl     # needs SDL2: libsdl2-dev
@@ -48,12 +48,16 @@ fn arguments() -> Command {
         .about("Shows a model in a window, as on the display of a microcontroller; press h for the keys")
         .arg(
             Arg::new("FILE")
-                .help("A mesh (.obj, .stl) or a scene (.json); the teapot without")
+                .help("A mesh (.obj, .stl) or a scene (.json) [default: a teapot]")
                 .value_parser(value_parser!(PathBuf)),
         )
-        .arg(text("size", "WxH", "Of the display in pixels, 16 to 1024 [default: the scene's, or 320x240]"))
+        .arg(text(
+            "size",
+            "WxH",
+            "Size of the display in pixels, 16 to 1024 each [default: the scene's, or 320x240]",
+        ))
         .arg(
-            text("scale", "N", "Pixels of the window for one of the display, 1 to 8 [default: 2]")
+            text("scale", "N", "Magnification of the display in the window, 1 to 8 [default: 2]")
                 .value_parser(value_parser!(u32).range(1..=8)),
         )
         .arg(
@@ -87,7 +91,7 @@ fn size(given: &mut ArgMatches, source: &Source) -> Result<Size, String> {
         .named(&format!("is of {width} x {height} pixels, a display of {low} to {high}: give it by --size")))
 }
 
-/// What happens without a hand.
+/// What a script does in place of a user.
 struct Script {
     screenshot: Option<PathBuf>,
     stay: Duration,
@@ -95,15 +99,16 @@ struct Script {
 
 fn actions(given: &mut ArgMatches) -> Result<Vec<Action>, String> {
     let keys: String = given.remove_one("keys").unwrap_or_default();
-    let action = |name| State::key(name).ok_or_else(|| format!("--keys: {name} is no key: h shows them"));
+    let action =
+        |name| State::key(name).ok_or_else(|| format!("--keys: {name} is not a key; h shows the keys"));
     keys.split_whitespace().map(action).collect()
 }
 
-/// SDL would draw into a window that no one sees.
+/// Without a display SDL would draw into an invisible window.
 fn refuse_without_display() -> Result<(), String> {
     let unset = |name| std::env::var_os(name).is_none_or(|value| value.is_empty());
     if cfg!(target_os = "linux") && ["DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"].into_iter().all(unset) {
-        return Err("there is no display to open a window on: DISPLAY and WAYLAND_DISPLAY are not set \
+        return Err("there is no display for a window: DISPLAY and WAYLAND_DISPLAY are not set \
                     (`xvfb-run` makes one; with --screenshot none is needed)"
             .into());
     }
@@ -122,7 +127,7 @@ fn run(mut viewer: Viewer, mut state: State, size: Size, scale: u32, script: &Sc
         if shown != Some(state) {
             let start = Instant::now();
             viewer.draw(&state)?;
-            // Smoothed over some frames; a script's pictures are the same every time.
+            // Smoothed over some frames. A script shows no time, so that its pictures can be compared.
             time = if shown.is_none() { start.elapsed() } else { (time * 7 + start.elapsed()) / 8 };
             let time = script.screenshot.is_none().then_some(time);
             let Ok(()) = viewer.show(&state, time, &mut display);
@@ -172,8 +177,8 @@ fn run(mut viewer: Viewer, mut state: State, size: Size, scale: u32, script: &Sc
     }
 }
 
-/// Opens the window the first time. Where SDL refuses (an unknown `SDL_VIDEODRIVER`, no X server) the simulator panics,
-/// and gives no other answer; said here in one line, as all that is wrong. A release build does not come back from a panic.
+/// Opens the window. Where SDL refuses (an unknown `SDL_VIDEODRIVER`, no X server), embedded-graphics-simulator panics; the
+/// panic hook then prints one line and ends the program, because a release build aborts and cannot catch the panic.
 fn update(window: &mut Window, display: &SimulatorDisplay<Rgb888>) {
     let usual = panic::take_hook();
     panic::set_hook(Box::new(|why| {
@@ -186,7 +191,7 @@ fn update(window: &mut Window, display: &SimulatorDisplay<Rgb888>) {
     panic::set_hook(usual);
 }
 
-/// What the window shows, without the time.
+/// The window's contents without the time.
 fn write(file: &Path, size: Size, viewer: &Viewer, state: &State) -> Result<(), String> {
     let mut display = SimulatorDisplay::<Rgb888>::new(size);
     let Ok(()) = viewer.show(state, None, &mut display);
@@ -195,13 +200,13 @@ fn write(file: &Path, size: Size, viewer: &Viewer, state: &State) -> Result<(), 
     write_png(file, size, &pixels)
 }
 
-/// A file that is not there yet.
+/// The first file name `viewer-N.png` that does not exist.
 fn free_name() -> PathBuf {
     let mut names = (1..).map(|number| PathBuf::from(format!("viewer-{number}.png")));
     names.find(|file| !file.exists()).unwrap_or_default()
 }
 
-/// The name that [`State::key`] knows.
+/// The key's name for [`State::key`].
 fn name(key: Keycode, modifiers: Mod) -> String {
     let name = key.name().to_lowercase();
     let shifted = modifiers.intersects(Mod::LSHIFTMOD | Mod::RSHIFTMOD);

@@ -1,4 +1,4 @@
-//! What is written over a picture: rectangles, numbers, keys.
+//! Overlays: rectangles sent, statistics, keys.
 
 use crate::frame::Shown;
 use crate::state::{State, Thing, KEYS};
@@ -16,7 +16,7 @@ const BOX: Rgb888 = Rgb888::new(20, 24, 34);
 const TEXT: Rgb888 = Rgb888::new(226, 232, 240);
 const KEY: Rgb888 = Rgb888::new(255, 196, 90);
 const SENT: Rgb888 = Rgb888::new(236, 40, 120);
-/// Of a line and a character.
+/// Height of a line and width of a character.
 const LINE: i32 = 11;
 const CHARACTER: i32 = 6;
 
@@ -53,7 +53,7 @@ pub(crate) fn draw<D: DrawTarget<Color = Rgb888>>(
     Ok(())
 }
 
-/// Behind lines of text.
+/// Draws the background of lines of text.
 fn paper<D: DrawTarget<Color = Rgb888>>(top: i32, lines: &[String], target: &mut D) -> Result<(), D::Error> {
     let longest = lines.iter().map(String::len).max().unwrap_or_default() as i32;
     let size = Size::new((longest * CHARACTER + 6) as u32, (lines.len() as i32 * LINE + 3) as u32);
@@ -71,7 +71,7 @@ fn write<D: DrawTarget<Color = Rgb888>>(
     Ok(())
 }
 
-/// What a mode or a format is called.
+/// The name of a mode or a format.
 fn name<T: PartialEq>(all: &[(&'static str, T)], one: T) -> &'static str {
     all.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)
 }

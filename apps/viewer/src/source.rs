@@ -1,4 +1,4 @@
-//! What is looked at: a file, or the mesh of the firmware examples.
+//! The model: a file, or the mesh of the firmware examples.
 
 use crate::firmware;
 use crate::state::State;
@@ -9,21 +9,21 @@ use pinhole_render::model::{self, Fit, Look, Up};
 use pinhole_render::scene::{self, Matrix, Scene};
 use std::path::{Path, PathBuf};
 
-/// A mesh, and a camera where its file has one.
+/// A mesh, with a camera if its file has one.
 pub struct Source {
     mesh: Triangles,
     up: Up,
     own: Option<Scene>,
-    /// Where it comes from.
+    /// The file, unless the mesh is built in.
     file: Option<PathBuf>,
 }
 
 impl Source {
-    /// Reads what `render` reads: `.obj`, `.stl`, or a scene (`.json`).
+    /// Reads the files that `pinhole-render` reads: `.obj`, `.stl`, or a scene (`.json`).
     ///
     /// # Errors
     ///
-    /// A line that names the file and what is wrong.
+    /// A message that names the file and the problem.
     pub fn read(file: &Path) -> Result<Self, String> {
         let is = |extension: &str| file.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
         if is("json") {
@@ -47,32 +47,32 @@ impl Source {
         Self { mesh, up: Up::Y, own: None, file: None }
     }
 
-    /// The size of the picture that its file asks for.
+    /// The size of the picture in the scene file.
     pub fn size(&self) -> Option<Size> {
         self.own.as_ref().map(|own| Size::new(own.width, own.height))
     }
 
-    /// Refuses to overwrite what it was read from.
+    /// Checks that an output is none of the input files.
     ///
     /// # Errors
     ///
-    /// A line that names the output.
+    /// A message that names the output.
     pub fn apart_from(&self, output: &Path) -> Result<(), String> {
         let mesh = self.own.as_ref().and_then(|own| own.mesh_file.as_deref());
         self.file.as_deref().into_iter().chain(mesh).try_for_each(|input| files::apart(input, [output]))
     }
 
-    /// A line about it, with the name of its file.
+    /// A message with the name of the file.
     pub fn named(&self, problem: &str) -> String {
         self.file.as_ref().map_or(problem.into(), |file| format!("{}: {problem}", file.display()))
     }
 
-    /// What one sees of it first.
+    /// The initial state.
     pub fn state(&self) -> State {
         State::new(self.own.is_some(), self.own.as_ref().is_some_and(|own| own.cull))
     }
 
-    /// As a state looks at it.
+    /// The scene with the camera of a state.
     pub(crate) fn scene(&self, state: &State, size: Size) -> Result<Scene, String> {
         let scene = match (state.projection, &self.own) {
             (None, Some(own)) => turned(own, state, size),
@@ -102,7 +102,7 @@ fn in_the_world(scene: &Scene, [x, y, z]: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// A scene as its file has it, turned about its middle against the eye and magnified.
+/// The scene of a file, turned about its centre opposite to the eye, and magnified.
 fn turned(own: &Scene, state: &State, size: Size) -> Scene {
     let middle = {
         let (low, high) = own.bounds();
@@ -110,7 +110,7 @@ fn turned(own: &Scene, state: &State, size: Size) -> Scene {
     };
     let ((sin_yaw, cos_yaw), (sin_pitch, cos_pitch)) =
         ((-state.yaw).to_radians().sin_cos(), state.pitch.to_radians().sin_cos());
-    // About the eye's own axes: first to the side, then up.
+    // About the axes of the view: first to the side, then up.
     let turn = [
         [cos_yaw, 0.0, sin_yaw],
         [sin_pitch * sin_yaw, cos_pitch, -sin_pitch * cos_yaw],
@@ -118,7 +118,7 @@ fn turned(own: &Scene, state: &State, size: Size) -> Scene {
     ];
     let view = |i: usize, k: usize| own.view[i][k];
     let product = |f: &dyn Fn(usize) -> f64| (0..3).map(f).sum::<f64>();
-    // From the world to the view's axes, turned, and back.
+    // World axes to view axes, the turn, and back.
     let there = [0, 1, 2].map(|i| [0, 1, 2].map(|k| product(&|j| turn[i][j] * view(j, k))));
     let about = [0, 1, 2].map(|i| [0, 1, 2].map(|k| product(&|j| view(j, i) * there[j][k])));
     let mut model: Matrix = own.model;

@@ -1,84 +1,84 @@
-//! What is looked at and how, and what keys and mouse do to it.
+//! The state of the simulator, and how keys and mouse change it.
 
 use pinhole_render::paint::Mode;
 use pinhole_render::picture::Format;
 use pinhole_render::projections::Named;
 
-/// All that decides about a picture.
+/// Everything that a picture depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     pub(crate) thing: Thing,
-    /// Of the eye, in degrees.
+    /// Angles of the eye in degrees.
     pub(crate) yaw: f64,
     pub(crate) pitch: f64,
     pub(crate) zoom: f64,
-    /// `None` is the scene's own camera.
+    /// The projection; `None` is the scene's own camera.
     pub(crate) projection: Option<Named>,
     pub(crate) mode: Mode,
     pub(crate) format: Format,
     pub(crate) dither: bool,
-    /// Whether faces turned away are left out.
+    /// Whether back faces are culled.
     pub(crate) cull: bool,
-    /// Rows of a band; `None` is all of the picture.
+    /// Rows of a band; `None` draws the picture in one piece.
     pub(crate) rows: Option<u32>,
-    /// Counts on while things turn.
+    /// Counts frames while the model turns.
     pub(crate) step: u32,
     pub(crate) turning: bool,
-    /// What is written over the picture.
+    /// Which overlays are shown.
     pub(crate) outlines: bool,
     pub(crate) information: bool,
     pub(crate) help: bool,
-    /// Whether there is a camera to go back to.
+    /// Whether the scene has a camera of its own.
     own: bool,
-    /// `cull` at the beginning.
+    /// The initial value of `cull`.
     own_cull: bool,
 }
 
-/// What there is to look at.
+/// The things to show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Thing {
     /// The file, or the built-in mesh.
     Model,
-    /// What `examples/oled` shows on its panel.
+    /// The show of `examples/oled`.
     Oled,
     /// The README's first firmware.
     First,
 }
 
-/// What a key does.
+/// The effect of a key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
-    /// Turns the eye by so many degrees, to the right and up.
+    /// Turns the eye by degrees to the right and up.
     Orbit(f64, f64),
-    /// Magnifies by so many steps of a tenth.
+    /// Magnifies by a number of steps of 10 %.
     Zoom(i32),
-    /// The next or the last projection.
+    /// The next or the previous projection.
     Projection(i32),
-    /// Solid, flat, smooth or lines, by the key.
+    /// Sets the mode.
     Mode(char),
-    /// The next or the last colour format.
+    /// The next or the previous pixel format.
     Format(i32),
-    /// Dither or nearest colours.
+    /// Toggles between dithering and rounding.
     Dither,
-    /// Both sides of faces or those turned to the eye.
+    /// Toggles back-face culling.
     Cull,
-    /// The next or the last band height.
+    /// The next or the previous band height.
     Rows(i32),
-    /// Shows the rectangles that were sent.
+    /// Toggles the rectangles that were sent.
     Outlines,
-    /// Shows the numbers.
+    /// Toggles the statistics.
     Information,
-    /// Shows the keys.
+    /// Toggles the list of keys.
     Help,
-    /// Turns by itself.
+    /// Toggles turning.
     Turn,
-    /// The next thing to look at.
+    /// Shows the next thing.
     Thing,
-    /// As at the beginning.
+    /// Resets the view.
     Reset,
-    /// Writes the picture to a file: for the window to do.
+    /// Writes the picture to a file; the window does that.
     Screenshot,
-    /// Ends: for the window to do.
+    /// Ends the program; the window does that.
     Quit,
 }
 
@@ -99,14 +99,14 @@ pub(crate) const KEYS: [(&str, &str); 12] = [
 ];
 
 const ROWS: [Option<u32>; 5] = [Some(1), Some(4), Some(8), Some(16), None];
-/// Degrees that a key turns the eye.
+/// Degrees that one key press turns the eye.
 const STEP: f64 = 5.0;
-/// Degrees a pixel of the mouse.
+/// Degrees per pixel of mouse movement.
 const DRAG: f64 = 0.5;
 
 impl State {
-    /// What one sees first: a model in the usual perspective, or a scene with its own camera; with faces turned away or
-    /// without them.
+    /// The initial state: a model in the default perspective, or a scene with its own camera, with or without back-face
+    /// culling.
     pub fn new(own_camera: bool, cull: bool) -> Self {
         let usual = Named::ALL[0];
         Self {
@@ -130,7 +130,7 @@ impl State {
         }
     }
 
-    /// What a key does. Keys have the names of their characters, and `left`, `right`, `up`, `down`, `space`.
+    /// The action of a key. Keys are named by their characters, or `left`, `right`, `up`, `down`, `space`.
     pub fn key(name: &str) -> Option<Action> {
         Some(match name {
             "left" => Action::Orbit(-STEP, 0.0),
@@ -160,7 +160,7 @@ impl State {
         })
     }
 
-    /// Does it, as far as it is about the picture.
+    /// Applies an action; those of the window change nothing.
     pub fn apply(&mut self, action: Action) {
         match action {
             Action::Orbit(right, up) => self.orbit(right, up),
@@ -189,12 +189,12 @@ impl State {
         }
     }
 
-    /// The mouse went so many pixels to the right and down: what it holds goes with it.
+    /// The mouse was dragged by pixels to the right and down: the model turns with it.
     pub fn drag(&mut self, right: i32, down: i32) {
         self.orbit(-DRAG * f64::from(right), DRAG * f64::from(down));
     }
 
-    /// A sixtieth of a second has gone by.
+    /// Advances time by 1/60 s.
     pub fn tick(&mut self) {
         if self.turning {
             self.step = self.step.wrapping_add(1);
@@ -210,7 +210,7 @@ impl State {
         self.pitch = (self.pitch + up).clamp(-steepest, steepest);
     }
 
-    /// Each is seen first from where it usually is.
+    /// Chooses a projection, with its default direction.
     fn project(&mut self, by: i32) {
         let mut all: Vec<_> = Named::ALL.map(Some).to_vec();
         if self.own {
@@ -220,7 +220,7 @@ impl State {
         (self.yaw, self.pitch) = self.projection.map_or((0.0, 0.0), |named| (named.yaw, named.pitch));
     }
 
-    /// Whether the same is drawn of both, whatever is written over it.
+    /// Whether both states draw equal pictures, apart from overlays.
     pub(crate) fn draws_as(&self, other: &Self) -> bool {
         let bare = |state: &Self| Self {
             turning: false,
@@ -234,7 +234,7 @@ impl State {
     }
 }
 
-/// So many further in a list that begins again at its end.
+/// The item `by` places further in a list that wraps around.
 fn next<T: Copy + PartialEq>(list: &[T], now: T, by: i32) -> T {
     let place = list.iter().position(|item| *item == now).unwrap_or_default();
     let further = (place as i64 + i64::from(by)).rem_euclid(list.len().max(1) as i64);
