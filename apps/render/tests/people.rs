@@ -325,7 +325,7 @@ fn lines_of_large_meshes_are_all_there() {
         // 45 000 triangles are three times 21 845 at most; an edge where two parts meet is in both.
         let done = RENDER.run(&[text(&file), "--projection", "front", "--mode", mode, "--stats"]);
         let said = String::from_utf8(done.stdout).unwrap();
-        assert!(said.contains(" edges (in 3 parts, and twice where these meet) "), "{said}");
+        assert!(said.contains(" edges (in 3 parts; edges between parts count twice) "), "{said}");
     }
 }
 
@@ -431,7 +431,7 @@ fn text_has_the_picture_s_shape() {
 }
 
 #[test]
-fn what_is_wrong_is_said_with_what_would_be_right() {
+fn messages_for_bad_options_name_the_alternatives() {
     let to = RENDER.folder("people", "wrong");
     let mesh = write(&to, "m.obj", obj([1.0; 3]));
     let gif = to.join("f.gif");
@@ -445,15 +445,15 @@ fn what_is_wrong_is_said_with_what_would_be_right() {
         (&["--format", "rgb332"], &["--format: rgb332", "rgb565", "mono"]),
         (&["--ascii=ansi"], &["--ascii: ansi", "ramp", "braille"]),
         (&["--colour", "bleu"], &["--colour: bleu", "#rrggbb", "blue", "rebeccapurple"]),
-        (&["--background", "#12345"], &["--background: #12345", "6 hexadecimal digits"]),
+        (&["--background", "#12345"], &["--background: #12345", "6 or 3 hexadecimal digits"]),
         (&["--background", "#12345é"], &["--background: #12345é"]),
         (&["--from", "30"], &["--from: 30", "YAW,PITCH"]),
         (&["--from", "30,95"], &["--from: pitch: 95 is not from -90 to 90"]),
         (&["--from", "3,4", "--yaw", "5"], &["--from: ", "--yaw"]),
         (&["--projection", "two-point", "--pitch", "80"], &["--pitch: 80", "two-point"]),
         (&["--projection", "isometric", "--fov", "50"], &["--fov: isometric has no field of view"]),
-        (&["--ids", gif, "--colour", "red"], &["--colour: is that of a picture: give --png"]),
-        (&["--ascii", "--no-dither"], &["--no-dither: is that of a picture"]),
+        (&["--ids", gif, "--colour", "red"], &["--colour: applies to pictures alone: give --png"]),
+        (&["--ascii", "--no-dither"], &["--no-dither: applies to pictures alone"]),
         (&["--up", "x"], &["--up: x", "y, z"]),
         (&["--frames", "12"], &["--frames: ", "--gif"]),
         (&["--gif", gif, "--frames", "1"], &["--frames", "2..=360"]),
