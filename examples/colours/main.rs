@@ -1,4 +1,4 @@
-//! One scene in every kind of colour, rounded and dithered, on one contact sheet:
+//! A contact sheet of one scene in seven pixel formats, rounded and dithered:
 //!
 //! ```text
 //! cargo run --release --example colours -- --help
@@ -29,13 +29,13 @@ const ROWS: u32 = 8;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Draws a scene in every kind of colour, rounded and dithered: a contact sheet";
+        let about = "Draws a contact sheet of one scene in seven pixel formats, rounded and dithered";
         let file = Generated::arguments("--example colours", about, "docs/colours.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 
-/// A format: its name, its bits, and the pictures that it makes of the scene.
+/// A pixel format: its name, its bits, and the rounded and the dithered picture.
 type Row = (&'static str, &'static str, [Vec<Rgb888>; 2]);
 
 /// All the pictures as a PNG file.
@@ -50,7 +50,7 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         ("Gray2", "2 bits", pictures::<Gray2>(&scene)?),
         ("BinaryColor", "1 bit", pictures::<BinaryColor>(&scene)?),
     ];
-    // Four columns of two rows of pairs; the last cell explains.
+    // Four columns and two rows of pairs; the last cell is the legend.
     let pair = Size::new(PICTURE.width + GAP, 2 * (PICTURE.height + CAPTION) + GAP);
     let size = Size::new(4 * pair.width + GAP, HEADER + 2 * pair.height + GAP);
     let mut sheet = Canvas::new(size, BACKGROUND);
@@ -102,7 +102,7 @@ where
     Ok([nearest, picture::<C, _, _>(scene, (Gouraud::dithered, Lit::dithered))?])
 }
 
-/// The scene in one kind of colour, band by band.
+/// The scene in one pixel format, drawn in bands.
 fn picture<C, I, L>(scene: &Scene, inks: Inks<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
 where
     C: Channels + Wire + Into<Rgb888>,

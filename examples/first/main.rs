@@ -1,5 +1,5 @@
-//! The README's first firmware, on the host: `picture.rs` is its code, to the letter (`tests/first` compares them, and goes
-//! the README's way from an empty folder).
+//! The README's first firmware on the host. `picture.rs` is exactly its code: `tests/first` compares them, and follows the
+//! README from an empty folder.
 //!
 //! ```text
 //! cargo run --release --example first     # writes target/first/first.png
@@ -34,7 +34,7 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// In place of a display and its driver.
+/// Stands for a display and its driver.
 struct Screen(Vec<Rgb565>);
 
 impl OriginDimensions for Screen {

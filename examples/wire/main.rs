@@ -1,4 +1,4 @@
-//! Counts what goes over the wire to a display and writes docs/wire.md:
+//! Counts the bytes that go over the wire to a display, and writes docs/wire.md:
 //!
 //! ```text
 //! cargo run --release --example wire -- --help
@@ -16,7 +16,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Counts the bytes that a display driver sends, way by way: a page of tables";
+        let about = "Counts the bytes that a display driver sends, and writes a page of tables";
         let file = Generated::arguments("--example wire", about, "docs/wire.md")?;
         file.finish_page(&page::page())
     })
