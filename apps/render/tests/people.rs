@@ -331,7 +331,7 @@ fn lines_of_large_meshes_are_all_there() {
 
 #[test]
 fn light_falls_on_the_side_that_is_seen() {
-    // The same world twice: a box, and its mirror image that the model mirrors back.
+    // Two equal worlds: a box, and its mirror image, which the model matrix mirrors back.
     let to = RENDER.folder("people", "light");
     let draw = |name: &str, factor: f64| {
         let (vertices, triangles) = cuboid([0.8, 0.6, 0.5]);
