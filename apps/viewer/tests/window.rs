@@ -7,7 +7,7 @@ use embedded_graphics::prelude::*;
 use pinhole_viewer::{Source, State, Viewer};
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
