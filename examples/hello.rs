@@ -33,7 +33,7 @@ fn main() -> ! {
     #[cfg(target_arch = "riscv32")]
     use riscv as _;
 
-    // Not on the stack: the linker says so if it does not fit, and what is left of the 64 K is the stack.
+    // In a static, so that the linker reports if it does not fit. The rest of the 64 KB is the stack.
     static STAGE: Mutex<RefCell<Stage>> = Mutex::new(RefCell::new(Stage::new()));
     critical_section::with(|token| run(&mut STAGE.borrow_ref_mut(token)));
     semihosting::process::exit(0)

@@ -1,7 +1,7 @@
 #![no_std]
 // docs.rs shows what needs a feature.
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// Before the README's own definitions, so that its links lead somewhere and its pictures show on docs.rs too.
+// Before the README's own definitions, so that its links lead somewhere on docs.rs too.
 #![doc = include_str!("book/links.md")]
 #![doc = include_str!("../README.md")]
 

@@ -1,5 +1,5 @@
 //! Rule 2 of the house: every stated bound of a numeric function holds, and is at most twice the largest error met.
-//! The measurements are those of docs/accuracy.md, made anew (`examples/accuracy/functions.rs`).
+//! The measurements are those of docs/accuracy.md, made anew (`apps/accuracy/src/functions.rs`).
 //!
 //! `src/math` is compiled in once more, as what is measured: its functions
 //! are private.
@@ -7,7 +7,7 @@
 use support::bridge;
 use support::oracle;
 
-#[path = "../examples/accuracy/functions.rs"]
+#[path = "../apps/accuracy/src/functions.rs"]
 mod functions;
 #[allow(dead_code, unreachable_pub, unused_imports)]
 #[path = "../src/math/mod.rs"]

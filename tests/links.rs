@@ -1,5 +1,5 @@
-//! No dead links: every relative link of every tracked page leads to a file, and its anchor to a heading there; and where
-//! the README is the crate's page, each of its links to a file has a definition that leads elsewhere.
+//! No dead links: every relative link of every tracked page leads to a file, and its anchor to a heading of that file. On the
+//! crate's page, where the README stands without the repository, each link to a file has another definition.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,7 +10,8 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The tracked pages. The book's chapters are rustdoc's to check; a template's links are those of the page made from it.
+/// The tracked pages. rustdoc checks the chapters of the book; the templates in `report` folders have the links of the pages
+/// that are generated from them.
 fn pages() -> Vec<PathBuf> {
     let done = Command::new("git").args(["ls-files", "*.md"]).current_dir(root()).output().expect("git");
     let list = String::from_utf8(done.stdout).expect("names");
@@ -18,7 +19,7 @@ fn pages() -> Vec<PathBuf> {
     list.lines().filter(is_page).map(PathBuf::from).collect()
 }
 
-/// The lines that are no code, and without code in them.
+/// The lines outside code blocks, without inline code.
 fn prose(text: &str) -> Vec<String> {
     let mut fenced = false;
     let mut lines = Vec::new();
@@ -37,7 +38,7 @@ fn definition(line: &str) -> Option<(&str, &str)> {
     line.strip_prefix('[')?.split_once("]: ")
 }
 
-/// Where links lead: of `[text](target)`, and of definitions.
+/// Targets of `[text](target)` and of definitions.
 fn targets(text: &str) -> Vec<String> {
     let mut found = Vec::new();
     for line in prose(text) {
@@ -48,7 +49,7 @@ fn targets(text: &str) -> Vec<String> {
     found
 }
 
-/// As GitHub makes them: small letters, digits, - and _; spaces become -.
+/// Anchors of headings as GitHub makes them: small letters, digits, - and _; spaces become -.
 fn anchors(text: &str) -> BTreeSet<String> {
     let kept = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
     let headings = text.lines().filter(|line| line.starts_with('#'));
@@ -56,7 +57,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
     titles.map(|title| title.replace(' ', "-").chars().filter(|&c| kept(c)).collect()).collect()
 }
 
-/// Without `..`, which leads out of no folder of the repository.
+/// The path without `.` and `..`; `None` where it leaves the repository.
 fn plain(path: &Path) -> Option<PathBuf> {
     let mut plain = PathBuf::new();
     for part in path.components() {
@@ -69,7 +70,7 @@ fn plain(path: &Path) -> Option<PathBuf> {
     Some(plain)
 }
 
-/// What is wrong with the links of a page.
+/// The dead links of a page.
 fn dead(page: &Path, text: &str) -> Vec<String> {
     let is_dead = |target: &str| {
         if target.contains("://") {
@@ -94,12 +95,12 @@ fn every_link_leads_somewhere() {
         links += targets(&text).len();
         found.extend(dead(&page, &text));
     }
-    assert!(links > 40, "{links} links: the reader of links has gone blind");
+    assert!(links > 40, "only {links} links were found");
     assert!(found.is_empty(), "dead links:\n{}", found.join("\n"));
 }
 
 #[test]
-fn a_dead_link_is_seen() {
+fn dead_links_are_found() {
     let page = Path::new("docs/page.md");
     let good = "# A title, `b`\n[text](../README.md), `[code](gone.md)`\n```\n[code](gone.md)\n```\n[name]: ../src/lib.rs\n";
     assert_eq!(dead(page, good), [""; 0]);
@@ -115,9 +116,8 @@ fn a_dead_link_is_seen() {
     assert!(anchors("## A title, `b`").contains("a-title-b"));
 }
 
-/// The crate's page has the README without the repository about it.
 #[test]
-fn the_readme_has_no_dead_link_as_the_crates_page() {
+fn readme_has_no_dead_link_on_the_crates_page() {
     let readme = fs::read_to_string(root().join("README.md")).expect("README.md");
     let links = fs::read_to_string(root().join("src/book/links.md")).expect("links.md");
     let defined: BTreeMap<&str, &str> = links.lines().filter_map(definition).collect();
@@ -125,12 +125,13 @@ fn the_readme_has_no_dead_link_as_the_crates_page() {
         for target in line.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             assert!(
                 target.contains("://"),
-                "write {target} by a definition, which the crate's page replaces"
+                "{target}: write a definition, which src/book/links.md can replace"
             );
         }
         if let Some((name, _)) = definition(&line).filter(|(_, target)| !target.contains("://")) {
             let there = defined.get(name).unwrap_or_else(|| panic!("{name} is not in src/book/links.md"));
-            // Source that docs.rs shows is of what is published.
+            // A picture is a small drawing in the page itself. A page is one that docs.rs has: it is published.
+            assert!(!name.ends_with(".png") || (there.starts_with("data:") && there.len() < 512), "{name}");
             if let Some((_, file)) = there.split_once("/source/") {
                 let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("Cargo.toml");
                 let list = manifest.lines().find(|line| line.starts_with("include = ")).expect("a list");

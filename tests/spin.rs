@@ -1,18 +1,15 @@
 //! The README's first command: what its film shows, and what it says to bad input.
 
-#[allow(dead_code)]
-#[path = "../examples/common/canvas.rs"]
-mod canvas;
 #[path = "../examples/spin/depth.rs"]
 mod depth;
 mod programs;
 #[path = "../examples/spin/scene.rs"]
 mod scene;
 
-use canvas::Canvas;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use pinhole::Painter;
+use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::ImportedMesh;
 use scene::Turntable;
 use std::path::{Path, PathBuf};

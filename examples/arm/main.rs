@@ -1,28 +1,14 @@
-//! A robot arm through one cycle: joints in joints, two meshes under ten nodes, its tool's path as a poly-line and its
-//! shadow as the same parts flattened; an animated GIF and a contact sheet:
+//! One cycle of a robot arm: a hierarchy of joints, two meshes for ten nodes, the tool's path as a poly-line, and a shadow of
+//! the parts projected to the floor. Writes an animated GIF and a contact sheet:
 //!
 //! ```text
 //! cargo run --release --example arm -- --help
 //! ```
 
-#[path = "../common/animation.rs"]
-mod animation;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/film.rs"]
-mod film;
 mod meshes;
 mod robot;
-#[path = "../common/still.rs"]
-mod still;
 
-use canvas::Canvas;
 use clap::Command;
-use command::Film;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use pinhole::space::World;
@@ -30,6 +16,9 @@ use pinhole::{
     Affine, Angle, Camera, Cull, Dim, Hierarchy, Lambert, Mesh, Painter, Point3, Projection, Scalar,
     Statistics, Vector3, ViewTransform, Viewport,
 };
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::command::Film;
+use pinhole_apps_support::{command, film};
 use robot::{Form, Paint};
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -100,7 +89,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// In front of the robot, to its right and above.
+/// The camera: in front of the robot, to its right and above.
 fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
     let viewing = ViewTransform::look_at(
         Point3::from_f32(6.4, 4.2, 4.9)?,
@@ -112,8 +101,8 @@ fn camera(size: Size) -> Result<Camera, Box<dyn Error>> {
     Ok(Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?))
 }
 
-/// Floor, shadow, path, robot: in this order nothing hides what it should not, but for the path, which the robot
-/// always covers.
+/// Draws floor, shadow, path and robot. Later ones cover earlier ones, which is wrong only for parts of the path in front of
+/// the robot.
 fn draw(
     robot: &Hierarchy<'_>,
     path: &[[Scalar; 3]],
@@ -130,7 +119,7 @@ fn draw(
     let floor = meshes::floor()?;
     let floor = camera.place(&floor, &Affine::identity());
     floor.solid(|_| FLOOR, &mut [], canvas)?;
-    // Along the light onto y = 0.
+    // Projects along the light onto y = 0.
     let flat = Affine::<World, World>::from_frame(
         Vector3::from_ints(1, 0, 0),
         Vector3::from_f32(-0.25, 0.0, -0.75)?,
@@ -156,11 +145,11 @@ fn draw(
             Paint::Orange => ORANGE,
             Paint::Rubber => RUBBER,
         };
-        // In steps of 8, so that a palette holds all colours.
+        // Light in steps of 8, so that a palette of 256 holds all colours.
         let shade = |face: usize| colour.dim(light.level(mesh.normals()[face]) & !7);
         painter.add(&camera.place(mesh, &part.place), shade)?;
         if part.carries {
-            // Its large faces would not sort well among the small ones above them.
+            // The base is drawn first: its large faces would sort wrongly among the small faces of other parts.
             statistics = statistics.and(painter.draw(canvas)?);
         }
     }

@@ -1,4 +1,4 @@
-//! The two meshes that all parts of the robot are made of, from −1 to 1 along each axis, and the floor.
+//! The two meshes of which the robot consists, each from −1 to 1 along every axis, and the floor.
 
 use pinhole::{Mesh, MeshError};
 
@@ -23,7 +23,7 @@ const DODECAGON: [[i16; 2]; 12] = {
         [A, -B],
     ]
 };
-/// The directions in the middle between them, in 2⁻¹⁵.
+/// Directions halfway between neighbouring corners, in 2⁻¹⁵.
 const BETWEEN: [[i16; 2]; 12] = {
     const A: i16 = 31_650; // cos 15°
     const B: i16 = 23_170; // cos 45°
@@ -157,7 +157,7 @@ static FLOOR_EDGES: [[u16; 2]; 2 * LINES] = {
     }
     edges
 };
-/// Its whole square, seen from above.
+/// The floor's faces, visible from above.
 static FLOOR_FACES: [[u16; 3]; 2] = {
     let far = 2 * (LINES as u16 - 1);
     [[far, far + 1, 1], [far, 1, 0]]

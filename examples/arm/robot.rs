@@ -8,7 +8,7 @@
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Angle, Hierarchy, Node, Point3, Scalar, Vector3};
 
-/// Places of the joints in the list; parents come first.
+/// Indices of the joints; parents come first.
 const TURN: usize = 0;
 const UPPER: usize = 1;
 const FORE: usize = 2;
@@ -26,7 +26,7 @@ pub(crate) enum Form {
     Beam,
 }
 
-/// What a shape is painted in.
+/// The colour of a shape.
 #[derive(Clone, Copy)]
 pub(crate) enum Paint {
     Steel,
@@ -34,7 +34,7 @@ pub(crate) enum Paint {
     Rubber,
 }
 
-/// A mesh on a joint: its place there, its half extents, and, for a drum, whether its axis lies along z.
+/// A mesh on a joint: its position, its half extents and, for a drum, whether its axis is z.
 struct Shape {
     joint: usize,
     form: Form,
@@ -73,12 +73,12 @@ const SHAPES: [Shape; 10] = [
     beam(RIGHT, Paint::Rubber, [0.0, 0.25, 0.0], [0.1, 0.25, 0.06]),
 ];
 
-/// A shape where it stands in a frame.
+/// A shape in a frame.
 pub(crate) struct Part {
     pub(crate) form: Form,
     pub(crate) paint: Paint,
     pub(crate) place: Affine<Model, World>,
-    /// It stands on the floor and carries the others: nothing is ever behind it.
+    /// Whether the shape is the base: it stands on the floor, and no other shape is behind it.
     pub(crate) carries: bool,
 }
 
@@ -87,13 +87,14 @@ fn shift(x: f32, y: f32, z: f32) -> Affine<Model, Model> {
     Affine::translation(Vector3::new(number(x), number(y), number(z)))
 }
 
-/// `amplitude` degrees times the sine of `phase`.
+/// An angle of `amplitude` degrees times the sine of `phase`.
 fn swing(amplitude: i64, phase: Angle) -> Angle {
     let (sine, _) = phase.sin_cos(); // in 2⁻³⁰
     Angle::from_bits(((amplitude * i64::from(sine) * 4 / 360) & 0xffff_ffff) as u32)
 }
 
-/// Where the joints sit in their parents at this part of the cycle. It depends on nothing else, so that nothing drifts.
+/// Transforms of the joints relative to their parents at a phase of the cycle. They depend on the phase alone, so that no
+/// error accumulates.
 fn joints(phase: Angle) -> [Affine<Model, Model>; JOINTS] {
     let twice = phase + phase;
     // Down at both ends of the turn, up in between; the hand keeps upright.
@@ -101,7 +102,7 @@ fn joints(phase: Angle) -> [Affine<Model, Model>; JOINTS] {
     let upper = Angle::degrees(28) - dip;
     let fore = Angle::degrees(78) - dip;
     let hand = Angle::HALF_TURN - upper - fore;
-    // Closed on one way, open on the other.
+    // The gripper is closed on the way out and open on the way back.
     let (sine, _) = phase.sin_cos();
     let open = 0.24 - 0.12 * (sine as f32 / (1 << 30) as f32);
     let bend = |angle: Angle| Affine::rotation_z(-angle);
@@ -115,7 +116,7 @@ fn joints(phase: Angle) -> [Affine<Model, Model>; JOINTS] {
     ]
 }
 
-/// All nodes, in the order that a hierarchy wants.
+/// All nodes; a hierarchy needs parents before children.
 pub(crate) fn nodes() -> [Node; NODES] {
     let [turn, upper, fore, hand, left, right] = joints(Angle::ZERO);
     let mut nodes = [Node::root(turn); NODES];
@@ -134,7 +135,7 @@ pub(crate) fn nodes() -> [Node; NODES] {
     nodes
 }
 
-/// Brings the robot to a part of its cycle.
+/// Moves the robot to a phase of its cycle.
 pub(crate) fn pose(robot: &mut Hierarchy<'_>, phase: Angle) {
     for (joint, local) in joints(phase).into_iter().enumerate() {
         robot.set_local(joint, local);
@@ -142,7 +143,7 @@ pub(crate) fn pose(robot: &mut Hierarchy<'_>, phase: Angle) {
     robot.update();
 }
 
-/// All that is to be drawn.
+/// The shapes of a frame, in drawing order.
 pub(crate) fn parts<'r>(robot: &'r Hierarchy<'_>) -> impl Iterator<Item = Part> + 'r {
     let shapes = robot.nodes().iter().skip(JOINTS).zip(&SHAPES);
     shapes.map(|(node, shape)| Part {

@@ -1,4 +1,4 @@
-//! The simplest way: draw a band, send it, draw the next one into the same strip.
+//! The simplest loop: draw a band, send it, draw the next band into the same strip.
 
 use crate::display::Display;
 use crate::scene::{Scene, STRIP};

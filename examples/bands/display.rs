@@ -1,4 +1,4 @@
-//! A display as its driver sees it: rectangles of pixels in wire order arrive.
+//! A display that receives rectangles of pixels in wire order, as from its driver.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
@@ -13,11 +13,11 @@ pub(crate) struct Display {
 
 impl Display {
     pub(crate) fn new(size: Size) -> Self {
-        // Anything but the picture's colours, to show that all of it is sent.
+        // A colour that the picture does not have, so that a pixel that is not sent shows.
         Self { size, pixels: vec![Rgb565::MAGENTA; (size.width * size.height) as usize] }
     }
 
-    /// The window, and the bytes that go into it.
+    /// Sets the window and writes its bytes.
     pub(crate) fn receive(&mut self, area: &Rectangle, bytes: &[u8]) {
         let colours = bytes.chunks_exact(2).map(|b| Rgb565::decode(u16::from_be_bytes([b[0], b[1]]).into()));
         let Ok(()) = self.fill_contiguous(area, colours);

@@ -1,28 +1,23 @@
-//! A frame without a framebuffer, three ways: a blocking loop, two strips in turn with DMA, an async task. All of them
-//! pull bands from the same [`Frame`](pinhole::Frame).
+//! Drawing a frame without a framebuffer: in a blocking loop, with two strips and DMA, and in an async task. Each loop pulls
+//! bands from a [`Frame`](pinhole::Frame).
 //!
 //! ```text
 //! cargo run --release --example bands
 //! ```
 //!
-//! The display stands at the other end of a transfer that takes time, as SPI does; all three pictures are the same, and
-//! one is written to `target/bands/bands.png`.
+//! Transfers to the display take time here, as by SPI. The three pictures are equal; one is written to
+//! `target/bands/bands.png`.
 
 mod blocking;
-#[path = "../common/command.rs"]
-mod command;
 mod display;
-#[path = "../common/files.rs"]
-mod files;
 mod ping_pong;
 mod scene;
-#[path = "../common/still.rs"]
-mod still;
 mod task;
 
 use clap::{value_parser, Command};
 use display::Display;
 use embedded_graphics::pixelcolor::Rgb888;
+use pinhole_apps_support::{command, files, still};
 use scene::{Scene, SIZE};
 use std::error::Error;
 use std::path::PathBuf;
@@ -45,9 +40,7 @@ fn main() -> ExitCode {
         pictures.push(("two strips and DMA", display.pixels()));
         let (display, others) = task::show(&mut scene, Display::new(SIZE))?;
         pictures.push(("async task", display.pixels()));
-        command::say(format_args!(
-            "another task ran {others} times while the bands of the async one were on their way"
-        ))?;
+        command::say(format_args!("another task ran {others} times during the transfers of the async task"))?;
 
         for (name, picture) in &pictures {
             if *picture != pictures[0].1 {

@@ -1,5 +1,5 @@
-//! Two strips in turn: while DMA sends one, the next band is drawn into the other. The transfer owns what it sends, as
-//! the drivers of microcontrollers have it, and gives it back.
+//! Two strips: while DMA sends one, the next band is drawn into the other. A transfer owns its strip until it is complete, as
+//! in HALs of microcontrollers.
 
 use crate::display::Display;
 use crate::scene::{Scene, STRIP};
@@ -7,10 +7,10 @@ use embedded_graphics::primitives::Rectangle;
 use std::error::Error;
 use std::thread::JoinHandle;
 
-/// The bus, free.
+/// The idle bus.
 struct Dma(Display);
 
-/// The bus and a strip, on their way.
+/// A transfer in progress, which owns the bus and a strip.
 struct Transfer(JoinHandle<(Dma, &'static mut [u8])>);
 
 impl Dma {
@@ -29,11 +29,11 @@ impl Transfer {
 }
 
 pub(crate) fn show(scene: &mut Scene, display: Display) -> Result<Display, Box<dyn Error>> {
-    // On a microcontroller: two statics, taken once.
+    // In firmware these are two statics.
     let strips = [0; 2].map(|_| Vec::leak(vec![0; STRIP]));
     let [mut free, other] = strips;
     let (mut frame, mut recorded) = scene.record()?;
-    // Nothing is on its way yet: an empty transfer.
+    // The loop starts with an empty transfer.
     let nowhere = Rectangle::zero();
     let mut transfer = Dma(display).send(nowhere, other);
     while let Some(mut band) = frame.next_band(free)? {

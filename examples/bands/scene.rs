@@ -1,4 +1,4 @@
-//! The teapot with a caption, and all the memory that drawing it takes.
+//! The teapot with a caption, and all memory that drawing it needs.
 
 use embedded_graphics::mono_font::{ascii::FONT_9X15_BOLD, MonoTextStyle};
 use embedded_graphics::pixelcolor::Rgb565;
@@ -26,7 +26,7 @@ const TEAPOT: Mesh<'static> = {
     mesh
 };
 const VERTICES: usize = teapot::VERTICES.len();
-/// At most so many are visible at once; and one number for every 16 of all.
+/// Bin storage: the largest number of visible faces, and one entry for every 16 faces of the mesh.
 const RECORDS: usize = 600 + teapot::FACES.len().div_ceil(16);
 
 pub(crate) struct Scene {
@@ -37,7 +37,7 @@ pub(crate) struct Scene {
     depth: [u16; (SIZE.width * ROWS) as usize],
 }
 
-/// What is drawn into every band of a frame.
+/// The contents of a frame, drawn into every band.
 pub(crate) struct Recorded<'a> {
     faces: BinnedFaces<'a, i16, true>,
     light: &'a Lambert,
@@ -64,7 +64,7 @@ impl Scene {
         })
     }
 
-    /// A frame: every vertex is transformed, every face sorted out, once.
+    /// Starts a frame: transforms every vertex and bins every face, once.
     pub(crate) fn record(&mut self) -> Result<(Frame<Rgb565>, Recorded<'_>), BinError> {
         let faces = self.placed.transform_depth(&mut self.corners).bin_faces(&mut self.records)?;
         let frame = Frame::new(Rectangle::new(Point::zero(), SIZE), Rgb565::new(2, 6, 5));
@@ -73,7 +73,7 @@ impl Scene {
 }
 
 impl Recorded<'_> {
-    /// What lies in a band: the teapot against the band's own depth, and a caption on top.
+    /// Draws a band: the teapot with the band's depth buffer, and the caption on top.
     pub(crate) fn draw(&mut self, band: &mut Band<'_, Rgb565>) -> Result<(), DepthBufferError> {
         let mut depth = DepthBuffer::new(band.area(), self.depth)?;
         let colour = |face: usize| Rgb565::new(31, 44, 14).dim(self.light.level(teapot::NORMALS[face]));

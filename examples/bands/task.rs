@@ -1,5 +1,5 @@
-//! The same loop as an async task: other tasks run while a band is on its way. `block_on` and the bus stand for an
-//! executor such as embassy's and for its SPI; the loop would be the same.
+//! The blocking loop as an async task: other tasks run during transfers. `block_on` and the bus stand for an executor such as
+//! embassy's and its SPI, with which the loop works unchanged.
 
 use crate::display::Display;
 use crate::scene::{Scene, STRIP};
@@ -11,7 +11,7 @@ use std::pin::pin;
 use std::sync::Arc;
 use std::task::{Context, Poll, Wake, Waker};
 
-/// A bus that is not ready at once.
+/// A bus whose transfers take time.
 struct Bus(Display);
 
 impl Bus {
@@ -47,7 +47,7 @@ async fn draw(scene: &mut Scene, bus: &mut Bus) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The display, and how often another task ran meanwhile.
+/// Draws a frame. Returns the display, and how often another task ran during transfers.
 pub(crate) fn show(scene: &mut Scene, display: Display) -> Result<(Display, u32), Box<dyn Error>> {
     let mut bus = Bus(display);
     let others = Cell::new(0);
@@ -55,7 +55,7 @@ pub(crate) fn show(scene: &mut Scene, display: Display) -> Result<(Display, u32)
     Ok((bus.0, others.get()))
 }
 
-/// The smallest executor: polls a task until it is done; in between, something else runs.
+/// The smallest executor: polls a task until it is done, and runs another task in between.
 fn block_on<T>(task: impl Future<Output = T>, meanwhile: impl Fn()) -> T {
     struct Always;
     impl Wake for Always {

@@ -1,32 +1,21 @@
-//! One scene in every kind of colour, rounded and dithered, on one contact sheet:
+//! A contact sheet of one scene in seven pixel formats, rounded and dithered:
 //!
 //! ```text
 //! cargo run --release --example colours -- --help
 //! ```
 
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/generated.rs"]
-mod generated;
 mod scene;
-#[path = "../common/sheet.rs"]
-mod sheet;
-#[path = "../common/still.rs"]
-mod still;
 
-use canvas::Canvas;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use generated::Generated;
 use pinhole::{Channels, Dithered, Gouraud, Lit, PixelFormat, SpanShader};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::sheet::{write, BACKGROUND, FAINT, INK};
+use pinhole_apps_support::{command, still};
 use scene::{Inks, Scene};
-use sheet::{write, BACKGROUND, FAINT, INK};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -40,13 +29,13 @@ const ROWS: u32 = 8;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Draws a scene in every kind of colour, rounded and dithered: a contact sheet";
-        let file = Generated::arguments("colours", about, "docs/colours.png")?;
+        let about = "Draws a contact sheet of one scene in seven pixel formats, rounded and dithered";
+        let file = Generated::arguments("--example colours", about, "docs/colours.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 
-/// A format: its name, its bits, and the pictures that it makes of the scene.
+/// A pixel format: its name, its bits, and the rounded and the dithered picture.
 type Row = (&'static str, &'static str, [Vec<Rgb888>; 2]);
 
 /// All the pictures as a PNG file.
@@ -61,7 +50,7 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         ("Gray2", "2 bits", pictures::<Gray2>(&scene)?),
         ("BinaryColor", "1 bit", pictures::<BinaryColor>(&scene)?),
     ];
-    // Four columns of two rows of pairs; the last cell explains.
+    // Four columns and two rows of pairs; the last cell is the legend.
     let pair = Size::new(PICTURE.width + GAP, 2 * (PICTURE.height + CAPTION) + GAP);
     let size = Size::new(4 * pair.width + GAP, HEADER + 2 * pair.height + GAP);
     let mut sheet = Canvas::new(size, BACKGROUND);
@@ -115,7 +104,7 @@ where
     Ok([nearest, picture::<C, _, _>(scene, (Gouraud::dithered, Lit::dithered))?])
 }
 
-/// The scene in one kind of colour, band by band.
+/// The scene in one pixel format, drawn in bands.
 fn picture<C, I, L>(scene: &Scene, inks: Inks<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
 where
     C: Channels + PixelFormat + Into<Rgb888>,

@@ -1,4 +1,4 @@
-//! A teapot before a wall, with light at the vertices and colours at the corners.
+//! A teapot in front of a wall, with light per vertex and colours per corner.
 
 #[allow(dead_code, unreachable_pub)] // generated, for all who take it in
 #[path = "../../assets/teapot.rs"]
@@ -17,7 +17,7 @@ use std::error::Error;
 
 const CLAY: Rgb888 = Rgb888::new(255, 178, 92);
 
-/// What becomes of the wall's inks, and of the pot's.
+/// The shaders of the wall and of the teapot.
 pub(crate) type Inks<I, L> = (fn(Gouraud) -> I, fn(Lit) -> L);
 
 /// A wall across the picture, counter-clockwise from the lower left.
@@ -34,7 +34,7 @@ pub(crate) struct Scene {
     area: Rectangle,
     camera: Camera,
     model: Affine<Model, World>,
-    /// The light at each of the teapot's vertices.
+    /// Light levels at the teapot's vertices.
     levels: Vec<u16>,
 }
 
@@ -49,14 +49,14 @@ impl Scene {
             Projection::perspective(Angle::degrees(31), size, Scalar::from_num(10), Scalar::from_num(90))?;
         let camera = Camera::new(&viewing, &projection, &Viewport::new(Point::zero(), size)?);
         let model = Affine::<Model, World>::rotation_y(Angle::degrees(-25));
-        // From above, the left and the front.
+        // The light comes from above, the left and the front.
         let light = Lambert::new(&model, Vector3::from_ints(-3, 4, 3), 40)?;
         let mut levels = vec![0; teapot::VERTICES.len()];
         light.levels(&vertex_normals(), &mut levels);
         Ok(Self { area: Rectangle::new(Point::zero(), size), camera, model, levels })
     }
 
-    /// Draws in bands of so many rows, with what becomes of smooth inks left open.
+    /// Draws in bands of `rows` rows; `inks` makes the shaders.
     pub(crate) fn draw<C: Channels + PixelFormat, I: SpanShader<C>, L: SpanShader<C>>(
         &self,
         rows: u32,
@@ -69,7 +69,7 @@ impl Scene {
             ([ScreenVertex::EMPTY; teapot::VERTICES.len()], [ScreenVertex::EMPTY; 4]);
         let (mut pot_records, mut wall_records) = (vec![0; 2 * teapot::FACES.len()], [0; 3]);
 
-        // The inside shows through the gap about the lid.
+        // The inside is visible through the gap around the lid.
         let placed = self.camera.place(&pot, &self.model).with_cull(Cull::None);
         let projected = placed.transform_depth(&mut pot_corners);
         let mut pot_faces = projected.bin_faces(&mut pot_records)?;
@@ -92,7 +92,7 @@ impl Scene {
     }
 }
 
-/// The mean of the faces' normals about each vertex, each face by its area.
+/// Vertex normals: the mean of the normals of adjacent faces, weighted by area.
 fn vertex_normals() -> Vec<[i16; 3]> {
     let mut sums = vec![[0i64; 3]; teapot::VERTICES.len()];
     for face in teapot::FACES {

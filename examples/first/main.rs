@@ -1,22 +1,17 @@
-//! The README's first firmware, on the host: `picture.rs` is its code, to the letter (`tests/device/first.rs` compares them, and goes
-//! the README's way from an empty folder).
+//! The README's first firmware on the host. `picture.rs` is exactly its code: `tests/device/first.rs` compares them, and follows the
+//! README from an empty folder.
 //!
 //! ```text
 //! cargo run --release --example first     # writes target/first/first.png
 //! ```
 
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
 #[allow(unreachable_pub)] // as a file of its own it is right
 mod picture;
-#[path = "../common/still.rs"]
-mod still;
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Pixel, Size};
 use pinhole::Angle;
+use pinhole_apps_support::{command, files, still};
 use std::convert::Infallible;
 use std::error::Error;
 use std::path::Path;
@@ -39,7 +34,7 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// In place of a display and its driver.
+/// Stands for a display and its driver.
 struct Screen(Vec<Rgb565>);
 
 impl OriginDimensions for Screen {

@@ -1,18 +1,18 @@
-//! One view drawn into one cell.
+//! One cell: the house in one view.
 
-use crate::canvas::Canvas;
 use crate::house::{Side, DRAWN, EDGES, EXPONENT, FACES, HOUSE, NORMALS, SIDES, VERTICES};
-use crate::sheet::INK;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
 use pinhole::raster::area;
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Camera, Dim, Lambert, Mesh, Painter, ScreenVertex, VanishingPoint, Vector3, Viewport};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::sheet::INK;
 use std::error::Error;
 
 pub(crate) const PAPER: Rgb888 = Rgb888::new(255, 254, 250);
-/// x, y, z.
+/// Colours of the x, y and z axes.
 pub(crate) const AXES: [Rgb888; 3] =
     [Rgb888::new(206, 50, 44), Rgb888::new(24, 138, 64), Rgb888::new(44, 84, 206)];
 pub(crate) const MARKED: Rgb888 = Rgb888::new(255, 210, 92);
@@ -68,7 +68,7 @@ pub(crate) fn draw(
         }
         Ok(())
     };
-    // The edges that leave the origin have their axis's colour.
+    // BinnedEdges from the origin have the colour of their axis.
     let colour = |edge: usize| AXES.get(edge).copied().unwrap_or(INK);
     let visible = |[a, b]: [Side; 2]| seen(a) || seen(b);
     for hidden in [true, false] {
@@ -93,7 +93,7 @@ fn place(point: &VanishingPoint) -> Point {
     Point::new(point.x >> 8, point.y >> 8)
 }
 
-/// The vanishing point itself.
+/// Draws a vanishing point.
 pub(crate) fn mark<D: DrawTarget<Color = Rgb888>>(
     at: Point,
     colour: Rgb888,
@@ -103,14 +103,14 @@ pub(crate) fn mark<D: DrawTarget<Color = Rgb888>>(
     Pixel(at, colour).draw(target)
 }
 
-/// The way from each edge along an axis to the vanishing point.
+/// Draws the rays from the edges along an axis to their vanishing point.
 fn rays<D: DrawTarget<Color = Rgb888>>(
     axis: usize,
     vanishing: &VanishingPoint,
     points: &[Option<pinhole::raster::ScreenPoint>],
     target: &mut D,
 ) -> Result<(), D::Error> {
-    // Farther away the rays of a cell would be as good as parallel.
+    // Rays to a vanishing point farther away look parallel.
     const FARTHEST: i32 = 8192 * 256;
     if vanishing.x.abs() > FARTHEST || vanishing.y.abs() > FARTHEST {
         return Ok(());
@@ -135,7 +135,7 @@ fn rays<D: DrawTarget<Color = Rgb888>>(
     Ok(())
 }
 
-/// A target that shows `on` pixels of a line and leaves `off` out, in turn.
+/// A target that draws dashed lines: `on` pixels are drawn, the next `off` are not.
 pub(crate) struct Dashed<'t, D> {
     pub(crate) target: &'t mut D,
     pub(crate) on: u32,

@@ -5,7 +5,7 @@
 
 use pinhole::Mesh;
 
-/// In sixteenths.
+/// Coordinates are in 1/16.
 pub(crate) const EXPONENT: i8 = -4;
 
 /// The five corners of the front, the five of the back, then the door's, the window's and the skylight's.
@@ -39,7 +39,7 @@ pub(crate) const VERTICES: [[i16; 3]; 24] = [
     [11, 21, -4],
 ];
 
-/// A plane part of the surface.
+/// A flat side of the surface.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
     Front,
@@ -118,7 +118,7 @@ pub(crate) const EDGES: [([u16; 2], [Side; 2]); 15] = [
     ([4, 9], [Left, RoofLeft]),
 ];
 
-/// What is drawn on a side and seen with it.
+/// Lines on a side, visible where the side is.
 pub(crate) const DRAWN: [([u16; 2], Side); 12] = [
     ([10, 11], Front),
     ([11, 12], Front),

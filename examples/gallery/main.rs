@@ -1,37 +1,26 @@
-//! The same house under every projection that has a name, on one contact sheet with its vanishing points:
+//! A contact sheet of a house under every named projection, with vanishing points:
 //!
 //! ```text
 //! cargo run --release --example gallery -- --help
 //! ```
 
-#[path = "../common/canvas.rs"]
-mod canvas;
 mod cell;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/generated.rs"]
-mod generated;
 mod house;
-#[path = "../common/sheet.rs"]
-mod sheet;
-#[path = "../common/still.rs"]
-mod still;
 mod views;
 
-use canvas::Canvas;
 use embedded_graphics::mono_font::iso_8859_1::{FONT_5X8, FONT_6X10};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Line, PrimitiveStyle, Rectangle};
-use generated::Generated;
 use pinhole::{Camera, Viewport};
-use sheet::{write, BACKGROUND, FAINT, INK};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::sheet::{write, BACKGROUND, FAINT, INK};
+use pinhole_apps_support::{command, still};
 use std::error::Error;
 use std::process::ExitCode;
 
-/// Width and height of a picture, and the space between two.
+/// Size of a picture, and the space between two.
 const PICTURE: u32 = 160;
 const GAP: u32 = 8;
 const CAPTION: u32 = 34;
@@ -39,13 +28,13 @@ const COLUMNS: u32 = 6;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Draws a house under every named projection: a contact sheet";
-        let file = Generated::arguments("gallery", about, "docs/projections.png")?;
+        let about = "Draws a contact sheet of a house under every named projection";
+        let file = Generated::arguments("--example gallery", about, "docs/projections.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 
-/// All the cells as a PNG file.
+/// The sheet as a PNG file.
 fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
     let picture = Size::new_equal(PICTURE);
     let views = views::all(picture)?;
@@ -74,7 +63,7 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
     still::png(size, sheet.pixels())
 }
 
-/// What the lines mean.
+/// The legend.
 fn legend(corner: Point, sheet: &mut Canvas<Rgb888>) -> Result<(), Box<dyn Error>> {
     let line = |row: i32| corner + Point::new(4, 8 + 14 * row);
     let middle = |row: i32| (line(row) + Point::new(0, 5), line(row) + Point::new(20, 5));

@@ -1,4 +1,4 @@
-//! Every projection by its name, with the house in a fitting place.
+//! Every named projection, with the house in a position that suits it.
 
 use embedded_graphics::geometry::Size;
 use pinhole::space::{View as ViewSpace, World};
@@ -21,7 +21,7 @@ fn number(v: f32) -> Scalar {
     Scalar::from_num(v)
 }
 
-/// The square window about the axis.
+/// A square window centred on the axis.
 fn square(half: f32) -> Window {
     window(-half, half, -half, half)
 }
@@ -30,17 +30,17 @@ fn window(left: f32, right: f32, bottom: f32, top: f32) -> Window {
     Window { left: number(left), right: number(right), bottom: number(bottom), top: number(top) }
 }
 
-/// The middle of the house: where the parallel views have their reference point.
+/// The centre of the house, which is the reference point of the parallel views.
 fn middle() -> Result<Point3<World>, NumberError> {
     Point3::from_f32(0.5, 0.75, -0.5)
 }
 
-/// Half the window of the parallel views, whose scale is one and the same: 64 px a unit.
+/// Half the window of the parallel views. All have one scale, 64 px per unit.
 const HALF: f32 = 1.25;
 
 type Views = Result<Vec<View>, Box<dyn Error>>;
 
-/// All of them, in the order of the sheet.
+/// All views, in the order of the sheet.
 pub(crate) fn all(picture: Size) -> Views {
     let mut views = multiview()?;
     views.extend(axonometric()?);
@@ -149,7 +149,7 @@ fn points(picture: Size) -> Views {
     ])
 }
 
-/// As a shift lens does it: from above, but with the view plane upright, so that uprights stay so.
+/// A shift lens: seen from above, but with an upright view plane, so that verticals stay vertical.
 fn shifted() -> Views {
     Ok(vec![View {
         name: "off-axis frustum",
@@ -170,7 +170,7 @@ fn planar() -> Views {
         Some(number(3.0)),
         Vector3::<ViewSpace>::from_f32(1.0, 1.0, 2.0)?,
     )?;
-    // From above at 45°: the plan keeps its shape, and uprights their length.
+    // From above at 45°: the plan keeps its shape, and verticals their length.
     let far_eye = PlanarProjection::general(Scalar::ZERO, None, Vector3::<ViewSpace>::from_ints(0, -1, 1))?;
     let seen = |planar: &PlanarProjection, half: f32| {
         Projection::from_planar(planar, square(half), number(-1.0), number(2.0))
@@ -248,8 +248,8 @@ fn reference() -> Views {
     ])
 }
 
-/// One that no constructor makes: the projectors meet behind the house, so that what is farther is larger and opposite
-/// walls show at once.
+/// A projection from a matrix: the projectors meet behind the house, so that distant parts are larger and opposite walls are
+/// visible at once.
 fn matrix() -> Result<View, Box<dyn Error>> {
     // w = 1 + z/2 over view z: 3/2 one unit before the middle of the house and 1/2 one unit behind it, where z/w
     // is −1 and +1.

@@ -1,4 +1,4 @@
-//! Firmware under QEMU, seen from outside: its serial line, and pictures of its display by QMP.
+//! Runs firmware under QEMU: talks to its serial line, and takes pictures of its display by QMP.
 //!
 //! (QEMU: *QEMU Machine Protocol Specification*; command `screendump` in the *QMP Reference Manual*.)
 
@@ -11,22 +11,22 @@ use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
-/// A run; QEMU ends with it.
+/// A run of the firmware. Dropping it ends QEMU.
 pub(crate) struct Emulator {
     qemu: Child,
     control: Line,
     serial: Line,
     patience: Duration,
     folder: Folder,
-    /// What the firmware says of it at its end.
+    /// Stack depth in bytes, as the firmware reports it at its end.
     stack: Option<usize>,
 }
 
-/// What the firmware says after a frame.
+/// The firmware's report of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Report {
     pub(crate) frame: u32,
-    /// Bytes of pixels that were sent for it.
+    /// Bytes of pixels that were sent.
     pub(crate) bytes: usize,
     pub(crate) caption: String,
 }
@@ -45,7 +45,7 @@ impl Emulator {
         let mut qemu = Command::new("qemu-system-arm")
             .args(["-M", "lm3s6965evb", "-cpu", core, "-display", "none", "-monitor", "none"])
             .args(["-semihosting-config", "enable=on,target=native"])
-            // Not before all is connected.
+            // Starts only when everything is connected.
             .args(["-S", "-qmp", &qmp, "-serial", &uart, "-kernel"])
             .arg(firmware)
             .stdin(Stdio::null())
@@ -105,18 +105,18 @@ impl Emulator {
         Ok(Some((Report { frame, bytes, caption }, self.picture()?)))
     }
 
-    /// Lets the firmware go on.
+    /// Lets the firmware draw the next frame.
     pub(crate) fn proceed(&mut self) -> io::Result<()> {
         self.answer(b'\n')
     }
 
-    /// Any other byte than a line's end: the firmware sends it to the display for a command, and ends.
+    /// Sends a byte to the firmware. Any byte but a newline makes it send that byte to the display as a command, and end.
     pub(crate) fn answer(&mut self, byte: u8) -> io::Result<()> {
         self.serial.0.get_mut().write_all(&[byte])
     }
 
-    /// Waits for its end, which must be a good one: no panic, and nothing that the display did not understand. How many bytes
-    /// deep its stack was.
+    /// Waits for the firmware's end; a panic or a command unknown to the display is an error. Returns the depth of the stack in
+    /// bytes.
     pub(crate) fn finish(mut self) -> io::Result<usize> {
         let qemu = &mut self.qemu;
         let status = wait(self.patience, || qemu.try_wait())?;
@@ -128,13 +128,13 @@ impl Emulator {
 
     fn picture(&mut self) -> io::Result<Picture> {
         let file = self.folder.0.join("picture.ppm");
-        let name = serde_json::to_string(&file.to_string_lossy())?;
-        self.execute(&format!(r#"{{"execute": "screendump", "arguments": {{"filename": {name}}}}}"#))?;
+        let name = escape(&file.to_string_lossy());
+        self.execute(&format!(r#"{{"execute": "screendump", "arguments": {{"filename": "{name}"}}}}"#))?;
         let dump = std::fs::read(&file)?;
         decode(&dump).ok_or_else(|| io::Error::other("not a picture of the panel"))
     }
 
-    /// A command of QMP, until it is done; events in between are passed over.
+    /// Executes a QMP command; events before its answer are ignored.
     fn execute(&mut self, command: &str) -> io::Result<()> {
         self.control.0.get_mut().write_all(command.as_bytes())?;
         loop {
@@ -155,19 +155,28 @@ impl Drop for Emulator {
     }
 }
 
-/// It may have ended by itself.
+/// Ends QEMU, which may have ended by itself.
 fn end(qemu: &mut Child) {
     let _ = qemu.kill();
     let _ = qemu.wait();
 }
 
-/// Whether the display, which speaks through QEMU, was sent what it does not know. QEMU has more to say, at good times
-/// too.
+/// Whether the display model complained of an unknown command. Other output of QEMU is no failure.
 pub(crate) fn complains(said: &str) -> bool {
     said.contains("ssd0323")
 }
 
-/// Asks every few milliseconds, until there is something or patience ends.
+/// Text between the quotes of a JSON string (RFC 8259, section 7).
+fn escape(text: &str) -> String {
+    let escape = |c: char| match c {
+        '"' | '\\' => format!("\\{c}"),
+        c if c < ' ' => format!("\\u{:04x}", u32::from(c)),
+        c => c.to_string(),
+    };
+    text.chars().map(escape).collect()
+}
+
+/// Polls every few milliseconds until there is an answer or patience ends.
 fn wait<T>(patience: Duration, mut ask: impl FnMut() -> io::Result<Option<T>>) -> io::Result<T> {
     const PAUSE: Duration = Duration::from_millis(2);
     let mut waited = Duration::ZERO;
@@ -181,7 +190,7 @@ fn wait<T>(patience: Duration, mut ask: impl FnMut() -> io::Result<Option<T>>) -
     Err(io::ErrorKind::TimedOut.into())
 }
 
-/// A connection that speaks in lines.
+/// A connection that sends lines of text.
 struct Line(BufReader<UnixStream>);
 
 impl Line {
@@ -197,14 +206,14 @@ impl Line {
         match self.0.read_line(&mut line) {
             Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
             Ok(_) => Ok(line.trim_end().to_string()),
-            // Systems differ in the kind.
+            // The kind of a timeout depends on the operating system.
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => Err(io::ErrorKind::TimedOut.into()),
             Err(error) => Err(error),
         }
     }
 }
 
-/// A folder of a run's own, with a short name, as sockets need; it goes with the run.
+/// The temporary folder of a run. Its name is short, because sockets limit the length of paths.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -217,12 +226,12 @@ impl Folder {
         Ok(Self(folder))
     }
 
-    /// What QEMU and its devices had to say.
+    /// The messages of QEMU and its devices.
     fn said(&self) -> io::Result<String> {
         std::fs::read_to_string(self.0.join("stderr"))
     }
 
-    /// An error, with what QEMU said.
+    /// An error with the messages of QEMU.
     fn explain(&self, error: io::Error) -> io::Error {
         let said = self.said().unwrap_or_default();
         io::Error::new(error.kind(), format!("{error}\n{said}"))
@@ -235,7 +244,7 @@ impl Drop for Folder {
     }
 }
 
-/// The panel's levels from a dump, a binary PPM: each pixel is a block of 4 × 4, level L is grey of 17·L.
+/// The panel's levels from a screen dump, a binary PPM: each pixel is a block of 4 × 4, and level L is grey 17·L.
 fn decode(dump: &[u8]) -> Option<Picture> {
     const SCALE: usize = 4;
     let (width, height) = (SIZE.width as usize * SCALE, SIZE.height as usize * SCALE);

@@ -1,5 +1,5 @@
-//! The firmware: draws in bands of eight rows, sends what changed, and waits after each frame until it was looked at. At the end
-//! it says how deep its stack was.
+//! The firmware: draws in bands of eight rows, sends the areas that changed, and waits after each frame until the host has
+//! taken its picture. At the end it reports the depth of its stack.
 
 use crate::panel::{Error, Ssd0323};
 use crate::show::{self, Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};

@@ -1,14 +1,14 @@
 //! The host's side: takes the pictures of the emulated display, or draws them itself.
 
-use crate::command;
-use crate::files;
-use crate::generated::Generated;
 use crate::picture::Picture;
 use crate::show::{FRAMES, SCENES, SIZE, STEPS};
-use crate::still;
 use clap::{value_parser, Arg};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
+use pinhole_apps_support::command;
+use pinhole_apps_support::files;
+use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::still;
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -21,14 +21,15 @@ pub(crate) fn run() -> Result<ExitCode, Box<dyn Error>> {
         .value_parser(value_parser!(PathBuf))
         .help("Run the firmware under QEMU and write what its display shows to target/oled instead");
     let core = command::option("core", "NAME", "The emulated core, as QEMU names it", "cortex-m3");
-    let command = Generated::command("oled", about, "docs/oled.png").arg(firmware).arg(core);
+    let command =
+        Generated::command("--example oled --features qemu", about, "docs/oled.png").arg(firmware).arg(core);
     let mut given = command::matches(command)?;
     let core: String = given.remove_one("core").unwrap_or_default();
     if let Some(firmware) = given.remove_one::<PathBuf>("emulate") {
         emulate(&core, &firmware)?;
         return Ok(ExitCode::SUCCESS);
     }
-    let file = Generated::from("oled --features qemu", &mut given);
+    let file = Generated::from("--example oled --features qemu", &mut given);
     let pictures: Vec<_> = (0..FRAMES).map(Picture::of_frame).collect();
     Ok(file.finish(&sheet(&pictures)?)?)
 }
@@ -100,7 +101,7 @@ fn emulate(core: &str, firmware: &std::path::Path) -> Result<(), Box<dyn Error>>
 fn film(pictures: &[Picture]) -> Result<Vec<u8>, Box<dyn Error>> {
     const SCALE: u32 = 2;
     let palette: Vec<_> = (0..16).map(|level| [17 * level; 3]).collect();
-    let mut film = crate::animation::Animation::new(Vec::new(), SIZE * SCALE, &palette)?;
+    let mut film = pinhole_apps_support::animation::Animation::new(Vec::new(), SIZE * SCALE, &palette)?;
     for picture in pictures {
         let (_, pixels) = picture.enlarged(SCALE);
         film.add(pixels.iter().map(|pixel| pixel.r() / 17).collect(), 15)?;

@@ -9,21 +9,9 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(all(unix, not(target_os = "none")))]
-#[path = "../common/animation.rs"]
-mod animation;
-#[cfg(not(target_os = "none"))]
-#[path = "../common/command.rs"]
-mod command;
-#[cfg(all(unix, not(target_os = "none")))]
 mod emulator;
-#[cfg(not(target_os = "none"))]
-#[path = "../common/files.rs"]
-mod files;
 #[cfg(target_os = "none")]
 mod firmware;
-#[cfg(not(target_os = "none"))]
-#[path = "../common/generated.rs"]
-mod generated;
 #[cfg(not(target_os = "none"))]
 mod host;
 #[cfg(target_os = "none")]
@@ -31,11 +19,8 @@ mod panel;
 #[cfg(not(target_os = "none"))]
 mod picture;
 mod show;
-#[cfg(not(target_os = "none"))]
-#[path = "../common/still.rs"]
-mod still;
 
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
-    command::run(host::run)
+    pinhole_apps_support::command::run(host::run)
 }

@@ -1,4 +1,4 @@
-//! What a panel shows, and the host's way to it.
+//! A picture on the panel, and how the host draws the expected one.
 #![allow(dead_code)] // example and test each take what they need
 
 use crate::show::{Display, Scratch, Screen, SIZE, SOLAR_SYSTEM};
@@ -17,7 +17,7 @@ pub(crate) struct Picture {
     levels: Vec<u8>,
 }
 
-/// How many pixels differ, and the first of them: what is there and what should be.
+/// A difference: the number of pixels, and the first of them with its actual and its expected level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Difference {
     pub(crate) pixels: usize,
@@ -26,15 +26,15 @@ pub(crate) struct Difference {
 }
 
 impl Picture {
-    /// From a level, 0 … 15, for each pixel. `None` when there are not as many as pixels, or others among them.
+    /// From a level, 0 to 15, per pixel. `None` if the number of levels or a level is wrong.
     pub(crate) fn new(levels: Vec<u8>) -> Option<Self> {
         let sound = levels.len() == WIDTH * HEIGHT && levels.iter().all(|level| *level < 16);
         sound.then_some(Self { levels })
     }
 
-    /// A frame drawn by the host, in one piece and from nothing: no bands, and nothing from the frame before.
+    /// A frame drawn by the host in one piece, without bands and without the frame before it.
     pub(crate) fn of_frame(frame: u32) -> Self {
-        // A level that no display has: all of the picture must be sent.
+        // A level that no display has, so that a pixel that is not sent shows.
         let mut picture = Self { levels: vec![0xff; WIDTH * HEIGHT] };
         let (mut colours, mut depths) = (vec![0; WIDTH * HEIGHT / 2], vec![0; WIDTH * HEIGHT]);
         let mut screen = Screen::new(&mut picture, &mut colours, &mut depths);
@@ -42,7 +42,7 @@ impl Picture {
         picture
     }
 
-    /// In what it differs from what it should be.
+    /// The difference from the expected picture.
     pub(crate) fn difference(&self, wanted: &Self) -> Option<Difference> {
         let pairs = || self.levels.iter().copied().zip(wanted.levels.iter().copied());
         let (first, levels) = pairs().enumerate().find(|(_, (a, b))| a != b)?;
@@ -55,7 +55,7 @@ impl Picture {
         &self.levels
     }
 
-    /// Each pixel as a block of `scale` × `scale`, with the size of that.
+    /// The picture magnified by `scale`, and its size.
     pub(crate) fn enlarged(&self, scale: u32) -> (Size, Vec<Rgb888>) {
         let scale = scale as usize;
         let pixels =

@@ -5,9 +5,8 @@
 
 mod scene;
 mod shaders;
-#[path = "../common/still.rs"]
-mod still;
 
+use pinhole_apps_support::still;
 use std::error::Error;
 use std::fs;
 

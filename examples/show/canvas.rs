@@ -1,4 +1,4 @@
-//! A picture in memory, borrowed: the smallest fast `DrawTarget`.
+//! The smallest fast `DrawTarget`: a picture in borrowed memory.
 
 use core::convert::Infallible;
 use embedded_graphics_core::{
@@ -48,7 +48,7 @@ fn fill<C: Copy>(run: &mut [C], colour: C) {
 }
 
 impl<C: Copy> Canvas<'_, C> {
-    /// What is more than a run, or not in the picture.
+    /// Rectangles of more than one row, and those that are partly outside the picture.
     #[inline(never)]
     fn fill_rows(&mut self, top_left: Point, size: Size, colour: C) {
         let (left, top, right, bottom) = edges(&Rectangle::new(top_left, size));

@@ -1,5 +1,5 @@
-//! What `hello` shows: the teapot in a few frames, drawn into memory. Firmware and host tests share this file, so
-//! that they can compare pictures by their checksums.
+//! The frames of `hello`: the teapot, drawn into memory. Firmware and host tests share this file, so that they can compare
+//! pictures by checksums.
 
 #[allow(dead_code)] // not every user calls every method
 pub(crate) mod canvas;
@@ -24,12 +24,12 @@ use pinhole::{
 const SIZE: Size = Size::new(128, 64);
 const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 
-/// How many frames there are of each kind.
+/// The number of frames of each kind.
 const TURN: u32 = 6;
 const KINDS: [&str; 3] = ["solid", "wireframe", "depth"];
 pub(crate) const FRAMES: u32 = TURN * KINDS.len() as u32;
 
-/// Checked by the compiler: a mesh that is not sound does not build.
+/// Checked by the compiler: an invalid mesh does not compile.
 const TEAPOT: Mesh<'static> = {
     let Ok(mesh) = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES) else { panic!() };
     let Ok(mesh) = mesh.with_edges(&teapot::EDGES) else { panic!() };

@@ -1,28 +1,27 @@
-//! The same picture with a depth buffer: what painter's order should look like. Each face has a colour of its own, to
-//! see which one a pixel shows.
+//! The picture with a depth buffer, to compare painter's order with. Each face has its own colour, which identifies it in every
+//! pixel.
 
-use crate::canvas::Canvas;
 use embedded_graphics::pixelcolor::raw::RawU24;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::raster::{area, triangle, Scissor, ScreenPoint};
 use pinhole::MeshInstance;
+use pinhole_apps_support::canvas::Canvas;
 use std::convert::Infallible;
 
-/// The colour of no face.
+/// The colour of the background, which no face has.
 pub(crate) const NOTHING: Rgb888 = Rgb888::WHITE;
 
-/// The colour of a face: its number.
+/// The colour of a face: its index.
 pub(crate) fn face_colour(face: usize) -> Rgb888 {
     RawU24::new(face as u32).into()
 }
 
-/// The front face that each pixel shows by depth. The faces of the second mesh are numbered on from
-/// the first's.
+/// The nearest front face of each pixel. Indices of the second mesh follow those of the first.
 ///
 /// Depth is the exact plane through the three screen points with their depths, at the pixel's
-/// centre, in `f64`; of equal depths the first face stays. `None` if a vertex cannot be projected,
+/// centre, in `f64`; of faces with equal depths the first one wins. `None` if a vertex cannot be projected,
 /// since faces are not clipped here.
 pub(crate) fn nearest_faces(placed: &[MeshInstance<'_>; 2], size: Size) -> Option<Canvas<Rgb888>> {
     let scissor = Scissor::new(0, 0, size.width as i32, size.height as i32);
@@ -53,7 +52,7 @@ pub(crate) fn nearest_faces(placed: &[MeshInstance<'_>; 2], size: Size) -> Optio
     Some(shown)
 }
 
-/// Depth as a function of the place on the screen, in pixels.
+/// Depth as a function of screen coordinates in pixels.
 fn plane(corners: [(ScreenPoint, u16); 3]) -> impl Fn(f64, f64) -> f64 {
     let [a, b, c] =
         corners.map(|(p, depth)| [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)]);

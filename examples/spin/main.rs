@@ -1,33 +1,21 @@
-//! Turns a mesh once round, half of the turn solid and half of it as a wireframe, and writes an animated GIF and a
-//! contact sheet:
+//! Turns a mesh once, half of the turn solid and half as a wireframe, and writes an animated GIF and a contact sheet:
 //!
 //! ```text
 //! cargo run --release --example spin -- --help
 //! ```
 
-#[path = "../common/animation.rs"]
-mod animation;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
 mod depth;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/film.rs"]
-mod film;
 mod scene;
-#[path = "../common/still.rs"]
-mod still;
 mod terminal;
 
-use canvas::Canvas;
 use clap::{value_parser, Command};
-use command::Film;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
 use pinhole::{Dim, Lambert, Painter, ScreenVertex, Statistics, Vector3};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::command::Film;
+use pinhole_apps_support::{command, film};
 use pinhole_import::ImportedMesh;
 use scene::Turntable;
 use std::error::Error;
@@ -38,14 +26,14 @@ use std::time::{Duration, Instant};
 const BACKGROUND: Rgb565 = Rgb565::new(1, 4, 5);
 const CLAY: Rgb565 = Rgb565::new(31, 44, 14);
 const WIRE: Rgb565 = Rgb565::new(14, 56, 31);
-/// The light that is everywhere, also inside; of 256.
+/// Ambient light, also for the inside; 256 is full.
 const AMBIENT: u16 = 48;
 
 fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, Box<dyn Error>> {
         let teapot = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/teapot.obj");
         let about =
-            "Turns a mesh once round: an animated GIF and a contact sheet, drawn as on a microcontroller";
+            "Turns a mesh once, drawn as on a microcontroller, and writes an animated GIF and a contact sheet";
         let command = Command::new("spin").about(about).arg(
             command::option("mesh", "FILE", "The mesh to turn, .obj or .stl [default: the teapot]", teapot)
                 .value_parser(value_parser!(PathBuf))
@@ -69,7 +57,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     let (gif_file, sheet_file) = (out.join("spin.gif"), out.join("spin.png"));
     let mut gif = film::Gif::create(&gif_file, size, &palette())?;
 
-    // All the memory that drawing needs; a firmware would put its own, smaller sizes here.
+    // All memory that drawing needs; firmware has smaller sizes.
     let mut painter = Box::new(Painter::<Rgb565, 65_536, 65_535>::new());
     let mut numberer = Box::new(Painter::<Rgb888, 65_536, 65_535>::new());
     let mut corners = vec![ScreenVertex::default(); mesh.vertices.len()];
@@ -131,7 +119,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Every colour that a frame can have.
+/// All colours of the frames.
 fn palette() -> Vec<Rgb565> {
     let mut palette = vec![BACKGROUND, WIRE];
     palette.extend((0..=256).map(|level| CLAY.dim(level)));
@@ -169,7 +157,7 @@ impl std::fmt::Display for Sum {
     }
 }
 
-/// Pixels in which painter's order shows another face than a depth buffer.
+/// Pixels where painter's order and a depth buffer show different faces.
 #[derive(Default)]
 struct Misordered {
     pixels: usize,

@@ -1,4 +1,4 @@
-//! What `spin` films: a mesh on a turntable, seen from a little above.
+//! The scene of `spin`: a mesh on a turntable, seen from a little above.
 
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
@@ -9,12 +9,11 @@ use pinhole::{
 use pinhole_import::{ImportedMesh, Topology};
 use std::error::Error;
 
-/// The exponent that every mesh is shown with: its half extent is 1 to 2 units, whatever units it
-/// was made in.
+/// The exponent for every mesh: its half extent becomes 1 to 2 units, whatever the units of the file.
 const EXPONENT: i8 = -14;
 
-/// The faces seen from inside, if one can look into the model. Without them the background would
-/// show through the gap about the teapot's lid.
+/// The faces reversed, for models whose inside is visible. Without them the background would show through the gap around the
+/// teapot's lid.
 pub(crate) fn inside(model: &ImportedMesh) -> Vec<[u16; 3]> {
     if model.topology() == Topology::default() {
         return Vec::new();
@@ -29,14 +28,13 @@ pub(crate) struct Turntable<'m> {
 }
 
 impl<'m> Turntable<'m> {
-    /// Sets up a camera that sees all of the model from every side.
+    /// A camera that shows the complete model from every side.
     pub(crate) fn new(
         model: &'m ImportedMesh,
         inside: &'m [[u16; 3]],
         size: Size,
     ) -> Result<Self, Box<dyn Error>> {
-        // The ball about the origin that holds the model, and the distance from which it fills the
-        // field of view.
+        // The bounding sphere about the origin, and the distance at which it fills the field of view.
         let square = |v: &[i16; 3]| v.iter().map(|&c| i64::from(c) * i64::from(c)).sum::<i64>();
         let largest = model.vertices.iter().map(square).max().unwrap_or(0);
         let radius = (largest as f64).sqrt() * f64::from(EXPONENT).exp2();
@@ -63,19 +61,19 @@ impl<'m> Turntable<'m> {
         })
     }
 
-    /// The model transform of a frame: what is near moves from right to left.
+    /// The model transform of a frame: near parts move from right to left.
     pub(crate) fn model(frame: u32, frames: u32) -> Affine<Model, World> {
         Affine::rotation_y(-Angle::turns(frame as i32, frames))
     }
 
-    /// The model as the camera sees it, its outside and its inside.
+    /// The outside and the inside of the model before the camera.
     pub(crate) fn place(&self, model: &Affine<Model, World>) -> [MeshInstance<'_>; 2] {
         [&self.outside, &self.inside].map(|mesh| self.camera.place(mesh, model))
     }
 }
 
-/// Draws the inside and then, over it, the outside, each in painter's order. `shade` is asked for
-/// the outside's faces by their numbers, and for the inside's by numbers from there on.
+/// Draws the inside and then the outside over it, each in painter's order. `shade` gets the index of a face; indices of the
+/// inside follow those of the outside.
 pub(crate) fn paint<D: DrawTarget, const CORNERS: usize, const FACES: usize>(
     painter: &mut Painter<D::Color, CORNERS, FACES>,
     [outside, inside]: &[MeshInstance<'_>; 2],

@@ -1,10 +1,10 @@
-//! A picture as text.
+//! Prints a picture as text.
 
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use std::io::IsTerminal;
 
-/// Columns of text.
+/// Width of the text.
 const COLUMNS: u32 = 72;
 
 /// The rows of the picture that are not all background, as text: half blocks in colour on a
@@ -62,7 +62,7 @@ fn mean(pixels: &[Rgb565], size: Size, x: (u32, u32), y: (u32, u32)) -> Rgb888 {
     Rgb888::new(r, g, b)
 }
 
-/// A character as bright as the colour.
+/// A character with the brightness of a colour.
 fn shade(c: Rgb888) -> char {
     const SHADES: &[u8; 10] = b" .:-=+*#%@";
     let luminance = (u32::from(c.r()) * 30 + u32::from(c.g()) * 59 + u32::from(c.b()) * 11) / 100;

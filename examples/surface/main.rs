@@ -5,24 +5,10 @@
 //! cargo run --release --example surface -- --help
 //! ```
 
-#[path = "../common/animation.rs"]
-mod animation;
-#[path = "../common/canvas.rs"]
-mod canvas;
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/film.rs"]
-mod film;
 mod rgb332;
-#[path = "../common/still.rs"]
-mod still;
 mod water;
 
-use canvas::Canvas;
 use clap::Command;
-use command::Film;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
 use pinhole::space::{Model, World};
@@ -30,6 +16,9 @@ use pinhole::{
     edge_faces, Affine, Angle, Camera, Channels, DepthBuffer, Flat, Frame, Gouraud, Lambert, PixelFormat,
     Point3, Projection, Scalar, ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
 };
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::command::Film;
+use pinhole_apps_support::{command, film};
 use rgb332::Rgb332;
 use std::error::Error;
 use std::process::ExitCode;
@@ -41,7 +30,7 @@ const ROWS: u32 = 16;
 fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, Box<dyn Error>> {
         let about =
-            "Ripples on a height field that changes in every frame: an animated GIF and a contact sheet";
+            "Draws ripples on a height field that changes in every frame: an animated GIF and a contact sheet";
         let command = Command::new("surface").about(about);
         let command =
             Film::arguments(command, "Frames of a ripple's period, 2 to 720", "24", "target/surface");
@@ -55,7 +44,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     let out = &arguments.out;
     command::folder(out)?;
 
-    // All that a microcontroller would keep: the surface, its corners on the screen, records and two strips.
+    // All memory that a microcontroller needs: the surface, its transformed vertices, bin storage and two strips.
     let mut water = Water::new();
     let beside = edge_faces(&water::EDGES, &water::FACES);
     let mut memory = Memory::new(size);
@@ -84,7 +73,7 @@ fn film(arguments: &Film) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Lent to the library for a frame.
+/// Buffers that the library uses during a frame.
 struct Memory {
     corners: Vec<ScreenVertex>,
     faces: Vec<u16>,
@@ -116,7 +105,7 @@ fn draw(
     let mesh = water.mesh()?.with_edge_faces(beside)?;
     let mut levels = [0; water::VERTICES];
     Lambert::new(&model, Vector3::from_ints(-2, 1, 3), 90)?.levels(mesh.vertex_normals(), &mut levels);
-    // A colour for each vertex: that of its height, at its light.
+    // Vertex colours: by height, dimmed by light.
     let mut colours = [Flat::default(); water::VERTICES];
     for (colour, (height, level)) in colours.iter_mut().zip(water.heights().zip(levels)) {
         *colour = Flat::lit(water::colour(height), level);
@@ -132,7 +121,7 @@ fn draw(
         let smooth = |face| Gouraud::new(mesh.corners_of(face, &colours)).dithered();
         faces.depth_tested(smooth, &mut depth, &mut band)?;
         grid.hidden_line(Rgb332::decode(0), &mut depth, &mut band)?;
-        // To a display with these eight bits: band.send(display).
+        // For a display with this pixel format: band.send(display).
         display.fill_contiguous(&band.area(), band.colors().map(Rgb565::from))?;
     }
     Ok(faces.statistics())

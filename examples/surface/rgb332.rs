@@ -1,4 +1,4 @@
-//! Eight bits a pixel, three of red, three of green, two of blue: a colour that no library knows.
+//! A custom pixel format: eight bits, three of red, three of green, two of blue.
 
 use embedded_graphics::pixelcolor::raw::RawU8;
 use embedded_graphics::pixelcolor::{PixelColor, Rgb565};
@@ -17,7 +17,7 @@ impl PixelColor for Rgb332 {
     type Raw = RawU8;
 }
 
-/// What bands need.
+/// Bands need this trait.
 impl PixelFormat for Rgb332 {
     const BITS: u32 = 8;
 
@@ -30,7 +30,7 @@ impl PixelFormat for Rgb332 {
     }
 }
 
-/// What smooth and dithered inks need.
+/// Smooth and dithered shaders need this trait.
 impl Channels for Rgb332 {
     const GRAY: bool = false;
     const MAX: [u8; 3] = [7, 7, 3];

@@ -1,4 +1,4 @@
-//! A height field in integers: a drop's ripples, anew for every frame.
+//! A height field in integers: the ripples of a drop, computed for every frame.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{Angle, Mesh, MeshError};
@@ -43,18 +43,18 @@ const fn edges() -> [[u16; 2]; 2 * LINES * (SIDE - 1)] {
     edges
 }
 
-/// What changes: 12 bytes a vertex.
+/// Data that change with every frame: 12 bytes per vertex.
 pub(crate) struct Water {
     vertices: [[i16; 3]; VERTICES],
     normals: [[i16; 3]; VERTICES],
 }
 
-/// From the middle, in units.
+/// Distance from the centre, in units.
 fn place(i: usize) -> i32 {
     (i as i32 - SIDE as i32 / 2) * STEP
 }
 
-/// The height above a point: a wave that runs outwards and dies away.
+/// The height at a point: a wave that runs outwards and fades.
 fn height(x: i32, y: i32, phase: Angle) -> i32 {
     let distance = (x * x + y * y).isqrt();
     let wave = Angle::from_bits((distance as u32) << 19) - phase; // one in 8192 units
@@ -90,7 +90,7 @@ impl Water {
     }
 }
 
-/// From the valleys to the crests.
+/// Colours from valleys to crests.
 pub(crate) fn colour(height: i16) -> Rgb888 {
     const STOPS: [Rgb888; 5] = [
         Rgb888::new(30, 30, 150),

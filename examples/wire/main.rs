@@ -1,27 +1,22 @@
-//! Counts what goes over the wire to a display and writes docs/wire.md:
+//! Counts the bytes that go over the wire to a display, and writes docs/wire.md:
 //!
 //! ```text
 //! cargo run --release --example wire -- --help
 //! ```
 
-#[path = "../common/command.rs"]
-mod command;
-#[path = "../common/files.rs"]
-mod files;
-#[path = "../common/generated.rs"]
-mod generated;
 #[path = "../../tools/bench/report/grouped.rs"]
 mod grouped;
 mod page;
 use support::panel;
 
-use generated::Generated;
+use pinhole_apps_support::command;
+use pinhole_apps_support::generated::Generated;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Counts the bytes that a display driver sends, way by way: a page of tables";
-        let file = Generated::arguments("wire", about, "docs/wire.md")?;
+        let about = "Counts the bytes that a display driver sends, and writes a page of tables";
+        let file = Generated::arguments("--example wire", about, "docs/wire.md")?;
         file.finish_page(&page::page())
     })
 }

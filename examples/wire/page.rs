@@ -1,4 +1,4 @@
-//! docs/wire.md.
+//! The text of docs/wire.md.
 
 use crate::grouped::grouped;
 use crate::panel::films::{Film, Memory, FRAMES};

@@ -23,7 +23,7 @@ use pinhole::{ClipPoint, Outcode, Projection};
 /// What six cuts may lose, in units of the distance from a plane: each rounds two coordinates by ½ and the
 /// way there down by 2⁻³¹ of a distance of at most 2³¹; aligning the exponents rounds two by ½ before.
 const LOST: f64 = 6.0 * 2.0 + 1.0;
-/// The same in one coordinate.
+/// What six cuts may lose in one coordinate.
 const MOVED: f64 = 6.0 * 1.5 + 0.5;
 
 fn number(b: &mut Bytes<'_>) -> i32 {

@@ -1,5 +1,8 @@
-//! The host examples, run as programs.
+//! The examples, run as programs.
 #![allow(dead_code)] // every test file takes what it needs
+
+#[allow(unused_imports)]
+pub(crate) use pinhole_apps_support::testing::{self, refusal};
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -7,15 +10,10 @@ use std::process::{Command, Output};
 
 /// Runs an example, which `cargo test` has built beside the tests.
 pub(crate) fn example<S: AsRef<OsStr>>(name: &str, arguments: &[S]) -> Output {
-    example_in(Path::new("."), name, arguments)
+    command(Path::new("."), name, arguments).output().unwrap()
 }
 
-/// The same in a folder.
-pub(crate) fn example_in<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S]) -> Output {
-    command(folder, name, arguments).output().unwrap()
-}
-
-/// The same, not yet run.
+/// An example with its arguments and working folder, not started yet.
 pub(crate) fn command<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S]) -> Command {
     let tests = std::env::current_exe().unwrap();
     let program =
@@ -26,22 +24,7 @@ pub(crate) fn command<S: AsRef<OsStr>>(folder: &Path, name: &str, arguments: &[S
     command
 }
 
-/// An empty folder of a test's own.
+/// An empty folder that no other test uses.
 pub(crate) fn folder(test: &str, name: &str) -> PathBuf {
-    // Of this test alone, which runs in a thread of its name: others run at the same time and may say the same.
-    let thread = std::thread::current();
-    let own = thread.name().unwrap_or_default().replace("::", "_");
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test).join(own).join(name);
-    let _ = std::fs::remove_dir_all(&folder); // from an earlier run
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-/// Asserts that a program refused: exit code 2, nothing on stdout, one line on stderr, which is given.
-pub(crate) fn refusal(done: &Output) -> String {
-    let said = String::from_utf8(done.stderr.clone()).unwrap();
-    assert_eq!(done.status.code(), Some(2), "{said}");
-    assert!(done.stdout.is_empty());
-    assert_eq!(said.lines().count(), 1, "{said}");
-    said
+    testing::folder(Path::new(env!("CARGO_TARGET_TMPDIR")), test, name)
 }

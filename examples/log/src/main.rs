@@ -10,8 +10,8 @@
 //! `cargo run` prints them without a device.
 //!
 //! **The linker script.** defmt needs `-Tdefmt.x` beside cortex-m-rt's `-Tlink.x`, and firmware without defmt must not have
-//! it. `.cargo/config.toml` of this folder adds it to the flags of the repository's own, for this package alone; a
-//! firmware of your own, with one kind of image, has both in its one configuration.
+//! it. `build.rs` adds it for this package alone; `-Tlink.x` comes from the repository's `.cargo/config.toml`. A project
+//! outside this repository passes both.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod film;

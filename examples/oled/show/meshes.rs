@@ -1,5 +1,4 @@
-//! What is shown: a ship, a ball and a ring by rules, the teapot from its file. All of it is worked out by the compiler
-//! and lies in flash; a mesh that is not sound does not build.
+//! Meshes: a ship, a ball, a ring and the teapot. The compiler evaluates them into flash; an invalid mesh does not compile.
 
 use pinhole::{edge_faces, Mesh};
 
@@ -15,7 +14,7 @@ pub(super) const SHIP: Mesh<'static> = {
     let Ok(mesh) = mesh.with_normals(&SHIP_NORMALS) else { panic!() };
     mesh
 };
-/// Vertices that are named in the picture.
+/// Vertices with labels in the picture.
 pub(super) const NOSE: usize = 0;
 pub(super) const LEFT_TIP: usize = 1;
 pub(super) const RIGHT_TIP: usize = 2;
@@ -36,7 +35,7 @@ const SHIP_FACES: [[u16; 3]; 12] = [
     [0, 7, 2],
     [0, 6, 7],
 ];
-/// All but the diagonal of the stern.
+/// All edges except the diagonal of the stern.
 const SHIP_EDGES: [[u16; 2]; 17] = [
     [0, 1],
     [0, 2],
@@ -69,7 +68,7 @@ const SHIP_NORMALS: [[i16; 3]; 12] = {
     normals
 };
 
-/// The teapot, with the mean of the faces' normals at each vertex.
+/// The teapot, with vertex normals.
 pub(super) const TEAPOT: Mesh<'static> = {
     let Ok(mesh) = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES) else { panic!() };
     let Ok(mesh) = mesh.with_vertex_normals(&TEAPOT_NORMALS) else { panic!() };
@@ -99,7 +98,7 @@ const TEAPOT_NORMALS: [[i16; 3]; TEAPOT_VERTICES] = {
     normals
 };
 
-/// A ball of radius 1: the eight faces of an octahedron, each divided, blown up. Its vertices are its normals.
+/// A sphere of radius 1: the faces of an octahedron, subdivided and projected to the sphere. Its vertices are its normals.
 pub(super) const BALL: Mesh<'static> = {
     let Ok(mesh) = Mesh::new(&BALL_VERTICES, BALL_EXPONENT, &BALL_FACES) else { panic!() };
     let Ok(mesh) = mesh.with_vertex_normals(&BALL_VERTICES) else { panic!() };
@@ -109,7 +108,7 @@ pub(super) const BALL_CORNERS: usize = 8 * OCTANT;
 pub(super) const BALL_COUNT: usize = 8 * PARTS * PARTS;
 /// 32767 stands for 1.
 const BALL_EXPONENT: i8 = -15;
-/// Parts that an edge of the octahedron is divided in.
+/// Number of parts of an edge of the octahedron.
 const PARTS: usize = 6;
 const OCTANT: usize = (PARTS + 1) * (PARTS + 2) / 2;
 
@@ -142,11 +141,11 @@ const BALL_FACES: [[u16; 3]; BALL_COUNT] = {
     while octant < 8 {
         let first = (octant * OCTANT) as u16;
         let (across, up, deep) = signs(octant);
-        // Each sign that is negative mirrors the face.
+        // Every negative sign mirrors the face.
         let mirrored = across * up * deep < 0;
         let mut row = 0;
         while row < PARTS as u16 {
-            // Vertices of a row, and of the one below it, which has one more.
+            // Vertices of a row, and of the row below, which has one more.
             let (above, below) = (first + row * (row + 1) / 2, first + (row + 1) * (row + 2) / 2);
             let mut place = 0;
             while place <= row {
@@ -171,7 +170,7 @@ const fn signs(octant: usize) -> (i64, i64, i64) {
     (1 - 2 * (octant as i64 & 1), 1 - (octant as i64 & 2), 1 - (octant as i64 & 4) / 2)
 }
 
-/// A circle of radius 1 about the y axis, as lines.
+/// A circle of radius 1 about the y axis, as edges.
 pub(super) const RING: Mesh<'static> = {
     let Ok(mesh) = Mesh::new(&RING_VERTICES, BALL_EXPONENT, &[]) else { panic!() };
     let Ok(mesh) = mesh.with_edges(&RING_EDGES) else { panic!() };
@@ -183,7 +182,7 @@ const RING_VERTICES: [[i16; 3]; RING_CORNERS] = {
     let mut vertices = [[0; 3]; RING_CORNERS];
     let mut i = 0;
     while i < RING_CORNERS {
-        // A quarter of a square's outline, blown up, and turned.
+        // A side of a square, projected to the circle, in four directions.
         let quarter = RING_CORNERS as i64 / 4;
         let along = i as i64 % quarter;
         let (x, z) = (quarter - along, along);
@@ -216,9 +215,9 @@ const fn cross([a, b, c]: [i64; 3], [x, y, z]: [i64; 3]) -> [i64; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// The vector of this length in the same direction, rounded towards zero.
+/// Scales a vector to a length, rounding towards zero.
 const fn unit([x, y, z]: [i64; 3], length: i64) -> [i16; 3] {
-    // Taken 2¹⁰ times, so that the root of small vectors is not too coarse: |v| < 2²⁰ here.
+    // Scaled by 2¹⁰ so that the root of a short vector keeps its precision; |v| < 2²⁰ here.
     let [x, y, z] = [x << 10, y << 10, z << 10];
     let root = (x * x + y * y + z * z).isqrt() + 1; // so nothing exceeds `length`
     [(x * length / root) as i16, (y * length / root) as i16, (z * length / root) as i16]

@@ -1,5 +1,5 @@
-//! What the display shows: seven scenes of eight frames, each scene another way to draw. Firmware and host share it, so
-//! that they can compare every pixel.
+//! The show: seven scenes of eight frames, each with another way to draw. Firmware and host share this code, so that tests can
+//! compare every pixel.
 #![allow(dead_code)] // firmware, host and test each take what they need
 
 mod meshes;
@@ -28,14 +28,13 @@ pub(crate) const SCENES: [&str; 7] =
     ["wireframe", "hidden line", "flat", "Gouraud", "hierarchy", "dirty", "labels"];
 pub(crate) const FRAMES: u32 = STEPS * SCENES.len() as u32;
 
-/// Which scene a frame belongs to.
+/// The scene of a frame.
 pub(crate) fn caption(frame: u32) -> &'static str {
     SCENES.get((frame / STEPS) as usize).copied().unwrap_or_default()
 }
 
-/// The memory of a frame, beside the bands': what stands before the camera, and what is lent to the library, corners of
-/// vertices, numbers of faces and edges, and light at vertices. Of several objects each has its own. All zeros at first: it
-/// takes no flash.
+/// The memory of a frame, except for that of bands: the objects before the camera, and buffers that the library uses for
+/// transformed vertices, bins and light levels. Every object has its own. It is zero at first, so it takes no flash.
 pub(crate) struct Scratch {
     stage: Stage,
     teapot: ([ScreenVertex; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
@@ -44,13 +43,13 @@ pub(crate) struct Scratch {
     ship: ([ScreenVertex; 8], [u16; records(12)], [u16; records(17)]),
 }
 
-/// Objects of a scene; 176 bytes each, and none of them on the stack.
+/// The largest number of objects in a scene. Each takes 176 bytes, which are not on the stack.
 type Stage = Vec<MeshInstance<'static>, 5>;
 
-/// A tree: joints, which are the way round the sun and round the planet; then what is seen, three balls and two orbits.
+/// The nodes of the solar system: joints, which turn about the sun and the planet, then three balls and two orbits.
 pub(crate) type SolarSystem = [Node; 7];
 
-/// Not turned yet.
+/// The nodes before they turn.
 pub(crate) const SOLAR_SYSTEM: SolarSystem = [
     Node::root(Affine::identity()),
     Node::child(0, Affine::identity()),
@@ -61,7 +60,7 @@ pub(crate) const SOLAR_SYSTEM: SolarSystem = [
     Node::child(0, Affine::identity()),
 ];
 
-/// One number for each face or edge, and one for every 16 of them.
+/// Length of the bin storage: an entry per face or edge, and one for every 16 of them.
 const fn records(count: usize) -> usize {
     count + count.div_ceil(16)
 }
@@ -81,8 +80,7 @@ impl Scratch {
         }
     }
 
-    /// Draws a frame, in the order of the frames or alone. The scenes are not inlined: the stack would hold the variables of all
-    /// seven at once.
+    /// Draws any frame. The scenes are not inlined, because the stack would then hold the variables of all seven at once.
     pub(crate) fn draw<D: Display>(
         &mut self,
         frame: u32,
@@ -156,7 +154,7 @@ impl Scratch {
         })
     }
 
-    /// A sun, a planet about it and a moon about that, and their orbits.
+    /// A sun, a planet, a moon, and their orbits.
     #[inline(never)]
     fn hierarchy<D: Display>(
         &mut self,
@@ -193,7 +191,7 @@ impl Scratch {
         })
     }
 
-    /// A small ship before a large planet and stars, which stand still: only about the ship is anything drawn.
+    /// A small ship in front of a large planet and stars. Only the ship moves, so only the area about it is drawn.
     #[inline(never)]
     fn dirty<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (planet, model) = (planet(), flight(step));
@@ -218,7 +216,7 @@ impl Scratch {
         })
     }
 
-    /// Text at points of a solid, on top of it.
+    /// Labels at vertices of a solid.
     #[inline(never)]
     fn labels<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, face_records, edge_records) = &mut self.ship;
@@ -235,7 +233,7 @@ impl Scratch {
                 let pixel = point.pixel();
                 Point::new(pixel.x.into(), pixel.y.into())
             });
-            // Beside the point, and inside the picture.
+            // Next to the point, and inside the picture.
             let width = 5 * name.len() as i32;
             let x = if at.x < SIZE.width as i32 / 2 { at.x - width - 1 } else { at.x + 3 };
             let x = x.clamp(0, SIZE.width as i32 - width);
@@ -276,7 +274,7 @@ const STARS: [(i32, i32); 12] = [
     (121, 18),
 ];
 
-/// BinnedFaces, and edges, for bands. Out of line, as what follows: all but the result leaves the stack.
+/// Bins the faces and edges. Not inlined, like the functions below: their variables leave the stack.
 #[inline(never)]
 fn faces<'a, const DEPTH: bool>(
     transformed: &TransformedMesh<'a, i16, DEPTH>,
@@ -293,7 +291,7 @@ fn edges<'a, const DEPTH: bool>(
     transformed.bin_edges(records).expect("records for all edges")
 }
 
-/// Turns the joints; the sun, the planet, the moon and the two orbits have their sizes.
+/// Turns the joints of the solar system; the shapes keep their sizes.
 #[inline(never)]
 fn turn(solar: &mut Hierarchy<'_>, step: i32) {
     let year = Angle::degrees(60 - 24 * step);
@@ -307,7 +305,7 @@ fn turn(solar: &mut Hierarchy<'_>, step: i32) {
     solar.update();
 }
 
-/// The light at the vertices of the sun, the planet and the moon.
+/// Light levels at the vertices of the sun, the planet and the moon.
 #[inline(never)]
 fn shine([sun, planet, moon]: [&Affine<Model, World>; 3], levels: [&mut [u16; BALL_CORNERS]; 3]) {
     let [of_sun, of_planet, of_moon] = levels;
@@ -316,7 +314,7 @@ fn shine([sun, planet, moon]: [&Affine<Model, World>; 3], levels: [&mut [u16; BA
         let towards_sun = Vector3::new(-here.x(), -here.y(), -here.z());
         light(ball, towards_sun).levels(BALL.vertex_normals(), levels);
     }
-    // The sun shines, most towards the eye.
+    // The sun is bright, and brightest towards the eye.
     let glow = Lambert::new(sun, Vector3::from_ints(0, 20, 46), 150).expect("a direction");
     glow.levels(BALL.vertex_normals(), of_sun);
 }
@@ -325,7 +323,7 @@ fn light(model: &Affine<Model, World>, towards: Vector3<World>) -> Lambert {
     Lambert::new(model, towards, 24).expect("a direction")
 }
 
-/// From a point of the world towards its origin, with a field of view of so many degrees from top to bottom.
+/// A camera at a point of the world that looks at its origin, with a vertical field of view in degrees.
 #[inline(never)]
 fn camera([x, y, z]: [i16; 3], degrees: i32) -> Camera {
     let eye = Point3::from_ints(x, y, z);
@@ -343,14 +341,14 @@ fn turning(step: i32) -> Affine<Model, World> {
     roll.then(&Affine::rotation_y(Angle::degrees(18 * step - 75)))
 }
 
-/// Where the large planet stands.
+/// Position of the large planet.
 #[inline(never)]
 fn planet() -> Affine<Model, World> {
     Affine::<Model, Model>::scale(Scalar::from_num(16))
         .then(&Affine::translation(Vector3::from_ints(22, -4, 0)))
 }
 
-/// Where the ship flies past it.
+/// Transform of the ship, which flies past the planet.
 #[inline(never)]
 fn flight(step: i32) -> Affine<Model, World> {
     Affine::<Model, Model>::scale(Scalar::from_num(7) / 10)
@@ -359,7 +357,7 @@ fn flight(step: i32) -> Affine<Model, World> {
         .then(&Affine::translation(Vector3::from_ints(-30 + 8 * step as i16, 8 - step as i16, 20)))
 }
 
-/// Before a camera of their own. Out of line: the camera leaves the stack.
+/// Places objects before a camera. Not inlined: the camera leaves the stack.
 #[inline(never)]
 fn place(stage: &mut Stage, objects: &[Object<'_>], eye: [i16; 3], degrees: i32) {
     show_to(&camera(eye, degrees), objects, stage);
@@ -373,7 +371,7 @@ fn show_to(camera: &Camera, objects: &[Object<'_>], stage: &mut Stage) {
     }
 }
 
-/// A mesh, and where it is.
+/// A mesh and its transform.
 type Object<'a> = (&'static Mesh<'static>, &'a Affine<Model, World>);
 
 fn place_one<'s>(

@@ -1,4 +1,4 @@
-//! A frame on its way to the display: what changed, band by band.
+//! Sends the areas of a frame that changed to the display, in bands.
 
 use embedded_graphics::mono_font::{ascii::FONT_5X8, MonoTextStyle};
 use embedded_graphics::pixelcolor::Gray4;
@@ -12,13 +12,13 @@ const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
 /// Two commands of three bytes set a window of the panel.
 const WINDOW: u16 = 6;
 
-/// Takes rectangles of pixels, two a byte, the left one in its upper half; x and width are even.
+/// A display that takes rectangles of pixels, two per byte with the left one in the upper half; x and width are even.
 pub(crate) trait Display {
     type Error;
     fn write(&mut self, area: &Rectangle, pixels: &[u8]) -> Result<(), Self::Error>;
 }
 
-/// A display, what is known of it, and the memory of a band: colours, two pixels a byte, and depths.
+/// A display, the areas drawn on it, and the memory of a band: colours, two pixels per byte, and depths.
 pub(crate) struct Screen<'a, D> {
     display: &'a mut D,
     dirty: DirtyRegions<6>,
@@ -34,17 +34,17 @@ impl<'a, D: Display> Screen<'a, D> {
         Self { display, dirty, colours, depths, sent: 0 }
     }
 
-    /// The next frame shows something else.
+    /// Marks the complete picture as changed, for a new scene.
     pub(super) fn clear(&mut self) {
         self.dirty.invalidate();
     }
 
-    /// Something moves here in this frame.
+    /// Marks an area in which something moves in this frame.
     pub(super) fn mark(&mut self, area: Rectangle) {
         self.dirty.mark(area);
     }
 
-    /// Draws and sends what has changed: `draw` is called for every band, with the depths for it.
+    /// Draws and sends the areas that changed. `draw` is called for every band, with depth values for it.
     pub(super) fn show(
         &mut self,
         caption: &str,
@@ -63,13 +63,13 @@ impl<'a, D: Display> Screen<'a, D> {
         Ok(())
     }
 
-    /// Bytes of pixels that were sent since the last call.
+    /// Bytes of pixels sent since the last call.
     pub(crate) fn sent(&mut self) -> usize {
         core::mem::take(&mut self.sent)
     }
 }
 
-/// In the lower left corner. Out of line: what letters take of the stack is not there while solids are drawn.
+/// Draws text in the lower left corner. Not inlined: its variables are not on the stack while solids are drawn.
 #[inline(never)]
 fn write(caption: &str, band: &mut Band<'_, Gray4>) {
     let style = MonoTextStyle::new(&FONT_5X8, Gray4::new(9));

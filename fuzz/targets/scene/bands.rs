@@ -18,7 +18,7 @@ fn rows(area: Rectangle, height: u32) -> impl Iterator<Item = Rectangle> {
     })
 }
 
-/// What is drawn strip by strip.
+/// A picture drawn in bands.
 fn strips(
     area: Rectangle,
     height: u32,

@@ -17,7 +17,7 @@ fn tolerance(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64)> {
     Some((2.0 / 256.0 + px, depth))
 }
 
-/// The same before places are rounded to 1/256 px.
+/// Bounds of the error in px and of depth for a clipped face, before vertices are rounded to 1/256 px.
 pub(crate) fn before_rounding(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64)> {
     let (exact, model) = (scene.camera.exact(), scene.model.exact());
     let largest = scene.vertices.iter().flatten().fold(1.0f64, |m, &c| m.max(f64::from(c).abs()));
@@ -41,8 +41,8 @@ pub(crate) fn before_rounding(scene: &Scene, face: [u16; 3]) -> Option<(f64, f64
     let budget = share(0, v.width).max(share(1, v.height)) + 8192.0 * 8192.0 / free * rho[3] / least;
     // The 12 is for VUP well off VPN: the roll's error grows as 1/sine.
     let factor = 12.0 + (1.0 / sine(scene) - 4.0).max(0.0);
-    // What is cut moves along its edge by 2⁻³¹ of it too, and its plane by what d and w are rounded to: twice
-    // the budget.
+    // A new vertex also moves along its edge by 2⁻³¹ of the edge, and its plane moves by the rounding of d and w: twice the
+    // budget.
     let px = 2.0 * factor * 2f64.powi(-30) * budget;
     // d and w are rounded to a few 2⁻³⁰ of their own reach, or of x's and y's over what is free.
     let depth = 2f64.powi(-26) * ((rho[2] + rho[3]) / least + 2.0 * budget / free);

@@ -1,4 +1,4 @@
-//! What is not cut is exactly the coverage, or the line, of its projected corners.
+//! A face or edge that is not clipped draws exactly the coverage, or the line, of its projected vertices.
 
 use crate::bridge::draw::Shader;
 use crate::input::Scene;

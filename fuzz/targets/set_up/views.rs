@@ -1,4 +1,4 @@
-//! Views: look-at and its kin, and those with a name.
+//! Views: look-at, its variants, and the named views.
 
 use crate::bridge::pair::{ViewBits, ONE};
 use crate::bridge::{point, scalar, vector};

@@ -1,4 +1,4 @@
-//! How large numbers read: for all pages that are measured, and for those that quote them (`examples/pages`).
+//! How large numbers read: for all pages that are measured, and for those that quote them (`apps/pages`).
 
 /// Between the digits: a space that does not break.
 pub(crate) const SPACE: char = '\u{a0}';

@@ -4,7 +4,7 @@
 use support::bridge;
 use support::oracle;
 #[allow(dead_code)] // other ways to give a vertex, and classes of depth
-#[path = "../../../examples/accuracy/population.rs"]
+#[path = "../../../apps/accuracy/src/population.rs"]
 mod population;
 
 mod about;

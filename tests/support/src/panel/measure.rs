@@ -4,7 +4,6 @@ use super::films::{Film, Memory, Thing, BACKGROUND};
 use super::framebuffer::Framebuffer;
 use super::screen::{Kind, Screen, StoredPixel};
 use super::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
-
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::PixelFormat;

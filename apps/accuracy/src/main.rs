@@ -1,0 +1,41 @@
+//! Measures the errors of the library's integers against f64 and writes docs/accuracy.md:
+//!
+//! ```text
+//! cargo run --release -p pinhole-accuracy -- --help
+//! ```
+
+mod figures;
+mod functions;
+#[path = "../../../tools/bench/report/grouped.rs"]
+mod grouped;
+mod page;
+mod population;
+mod sweep;
+
+// Private modules of the library, which are measured directly.
+#[allow(dead_code, unreachable_pub, unused_imports)]
+#[path = "../../../src/math/mod.rs"]
+mod math;
+#[allow(dead_code, unreachable_pub)]
+#[path = "../../../src/space.rs"]
+mod space;
+
+use pinhole_apps_support::command;
+use pinhole_apps_support::generated::Generated;
+use std::process::ExitCode;
+use support::{bridge, oracle};
+
+fn main() -> ExitCode {
+    command::run(|| {
+        let about = "Measures the errors of the library's integers against f64, and writes a page of tables";
+        let file = Generated::arguments("-p pinhole-accuracy", about, "docs/accuracy.md")?;
+        let page = match page::page() {
+            Ok(page) => page,
+            Err(bound) => {
+                command::complain(bound);
+                return Ok(ExitCode::from(1));
+            }
+        };
+        file.finish_page(&page)
+    })
+}

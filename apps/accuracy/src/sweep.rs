@@ -1,0 +1,159 @@
+//! Transforms vertices by the library and, from the same bits, in f64.
+
+use crate::bridge::{point, scalar, vector};
+use crate::figures::Errors;
+use crate::oracle::chain::{self, V3};
+use crate::oracle::rng::Rng;
+use crate::population::{Design, Object, Population, DESIGNS, RANGES, VERTICES};
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Camera, Coordinate, Mesh, Scalar};
+
+/// Vertices per population and design.
+pub(crate) const COUNT: usize = 1_000_000;
+
+/// Errors before and after the rounding.
+#[derive(Clone, Default)]
+pub(crate) struct Pair {
+    pub(crate) before: Errors,
+    pub(crate) after: Errors,
+}
+
+impl Pair {
+    fn add(&mut self, before: f64, after: f64) {
+        self.before.add(before);
+        self.after.add(after);
+    }
+
+    pub(crate) fn append(&mut self, other: Self) {
+        self.before.append(other.before);
+        self.after.append(other.after);
+    }
+}
+
+/// The errors of a population.
+#[derive(Default)]
+pub(crate) struct Sweep {
+    /// Errors in px, per format.
+    pub(crate) places: [Pair; DESIGNS.len()],
+    /// Errors in depth steps, per far ÷ near; for points and objects up to 16 times their distance, and up to 300.
+    pub(crate) depths: [[Pair; 2]; RANGES.len()],
+    /// The largest error before the snap per unit of r/z, for r/z ≥ 16, in px.
+    pub(crate) per_ratio: f64,
+    /// The largest error of depth after rounding, where a bound is documented.
+    pub(crate) deepest: f64,
+    pub(crate) cameras: usize,
+}
+
+/// The library's result for a vertex: x and y in px and depth in steps, before and after rounding.
+struct Seen {
+    before: V3,
+    after: V3,
+}
+
+fn seen<V: Coordinate>(
+    camera: &Camera,
+    mesh: &Mesh<'_, V>,
+    model: &Affine<Model, World>,
+) -> Vec<Option<Seen>> {
+    let placed = camera.place(mesh, model);
+    let vertex = |i| {
+        let before = placed.project_unsnapped(i)?.map(|v| v as f64 / 4_294_967_296.0);
+        let (p, depth) = placed.project(i)?;
+        Some(Seen { before, after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)] })
+    };
+    (0..VERTICES).map(vertex).collect()
+}
+
+fn object(camera: &Camera, design: Design, object: &Object) -> Result<Vec<Option<Seen>>, pinhole::MeshError> {
+    let model = object.model.library();
+    Ok(match design {
+        Design::Fixed => {
+            let vertices = object.fixed.map(|v| v.map(scalar));
+            seen(camera, &Mesh::from_fixed(&vertices, &[])?, &model)
+        }
+        _ => seen(camera, &Mesh::new(&object.short, object.exponent, &[])?, &model),
+    })
+}
+
+/// A single point by [`Camera::project`], which is placed as an object without extent; that is where to read it
+/// before the snap.
+fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::MeshError> {
+    let model = Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(vector(at)));
+    let vertices = [[0; 3]; VERTICES];
+    let as_object = seen(camera, &Mesh::new(&vertices, 0, &[])?, &model).into_iter().next().flatten();
+    let after = camera.project(point(at)).ok();
+    Ok(as_object.zip(after).map(|(s, (p, depth))| Seen {
+        after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)],
+        ..s
+    }))
+}
+
+/// A million visible vertices for each design.
+pub(crate) fn sweep(population: &Population) -> Result<Sweep, String> {
+    let mut sweep = Sweep::default();
+    // Each camera has its own generator, so that no case depends on another.
+    for index in 0.. {
+        if sweep.places.iter().all(|pair| pair.before.count() >= COUNT) {
+            break;
+        }
+        let mut rng = Rng::new(Rng::new(population.seed << 32 | index).next());
+        let (bits, range) = population.camera(&mut rng);
+        let exact = bits.exact();
+        let camera = bits.library();
+        sweep.cameras += 1;
+        for (k, design) in DESIGNS.into_iter().enumerate() {
+            if sweep.places[k].before.count() >= COUNT {
+                continue;
+            }
+            let Some(at) = population.target(&mut rng, &bits, &exact) else { continue };
+            let mut one = |seen: Option<Seen>, placed: &chain::Affine, p: V3, half_extent: f64| {
+                let view = exact.view.apply_placed(placed, p);
+                let ratio = half_extent / -view[2];
+                let (near, far) = (bits.projection.near(), bits.projection.far());
+                let deep = -view[2] >= near * (1.0 + 1e-3) && -view[2] <= far * (1.0 - 1e-3);
+                if !deep || ratio > design.2 .1 || !population.inside(placed.apply(p)) {
+                    return Ok(());
+                }
+                let clip = chain::mul4(&exact.projection, [view[0], view[1], view[2], 1.0]);
+                let (x, y) = exact.screen(clip);
+                let (width, height) = (exact.viewport.width, exact.viewport.height);
+                if !(0.0..=width).contains(&x) || !(0.0..=height).contains(&y) {
+                    return Ok(());
+                }
+                let Some(Seen { before, after }) = seen else {
+                    return Err(format!("a vertex at ({x}, {y}), {view:?}, has no place: {bits:?}"));
+                };
+                let z = chain::depth(clip);
+                let off = |v: V3| (v[0] - x).abs().max((v[1] - y).abs());
+                sweep.places[k].add(off(before), off(after));
+                sweep.depths[range][usize::from(design.2 .1 > 16.0)]
+                    .add((before[2] - z).abs(), (after[2] - z.clamp(0.0, 65_534.0)).abs());
+                if ratio >= 16.0 {
+                    sweep.per_ratio = sweep.per_ratio.max(off(before) / ratio);
+                }
+                Ok(())
+            };
+            if design.0 == Design::Point {
+                for _ in 0..VERTICES {
+                    let Some(at) = population.target(&mut rng, &bits, &exact) else { continue };
+                    let world = crate::population::world(&exact.view, at);
+                    let Some(world) = crate::bridge::pair::bits(world) else { continue };
+                    let seen = single(&camera, world).map_err(|e| e.to_string())?;
+                    one(seen, &chain::IDENTITY, chain::fx3(world), 0.0)?;
+                }
+                continue;
+            }
+            let Some(o) = population.object(&mut rng, design, &exact.view, at) else { continue };
+            let placed = o.model.exact();
+            let all = object(&camera, design.0, &o).map_err(|e| e.to_string())?;
+            for (i, seen) in all.into_iter().enumerate() {
+                let p = match design.0 {
+                    Design::Fixed => chain::fx3(o.fixed[i]),
+                    _ => chain::vertex(o.short[i], o.exponent),
+                };
+                one(seen, &placed, p, o.half_extent)?;
+            }
+        }
+    }
+    Ok(sweep)
+}

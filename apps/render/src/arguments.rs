@@ -1,0 +1,114 @@
+//! The options and their help.
+
+use clap::{value_parser, Arg, ArgAction, Command};
+use pinhole_render::paint::Mode;
+use pinhole_render::picture::Format;
+use pinhole_render::projections::Named;
+use std::path::PathBuf;
+
+const FORMATS: &str = r#"pinhole-render MODEL.stl draws target/render/MODEL.png; add --up y if the model lies on its side. Examples:
+  pinhole-render MODEL.stl --projection isometric --mode hidden-line --png OUT.png
+  pinhole-render MODEL.obj --from 60,30 --colour gold --background '#203040' --size 320x240
+  pinhole-render MODEL.obj --format gray4 --size 128x64        the look of an OLED
+  pinhole-render MODEL.obj --gif OUT.gif                       one turn around the model
+  pinhole-render MODEL.obj --ascii                             as text; --ascii=braille is finer
+
+SCENE.json:
+  {"mesh": "file.obj" | ".stl" | ".json" (relative to the scene's folder),  or  "vertices": [[x, y, z], ...], "triangles": [[a, b, c], ...],
+   "model": 4x4 affine, "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) in the view volume,
+   "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (default: the picture), "cull": "none" | "back",
+   "name", "source", "licence": any text, ignored}
+Matrices are row-major and multiply column vectors. A .json mesh is {"vertices": ..., "triangles": ...}.
+
+--ids: a little-endian i32 per pixel, row by row from the top: the index of the visible triangle, or -1.
+--depth: a little-endian u16 per pixel: 0 (near) to 65534 (far), linear in z/w; 65535 where nothing is drawn.
+--used: the scene after rounding to the crate's number formats; drawing this file gives the same bits.
+With one of these three the defaults for a mesh are --size 320x240 and --up y.
+
+Bad input: one line on stderr, exit code 2, and no file is changed."#;
+
+pub(crate) fn command() -> Command {
+    let file = |name: &'static str, help| {
+        Arg::new(name).long(name).value_name("FILE").help(help).value_parser(value_parser!(PathBuf))
+    };
+    let angle = |name: &'static str, help| {
+        Arg::new(name)
+            .long(name)
+            .value_name("DEGREES")
+            .help(help)
+            .allow_negative_numbers(true)
+            .value_parser(value_parser!(f64))
+    };
+    let text =
+        |name: &'static str, value, help: String| Arg::new(name).long(name).value_name(value).help(help);
+    let flag = |name: &'static str, help| Arg::new(name).long(name).action(ArgAction::SetTrue).help(help);
+    let modes = names(Mode::ALL.iter().map(|(name, _)| *name));
+    let formats = names(Format::ALL.iter().map(|(name, _)| *name));
+    Command::new("render")
+        .about("Draws a model or a scene with depth test, as on a microcontroller")
+        .arg(
+            Arg::new("SCENE")
+                .required(true)
+                .help("A mesh (.obj, .stl), or a scene (.json)")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .arg(file("png", "Write the picture as PNG"))
+        .arg(
+            Arg::new("ascii")
+                .long("ascii")
+                .value_name("CHARACTERS")
+                .num_args(0..=1)
+                .require_equals(true)
+                .default_missing_value("ramp")
+                .help("Print the picture as text: ramp or braille, one character for 2x4 pixels"),
+        )
+        .arg(file("ids", "Write the visible triangle of each pixel"))
+        .arg(file("depth", "Write the depth of each pixel"))
+        .arg(file("used", "Write the scene rounded to the crate's number formats"))
+        .arg(text(
+            "mode",
+            "MODE",
+            format!("{modes} [default: solid: smooth shading, except over sharp edges]"),
+        ))
+        .arg(
+            text("colour", "COLOUR", "Colour of faces or lines: a CSS name, #rrggbb or #rgb".into())
+                .alias("color"),
+        )
+        .arg(text("background", "COLOUR", "Background colour: a CSS name, #rrggbb or #rgb".into()))
+        .arg(text("format", "FORMAT", format!("Pixel format: {formats} [default: rgb888]")))
+        .arg(flag("no-dither", "Round to the nearest colours of the format instead of dithering"))
+        .arg(flag("stats", "Print how many triangles were drawn, culled and clipped"))
+        .next_help_heading("For a mesh")
+        .arg(text(
+            "projection",
+            "NAME",
+            format!("{} [default: perspective]", names(Named::ALL.iter().map(|known| known.name))),
+        ))
+        .arg(
+            text("from", "YAW,PITCH", "Direction to the eye in degrees, such as 30,20".into())
+                .allow_hyphen_values(true),
+        )
+        .arg(angle("yaw", "Angle of the eye around the mesh, to the right"))
+        .arg(angle("pitch", "Angle of the eye above the horizon"))
+        .arg(angle("fov", "Vertical field of view of a perspective [default: 40, more for some projections]"))
+        .arg(text(
+            "size",
+            "WxH",
+            "Size of the picture in pixels [default: 640x480; 320x240 for films, 160x120 for text]".into(),
+        ))
+        .arg(text("up", "AXIS", "The file's upright axis: y or z [default: y of .obj, z of .stl]".into()))
+        .arg(file("gif", "Write a film of one turn around the mesh"))
+        .arg(
+            Arg::new("frames")
+                .long("frames")
+                .value_name("N")
+                .help("Frames of the film, 2 to 360 [default: 36]")
+                .value_parser(value_parser!(u32).range(2..=360)),
+        )
+        .after_help(FORMATS)
+}
+
+/// The names with commas between them.
+pub(crate) fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    names.collect::<Vec<_>>().join(", ")
+}

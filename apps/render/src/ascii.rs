@@ -1,0 +1,66 @@
+//! A picture as text, one character for 2 × 4 pixels: characters are about twice as high as wide, so these pixels are square.
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use pinhole::Statistics;
+use pinhole_render::paint::{Style, Subject};
+use pinhole_render::picture::{luma, picture, Format};
+use pinhole_render::quantised::Quantised;
+use pinhole_render::scene::Scene;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Characters {
+    /// Characters of growing weight.
+    Ramp,
+    /// Braille patterns: one dot for each pixel.
+    Braille,
+}
+
+impl Characters {
+    pub(crate) const ALL: [(&'static str, Self); 2] = [("ramp", Self::Ramp), ("braille", Self::Braille)];
+}
+
+/// The characters from black to white.
+const RAMP: &[u8] = b" .:-=+*#%@";
+const CELL: [usize; 2] = [2, 4];
+/// The bit of each dot in a braille pattern, row by row.
+const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+
+/// The picture as lines of equal length, bright on a dark terminal, and the statistics of the scene's faces or edges.
+pub(crate) fn text(
+    subject: &Subject,
+    scene: (&Scene, &Quantised),
+    style: &Style,
+    characters: Characters,
+) -> Result<(String, Statistics), String> {
+    let braille = characters == Characters::Braille;
+    let style = Style { colour: Rgb888::WHITE, background: Rgb888::BLACK, dither: braille, ..*style };
+    let format = if braille { Format::Mono } else { Format::Gray8 };
+    let (pixels, statistics) = picture(subject, scene, &style, format)?;
+    let (width, height) = (scene.0.width as usize, scene.0.height as usize);
+    let [across, down] = CELL;
+    let mut text = String::new();
+    for top in (0..height).step_by(down) {
+        for left in (0..width).step_by(across) {
+            let light = |x: usize, y: usize| {
+                let inside = left + x < width && top + y < height;
+                if inside {
+                    luma(pixels[(top + y) * width + left + x])
+                } else {
+                    0
+                }
+            };
+            let cell = (0..down).flat_map(|y| (0..across).map(move |x| (x, y)));
+            if braille {
+                let dots: u32 = cell.filter(|&(x, y)| light(x, y) > 127).map(|(x, y)| DOTS[y][x]).sum();
+                text.extend(char::from_u32(0x2800 + dots));
+            } else {
+                // At most 255. A character with any covered pixel is not blank.
+                let mean = cell.map(|(x, y)| light(x, y)).sum::<u32>() / (across * down) as u32;
+                let weight = (mean as usize * RAMP.len() / 256).max(usize::from(mean > 0));
+                text.push(RAMP[weight].into());
+            }
+        }
+        text.push('\n');
+    }
+    Ok((text, statistics))
+}

@@ -1,0 +1,56 @@
+//! The visible triangle of each pixel and its depth, for other programs.
+
+use embedded_graphics::pixelcolor::raw::RawU32;
+use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, Statistics};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_render::parts::parts;
+use pinhole_render::quantised::Quantised;
+use pinhole_render::scene::Scene;
+
+/// A "colour" that holds the index of the visible triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Seen(u32);
+
+impl PixelColor for Seen {
+    type Raw = RawU32;
+}
+
+impl Seen {
+    const NONE: Self = Self(u32::MAX);
+
+    /// The triangle's index, -1 for none.
+    pub(crate) fn index(self) -> i32 {
+        self.0 as i32 // a scene of 2^31 triangles has no room in memory
+    }
+}
+
+pub(crate) struct Solid {
+    pub(crate) ids: Canvas<Seen>,
+    pub(crate) depth: Vec<u16>,
+    pub(crate) statistics: Statistics,
+}
+
+/// Draws all triangles with depth test.
+pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, String> {
+    let size = Size::new(scene.width, scene.height);
+    let mut ids = Canvas::new(size, Seen::NONE);
+    let mut storage = vec![0; ids.pixels().len()];
+    let mut depth =
+        DepthBuffer::new(Rectangle::new(Point::zero(), size), &mut storage).map_err(|e| e.to_string())?;
+    let cull = if scene.cull { Cull::Back } else { Cull::None };
+    let camera = quantised.camera();
+    let mut statistics = Statistics::default();
+    for part in parts(&scene.vertices, &scene.triangles) {
+        let vertices = part.vertices(&quantised.vertices);
+        let mesh = Mesh::from_fixed(&vertices, &part.faces).map_err(|e| e.to_string())?;
+        let mut corners = vec![ScreenVertex::EMPTY; vertices.len()];
+        let id = |face: usize| Seen((part.first + face) as u32);
+        let placed = camera.place(&mesh, &quantised.model).with_cull(cull);
+        let Ok(drawn) = placed.depth_tested(id, &mut corners, &mut depth, &mut ids);
+        statistics = statistics.and(drawn);
+    }
+    Ok(Solid { ids, depth: storage, statistics })
+}

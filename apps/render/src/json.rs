@@ -1,0 +1,179 @@
+//! JSON values that know their place in the file, so that messages name the field.
+
+use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use std::fmt;
+
+/// A value. Numbers are the nearest f64; a repeated key is an error.
+pub(crate) enum Json {
+    Null,
+    Bool,
+    Number(f64),
+    Text(String),
+    List(Vec<Json>),
+    Object(Vec<(String, Json)>),
+}
+
+/// Fields that describe a scene or mesh to people: texts, which are ignored.
+const ABOUT: [&str; 3] = ["name", "source", "licence"];
+
+/// A value and its place in the file, such as `triangles[3][2]`.
+pub(crate) struct Field<'a> {
+    place: String,
+    value: &'a Json,
+}
+
+impl<'a> Field<'a> {
+    /// The value that the file consists of.
+    pub(crate) fn root(value: &'a Json) -> Self {
+        Self { place: String::new(), value }
+    }
+
+    /// The message for a problem with this value.
+    pub(crate) fn error(&self, problem: impl fmt::Display) -> String {
+        if self.place.is_empty() {
+            problem.to_string()
+        } else {
+            format!("{}: {problem}", self.place)
+        }
+    }
+
+    fn is_no(&self, wanted: &str) -> String {
+        let kind = match self.value {
+            Json::Null => "null",
+            Json::Bool => "a boolean",
+            Json::Number(_) => "a number",
+            Json::Text(_) => "a text",
+            Json::List(_) => "an array",
+            Json::Object(_) => "an object",
+        };
+        self.error(format_args!("is {kind} and should be {wanted}"))
+    }
+
+    /// The `known` fields of an object. Other fields are errors, except those in [`ABOUT`].
+    pub(crate) fn fields<const N: usize>(&self, known: [&str; N]) -> Result<[Option<Field<'a>>; N], String> {
+        let Json::Object(members) = self.value else { return Err(self.is_no("an object")) };
+        let mut fields = [const { None }; N];
+        for (name, value) in members {
+            let field = Field { place: name.clone(), value };
+            match known.iter().position(|k| k == name) {
+                Some(index) => fields[index] = Some(field),
+                None if ABOUT.contains(&name.as_str()) => drop(field.text()?),
+                None => return Err(format!("{name}: is not a field of this format")),
+            }
+        }
+        Ok(fields)
+    }
+
+    pub(crate) fn text(&self) -> Result<&'a str, String> {
+        match self.value {
+            Json::Text(text) => Ok(text),
+            _ => Err(self.is_no("a text")),
+        }
+    }
+
+    pub(crate) fn number(&self) -> Result<f64, String> {
+        match self.value {
+            Json::Number(number) => Ok(*number),
+            _ => Err(self.is_no("a number")),
+        }
+    }
+
+    /// An integer from `low` to `high`, both within ±2⁵³, where f64 is exact.
+    pub(crate) fn integer(&self, low: i64, high: i64) -> Result<i64, String> {
+        let number = self.number()?;
+        if number.fract() != 0.0 {
+            return Err(self.error(format_args!("{number} is not a whole number")));
+        }
+        if number < low as f64 || number > high as f64 {
+            return Err(self.error(format_args!("{number} is not from {low} to {high}")));
+        }
+        Ok(number as i64)
+    }
+
+    pub(crate) fn list(&self) -> Result<impl ExactSizeIterator<Item = Field<'a>> + use<'a, '_>, String> {
+        let Json::List(items) = self.value else { return Err(self.is_no("an array")) };
+        let item = |(index, value)| Field { place: format!("{}[{index}]", self.place), value };
+        Ok(items.iter().enumerate().map(item))
+    }
+
+    /// An array of exactly N values.
+    pub(crate) fn array<T, const N: usize>(
+        &self,
+        read: impl Fn(Field<'a>) -> Result<T, String>,
+    ) -> Result<[T; N], String> {
+        let list = self.list()?;
+        let length = list.len();
+        let items = list.map(read).collect::<Result<Vec<T>, String>>()?;
+        items.try_into().map_err(|_| self.error(format_args!("has {length} entries and needs {N}")))
+    }
+}
+
+impl Json {
+    /// Parses the text of a file.
+    pub(crate) fn parse(text: &[u8]) -> Result<Self, String> {
+        serde_json::from_slice(text).map_err(|error| {
+            let prefix = if error.is_data() { "" } else { "is not JSON: " };
+            format!("{prefix}{error}")
+        })
+    }
+}
+
+impl<'de> Deserialize<'de> for Json {
+    fn deserialize<D: Deserializer<'de>>(json: D) -> Result<Self, D::Error> {
+        json.deserialize_any(Reader)
+    }
+}
+
+struct Reader;
+
+impl<'de> Visitor<'de> for Reader {
+    type Value = Json;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON value")
+    }
+
+    fn visit_unit<E>(self) -> Result<Json, E> {
+        Ok(Json::Null)
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<Json, E> {
+        Ok(Json::Bool)
+    }
+
+    fn visit_i64<E>(self, number: i64) -> Result<Json, E> {
+        Ok(Json::Number(number as f64))
+    }
+
+    fn visit_u64<E>(self, number: u64) -> Result<Json, E> {
+        Ok(Json::Number(number as f64))
+    }
+
+    fn visit_f64<E>(self, number: f64) -> Result<Json, E> {
+        Ok(Json::Number(number))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Json, E> {
+        Ok(Json::Text(text.into()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Json, A::Error> {
+        let mut items = Vec::new();
+        while let Some(item) = list.next_element()? {
+            items.push(item);
+        }
+        Ok(Json::List(items))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Json, A::Error> {
+        let mut members: Vec<(String, Json)> = Vec::new();
+        while let Some((name, value)) = map.next_entry::<String, Json>()? {
+            if members.iter().any(|(other, _)| *other == name) {
+                return Err(A::Error::custom(format_args!("{name}: is given twice")));
+            }
+            members.push((name, value));
+        }
+        Ok(Json::Object(members))
+    }
+}

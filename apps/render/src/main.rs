@@ -1,0 +1,146 @@
+//! Draws a model or a scene with depth test, through the library's public interface: pictures for people, raw numbers for
+//! other programs.
+//!
+//! ```text
+//! cargo run --release -p pinhole-render -- MODEL.stl
+//! cargo run --release -p pinhole-render -- --help
+//! ```
+
+mod arguments;
+mod ascii;
+mod colours;
+mod draw;
+mod options;
+mod palette;
+mod turntable;
+mod used;
+
+use embedded_graphics::geometry::Size;
+use options::Options;
+use pinhole::Statistics;
+use pinhole_apps_support::{command, files, still};
+use pinhole_render::paint::Subject;
+use pinhole_render::quantised::{self, Quantised};
+use pinhole_render::scene::{self, Scene};
+use pinhole_render::{model, picture};
+use std::cell::LazyCell;
+use std::path::Path;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    command::run(|| -> Result<ExitCode, String> {
+        run(&options::read()?)?;
+        Ok(ExitCode::SUCCESS)
+    })
+}
+
+fn run(options: &Options) -> Result<(), String> {
+    let named = |e: String| format!("{}: {e}", options.scene.display());
+    let apart = |input: &Path| files::apart(input, options.outputs());
+    apart(&options.scene)?;
+    let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
+    let scene = match &options.look {
+        Some(look) => {
+            let mesh = scene::read_mesh(&options.scene)?;
+            if let Some(path) = &options.gif {
+                let film = turntable::gif(&mesh, look, &options.style, options.format, options.frames);
+                outputs.push((path, film.map_err(named)?));
+            }
+            model::scene(mesh, look)?
+        }
+        None => {
+            let scene = Scene::read(&options.scene)?;
+            scene.mesh_file.as_deref().map_or(Ok(()), apart)?;
+            scene
+        }
+    };
+    let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
+    // The statistics of any one output: all outputs draw the same faces or edges.
+    let (mut statistics, mut text) = (None, None);
+    if options.ids.is_some() || options.depth.is_some() {
+        let solid = draw::solid(&used, &quantised).map_err(named)?;
+        if let Some(path) = &options.ids {
+            let ids = solid.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes());
+            outputs.push((path, ids.collect()));
+        }
+        if let Some(path) = &options.depth {
+            outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
+        }
+        statistics = Some(solid.statistics);
+    }
+    let subject = LazyCell::new(|| Subject::new(&used, options.style.mode));
+    let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);
+    if let Some(path) = &options.png {
+        let (pixels, drawn) = picture().map_err(named)?;
+        let size = Size::new(used.width, used.height);
+        outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
+        statistics = Some(drawn);
+    }
+    if let Some(characters) = options.ascii {
+        let from = (&used, &quantised);
+        let (lines, drawn) = ascii::text(&subject, from, &options.style, characters).map_err(named)?;
+        text = Some(lines);
+        statistics = Some(drawn);
+    }
+    if let Some(path) = &options.used {
+        outputs.push((path, used::json(&used).into()));
+    }
+    let told = options.stats || options.unasked || (outputs.is_empty() && text.is_none());
+    if told && statistics.is_none() {
+        statistics = Some(picture().map_err(named)?.1);
+    }
+    if let Some(folder) = options.png.as_deref().and_then(Path::parent).filter(|_| options.unasked) {
+        command::folder(folder)?;
+    }
+    files::write(&outputs)?;
+    if let Some(text) = &text {
+        command::say(text.trim_end_matches('\n'))?;
+    }
+    let parts = if options.style.mode.of_lines() { subject.parts.len() } else { 1 };
+    tell(options, &scene, &used, parts, statistics.filter(|_| told), &outputs)
+}
+
+fn tell(
+    options: &Options,
+    scene: &Scene,
+    used: &Scene,
+    parts: usize,
+    statistics: Option<Statistics>,
+    outputs: &[(&Path, Vec<u8>)],
+) -> Result<(), String> {
+    if let Some(Statistics { drawn, culled, clipped, outside, degenerate, .. }) = statistics {
+        let (what, count) = match options.style.mode.of_lines() {
+            false => ("triangles".into(), scene.triangles.len()),
+            true => {
+                let edges = match parts {
+                    1 => "edges".into(),
+                    // Each part draws all edges of its own faces.
+                    parts => format!("edges (in {parts} parts; edges between parts count twice)"),
+                };
+                (edges, (drawn + outside) as usize)
+            }
+        };
+        command::say(format_args!(
+            "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them clipped), \
+             {culled} culled, {outside} outside, {degenerate} without area",
+            options.scene.display(),
+            scene.width,
+            scene.height,
+            scene.vertices.len(),
+        ))?;
+    }
+    if options.stats {
+        let (part, pixels) = quantised::moved(scene, used);
+        command::say(format_args!(
+            "rounding to the crate's number formats moves a vertex by at most {part:.2e} of the mesh's extent, and by at \
+             most {pixels:.2e} px on the screen"
+        ))?;
+    }
+    for (path, bytes) in outputs {
+        command::say(format_args!("{}: {} bytes", path.display(), bytes.len()))?;
+    }
+    if outputs.is_empty() && options.ascii.is_none() {
+        command::say("nothing was written: give --png, --ids, --depth or --used")?;
+    }
+    Ok(())
+}

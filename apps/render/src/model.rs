@@ -1,0 +1,245 @@
+//! A camera for a mesh: one that shows all of it.
+
+use crate::projections::{Kind, Named, Stance};
+use crate::scene::{bounds, Matrix, Scene};
+use pinhole_import::Triangles;
+
+/// The view of a mesh. Angles are in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    pub projection: Named,
+    /// Angle of the eye about the upright axis; with y up, from +z towards +x.
+    pub yaw: f64,
+    /// Angle of the eye above the horizon.
+    pub pitch: f64,
+    /// Vertical field of view of a perspective.
+    pub field_of_view: f64,
+    pub width: u32,
+    pub height: u32,
+    pub up: Up,
+    pub fit: Fit,
+}
+
+/// The file's upright axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Up {
+    Y,
+    Z,
+}
+
+/// The shape that fills the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(dead_code)] // not every user fits to all of them
+pub enum Fit {
+    /// The mesh's outline from this direction, for a single picture.
+    Outline,
+    /// The volume that the mesh sweeps while it turns about its upright axis, which stays in the middle.
+    Turn,
+    /// The mesh's bounding sphere, magnified by a factor: it has one size from all sides, and its centre is the picture's.
+    Sphere { zoom: f64 },
+}
+
+const IDENTITY: Matrix =
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+const Z_UP: Matrix =
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+
+/// The part of the picture's half width and height that the mesh may fill.
+const FILL: f64 = 0.92;
+
+/// The centre and the window of the picture, in the axes of the view plane, sheared so that projectors are perpendicular to
+/// it.
+struct Seen {
+    middle: [f64; 3],
+    /// Extent of the mesh from the centre, towards the eye and away from it.
+    radius: f64,
+    distance: f64,
+    /// Half the height of the picture; of a perspective, at distance 1.
+    height: f64,
+    /// Offset of the window's centre from the point that the eye looks at, in the units of `height`: in a perspective near
+    /// parts are larger, so the centre of the mesh is not the centre of its picture.
+    window: [f64; 2],
+}
+
+/// A scene with the mesh in the middle of the picture, as large as fits. The error names the option.
+pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
+    let Triangles { positions: vertices, faces: triangles } = mesh;
+    let kind = look.projection.kind;
+    let Stance { yaw, pitch, lean } = kind.stance(look.yaw, look.pitch).ok_or_else(|| {
+        format!("--pitch: {} is not from -70 to 70, which {} needs", look.pitch, look.projection.name)
+    })?;
+    let axes = axes(yaw, pitch);
+    let model = if look.up == Up::Z { Z_UP } else { IDENTITY };
+    let turned = |p: &[f64; 3]| turned(upright(p, &model), &axes, lean);
+    let seen = match look.fit {
+        Fit::Outline => outline(vertices.iter().map(turned).collect(), None, look),
+        Fit::Turn => {
+            let (centre, rings) = rings(&vertices, &model);
+            // A mesh that turns has one size from all sides.
+            let axes = self::axes(0.0, pitch);
+            let points = rings.map(|p| self::turned(p, &axes, lean)).collect();
+            let (seen, centre) = (outline(points, Some([0.0; 3]), look), turned(&centre));
+            Seen { middle: [0, 1, 2].map(|i| seen.middle[i] + centre[i]), ..seen }
+        }
+        Fit::Sphere { zoom } => sphere(&vertices, turned, lean, look, zoom),
+    };
+    let Seen { middle, radius, distance, height, window } = seen;
+    let deep = 1.05 * radius;
+    let (near, far) = ((distance - deep).max(distance / 64.0), distance + deep);
+    let [across, up] = lean;
+    let [x, y] = [aspect(look) * height, height].map(|h| 1.0 / h);
+    // The centre maps to (0, 0, -distance) before the shear; with oblique projectors the eye is shifted by their slope.
+    let mut away = [middle[0] + across * middle[2], middle[1] + up * middle[2], middle[2] + distance];
+    let parallel = [0.0, 0.0, -2.0 / (far - near), -(far + near) / (far - near)];
+    let projection = if kind.meets_in_the_eye() {
+        away[0] += across * distance;
+        away[1] += up * distance;
+        let depth = [0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)];
+        [
+            [x, 0.0, (window[0] - across) * x, 0.0],
+            [0.0, y, (window[1] - up) * y, 0.0],
+            depth,
+            [0.0, 0.0, -1.0, 0.0],
+        ]
+    } else if kind == Kind::Reverse {
+        // w = 1 + u/2 and z = −u − 1/2, where u runs over the mesh from −1 (far) to 1 (near).
+        let u = |factor: f64, more: f64| [0.0, 0.0, factor / deep, factor * distance / deep + more];
+        [[x, 0.0, 0.0, 0.0], [0.0, y, 0.0, 0.0], u(-1.0, -0.5), u(0.5, 1.0)]
+    } else {
+        // Points beyond the centre shift to the upper right.
+        let leaning = |lean: f64, scale: f64| (-lean * scale, -lean * scale * distance);
+        let ((a, b), (c, d)) = (leaning(across, x), leaning(up, y));
+        [[x, 0.0, a, b], [0.0, y, c, d], parallel, IDENTITY[3]]
+    };
+    let row = |i: usize| {
+        let [x, y, z]: [f64; 3] = axes[i];
+        [x, y, z, -away[i]]
+    };
+    Ok(Scene {
+        vertices,
+        triangles,
+        model,
+        view: [row(0), row(1), row(2), IDENTITY[3]],
+        projection,
+        width: look.width,
+        height: look.height,
+        viewport: [0, 0, look.width as i32, look.height as i32], // at most 4096
+        cull: false,
+        mesh_file: None,
+    })
+}
+
+/// The axes of the view plane: right, up, and towards the eye.
+fn axes(yaw: f64, pitch: f64) -> [[f64; 3]; 3] {
+    let ((sin_yaw, cos_yaw), (sin_pitch, cos_pitch)) = (yaw.sin_cos(), pitch.sin_cos());
+    [
+        [cos_yaw, 0.0, -sin_yaw],
+        [-sin_pitch * sin_yaw, cos_pitch, -sin_pitch * cos_yaw],
+        [cos_pitch * sin_yaw, sin_pitch, cos_pitch * cos_yaw],
+    ]
+}
+
+fn aspect(look: &Look) -> f64 {
+    f64::from(look.width) / f64::from(look.height)
+}
+
+/// A point of the file, turned so that y is up.
+fn upright(p: &[f64; 3], model: &Matrix) -> [f64; 3] {
+    [0, 1, 2].map(|i| (0..3).map(|k| model[i][k] * p[k]).sum())
+}
+
+/// A point in the axes of the view plane, sheared.
+fn turned(p: [f64; 3], axes: &[[f64; 3]; 3], lean: [f64; 2]) -> [f64; 3] {
+    let [x, y, z] = axes.map(|axis| axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]);
+    [x - lean[0] * z, y - lean[1] * z, z]
+}
+
+fn middle_of(vertices: &[[f64; 3]]) -> [f64; 3] {
+    let (low, high) = bounds(vertices);
+    [0, 1, 2].map(|i| f64::midpoint(low[i], high[i]))
+}
+
+/// The centre of the mesh and, relative to it, points on the circles of its vertices about the upright axis.
+fn rings<'a>(vertices: &'a [[f64; 3]], model: &'a Matrix) -> ([f64; 3], impl Iterator<Item = [f64; 3]> + 'a) {
+    const STEPS: u32 = 48; // between two of them a ring reaches 0.2 % farther
+    let centre = middle_of(vertices);
+    let ring = move |p: &[f64; 3]| {
+        let [x, y, z] = upright(&[0, 1, 2].map(|i| p[i] - centre[i]), model);
+        let radius = x.hypot(z);
+        (0..STEPS).map(move |step| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(STEPS)).sin_cos();
+            [radius * cos, y, radius * sin]
+        })
+    };
+    (centre, vertices.iter().flat_map(ring))
+}
+
+/// The frame that shows all points, centred on `axis` from left to right if there is one.
+fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
+    let (low, high) = bounds(&points);
+    let middle = axis.unwrap_or([0, 1, 2].map(|i| f64::midpoint(low[i], high[i])));
+    // A mesh that is one point has a picture too.
+    let extent = (0..3).map(|i| (high[i] - middle[i]).max(middle[i] - low[i])).fold(0.0, f64::max);
+    let radius = if extent > 0.0 { extent } else { 1.0 };
+    let from_middle = || points.iter().map(|p| [0, 1, 2].map(|i| p[i] - middle[i]));
+    let farthest = |f: &dyn Fn([f64; 3]) -> f64| from_middle().map(f).fold(f64::MIN, f64::max);
+    let aspect = aspect(look);
+    if look.projection.kind.meets_in_the_eye() {
+        let height = (look.field_of_view / 2.0).to_radians().tan();
+        let half = [aspect * height, height];
+        // From a distance: the centre of the outline along an axis, and the share of the window that it fills.
+        let seen = |distance: f64, i: usize| {
+            let high = farthest(&|p| p[i] / (distance - p[2]));
+            let low = -farthest(&|p| -p[i] / (distance - p[2]));
+            let middle = if i == 0 && axis.is_some() { 0.0 } else { f64::midpoint(low, high) };
+            (middle, (high - middle).max(middle - low) / half[i])
+        };
+        let fits = |distance: f64| (0..2).all(|i| seen(distance, i).1 <= FILL);
+        let mut near = 1.1 * radius;
+        let mut far = near;
+        while !fits(far) {
+            (near, far) = (far, 2.0 * far);
+        }
+        for _ in 0..32 {
+            let between = f64::midpoint(near, far);
+            *(if fits(between) { &mut far } else { &mut near }) = between;
+        }
+        let window = [0, 1].map(|i| seen(far, i).0);
+        return Seen { middle, radius, distance: far, height, window };
+    }
+    let weight = |z: f64| match look.projection.kind {
+        Kind::Reverse => 1.0 + z / (2.1 * radius),
+        _ => 1.0,
+    };
+    let largest = farthest(&|p| (p[0].abs() / aspect).max(p[1].abs()) / weight(p[2]));
+    let height = if largest > 0.0 { largest / FILL } else { radius };
+    Seen { middle, radius, distance: 2.0 * radius, height, window: [0.0; 2] }
+}
+
+/// The frame that shows the bounding sphere of the mesh, which no turn changes.
+fn sphere(
+    vertices: &[[f64; 3]],
+    turned: impl Fn(&[f64; 3]) -> [f64; 3],
+    lean: [f64; 2],
+    look: &Look,
+    zoom: f64,
+) -> Seen {
+    let middle = middle_of(vertices);
+    let away = |p: &[f64; 3]| (0..3).map(|i| (p[i] - middle[i]).powi(2)).sum::<f64>().sqrt();
+    let radius = vertices.iter().map(away).fold(0.0, f64::max);
+    let radius = if radius > 0.0 { radius } else { 1.0 };
+    let middle = turned(&middle);
+    let aspect = aspect(look);
+    let fitting = |along: [f64; 2]| along[0].max(along[1]) * radius;
+    if look.projection.kind.meets_in_the_eye() {
+        let height = (look.field_of_view / 2.0).to_radians().tan();
+        // The maximum of z + (x - lean z)/h over the sphere, for either sign of x.
+        let half = [aspect * height * FILL, height * FILL];
+        let least = [0, 1].map(|i| (1.0 + lean[i].abs() / half[i]).hypot(1.0 / half[i]));
+        return Seen { middle, radius, distance: fitting(least), height: height / zoom, window: [0.0; 2] };
+    }
+    // The maximum of x - lean z; of a reverse perspective, the maximum of x/(1 + u/2) where x² + u² = 1.
+    let grown = if look.projection.kind == Kind::Reverse { (4.0f64 / 3.0).sqrt() } else { 1.0 };
+    let extents = [0, 1].map(|i| grown * lean[i].hypot(1.0) / [aspect, 1.0][i]);
+    Seen { middle, radius, distance: 2.0 * radius, height: fitting(extents) / FILL / zoom, window: [0.0; 2] }
+}

@@ -1,0 +1,168 @@
+//! The parsed command line.
+
+use crate::arguments::{command, names};
+use crate::ascii::Characters;
+use crate::colours;
+use clap::ArgMatches;
+use embedded_graphics::geometry::Size;
+use pinhole_render::model::{Fit, Look, Up};
+use pinhole_render::paint::{Mode, Style};
+use pinhole_render::picture::Format;
+use pinhole_render::projections::Named;
+use pinhole_render::scene::LARGEST;
+use pinhole_render::style;
+use std::path::{Path, PathBuf};
+
+pub(crate) struct Options {
+    pub(crate) scene: PathBuf,
+    pub(crate) png: Option<PathBuf>,
+    pub(crate) gif: Option<PathBuf>,
+    pub(crate) frames: u32,
+    pub(crate) ids: Option<PathBuf>,
+    pub(crate) depth: Option<PathBuf>,
+    pub(crate) used: Option<PathBuf>,
+    pub(crate) ascii: Option<Characters>,
+    pub(crate) style: Style,
+    pub(crate) format: Format,
+    pub(crate) stats: bool,
+    /// The camera for a mesh; `None` for a scene, which has its own.
+    pub(crate) look: Option<Look>,
+    /// Whether no output was named, so that the picture goes to the default file.
+    pub(crate) unasked: bool,
+}
+
+impl Options {
+    /// The files to write.
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
+        [&self.png, &self.gif, &self.ids, &self.depth, &self.used].into_iter().flatten().map(PathBuf::as_path)
+    }
+}
+
+/// Parses and checks the command line. The error is one line.
+pub(crate) fn read() -> Result<Options, String> {
+    let mut given = pinhole_apps_support::command::matches(command())?;
+    let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
+    let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
+    let painted = ["colour", "background", "format"].into_iter().find(|name| given.contains_id(name));
+    let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
+    let (style, format) = style(&mut given)?;
+    let look = look(&mut given, &scene, ascii.is_some())?;
+    let mut file = |name: &str| given.remove_one::<PathBuf>(name);
+    let [mut png, gif, ids, depth, used] = ["png", "gif", "ids", "depth", "used"].map(&mut file);
+    let frames = given.remove_one("frames");
+    if frames.is_some() && gif.is_none() {
+        return Err("--frames: only a film has frames: give --gif FILE too".into());
+    }
+    let stats = given.get_flag("stats");
+    let outputs = [("--png", &png), ("--gif", &gif), ("--ids", &ids), ("--depth", &depth), ("--used", &used)];
+    for (place, (flag, file)) in outputs.iter().enumerate() {
+        let same = |earlier: &Option<PathBuf>| file.is_some() && canonical(earlier) == canonical(file);
+        if let Some((other, _)) = outputs[..place].iter().find(|(_, earlier)| same(earlier)) {
+            return Err(format!("{flag}: names the same file as {other}"));
+        }
+        if style.mode.of_lines() && file.is_some() && matches!(*flag, "--ids" | "--depth") {
+            return Err(format!("{flag}: needs --mode solid"));
+        }
+    }
+    let nothing = outputs.iter().all(|(_, file)| file.is_none()) && ascii.is_none() && !stats;
+    let unasked = nothing && look.is_some();
+    if unasked {
+        let mut name = scene.file_stem().unwrap_or_default().to_os_string();
+        name.push(".png"); // with_extension would make a.png of the stem a.v2
+        png = Some(Path::new("target/render").join(name));
+    }
+    if let Some(name) = painted.filter(|_| png.is_none() && gif.is_none()) {
+        return Err(format!("--{name}: applies to pictures alone: give --png FILE too"));
+    }
+    let frames = frames.unwrap_or(36);
+    Ok(Options { scene, png, gif, frames, ids, depth, used, ascii, style, format, stats, look, unasked })
+}
+
+/// The canonical path of a file that exists or would be created.
+fn canonical(file: &Option<PathBuf>) -> Option<PathBuf> {
+    let file = file.as_ref()?;
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let beside = || Some(folder.canonicalize().ok()?.join(file.file_name()?));
+    file.canonicalize().ok().or_else(beside).or_else(|| Some(file.clone()))
+}
+
+/// The value that an option's name stands for. The error lists the known names.
+fn choice<T: Copy>(given: &mut ArgMatches, option: &str, known: &[(&str, T)]) -> Result<Option<T>, String> {
+    let Some(name) = given.remove_one::<String>(option) else { return Ok(None) };
+    let chosen = known.iter().find(|(other, _)| *other == name).map(|(_, chosen)| *chosen);
+    let unknown =
+        || format!("--{option}: {name} is not one of {}", names(known.iter().map(|(name, _)| *name)));
+    chosen.ok_or_else(unknown).map(Some)
+}
+
+fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
+    let mode = choice(given, "mode", &Mode::ALL)?.unwrap_or(Mode::Solid);
+    let format = choice(given, "format", &Format::ALL)?.unwrap_or(Format::Rgb888);
+    let mut colour = |option: &str| match given.remove_one::<String>(option) {
+        None => Ok(None),
+        Some(text) => colours::parse(&text).map(Some).map_err(|e| format!("--{option}: {e}")),
+    };
+    let (colour, background) = (colour("colour")?, colour("background")?);
+    let dither = format.wants_dither() && !given.get_flag("no-dither");
+    Ok((style::chosen(mode, format, colour, background, dither), format))
+}
+
+/// The options of the camera, which are for meshes alone.
+fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look>, String> {
+    let is = |extension: &str| scene.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
+    if !(is("obj") || is("stl")) {
+        if !is("json") {
+            return Err(format!("{}: is neither a scene (.json) nor a mesh (.obj, .stl)", scene.display()));
+        }
+        for name in ["projection", "from", "yaw", "pitch", "fov", "size", "up", "gif", "frames"] {
+            if given.contains_id(name) {
+                return Err(format!(
+                    "--{name}: a scene has its own camera; use this option with .obj and .stl"
+                ));
+            }
+        }
+        return Ok(None);
+    }
+    let projections = Named::ALL.map(|named| (named.name, named));
+    let projection = choice(given, "projection", &projections)?.unwrap_or(Named::ALL[0]);
+    let from = match given.remove_one::<String>("from") {
+        None => [None; 2],
+        Some(_) if given.contains_id("yaw") || given.contains_id("pitch") => {
+            return Err("--from: sets yaw and pitch: omit --yaw and --pitch".into())
+        }
+        Some(text) => {
+            let pair =
+                text.split_once(',').and_then(|(yaw, pitch)| Some([yaw.parse().ok()?, pitch.parse().ok()?]));
+            let [yaw, pitch] =
+                pair.ok_or_else(|| format!("--from: {text} is not YAW,PITCH in degrees, such as 30,20"))?;
+            [Some(yaw), Some(pitch)]
+        }
+    };
+    let given_fov = given.contains_id("fov");
+    let mut angle = |name: &str, from: Option<f64>, usual: f64, low: f64, high: f64| {
+        let value = given.remove_one::<f64>(name).or(from).unwrap_or(usual);
+        if !(low..=high).contains(&value) {
+            let option = if from.is_some() { format!("from: {name}") } else { name.into() };
+            return Err(format!("--{option}: {value} is not from {low} to {high}"));
+        }
+        Ok(value)
+    };
+    let yaw = angle("yaw", from[0], projection.yaw, -360.0, 360.0)?;
+    let pitch = angle("pitch", from[1], projection.pitch, -90.0, 90.0)?;
+    if given_fov && !projection.kind.meets_in_the_eye() {
+        return Err(format!("--fov: {} has no field of view", projection.name));
+    }
+    let field_of_view = angle("fov", None, projection.field_of_view(), 1.0, 170.0)?;
+    // Other programs read these outputs and rely on their defaults.
+    let raw = ["ids", "depth", "used"].iter().any(|name| given.contains_id(name));
+    let usual = match (ascii, raw || given.contains_id("gif")) {
+        (true, _) => "160x120",
+        (false, true) => "320x240",
+        (false, false) => "640x480",
+    };
+    let size = given.remove_one::<String>("size").unwrap_or(usual.into());
+    let Size { width, height } = pinhole_apps_support::command::size(&size, 1..=LARGEST)?;
+    let usual = if is("stl") && !raw { Up::Z } else { Up::Y };
+    let up = choice(given, "up", &[("y", Up::Y), ("z", Up::Z)])?.unwrap_or(usual);
+    Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height, up, fit: Fit::Outline }))
+}

@@ -1,0 +1,252 @@
+//! Draws a scene for people: lit, in any pixel format of a display, and in bands as firmware draws.
+
+use crate::light::Light;
+use crate::normals;
+use crate::parts::{parts, Part};
+use crate::quantised::Quantised;
+use crate::scene::Scene;
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::{
+    Band, BinnedEdges, BinnedFaces, Channels, Cull, DepthBuffer, Flat, Frame, Gouraud, Mesh, MeshInstance,
+    PixelFormat, Scalar, ScreenVertex, SpanShader, Statistics, TransformedMesh,
+};
+
+/// A pixel format of a display.
+pub trait Colour: PixelFormat + Channels + From<Rgb888> + Into<Rgb888> {}
+impl<C: PixelFormat + Channels + From<Rgb888> + Into<Rgb888>> Colour for C {}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mode {
+    /// Smooth shading, except over sharp edges.
+    Solid,
+    /// One colour per face.
+    Flat,
+    /// Smooth shading over all edges.
+    Gouraud,
+    Wireframe,
+    HiddenLine,
+}
+
+impl Mode {
+    pub const ALL: [(&'static str, Self); 5] = [
+        ("solid", Self::Solid),
+        ("flat", Self::Flat),
+        ("gouraud", Self::Gouraud),
+        ("wireframe", Self::Wireframe),
+        ("hidden-line", Self::HiddenLine),
+    ];
+
+    /// Whether the mode draws edges instead of faces.
+    pub const fn of_lines(self) -> bool {
+        matches!(self, Self::Wireframe | Self::HiddenLine)
+    }
+
+    /// The crease angle in degrees, up to which shading is smooth.
+    fn crease(self) -> f64 {
+        match self {
+            Self::Solid => 50.0,
+            Self::Gouraud => 180.0,
+            Self::Flat | Self::Wireframe | Self::HiddenLine => 0.0,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style {
+    pub mode: Mode,
+    /// Colour of faces in full light, or of edges.
+    pub colour: Rgb888,
+    pub background: Rgb888,
+    pub dither: bool,
+}
+
+/// Data of a mesh that do not depend on the camera.
+pub struct Subject {
+    pub parts: Vec<Part>,
+    /// Normals at the corners of the triangles.
+    normals: Vec<[[i16; 3]; 3]>,
+}
+
+impl Subject {
+    pub fn new(scene: &Scene, mode: Mode) -> Self {
+        let mut parts = parts(&scene.vertices, &scene.triangles);
+        let mut normals = Vec::new();
+        if mode.of_lines() {
+            parts.iter_mut().for_each(Part::find_edges);
+        } else {
+            normals = normals::corners(&scene.vertices, &scene.triangles, mode.crease());
+        }
+        Self { parts, normals }
+    }
+}
+
+/// Statistics of a frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Report {
+    /// Statistics of faces, or of edges where the mode draws edges.
+    pub statistics: Statistics,
+    pub bands: usize,
+    /// Bytes of the pixels in the display's format.
+    pub bytes: usize,
+    pub pixels: usize,
+}
+
+/// Draws a frame in bands, through a strip with room for `rows` rows of the picture. `plan` gets the area that will be drawn
+/// and chooses the areas to send; `send` gets every band.
+pub fn paint<C: Colour>(
+    subject: &Subject,
+    (scene, quantised): (&Scene, &Quantised),
+    style: &Style,
+    rows: u32,
+    plan: impl FnOnce(Rectangle) -> Vec<Rectangle>,
+    send: impl FnMut(&Band<'_, C>),
+) -> Result<Report, String> {
+    let camera = quantised.camera();
+    let cull = if scene.cull { Cull::Back } else { Cull::None };
+    let vertices: Vec<_> = subject.parts.iter().map(|part| part.vertices(&quantised.vertices)).collect();
+    let meshes = subject
+        .parts
+        .iter()
+        .zip(&vertices)
+        .map(|(part, vertices)| {
+            Mesh::from_fixed(vertices, &part.faces)?.with_edges(&part.edges)?.with_edge_faces(&part.beside)
+        })
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|e| e.to_string())?;
+    let placed: Vec<MeshInstance<'_, Scalar>> =
+        meshes.iter().map(|mesh| camera.place(mesh, &quantised.model).with_cull(cull)).collect();
+    let mut corners: Vec<_> = vertices.iter().map(|v| vec![ScreenVertex::EMPTY; v.len()]).collect();
+    let records = |count: usize| vec![0; count + count.div_ceil(16)];
+    let mut face_records: Vec<_> = meshes.iter().map(|mesh| records(mesh.faces().len())).collect();
+    let mut edge_records: Vec<_> = meshes.iter().map(|mesh| records(mesh.edges().len())).collect();
+    let out = Out { size: Size::new(scene.width, scene.height), style, rows, send };
+
+    if style.mode == Mode::Wireframe {
+        // Lines without depth test: no far plane may clip them.
+        let transformed: Vec<_> = placed.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
+        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
+        return out.bands(statistics, &plan(bounds), |band, _| {
+            for edges in &mut edges {
+                let Ok(()) = edges.draw(style.colour.into(), band);
+            }
+        });
+    }
+
+    let transformed: Vec<_> = placed.iter().zip(&mut corners).map(|(p, c)| p.transform_depth(c)).collect();
+    let mut faces = transformed
+        .iter()
+        .zip(&mut face_records)
+        .map(|(transformed, records)| transformed.bin_faces(records))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(|e| e.to_string())?;
+    if style.mode == Mode::HiddenLine {
+        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
+        return out.bands(statistics, &plan(bounds), |band, depth| {
+            // Any part may hide any other.
+            faces.iter_mut().for_each(|faces| faces.depth_only(depth));
+            for edges in &mut edges {
+                let Ok(()) = edges.hidden_line(style.colour.into(), depth, band);
+            }
+        });
+    }
+
+    let statistics = faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), Statistics::and);
+    let areas = plan(around(faces.iter().map(BinnedFaces::bounds)));
+    let light = Light::new(scene, quantised);
+    let levels = |part: &Part, face: usize| light.corners(part.first + face, &subject.normals);
+    let flat = |part: &Part, face| Flat::lit(style.colour, levels(part, face)[0]);
+    let smooth = |part: &Part, face| Gouraud::lit(style.colour, levels(part, face));
+    let mut solid = Solid { parts: &subject.parts, faces: &mut faces };
+    match (style.mode == Mode::Flat, style.dither) {
+        (true, false) => out.bands(statistics, &areas, |band, depth| solid.draw(flat, depth, band)),
+        (true, true) => {
+            out.bands(statistics, &areas, |band, depth| solid.draw(|p, f| flat(p, f).dithered(), depth, band))
+        }
+        (false, false) => out.bands(statistics, &areas, |band, depth| solid.draw(smooth, depth, band)),
+        (false, true) => {
+            let ink = |p: &Part, f| smooth(p, f).dithered();
+            out.bands(statistics, &areas, |band, depth| solid.draw(ink, depth, band))
+        }
+    }
+}
+
+/// Draws the edges of all parts. Their visibility is decided once for all bands. Returns statistics and the area drawn.
+fn edges<'a, const DEPTH: bool>(
+    transformed: &[TransformedMesh<'a, Scalar, DEPTH>],
+    records: &'a mut [Vec<u16>],
+) -> Result<(Vec<BinnedEdges<'a, Scalar, DEPTH>>, Statistics, Rectangle), String> {
+    let edges = transformed.iter().zip(records).map(|(transformed, records)| transformed.bin_edges(records));
+    let edges = edges.collect::<Result<Vec<_>, _>>().map_err(|e| e.to_string())?;
+    let statistics = edges.iter().map(BinnedEdges::statistics).fold(Statistics::default(), Statistics::and);
+    let bounds = around(edges.iter().map(BinnedEdges::bounds));
+    Ok((edges, statistics, bounds))
+}
+
+/// Draws the faces of all parts.
+struct Solid<'a, 'f> {
+    parts: &'a [Part],
+    faces: &'a mut [BinnedFaces<'f, Scalar, true>],
+}
+
+impl Solid<'_, '_> {
+    fn draw<C: Colour, I: SpanShader<C>>(
+        &mut self,
+        ink: impl Fn(&Part, usize) -> I,
+        depth: &mut DepthBuffer<'_>,
+        band: &mut Band<'_, C>,
+    ) {
+        for (part, faces) in self.parts.iter().zip(self.faces.iter_mut()) {
+            let Ok(()) = faces.depth_tested(|face| ink(part, face), depth, band);
+        }
+    }
+}
+
+/// The destination of bands.
+struct Out<'a, S> {
+    size: Size,
+    style: &'a Style,
+    rows: u32,
+    send: S,
+}
+
+impl<S> Out<'_, S> {
+    fn bands<C: Colour>(
+        mut self,
+        statistics: Statistics,
+        areas: &[Rectangle],
+        mut draw: impl FnMut(&mut Band<'_, C>, &mut DepthBuffer<'_>),
+    ) -> Result<Report, String>
+    where
+        S: FnMut(&Band<'_, C>),
+    {
+        let mut report = Report { statistics, ..Report::default() };
+        let mut strip = vec![0; Frame::<C>::strip_bytes(self.size.width, self.rows)];
+        // A strip holds more rows of a narrower area; a row may take up to seven pixels more.
+        let mut depths = vec![0; (self.size.width as usize + 7) * self.rows as usize];
+        for area in areas {
+            let mut frame = Frame::new(*area, C::from(self.style.background));
+            while let Some(mut band) = frame.next_band(&mut strip).map_err(|e| e.to_string())? {
+                let mut depth = DepthBuffer::new(band.area(), &mut depths).map_err(|e| e.to_string())?;
+                draw(&mut band, &mut depth);
+                report.bands += 1;
+                report.bytes += band.bytes().len();
+                report.pixels += (band.area().size.width * band.area().size.height) as usize;
+                (self.send)(&band);
+            }
+        }
+        Ok(report)
+    }
+}
+
+/// The bounding rectangle of all rectangles.
+fn around(areas: impl Iterator<Item = Rectangle>) -> Rectangle {
+    let both = |a: Rectangle, b: Rectangle| {
+        let corners = a.bottom_right().zip(b.bottom_right());
+        corners.map_or(a, |(c, d)| {
+            Rectangle::with_corners(a.top_left.component_min(b.top_left), c.component_max(d))
+        })
+    };
+    areas.filter(|area| !area.is_zero_sized()).reduce(both).unwrap_or_default()
+}

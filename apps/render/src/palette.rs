@@ -1,0 +1,79 @@
+//! Palettes of at most 256 colours.
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use std::collections::HashMap;
+
+pub(crate) struct Palette {
+    pub(crate) colours: Vec<[u8; 3]>,
+    index: HashMap<[u8; 3], u8>,
+}
+
+/// The colours that one palette entry replaces, and how often each occurs.
+type Group = Vec<([u8; 3], usize)>;
+
+impl Palette {
+    /// A palette for the colours that occur. The most frequent one is kept exactly, and so are the others if there are at
+    /// most 255; otherwise median cut chooses them (Heckbert, *Color image quantization for frame buffer display*, 1982).
+    pub(crate) fn of<'a>(pixels: impl Iterator<Item = &'a Rgb888>) -> Self {
+        let mut counts = HashMap::<[u8; 3], usize>::new();
+        for colour in pixels {
+            *counts.entry(channels(*colour)).or_default() += 1;
+        }
+        let mut met: Group = counts.into_iter().collect();
+        met.sort_unstable_by_key(|&(colour, count)| (std::cmp::Reverse(count), colour));
+        let others = met.split_off(met.len().min(1));
+        let mut groups = vec![met];
+        if !others.is_empty() {
+            groups.extend(cut(others, 255));
+        }
+        let index = (0..=255).zip(&groups).flat_map(|(i, group)| group.iter().map(move |&(c, _)| (c, i)));
+        Self { index: index.collect(), colours: groups.iter().map(mean).collect() }
+    }
+
+    /// Index of the entry for a colour that occurs.
+    pub(crate) fn index(&self, colour: Rgb888) -> u8 {
+        self.index.get(&channels(colour)).copied().unwrap_or_default()
+    }
+}
+
+fn channels(colour: Rgb888) -> [u8; 3] {
+    [colour.r(), colour.g(), colour.b()]
+}
+
+/// Median cut: splits the group with the longest side into halves of equal pixel counts, until there are enough.
+fn cut(all: Group, most: usize) -> Vec<Group> {
+    let mut groups = vec![all];
+    while groups.len() < most {
+        let widest = groups.iter().enumerate().max_by_key(|(i, group)| (longest(group).1, usize::MAX - i));
+        let Some((place, _)) = widest.filter(|(_, group)| group.len() > 1) else { break };
+        let mut group = groups.swap_remove(place);
+        let (channel, _) = longest(&group);
+        group.sort_unstable_by_key(|(colour, _)| (colour[channel], *colour));
+        let half = group.iter().map(|(_, count)| count).sum::<usize>() / 2;
+        let mut before = 0;
+        let at = group.iter().position(|(_, count)| {
+            before += count;
+            before > half
+        });
+        let upper = group.split_off(at.unwrap_or_default().clamp(1, group.len() - 1));
+        groups.extend([group, upper]);
+    }
+    groups
+}
+
+/// The channel with the largest range in a group, and that range.
+fn longest(group: &Group) -> (usize, u8) {
+    let reach = |channel: usize| {
+        let values = || group.iter().map(|(colour, _)| colour[channel]);
+        values().max().unwrap_or_default() - values().min().unwrap_or_default()
+    };
+    (0..3).map(|channel| (channel, reach(channel))).max_by_key(|&(_, reach)| reach).unwrap_or_default()
+}
+
+fn mean(group: &Group) -> [u8; 3] {
+    let pixels: usize = group.iter().map(|(_, count)| count).sum();
+    [0, 1, 2].map(|channel| {
+        let sum: usize = group.iter().map(|(colour, count)| usize::from(colour[channel]) * count).sum();
+        ((sum + pixels / 2) / pixels.max(1)) as u8 // a mean of u8
+    })
+}

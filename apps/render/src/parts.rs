@@ -1,0 +1,78 @@
+//! Splits a mesh of any size into parts whose vertices and faces fit 16-bit indices.
+
+use pinhole::{Mesh, Scalar};
+use std::collections::{BTreeMap, HashMap};
+
+pub struct Part {
+    /// Indices into the mesh's vertices, for all vertices of the part but the first: see [`Part::vertices`].
+    indices: Vec<usize>,
+    pub faces: Vec<[u16; 3]>,
+    /// BinnedEdges of the faces; an edge with more than two faces occurs once for every two of them. Empty until
+    /// [`Part::find_edges`] is called.
+    pub edges: Vec<[u16; 2]>,
+    /// The two faces of each edge.
+    pub beside: Vec<[u16; 2]>,
+    /// Index of its first triangle in the mesh.
+    pub first: usize,
+}
+
+const MOST: usize = 65_536;
+/// Three edges per face must fit the 16-bit counters of [`pinhole::TransformedMesh::bin_edges`].
+const MOST_FACES: usize = 65_535 / 3;
+
+/// Splits the triangles into parts, in order. Vertices with equal coordinates are merged, because formats such as STL
+/// repeat them for every face.
+pub fn parts(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Vec<Part> {
+    let mut places = HashMap::new();
+    let same: Vec<usize> = vertices
+        .iter()
+        .enumerate()
+        // Adding 0.0 turns -0.0 into 0.0.
+        .map(|(index, v)| *places.entry(v.map(|c| (c + 0.0).to_bits())).or_insert(index))
+        .collect();
+    let empty =
+        |first| Part { indices: Vec::new(), faces: Vec::new(), edges: Vec::new(), beside: Vec::new(), first };
+    let mut parts = Vec::new();
+    let (mut part, mut names) = (empty(0), HashMap::new());
+    for (number, triangle) in triangles.iter().enumerate() {
+        if part.indices.len() + 4 > MOST || part.faces.len() == MOST_FACES {
+            parts.push(std::mem::replace(&mut part, empty(number)));
+            names.clear();
+        }
+        part.faces.push(triangle.map(|index| {
+            *names.entry(same[index]).or_insert_with(|| {
+                part.indices.push(same[index]);
+                part.indices.len() as u16 // below MOST
+            })
+        }));
+    }
+    parts.push(part);
+    parts
+}
+
+impl Part {
+    pub fn find_edges(&mut self) {
+        let mut edges = BTreeMap::<[u16; 2], Vec<u16>>::new();
+        for (number, &[a, b, c]) in self.faces.iter().enumerate() {
+            for [a, b] in [[a, b], [b, c], [c, a]] {
+                edges.entry([a.min(b), a.max(b)]).or_default().push(number as u16);
+                // below MOST_FACES
+            }
+        }
+        let pair = |faces: &[u16]| [0, 1].map(|i| faces.get(i).copied().unwrap_or(Mesh::<Scalar>::NO_FACE));
+        for (edge, faces) in edges {
+            for two in faces.chunks(2) {
+                self.edges.push(edge);
+                self.beside.push(pair(two));
+            }
+        }
+    }
+
+    /// Vertices of the part. The number format of a part depends on its largest coordinate, so every part gets the mesh's
+    /// vertex with the largest coordinate as its first: vertices that parts share then round to equal positions.
+    pub fn vertices(&self, all: &[[Scalar; 3]]) -> Vec<[Scalar; 3]> {
+        let largest = |v: &&[Scalar; 3]| v.map(|c| c.to_bits() ^ (c.to_bits() >> 31)).into_iter().max();
+        let first = all.iter().max_by_key(largest).copied().unwrap_or_default();
+        std::iter::once(first).chain(self.indices.iter().map(|&index| all[index])).collect()
+    }
+}

@@ -1,0 +1,79 @@
+//! A picture in the pixel format of a display.
+
+use crate::paint::{paint, Colour, Style, Subject};
+use crate::quantised::Quantised;
+use crate::scene::Scene;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::Statistics;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Format {
+    Rgb888,
+    Rgb666,
+    Rgb565,
+    Gray8,
+    Gray4,
+    Gray2,
+    Mono,
+}
+
+impl Format {
+    pub const ALL: [(&'static str, Self); 7] = [
+        ("rgb888", Self::Rgb888),
+        ("rgb666", Self::Rgb666),
+        ("rgb565", Self::Rgb565),
+        ("gray8", Self::Gray8),
+        ("gray4", Self::Gray4),
+        ("gray2", Self::Gray2),
+        ("mono", Self::Mono),
+    ];
+
+    /// Whether the format is monochrome; such displays mostly have a dark background.
+    pub const fn is_grey(self) -> bool {
+        matches!(self, Self::Gray8 | Self::Gray4 | Self::Gray2 | Self::Mono)
+    }
+
+    /// Whether the format is coarse enough to show steps in smooth shading.
+    pub const fn wants_dither(self) -> bool {
+        !matches!(self, Self::Rgb888 | Self::Gray8)
+    }
+}
+
+/// The pixels of a scene, row by row, and the statistics of its faces or edges.
+pub fn picture(
+    subject: &Subject,
+    scene: (&Scene, &Quantised),
+    style: &Style,
+    format: Format,
+) -> Result<(Vec<Rgb888>, Statistics), String> {
+    match format {
+        Format::Rgb888 => whole::<Rgb888>(subject, scene, style),
+        Format::Rgb666 => whole::<Rgb666>(subject, scene, style),
+        Format::Rgb565 => whole::<Rgb565>(subject, scene, style),
+        Format::Gray8 => whole::<Gray8>(subject, scene, style),
+        Format::Gray4 => whole::<Gray4>(subject, scene, style),
+        Format::Gray2 => whole::<Gray2>(subject, scene, style),
+        Format::Mono => whole::<BinaryColor>(subject, scene, style),
+    }
+}
+
+fn whole<C: Colour>(
+    subject: &Subject,
+    scene: (&Scene, &Quantised),
+    style: &Style,
+) -> Result<(Vec<Rgb888>, Statistics), String> {
+    let size = Size::new(scene.0.width, scene.0.height);
+    let mut pixels = Vec::new();
+    let all = |_| vec![Rectangle::new(Point::zero(), size)];
+    let report = paint::<C>(subject, scene, style, size.height, all, |band| {
+        pixels.extend(band.colors().map(Into::<Rgb888>::into));
+    })?;
+    Ok((pixels, report.statistics))
+}
+
+/// Luma of a colour, 0 to 255, as the grey formats take it.
+pub fn luma(colour: Rgb888) -> u32 {
+    (77 * u32::from(colour.r()) + 150 * u32::from(colour.g()) + 29 * u32::from(colour.b())) / 256
+}

@@ -1,0 +1,179 @@
+//! Scene files: meshes, matrices and the size of the picture, as plain numbers.
+
+use crate::json::{Field, Json};
+use pinhole_import::Triangles;
+use std::path::{Path, PathBuf};
+
+pub type Matrix = [[f64; 4]; 4];
+
+/// The largest width and height of a picture.
+pub const LARGEST: u32 = 4096;
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    pub vertices: Vec<[f64; 3]>,
+    pub triangles: Vec<[usize; 3]>,
+    pub model: Matrix,
+    pub view: Matrix,
+    pub projection: Matrix,
+    pub width: u32,
+    pub height: u32,
+    /// x, y, width, height.
+    pub viewport: [i32; 4],
+    /// Whether back faces are culled.
+    pub cull: bool,
+    /// The mesh file, if the scene names one.
+    pub mesh_file: Option<PathBuf>,
+}
+
+impl Scene {
+    /// Reads a `.json` scene and the mesh it names. The error names file and field.
+    pub fn read(file: &Path) -> Result<Self, String> {
+        let json = parse(file)?;
+        let problem = |e: String| format!("{}: {e}", file.display());
+        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull] =
+            Field::root(&json)
+                .fields([
+                    "mesh",
+                    "vertices",
+                    "triangles",
+                    "model",
+                    "view",
+                    "projection",
+                    "width",
+                    "height",
+                    "viewport",
+                    "cull",
+                ])
+                .map_err(problem)?;
+        let mut mesh_file = None;
+        let triangles = match (mesh, vertices, triangles) {
+            (Some(mesh), None, None) => {
+                // Errors of the mesh name the mesh file.
+                let name = mesh.text().map_err(problem)?;
+                if name.is_empty() {
+                    return Err(problem(mesh.error("is empty and should name a file")));
+                }
+                let path = file.parent().unwrap_or(Path::new("")).join(name);
+                read_mesh(mesh_file.insert(path))?
+            }
+            (None, vertices, triangles) => lists(vertices, triangles).map_err(problem)?,
+            _ => return Err(problem("mesh: is given together with vertices or triangles".into())),
+        };
+        let Triangles { positions: vertices, faces: triangles } = triangles;
+        let rest = || -> Result<Self, String> {
+            let size = |field: Option<Field<'_>>, name| needed(field, name)?.integer(1, LARGEST.into());
+            let (width, height) = (size(width, "width")?, size(height, "height")?);
+            let viewport = match viewport {
+                Some(field) => field.array(|f| f.integer(-1 << 30, 1 << 30))?.map(|v| v as i32), // 31 bits
+                None => [0, 0, width as i32, height as i32],
+            };
+            let cull = match cull {
+                None => false,
+                Some(field) => match field.text()? {
+                    "none" => false,
+                    "back" => true,
+                    other => {
+                        return Err(
+                            field.error(format_args!("is \"{other}\" and should be \"none\" or \"back\""))
+                        )
+                    }
+                },
+            };
+            Ok(Self {
+                vertices,
+                triangles,
+                model: matrix(needed(model, "model")?)?,
+                view: matrix(needed(view, "view")?)?,
+                projection: matrix(needed(projection, "projection")?)?,
+                width: width as u32, // at most 4096
+                height: height as u32,
+                viewport,
+                cull,
+                mesh_file,
+            })
+        };
+        rest().map_err(problem)
+    }
+
+    /// Transforms a vertex to clip space in f64.
+    pub fn clip(&self, vertex: [f64; 3]) -> [f64; 4] {
+        let mut p = [vertex[0], vertex[1], vertex[2], 1.0];
+        for m in [&self.model, &self.view, &self.projection] {
+            p = m.map(|row| row.iter().zip(p).map(|(a, b)| a * b).sum());
+        }
+        p
+    }
+
+    /// Maps a clip point to the screen, in pixels.
+    pub fn screen(&self, clip: [f64; 4]) -> [f64; 2] {
+        let [x, y, _, w] = clip;
+        let [left, top, width, height] = self.viewport.map(f64::from);
+        [left + (x / w + 1.0) * width / 2.0, top + (1.0 - y / w) * height / 2.0]
+    }
+
+    /// The longest side of the mesh's bounding box.
+    pub fn extent(&self) -> f64 {
+        let (low, high) = self.bounds();
+        (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+    }
+
+    /// The mesh's bounding box; the origin, where there are no vertices.
+    pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
+        bounds(&self.vertices)
+    }
+}
+
+pub fn bounds(vertices: &[[f64; 3]]) -> ([f64; 3], [f64; 3]) {
+    let Some(&first) = vertices.first() else { return ([0.0; 3], [0.0; 3]) };
+    let along = |pick: fn(f64, f64) -> f64| {
+        vertices.iter().fold(first, |a, b| [pick(a[0], b[0]), pick(a[1], b[1]), pick(a[2], b[2])])
+    };
+    (along(f64::min), along(f64::max))
+}
+
+/// Reads a mesh of any format; triangles keep the order of the file.
+pub fn read_mesh(file: &Path) -> Result<Triangles, String> {
+    if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
+        let mesh = pinhole_import::read_triangles(file).map_err(|e| e.to_string())?;
+        // The importer's message.
+        return if mesh.faces.is_empty() {
+            Err(format!("{}: has no faces", file.display()))
+        } else {
+            Ok(mesh)
+        };
+    }
+    let json = parse(file)?;
+    let [vertices, triangles] = Field::root(&json)
+        .fields(["vertices", "triangles"])
+        .map_err(|e| format!("{}: {e}", file.display()))?;
+    lists(vertices, triangles).map_err(|e| format!("{}: {e}", file.display()))
+}
+
+fn parse(file: &Path) -> Result<Json, String> {
+    let text = std::fs::read(file).map_err(|e| format!("{}: cannot be read: {e}", file.display()))?;
+    Json::parse(&text).map_err(|e| format!("{}: {e}", file.display()))
+}
+
+fn needed<'a>(field: Option<Field<'a>>, name: &str) -> Result<Field<'a>, String> {
+    field.ok_or_else(|| format!("{name}: is missing"))
+}
+
+fn matrix(field: Field<'_>) -> Result<Matrix, String> {
+    field.array(|row| row.array(|f| f.number()))
+}
+
+fn lists(vertices: Option<Field<'_>>, triangles: Option<Field<'_>>) -> Result<Triangles, String> {
+    let vertices = needed(vertices, "vertices")?;
+    let positions = vertices.list()?.map(|v| v.array(|f| f.number())).collect::<Result<Vec<_>, _>>()?;
+    let corner = |f: Field<'_>| match positions.len() {
+        0 => Err(f.error("names a vertex, and there are none")),
+        count => f.integer(0, count as i64 - 1).map(|i| i as usize), // not negative
+    };
+    let triangles = needed(triangles, "triangles")?;
+    let faces = triangles.list()?.map(|t| t.array(corner)).collect::<Result<Vec<_>, _>>()?;
+    if faces.is_empty() {
+        return Err(triangles.error("has no faces"));
+    }
+    Ok(Triangles { positions, faces })
+}

@@ -1,0 +1,28 @@
+//! Default colours.
+
+use crate::paint::{Mode, Style};
+use crate::picture::{luma, Format};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+const PAPER: Rgb888 = Rgb888::new(236, 235, 230);
+const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
+const INK: Rgb888 = Rgb888::new(34, 48, 72);
+const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
+
+/// The chosen style, with defaults that are visible in the format.
+pub fn chosen(
+    mode: Mode,
+    format: Format,
+    colour: Option<Rgb888>,
+    background: Option<Rgb888>,
+    dither: bool,
+) -> Style {
+    let background = background.unwrap_or(if format.is_grey() { Rgb888::BLACK } else { PAPER });
+    let usual = match (mode.of_lines(), luma(background) > 127) {
+        (true, true) => INK,
+        (true, false) => CHALK,
+        (false, _) if format.is_grey() => Rgb888::WHITE,
+        (false, _) => CLAY,
+    };
+    Style { mode, colour: colour.unwrap_or(usual), background, dither }
+}

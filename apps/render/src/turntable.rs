@@ -1,0 +1,47 @@
+//! A film of a mesh that turns once, as a GIF.
+
+use crate::palette::Palette;
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb888;
+use pinhole_apps_support::animation::Animation;
+use pinhole_import::Triangles;
+use pinhole_render::model::{self, Fit, Look};
+use pinhole_render::paint::{Style, Subject};
+use pinhole_render::picture::{picture, Format};
+use pinhole_render::quantised::Quantised;
+use std::error::Error;
+
+/// Duration of a turn in 1/100 s.
+const TURN: u32 = 400;
+
+pub(crate) fn gif(
+    mesh: &Triangles,
+    look: &Look,
+    style: &Style,
+    format: Format,
+    frames: u32,
+) -> Result<Vec<u8>, String> {
+    let mut pictures = Vec::new();
+    let mut subject = None;
+    for frame in 0..frames {
+        // The camera moves left, so that the mesh appears to turn right.
+        let yaw = look.yaw - 360.0 * f64::from(frame) / f64::from(frames);
+        let look = Look { yaw, fit: Fit::Turn, ..*look };
+        let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), &look)?)?;
+        let subject = subject.get_or_insert_with(|| Subject::new(&used, style.mode));
+        pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
+    }
+    let palette = Palette::of(pictures.iter().flatten());
+    encode(look, &pictures, &palette).map_err(|e| e.to_string())
+}
+
+fn encode(look: &Look, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut film = Animation::new(Vec::new(), Size::new(look.width, look.height), &palette.colours)?;
+    // Frame times are rounded from the start of the film, so that any number of frames lasts one TURN.
+    let moment = |frame: usize| frame as u32 * TURN / pictures.len() as u32;
+    for (frame, pixels) in pictures.iter().enumerate() {
+        let delay = (moment(frame + 1) - moment(frame)).max(2) as u16; // players take less for 10
+        film.add(pixels.iter().map(|&colour| palette.index(colour)).collect(), delay)?;
+    }
+    Ok(film.finish()?)
+}

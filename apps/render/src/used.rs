@@ -1,0 +1,42 @@
+//! Writes a scene as JSON with every digit of its numbers.
+
+use pinhole_render::scene::{Matrix, Scene};
+use std::fmt::{Display, Write};
+
+pub(crate) fn json(scene: &Scene) -> String {
+    let Scene { width, height, viewport, .. } = scene;
+    let vertices = list(scene.vertices.iter().map(|v| list(v.iter().map(|&c| decimal(c)))));
+    let triangles = list(scene.triangles.iter().map(|t| list(t.iter())));
+    let matrix = |m: &Matrix| list(m.iter().map(|row| list(row.iter().map(|&c| decimal(c)))));
+    let (model, view, projection) = (matrix(&scene.model), matrix(&scene.view), matrix(&scene.projection));
+    let (viewport, cull) = (list(viewport.iter()), if scene.cull { "back" } else { "none" });
+    format!(
+        "{{\"vertices\": {vertices},\n\"triangles\": {triangles},\n\"model\": {model},\n\"view\": {view},\n\
+         \"projection\": {projection},\n\
+         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"}}\n"
+    )
+}
+
+fn list(items: impl Iterator<Item = impl Display>) -> String {
+    let mut text = String::from("[");
+    for (index, item) in items.enumerate() {
+        let comma = if index > 0 { ", " } else { "" };
+        let _ = write!(text, "{comma}{item}"); // a String takes all
+    }
+    text.push(']');
+    text
+}
+
+/// A number with all its decimal digits: exact, unlike the shortest representation.
+fn decimal(v: f64) -> String {
+    // v = odd · 2^exponent needs −exponent digits after the point.
+    let bits = v.to_bits();
+    let field = (bits >> 52 & 0x7ff) as i32;
+    let fraction = bits & ((1 << 52) - 1);
+    let mantissa = if field == 0 { fraction } else { fraction | 1 << 52 };
+    if mantissa == 0 {
+        return "0".into();
+    }
+    let exponent = field.max(1) - 1075 + mantissa.trailing_zeros() as i32;
+    format!("{v:.*}", (-exponent).max(0) as usize)
+}

@@ -1,0 +1,373 @@
+//! Files that `pinhole-render` writes for other programs, and its messages for bad input.
+
+use pinhole_apps_support::testing::{refusal, Program};
+use serde_json::{json, Value};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const RENDER: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-render"), env!("CARGO_TARGET_TMPDIR"));
+
+/// A triangle in front of a triangle, in a picture of 8 × 6.
+fn scene() -> Value {
+    let identity = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
+    json!({
+        "vertices": [[-1, -1, 0], [1, -1, 0], [-1, 1, 0], [-1, -1, 0.5], [0, -1, 0.5], [-1, 0, 0.5]],
+        "triangles": [[0, 1, 2], [3, 4, 5]],
+        "model": identity,
+        "view": identity,
+        // z = −1 is near −1: depth grows with −z.
+        "projection": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0], [0, 0, 0, 1]],
+        "width": 8, "height": 6
+    })
+}
+
+fn write(folder: &Path, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
+    let path = folder.join(name);
+    fs::write(&path, text).unwrap();
+    path
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+#[test]
+fn ids_and_depths_are_rows_of_little_endian_numbers() {
+    let to = RENDER.folder("render", "formats");
+    let file = write(&to, "scene.json", scene().to_string());
+    let (ids, depth) = (to.join("ids"), to.join("depth"));
+    let done = RENDER.run(&[text(&file), "--ids", text(&ids), "--depth", text(&depth)]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    // Pixel (i, j) has x = (i + ½)/4 − 1 and y = 1 − (j + ½)/3. Triangle 0 is x + y < 0 (its slanted edge
+    // passes no centre: (2i + 1)/8 = (2j + 1)/6 has no solution below), triangle 1 is x + y < −1.
+    let expected: Vec<i32> = (0..6)
+        .flat_map(|j| (0..8).map(move |i| (3 * (2 * i + 1), 4 * (2 * j + 1)))) // (x + 1)·24, (1 − y)·24
+        .map(|(x, y)| match x - y {
+            sum if sum < -24 => 1,
+            sum if sum < 0 => 0,
+            _ => -1,
+        })
+        .collect();
+    let bytes = fs::read(&ids).unwrap();
+    let found: Vec<_> = bytes.chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect();
+    assert_eq!(found, expected);
+    // z/w is 0 and −½: 65535·½ and 65535·¼, rounded.
+    let steps = expected.iter().map(|id| [65_535, 32_768, 16_384][(id + 1) as usize]);
+    let bytes = fs::read(&depth).unwrap();
+    let found: Vec<_> = bytes.chunks(2).map(|b| u16::from_le_bytes(b.try_into().unwrap())).collect();
+    assert!(found.iter().zip(steps).all(|(a, b): (_, u16)| a.abs_diff(b) <= 1), "{found:?}");
+}
+
+#[test]
+fn without_an_output_it_says_what_it_would_draw() {
+    let to = RENDER.folder("render", "silent");
+    let file = write(&to, "scene.json", scene().to_string());
+    let done = RENDER.run(&[text(&file)]);
+    let said = String::from_utf8(done.stdout).unwrap();
+    assert!(
+        done.status.success() && said.contains("8 x 6 pixels") && said.contains("nothing was written"),
+        "{said}"
+    );
+    assert!(said.contains("of 2 triangles 2 drawn"), "{said}");
+    assert_eq!(fs::read_dir(&to).unwrap().count(), 1);
+    let said = String::from_utf8(RENDER.run(&[text(&file), "--stats"]).stdout).unwrap();
+    assert!(said.contains(" px"), "{said}");
+}
+
+#[test]
+fn meshes_of_every_format_are_the_same_scene() {
+    let to = RENDER.folder("render", "meshes");
+    let mut given = scene();
+    let vertices = given["vertices"].take();
+    let triangles = given["triangles"].take();
+    let number = |v: &Value| v.as_f64().unwrap();
+    let mut obj = String::new();
+    for v in vertices.as_array().unwrap() {
+        obj += &format!("v {} {} {}\n", number(&v[0]), number(&v[1]), number(&v[2]));
+    }
+    let mut stl = String::from("solid s\n");
+    for t in triangles.as_array().unwrap() {
+        obj += "f";
+        stl += "facet normal 0 0 1\nouter loop\n";
+        for k in 0..3 {
+            let index = t[k].as_u64().unwrap() as usize;
+            obj += &format!(" {}", index + 1);
+            let v = &vertices[index];
+            stl += &format!("vertex {} {} {}\n", number(&v[0]), number(&v[1]), number(&v[2]));
+        }
+        obj += "\n";
+        stl += "endloop\nendfacet\n";
+    }
+    stl += "endsolid s\n";
+    let list = json!({"vertices": vertices, "triangles": triangles}).to_string();
+    fs::create_dir(to.join("below")).unwrap();
+    let mut pictures = Vec::new();
+    for (name, content) in [("m.obj", obj), ("m.stl", stl), ("m.json", list)] {
+        write(&to, name, content);
+        // The path counts from the scene's own folder.
+        let mut with_mesh = scene();
+        let fields = with_mesh.as_object_mut().unwrap();
+        fields.retain(|field, _| field != "vertices" && field != "triangles");
+        fields.insert("mesh".into(), format!("../{name}").into());
+        let file = write(&to, "below/scene.json", with_mesh.to_string());
+        let ids = to.join("ids");
+        let done = RENDER.run(&[text(&file), "--ids", text(&ids)]);
+        assert!(done.status.success(), "{name}: {done:?}");
+        pictures.push(fs::read(&ids).unwrap());
+    }
+    let file = write(&to, "scene.json", scene().to_string());
+    let ids = to.join("own");
+    assert!(RENDER.run(&[text(&file), "--ids", text(&ids)]).status.success());
+    let own = fs::read(&ids).unwrap();
+    assert!(pictures.iter().all(|p| *p == own));
+}
+
+#[test]
+fn a_mesh_alone_is_shown_whole_by_every_projection() {
+    let to = RENDER.folder("render", "alone");
+    let mesh = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/teapot.obj");
+    let mut shown = Vec::new();
+    for (name, more) in [
+        ("perspective", &["--yaw", "-120", "--pitch", "35", "--fov", "90"][..]),
+        ("orthographic", &["--yaw", "200"]),
+        ("isometric", &[]),
+        ("cavalier", &[]),
+        ("cabinet", &["--mode", "solid"]),
+    ] {
+        let ids = to.join("ids");
+        let flags = [text(&mesh), "--projection", name, "--size", "90x120", "--ids", text(&ids)];
+        let done = RENDER.run(&[&flags, more].concat());
+        assert!(done.status.success(), "{done:?}");
+        let bytes = fs::read(&ids).unwrap();
+        let seen: Vec<_> = bytes.chunks(4).map(|b| b != [255; 4]).collect();
+        assert_eq!(seen.len(), 90 * 120);
+        // It touches no border, and fills the width or the height but for a twelfth on each side.
+        let at = |x: usize, y: usize| seen[y * 90 + x];
+        let columns: Vec<_> = (0..90).filter(|&x| (0..120).any(|y| at(x, y))).collect();
+        let rows: Vec<_> = (0..120).filter(|&y| (0..90).any(|x| at(x, y))).collect();
+        let (left, right) = (columns[0], 89 - columns[columns.len() - 1]);
+        let (top, bottom) = (rows[0], 119 - rows[rows.len() - 1]);
+        assert!([left, right, top, bottom].iter().all(|&free| free > 0), "{name}");
+        assert!(left.min(right) <= 8 || top.min(bottom) <= 10, "{name}: {left} {right} {top} {bottom}");
+        shown.push(bytes);
+    }
+    shown.sort();
+    shown.dedup();
+    assert_eq!(shown.len(), 5);
+}
+
+#[test]
+fn a_mesh_of_more_vertices_than_16_bits_name_has_no_seams() {
+    // A grid of 400 × 400 squares, two triangles each, over the whole picture.
+    let to = RENDER.folder("render", "large");
+    let n = 400;
+    let vertices: Vec<_> =
+        (0..=n).flat_map(|j| (0..=n).map(move |i| [i as f64 * 0.0031, j as f64 * 0.0031, 0.0])).collect();
+    let triangles: Vec<_> = (0..n)
+        .flat_map(|j| (0..n).map(move |i| j * (n + 1) + i))
+        .flat_map(|a| [[a, a + 1, a + n + 2], [a, a + n + 2, a + n + 1]])
+        .collect();
+    let mut large = scene();
+    large["vertices"] = json!(vertices);
+    large["triangles"] = json!(triangles);
+    large["view"] = json!([[0.8, -0.6, 0, 0], [0.6, 0.8, 0, -0.9], [0, 0, 1, 0], [0, 0, 0, 1]]);
+    (large["width"], large["height"]) = (json!(150), json!(150));
+    let file = write(&to, "scene.json", large.to_string());
+    let ids = to.join("ids");
+    let done = RENDER.run(&[text(&file), "--ids", text(&ids)]);
+    assert!(done.status.success(), "{done:?}");
+    let bytes = fs::read(&ids).unwrap();
+    let seen: Vec<_> = bytes.chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect();
+    assert!(seen.iter().max().unwrap() > &300_000, "the last parts are there, too");
+    // Each row is seen in one piece.
+    for row in seen.chunks(150) {
+        let changes = row.windows(2).filter(|w| (w[0] == -1) != (w[1] == -1)).count();
+        assert!(changes <= 2, "{row:?}");
+    }
+}
+
+/// In scenes and in meshes alike.
+#[test]
+fn name_source_and_licence_are_ignored() {
+    let to = RENDER.folder("render", "about");
+    let about = |mut value: Value| {
+        for field in ["name", "source", "licence"] {
+            value[field] = json!(format!("any \"{field}\""));
+        }
+        value
+    };
+    let ids = |scene: Value| {
+        let (file, ids) = (write(&to, "scene.json", scene.to_string()), to.join("ids"));
+        let done = RENDER.run(&[text(&file), "--ids", text(&ids)]);
+        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        fs::read(&ids).unwrap()
+    };
+    let plain = ids(scene());
+    assert!(ids(about(scene())) == plain);
+    // With the lists of the mesh in a file of their own.
+    let mut named = about(scene());
+    let fields = named.as_object_mut().unwrap();
+    let lists = ["vertices", "triangles"].map(|field| fields.remove(field).unwrap());
+    fields.insert("mesh".into(), json!("m.json"));
+    let [vertices, triangles] = lists;
+    write(&to, "m.json", about(json!({"vertices": vertices, "triangles": triangles})).to_string());
+    assert!(ids(named) == plain);
+}
+
+#[test]
+fn bad_scenes_are_one_line_that_names_file_and_field() {
+    let to = RENDER.folder("render", "bad");
+    let out = to.join("out");
+    let refuse = |name: &str, content: &str, named: &str| {
+        let file = write(&to, name, content);
+        write(&to, "out", "as it was");
+        let said = refusal(&RENDER.run(&[text(&file), "--ids", text(&out), "--png", text(&to.join("new"))]));
+        assert!(said.contains(text(&file)) && said.contains(named), "{named:?} is not in {said:?}");
+        assert_eq!(fs::read(&out).unwrap(), b"as it was");
+        let left: Vec<_> = fs::read_dir(&to).unwrap().map(|f| f.unwrap().file_name()).collect();
+        assert!(left.iter().all(|f| f == name || f == "out"), "{left:?}");
+        fs::remove_file(&file).unwrap();
+    };
+    let change = |field: &str, value: Value, named: &str| {
+        let mut changed = scene();
+        changed[field] = value;
+        refuse("scene.json", &changed.to_string(), named);
+    };
+    for field in ["vertices", "triangles", "model", "view", "projection", "width", "height"] {
+        let mut changed = scene();
+        changed.as_object_mut().unwrap().remove(field);
+        refuse("scene.json", &changed.to_string(), &format!("{field}: is missing"));
+        change(field, Value::Null, &format!("{field}: is null"));
+        change(field, json!("8"), &format!("{field}: is a text"));
+    }
+    for bad in [json!(0), json!(4097), json!(-3), json!(2.5), json!(1e300)] {
+        change("width", bad.clone(), "width: ");
+        change("height", bad, "height: ");
+    }
+    change("vertices", json!([[0, 0, 0], [1, 0]]), "vertices[1]: has 2 entries and needs 3");
+    change("vertices", json!([[0, 0, 0], [1, "a", 0]]), "vertices[1][1]: is a text");
+    change("triangles", json!([[0, 1, 2], [0, 1, 6]]), "triangles[1][2]: 6 is not from 0 to 5");
+    change("triangles", json!([[0, 1, -1]]), "triangles[0][2]: -1 is not");
+    change("triangles", json!([[0, 1, 1.5]]), "triangles[0][2]: 1.5 is not a whole number");
+    change("triangles", json!([[0, 1, 2, 3]]), "triangles[0]: has 4 entries and needs 3");
+    change("triangles", json!([]), "triangles: has no faces");
+    change("vertices", json!([]), "triangles[0][0]: names a vertex, and there are none");
+    for field in ["model", "view", "projection"] {
+        change(field, json!([[1, 0, 0, 0], [0, 1, 0, 0]]), &format!("{field}: has 2 entries and needs 4"));
+        change(
+            field,
+            json!([[1, 0, 0, 0], [0, 1, 0], [0, 0, 0, 0], [0, 0, 0, 0]]),
+            &format!("{field}[1]: has 3 entries"),
+        );
+    }
+    change("model", json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]), "model: the last row");
+    change(
+        "view",
+        json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]),
+        "view: the viewing matrix is not rigid",
+    );
+    change("view", json!([[1.00001, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), "view: ");
+    change("view", json!([[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]), "view: ");
+    change("projection", json!([[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]), "projection: ");
+    change("viewport", json!([0, 0, 8]), "viewport: has 3 entries and needs 4");
+    change("viewport", json!([0, 0, 0, 6]), "viewport: the viewport has no pixels");
+    change("viewport", json!([0, 0, -1, 6]), "viewport: -1 is not a width or height");
+    change("viewport", json!([8000, 0, 400, 6]), "viewport: the viewport leaves the guard band");
+    change("viewport", json!([0.5, 0, 8, 6]), "viewport[0]: 0.5 is not a whole number");
+    change("cull", json!("front"), "cull: is \"front\"");
+    change("cull", json!(1), "cull: is a number");
+    change("name", json!(1), "name: is a number and should be a text");
+    change("source", json!(null), "source: is null and should be a text");
+    change("licence", json!([]), "licence: is an array and should be a text");
+    change("license", json!("MIT"), "license: is not a field");
+    change("colour", json!(1), "colour: is not a field");
+    let mut unnamed = scene();
+    unnamed.as_object_mut().unwrap().retain(|field, _| field != "vertices" && field != "triangles");
+    unnamed["mesh"] = json!("");
+    refuse("scene.json", &unnamed.to_string(), "mesh: is empty and should name a file");
+    change("mesh", json!("m.obj"), "mesh: is given together with");
+    refuse(
+        "scene.json",
+        &scene().to_string().replace("\"width\":8", "\"width\":8,\"width\":8"),
+        "width: is given twice",
+    );
+    refuse("scene.json", &scene().to_string().replace("\"width\":8", "\"width\":1e999"), "is not JSON");
+    refuse("scene.json", "{\"width\": 8", "is not JSON");
+    refuse("scene.json", "", "is not JSON");
+    refuse("scene.json", "[1]", "is an array and should be an object");
+    refuse("scene.txt", &scene().to_string(), "is neither a scene");
+    refuse("mesh.obj", "v 0 0\n", "mesh.obj:1:");
+    refuse("mesh.obj", "v 0 0 0\n", "mesh.obj: has no faces");
+    refuse("mesh.stl", "solid\nendsolid\n", "mesh.stl: has no faces");
+    refuse("mesh.stl", "facet", "mesh.stl:1: the file ends within a facet");
+    refuse("mesh.stl", "fac", "ends before byte 3");
+}
+
+#[test]
+fn bad_meshes_of_a_scene_are_named_themselves() {
+    let to = RENDER.folder("render", "bad_meshes");
+    for (name, content, named) in [
+        ("m.obj", Some("v 0 0 0\nf 1 2 3\n"), "m.obj:2: the face names a vertex that does not exist"),
+        ("m.json", Some("{\"vertices\": [[0, 0, 0]]}"), "m.json: triangles: is missing"),
+        (
+            "m.json",
+            Some("{\"vertices\": [], \"triangles\": [], \"width\": 3}"),
+            "m.json: width: is not a field",
+        ),
+        ("m.json", Some("{\"vertices\": [], \"triangles\": []}"), "m.json: triangles: has no faces"),
+        ("m.obj", Some("v 0 0 0\n"), "m.obj: has no faces"),
+        ("m.ply", Some("ply"), "m.ply: is not a model"),
+        ("absent.obj", None, "absent.obj: cannot be read"),
+    ] {
+        let mut with_mesh = scene();
+        let fields = with_mesh.as_object_mut().unwrap();
+        fields.retain(|field, _| field != "vertices" && field != "triangles");
+        fields.insert("mesh".into(), name.into());
+        let file = write(&to, "scene.json", with_mesh.to_string());
+        if let Some(content) = content {
+            write(&to, name, content);
+        }
+        let said = refusal(&RENDER.run(&[text(&file)]));
+        assert!(said.contains(named), "{said}");
+    }
+}
+
+#[test]
+fn bad_command_lines_are_one_line() {
+    let to = RENDER.folder("render", "flags");
+    let file = write(&to, "scene.json", scene().to_string());
+    let mesh = write(&to, "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let (scene, mesh) = (text(&file), text(&mesh));
+    let same = text(&to.join("same")).to_string();
+    let dotted = text(&to.join("../flags/./same")).to_string();
+    let below = text(&to.join("scene.json/below")).to_string();
+    for (arguments, named) in [
+        (&[][..], "SCENE"),
+        (&["m.txt", "--size", "9x9"], "m.txt: is neither a scene (.json) nor a mesh"),
+        (&["absent.json"], "absent.json: cannot be read"),
+        (&[scene, scene], "unexpected argument"),
+        (&[scene, "--mode", "hidden-line", "--depth", &same], "--depth: needs --mode solid"),
+        (&[scene, "--mode", "points"], "--mode: points is not"),
+        (&[scene, "--yaw", "3"], "--yaw: "),
+        (&[scene, "--pong"], "--pong"),
+        (&[scene, "--ids"], "--ids"),
+        (&[scene, "--ids", &same, "--depth", &same], "--depth: names the same file as --ids"),
+        (&[scene, "--ids", &same, "--png", &dotted], "--ids: names the same file as --png"),
+        (&[scene, "--mode", "wireframe", "--ids", &same], "--ids: needs --mode solid"),
+        (&[scene, "--png", &below], "scene.json/below: cannot be written"),
+        // The first one could be written, the second not: neither is.
+        (&[scene, "--ids", &same, "--png", &below], "scene.json/below: cannot be written"),
+        (&[scene, "--png", text(&to)], "cannot be written"),
+        (&[mesh, "--size", "0x10"], "--size: 0x10"),
+        (&[mesh, "--size", "5000x10"], "--size: 5000x10"),
+        (&[mesh, "--projection", "fish-eye"], "--projection: fish-eye"),
+        (&[mesh, "--fov", "180"], "--fov: 180"),
+        (&[mesh, "--pitch", "NaN"], "--pitch: NaN"),
+    ] {
+        let said = refusal(&RENDER.run(arguments));
+        assert!(said.contains(named), "{said}");
+        assert_eq!(fs::read_dir(&to).unwrap().count(), 2, "{arguments:?}");
+    }
+    // Help is no error.
+    assert!(RENDER.run(&["--help"]).status.success());
+}

@@ -1,0 +1,472 @@
+//! What `pinhole-render` draws for people: pictures without any option, projections, colours, films, text.
+
+use pinhole_apps_support::testing::{refusal, Program};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const RENDER: Program = Program::new(env!("CARGO_BIN_EXE_pinhole-render"), env!("CARGO_TARGET_TMPDIR"));
+
+/// A box from 0 to (a, b, c); its first two triangles are the front, at z = c.
+fn cuboid([a, b, c]: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
+    let vertices = (0..8)
+        .map(|i| {
+            [
+                if i & 1 > 0 { a } else { 0.0 },
+                if i & 2 > 0 { b } else { 0.0 },
+                if i & 4 > 0 { c } else { 0.0 },
+            ]
+        })
+        .collect();
+    let sides = [[4, 5, 7, 6], [1, 0, 2, 3], [5, 1, 3, 7], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]];
+    (vertices, sides.iter().flat_map(|&[p, q, r, s]| [[p, q, r], [p, r, s]]).collect())
+}
+
+fn obj(size: [f64; 3]) -> String {
+    let (vertices, faces) = cuboid(size);
+    let vertices = vertices.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n"));
+    let faces = faces.iter().map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1));
+    vertices.chain(faces).collect()
+}
+
+fn stl(size: [f64; 3]) -> String {
+    let (vertices, faces) = cuboid(size);
+    let vertex = |i: usize| format!("vertex {} {} {}\n", vertices[i][0], vertices[i][1], vertices[i][2]);
+    let facet = |f: &[usize; 3]| {
+        let corners: String = f.iter().map(|&i| vertex(i)).collect();
+        format!("facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n")
+    };
+    format!("solid box\n{}endsolid box\n", faces.iter().map(facet).collect::<String>())
+}
+
+fn write(folder: &Path, name: &str, text: String) -> PathBuf {
+    let file = folder.join(name);
+    fs::write(&file, text).unwrap();
+    file
+}
+
+fn teapot() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/teapot.obj")
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+struct Picture {
+    width: usize,
+    height: usize,
+    pixels: Vec<[u8; 3]>,
+}
+
+impl Picture {
+    fn read(file: &Path) -> Self {
+        let mut decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(file).unwrap()));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut bytes).unwrap();
+        assert_eq!(info.color_type, png::ColorType::Rgb);
+        let pixels = bytes.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+        Self { width: info.width as usize, height: info.height as usize, pixels }
+    }
+
+    /// What a command line draws.
+    fn of(name: &str, file: &Path, options: &[&str]) -> Self {
+        let png = RENDER.folder("people", name).join("p.png");
+        let done = RENDER.run(&[&[text(file), "--png", text(&png)], options].concat());
+        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        Self::read(&png)
+    }
+
+    fn colors(&self) -> BTreeSet<[u8; 3]> {
+        self.pixels.iter().copied().collect()
+    }
+
+    /// Which pixels are not as the corner is.
+    fn drawn(&self) -> Vec<bool> {
+        self.pixels.iter().map(|c| *c != self.pixels[0]).collect()
+    }
+}
+
+/// Columns and rows in which something is: the first, and the first behind it.
+fn extent(drawn: &[bool], width: usize) -> [[usize; 2]; 2] {
+    let height = drawn.len() / width;
+    let ends = |all: Vec<usize>| [all[0], all[all.len() - 1] + 1];
+    let columns = (0..width).filter(|&x| (0..height).any(|y| drawn[y * width + x])).collect();
+    let rows = (0..height).filter(|&y| (0..width).any(|x| drawn[y * width + x])).collect();
+    [ends(columns), ends(rows)]
+}
+
+#[test]
+fn a_model_alone_becomes_a_picture_that_it_fills() {
+    let to = RENDER.folder("people", "alone");
+    write(&to, "tall.stl", stl([1.0, 1.0, 3.0]));
+    let done = RENDER.run_in(&to, &["tall.stl"]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    let said = String::from_utf8(done.stdout).unwrap();
+    assert!(said.contains("target/render/tall.png") && said.contains("640 x 480"), "{said}");
+    let picture = Picture::read(&to.join("target/render/tall.png"));
+    assert_eq!((picture.width, picture.height), (640, 480));
+    // Twelve sides of which three show, each in one colour, before one background.
+    assert_eq!(picture.colors().len(), 4);
+    let [[left, right], [top, bottom]] = extent(&picture.drawn(), 640);
+    // z is up in a file for 3D printers: it is higher than wide, in the middle, and fills 92 of 100 rows.
+    assert!(bottom - top > 3 * (right - left) / 2, "{left} {right} {top} {bottom}");
+    assert!((bottom - top).abs_diff(480 * 92 / 100) <= 2, "{top} {bottom}");
+    assert!(top.abs_diff(480 - bottom) <= 2 && left.abs_diff(640 - right) <= 2, "{left} {right}");
+    // Otherwise said, it lies.
+    let lying = Picture::of("lying", &to.join("tall.stl"), &["--up", "y", "--size", "80x60"]);
+    let [[left, right], [top, bottom]] = extent(&lying.drawn(), 80);
+    assert!(right - left > bottom - top);
+    // Of its name only the last extension goes.
+    write(&to, "tall.v2.obj", obj([1.0; 3]));
+    assert!(RENDER.run_in(&to, &["tall.v2.obj", "--size", "9x9"]).status.success());
+    assert!(to.join("target/render/tall.v2.png").exists());
+    // A scene has its outputs named, as before: nothing is written.
+    let (vertices, triangles) = cuboid([1.0; 3]);
+    let identity = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
+    let scene = serde_json::json!({"vertices": vertices, "triangles": triangles, "model": identity,
+        "view": identity, "projection": identity, "width": 8, "height": 8});
+    write(&to, "scene.json", scene.to_string());
+    let done = RENDER.run_in(&to, &["scene.json"]);
+    assert!(String::from_utf8(done.stdout).unwrap().contains("nothing was written"));
+    assert!(!to.join("target/render/scene.png").exists());
+}
+
+/// The triangles seen in a picture of 200 × 200 of a cube.
+fn cube_ids(projection: &str, more: &[&str]) -> Vec<i32> {
+    let to = RENDER.folder("people_ids", projection);
+    let (file, ids) = (write(&to, "cube.obj", obj([1.0; 3])), to.join("ids"));
+    let flags = [text(&file), "--projection", projection, "--size", "200x200", "--ids", text(&ids)];
+    let done = RENDER.run(&[&flags, more].concat());
+    assert!(done.status.success(), "{done:?}");
+    let bytes = fs::read(&ids).unwrap();
+    bytes.chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect()
+}
+
+#[test]
+fn parallel_projections_have_the_extents_of_their_definitions() {
+    // Of a unit cube, for a view plane normal n: right u = y × n, up v = n × u, and its sides are seen as long as the
+    // sums of their components.
+    let along = |[x, y, z]: [f64; 3]| {
+        let (n, h) = ((x * x + y * y + z * z).sqrt(), x.hypot(z));
+        let u = [z / h, 0.0, -x / h];
+        let v = [-y * x / (h * n), h / n, -y * z / (h * n)];
+        [u, v].map(|axis| axis.iter().map(|c| c.abs()).sum::<f64>())
+    };
+    let (sin, cos) = 30f64.to_radians().sin_cos();
+    let root = 0.5f64.sqrt();
+    for (name, [width, height]) in [
+        ("front", [1.0, 1.0]),
+        ("back", [1.0, 1.0]),
+        ("left", [1.0, 1.0]),
+        ("right", [1.0, 1.0]),
+        ("top", [1.0, 1.0]),
+        ("bottom", [1.0, 1.0]),
+        ("isometric", along([1.0, 1.0, 1.0])),
+        ("dimetric", along([2.0, 1.0, 2.0])),
+        ("trimetric", along([1.0, 2.0, 3.0])),
+        // What recedes is drawn at 45 or 60 degrees, 1, 1/2 or 3/4 times as long.
+        ("cavalier", [1.0 + root, 1.0 + root]),
+        ("cabinet", [1.0 + root / 2.0, 1.0 + root / 2.0]),
+        ("oblique", [1.0 + 0.75 * sin, 1.0 + 0.75 * cos]),
+        // The plan turned by 30 degrees, and the height above it.
+        ("military", [cos + sin, cos + sin + 1.0]),
+    ] {
+        let ids = cube_ids(name, &[]);
+        let drawn: Vec<_> = ids.iter().map(|id| *id >= 0).collect();
+        let [[left, right], [top, bottom]] = extent(&drawn, 200);
+        // The larger one fills 184 pixels of the 200; whole pixels are within one of that, in each.
+        let scale = 184.0 / width.max(height);
+        let near = |pixels: usize, extent: f64| (pixels as f64 - extent * scale).abs() < 1.5;
+        assert!(
+            near(right - left, width) && near(bottom - top, height),
+            "{name}: {left} {right} {top} {bottom}"
+        );
+    }
+}
+
+#[test]
+fn sides_that_are_seen_are_those_of_the_name() {
+    // Sides by triangle: front, back, right, left, top, bottom.
+    let seen = |name| {
+        let sides: BTreeSet<_> =
+            cube_ids(name, &[]).into_iter().filter(|id| *id >= 0).map(|id| id / 2).collect();
+        sides.into_iter().collect::<Vec<_>>()
+    };
+    for (name, sides) in [
+        ("front", &[0][..]),
+        ("back", &[1]),
+        ("right", &[2]),
+        ("left", &[3]),
+        ("top", &[4]),
+        ("bottom", &[5]),
+        ("isometric", &[0, 2, 4]),
+        ("cavalier", &[0, 2, 4]),
+        ("military", &[0, 2, 4]),
+        ("perspective", &[0, 2, 4]),
+        ("one-point", &[0, 2, 4]),
+        ("three-point", &[0, 2, 4]),
+        // Sides that recede are larger than the front, and turned to the eye: all five.
+        ("reverse", &[0, 2, 3, 4, 5]),
+    ] {
+        assert_eq!(seen(name), sides, "{name}");
+    }
+}
+
+#[test]
+fn uprights_and_fronts_stay_so_where_the_name_says_it() {
+    let side = |name: &str, side: i32| {
+        let ids = cube_ids(name, &[]);
+        ids.iter().map(|id| id / 2 == side && *id >= 0).collect::<Vec<_>>()
+    };
+    // One-point: the front is a square, all of it.
+    let front = side("one-point", 0);
+    let [[left, right], [top, bottom]] = extent(&front, 200);
+    assert!((right - left).abs_diff(bottom - top) <= 1);
+    assert_eq!(front.iter().filter(|seen| **seen).count(), (right - left) * (bottom - top));
+    // Two-point: the front's left edge is upright, and longer than what is above or below it of the front: many rows
+    // begin in one column. In a three-point perspective it leans.
+    let upright = |name: &str| {
+        let front = side(name, 0);
+        let firsts: Vec<_> = front.chunks(200).filter_map(|row| row.iter().position(|seen| *seen)).collect();
+        let longest = firsts.chunk_by(|a, b| a == b).map(<[_]>::len).max().unwrap();
+        longest as f64 / firsts.len() as f64
+    };
+    assert!(upright("two-point") > 0.4 && upright("off-axis") > 0.4, "{}", upright("two-point"));
+    assert!(upright("three-point") < 0.2, "{}", upright("three-point"));
+}
+
+#[test]
+fn the_eye_goes_where_it_is_told() {
+    let yaw_and_pitch = cube_ids("perspective", &["--yaw", "-120", "--pitch", "-35"]);
+    assert!(cube_ids("perspective", &["--from", "-120,-35"]) == yaw_and_pitch);
+    // From behind, the left, and below.
+    let sides: BTreeSet<_> = yaw_and_pitch.iter().filter(|id| **id >= 0).map(|id| id / 2).collect();
+    assert_eq!(sides, [1, 3, 5].into());
+}
+
+#[test]
+fn colours_are_those_that_were_named() {
+    let file = write(&RENDER.folder("people", "colours"), "cube.obj", obj([1.0; 3]));
+    let small = ["--size", "60x40"];
+    let of = |name, options: &[&str]| Picture::of(name, &file, &[&small, options].concat());
+    let red = of("red", &["--colour", "red", "--background", "#102030"]);
+    assert_eq!((red.width, red.height, red.pixels[0]), (60, 40, [16, 32, 48]));
+    let (paper, lit): (Vec<[u8; 3]>, Vec<[u8; 3]>) = red.pixels.iter().partition(|c| **c == [16, 32, 48]);
+    assert!(paper.len() > 400 && lit.len() > 400 && lit.iter().all(|c| c[0] > 40 && c[1..] == [0, 0]));
+    for (name, colour) in
+        [("DarkSeaGreen", [143, 188, 143]), ("slate-grey", [112, 128, 144]), ("#fd0", [255, 221, 0])]
+    {
+        let picture = of("named", &["--color", name, "--background", "BLACK", "--mode", "wireframe"]);
+        assert_eq!(picture.colors(), [[0; 3], colour].into(), "{name}");
+    }
+}
+
+#[test]
+fn formats_have_no_other_colours() {
+    let of = |name, options: &[&str]| Picture::of(name, &teapot(), &[&["--size", "80x60"], options].concat());
+    let grey = |options: &[&str], step: u8| {
+        let met = of("grey", options).colors();
+        assert!(met.iter().all(|[r, g, b]| r == g && g == b && r % step == 0), "{met:?}");
+        met.len()
+    };
+    assert!(grey(&["--format", "gray8"], 1) > 16);
+    assert!(grey(&["--format", "gray4"], 17) > 4);
+    assert_eq!(grey(&["--format", "gray2"], 85), 4);
+    assert_eq!(grey(&["--format", "mono"], 255), 2);
+    let (dithered, nearest) =
+        (of("mono", &["--format", "mono"]), of("mono", &["--format", "mono", "--no-dither"]));
+    // Dither has single pixels; the nearest colours are areas.
+    let changes = |p: &Picture| p.pixels.windows(2).filter(|two| two[0] != two[1]).count();
+    assert!(changes(&dithered) > 4 * changes(&nearest));
+    // 31 and 63 levels.
+    let level = |v: u8, most: u32| (0..=most).any(|n| (n * 510 + most) / (2 * most) == u32::from(v));
+    let met = of("rgb565", &["--format", "rgb565"]).colors();
+    assert!(met.iter().all(|&[r, g, b]| level(r, 31) && level(g, 63) && level(b, 31)), "{met:?}");
+}
+
+#[test]
+fn modes_are_what_they_say() {
+    let cube = write(&RENDER.folder("people", "modes"), "cube.stl", stl([1.0; 3]));
+    let of = |file: &Path, mode: &str| Picture::of(mode, file, &["--size", "100x80", "--mode", mode]);
+    // A cube's sides are flat, its edges sharp: three colours and the background.
+    let flat = of(&cube, "flat");
+    assert_eq!(flat.colors().len(), 4);
+    assert!(of(&cube, "solid").pixels == flat.pixels);
+    assert!(of(&cube, "gouraud").colors().len() > 20);
+    let smooth = of(&teapot(), "solid");
+    assert!(smooth.colors().len() > of(&teapot(), "flat").colors().len());
+    // Of all lines those that are not hidden: one corner's three edges less, and the sides' diagonals.
+    let (wire, less) = (of(&cube, "wireframe").drawn(), of(&cube, "hidden-line").drawn());
+    assert!(wire.iter().zip(&less).all(|(wire, less)| *wire || !less));
+    let count = |drawn: &[bool]| drawn.iter().filter(|d| **d).count();
+    assert!(count(&less) < count(&wire) * 3 / 4 && count(&less) > count(&wire) / 4);
+    // Within the outline, or beside it by the half pixel that a line is wide.
+    let [a, b] = [flat.drawn(), less].map(|drawn| extent(&drawn, 100));
+    assert!(a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| a.abs_diff(*b) <= 1), "{a:?} {b:?}");
+}
+
+#[test]
+fn lines_of_large_meshes_are_all_there() {
+    // A grid of 150 × 150 squares has 45 000 triangles and more edges than 16 bits count: about one each pixel.
+    let n = 150;
+    let vertices = (0..=n).flat_map(|j| (0..=n).map(move |i| format!("v {i} {j} 0\n")));
+    let faces = (0..n).flat_map(|j| (0..n).map(move |i| j * (n + 1) + i + 1));
+    let faces = faces.map(|a| format!("f {} {} {} {}\n", a, a + 1, a + n + 2, a + n + 1));
+    let grid: String = vertices.chain(faces).collect();
+    let file = write(&RENDER.folder("people", "grid"), "grid.obj", grid);
+    for mode in ["wireframe", "hidden-line"] {
+        let picture = Picture::of(mode, &file, &["--projection", "front", "--size", "80x80", "--mode", mode]);
+        // 92 of 100 columns and rows, and each of their pixels has an edge.
+        let drawn = picture.drawn().iter().filter(|drawn| **drawn).count();
+        assert!(drawn.abs_diff(80 * 80 * 92 * 92 / 10_000) < 160, "{mode}: {drawn}");
+        // 45 000 triangles are three times 21 845 at most; an edge where two parts meet is in both.
+        let done = RENDER.run(&[text(&file), "--projection", "front", "--mode", mode, "--stats"]);
+        let said = String::from_utf8(done.stdout).unwrap();
+        assert!(said.contains(" edges (in 3 parts; edges between parts count twice) "), "{said}");
+    }
+}
+
+#[test]
+fn light_falls_on_the_side_that_is_seen() {
+    // Two equal worlds: a box, and its mirror image, which the model matrix mirrors back.
+    let to = RENDER.folder("people", "light");
+    let draw = |name: &str, factor: f64| {
+        let (vertices, triangles) = cuboid([0.8, 0.6, 0.5]);
+        let vertices: Vec<_> = vertices.iter().map(|[x, y, z]| [x * factor, *y, *z]).collect();
+        let scene = serde_json::json!({
+            "vertices": vertices, "triangles": triangles,
+            "model": [[factor, 0.0, 0.0, 0.0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+            "view": [[0.8, 0, -0.6, 0], [-0.36, 0.8, -0.48, 0], [0.48, 0.6, 0.64, 0], [0, 0, 0, 1]],
+            "projection": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0], [0, 0, 0, 1]],
+            "width": 60, "height": 60
+        });
+        Picture::of(name, &write(&to, name, scene.to_string()), &[])
+    };
+    let (plain, mirrored) = (draw("plain.json", 1.0), draw("mirrored.json", -1.0));
+    assert_eq!(plain.colors().len(), 4);
+    assert!(plain.pixels == mirrored.pixels);
+}
+
+/// How long it stays, in 1/100 s, and its colours.
+type Frame = (u16, Vec<[u8; 3]>);
+
+/// The width and the frames of a film.
+fn film(name: &str, file: &Path, options: &[&str]) -> (usize, Vec<Frame>) {
+    let gif = RENDER.folder("people", name).join("film.gif");
+    let done = RENDER.run(&[&[text(file), "--gif", text(&gif)], options].concat());
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(fs::File::open(&gif).unwrap()).unwrap();
+    assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
+    let width = usize::from(decoder.width());
+    let mut frames = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        assert_eq!((frame.left, frame.top, usize::from(frame.width)), (0, 0, width));
+        frames.push((frame.delay, frame.buffer.chunks(4).map(|c| [c[0], c[1], c[2]]).collect()));
+    }
+    (width, frames)
+}
+
+#[test]
+fn a_film_goes_once_around() {
+    let (width, frames) = film("teapot", &teapot(), &["--frames", "7", "--size", "64x48"]);
+    assert_eq!((width, frames.len(), frames[0].1.len()), (64, 7, 64 * 48));
+    assert_eq!(frames.iter().map(|(delay, _)| u32::from(*delay)).sum::<u32>(), 400);
+    let different: BTreeSet<_> = frames.iter().map(|(_, pixels)| pixels).collect();
+    assert_eq!(different.len(), 7);
+    for (_, pixels) in &frames {
+        // In all of them the mesh is whole.
+        let drawn: Vec<_> = pixels.iter().map(|c| *c != pixels[0]).collect();
+        let [[left, right], [top, bottom]] = extent(&drawn, 64);
+        assert!(left > 0 && right < 64 && top > 0 && bottom < 48);
+    }
+    // The film's usual size and number of frames.
+    let (width, frames) = film("usual", &write(&RENDER.folder("people", "box"), "b.obj", obj([1.0; 3])), &[]);
+    assert_eq!((width, frames.len(), frames[0].1.len()), (320, 36, 320 * 240));
+    // A cube looks the same from its four sides: frames 0, 9, 18 and 27, but for rounding at edges.
+    for quarter in [9, 18, 27] {
+        let pairs = frames[0].1.iter().zip(&frames[quarter].1);
+        let differ = pairs.filter(|(a, b)| a != b).count();
+        assert!(differ < 100, "{differ} in frame {quarter}");
+    }
+    let differ = frames[0].1.iter().zip(&frames[4].1).filter(|(a, b)| a != b).count();
+    assert!(differ > 2000, "{differ}");
+}
+
+#[test]
+fn text_has_the_picture_s_shape() {
+    let cube = write(&RENDER.folder("people", "text"), "cube.obj", obj([1.0; 3]));
+    let print = |options: &[&str]| {
+        let done = RENDER.run(&[&[text(&cube)], options].concat());
+        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        String::from_utf8(done.stdout).unwrap()
+    };
+    let shape = |said: &str, lines: usize, columns: usize| {
+        let rows: Vec<Vec<char>> = said.lines().map(|line| line.chars().collect()).collect();
+        assert_eq!(rows.len(), lines);
+        assert!(rows.iter().all(|row| row.len() == columns), "{said}");
+        rows
+    };
+    // 160 × 120 pixels, 2 × 4 of them a character.
+    let rows = shape(&print(&["--ascii", "--projection", "front"]), 30, 80);
+    assert!(rows.iter().flatten().all(|c| " .:-=+*#%@".contains(*c)));
+    // A square of 110 × 110 pixels, 92 of 100 of the height: 55 or 57 characters wide, 27 to 29 high.
+    let drawn: Vec<_> = rows.iter().flatten().map(|c| *c != ' ').collect();
+    let [[left, right], [top, bottom]] = extent(&drawn, 80);
+    assert!((55..=57).contains(&(right - left)) && (27..=29).contains(&(bottom - top)), "{left} {right}");
+    let inside = &rows[15][left + 1..right - 1];
+    assert!(inside.iter().all(|c| *c == inside[0]), "a side has one light");
+    let rows = shape(&print(&["--ascii=braille", "--size", "40x41", "--mode", "wireframe"]), 11, 20);
+    assert!(rows.iter().flatten().all(|c| ('\u{2800}'..='\u{28ff}').contains(c)));
+    assert!(rows.iter().flatten().any(|c| *c != '\u{2800}'));
+    // With a file, too, it says so behind.
+    let png = RENDER.folder("people", "text_and_file").join("p.png");
+    let said = print(&["--ascii", "--png", text(&png)]);
+    assert_eq!(said.lines().count(), 31);
+    assert!(said.lines().last().unwrap().contains("p.png") && png.exists());
+}
+
+#[test]
+fn messages_for_bad_options_name_the_alternatives() {
+    let to = RENDER.folder("people", "wrong");
+    let mesh = write(&to, "m.obj", obj([1.0; 3]));
+    let gif = to.join("f.gif");
+    let gif = text(&gif);
+    for (options, parts) in [
+        (
+            &["--projection", "fish-eye"][..],
+            &["--projection: fish-eye", "isometric", "one-point", "reverse"][..],
+        ),
+        (&["--mode", "points"], &["--mode: points", "solid", "hidden-line"]),
+        (&["--format", "rgb332"], &["--format: rgb332", "rgb565", "mono"]),
+        (&["--ascii=ansi"], &["--ascii: ansi", "ramp", "braille"]),
+        (&["--colour", "bleu"], &["--colour: bleu", "#rrggbb", "blue", "rebeccapurple"]),
+        (&["--background", "#12345"], &["--background: #12345", "6 or 3 hexadecimal digits"]),
+        (&["--background", "#12345é"], &["--background: #12345é"]),
+        (&["--from", "30"], &["--from: 30", "YAW,PITCH"]),
+        (&["--from", "30,95"], &["--from: pitch: 95 is not from -90 to 90"]),
+        (&["--from", "3,4", "--yaw", "5"], &["--from: ", "--yaw"]),
+        (&["--projection", "two-point", "--pitch", "80"], &["--pitch: 80", "two-point"]),
+        (&["--projection", "isometric", "--fov", "50"], &["--fov: isometric has no field of view"]),
+        (&["--ids", gif, "--colour", "red"], &["--colour: applies to pictures alone: give --png"]),
+        (&["--ascii", "--no-dither"], &["--no-dither: applies to pictures alone"]),
+        (&["--up", "x"], &["--up: x", "y, z"]),
+        (&["--frames", "12"], &["--frames: ", "--gif"]),
+        (&["--gif", gif, "--frames", "1"], &["--frames", "2..=360"]),
+        (&["--gif", gif, "--png", gif], &["--gif: names the same file as --png"]),
+        (&["--size", "640"], &["--size: 640", "320x240"]),
+    ] {
+        let said = refusal(&RENDER.run(&[&[text(&mesh)], options].concat()));
+        assert!(parts.iter().all(|part| said.contains(part)), "{options:?}: {said}");
+        assert_eq!(fs::read_dir(&to).unwrap().count(), 1, "{options:?}");
+    }
+    let scene = write(&to, "s.json", "{}".into());
+    for option in [&["--gif", gif][..], &["--from", "1,2"], &["--up", "z"]] {
+        let said = refusal(&RENDER.run(&[&[text(&scene)], option].concat()));
+        assert!(said.contains(option[0]) && said.contains("its own camera"), "{said}");
+    }
+}

@@ -1,0 +1,116 @@
+//! Command lines: help, options that several programs take, and one form for every refusal.
+
+use clap::{value_parser, Arg, ArgMatches, Command};
+use embedded_graphics::geometry::Size;
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+#[path = "../../../import/src/say.rs"]
+mod say;
+
+/// Prints a line to standard output. A reader that closes it early (`| head`) is no error.
+///
+/// # Errors
+///
+/// The message to print where standard output cannot be written.
+pub fn say(line: impl Display) -> Result<(), String> {
+    say::say(line)
+}
+
+/// Prints a line to standard error; where that fails there is nowhere left to report it.
+pub fn complain(line: impl Display) {
+    say::complain(line);
+}
+
+/// Runs a program. An error is printed as one line, whatever characters a file or its name brings into the message, and the
+/// exit code is 2.
+pub fn run<E: ToString>(program: impl FnOnce() -> Result<ExitCode, E>) -> ExitCode {
+    program().unwrap_or_else(|problem| {
+        complain(problem.to_string().replace(char::is_control, " "));
+        ExitCode::from(2)
+    })
+}
+
+/// Parses the command line. Asked for help, it prints the help and ends the program.
+///
+/// # Errors
+///
+/// The message to print where an argument is wrong.
+pub fn matches(command: Command) -> Result<ArgMatches, String> {
+    command.try_get_matches().map_err(|error| {
+        if error.exit_code() == 0 {
+            error.exit();
+        }
+        // The lines up to the first empty one name the problem; tips and usage follow.
+        let text = error.to_string();
+        let lines: Vec<_> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
+        lines.join(" ")
+    })
+}
+
+/// The option `--NAME VALUE`, with a default.
+pub fn option(name: &'static str, value: &'static str, help: &'static str, default: &'static str) -> Arg {
+    Arg::new(name).long(name).value_name(value).help(help).default_value(default)
+}
+
+/// Parses the value of `--size WxH`; width and height must lie in `range`.
+///
+/// # Errors
+///
+/// The message to print where the text is no such size.
+pub fn size(text: &str, range: RangeInclusive<u32>) -> Result<Size, String> {
+    let size = text.split_once('x').and_then(|(w, h)| Some(Size::new(w.parse().ok()?, h.parse().ok()?)));
+    size.filter(|size| range.contains(&size.width) && range.contains(&size.height)).ok_or_else(|| {
+        format!("--size: {text} is not WxH, each from {} to {}, such as 320x240", range.start(), range.end())
+    })
+}
+
+/// Creates the folder for the output unless it exists.
+///
+/// # Errors
+///
+/// A message that names the folder.
+pub fn folder(path: &Path) -> Result<(), String> {
+    std::fs::create_dir_all(path).map_err(|e| format!("{}: cannot be created: {e}", path.display()))
+}
+
+/// The options of every example that writes a film.
+pub struct Film {
+    /// Width and height of the picture in pixels.
+    pub size: u32,
+    /// How many frames the film has.
+    pub frames: u32,
+    /// The folder for the files.
+    pub out: PathBuf,
+}
+
+impl Film {
+    /// Adds the options to a command. `frames` is the help of `--frames`, `count` and `out` are defaults.
+    pub fn arguments(
+        command: Command,
+        frames: &'static str,
+        count: &'static str,
+        out: &'static str,
+    ) -> Command {
+        command
+            .arg(
+                option("size", "N", "Width and height of the picture in pixels, 16 to 2048", "240")
+                    .value_parser(value_parser!(u32).range(16..=2048)),
+            )
+            .arg(option("frames", "N", frames, count).value_parser(value_parser!(u32).range(2..=720)))
+            .arg(
+                option("out", "DIR", "The folder for the pictures", out).value_parser(value_parser!(PathBuf)),
+            )
+    }
+
+    /// Takes the options from a parsed command line.
+    pub fn from(given: &mut ArgMatches) -> Self {
+        Self {
+            size: given.remove_one("size").unwrap_or_default(),
+            frames: given.remove_one("frames").unwrap_or_default(),
+            out: given.remove_one("out").unwrap_or_default(),
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! From a state to the pixels of a display, as firmware sends them.
+
+use crate::firmware::{self, Oled, Sent};
+use crate::overlay;
+use crate::source::Source;
+use crate::state::{State, Thing};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::{DirtyRegions, Statistics, TransferCost};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_render::paint::{paint, Colour, Mode, Report, Subject};
+use pinhole_render::picture::Format;
+use pinhole_render::quantised::Quantised;
+use pinhole_render::style;
+
+/// Statistics of the last frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shown {
+    /// Statistics of faces, or of edges where the mode draws edges; all zero for the scenes of the firmware examples.
+    pub statistics: Statistics,
+    /// Bands sent.
+    pub bands: usize,
+    /// Pixels sent.
+    pub pixels: usize,
+    /// Bytes sent: pixels, and the commands that set windows.
+    pub bytes: usize,
+    /// The rectangles sent.
+    pub areas: Vec<Rectangle>,
+}
+
+/// A display with its pixels, and the state that they show.
+pub struct Viewer {
+    source: Source,
+    display: Canvas<Rgb888>,
+    dirty: DirtyRegions<4>,
+    drawn: Option<State>,
+    subject: Option<(Mode, Subject)>,
+    oled: Oled,
+    shown: Shown,
+}
+
+impl Viewer {
+    /// A display with unknown contents.
+    pub fn new(source: Source, size: Size) -> Self {
+        let area = Rectangle::new(Point::zero(), size);
+        Self {
+            source,
+            display: Canvas::new(size, Rgb888::BLACK),
+            dirty: DirtyRegions::new(area, TransferCost::new(16, TransferCost::MIPI_DCS)),
+            drawn: None,
+            subject: None,
+            oled: Oled::new(),
+            shown: Shown::default(),
+        }
+    }
+
+    /// Brings the display to a state: sends the areas that changed, band by band.
+    ///
+    /// # Errors
+    ///
+    /// A message that names the scene's file and says why it cannot be drawn.
+    pub fn draw(&mut self, state: &State) -> Result<&Shown, String> {
+        if !self.drawn.is_some_and(|drawn| drawn.draws_as(state)) {
+            self.shown = match state.thing {
+                Thing::Model => self.model(state).map_err(|e| self.source.named(&e))?,
+                Thing::Oled | Thing::First => self.firmware(state),
+            };
+            self.drawn = Some(*state);
+        }
+        Ok(&self.shown)
+    }
+
+    /// The display's pixels, row by row.
+    pub fn pixels(&self) -> &[Rgb888] {
+        self.display.pixels()
+    }
+
+    /// Draws the window: the display with the overlays of the state. `time` is the duration of a frame.
+    ///
+    /// # Errors
+    ///
+    /// Errors of the target.
+    pub fn show<D: DrawTarget<Color = Rgb888>>(
+        &self,
+        state: &State,
+        time: Option<std::time::Duration>,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        let area = Rectangle::new(Point::zero(), self.display.size());
+        target.fill_contiguous(&area, self.display.pixels().iter().copied())?;
+        overlay::draw(state, &self.shown, time, target)
+    }
+
+    fn model(&mut self, state: &State) -> Result<Shown, String> {
+        match state.format {
+            Format::Rgb888 => self.send::<Rgb888>(state),
+            Format::Rgb666 => self.send::<Rgb666>(state),
+            Format::Rgb565 => self.send::<Rgb565>(state),
+            Format::Gray8 => self.send::<Gray8>(state),
+            Format::Gray4 => self.send::<Gray4>(state),
+            Format::Gray2 => self.send::<Gray2>(state),
+            Format::Mono => self.send::<BinaryColor>(state),
+        }
+    }
+
+    fn send<C: Colour>(&mut self, state: &State) -> Result<Shown, String> {
+        let size = self.display.size();
+        let scene = self.source.scene(state, size)?;
+        let (quantised, used) = Quantised::settle(&scene)?;
+        if self.subject.as_ref().is_none_or(|(mode, _)| *mode != state.mode) {
+            self.subject = Some((state.mode, Subject::new(&used, state.mode)));
+        }
+        let Some((_, subject)) = &self.subject else { return Ok(Shown::default()) };
+        let style = style::chosen(state.mode, state.format, None, None, state.dither);
+        let like =
+            |drawn: State| (drawn.thing, drawn.mode, drawn.format) == (state.thing, state.mode, state.format);
+        let Self { display, dirty, .. } = self;
+        if !self.drawn.is_some_and(like) {
+            // With another format or background the contents are unknown. Areas start and end at whole bytes.
+            let steps = (8 / C::BITS.clamp(1, 8)) as u16;
+            let cost = TransferCost::new(C::BITS, TransferCost::MIPI_DCS);
+            *dirty = DirtyRegions::new(dirty.area(), cost).with_steps(steps, 1);
+        }
+        let mut areas = Vec::new();
+        let plan = |bounds| {
+            dirty.mark(bounds);
+            areas = dirty.take().to_vec();
+            areas.clone()
+        };
+        let rows = state.rows.unwrap_or(size.height);
+        let report = paint::<C>(subject, (&used, &quantised), &style, rows, plan, |band| {
+            let Ok(()) = display.fill_contiguous(&band.area(), band.colors().map(Into::into));
+        })?;
+        let Report { statistics, bands, bytes, pixels } = report;
+        let bytes = bytes + bands * usize::from(TransferCost::MIPI_DCS);
+        Ok(Shown { statistics, bands, pixels, bytes, areas })
+    }
+
+    fn firmware(&mut self, state: &State) -> Shown {
+        if !self.drawn.is_some_and(|drawn| drawn.thing == state.thing) {
+            let all = Rectangle::new(Point::zero(), self.display.size());
+            let Ok(()) = self.display.fill_solid(&all, Rgb888::new(24, 26, 30));
+            self.oled.forget();
+        }
+        let sent = match state.thing {
+            Thing::First => Some(firmware::first(state.step, &mut self.display)),
+            _ => self.oled.draw(state.step, state.rows.unwrap_or(u32::MAX), &mut self.display),
+        };
+        // The panel shows one frame during several of the window's.
+        let Some(Sent { areas, pixels, bytes }) = sent else { return self.shown.clone() };
+        Shown { statistics: Statistics::default(), bands: areas.len(), pixels, bytes, areas }
+    }
+}

@@ -1,0 +1,111 @@
+//! Overlays: rectangles sent, statistics, keys.
+
+use crate::frame::Shown;
+use crate::state::{State, Thing, KEYS};
+use embedded_graphics::mono_font::{ascii::FONT_6X10, MonoTextStyle};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::{PrimitiveStyle, Rectangle};
+use embedded_graphics::text::{Baseline, Text};
+use pinhole::Statistics;
+use pinhole_render::paint::Mode;
+use pinhole_render::picture::Format;
+use std::time::Duration;
+
+const BOX: Rgb888 = Rgb888::new(20, 24, 34);
+const TEXT: Rgb888 = Rgb888::new(226, 232, 240);
+const KEY: Rgb888 = Rgb888::new(255, 196, 90);
+const SENT: Rgb888 = Rgb888::new(236, 40, 120);
+/// Height of a line and width of a character.
+const LINE: i32 = 11;
+const CHARACTER: i32 = 6;
+
+pub(crate) fn draw<D: DrawTarget<Color = Rgb888>>(
+    state: &State,
+    shown: &Shown,
+    time: Option<Duration>,
+    target: &mut D,
+) -> Result<(), D::Error> {
+    if state.outlines {
+        for area in &shown.areas {
+            area.into_styled(PrimitiveStyle::with_stroke(SENT, 1)).draw(target)?;
+        }
+    }
+    let mut top = 0;
+    if state.information {
+        let lines = information(state, shown, time);
+        paper(top, &lines, target)?;
+        for line in &lines {
+            write(line, Point::new(3, top + 2), TEXT, target)?;
+            top += LINE;
+        }
+        top += 4;
+    }
+    if state.help {
+        let lines: Vec<_> = KEYS.iter().map(|(keys, what)| format!("{keys:13} {what}")).collect();
+        paper(top, &lines, target)?;
+        for ((keys, _), line) in KEYS.iter().zip(&lines) {
+            write(line, Point::new(3, top + 2), TEXT, target)?;
+            write(keys, Point::new(3, top + 2), KEY, target)?;
+            top += LINE;
+        }
+    }
+    Ok(())
+}
+
+/// Draws the background of lines of text.
+fn paper<D: DrawTarget<Color = Rgb888>>(top: i32, lines: &[String], target: &mut D) -> Result<(), D::Error> {
+    let longest = lines.iter().map(String::len).max().unwrap_or_default() as i32;
+    let size = Size::new((longest * CHARACTER + 6) as u32, (lines.len() as i32 * LINE + 3) as u32);
+    target.fill_solid(&Rectangle::new(Point::new(0, top), size), BOX)
+}
+
+fn write<D: DrawTarget<Color = Rgb888>>(
+    text: &str,
+    at: Point,
+    colour: Rgb888,
+    target: &mut D,
+) -> Result<(), D::Error> {
+    let style = MonoTextStyle::new(&FONT_6X10, colour);
+    Text::with_baseline(text, at, style, Baseline::Top).draw(target)?;
+    Ok(())
+}
+
+/// The name of a mode or a format.
+fn name<T: PartialEq>(all: &[(&'static str, T)], one: T) -> &'static str {
+    all.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)
+}
+
+fn information(state: &State, shown: &Shown, time: Option<Duration>) -> Vec<String> {
+    let mut lines = Vec::new();
+    match state.thing {
+        Thing::Oled => lines.push("examples/oled: its panel, gray4".into()),
+        Thing::First => lines.push("examples/first: rgb565, bands of 8 rows".into()),
+        Thing::Model => {
+            let dithered = if state.dither && !state.mode.of_lines() { " dithered" } else { "" };
+            lines.push(format!(
+                "{}, {}, {}{dithered}",
+                state.projection.map_or("own camera", |named| named.name),
+                name(&Mode::ALL, state.mode),
+                name(&Format::ALL, state.format),
+            ));
+            let Statistics { drawn, culled, clipped, outside, degenerate, .. } = shown.statistics;
+            let what = if state.mode.of_lines() { "edges" } else { "faces" };
+            lines.push(format!(
+                "{what}: {drawn} drawn, {culled} culled, {clipped} cut, {} dropped",
+                outside + degenerate
+            ));
+        }
+    }
+    let rows = match (state.thing, state.rows) {
+        (Thing::First, _) => String::new(),
+        (_, Some(rows)) => format!(" of {rows} rows"),
+        (_, None) => " of all rows".into(),
+    };
+    let Shown { bands, pixels, bytes, .. } = shown;
+    lines.push(format!("{bands} bands{rows}: {pixels} px, {bytes} bytes"));
+    if let Some(time) = time {
+        lines.push(format!("{:.2} ms a frame; h: help", time.as_secs_f64() * 1e3));
+    }
+    lines
+}

@@ -1,0 +1,138 @@
+//! The model: a file, or the mesh of the firmware examples.
+
+use crate::firmware;
+use crate::state::State;
+use embedded_graphics::geometry::Size;
+use pinhole_apps_support::files;
+use pinhole_import::Triangles;
+use pinhole_render::model::{self, Fit, Look, Up};
+use pinhole_render::scene::{self, Matrix, Scene};
+use std::path::{Path, PathBuf};
+
+/// A mesh, with a camera if its file has one.
+pub struct Source {
+    mesh: Triangles,
+    up: Up,
+    own: Option<Scene>,
+    /// The file, unless the mesh is built in.
+    file: Option<PathBuf>,
+}
+
+impl Source {
+    /// Reads the files that `pinhole-render` reads: `.obj`, `.stl`, or a scene (`.json`).
+    ///
+    /// # Errors
+    ///
+    /// A message that names the file and the problem.
+    pub fn read(file: &Path) -> Result<Self, String> {
+        let is = |extension: &str| file.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
+        if is("json") {
+            let own = Scene::read(file)?;
+            let positions = own.vertices.iter().map(|&v| in_the_world(&own, v)).collect();
+            let mesh = Triangles { positions, faces: own.triangles.clone() };
+            return Ok(Self { mesh, up: Up::Y, own: Some(own), file: Some(file.into()) });
+        }
+        let up = if is("stl") { Up::Z } else { Up::Y };
+        Ok(Self { mesh: scene::read_mesh(file)?, up, own: None, file: Some(file.into()) })
+    }
+
+    /// The teapot of the firmware examples.
+    pub fn built_in() -> Self {
+        let teapot = firmware::teapot();
+        let step = f64::from(teapot.exponent()).exp2();
+        let mesh = Triangles {
+            positions: teapot.vertices().iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
+            faces: teapot.faces().iter().map(|face| face.map(usize::from)).collect(),
+        };
+        Self { mesh, up: Up::Y, own: None, file: None }
+    }
+
+    /// The size of the picture in the scene file.
+    pub fn size(&self) -> Option<Size> {
+        self.own.as_ref().map(|own| Size::new(own.width, own.height))
+    }
+
+    /// Checks that an output is none of the input files.
+    ///
+    /// # Errors
+    ///
+    /// A message that names the output.
+    pub fn apart_from(&self, output: &Path) -> Result<(), String> {
+        let mesh = self.own.as_ref().and_then(|own| own.mesh_file.as_deref());
+        self.file.as_deref().into_iter().chain(mesh).try_for_each(|input| files::apart(input, [output]))
+    }
+
+    /// A message with the name of the file.
+    pub fn named(&self, problem: &str) -> String {
+        self.file.as_ref().map_or(problem.into(), |file| format!("{}: {problem}", file.display()))
+    }
+
+    /// The initial state.
+    pub fn state(&self) -> State {
+        State::new(self.own.is_some(), self.own.as_ref().is_some_and(|own| own.cull))
+    }
+
+    /// The scene with the camera of a state.
+    pub(crate) fn scene(&self, state: &State, size: Size) -> Result<Scene, String> {
+        let scene = match (state.projection, &self.own) {
+            (None, Some(own)) => turned(own, state, size),
+            (projection, _) => {
+                let projection = projection.unwrap_or(pinhole_render::projections::Named::ALL[0]);
+                let look = Look {
+                    projection,
+                    yaw: state.yaw,
+                    pitch: state.pitch,
+                    field_of_view: projection.field_of_view(),
+                    width: size.width,
+                    height: size.height,
+                    up: self.up,
+                    fit: Fit::Sphere { zoom: 1.25 * state.zoom },
+                };
+                model::scene(self.mesh.clone(), &look)?
+            }
+        };
+        Ok(Scene { cull: state.cull, ..scene })
+    }
+}
+
+fn in_the_world(scene: &Scene, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| {
+        let [a, b, c, d] = scene.model[i];
+        a * x + b * y + c * z + d
+    })
+}
+
+/// The scene of a file, turned about its centre opposite to the eye, and magnified.
+fn turned(own: &Scene, state: &State, size: Size) -> Scene {
+    let middle = {
+        let (low, high) = own.bounds();
+        in_the_world(own, [0, 1, 2].map(|i| f64::midpoint(low[i], high[i])))
+    };
+    let ((sin_yaw, cos_yaw), (sin_pitch, cos_pitch)) =
+        ((-state.yaw).to_radians().sin_cos(), state.pitch.to_radians().sin_cos());
+    // About the axes of the view: first to the side, then up.
+    let turn = [
+        [cos_yaw, 0.0, sin_yaw],
+        [sin_pitch * sin_yaw, cos_pitch, -sin_pitch * cos_yaw],
+        [-cos_pitch * sin_yaw, sin_pitch, cos_pitch * cos_yaw],
+    ];
+    let view = |i: usize, k: usize| own.view[i][k];
+    let product = |f: &dyn Fn(usize) -> f64| (0..3).map(f).sum::<f64>();
+    // World axes to view axes, the turn, and back.
+    let there = [0, 1, 2].map(|i| [0, 1, 2].map(|k| product(&|j| turn[i][j] * view(j, k))));
+    let about = [0, 1, 2].map(|i| [0, 1, 2].map(|k| product(&|j| view(j, i) * there[j][k])));
+    let mut model: Matrix = own.model;
+    for (i, row) in model.iter_mut().take(3).enumerate() {
+        for (k, value) in row.iter_mut().enumerate() {
+            *value = product(&|j| about[i][j] * (own.model[j][k] - if k == 3 { middle[j] } else { 0.0 }));
+        }
+        row[3] += middle[i];
+    }
+    let mut projection = own.projection;
+    for value in projection.iter_mut().take(2).flatten() {
+        *value *= state.zoom;
+    }
+    let unturned = state.yaw == 0.0 && state.pitch == 0.0;
+    let model = if unturned { own.model } else { model };
+    Scene { model, projection, width: size.width, height: size.height, ..own.clone() }
+}

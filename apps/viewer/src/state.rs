@@ -1,0 +1,242 @@
+//! The state of the simulator, and how keys and mouse change it.
+
+use pinhole_render::paint::Mode;
+use pinhole_render::picture::Format;
+use pinhole_render::projections::Named;
+
+/// Everything that a picture depends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    pub(crate) thing: Thing,
+    /// Angles of the eye in degrees.
+    pub(crate) yaw: f64,
+    pub(crate) pitch: f64,
+    pub(crate) zoom: f64,
+    /// The projection; `None` is the scene's own camera.
+    pub(crate) projection: Option<Named>,
+    pub(crate) mode: Mode,
+    pub(crate) format: Format,
+    pub(crate) dither: bool,
+    /// Whether back faces are culled.
+    pub(crate) cull: bool,
+    /// Rows of a band; `None` draws the picture in one piece.
+    pub(crate) rows: Option<u32>,
+    /// Counts frames while the model turns.
+    pub(crate) step: u32,
+    pub(crate) turning: bool,
+    /// Which overlays are shown.
+    pub(crate) outlines: bool,
+    pub(crate) information: bool,
+    pub(crate) help: bool,
+    /// Whether the scene has a camera of its own.
+    own: bool,
+    /// The initial value of `cull`.
+    own_cull: bool,
+}
+
+/// The things to show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Thing {
+    /// The file, or the built-in mesh.
+    Model,
+    /// The show of `examples/oled`.
+    Oled,
+    /// The README's first firmware.
+    First,
+}
+
+/// The effect of a key.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// Turns the eye by degrees to the right and up.
+    Orbit(f64, f64),
+    /// Magnifies by a number of steps of 10 %.
+    Zoom(i32),
+    /// The next or the previous projection.
+    Projection(i32),
+    /// Sets the mode.
+    Mode(char),
+    /// The next or the previous pixel format.
+    Format(i32),
+    /// Toggles between dithering and rounding.
+    Dither,
+    /// Toggles back-face culling.
+    Cull,
+    /// The next or the previous band height.
+    Rows(i32),
+    /// Toggles the rectangles that were sent.
+    Outlines,
+    /// Toggles the statistics.
+    Information,
+    /// Toggles the list of keys.
+    Help,
+    /// Toggles turning.
+    Turn,
+    /// Shows the next thing.
+    Thing,
+    /// Resets the view.
+    Reset,
+    /// Writes the picture to a file; the window does that.
+    Screenshot,
+    /// Ends the program; the window does that.
+    Quit,
+}
+
+/// Keys and what they do.
+pub(crate) const KEYS: [(&str, &str); 12] = [
+    ("drag, arrows", "orbit"),
+    ("wheel, + -", "zoom"),
+    ("s f g w l", "solid flat Gouraud wire hidden line"),
+    ("p P", "projection"),
+    ("c C", "colour format"),
+    ("d", "dither"),
+    ("b B", "rows of a band"),
+    ("k", "cull faces turned away"),
+    ("r", "rectangles that were sent"),
+    ("i h", "information, help"),
+    ("space m 0", "turn, next scene, reset"),
+    ("x q", "screenshot, quit"),
+];
+
+const ROWS: [Option<u32>; 5] = [Some(1), Some(4), Some(8), Some(16), None];
+/// Degrees that one key press turns the eye.
+const STEP: f64 = 5.0;
+/// Degrees per pixel of mouse movement.
+const DRAG: f64 = 0.5;
+
+impl State {
+    /// The initial state: a model in the default perspective, or a scene with its own camera, with or without back-face
+    /// culling.
+    pub fn new(own_camera: bool, cull: bool) -> Self {
+        let usual = Named::ALL[0];
+        Self {
+            thing: Thing::Model,
+            yaw: if own_camera { 0.0 } else { usual.yaw },
+            pitch: if own_camera { 0.0 } else { usual.pitch },
+            zoom: 1.0,
+            projection: (!own_camera).then_some(usual),
+            mode: Mode::Solid,
+            format: Format::Rgb565,
+            dither: true,
+            cull,
+            rows: Some(8),
+            step: 0,
+            turning: false,
+            outlines: false,
+            information: true,
+            help: false,
+            own: own_camera,
+            own_cull: cull,
+        }
+    }
+
+    /// The action of a key. Keys are named by their characters, or `left`, `right`, `up`, `down`, `space`.
+    pub fn key(name: &str) -> Option<Action> {
+        Some(match name {
+            "left" => Action::Orbit(-STEP, 0.0),
+            "right" => Action::Orbit(STEP, 0.0),
+            "up" => Action::Orbit(0.0, STEP),
+            "down" => Action::Orbit(0.0, -STEP),
+            "+" | "=" => Action::Zoom(1),
+            "-" => Action::Zoom(-1),
+            "p" => Action::Projection(1),
+            "P" => Action::Projection(-1),
+            "s" | "f" | "g" | "w" | "l" => Action::Mode(name.chars().next()?),
+            "c" => Action::Format(1),
+            "C" => Action::Format(-1),
+            "d" => Action::Dither,
+            "k" => Action::Cull,
+            "b" => Action::Rows(1),
+            "B" => Action::Rows(-1),
+            "r" => Action::Outlines,
+            "i" => Action::Information,
+            "h" | "?" => Action::Help,
+            "space" => Action::Turn,
+            "m" => Action::Thing,
+            "0" => Action::Reset,
+            "x" => Action::Screenshot,
+            "q" => Action::Quit,
+            _ => return None,
+        })
+    }
+
+    /// Applies an action; those of the window change nothing.
+    pub fn apply(&mut self, action: Action) {
+        match action {
+            Action::Orbit(right, up) => self.orbit(right, up),
+            Action::Zoom(steps) => self.zoom = (self.zoom * 1.1f64.powi(steps)).clamp(0.2, 20.0),
+            Action::Projection(by) => self.project(by),
+            Action::Mode(key) => {
+                self.mode = match key {
+                    'f' => Mode::Flat,
+                    'g' => Mode::Gouraud,
+                    'w' => Mode::Wireframe,
+                    'l' => Mode::HiddenLine,
+                    _ => Mode::Solid,
+                };
+            }
+            Action::Format(by) => self.format = next(&Format::ALL.map(|(_, format)| format), self.format, by),
+            Action::Dither => self.dither ^= true,
+            Action::Cull => self.cull ^= true,
+            Action::Rows(by) => self.rows = next(&ROWS, self.rows, by),
+            Action::Outlines => self.outlines ^= true,
+            Action::Information => self.information ^= true,
+            Action::Help => self.help ^= true,
+            Action::Turn => self.turning ^= true,
+            Action::Thing => self.thing = next(&[Thing::Model, Thing::Oled, Thing::First], self.thing, 1),
+            Action::Reset => *self = Self { help: self.help, ..Self::new(self.own, self.own_cull) },
+            Action::Screenshot | Action::Quit => {}
+        }
+    }
+
+    /// The mouse was dragged by pixels to the right and down: the model turns with it.
+    pub fn drag(&mut self, right: i32, down: i32) {
+        self.orbit(-DRAG * f64::from(right), DRAG * f64::from(down));
+    }
+
+    /// Advances time by 1/60 s.
+    pub fn tick(&mut self) {
+        if self.turning {
+            self.step = self.step.wrapping_add(1);
+            if self.thing == Thing::Model {
+                self.orbit(-1.0, 0.0);
+            }
+        }
+    }
+
+    fn orbit(&mut self, right: f64, up: f64) {
+        self.yaw = (self.yaw + right + 180.0).rem_euclid(360.0) - 180.0;
+        let steepest = self.projection.map_or(90.0, |named| named.kind.steepest());
+        self.pitch = (self.pitch + up).clamp(-steepest, steepest);
+    }
+
+    /// Chooses a projection, with its default direction.
+    fn project(&mut self, by: i32) {
+        let mut all: Vec<_> = Named::ALL.map(Some).to_vec();
+        if self.own {
+            all.insert(0, None);
+        }
+        self.projection = next(&all, self.projection, by);
+        (self.yaw, self.pitch) = self.projection.map_or((0.0, 0.0), |named| (named.yaw, named.pitch));
+    }
+
+    /// Whether both states draw equal pictures, apart from overlays.
+    pub(crate) fn draws_as(&self, other: &Self) -> bool {
+        let bare = |state: &Self| Self {
+            turning: false,
+            outlines: false,
+            information: false,
+            help: false,
+            step: if state.thing == Thing::Model { 0 } else { state.step },
+            ..*state
+        };
+        bare(self) == bare(other)
+    }
+}
+
+/// The item `by` places further in a list that wraps around.
+fn next<T: Copy + PartialEq>(list: &[T], now: T, by: i32) -> T {
+    let place = list.iter().position(|item| *item == now).unwrap_or_default();
+    let further = (place as i64 + i64::from(by)).rem_euclid(list.len().max(1) as i64);
+    list.get(further as usize).copied().unwrap_or(now)
+}

@@ -1,0 +1,444 @@
+//! What keys do, and what goes to the display for it: without a window.
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole_viewer::{Action, Source, State, Viewer};
+use std::collections::BTreeSet;
+use std::convert::Infallible;
+use std::path::{Path, PathBuf};
+
+const SIZE: Size = Size::new(96, 72);
+
+fn pressed(keys: &str) -> State {
+    let mut state = Source::built_in().state();
+    press(&mut state, keys);
+    state
+}
+
+fn press(state: &mut State, keys: &str) {
+    keys.split_whitespace().for_each(|name| state.apply(State::key(name).unwrap()));
+}
+
+fn viewer() -> Viewer {
+    Viewer::new(Source::built_in(), SIZE)
+}
+
+/// What a display that was dark shows.
+fn alone(state: &State) -> Vec<Rgb888> {
+    let mut viewer = viewer();
+    viewer.draw(state).unwrap();
+    viewer.pixels().to_vec()
+}
+
+/// Colours met.
+fn colours(pixels: &[Rgb888]) -> BTreeSet<[u8; 3]> {
+    pixels.iter().map(|c| [c.r(), c.g(), c.b()]).collect()
+}
+
+#[test]
+fn keys_go_round_and_back() {
+    let first = pressed("");
+    for (key, count) in [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3)] {
+        let mut state = first;
+        let mut met = vec![state];
+        for _ in 1..count {
+            press(&mut state, key);
+            assert!(!met.contains(&state), "{key}");
+            met.push(state);
+        }
+        press(&mut state, key);
+        assert_eq!(state, first, "{key} {count} times");
+    }
+    for key in ["d", "k", "r", "i", "h", "space"] {
+        assert_ne!(pressed(key), first);
+        assert_eq!(pressed(&format!("{key} {key}")), first);
+    }
+    let modes: Vec<_> = ["s", "f", "g", "w", "l"].map(pressed).to_vec();
+    assert!((1..5).all(|i| !modes[..i].contains(&modes[i])));
+    assert_eq!(pressed("w p c b m k left + 0"), first);
+    assert_eq!(pressed("right left"), first);
+    assert_eq!(State::key("nothing"), None);
+    assert_eq!((State::key("x"), State::key("q")), (Some(Action::Screenshot), Some(Action::Quit)));
+}
+
+#[test]
+fn the_mouse_holds_what_it_drags() {
+    let mut state = pressed("");
+    state.drag(10, 4);
+    // Half a degree a pixel: to the right goes the eye to the left.
+    let mut by_keys = pressed("left");
+    by_keys.apply(Action::Orbit(0.0, 2.0));
+    assert_eq!(state, by_keys);
+    // Over the top it does not go, and once around is where it was.
+    (0..99).for_each(|_| state.drag(0, 20));
+    let top = state;
+    state.drag(0, 20);
+    assert_eq!(state, top);
+    state.drag(720, 0);
+    assert_eq!(state, top);
+}
+
+#[test]
+fn turning_goes_on_by_itself() {
+    let mut state = pressed("");
+    state.tick();
+    assert_eq!(state, pressed(""));
+    press(&mut state, "space");
+    (0..360).for_each(|_| state.tick());
+    let before = alone(&pressed(""));
+    assert!(alone(&state) == before, "once around");
+    state.tick();
+    assert!(alone(&state) != before);
+}
+
+#[test]
+fn what_was_sent_before_and_now_is_the_whole_picture() {
+    // Every frame is brought about from the last one, by the rectangles that differ.
+    let mut viewer = viewer();
+    let mut state = pressed("");
+    let mut sent = Vec::new();
+    for keys in [
+        "",
+        "left",
+        "left up",
+        "b",
+        "w",
+        "right",
+        "- -",
+        "- - -",
+        "left",
+        "l",
+        "g",
+        "d",
+        "c",
+        "down",
+        "c",
+        "k",
+        "c left",
+        "c b",
+        "right",
+        "c",
+        "left left",
+        "b b",
+        "c",
+        "p",
+        "p",
+        "p p p",
+        "left",
+        "0",
+        "m",
+        "m",
+        "m",
+        "P",
+        "+ + + +",
+        "up up",
+    ] {
+        press(&mut state, keys);
+        sent.push(viewer.draw(&state).unwrap().pixels);
+        assert!(viewer.pixels() == alone(&state), "after {keys:?}");
+    }
+    let all = (SIZE.width * SIZE.height) as usize;
+    assert_eq!(sent[0], all, "nothing is known of a new display");
+    assert!(sent[1] < all && sent[2] < all, "{sent:?}");
+}
+
+#[test]
+fn what_is_drawn_already_is_not_sent_again() {
+    let mut viewer = viewer();
+    let mut state = pressed("");
+    let first = viewer.draw(&state).unwrap().clone();
+    press(&mut state, "h r i");
+    assert_eq!(*viewer.draw(&state).unwrap(), first);
+}
+
+#[test]
+fn statistics_are_those_of_what_was_sent() {
+    // 992 faces and 1520 edges has the teapot. 96 × 72 pixels of two bytes; a window takes 11 more.
+    let of = |keys: &str| {
+        let mut viewer = viewer();
+        viewer.draw(&pressed(keys)).unwrap().clone()
+    };
+    let faces = |keys| {
+        let s = of(keys).statistics;
+        [s.drawn, s.culled, s.outside, s.degenerate].iter().sum::<u32>()
+    };
+    assert_eq!((faces("f"), faces("g"), faces("k")), (992, 992, 992));
+    assert_eq!((faces("w"), faces("l")), (1520, 1520));
+    assert_eq!(of("").statistics.culled, 0);
+    // Of a closed mesh about half the faces are turned away.
+    let culled = of("k").statistics.culled;
+    assert!((300..700).contains(&culled), "{culled}");
+    for (keys, bands, bytes) in [
+        ("B B", 72, 2 * 96),
+        ("B", 18, 2 * 96),
+        ("", 9, 2 * 96),
+        ("b", 5, 2 * 96),
+        ("b b", 1, 2 * 96),
+        ("C C", 9, 3 * 96),     // rgb888
+        ("c", 9, 96),           // gray8
+        ("c c", 9, 96 / 2),     // gray4
+        ("c c c", 9, 96 / 4),   // gray2
+        ("c c c c", 9, 96 / 8), // mono
+    ] {
+        let shown = of(keys);
+        assert_eq!((shown.bands, shown.pixels), (bands, 96 * 72), "{keys}");
+        assert_eq!(shown.bytes, bytes * 72 + 11 * bands, "{keys}");
+        assert_eq!(shown.areas, [Rectangle::new(Point::zero(), SIZE)], "{keys}");
+    }
+}
+
+#[test]
+fn bands_of_any_height_are_one_picture() {
+    for keys in ["g", "f", "w", "l", "c c c c"] {
+        let whole = alone(&pressed(&format!("{keys} b b")));
+        for rows in ["B B", "B", "", "b"] {
+            assert!(alone(&pressed(&format!("{keys} {rows}"))) == whole, "{keys} {rows}");
+        }
+    }
+}
+
+#[test]
+fn formats_have_their_colours_and_no_others() {
+    // From rgb565, which is first: gray8, gray4, gray2, mono, rgb888, rgb666.
+    let of = |keys: &str| colours(&alone(&pressed(keys)));
+    let grey = |keys, shades: usize| {
+        let met = of(keys);
+        assert!(met.iter().all(|[r, g, b]| r == g && g == b) && met.len() <= shades, "{keys}: {met:?}");
+        met
+    };
+    grey("c", 256);
+    grey("c c", 16);
+    assert_eq!(grey("c c c", 4).len(), 4);
+    assert_eq!(grey("c c c c", 2), [[0; 3], [255; 3]].into());
+    // Of 5, 6 and 5 bits: so many levels from 0 to 255, the nearest whole numbers.
+    let level = |v: u8, most: u32| (0..=most).any(|n| (n * 510 + most) / (2 * most) == u32::from(v));
+    let met = of("");
+    assert!(met.iter().all(|&[r, g, b]| level(r, 31) && level(g, 63) && level(b, 31)), "{met:?}");
+    assert!(of("C C").len() > met.len());
+}
+
+#[test]
+fn every_projection_shows_something_whole() {
+    let mut state = pressed("C C"); // rgb888
+    let mut pictures = BTreeSet::new();
+    for _ in 0..21 {
+        press(&mut state, "p");
+        let pixels = alone(&state);
+        let at = |x: u32, y: u32| pixels[(y * SIZE.width + x) as usize];
+        let paper = at(0, 0);
+        let border = (0..SIZE.width)
+            .flat_map(|x| [(x, 0), (x, SIZE.height - 1)])
+            .chain((0..SIZE.height).flat_map(|y| [(0, y), (SIZE.width - 1, y)]));
+        assert!(pixels.iter().filter(|c| **c != paper).count() > 300, "{state:?}");
+        // The sphere about it fits where it is not magnified: here it is, by a quarter, but the teapot is flat.
+        let reached = border.filter(|&(x, y)| at(x, y) != paper).count();
+        assert!(reached < 40, "{reached} {state:?}");
+        pictures.insert(pixels.iter().map(|c| c.into_storage()).collect::<Vec<_>>());
+    }
+    assert_eq!(pictures.len(), 21);
+}
+
+/// A picture that notes where it is drawn.
+struct Notes {
+    pixels: Vec<Rgb888>,
+}
+
+impl OriginDimensions for Notes {
+    fn size(&self) -> Size {
+        SIZE
+    }
+}
+
+impl DrawTarget for Notes {
+    type Color = Rgb888;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(at, colour) in pixels {
+            if self.bounding_box().contains(at) {
+                self.pixels[(at.y as u32 * SIZE.width + at.x as u32) as usize] = colour;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn overlays_are_in_the_window_and_not_on_the_display() {
+    let mut viewer = viewer();
+    let shown = |viewer: &Viewer, state: &State| {
+        let mut notes = Notes { pixels: vec![Rgb888::BLACK; (SIZE.width * SIZE.height) as usize] };
+        let Ok(()) = viewer.show(state, None, &mut notes);
+        notes.pixels
+    };
+    let mut state = pressed("i"); // without the information
+    viewer.draw(&state).unwrap();
+    let display = viewer.pixels().to_vec();
+    assert!(shown(&viewer, &state) == display);
+    for key in ["i", "h", "r"] {
+        press(&mut state, key);
+        viewer.draw(&state).unwrap();
+        assert!(viewer.pixels() == display && shown(&viewer, &state) != display, "{key}");
+        press(&mut state, key);
+    }
+    // A small step: what was sent is less than all, and its corners are outlined.
+    press(&mut state, "- - - left r");
+    viewer.draw(&state).unwrap();
+    press(&mut state, "left");
+    let areas = viewer.draw(&state).unwrap().areas.clone();
+    let (display, window) = (viewer.pixels(), shown(&viewer, &state));
+    for area in &areas {
+        let at = area.top_left;
+        let place = (at.y as u32 * SIZE.width + at.x as u32) as usize;
+        assert_ne!(window[place], display[place], "{area:?}");
+    }
+    assert!(!areas.is_empty());
+}
+
+#[test]
+fn the_firmware_s_scenes_are_its_pictures() {
+    // The OLED's panel is 128 × 64 of 16 greys; where there is room, each of its pixels is 2 × 2.
+    let size = Size::new(256, 128);
+    let mut viewer = Viewer::new(Source::built_in(), size);
+    let mut state = pressed("m space");
+    let mut pictures = BTreeSet::new();
+    for frame in 0..24 {
+        let shown = viewer.draw(&state).unwrap().clone();
+        // All of it, two pixels a byte, where a scene of eight frames begins; then what differs.
+        assert_eq!(shown.bytes == 128 * 64 / 2, frame % 8 == 0, "{frame}");
+        assert_eq!(shown.pixels, 2 * shown.bytes);
+        let mut other = Viewer::new(Source::built_in(), size);
+        other.draw(&state).unwrap();
+        assert!(viewer.pixels() == other.pixels(), "{frame}");
+        assert!(shown.areas.iter().all(|a| a.top_left.x % 2 == 0 && a.size.width % 2 == 0));
+        let rows: Vec<_> = viewer.pixels().chunks(256).collect();
+        for (y, row) in rows.iter().enumerate() {
+            assert!(*row == rows[y & !1] && row.chunks(2).all(|pair| pair[0] == pair[1]));
+        }
+        let met = colours(viewer.pixels());
+        assert!(met.iter().all(|[r, g, b]| r % 17 == 0 && r == g && g == b), "{met:?}");
+        pictures.insert(viewer.pixels().iter().map(|c| c.r()).collect::<Vec<_>>());
+        (0..8).for_each(|_| state.tick());
+    }
+    assert!(pictures.len() > 20, "{}", pictures.len());
+    // The README's pyramid is gold, at several levels of light, before black.
+    press(&mut state, "m");
+    viewer.draw(&state).unwrap();
+    let met = colours(viewer.pixels());
+    assert!(met.contains(&[0; 3]) && met.iter().filter(|[r, g, b]| r > g && g > b).count() >= 2, "{met:?}");
+}
+
+fn file(name: &str, text: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("viewer");
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join(name);
+    std::fs::write(&file, text).unwrap();
+    file
+}
+
+#[test]
+fn files_are_those_of_render() {
+    let cube = file("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    let source = Source::read(&cube).unwrap();
+    assert_eq!(source.size(), None);
+    let mut viewer = Viewer::new(source, SIZE);
+    assert_eq!(viewer.draw(&pressed("")).unwrap().statistics.drawn, 2);
+    for (name, text, said) in [
+        ("none.obj", "v 0 0 0\n", "none.obj: has no faces"),
+        ("bad.obj", "v 0 0\n", "bad.obj:1"),
+        ("bad.json", "{}", "bad.json: "),
+        ("bad.txt", "", "bad.txt"),
+    ] {
+        let error = Source::read(&file(name, text)).err().unwrap();
+        assert!(error.contains(said) && error.lines().count() == 1, "{error}");
+    }
+}
+
+#[test]
+fn a_scene_begins_with_its_own_camera() {
+    // One triangle over the lower left half of the clip square.
+    let json = r#"{"vertices": [[-1, -1, 0], [1, -1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2]],
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]], "width": 64, "height": 64}"#;
+    let source = Source::read(&file("scene.json", json)).unwrap();
+    let size = source.size().unwrap();
+    assert_eq!(size, Size::new(64, 64));
+    let mut state = source.state();
+    let mut viewer = Viewer::new(source, size);
+    viewer.draw(&state).unwrap();
+    let covered = |viewer: &Viewer| {
+        let paper = viewer.pixels()[63];
+        viewer.pixels().iter().filter(|c| **c != paper).count()
+    };
+    assert_eq!(covered(&viewer), 64 * 63 / 2); // x + y < 0 at centres
+                                               // From 60 degrees to the side its width is half.
+    let middle = covered(&viewer);
+    (0..12).for_each(|_| press(&mut state, "right"));
+    viewer.draw(&state).unwrap();
+    let aside = covered(&viewer);
+    assert!(aside.abs_diff(middle / 2) < 64, "{aside} of {middle}");
+    // Half as large either way.
+    press(&mut state, "0 - - - - - - -");
+    viewer.draw(&state).unwrap();
+    let small = covered(&viewer) as f64;
+    let expected = middle as f64 / 1.1f64.powi(14);
+    assert!((small - expected).abs() < 64.0, "{small} {expected}");
+    // And from there to the named ones.
+    press(&mut state, "0 p");
+    assert_eq!(viewer.draw(&state).unwrap().statistics.drawn, 1);
+}
+
+#[test]
+fn a_scene_s_culling_is_that_of_its_file() {
+    // One triangle turned to the eye, and one turned away.
+    let json = r#"{"vertices": [[-1, -1, 0], [0, -1, 0], [-1, 1, 0], [1, -1, 0], [1, 1, 0]],
+        "triangles": [[0, 1, 2], [1, 4, 3]],
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]], "width": 64, "height": 64, "cull": "CULL"}"#;
+    for (cull, culled) in [("none", 0), ("back", 1)] {
+        let source = Source::read(&file(&format!("cull_{cull}.json"), &json.replace("CULL", cull))).unwrap();
+        let (mut state, size) = (source.state(), source.size().unwrap());
+        let mut viewer = Viewer::new(source, size);
+        let mut after = |keys: &str| {
+            press(&mut state, keys);
+            let statistics = viewer.draw(&state).unwrap().statistics;
+            (statistics.drawn, statistics.culled)
+        };
+        assert_eq!(after(""), (2 - culled, culled), "{cull}");
+        // The key turns it over, and there is a way back.
+        assert_eq!(after("k"), (1 + culled, 1 - culled), "{cull}");
+        assert_eq!(after("0"), (2 - culled, culled), "{cull}");
+    }
+}
+
+#[test]
+fn a_file_that_is_shown_is_not_a_picture_s() {
+    let model = file("shown.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let scene = file(
+        "shown.json",
+        r#"{"mesh": "shown.obj", "width": 64, "height": 64,
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]]}"#,
+    );
+    for (read, kept) in [(&model, &model), (&scene, &scene), (&scene, &model)] {
+        let source = Source::read(read).unwrap();
+        let said = source.apart_from(kept).unwrap_err();
+        assert!(said.starts_with(kept.to_str().unwrap()) && said.contains("is the input file"), "{said}");
+        source.apart_from(&read.with_extension("png")).unwrap();
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_named_by_its_file() {
+    let scene = file(
+        "lopsided.json",
+        r#"{"vertices": [[-1, -1, 0], [1, -1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2]], "width": 64, "height": 64,
+        "model": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "view": [[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+        "projection": [[1,0,0,0],[0,1,0,0],[0,0,-0.4,0],[0,0,0,1]]}"#,
+    );
+    let source = Source::read(&scene).unwrap();
+    let state = source.state();
+    let said = Viewer::new(source, SIZE).draw(&state).unwrap_err();
+    assert!(said.starts_with(&format!("{}: view: ", scene.display())), "{said}");
+}
