@@ -85,20 +85,20 @@ fn large<S: PixelStore>(
     pair: [S::Cell; 2],
 ) {
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
-    let (cells, scratch) = memory.parts();
-    let layout = scratch.places;
     while triangle.stretch(&mut trapezoid) {
-        match trapezoid.upright(layout.stride as i32) {
+        match trapezoid.upright(memory.scratch().places.stride as i32) {
             // A large face is cut on both sides: its rows are as wide as memory's, and so one run.
             Some((x, pixels)) => {
-                let from = layout.at(x, trapezoid.y);
+                let from = memory.scratch().places.at(x, trapezoid.y);
+                let (cells, _) = memory.parts();
                 if let Some(run) = cells.get_mut(from..from.wrapping_add(pixels as usize)) {
                     fill_pairs(run, pair, true);
                 }
             }
             None => {
-                let start = layout.at(trapezoid.x, trapezoid.y);
-                trapezoid.each(start, layout.stride, |start, left, right| {
+                let start = memory.scratch().places.at(trapezoid.x, trapezoid.y);
+                let (cells, scratch) = memory.parts();
+                trapezoid.each(start, scratch.places.stride, |start, left, right| {
                     fill_row(cells, start, left, right, pair, true);
                 });
             }
