@@ -86,20 +86,20 @@ fn large<S: PixelStore>(
     pair: [S::Cell; 2],
 ) {
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
-    let (cells, scratch) = memory.parts();
-    let layout = scratch.layout;
     while triangle.trapezoid(&mut trapezoid) {
-        match trapezoid.as_rectangle(layout.stride as i32) {
+        match trapezoid.as_rectangle(memory.scratch().layout.stride as i32) {
             // A large face is cut on both sides: its rows are as wide as memory's, and so one run.
             Some((x, pixels)) => {
-                let from = layout.at(x, trapezoid.y);
+                let from = memory.scratch().layout.at(x, trapezoid.y);
+                let (cells, _) = memory.parts();
                 if let Some(run) = cells.get_mut(from..from.wrapping_add(pixels as usize)) {
                     fill_pairs(run, pair, true);
                 }
             }
             None => {
-                let start = layout.at(trapezoid.x, trapezoid.y);
-                trapezoid.each(start, layout.stride, |start, left, right| {
+                let start = memory.scratch().layout.at(trapezoid.x, trapezoid.y);
+                let (cells, scratch) = memory.parts();
+                trapezoid.each(start, scratch.layout.stride, |start, left, right| {
                     fill_row(cells, start, left, right, pair, true);
                 });
             }
