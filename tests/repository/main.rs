@@ -3,3 +3,5 @@
 mod file_cycles;
 mod glossary;
 mod layering;
+mod links;
+mod package;

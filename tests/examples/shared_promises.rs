@@ -1,8 +1,6 @@
 //! What all examples promise about standard output and files. The programs in `apps` promise it in tests of their own.
 
-mod programs;
-
-use programs::{command, folder, testing};
+use crate::programs::{command, folder, testing};
 #[cfg(target_os = "linux")]
 use std::fs;
 

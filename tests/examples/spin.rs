@@ -1,11 +1,11 @@
 //! The README's first command: what its film shows, and what it says to bad input.
 
-#[path = "../examples/spin/depth.rs"]
+#[path = "../../examples/spin/depth.rs"]
 mod depth;
-mod programs;
-#[path = "../examples/spin/scene.rs"]
+#[path = "../../examples/spin/scene.rs"]
 mod scene;
 
+use crate::programs;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use pinhole::Painter;

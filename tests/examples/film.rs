@@ -1,7 +1,6 @@
 //! The example of a surface that changes in every frame: its film has its frames, and they differ.
 
-mod programs;
-
+use crate::programs;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::BufReader;
