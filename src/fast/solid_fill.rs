@@ -9,7 +9,7 @@
 use super::Rows;
 use super::{memory_of, Low, Small};
 use crate::math::num::CORTEX_M0;
-use crate::raster::{AnyTriangle, Scissor, ScreenPoint, Trapezoid, Triangle};
+use crate::raster::{AnyTriangle, PixelLayout, Scissor, ScreenPoint, Trapezoid, Triangle};
 use crate::surface::block_fill::{fill_pairs, LONG};
 use crate::surface::{Memory, PixelStore, StoredPixel, Target};
 
@@ -66,7 +66,10 @@ fn low<S: PixelStore>(
 ) {
     match Low::new(triangle, scissor, memory.scratch()) {
         Some(low) => fill_rows(low, memory, pair),
-        None => large(memory, triangle, scissor, pair),
+        None => {
+            let (cells, scratch) = memory.parts();
+            large(cells, scratch.layout, triangle, scissor, pair);
+        }
     }
 }
 
@@ -79,27 +82,26 @@ fn fill_rows<R: Rows, S: PixelStore>(rows: R, memory: &mut Memory<S>, pair: [S::
 
 /// Fills any triangle, trapezoid by trapezoid.
 #[inline(never)] // its loop needs all registers
-fn large<S: PixelStore>(
-    memory: &mut Memory<S>,
+fn large<Cell: Copy>(
+    cells: &mut [Cell],
+    layout: PixelLayout,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
-    pair: [S::Cell; 2],
+    pair: [Cell; 2],
 ) {
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
     while triangle.trapezoid(&mut trapezoid) {
-        match trapezoid.as_rectangle(memory.scratch().layout.stride as i32) {
+        match trapezoid.as_rectangle(layout.stride as i32) {
             // A large face is cut on both sides: its rows are as wide as memory's, and so one run.
             Some((x, pixels)) => {
-                let from = memory.scratch().layout.at(x, trapezoid.y);
-                let (cells, _) = memory.parts();
+                let from = layout.at(x, trapezoid.y);
                 if let Some(run) = cells.get_mut(from..from.wrapping_add(pixels as usize)) {
                     fill_pairs(run, pair, true);
                 }
             }
             None => {
-                let start = memory.scratch().layout.at(trapezoid.x, trapezoid.y);
-                let (cells, scratch) = memory.parts();
-                trapezoid.each(start, scratch.layout.stride, |start, left, right| {
+                let start = layout.at(trapezoid.x, trapezoid.y);
+                trapezoid.each(start, layout.stride, |start, left, right| {
                     fill_row(cells, start, left, right, pair, true);
                 });
             }
