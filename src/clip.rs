@@ -30,11 +30,11 @@ pub const CORNERS: usize = 9;
 pub(crate) const CLIP_SLOTS: usize = CORNERS + 1;
 
 /// The corners of a polygon, in order, by slot number.
-pub(crate) type Order = Vec<u8, CORNERS>;
+pub(crate) type SlotOrder = Vec<u8, CORNERS>;
 
 /// Corners in numbered slots, with their distances from clip planes. The clipper needs nothing else, so corners may be any points that vary
 /// linearly along an edge.
-pub(crate) trait Cut {
+pub(crate) trait ClipCorners {
     /// The signed distance of the corner in slot `at` from a plane, negative outside. The distances of the two ends of an intersected edge
     /// differ by less than 2⁶².
     fn distance(&self, plane: usize, at: usize) -> i64;
@@ -121,7 +121,7 @@ impl Varying for Barycentric {
 /// Stores the intersection of an edge with a plane in slot `at`. It is computed from the inside end, so that both faces at an edge get the
 /// same point. The parameter has 31 bits and each coordinate is rounded to nearest: within one unit plus 2⁻³¹ of the edge's extent.
 #[inline(never)] // rare path: code size counts, speed does not
-fn intersect_edge(corners: &mut impl Cut, plane: usize, at: usize, inside: usize, outside: usize) {
+fn intersect_edge(corners: &mut impl ClipCorners, plane: usize, at: usize, inside: usize, outside: usize) {
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
     let way = within - corners.distance(plane, outside);
@@ -130,14 +130,14 @@ fn intersect_edge(corners: &mut impl Cut, plane: usize, at: usize, inside: usize
 }
 
 /// 1 if a corner lies outside of a plane, otherwise 0.
-fn is_outside(corners: &impl Cut, plane: usize, at: usize) -> u32 {
+fn is_outside(corners: &impl ClipCorners, plane: usize, at: usize) -> u32 {
     (corners.distance(plane, at) < 0).into()
 }
 
 /// Clips the line from corner 0 to corner 1 against all planes. Returns whether it was clipped, or `None` if nothing is left: Cohen–Sutherland
 /// in homogeneous coordinates. (Newman and Sproull, *Principles of
 /// Interactive Computer Graphics*, 2nd ed., section 5.1.)
-pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
+pub(crate) fn clip_line(corners: &mut impl ClipCorners, planes: usize) -> Option<bool> {
     let (mut crosses, mut cuts, mut plane) = (false, false, 0);
     loop {
         if plane >= planes {
@@ -164,19 +164,19 @@ pub(crate) fn line_at(corners: &mut impl Cut, planes: usize) -> Option<bool> {
 
 /// Appends a corner. A convex polygon gains at most one corner per plane, so there is room; should rounding make it concave, excess corners
 /// are dropped.
-fn push_corner(polygon: &mut Order, corner: u8) {
+fn push_corner(polygon: &mut SlotOrder, corner: u8) {
     let _ = polygon.push(corner); // one of `CLIP_SLOTS`
 }
 
 /// The corners of a polygon that lie outside of a plane: one bit per slot.
 #[inline(never)] // rare path: code size counts, speed does not
-fn outside_mask(corners: &impl Cut, polygon: &[u8], plane: usize) -> u32 {
+fn outside_mask(corners: &impl ClipCorners, polygon: &[u8], plane: usize) -> u32 {
     polygon.iter().fold(0, |bits, &at| bits | is_outside(corners, plane, at.into()) << (at & 31))
 }
 
 /// Clips the triangle of corners 0, 1 and 2 against all planes, into `polygon`, which has fewer than three corners if nothing is left. Returns
 /// whether it was clipped. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
-pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut Order) -> bool {
+pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, planes: usize, polygon: &mut SlotOrder) -> bool {
     polygon.clear();
     (0..3).for_each(|corner| push_corner(polygon, corner));
     let mut taken = 0b111u32; // occupied slots, one bit each
@@ -197,7 +197,7 @@ pub(crate) fn triangle_at(corners: &mut impl Cut, planes: usize, polygon: &mut O
         let beyond = outside_mask(corners, polygon, plane);
         let is_beyond = |at: u8| beyond >> (at & 31) & 1 != 0;
         let Some(&(mut from)) = polygon.last() else { break };
-        let mut kept = Order::new();
+        let mut kept = SlotOrder::new();
         for &to in polygon.iter() {
             if is_beyond(from) != is_beyond(to) {
                 let free = taken.trailing_ones() as usize;
@@ -252,7 +252,7 @@ impl<const A: usize> AlignedVertex<A> {
 }
 
 /// Distances from the six planes of the view volume, in the order of the bits of [`Outcode`](crate::Outcode).
-impl<const A: usize, const N: usize> Cut for [AlignedVertex<A>; N] {
+impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
     fn distance(&self, plane: usize, at: usize) -> i64 {
         let [x, y, z, w] = self.get(at).map_or([0; 4], |p| p.xyzw.map(i64::from));
         match plane {
@@ -283,7 +283,7 @@ impl<const A: usize, const N: usize> Cut for [AlignedVertex<A>; N] {
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     let exponent = a.exponent().max(b.exponent());
     let mut ends = [a, b].map(|p| AlignedVertex::new(&p, exponent, []));
-    let inside = line_at(&mut ends, 6).is_some();
+    let inside = clip_line(&mut ends, 6).is_some();
     let [a, b] = ends.map(|p| ClipPoint::from_units(p.xyzw, exponent));
     inside.then_some((a, b))
 }
@@ -316,8 +316,8 @@ pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A
     let mut places = [a; CLIP_SLOTS];
     (places[1], places[2]) = (b, c);
     let mut result = Vec::new();
-    let mut polygon = Order::new();
-    triangle_at(&mut places, 6, &mut polygon);
+    let mut polygon = SlotOrder::new();
+    clip_triangle(&mut places, 6, &mut polygon);
     if polygon.len() < 3 {
         return result;
     }

@@ -104,7 +104,7 @@ impl Camera {
         if self.far_clip && outside(5) {
             return Err(ProjectError::BeyondFar);
         }
-        let image = placement.image(&h, Some(VertexTransform::depth));
+        let image = placement.project_wide(&h, Some(VertexTransform::depth));
         Ok((image.point, image.step()))
     }
 

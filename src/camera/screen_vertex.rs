@@ -34,12 +34,12 @@ impl UnpackedVertex {
     pub(crate) const ORIGIN: Self = Self { point: ScreenPoint::ORIGIN, depth: 0 };
 
     /// Stored in the slot of a clip-space vertex, so that a polygon needs one buffer.
-    pub(crate) fn held(self) -> ClipCoords {
+    pub(crate) fn to_clip_slot(self) -> ClipCoords {
         ClipCoords { xydw: [self.point.x(), self.point.y(), self.depth, 1] }
     }
 
-    /// Loads a vertex that [`held`](Self::held) stored.
-    pub(crate) fn of_held(&ClipCoords { xydw: [x, y, depth, _] }: &ClipCoords) -> Self {
+    /// Loads a vertex that [`to_clip_slot`](Self::to_clip_slot) stored.
+    pub(crate) fn from_clip_slot(&ClipCoords { xydw: [x, y, depth, _] }: &ClipCoords) -> Self {
         Self { point: ScreenPoint::inside(x, y), depth }
     }
 
@@ -78,7 +78,7 @@ impl ScreenVertex {
 
     /// Whether the vertex has a position.
     #[inline(always)]
-    pub(crate) fn whole(self) -> bool {
+    pub(crate) fn is_on_screen(self) -> bool {
         self.right != 0
     }
 
@@ -100,11 +100,11 @@ impl ScreenVertex {
     }
 
     /// Stores a position anywhere in the guard band, without depth and not packed: only [`point`](Self::point) reads it.
-    pub(crate) fn bare(point: ScreenPoint) -> Self {
+    pub(crate) fn unpacked_point(point: ScreenPoint) -> Self {
         Self { right: point.x() as u32, down: point.y() as u32 }
     }
 
-    /// The position that [`bare`](Self::bare) stored.
+    /// The position that [`unpacked_point`](Self::unpacked_point) stored.
     pub(crate) fn point(self) -> ScreenPoint {
         ScreenPoint::inside(self.right as i32, self.down as i32)
     }
@@ -130,7 +130,7 @@ mod tests {
                     let (x, y) = (2 * right + half, 2 * down + half);
                     let deep = ScreenVertex::new::<true>(x, y, ScreenVertex::BIAS, depth);
                     let plain = ScreenVertex::new::<false>(x, y, ScreenVertex::BIAS, 0);
-                    assert!(deep.whole() && plain.whole());
+                    assert!(deep.is_on_screen() && plain.is_on_screen());
                     let [x, y] = ScreenVertex::CENTRE;
                     for offset in [deep.offset::<true>(), plain.offset::<false>()] {
                         assert_eq!((offset.x() - x, offset.y() - y), (right, down));
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn vertices_out_of_range_are_empty() {
-        assert!(!ScreenVertex::EMPTY.whole());
+        assert!(!ScreenVertex::EMPTY.is_on_screen());
         for out in [1 << 19, i32::MAX, i32::MIN, -(1 << 19) - 2] {
             assert_eq!(ScreenVertex::new::<true>(out, 0, ScreenVertex::BIAS, 0), ScreenVertex::EMPTY);
             assert_eq!(ScreenVertex::new::<false>(0, out, ScreenVertex::BIAS, 0), ScreenVertex::EMPTY);

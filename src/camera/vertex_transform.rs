@@ -182,13 +182,13 @@ impl VertexTransform {
     }
 
     /// Whether [`project`](Self::project) needs d: the far plane clips, or w alone does not decide the near test.
-    pub(crate) fn asks_for_d(&self, depth: bool, far: bool) -> bool {
+    pub(crate) fn needs_d(&self, depth: bool, far: bool) -> bool {
         self.by_d || far && !depth
     }
 
     /// Projects a vertex to the screen. Returns [`ScreenVertex::EMPTY`] if it must be clipped (before the near plane or too close to
     /// it to tell, outside the guard band, beyond a far plane that clips), is out of the packed range, or so near to the eye that 32 bits
-    /// do not suffice. `by_d` is the result of [`asks_for_d`](Self::asks_for_d).
+    /// do not suffice. `by_d` is the result of [`needs_d`](Self::needs_d).
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
@@ -258,7 +258,7 @@ impl VertexTransform {
 
     /// Unpacks a vertex that has a position, with its depth if `DEPTH`.
     #[inline(always)]
-    pub(crate) fn at<const DEPTH: bool>(&self, corner: ScreenVertex) -> UnpackedVertex {
+    pub(crate) fn unpack<const DEPTH: bool>(&self, corner: ScreenVertex) -> UnpackedVertex {
         let ([x, y], [cx, cy], offset) = (self.screen.centre, ScreenVertex::CENTRE, corner.offset::<DEPTH>());
         UnpackedVertex {
             point: ScreenPoint::inside(x - cx + offset.x(), y - cy + offset.y()),
@@ -268,7 +268,7 @@ impl VertexTransform {
 
     /// Projects any point that the clipper kept, in 64-bit arithmetic: [`project`](Self::project) gives the same bits where it applies
     /// (`the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller wants it.
-    pub(crate) fn image(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
+    pub(crate) fn project_wide(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
         let left = r.shift as i32 + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
@@ -296,7 +296,7 @@ impl VertexTransform {
         // At most 2⁶² + 2⁶².
     }
 
-    /// [`image`](Self::image) without the snap to sub-pixels and without clamping: x and y in 2⁻³² px, depth in 2⁻³² steps. For error
+    /// [`project_wide`](Self::project_wide) without the snap to sub-pixels and without clamping: x and y in 2⁻³² px, depth in 2⁻³² steps. For error
     /// measurement.
     pub(crate) fn unsnapped(&self, h: &ClipCoords) -> [i64; 3] {
         let [x, y, d, w] = h.xydw;
@@ -335,7 +335,7 @@ impl VertexTransform {
     }
 
     /// Whether the far plane clips.
-    pub(crate) fn cuts_at_far(&self) -> bool {
+    pub(crate) fn clips_at_far(&self) -> bool {
         self.far_clip
     }
 }
@@ -399,14 +399,18 @@ mod tests {
         for _ in 0..20_000 {
             let vertex = random.vertex();
             let h = placement.clip(vertex);
-            let plain = placement.project::<_, false>(&vertex, placement.asks_for_d(false, true), true);
-            let deep = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
+            let plain = placement.project::<_, false>(&vertex, placement.needs_d(false, true), true);
+            let deep = placement.project::<_, true>(&vertex, placement.needs_d(true, true), true);
             for (corner, depth) in [(plain, false), (deep, true)] {
-                if corner.whole() {
+                if corner.is_on_screen() {
                     assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
                     let (image, exact) = (
-                        if depth { placement.at::<true>(corner) } else { placement.at::<false>(corner) },
-                        placement.image(&h, Some(VertexTransform::depth)),
+                        if depth {
+                            placement.unpack::<true>(corner)
+                        } else {
+                            placement.unpack::<false>(corner)
+                        },
+                        placement.project_wide(&h, Some(VertexTransform::depth)),
                     );
                     assert_eq!(image.point, exact.point, "{vertex:?}");
                     assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
@@ -419,10 +423,10 @@ mod tests {
 
     /// The error of a vertex's depth against `d/w`, or `A − B/w`, of the integers that it is computed from, in 2⁻⁸ steps.
     fn depth_error(placement: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
-        let corner = placement.project::<_, true>(&vertex, placement.asks_for_d(true, true), true);
+        let corner = placement.project::<_, true>(&vertex, placement.needs_d(true, true), true);
         let h = placement.clip(vertex);
         let depth = corner.depth();
-        if !corner.whole() || depth == FARTHEST {
+        if !corner.is_on_screen() || depth == FARTHEST {
             return None;
         }
         // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + depth_scale·2^(2 − scale_down)` where depth_scale is 2⁻²⁷ · 2^29.

@@ -15,7 +15,7 @@
 //! - **Test**: `rows_inside_are_exact` and `clipped_rows_are_exact` in this file, against rules R1 to R5.
 
 use super::rows::{RowOrigin, Rows};
-use crate::math::num::keep_rolled;
+use crate::math::hints::keep_rolled;
 use crate::raster::edge::{
     base_column, distances_to_centre, divide_by_subtraction, first_row, numerator, LongDivision,
 };

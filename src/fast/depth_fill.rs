@@ -10,7 +10,7 @@
 //! [`DepthFill`] is what differs between one color and [table lookup](super::table_fill); the loops over rows are shared.
 
 use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
-use crate::math::num::CORTEX_M0;
+use crate::math::cores::CORTEX_M0;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowScratch, Scissor, Trapezoid};
 use crate::surface::{DepthBuffer, DepthTarget, Memory, PixelStore, StoredPixel, Target};
 use core::hint::black_box;

@@ -8,7 +8,7 @@
 
 use super::Rows;
 use super::{memory_of, Low, Small};
-use crate::math::num::CORTEX_M0;
+use crate::math::cores::CORTEX_M0;
 use crate::raster::{AnyTriangle, PixelLayout, Scissor, ScreenPoint, Trapezoid, Triangle};
 use crate::surface::block_fill::{fill_pairs, LONG};
 use crate::surface::{Memory, PixelStore, StoredPixel, Target};

@@ -8,7 +8,7 @@
 
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use super::{depth_and_light_gradients, RowOrigin};
-use crate::math::num::CORTEX_M0;
+use crate::math::cores::CORTEX_M0;
 use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
 use crate::surface::{DepthTarget, StoredPixel, Target};

@@ -167,7 +167,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
             self.source(),
             LazyCache::<V, DEPTH>::new(
                 self.instance,
-                DEPTH || self.instance.vertex_transform.cuts_at_far(),
+                DEPTH || self.instance.vertex_transform.clips_at_far(),
                 cache,
             ),
             bins,

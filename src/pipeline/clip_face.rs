@@ -4,8 +4,8 @@ use super::face_triangles::FaceTriangles;
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{DepthOf, UnpackedVertex, VertexTransform};
-use crate::clip::{self, Cut, Varying, CLIP_SLOTS};
-use crate::math::num::after;
+use crate::clip::{self, ClipCorners, Varying, CLIP_SLOTS};
+use crate::math::hints::opaque_next;
 use crate::math::{ClipCoords, Coordinate};
 
 /// The vertices of a point, an edge or a face in clip space, before the planes of the view volume widened to the guard
@@ -24,7 +24,7 @@ trait ClipVaryings {
     /// Sets those of a whole face in slots 0, 1 and 2.
     fn begin(&mut self);
 
-    /// Interpolates where an edge is cut: see [`Cut::put`].
+    /// Interpolates where an edge is cut: see [`ClipCorners::put`].
     fn interpolate(&mut self, at: usize, inside: usize, outside: usize, t: i32);
 }
 
@@ -45,7 +45,7 @@ impl<K: Varying> ClipVaryings for [K; CLIP_SLOTS] {
     }
 }
 
-impl Cut for Clipper<'_> {
+impl ClipCorners for Clipper<'_> {
     #[inline(never)] // rare, as all of this file: small is better
     fn distance(&self, plane: usize, at: usize) -> i64 {
         self.slots.get(at).map_or(0, |point| self.vertex_transform.distance(plane, point))
@@ -75,16 +75,16 @@ impl Clipper<'_> {
     #[inline(never)]
     fn edge(mut self) -> Option<([UnpackedVertex; 2], bool)> {
         let planes = self.planes();
-        let cut = clip::line_at(&mut self, planes)?;
+        let cut = clip::clip_line(&mut self, planes)?;
         Some(([self.to_screen(0), self.to_screen(1)], cut))
     }
 
     /// Leaves in `order` the polygon that the planes leave of a face, its corners on the screen, and returns whether the
     /// planes took a part of it.
     #[inline(never)]
-    fn face(mut self, order: &mut clip::Order) -> bool {
+    fn face(mut self, order: &mut clip::SlotOrder) -> bool {
         let planes = self.planes();
-        let cut = clip::triangle_at(&mut self, planes, order);
+        let cut = clip::clip_triangle(&mut self, planes, order);
         for &slot in order.iter() {
             let vertex = self.to_screen(slot.into());
             if let Some(corner) = self.slots.get_mut(usize::from(slot)) {
@@ -97,7 +97,7 @@ impl Clipper<'_> {
 
     #[inline(never)]
     fn to_screen(&self, at: usize) -> UnpackedVertex {
-        self.vertex_transform.image(self.slots.get(at).unwrap_or(&ClipCoords::ZERO), self.depth)
+        self.vertex_transform.project_wide(self.slots.get(at).unwrap_or(&ClipCoords::ZERO), self.depth)
     }
 }
 
@@ -117,8 +117,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// A vertex on the screen, if no plane cuts it off.
     pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
         let vertex = self.screen_vertex(index);
-        if vertex.whole() {
-            return Some(self.instance.vertex_transform.at::<DEPTH>(vertex));
+        if vertex.is_on_screen() {
+            return Some(self.instance.vertex_transform.unpack::<DEPTH>(vertex));
         }
         let mut slots = [ClipCoords::ZERO];
         self.clipper(&[index], &mut slots, None).point()
@@ -128,8 +128,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     #[inline(always)]
     pub(super) fn edge(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
         let ends = edge.map(|index| self.screen_vertex(index));
-        if ends.iter().all(|end| end.whole()) {
-            Some(ends.map(|end| self.instance.vertex_transform.at::<DEPTH>(end)))
+        if ends.iter().all(|end| end.is_on_screen()) {
+            Some(ends.map(|end| self.instance.vertex_transform.unpack::<DEPTH>(end)))
         } else {
             statistics.count_edge(self.clip_edge(edge))
         }
@@ -153,7 +153,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     ) -> Outcome {
         let polygon = triangles.polygon();
         let corners = face.map(|index| self.screen_vertex(index));
-        let cut = if corners.iter().all(|corner| corner.whole()) {
+        let cut = if corners.iter().all(|corner| corner.is_on_screen()) {
             polygon.set_face(&self.unpack(corners));
             false
         } else {
@@ -177,6 +177,6 @@ fn to_clip_space<V: Coordinate>(
         if let Some(&vertex) = vertices.get(usize::from(index)) {
             vertex_transform.clip_into(vertex, slot);
         }
-        i = after(i);
+        i = opaque_next(i);
     }
 }

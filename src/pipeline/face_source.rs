@@ -4,7 +4,7 @@
 
 use super::instance::MeshInstance;
 use crate::camera::PlaneEye;
-use crate::math::num::keep_rolled;
+use crate::math::hints::keep_rolled;
 
 /// Pushes faces of a mesh into a loop.
 pub(super) trait FaceSource {

@@ -3,8 +3,8 @@
 use super::cull::{Cull, Facing};
 use super::statistics::Outcome;
 use crate::camera::UnpackedVertex;
-use crate::clip::{Order, Varying, CLIP_SLOTS};
-use crate::math::num::{after, keep_rolled};
+use crate::clip::{SlotOrder, Varying, CLIP_SLOTS};
+use crate::math::hints::{keep_rolled, opaque_next};
 use crate::math::ClipCoords;
 use crate::raster::{self, DepthTriangle, Scissor};
 use crate::shading::Shader;
@@ -16,19 +16,23 @@ pub(super) struct Polygon<K> {
     /// The varyings of the corner in each slot.
     pub(super) varyings: [K; CLIP_SLOTS],
     /// The slots of the polygon's corners, in order.
-    pub(super) order: Order,
+    pub(super) order: SlotOrder,
 }
 
 impl<K: Varying> Polygon<K> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self { slots: [ClipCoords::ZERO; CLIP_SLOTS], varyings: [K::of(0); CLIP_SLOTS], order: Order::new() }
+        Self {
+            slots: [ClipCoords::ZERO; CLIP_SLOTS],
+            varyings: [K::of(0); CLIP_SLOTS],
+            order: SlotOrder::new(),
+        }
     }
 
     /// A face with all corners on the screen.
     pub(super) fn set_face(&mut self, corners: &[UnpackedVertex; 3]) {
         for (slot, corner) in self.slots.iter_mut().zip(corners) {
-            *slot = corner.held();
+            *slot = corner.to_clip_slot();
         }
         self.order.clear();
         let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
@@ -40,7 +44,8 @@ impl<K: Varying> Polygon<K> {
         for &slot in &self.order {
             keep_rolled();
             if let Some(corner) = self.slots.get(usize::from(slot)) {
-                reach = reach.union(&Scissor::bounding_box(&[UnpackedVertex::of_held(corner).point; 3]));
+                reach =
+                    reach.union(&Scissor::bounding_box(&[UnpackedVertex::from_clip_slot(corner).point; 3]));
             }
         }
         reach
@@ -204,8 +209,8 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         let mut i = 0;
         while let Some(vertex) = corners.get_mut(i) {
             let corner = if i == 0 { 0 } else { at + i };
-            *vertex = UnpackedVertex::of_held(self.polygon.slots.get(self.slot(corner))?);
-            i = after(i);
+            *vertex = UnpackedVertex::from_clip_slot(self.polygon.slots.get(self.slot(corner))?);
+            i = opaque_next(i);
         }
         self.at += 1; // at most clip::CORNERS
         Some(raster::area(&corners.map(|corner| corner.point)))

@@ -57,7 +57,7 @@ where
                 let Some(corners) = cache.corners_again(face, corners) else { return Ok(true) };
                 statistics.count(Outcome::Whole);
                 let transform = &instance.vertex_transform;
-                triangles.set_whole::<DEPTH>(&corners.map(|corner| transform.at::<DEPTH>(corner)), area);
+                triangles.set_whole::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
             }
             None => {
                 let outcome = cache.view().clip_face(face, &mut triangles);
@@ -108,7 +108,15 @@ pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
     mut draw: impl FnMut(&DepthTriangle<'_>, &S) -> Result<(), E>,
 ) -> Result<(), E> {
     loop {
-        draw(triangles.triangle(), &triangle_shader(instance, face, triangles, shader))?;
+        // The common case passes the face's shader by reference: no copy.
+        let own;
+        let shader = if triangles.is_cut() || S::NEEDS_DEPTH || S::NEEDS_W {
+            own = triangle_shader(instance, face, triangles, shader);
+            &own
+        } else {
+            shader
+        };
+        draw(triangles.triangle(), shader)?;
         if !triangles.advance() {
             return Ok(());
         }

@@ -9,7 +9,7 @@ use super::plane_culled::PlaneCulled;
 use super::statistics::Statistics;
 use super::vertex_cache::{transform_all, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
-use crate::math::num::keep_rolled;
+use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{self, Scissor, ScreenPoint, Triangle};
 use crate::shading::{Shader, SpanShader};
@@ -209,7 +209,7 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
     where
         I: Shader,
     {
-        let far = instance.vertex_transform.cuts_at_far();
+        let far = instance.vertex_transform.clips_at_far();
         let (vertices, mut recorder) = self.begin(instance)?;
         transform_all::<V, true>(&instance.vertex_transform, far, instance.mesh.vertices(), vertices);
         let mut cache = TransformedMesh::with_cache(instance, false, vertices);
@@ -237,7 +237,7 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
     {
         let instance = faces.instance;
         let (vertices, mut recorder) = self.begin(instance)?;
-        let far = instance.vertex_transform.cuts_at_far();
+        let far = instance.vertex_transform.clips_at_far();
         let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
         let statistics = recorder.record(faces.source(), &mut cache, false, shade);
         let vertices = cache.into_cache();
@@ -402,15 +402,15 @@ impl Room {
     ) {
         let uncached = TransformedMesh::<V, true>::with_cache(instance, false, &[]);
         for (index, vertex) in vertices.iter_mut().enumerate() {
-            let point = if vertex.whole() {
-                Some(instance.vertex_transform.at::<true>(*vertex))
+            let point = if vertex.is_on_screen() {
+                Some(instance.vertex_transform.unpack::<true>(*vertex))
             } else if all {
                 uncached.vertex(index as u16) // a mesh has at most 65536 vertices
             } else {
                 None
             };
             // No face refers to a vertex without a point.
-            *vertex = ScreenVertex::bare(point.map_or(ScreenPoint::ORIGIN, |vertex| vertex.point));
+            *vertex = ScreenVertex::unpacked_point(point.map_or(ScreenPoint::ORIGIN, |vertex| vertex.point));
         }
     }
 }
@@ -459,7 +459,7 @@ impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
         self.room.vertices += 3;
         for corner in corners {
             if let Some(vertex) = self.own.next() {
-                *vertex = ScreenVertex::bare(*corner);
+                *vertex = ScreenVertex::unpacked_point(*corner);
             }
         }
         [first, first + 1, first + 2]

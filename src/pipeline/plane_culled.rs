@@ -99,7 +99,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         } else {
             let cache = LazyCache::<V, false>::new(
                 self.instance,
-                self.instance.vertex_transform.cuts_at_far(),
+                self.instance.vertex_transform.clips_at_far(),
                 cache,
             );
             faces::solid(self.source(), cache, &region, shade, target)

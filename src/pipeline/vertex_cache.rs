@@ -5,7 +5,7 @@
 
 use super::instance::MeshInstance;
 use crate::camera::{ScreenVertex, UnpackedVertex, VertexTransform};
-use crate::math::num::keep_rolled;
+use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
 use crate::raster::{self, ScreenPoint};
 use core::hint::black_box;
@@ -136,7 +136,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Transforms the vertices from the start of the vertex list into the cache. With depth the far plane cuts, whatever
     /// the camera says.
     pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
-        let far = DEPTH || instance.vertex_transform.cuts_at_far();
+        let far = DEPTH || instance.vertex_transform.clips_at_far();
         transform_all::<V, DEPTH>(&instance.vertex_transform, far, instance.mesh.vertices(), cache);
         // A length that the compiler does not know is compared in one instruction, many a constant in two. Without depth
         // the constant is better: no register is left for the length.
@@ -151,7 +151,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         far: bool,
         cache: &'a [ScreenVertex],
     ) -> Self {
-        Self { instance, far: far || instance.vertex_transform.cuts_at_far(), cache }
+        Self { instance, far: far || instance.vertex_transform.clips_at_far(), cache }
     }
 
     /// A vertex: from the cache, or transformed again if the cache does not hold it.
@@ -178,7 +178,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     #[inline(always)]
     pub(super) fn on_screen(&self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
         let corners = self.cached(face)?;
-        corners.iter().all(|corner| corner.whole()).then_some(corners.map(|corner| *corner))
+        corners.iter().all(|corner| corner.is_on_screen()).then_some(corners.map(|corner| *corner))
     }
 
     #[inline(always)]
@@ -190,7 +190,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// The corners' positions on the screen, with their depths.
     #[inline(always)]
     pub(super) fn unpack(&self, corners: [ScreenVertex; 3]) -> [UnpackedVertex; 3] {
-        corners.map(|corner| self.instance.vertex_transform.at::<DEPTH>(corner))
+        corners.map(|corner| self.instance.vertex_transform.unpack::<DEPTH>(corner))
     }
 }
 
@@ -252,9 +252,9 @@ impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
     #[inline(always)]
     fn vertex(&mut self, index: u16) -> Option<ScreenVertex> {
         let vertex = self.cache.get_mut(usize::from(index))?;
-        if !vertex.whole() {
+        if !vertex.is_on_screen() {
             transform_one::<V, DEPTH>(self.instance, self.far, index, vertex);
-            if !vertex.whole() {
+            if !vertex.is_on_screen() {
                 return None;
             }
         }
@@ -299,7 +299,7 @@ fn transform_one<V: Coordinate, const DEPTH: bool>(
 ) {
     let MeshInstance { vertex_transform, mesh, .. } = instance;
     if let Some(vertex) = mesh.vertices().get(usize::from(index)) {
-        *to = vertex_transform.project::<V, DEPTH>(vertex, vertex_transform.asks_for_d(DEPTH, far), far);
+        *to = vertex_transform.project::<V, DEPTH>(vertex, vertex_transform.needs_d(DEPTH, far), far);
     }
 }
 
@@ -311,12 +311,12 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     vertices: &[[V; 3]],
     cache: &mut [ScreenVertex],
 ) {
-    let by_d = vertex_transform.asks_for_d(DEPTH, far);
+    let by_d = vertex_transform.needs_d(DEPTH, far);
     // Somewhere, and perhaps changed in every turn: so nothing of it is brought into registers, of which there are too
     // few, before the loop, and its numbers are loaded in pairs. RISC-V has twice as many registers, and no such loads; on a
     // Cortex-M0 the loop with depth has so much in memory that it costs nothing to have it all on the stack.
     #[cfg(target_arch = "arm")]
-    let vertex_transform = match !crate::math::num::CORTEX_M0 || !DEPTH {
+    let vertex_transform = match !crate::math::cores::CORTEX_M0 || !DEPTH {
         true => black_box(vertex_transform),
         false => vertex_transform,
     };

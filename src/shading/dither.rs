@@ -71,12 +71,12 @@ impl Flat {
 
 /// The levels of one colour, ready to be dithered.
 #[derive(Clone, Copy, Debug)]
-pub struct Even<C> {
+pub struct DitheredColor<C> {
     levels: [u32; 3],
     colour: PhantomData<C>,
 }
 
-impl<C: Channels> Even<C> {
+impl<C: Channels> DitheredColor<C> {
     pub(crate) fn new(colour: Flat) -> Self {
         Self { levels: levels::<C>(colour).map(align), colour: PhantomData }
     }

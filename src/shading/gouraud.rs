@@ -1,6 +1,6 @@
 //! Gouraud shading: colours interpolated linearly over a triangle.
 
-use super::levels::{add_bias, integer_parts, levels, weighed};
+use super::levels::{add_bias, integer_parts, levels, weighted_mean};
 use super::{Channels, Flat};
 use crate::raster::{Gradient, GradientSetup, Triangle};
 use core::marker::PhantomData;
@@ -38,18 +38,18 @@ impl Gouraud {
 
     /// The shader of a sub-face, given the barycentric weights of its corners, in 2⁻³⁰.
     #[must_use]
-    pub(crate) fn part(&self, corners: [[i32; 3]; 3]) -> Self {
+    pub(crate) fn with_weights(&self, corners: [[i32; 3]; 3]) -> Self {
         Self(corners.map(|weights| {
             Flat([0, 1, 2].map(|channel| {
                 let values = self.0.map(|Flat(colour)| colour.get(channel).copied().map_or(0, i32::from));
-                weighed(values, weights, 255 * 256) as u16
+                weighted_mean(values, weights, 255 * 256) as u16
             }))
         }))
     }
 
     /// The gradients of the channels over a triangle.
     #[inline(always)]
-    pub(crate) fn over<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
+    pub(crate) fn gradients<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
         let [a, b, c] = self.0.map(levels::<C>);
         let ([a, d, g], [b, e, h], [c, f, i]) = (a, b, c);
         let over = GradientSetup::new(triangle);
@@ -182,7 +182,7 @@ mod tests {
                 _ => random.within(65_280).unsigned_abs() as u16,
             });
             let face = Gouraud(colours.map(|c| Flat([c; 3])));
-            let ramps = face.over::<Gray8>(&Triangle::new(points, area(&points), &scissor));
+            let ramps = face.gradients::<Gray8>(&Triangle::new(points, area(&points), &scissor));
             let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
                 i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
             };

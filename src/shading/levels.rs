@@ -41,7 +41,7 @@ fn level(value: u32, max: u8) -> i32 {
 
 /// The weighted mean of values 0 … `full`, with weights in 2⁻³⁰, rounded to nearest.
 #[inline(always)] // out of line, S8 takes 1 % more on a Cortex-M0
-pub(super) fn weighed(values: [i32; 3], weights: [i32; 3], full: i32) -> i32 {
+pub(super) fn weighted_mean(values: [i32; 3], weights: [i32; 3], full: i32) -> i32 {
     // Weights are −6 … 2³⁰ + 6 and sum to 2³⁰; full < 2²⁴.
     let sum: i64 = values.iter().zip(weights).map(|(&value, weight)| mul_wide(value, weight)).sum();
     ((sum + (1 << 29)) >> 30).clamp(0, full.into()) as i32

@@ -1,7 +1,7 @@
 //! Gouraud shading of one colour: only the light is interpolated.
 
 use super::gouraud::{ChannelGradients, Gouraud};
-use super::levels::{aligned_max, fraction_bits, luma, weighed};
+use super::levels::{aligned_max, fraction_bits, luma, weighted_mean};
 use super::Channels;
 use crate::math::num::mul_wide;
 use crate::raster::{GradientSetup, Triangle};
@@ -48,13 +48,13 @@ impl Gouraud {
 impl Lit {
     /// The shader of a sub-face, given the barycentric weights of its corners, in 2⁻³⁰.
     #[must_use]
-    pub(crate) fn part(&self, corners: [[i32; 3]; 3]) -> Self {
-        Self { light: corners.map(|weights| weighed(self.light, weights, FULL)), ..*self }
+    pub(crate) fn with_weights(&self, corners: [[i32; 3]; 3]) -> Self {
+        Self { light: corners.map(|weights| weighted_mean(self.light, weights, FULL)), ..*self }
     }
 
     /// The gradients of the channels over a triangle.
     #[inline(always)]
-    pub(crate) fn over<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
+    pub(crate) fn gradients<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
         let planes = GradientSetup::new(triangle);
         let Some(light) = (if C::GRAY { None } else { planes.slope_through(&self.light) }) else {
             return self.per_channel::<C>(&planes);

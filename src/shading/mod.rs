@@ -17,7 +17,7 @@ pub use channels::Channels;
 pub use corner_values::CornerValues;
 pub use dim::Dim;
 pub use dither::Dithered;
-pub(crate) use dither::{Bayer, Even};
+pub(crate) use dither::{Bayer, DitheredColor};
 pub use flat::Flat;
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::{ChannelGradients, Nearest};

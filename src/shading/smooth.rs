@@ -3,7 +3,9 @@
 use super::{Shader, SpanShader};
 use crate::clip::Barycentric;
 use crate::raster::{Span, Triangle};
-use crate::shading::{Bayer, ChannelGradients, Channels, Dithered, Even, Flat, Gouraud, Lit, Nearest};
+use crate::shading::{
+    Bayer, ChannelGradients, Channels, Dithered, DitheredColor, Flat, Gouraud, Lit, Nearest,
+};
 use core::iter::repeat;
 
 impl Shader for Flat {
@@ -41,14 +43,14 @@ impl<I: Shader> Shader for Dithered<I> {
 }
 
 impl<C: Channels> SpanShader<C> for Dithered<Flat> {
-    type Setup = Even<C>;
+    type Setup = DitheredColor<C>;
 
-    fn set_up(&self, _: &Triangle<'_>) -> Even<C> {
-        Even::new(self.0)
+    fn set_up(&self, _: &Triangle<'_>) -> DitheredColor<C> {
+        DitheredColor::new(self.0)
     }
 
     #[inline(always)]
-    fn span(fill: &Even<C>, span: Span) -> impl Iterator<Item = C> {
+    fn span(fill: &DitheredColor<C>, span: Span) -> impl Iterator<Item = C> {
         fill.run(span.x, span.y)
     }
 }
@@ -59,7 +61,7 @@ macro_rules! smooth {
             type Varying = Barycentric;
 
             fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-                self.part(corners.map(|c| c.weights()))
+                self.with_weights(corners.map(|c| c.weights()))
             }
         }
 
@@ -68,7 +70,7 @@ macro_rules! smooth {
 
             #[inline(always)]
             fn set_up(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
-                self.over(triangle)
+                self.gradients(triangle)
             }
 
             #[inline(always)]
@@ -82,7 +84,7 @@ macro_rules! smooth {
 
             #[inline(always)]
             fn set_up(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
-                self.0.over(triangle)
+                self.0.gradients(triangle)
             }
 
             #[inline(always)]

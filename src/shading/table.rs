@@ -1,6 +1,6 @@
 //! Smooth light by table: 256 shades of one color, computed once.
 
-use super::levels::{luma, weighed};
+use super::levels::{luma, weighted_mean};
 use super::{Channels, Shader, SpanShader};
 use crate::clip::Barycentric;
 use crate::raster::{Gradient, Span, Triangle};
@@ -122,7 +122,7 @@ impl<C: PixelColor> Shader for TableShader<'_, C> {
     type Varying = Barycentric;
 
     fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-        let light = corners.map(|corner| weighed(self.light, corner.weights(), 255 << 10));
+        let light = corners.map(|corner| weighted_mean(self.light, corner.weights(), 255 << 10));
         Self { light, ..*self }
     }
 }

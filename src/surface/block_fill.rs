@@ -9,7 +9,7 @@
 //! They lie here and not in [`crate::fast`] because they know nothing of triangles: the plain memory, pictures and the depth
 //! buffer are cleared with them. `--cfg pinhole_plain` replaces each by [`slice::fill`].
 
-use crate::math::num::CORTEX_M0;
+use crate::math::cores::CORTEX_M0;
 use core::hint::black_box;
 
 /// A run of at least this many cells is filled 32 cells at a time.

@@ -10,7 +10,7 @@ mod scaling;
 mod square_root;
 
 pub(crate) use super::cores::CORTEX_M0;
-pub(crate) use super::hints::{keep_rolled, opaque_next as after};
+pub(crate) use super::hints::keep_rolled;
 pub(crate) use accumulator::Accumulator;
 pub(crate) use bits::{bits_of, leading_zeros, magnitude, max, min, shift_to_fit};
 pub(crate) use division::{divide, fraction};
