@@ -101,7 +101,7 @@ pub const VERTICES: [[i16; 3]; 529] = [
 /// The step of the vertices, as a power of two.
 pub const EXPONENT: i8 = -10;
 
-/// BinnedFaces, counter-clockwise seen from outside.
+/// Faces, counter-clockwise seen from outside.
 #[rustfmt::skip]
 pub const FACES: [[u16; 3]; 992] = [
     [0,1,2], [2,3,0], [3,2,4], [4,5,3], [5,4,6], [6,7,5], [7,6,8], [8,9,7], [1,10,11], [11,2,1], [2,11,12], [12,4,2],
@@ -240,7 +240,7 @@ pub const FACES: [[u16; 3]; 992] = [
     [470,527,526], [527,470,472], [472,528,527],
 ];
 
-/// BinnedEdges, each once.
+/// Edges, each once.
 #[rustfmt::skip]
 pub const EDGES: [[u16; 2]; 1520] = [
     [0,1], [0,2], [0,3], [0,75], [1,2], [1,10], [1,11], [2,3], [2,4], [2,11], [2,12], [3,4], [3,5], [3,75], [3,76],

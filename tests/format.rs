@@ -33,6 +33,7 @@ public_types![
     Canonical,
     ClipPoint,
     ClipVertex<2>,
+    CornerValues,
     ScreenVertex,
     Cull,
     DepthBuffer<'static>,
@@ -54,6 +55,7 @@ public_types![
     Lambert,
     LightError,
     MatrixError,
+    Memory<Plain>,
     Mesh<'static, Plain>,
     MeshError,
     Model,
@@ -101,8 +103,8 @@ public_types![
     World,
 ];
 
-/// Public by their keyword only: what inks and targets have of their own, which no path leads to.
-const NOT_NAMED: [&str; 6] = ["ChannelGradients", "DepthTarget", "DepthTriangle", "Even", "Shade", "Shades"];
+/// Public by their keyword only: set-ups of shaders, which no path leads to.
+const NOT_NAMED: [&str; 3] = ["ChannelGradients", "DitheredColor", "TableGradient"];
 
 #[test]
 fn no_public_type_is_missing() {

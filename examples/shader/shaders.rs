@@ -48,9 +48,9 @@ impl SpanShader<Rgb888> for Checkerboard {
         let over_w = |i: usize| {
             let products =
                 [0, 1, 2].map(|corner| i64::from(self.uv[corner][i]) * i64::from(self.inverse_w[corner]));
-            triangle.plane(products.map(|product| (product >> 16) as u32))
+            triangle.gradient(products.map(|product| (product >> 16) as u32))
         };
-        let inverse_w = triangle.plane(self.inverse_w.map(|w| w as u32));
+        let inverse_w = triangle.gradient(self.inverse_w.map(|w| w as u32));
         ([over_w(0), over_w(1), inverse_w], self.tiles, self.colors)
     }
 
@@ -97,7 +97,7 @@ impl SpanShader<Rgb888> for Fog {
     type Setup = (Gradient, Fog);
 
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
-        (triangle.plane(self.depths.map(|depth| depth as u32)), *self)
+        (triangle.gradient(self.depths.map(|depth| depth as u32)), *self)
     }
 
     fn span((depth, fog): &Self::Setup, span: Span) -> impl Iterator<Item = Rgb888> {

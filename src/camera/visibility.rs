@@ -114,7 +114,8 @@ impl Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Angle, Point3, Projection, Vector3, ViewTransform, Viewport};
+    use crate::camera::{Projection, ViewTransform, Viewport};
+    use crate::math::{Angle, Point3, Vector3};
     use embedded_graphics_core::geometry::{Point, Size};
 
     /// A sphere of radius ½ seen from 10 away with a field of view of 90°: at distance 10 the picture reaches to ±10, so

@@ -19,6 +19,7 @@
 
 #![cfg_attr(pinhole_plain, allow(dead_code))]
 
+mod attach;
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) mod bresenham_triangle;
 pub(crate) mod depth_fill;
@@ -32,53 +33,11 @@ mod small_triangle;
 pub(crate) mod solid_fill;
 mod spans;
 pub(crate) mod table_fill;
+mod tiers;
 mod tiny_gradient;
 
+use attach::memory_of;
 pub(crate) use rows::{RowOrigin, Rows};
 pub(crate) use spans::{each_span, spans};
+pub(crate) use tiers::{Inside, Low, LowSpans, Small};
 pub(crate) use tiny_gradient::{depth_and_light_gradients, depth_gradient};
-
-use crate::surface::{Memory, Target};
-
-/// Where every fast path that writes to memory attaches: the target's memory, or `None` for targets without memory, and for all
-/// targets with `--cfg pinhole_plain`.
-#[inline(always)]
-fn memory_of<T: Target>(target: &mut T) -> Option<&mut Memory<T::Store>> {
-    if cfg!(pinhole_plain) {
-        None
-    } else {
-        target.memory()
-    }
-}
-
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(crate) use with_division::{Inside, Low, LowSpans, Small};
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-pub(crate) use without_division::{Inside, Low, LowSpans, Small};
-
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-mod with_division {
-    use super::edge20::{OneDivision, TwoDivisions};
-    pub(crate) use super::small_triangle::LowSpans;
-    use super::small_triangle::SmallTriangle;
-
-    /// Triangles within 32 × 30 pixels inside the scissor: most triangles of a mesh.
-    pub(crate) type Small = SmallTriangle<OneDivision, false>;
-    /// Triangles within 32 rows inside the scissor.
-    pub(crate) type Inside = SmallTriangle<TwoDivisions, false>;
-    /// Triangles within 32 rows between the scissor's columns.
-    pub(crate) type Low = SmallTriangle<TwoDivisions, true>;
-}
-
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-mod without_division {
-    use super::bresenham_triangle::BresenhamTriangle;
-    pub(crate) use super::bresenham_triangle::LowSpans;
-
-    /// Triangles within 31 rows inside the scissor.
-    pub(crate) type Small = BresenhamTriangle<false>;
-    /// Triangles within 31 rows inside the scissor.
-    pub(crate) type Inside = BresenhamTriangle<false>;
-    /// Triangles within 31 rows between the scissor's columns.
-    pub(crate) type Low = BresenhamTriangle<true>;
-}

@@ -107,8 +107,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let mesh = mesh.with_normals(&[[0, 0, 32_767], [0, 0, -32_767]])?.with_planes(&[0, 0])?;
     /// let placed = camera.place(&mesh, &Affine::identity());
-    /// let (mut corners, mut records) = ([ScreenVertex::EMPTY; 3], [0; 2 + 1]);
-    /// let mut faces = placed.cull_by_planes().bin_faces(&mut cache, &mut records)?;
+    /// let (mut cache, mut storage) = ([ScreenVertex::EMPTY; 3], [0; 2 + 1]);
+    /// let mut faces = placed.cull_by_planes().bin_faces(&mut cache, &mut storage)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
     ///     faces.solid(|_| Gray8::WHITE, &mut band.pixels())?;

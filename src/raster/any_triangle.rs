@@ -1,7 +1,7 @@
 //! Any triangle inside the guard band as trapezoids, and these as spans.
 
 use super::edge::{first_row, Edge32};
-use super::triangle::sort_by_y;
+use super::triangle::{area, sort_by_y};
 use super::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
 
 /// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, where an edge
@@ -109,6 +109,44 @@ impl Spans {
     /// Whether the triangle has no row inside the scissor; valid before the first span is taken.
     pub(crate) fn is_empty(&self) -> bool {
         self.below.is_empty()
+    }
+}
+
+impl Triangle<'_> {
+    /// The covered pixels inside the scissor: one span per row, top to bottom.
+    #[inline(always)]
+    pub(crate) fn spans(&self, scissor: &Scissor) -> Spans {
+        Spans::new(self, scissor)
+    }
+}
+
+/// Calls `span` for each row's covered pixels inside the scissor, top to bottom: rules R1 to R9.
+///
+/// # Errors
+///
+/// The first error of `span`, which ends the walk.
+///
+/// ```
+/// use pinhole::raster::{triangle, Scissor, ScreenPoint};
+/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+/// let scissor = Scissor::new(0, 0, 16, 16);
+/// let mut rows = Vec::new();
+/// triangle([corner(0, 0), corner(4, 0), corner(0, 4)], &scissor, |s| -> Result<(), ()> {
+///     rows.push((s.y, s.x, s.width));
+///     Ok(())
+/// })?;
+/// // The slanted edge passes through pixel centres and is a right edge: they are not covered.
+/// assert_eq!(rows, [(0, 0, 3), (1, 0, 2), (2, 0, 1)]);
+/// # Ok::<(), ()>(())
+/// ```
+pub fn triangle<E>(
+    vertices: [ScreenPoint; 3],
+    scissor: &Scissor,
+    span: impl FnMut(Span) -> Result<(), E>,
+) -> Result<(), E> {
+    match area(&vertices) {
+        0 => Ok(()), // R6
+        area => Triangle::new(vertices, area, scissor).spans(scissor).try_for_each(span),
     }
 }
 

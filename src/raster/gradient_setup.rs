@@ -403,3 +403,10 @@ fn divide_long(v: i64, area: u64) -> i64 {
         quotient
     }
 }
+impl Triangle<'_> {
+    /// The gradient of a value given at each corner, 0 … 2²⁴ − 1 in the corners' order, for custom shaders. Larger values
+    /// count as 2²⁴ − 1.
+    pub fn gradient(&self, values: [u32; 3]) -> Gradient {
+        GradientSetup::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
+    }
+}

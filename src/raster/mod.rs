@@ -53,6 +53,7 @@ mod table_light;
 pub(crate) mod trapezoid;
 pub(crate) mod triangle;
 
+pub use any_triangle::triangle;
 pub(crate) use any_triangle::{AnyTriangle, Spans};
 pub(crate) use depth::FARTHEST;
 pub(crate) use depth_triangle::DepthTriangle;
@@ -67,4 +68,4 @@ pub use scissor::Scissor;
 pub use screen::{Pixel, ScreenPoint, GUARD_BAND};
 pub use span::Span;
 pub(crate) use trapezoid::Trapezoid;
-pub use triangle::{area, triangle, Triangle};
+pub use triangle::{area, Triangle};

@@ -1,11 +1,6 @@
-//! Triangles: their area, and the definition of the pixels that they cover.
-//!
-//! A row's covered pixels lie between two edges. Both ends are `⌈X − ½⌉`, where X is the edge's intersection with the
-//! row of pixel centres; the left end is included and the right end excluded. This is the top-left rule (R2–R5), and
-//! since an end depends on one edge alone, triangles on both sides of the edge share it (R8).
+//! Triangles: their corners, area and order from top to bottom.
 
-use super::any_triangle::Spans;
-use super::{Gradient, GradientSetup, Scissor, ScreenPoint, Span};
+use super::{Scissor, ScreenPoint};
 use crate::math::determinant;
 use core::borrow::Borrow;
 
@@ -44,48 +39,6 @@ impl<'v> Triangle<'v> {
     #[inline(always)]
     pub(crate) fn corners(&self) -> &[ScreenPoint; 3] {
         &self.corners
-    }
-
-    /// The covered pixels inside the scissor: one span per row, top to bottom.
-    #[inline(always)]
-    pub(crate) fn spans(&self, scissor: &Scissor) -> Spans {
-        Spans::new(self, scissor)
-    }
-
-    /// The gradient of a value given at each corner, 0 … 2²⁴ − 1 in the corners' order, for custom shaders. Larger values
-    /// count as 2²⁴ − 1.
-    pub fn plane(&self, values: [u32; 3]) -> Gradient {
-        GradientSetup::new(self).through(&values.map(|value| value.min((1 << 24) - 1) as i32))
-    }
-}
-
-/// Calls `span` for each row's covered pixels inside the scissor, top to bottom: rules R1 to R9.
-///
-/// # Errors
-///
-/// The first error of `span`, which ends the walk.
-///
-/// ```
-/// use pinhole::raster::{triangle, Scissor, ScreenPoint};
-/// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
-/// let scissor = Scissor::new(0, 0, 16, 16);
-/// let mut rows = Vec::new();
-/// triangle([corner(0, 0), corner(4, 0), corner(0, 4)], &scissor, |s| -> Result<(), ()> {
-///     rows.push((s.y, s.x, s.width));
-///     Ok(())
-/// })?;
-/// // The slanted edge passes through pixel centres and is a right edge: they are not covered.
-/// assert_eq!(rows, [(0, 0, 3), (1, 0, 2), (2, 0, 1)]);
-/// # Ok::<(), ()>(())
-/// ```
-pub fn triangle<E>(
-    vertices: [ScreenPoint; 3],
-    scissor: &Scissor,
-    span: impl FnMut(Span) -> Result<(), E>,
-) -> Result<(), E> {
-    match area(&vertices) {
-        0 => Ok(()), // R6
-        area => Triangle::new(vertices, area, scissor).spans(scissor).try_for_each(span),
     }
 }
 

@@ -12,6 +12,7 @@ mod lit;
 mod shader;
 mod smooth;
 mod table;
+mod table_shader;
 
 pub use channels::Channels;
 pub use corner_values::CornerValues;

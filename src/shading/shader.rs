@@ -121,7 +121,7 @@ pub trait Shader: Copy {
 /// impl SpanShader<Gray8> for Ramp {
 ///     type Setup = Gradient;
 ///     fn set_up(&self, triangle: &Triangle) -> Gradient {
-///         triangle.plane(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
+///         triangle.gradient(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
 ///     }
 ///     fn span(plane: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
 ///         (span.x..).map(move |x| Gray8::new((plane.at(x, span.y) >> 24) as u8))

@@ -1,10 +1,7 @@
 //! Smooth light by table: 256 shades of one color, computed once.
 
-use super::levels::{luma, weighted_mean};
-use super::{Channels, Shader, SpanShader};
-use crate::clip::Barycentric;
-use crate::raster::{Gradient, Span, Triangle};
-use core::iter::repeat_with;
+use super::levels::luma;
+use super::Channels;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
 /// 256 shades of a color from dark to full light, computed once and looked up at every pixel: the fastest smooth light, for the
@@ -103,6 +100,14 @@ impl<'t, C> TableShader<'t, C> {
         self.colors
     }
 
+    /// With this light at the corners, in 2⁻¹⁰ of an index.
+    pub(super) const fn with_light(self, light: [i32; 3]) -> Self
+    where
+        C: Copy,
+    {
+        Self { light, ..self }
+    }
+
     /// In 2⁻¹⁰ of an index.
     pub(crate) const fn light(&self) -> &[i32; 3] {
         &self.light
@@ -116,45 +121,6 @@ impl<C: PixelColor> TableShader<'_, C> {
         let [index, ..] = light.to_be_bytes();
         colors[usize::from(index)] // each of 256 indices has a color
     }
-}
-
-impl<C: PixelColor> Shader for TableShader<'_, C> {
-    type Varying = Barycentric;
-
-    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
-        let light = corners.map(|corner| weighted_mean(self.light, corner.weights(), 255 << 10));
-        Self { light, ..*self }
-    }
-}
-
-impl<'t, C: PixelColor> SpanShader<C> for TableShader<'t, C> {
-    type Setup = TableGradient<'t, C>;
-
-    fn set_up(&self, triangle: &Triangle<'_>) -> TableGradient<'t, C> {
-        TableGradient { colors: self.colors, light: Gradient::of_light(triangle, &self.light) }
-    }
-
-    #[inline(always)]
-    fn span(setup: &TableGradient<'t, C>, Span { x, y, .. }: Span) -> impl Iterator<Item = C> {
-        let (mut light, step) = (setup.light.at(x, y), setup.light.step());
-        repeat_with(move || {
-            let color = Self::look_up(setup.colors, light);
-            light = light.wrapping_add(step);
-            color
-        })
-    }
-
-    #[inline(always)]
-    fn table(&self) -> Option<TableShader<'_, C>> {
-        Some(*self)
-    }
-}
-
-/// A [`TableShader`] set up for a triangle.
-#[derive(Debug)]
-pub struct TableGradient<'t, C> {
-    colors: &'t [C; 256],
-    light: Gradient,
 }
 
 // The colors are not printed: they need not implement `Format`.

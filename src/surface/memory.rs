@@ -136,6 +136,15 @@ impl<S: PixelStore> Memory<S> {
     }
 }
 
+// The cells are not printed: there are as many as pixels.
+#[cfg(feature = "defmt")]
+impl<S> defmt::Format for Memory<S> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let Rectangle { top_left, size } = self.area;
+        defmt::write!(f, "memory of {} at {}", size, top_left);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

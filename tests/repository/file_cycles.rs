@@ -8,31 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// Cycles that are known and still to be removed: no component of the graph may leave one of these sets.
-const KNOWN: &[&[&str]] = &[
-    &[
-        "fast/bresenham_triangle.rs",
-        "fast/edge20.rs",
-        "fast/mod.rs",
-        "fast/small_triangle.rs",
-        "raster/edge.rs",
-        "raster/gradient.rs",
-        "raster/line.rs",
-        "raster/mod.rs",
-        "raster/pixel_layout.rs",
-        "raster/trapezoid.rs",
-        "raster/triangle.rs",
-    ],
-    &["fast/table_fill.rs", "surface/pixels.rs", "surface/target.rs"],
-    &[
-        "pipeline/binned.rs",
-        "pipeline/clip_face.rs",
-        "pipeline/fan.rs",
-        "pipeline/mod.rs",
-        "pipeline/statistics.rs",
-        "pipeline/transformed.rs",
-    ],
-];
+/// Cycles that are known and still to be removed. None are.
+const KNOWN: &[&[&str]] = &[];
 
 type Sources = BTreeMap<String, String>;
 /// The names of a module and of all modules around it, from the crate's root.

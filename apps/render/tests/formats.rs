@@ -272,7 +272,7 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     change("viewport", json!([0, 0, 8]), "viewport: has 3 entries and needs 4");
     change("viewport", json!([0, 0, 0, 6]), "viewport: the viewport has no pixels");
     change("viewport", json!([0, 0, -1, 6]), "viewport: -1 is not a width or height");
-    change("viewport", json!([8000, 0, 400, 6]), "viewport: the viewport leaves the guard band");
+    change("viewport", json!([8000, 0, 400, 6]), "viewport: the viewport extends beyond ±8192 pixels");
     change("viewport", json!([0.5, 0, 8, 6]), "viewport[0]: 0.5 is not a whole number");
     change("cull", json!("front"), "cull: is \"front\"");
     change("cull", json!(1), "cull: is a number");

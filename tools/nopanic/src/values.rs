@@ -77,7 +77,7 @@ entries! {
     entry_dirty_area(dirty: &DirtyRegions<7>) -> Rectangle { dirty.area() }
     entry_table(colours: [Rgb565; 256]) -> Rgb565 { ShadeTable::from_colors(colours).colors()[usize::from(any() as u8)] }
     entry_lit(colour: Rgb888) -> pinhole::Dithered<Lit> { Gouraud::lit(colour, [any() as u16; 3]).dithered() }
-    entry_triangle_plane(triangle: &Triangle<'_>, values: [u32; 3]) -> Gradient { triangle.plane(values) }
+    entry_triangle_plane(triangle: &Triangle<'_>, values: [u32; 3]) -> Gradient { triangle.gradient(values) }
     entry_carries_nothing(corner: usize) -> () { { <() as Varying>::of(corner); ().towards(&(), any().into()) } }
 
     entry_copies(

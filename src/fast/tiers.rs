@@ -1,0 +1,33 @@
+//! The tiers of fast triangles, chosen by core: see the table in [`fast`](super).
+
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+pub(crate) use with_division::{Inside, Low, LowSpans, Small};
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+pub(crate) use without_division::{Inside, Low, LowSpans, Small};
+
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+mod with_division {
+    use crate::fast::edge20::{OneDivision, TwoDivisions};
+    pub(crate) use crate::fast::small_triangle::LowSpans;
+    use crate::fast::small_triangle::SmallTriangle;
+
+    /// Triangles within 32 × 30 pixels inside the scissor: most triangles of a mesh.
+    pub(crate) type Small = SmallTriangle<OneDivision, false>;
+    /// Triangles within 32 rows inside the scissor.
+    pub(crate) type Inside = SmallTriangle<TwoDivisions, false>;
+    /// Triangles within 32 rows between the scissor's columns.
+    pub(crate) type Low = SmallTriangle<TwoDivisions, true>;
+}
+
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+mod without_division {
+    use crate::fast::bresenham_triangle::BresenhamTriangle;
+    pub(crate) use crate::fast::bresenham_triangle::LowSpans;
+
+    /// Triangles within 31 rows inside the scissor.
+    pub(crate) type Small = BresenhamTriangle<false>;
+    /// Triangles within 31 rows inside the scissor.
+    pub(crate) type Inside = BresenhamTriangle<false>;
+    /// Triangles within 31 rows between the scissor's columns.
+    pub(crate) type Low = BresenhamTriangle<true>;
+}
