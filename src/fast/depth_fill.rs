@@ -12,7 +12,7 @@
 use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
 use crate::math::cores::CORTEX_M0;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowScratch, Scissor, Trapezoid};
-use crate::surface::{DepthBuffer, DepthTarget, Memory, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 use core::hint::black_box;
 
 /// What the pixels of a triangle are set to where they are nearer than the depth buffer.
@@ -73,7 +73,7 @@ pub(super) fn fill_nearer<T: Target, F: DepthFill<<T::Store as PixelStore>::Cell
 /// Fills a small triangle; passes all others on.
 #[inline(never)] // its loop needs all registers
 fn small<S: PixelStore, F: DepthFill<S::Cell>>(
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
@@ -88,7 +88,7 @@ fn small<S: PixelStore, F: DepthFill<S::Cell>>(
 /// Fills a triangle of few rows that may be wide or reach beyond the scissor; passes larger ones on.
 #[inline(never)]
 fn low<S: PixelStore, F: DepthFill<S::Cell>>(
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
@@ -104,7 +104,7 @@ fn low<S: PixelStore, F: DepthFill<S::Cell>>(
 fn fill_rows<S: PixelStore, F: DepthFill<S::Cell>>(
     rows: impl Rows,
     triangle: &DepthTriangle<'_>,
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     depths: &mut [u16],
     fill: F,
 ) {
@@ -121,7 +121,7 @@ fn fill_rows<S: PixelStore, F: DepthFill<S::Cell>>(
 /// Fills any triangle, trapezoid by trapezoid.
 #[inline(never)] // rare, and most of its time is spent on pixels
 fn large<S: PixelStore, F: DepthFill<S::Cell>>(
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,

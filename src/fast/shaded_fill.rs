@@ -11,7 +11,7 @@
 use super::depth_fill::put_nearer;
 use super::{depth_gradient, each_span, memory_of};
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
-use crate::surface::{DepthTarget, Memory, PixelStore, StoredPixel, Target};
+use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 use core::hint::black_box;
 
 /// Fills a triangle with the colors that `span_colors` gives for each span, unless the target's pixels do not lie in memory.
@@ -29,7 +29,7 @@ pub(crate) fn triangle<T: Target, R: Iterator<Item = T::Color>>(
 
 #[inline(never)] // its loop needs all registers
 fn fill<S: PixelStore, R: Iterator<Item = S::Cell>>(
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
     span_cells: impl Fn(Span) -> R,
@@ -62,7 +62,7 @@ pub(crate) fn triangle_nearer<T: Target, R: Iterator<Item = T::Color>>(
 
 #[inline(never)] // its loop needs all registers
 fn fill_nearer<S: PixelStore, R: Iterator<Item = S::Cell>>(
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
     depths: &mut [u16],

@@ -6,12 +6,13 @@
 //!   on a Cortex-M0) has a loop of its own with all registers.
 //! - **Test**: `pipeline::fill::tests`.
 
+use super::attach::memory_with_drawable;
 use super::Rows;
 use super::{memory_of, Low, Small};
 use crate::math::cores::CORTEX_M0;
 use crate::raster::{AnyTriangle, PixelLayout, Scissor, ScreenPoint, Trapezoid, Triangle};
 use crate::surface::block_fill::{fill_pairs, LONG};
-use crate::surface::{Memory, PixelStore, StoredPixel, Target};
+use crate::surface::{PixelRows, PixelStore, StoredPixel, Target};
 
 /// Fills a triangle, unless the target's pixels do not lie in memory.
 #[inline(always)]
@@ -35,9 +36,8 @@ pub(crate) fn triangle_2d<T: Target>(
     color: T::Color,
     target: &mut T,
 ) -> bool {
-    let Some(memory) = memory_of(target) else { return false };
-    let scissor = *memory.drawable();
-    small(memory, &Triangle::new(corners, area, &scissor), &scissor, [color.stored(); 2]);
+    let Some((scissor, memory)) = memory_with_drawable(target) else { return false };
+    small(memory, &Triangle::new(corners, area, scissor), scissor, [color.stored(); 2]);
     true
 }
 
@@ -45,7 +45,7 @@ pub(crate) fn triangle_2d<T: Target>(
 /// they are equal, so that it stores two 16-bit cells from one register.
 #[inline(never)] // its loop needs all registers
 fn small<S: PixelStore>(
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
     pair: [S::Cell; 2],
@@ -59,7 +59,7 @@ fn small<S: PixelStore>(
 /// Fills a triangle of few rows that may be wide or reach beyond the scissor; passes larger ones on.
 #[inline(never)]
 fn low<S: PixelStore>(
-    memory: &mut Memory<S>,
+    memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
     pair: [S::Cell; 2],
@@ -74,7 +74,7 @@ fn low<S: PixelStore>(
 }
 
 #[inline(always)]
-fn fill_rows<R: Rows, S: PixelStore>(rows: R, memory: &mut Memory<S>, pair: [S::Cell; 2]) {
+fn fill_rows<R: Rows, S: PixelStore>(rows: R, memory: &mut PixelRows<S>, pair: [S::Cell; 2]) {
     let (cells, scratch) = memory.parts();
     let may_be_long = R::WIDTH > LONG << 8;
     rows.each(scratch, |start, left, right| fill_row(cells, start, left, right, pair, may_be_long));

@@ -1,7 +1,8 @@
 //! A frame drawn in bands: through a strip of memory in place of a framebuffer.
 
 use super::pixel_format::{copy_pixels, fill_pixels, get_pixel, row_bytes, set_pixel, PixelFormat};
-use super::pixels::{Pixels, StoredPixel};
+use super::pixels::Pixels;
+use super::stored_pixel::StoredPixel;
 use core::convert::Infallible;
 use core::marker::PhantomData;
 use core::ops::Range;

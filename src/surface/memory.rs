@@ -1,7 +1,7 @@
 //! Pixels in memory: cells row by row, without gaps, and the plain ways to write to them.
 
 use super::block_fill::fill;
-use super::picture::PictureError;
+use super::picture_error::PictureError;
 use super::{drawable, inside};
 use crate::raster::{PixelLayout, RowScratch, Scissor, Span};
 use embedded_graphics_core::primitives::Rectangle;
@@ -48,12 +48,47 @@ impl<Cell: Copy> PixelStore for [Cell; 0] {
 /// [`Pixels`](crate::Pixels). `Target` has an example.
 #[derive(Debug)]
 pub struct Memory<S> {
-    area: Rectangle,
     /// The part of the area that 2D drawing can reach, computed once and not for each triangle.
     drawable: Scissor,
+    rows: PixelRows<S>,
+}
+
+/// The cells of a [`Memory`] and their layout: what loops over rows take, while the rest of the memory is read.
+#[derive(Debug)]
+pub(crate) struct PixelRows<S> {
+    area: Rectangle,
     store: S,
     /// The layout of the cells; on a Cortex-M0 also room for a triangle's rows.
     scratch: RowScratch,
+}
+
+impl<S> PixelRows<S> {
+    /// The rectangle whose pixels these are.
+    #[inline(always)]
+    pub(crate) const fn area(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl<S: PixelStore> PixelRows<S> {
+    /// The cells, and the layout and scratch space for loops over them.
+    #[inline(always)]
+    pub(crate) fn parts(&mut self) -> (&mut [S::Cell], &mut RowScratch) {
+        (self.store.cells(), &mut self.scratch)
+    }
+
+    /// The layout and scratch space alone.
+    #[inline(always)]
+    pub(crate) fn scratch(&mut self) -> &mut RowScratch {
+        &mut self.scratch
+    }
+}
+
+impl<S> Memory<S> {
+    /// The rectangle whose pixels these are.
+    pub const fn area(&self) -> Rectangle {
+        self.rows.area
+    }
 }
 
 impl<S: PixelStore> Memory<S> {
@@ -73,12 +108,7 @@ impl<S: PixelStore> Memory<S> {
     pub(super) fn unchecked(store: S, area: Rectangle) -> Self {
         let Rectangle { top_left, size } = area;
         let layout = PixelLayout::new(top_left.x, top_left.y, size.width as usize);
-        Self { area, drawable: drawable(&area), store, scratch: RowScratch::new(layout) }
-    }
-
-    /// The rectangle whose pixels these are.
-    pub const fn area(&self) -> Rectangle {
-        self.area
+        Self { drawable: drawable(&area), rows: PixelRows { area, store, scratch: RowScratch::new(layout) } }
     }
 
     /// The part of the area that 2D drawing can reach.
@@ -91,13 +121,13 @@ impl<S: PixelStore> Memory<S> {
     /// [`area`](Self::area).
     #[inline(always)]
     pub fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [S::Cell]> {
-        let Rectangle { top_left, size } = self.area;
+        let Rectangle { top_left, size } = self.rows.area;
         // Wrapped differences: far too large to the left and above.
         let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
         let fits =
             row < size.height && column <= size.width && width as u32 <= size.width.wrapping_sub(column);
-        let from = self.scratch.layout.at(x, y);
-        self.store.cells().get_mut(from..from.wrapping_add(width as usize)).filter(|_| fits)
+        let from = self.rows.scratch.layout.at(x, y);
+        self.rows.store.cells().get_mut(from..from.wrapping_add(width as usize)).filter(|_| fits)
     }
 
     /// Sets the pixels of a span to one cell; pixels outside the [`area`](Self::area) are left out.
@@ -105,7 +135,7 @@ impl<S: PixelStore> Memory<S> {
     pub fn fill(&mut self, span: Span, cell: S::Cell) {
         let Span { x, y, width, height } = span;
         let clipped = Scissor::unclamped(x, y, x.saturating_add(width), y.saturating_add(height));
-        let clipped = clipped.clipped_to(&inside(&self.area));
+        let clipped = clipped.clipped_to(&inside(&self.area()));
         let (columns, rows) = (clipped.columns(), clipped.rows());
         for y in rows {
             if let Some(run) = self.row(columns.start, y, columns.end.wrapping_sub(columns.start)) {
@@ -123,16 +153,10 @@ impl<S: PixelStore> Memory<S> {
         }
     }
 
-    /// The layout of the cells and the scratch space, to set up a triangle's rows before the cells are borrowed.
+    /// The cells with their layout, and the part of the area that 2D drawing can reach.
     #[inline(always)]
-    pub(crate) fn scratch(&mut self) -> &mut RowScratch {
-        &mut self.scratch
-    }
-
-    /// The cells, and the layout and scratch space for loops over them.
-    #[inline(always)]
-    pub(crate) fn parts(&mut self) -> (&mut [S::Cell], &mut RowScratch) {
-        (self.store.cells(), &mut self.scratch)
+    pub(crate) fn split(&mut self) -> (&Scissor, &mut PixelRows<S>) {
+        (&self.drawable, &mut self.rows)
     }
 }
 
@@ -140,7 +164,7 @@ impl<S: PixelStore> Memory<S> {
 #[cfg(feature = "defmt")]
 impl<S> defmt::Format for Memory<S> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let Rectangle { top_left, size } = self.area;
+        let Rectangle { top_left, size } = self.rows.area;
         defmt::write!(f, "memory of {} at {}", size, top_left);
     }
 }

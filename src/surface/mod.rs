@@ -7,18 +7,23 @@ mod depth;
 mod dirty_regions;
 mod memory;
 mod picture;
+mod picture_error;
 mod pixel_format;
 mod pixels;
+mod stored_pixel;
 mod target;
 
 pub use band::{Band, BandError, Frame};
 pub(crate) use depth::DepthTarget;
 pub use depth::{DepthBuffer, DepthBufferError};
 pub use dirty_regions::{DirtyRegions, TransferCost};
+pub(crate) use memory::PixelRows;
 pub use memory::{Memory, PixelStore};
-pub use picture::{Picture, PictureError};
+pub use picture::Picture;
+pub use picture_error::PictureError;
 pub use pixel_format::PixelFormat;
-pub use pixels::{Pixels, StoredPixel};
+pub use pixels::Pixels;
+pub use stored_pixel::StoredPixel;
 pub use target::Target;
 
 use crate::raster::Scissor;

@@ -1,6 +1,6 @@
 //! Pixels as bits, in the order in which displays take them, and rows of them.
 
-use super::pixels::StoredPixel;
+use super::stored_pixel::StoredPixel;
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
 use embedded_graphics_core::pixelcolor::{

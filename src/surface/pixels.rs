@@ -1,12 +1,12 @@
 //! A slice of memory as a target.
 
 use super::memory::Memory;
-use super::picture::PictureError;
+use super::picture_error::PictureError;
+use super::stored_pixel::StoredPixel;
 use super::target::Target;
 use crate::raster::Span;
 use core::convert::Infallible;
 use core::marker::PhantomData;
-use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// Pixels in a slice of memory, the fastest [`Target`]: of a [`Picture`](crate::Picture), of a [`Band`](crate::Band), or of a
@@ -17,41 +17,6 @@ use embedded_graphics_core::primitives::Rectangle;
 pub struct Pixels<'a, C, Cell = C> {
     memory: Memory<&'a mut [Cell]>,
     color: PhantomData<C>,
-}
-
-/// A color as a cell of memory: the color itself, its bytes in the order in which displays take them, or its number.
-///
-/// | cell | memory holds | colors |
-/// |---|---|---|
-/// | the color | whatever the type is | all |
-/// | `[u8; N]` | [`PixelFormat`](crate::PixelFormat)'s bits, most significant byte first | those of 8, 16 and 24 bits |
-/// | `u16` | the number in the core's own byte order, as LCD controllers and 16-bit SPI take it | `Rgb565`, `Bgr565`, `Rgb555`, `Bgr555` |
-///
-/// ```
-/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use pinhole::StoredPixel;
-/// assert_eq!((Rgb565::RED.stored(), Rgb565::RED.stored()), (Rgb565::RED, [0xf8, 0x00]));
-/// assert_eq!(Rgb565::load([0xf8, 0x00]), Rgb565::RED);
-/// assert_eq!(Rgb565::load(0xf800_u16), Rgb565::RED);
-/// ```
-pub trait StoredPixel<Cell>: PixelColor {
-    /// The color as a cell of memory.
-    fn stored(self) -> Cell;
-
-    /// The color of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.
-    fn load(cell: Cell) -> Self;
-}
-
-impl<C: PixelColor> StoredPixel<C> for C {
-    #[inline(always)]
-    fn stored(self) -> C {
-        self
-    }
-
-    #[inline(always)]
-    fn load(cell: C) -> C {
-        cell
-    }
 }
 
 impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
@@ -119,7 +84,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Target for Pixels<'a, C, Cell> {
 
 // The color is not printed: it need not implement `Format`.
 #[cfg(feature = "defmt")]
-impl<C, Cell: Copy> defmt::Format for Pixels<'_, C, Cell> {
+impl<C, Cell> defmt::Format for Pixels<'_, C, Cell> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "pixels of {}", self.memory.area());
     }

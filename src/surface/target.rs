@@ -1,7 +1,7 @@
 //! What pixels are drawn into.
 
 use super::memory::{Memory, PixelStore};
-use super::pixels::StoredPixel;
+use super::stored_pixel::StoredPixel;
 use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
