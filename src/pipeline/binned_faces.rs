@@ -9,7 +9,7 @@ use super::faces::{draw_triangles, each_face, keep_depth};
 use super::fill::{fill, fill_nearer};
 use super::plane_culled::PlaneCulled;
 use super::statistics::Statistics;
-use super::vertex_cache::{LazyCache, TransformedMesh, VertexCache};
+use super::vertex_cache::{BinnedVertices, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::clip::Varying;
 use crate::math::Coordinate;
@@ -62,7 +62,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         let viewport = Scissor::EMPTY; // no gradient is asked for
         let mut triangles = FaceTriangles::<()>::new(&viewport);
         self.clip_face(face, &mut triangles);
-        triangles.reach().rows().start
+        triangles.fan.reach().rows().start
     }
 }
 
@@ -74,20 +74,26 @@ fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
     bins: &mut Bins<'_>,
 ) -> Result<Statistics, BinError> {
     let (count, mut sort) = (cache.instance().mesh.faces().len(), bins.sort());
-    let viewport = Scissor::EMPTY; // no gradient is asked for
-    let statistics =
-        each_face(source, &mut cache, &viewport, |index, _, triangles: &mut FaceTriangles<'_, ()>| {
-            put(index, triangles, &mut sort);
-            Ok(true)
-        })?;
+    let statistics = count_faces(source, &mut cache, &mut sort);
     let mesh = cache.view();
     sort.finish(count, |index| mesh.first_row(index))?;
     Ok(statistics)
 }
 
-#[inline(never)] // its frame is not there while faces are culled
-fn put(index: usize, triangles: &FaceTriangles<'_, ()>, sort: &mut BinSort<'_, '_>) {
-    sort.put(index, &triangles.reach());
+/// Culls and clips faces and puts those that are drawn to the sort.
+#[inline(never)] // its frame is gone when the faces are sorted
+fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
+    source: impl FaceSource,
+    cache: &mut impl VertexCache<'a, V, DEPTH>,
+    sort: &mut BinSort<'_, '_>,
+) -> Statistics {
+    let viewport = Scissor::EMPTY; // no gradient is asked for
+    let Ok(statistics) =
+        each_face(source, cache, &viewport, |index, _, triangles: &mut FaceTriangles<'_, ()>| {
+            sort.put(index, &triangles.fan.reach());
+            Ok::<bool, Infallible>(true)
+        });
+    statistics
 }
 
 impl<'a, V: Coordinate> PlaneCulled<'a, V> {
@@ -256,10 +262,10 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         if region.scissor.is_empty() {
             return Ok(()); // the bins stand at another band
         }
-        let mut cache = self.0.transformed;
+        let mut cache = BinnedVertices(self.0.transformed);
         let source = BandSource(&mut self.0.bins);
         each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
-            let reach = triangles.reach().rows();
+            let reach = triangles.fan.reach().rows();
             if reach.start < rows.end && reach.end > rows.start {
                 draw(index, face, triangles)?;
             }

@@ -1,6 +1,6 @@
 //! The slow path: points, edges and faces with a vertex that is not on the screen, cut by planes in clip space.
 
-use super::face_triangles::FaceTriangles;
+use super::face_triangles::{FaceTriangles, Fan, Polygon};
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{DepthOf, UnpackedVertex, VertexTransform};
@@ -144,23 +144,28 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
 
     /// A face with an uncached vertex, or one that must be clipped: what becomes of it, and its first triangle if it is
     /// drawn.
-    #[cold]
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn clip_face<K: Varying>(
         &self,
         face: &[u16; 3],
         triangles: &mut FaceTriangles<'_, K>,
     ) -> Outcome {
-        let polygon = triangles.polygon();
+        self.clip_with(face, &mut triangles.fan, &mut triangles.varyings)
+    }
+
+    #[cold]
+    #[inline(never)] // one copy for all varyings
+    fn clip_with(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) -> Outcome {
         let corners = face.map(|index| self.screen_vertex(index));
         let cut = if corners.iter().all(|corner| corner.is_on_screen()) {
-            polygon.set_face(&self.unpack(corners));
+            fan.polygon.set_face(&self.unpack(corners));
             false
         } else {
-            polygon.varyings.begin();
-            self.clipper(face, &mut polygon.slots, Some(&mut polygon.varyings)).face(&mut polygon.order)
+            varyings.begin();
+            let Polygon { slots, order } = &mut fan.polygon;
+            self.clipper(face, slots, Some(varyings)).face(order)
         };
-        triangles.begin_fan(self.instance.cull, cut)
+        fan.begin(self.instance.cull, cut)
     }
 }
 

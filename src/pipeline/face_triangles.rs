@@ -9,24 +9,18 @@ use crate::math::ClipCoords;
 use crate::raster::{self, DepthTriangle, Scissor};
 use crate::shading::Shader;
 
-/// What clipping leaves of a face: a convex polygon on the screen, with the varyings of its corners.
-pub(super) struct Polygon<K> {
+/// What clipping leaves of a face: a convex polygon on the screen.
+pub(super) struct Polygon {
     /// Corners: in clip space while planes cut, then on the screen as x, y, depth and clip space's w.
     pub(super) slots: [ClipCoords; CLIP_SLOTS],
-    /// The varyings of the corner in each slot.
-    pub(super) varyings: [K; CLIP_SLOTS],
     /// The slots of the polygon's corners, in order.
     pub(super) order: SlotOrder,
 }
 
-impl<K: Varying> Polygon<K> {
+impl Polygon {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self {
-            slots: [ClipCoords::ZERO; CLIP_SLOTS],
-            varyings: [K::of(0); CLIP_SLOTS],
-            order: SlotOrder::new(),
-        }
+        Self { slots: [ClipCoords::ZERO; CLIP_SLOTS], order: SlotOrder::new() }
     }
 
     /// A face with all corners on the screen.
@@ -52,10 +46,38 @@ impl<K: Varying> Polygon<K> {
     }
 }
 
-/// The triangles of one face after the other, with one triangle as the current one.
+/// The triangles of one face after the other, with the varyings of their corners.
 pub(super) struct FaceTriangles<'v, K> {
+    pub(super) fan: Fan<'v>,
+    /// The varyings of the corner in each slot of the polygon.
+    pub(super) varyings: [K; CLIP_SLOTS],
+}
+
+impl<'v, K: Varying> FaceTriangles<'v, K> {
+    #[inline(always)]
+    pub(super) fn new(viewport: &'v Scissor) -> Self {
+        Self { fan: Fan::new(viewport), varyings: [K::of(0); CLIP_SLOTS] }
+    }
+
+    /// The shader of the current triangle: the face's own, or the one of a part of the face.
+    #[inline(always)]
+    pub(super) fn shader<S: Shader<Varying = K>>(&self, shader: &S) -> S {
+        if self.fan.is_cut() {
+            shader.sub_face(self.fan.slots().map(|slot| match self.varyings.get(slot) {
+                Some(varying) => *varying,
+                None => K::of(0), // the fan's slots exist
+            }))
+        } else {
+            *shader
+        }
+    }
+}
+
+/// The triangles of one face after the other, with one triangle as the current one. It does not depend on varyings: it is
+/// compiled once for all shaders.
+pub(super) struct Fan<'v> {
     triangle: DepthTriangle<'v>,
-    polygon: Polygon<K>,
+    pub(super) polygon: Polygon,
     /// Whether planes took a part of the face, which only a fan tells.
     is_cut: bool,
     /// Whether the polygon's corners are taken from the last to the first, so that its triangles face the viewer.
@@ -67,7 +89,7 @@ pub(super) struct FaceTriangles<'v, K> {
     end: u8,
 }
 
-impl<'v, K: Varying> FaceTriangles<'v, K> {
+impl<'v> Fan<'v> {
     #[inline(always)]
     pub(super) fn new(viewport: &'v Scissor) -> Self {
         let triangle = DepthTriangle::new(viewport);
@@ -93,19 +115,13 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         !self.is_cached() && self.is_cut
     }
 
-    /// The polygon, for the clipper to fill before [`begin_fan`](Self::begin_fan).
-    #[inline(always)]
-    pub(super) fn polygon(&mut self) -> &mut Polygon<K> {
-        &mut self.polygon
-    }
-
     /// Begins the fan of the polygon: what becomes of the face, and if it is drawn its first triangle. `cut`: planes took
     /// a part of the face.
     #[inline(never)] // rare: small is better
-    pub(super) fn begin_fan(&mut self, cull: Cull, cut: bool) -> Outcome {
+    pub(super) fn begin(&mut self, cull: Cull, cut: bool) -> Outcome {
         (self.is_cut, self.reversed, self.at) = (cut, false, 0);
         let (mut area, mut corners) = (0, [UnpackedVertex::ORIGIN; 3]);
-        while let Some(part) = self.fan_step(&mut corners) {
+        while let Some(part) = self.step(&mut corners) {
             area += part; // < 7·2⁴⁵
         }
         let outcome = match (self.at, cull.facing(area)) {
@@ -119,7 +135,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         self.reversed = cut && area < 0;
         (self.at, self.end) = (0, if outcome.is_drawn() { self.at } else { 0 });
         if outcome.is_drawn() {
-            self.advance_fan(); // an area that is not zero has a triangle
+            self.step_on(); // an area that is not zero has a triangle
         }
         outcome
     }
@@ -133,17 +149,17 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     /// Goes on to the next triangle of the face, if there is one.
     #[inline(always)]
     pub(super) fn advance(&mut self) -> bool {
-        !self.is_cached() && self.advance_fan()
+        !self.is_cached() && self.step_on()
     }
 
     /// The next triangle that faces as the polygon does: rounding of the corners may turn a sliver over, which would be
     /// drawn on top of its neighbor.
     #[cold]
     #[inline(never)]
-    fn advance_fan(&mut self) -> bool {
+    fn step_on(&mut self) -> bool {
         let mut corners = [UnpackedVertex::ORIGIN; 3];
         while self.at < self.end {
-            let Some(area) = self.fan_step(&mut corners) else { break };
+            let Some(area) = self.step(&mut corners) else { break };
             if area > 0 || !self.is_cut {
                 set_triangle::<true>(&mut self.triangle, &corners, area);
                 return true;
@@ -152,22 +168,9 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         false
     }
 
-    /// The shader of the current triangle: the face's own, or the one of a part of the face.
-    #[inline(always)]
-    pub(super) fn shader<S: Shader<Varying = K>>(&self, shader: &S) -> S {
-        if self.is_cut() {
-            shader.sub_face(self.fan_slots().map(|slot| match self.polygon.varyings.get(slot) {
-                Some(varying) => *varying,
-                None => K::of(0), // the fan's slots exist
-            }))
-        } else {
-            *shader
-        }
-    }
-
     /// Clip space's w at the corners of the current triangle of a face that was cut.
     pub(super) fn clip_w(&self) -> [i32; 3] {
-        self.fan_slots().map(|slot| match self.polygon.slots.get(slot) {
+        self.slots().map(|slot| match self.polygon.slots.get(slot) {
             Some(ClipCoords { xydw: [.., w] }) => *w,
             None => 1, // the fan's slots exist
         })
@@ -190,7 +193,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     }
 
     /// The slots of the current triangle's corners.
-    fn fan_slots(&self) -> [usize; 3] {
+    fn slots(&self) -> [usize; 3] {
         let at = usize::from(self.at);
         [0, at, at + 1].map(|corner| self.slot(corner))
     }
@@ -204,7 +207,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
 
     /// The corners of the fan's next triangle and its area, if there is one.
     #[inline(never)] // rare: small is better
-    fn fan_step(&mut self, corners: &mut [UnpackedVertex; 3]) -> Option<i64> {
+    fn step(&mut self, corners: &mut [UnpackedVertex; 3]) -> Option<i64> {
         let at = usize::from(self.at);
         let mut i = 0;
         while let Some(vertex) = corners.get_mut(i) {

@@ -28,9 +28,9 @@ use core::convert::Infallible;
 ///
 /// The first error of `sink`.
 #[inline(always)]
-pub(super) fn each_face<'a, V: Coordinate, K: Varying, E, const DEPTH: bool>(
+pub(super) fn each_face<'a, V: Coordinate, C: VertexCache<'a, V, DEPTH>, K: Varying, E, const DEPTH: bool>(
     source: impl FaceSource,
-    cache: &mut impl VertexCache<'a, V, DEPTH>,
+    cache: &mut C,
     viewport: &Scissor,
     mut sink: impl FnMut(usize, &[u16; 3], &mut FaceTriangles<'_, K>) -> Result<bool, E>,
 ) -> Result<Statistics, E>
@@ -46,7 +46,8 @@ where
             // The common case. A face that is turned away counts nothing: see `with_the_rest_culled`.
             Some(corners) => {
                 let area = area::<DEPTH>(&corners);
-                match instance.cull.facing(area) {
+                let facing = if C::CULLED { Facing::Front } else { instance.cull.facing(area) };
+                match facing {
                     Facing::Front => {}
                     Facing::Away => return Ok(true),
                     Facing::EdgeOn => {
@@ -57,7 +58,9 @@ where
                 let Some(corners) = cache.corners_again(face, corners) else { return Ok(true) };
                 statistics.count(Outcome::Whole);
                 let transform = &instance.vertex_transform;
-                triangles.set_whole::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
+                triangles
+                    .fan
+                    .set_whole::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
             }
             None => {
                 let outcome = cache.view().clip_face(face, &mut triangles);
@@ -86,8 +89,8 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     }
     let w = if !S::NEEDS_W {
         [1; 3]
-    } else if triangles.is_cut() {
-        triangles.clip_w()
+    } else if triangles.fan.is_cut() {
+        triangles.fan.clip_w()
     } else {
         let vertices = instance.mesh.vertices();
         face.map(|index| {
@@ -95,7 +98,7 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
             vertex.map_or(1, |vertex| instance.vertex_transform.w(vertex))
         })
     };
-    shader.with_corners(&CornerValues::new(triangles.triangle().depths, w))
+    shader.with_corners(&CornerValues::new(triangles.fan.triangle().depths, w))
 }
 
 /// Draws the triangles of a face: `draw` gets each with its shader.
@@ -110,14 +113,14 @@ pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
     loop {
         // The common case passes the face's shader by reference: no copy.
         let own;
-        let shader = if triangles.is_cut() || S::NEEDS_DEPTH || S::NEEDS_W {
+        let shader = if triangles.fan.is_cut() || S::NEEDS_DEPTH || S::NEEDS_W {
             own = triangle_shader(instance, face, triangles, shader);
             &own
         } else {
             shader
         };
-        draw(triangles.triangle(), shader)?;
-        if !triangles.advance() {
+        draw(triangles.fan.triangle(), shader)?;
+        if !triangles.fan.advance() {
             return Ok(());
         }
     }
@@ -186,12 +189,12 @@ pub(super) fn keep_depth(
     depth: &mut DepthBuffer<'_>,
 ) {
     loop {
-        let triangle = triangles.triangle();
+        let triangle = triangles.fan.triangle();
         let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
         for span in fast::spans(&triangle.triangle, scissor) {
             let Ok(()) = depth.test(span, &gradient, |_| Ok::<(), Infallible>(()));
         }
-        if !triangles.advance() {
+        if !triangles.fan.advance() {
             return;
         }
     }

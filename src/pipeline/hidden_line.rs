@@ -148,7 +148,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
             }
             loop {
                 if number >= first {
-                    let triangle = triangles.triangle();
+                    let triangle = triangles.fan.triangle();
                     let points = *triangle.triangle.corners();
                     if beside
                         .push(TriangleBeside {
@@ -161,7 +161,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
                     }
                 }
                 number += 1; // fewer than 2·CORNERS
-                if !triangles.advance() {
+                if !triangles.fan.advance() {
                     break;
                 }
             }

@@ -437,7 +437,7 @@ impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
         let viewport = Scissor::GUARD_BAND; // no gradient is asked for
         let instance = cache.instance();
         let Ok(statistics) = each_face(source, cache, &viewport, |index, face, triangles| {
-            let shared = !triangles.is_cut() && (shares || triangles.is_cached());
+            let shared = !triangles.fan.is_cut() && (shares || triangles.fan.is_cached());
             draw_triangles(instance, face, triangles, &shade(index), |triangle, shader| {
                 let vertices = match shared {
                     true => face.map(|index| self.room.first.wrapping_add(usize::from(index))),

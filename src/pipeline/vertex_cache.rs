@@ -12,6 +12,9 @@ use core::hint::black_box;
 
 /// A cache of a mesh's vertices, as the face loop asks it.
 pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
+    /// Whether all faces that the loop meets were culled before: then the loop does not test them again.
+    const CULLED: bool = false;
+
     /// The corners of a face, if the cache holds all of them and they lie on the screen.
     fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]>;
 
@@ -217,6 +220,33 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     #[inline(always)]
     fn view(&self) -> TransformedMesh<'_, V, DEPTH> {
         *self
+    }
+}
+
+/// The cache of faces that were binned, and culled then.
+pub(super) struct BinnedVertices<'a, V, const DEPTH: bool>(pub(super) TransformedMesh<'a, V, DEPTH>);
+
+impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedVertices<'a, V, DEPTH> {
+    const CULLED: bool = true;
+
+    #[inline(always)]
+    fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
+        self.0.on_screen(face)
+    }
+
+    #[inline(always)]
+    fn corners_again(&mut self, _: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
+        Some(corners)
+    }
+
+    #[inline(always)]
+    fn instance(&self) -> &'a MeshInstance<'a, V> {
+        self.0.instance
+    }
+
+    #[inline(always)]
+    fn view(&self) -> TransformedMesh<'_, V, DEPTH> {
+        self.0
     }
 }
 
