@@ -33,7 +33,7 @@ pub(crate) struct Image {
 }
 
 /// What the stack of all of them is to come down to on the M3 at level 3, the program's own frames included.
-pub(crate) const STACK: u64 = 1536;
+pub(crate) const STACK: u64 = 1792;
 
 const DITHER: Part = Part("shade/dither.rs", None);
 const FLAT: &[Part] = &[Part("shade/gouraud.rs", None), DITHER];
