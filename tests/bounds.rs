@@ -9,7 +9,7 @@ use support::oracle;
 
 #[path = "../apps/accuracy/src/functions.rs"]
 mod functions;
-#[allow(dead_code, unreachable_pub, unused_imports)]
+#[allow(dead_code, unreachable_pub, unused_imports, clippy::wrong_self_convention)]
 #[path = "../src/math/mod.rs"]
 mod math;
 #[allow(dead_code, unreachable_pub)]

@@ -143,7 +143,7 @@ impl SpanShader<Rgb888> for Glass {
         _: Span,
         stored: impl Iterator<Item = Rgb888>,
     ) -> impl Iterator<Item = Rgb888> {
-        let half = |a: u8, b: u8| ((u16::from(a) + u16::from(b) + 1) / 2) as u8;
+        let half = |a: u8, b: u8| (u16::from(a) + u16::from(b)).div_ceil(2) as u8;
         stored
             .map(move |s| Rgb888::new(half(color.r(), s.r()), half(color.g(), s.g()), half(color.b(), s.b())))
     }

@@ -42,7 +42,7 @@ pub struct Options {
     pub edge_faces: bool,
     /// A normal for each face.
     pub normals: bool,
-    /// The plane of each face, 2 bytes, by which [`pinhole::MeshInstance::facing`] knows the faces that are turned away. Wants
+    /// The plane of each face, 2 bytes, by which [`pinhole::MeshInstance::cull_by_planes`] knows the faces that are turned away. Wants
     /// `normals`.
     pub planes: bool,
     /// A normal for each vertex: the mean of its faces' normals, each weighted by the face's angle there (Thürmer and

@@ -28,15 +28,19 @@ use core::convert::Infallible;
 ///
 /// The first error of `sink`.
 #[inline(always)]
-pub(super) fn each_face<'a, V: Coordinate, C: VertexCache<'a, V, DEPTH>, K: Varying, E, const DEPTH: bool>(
+pub(super) fn each_face<
+    'a,
+    V: Coordinate + 'a,
+    C: VertexCache<'a, V, DEPTH>,
+    K: Varying,
+    E,
+    const DEPTH: bool,
+>(
     source: impl FaceSource,
     cache: &mut C,
     viewport: &Scissor,
     mut sink: impl FnMut(usize, &[u16; 3], &mut FaceTriangles<'_, K>) -> Result<bool, E>,
-) -> Result<Statistics, E>
-where
-    V: 'a,
-{
+) -> Result<Statistics, E> {
     let mut statistics = Statistics::NONE;
     let mut triangles = FaceTriangles::new(viewport);
     let instance = cache.instance();
@@ -202,7 +206,7 @@ pub(super) fn keep_depth(
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     /// Draws the faces in the mesh's order, one colour each: right for convex meshes, where front
-    /// faces never hide each other; [`Painter`] draws the others. `shade` gives face `i` its
+    /// faces never hide each other; [`Painter`](crate::Painter) draws the others. `shade` gives face `i` its
     /// colour, and is asked once for each face drawn. `cache` is as in
     /// [`wireframe`](Self::wireframe).
     ///

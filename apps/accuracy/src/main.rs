@@ -13,7 +13,7 @@ mod population;
 mod sweep;
 
 // Private modules of the library, which are measured directly.
-#[allow(dead_code, unreachable_pub, unused_imports)]
+#[allow(dead_code, unreachable_pub, unused_imports, clippy::wrong_self_convention)]
 #[path = "../../../src/math/mod.rs"]
 mod math;
 #[allow(dead_code, unreachable_pub)]

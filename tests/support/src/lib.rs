@@ -5,6 +5,8 @@
 //! * [`definition`]: every projection by its geometric definition, in f64.
 //! * [`teapot`]: the Utah teapot as a constant mesh.
 //! * `panel`, `ssd0323` (feature `panel`): models of display controllers behind their buses.
+// Test code: its types are made by the tests alone, and tests end at the first error.
+#![allow(clippy::new_without_default, clippy::result_unit_err, clippy::should_implement_trait)]
 
 pub mod bridge;
 pub mod definition;

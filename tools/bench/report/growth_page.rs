@@ -32,7 +32,7 @@ one frame; `Statistics` tells how many faces were drawn. What says *more* comes 
 anyway:
 
 * *frame*: 1.
-* *vertex*: of the mesh, all of them, in every way. Where faces are asked by their planes (`MeshInstance::facing`) count all of them, too:
+* *vertex*: of the mesh, all of them, in every way. Where faces are asked by their planes (`MeshInstance::cull_by_planes`) count all of them, too:
   the constant is for clearing their places, and placing those that are needed is part of a *face drawn*.
 * *face left out*: turned away, or before the near plane; of a closed mesh about half. *Face drawn*: the others, also beside the
   picture.

@@ -31,7 +31,7 @@ anyone would use it: the size of the picture is a variable, everything is clippe
 compiler knows none of the numbers. Opt-level 3, fat LTO.
 
 The torus and the icosphere have a normal and a plane (`Mesh::with_planes`, 2 bytes) with each face, and are drawn by
-`MeshInstance::facing`: most faces that are turned away are known before their corners are looked at, and a vertex that no other
+`MeshInstance::cull_by_planes`: most faces that are turned away are known before their corners are looked at, and a vertex that no other
 face has is not placed. What the same meshes take without planes is [below](#by-planes-and-without).
 
 Where the instructions of a frame go, stage by stage, is in [profile.md](profile.md), and what a scene of your own will take in
@@ -89,7 +89,7 @@ records and executes (without depth: draws what it has recorded); S1 of EG are i
 const NO_PLANES: &str = "
 ## By planes and without
 
-S3, S4 and S8 as above, and once more from the same mesh without its planes, drawn by `MeshInstance` in place of `MeshInstance::facing`: the
+S3, S4 and S8 as above, and once more from the same mesh without its planes, drawn by `MeshInstance` in place of `MeshInstance::cull_by_planes`: the
 same pose and frame, and the same picture, compared by checksum. S1 and S2 are drawn without planes in any case. *Flash* is what
 drawing by planes takes more, in bytes: the planes, 2 for each face, and code.
 

@@ -2,7 +2,7 @@
 //! and the tests compare the library with it.
 //!
 //! * [`coverage`] which pixels a triangle covers (R1–R9), in exact integers
-//! * [`line`] which pixels a line draws (L1–L3), each by its own exact division
+//! * [`mod@line`] which pixels a line draws (L1–L3), each by its own exact division
 //! * [`cases`] random triangles and lines, dense where rasterisers go wrong
 //! * [`chain`] model → world → view → clip → screen in f64, from the quantised inputs
 //! * [`eye`] what a camera sees in each pixel, in f64, by one ray per pixel: no clipping in it

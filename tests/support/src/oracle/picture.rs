@@ -165,7 +165,7 @@ pub struct Comparison {
     /// Of those, the ones where there is something instead of nothing or the other way round.
     pub background: usize,
     /// The largest distance of a stored depth from the exact one, in steps, beyond what a move of the
-    /// edges by [`SNAP`] changes and what the chain may do to the corners' depths.
+    /// edges by `SNAP` changes and what the chain may do to the corners' depths.
     pub depth: f64,
     /// The tolerance for triangles that reach the far plane.
     pub depth_at_far: f64,
