@@ -81,7 +81,7 @@ const SHIFT: f64 = 0.0025;
 /// The documented bound: half a step for rounding, and what stepping and the corners' rounding add. What the
 /// chain leaves the corners' depths is the oracle's to allow, by its own documented budget.
 const DEPTH: f64 = 0.54;
-/// BinnedFaces that reach far end half a step before it.
+/// Faces that reach far end half a step before it.
 const DEPTH_AT_FAR: f64 = 1.1;
 
 fn is_explained(found: &Comparison) -> bool {

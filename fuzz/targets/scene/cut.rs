@@ -1,4 +1,4 @@
-//! BinnedFaces that are cut, by one ray a pixel in f64: no clipping in there.
+//! Faces that are cut, by one ray a pixel in f64: no clipping in there.
 
 use crate::bridge::draw::Shader;
 use crate::bridge::pair::ViewBits;

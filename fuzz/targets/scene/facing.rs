@@ -1,4 +1,4 @@
-//! BinnedFaces asked by their planes, if they have any.
+//! Faces asked by their planes, if they have any.
 
 use crate::bridge::draw::Shader;
 use crate::cut::before_rounding;
@@ -57,7 +57,7 @@ pub(crate) fn check(scene: &Scene) {
     let placed = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
     let [(_, plain), (_, by_planes)] = both(scene, &placed);
     for &face in plain.iter().filter(|face| !by_planes.contains(face)) {
-        // BinnedFaces that are cut, or reach far out where places saturate, have no area that could be looked at.
+        // Faces that are cut, or reach far out where places saturate, have no area that could be looked at.
         assert_ne!(
             is_front(scene, &placed, scene.faces[face]),
             Some(true),

@@ -94,13 +94,13 @@ pub(crate) fn text(compiler: &str, all: &[Growth]) -> String {
 
 /// In the order of `WAYS`.
 const TITLES: [&str; 7] = [
-    "BinnedEdges as lines",
-    "BinnedFaces without depth",
-    "BinnedFaces with depth",
-    "BinnedFaces without depth, asked by their planes",
-    "BinnedFaces with depth, asked by their planes",
-    "BinnedFaces with depth in bands",
-    "BinnedFaces with depth in bands, asked by their planes",
+    "Edges as lines",
+    "Faces without depth",
+    "Faces with depth",
+    "Faces without depth, asked by their planes",
+    "Faces with depth, asked by their planes",
+    "Faces with depth in bands",
+    "Faces with depth in bands, asked by their planes",
 ];
 
 fn constants(text: &mut String, title: &str, cores: &[&Growth]) {

@@ -66,7 +66,7 @@ fn flat(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {
     Some([at(ax, ay)?, at(bx, by)?, at(cx, cy)?])
 }
 
-/// What a scene has of each thing. *BinnedFaces* are edges where those are drawn, lines and triangles of lists.
+/// What a scene has of each thing. *Faces* are edges where those are drawn, lines and triangles of lists.
 #[derive(Clone, Copy, Debug)]
 pub struct Units {
     pub vertices: u32,

@@ -53,13 +53,13 @@ pub enum Way {
     Lines,
     Faces,
     Depth,
-    /// BinnedFaces, with early culling by face planes.
+    /// Faces, with early culling by face planes.
     PlaneCulled,
-    /// BinnedFaces with depth, with early culling by face planes.
+    /// Faces with depth, with early culling by face planes.
     FacingDepth,
-    /// BinnedFaces with depth, in bands of so many rows.
+    /// Faces with depth, in bands of so many rows.
     Bands(u32),
-    /// BinnedFaces with depth in bands of so many rows, with early culling by face planes.
+    /// Faces with depth in bands of so many rows, with early culling by face planes.
     FacingBands(u32),
 }
 

@@ -6,7 +6,7 @@ use crate::scene::{BACKGROUND, LINE};
 use embedded_graphics_core::geometry::Size;
 use pinhole::{Cull, Mesh, MeshInstance};
 
-/// Of one frame. *BinnedFaces* are edges where lines are drawn.
+/// Of one frame. *Faces* are edges where lines are drawn.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Work {
     pub vertices: u32,
@@ -17,14 +17,14 @@ pub struct Work {
     pub large: u32,
     /// With a corner that must be clipped: drawn or not.
     pub clipped: u32,
-    /// Of these, those that a plane of the view volume cuts: drawn, or culled, which is known only after clipping. BinnedEdges are drawn.
+    /// Of these, those that a plane of the view volume cuts: drawn, or culled, which is known only after clipping. Edges are drawn.
     pub cut: u32,
     pub rows: u32,
     pub pixels: u32,
     /// Of the picture: these are cleared.
     pub area: u32,
     pub bands: u32,
-    /// BinnedFaces that a band looks at, over all bands; of these, the large ones that are not cut, and the cut ones.
+    /// Faces that a band looks at, over all bands; of these, the large ones that are not cut, and the cut ones.
     pub met: u32,
     pub met_large: u32,
     pub met_cut: u32,
@@ -199,7 +199,7 @@ impl Case {
         Some(Work { bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
     }
 
-    /// BinnedEdges that lie across the border of the picture, and those with an end that must be clipped.
+    /// Edges that lie across the border of the picture, and those with an end that must be clipped.
     fn edges(&self, placed: &MeshInstance<'_>) -> (u32, u32) {
         let (mut across, mut clipped) = (0, 0);
         let [width, height] = self.size.map(|side| (side as i32) << 8);
