@@ -36,7 +36,7 @@ fn strips(
     pixels
 }
 
-/// An error asks for as much as is enough.
+/// An error for too little memory names a size that suffices.
 fn record<'a, T>(records: &'a mut [u16], mut with: impl FnMut(&'a mut [u16]) -> Result<T, BinError>) -> T {
     match with(&mut []) {
         Ok(recorded) => recorded,
