@@ -49,7 +49,7 @@ a time, mipidsi's feature `batch` would gather). Both flicker, as the display sh
 ";
 
 const CHANGED: &str = "\
-## DirtyRegions rectangles, and what changed
+## Dirty rectangles, and what changed
 
 Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
 of a cube spun about an axis of the world, ST7789. The rectangles are known from the vertices before anything is

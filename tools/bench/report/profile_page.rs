@@ -36,23 +36,23 @@ information names the source function of each instruction, inlined or not; funct
 belongs to no stage, such as a wide product or a division on an M0, counts for the stage that calls it. Only the measured
 frame counts.";
 
-/// What a stage is.
+/// The description of a stage.
 struct About {
     title: &'static str,
-    /// What there is to do in it, one by one.
+    /// The item that it processes.
     unit: &'static str,
     what: &'static str,
     count: fn(&Work) -> u32,
 }
 
-/// What a cell has to do.
+/// The work of a cell.
 struct Work {
     units: Units,
-    /// Of the vertices.
+    /// The number of transformed vertices.
     placed: u32,
 }
 
-/// Of a scene. By planes not all vertices are placed; without, all must be.
+/// The work of a scene. All vertices must be transformed, unless faces are culled by planes.
 fn work(scene: &str) -> Result<Work> {
     let units = units(scene).ok_or(scene)?;
     let variants = CELLS.iter().filter(|cell| cell.0 == scene).map(|cell| placed(scene, cell.1));
@@ -225,7 +225,7 @@ fn each(text: &mut String, cores: [(&Profile, &Target); 3]) -> Result<()> {
     for stage in STAGES.into_iter().filter(|stage| [m3, m4, m0].iter().any(|of| of.of(*stage) > 0)) {
         let About { title, unit, count, .. } = about(stage);
         let these = count(&work);
-        // The prototype places all of them.
+        // The prototype transforms all vertices.
         let then_these = if stage == Stage::Vertices { work.units.vertices } else { these };
         let noted = |core| prototype(stage, scene, variant, core);
         let [then_m3, then_m0] = ["M3", "M0"].map(|core| noted(core).map_or("–".into(), range));
@@ -251,7 +251,7 @@ fn each(text: &mut String, cores: [(&Profile, &Target); 3]) -> Result<()> {
     Ok(())
 }
 
-/// Rows of what was tried that have a figure of this cell.
+/// The number of rows in the table of designs tried that have a figure of this cell.
 fn tried(scene: &str, variant: &str) -> usize {
     // Else the scene's name is enough.
     let both = CELLS.iter().filter(|cell| cell.0 == scene).count() > 1;
@@ -281,7 +281,7 @@ fn range((from, to): Noted) -> String {
     }
 }
 
-/// For one of these.
+/// Instructions per item.
 fn one(instructions: u64, these: u32) -> String {
     let one = instructions as f64 / f64::from(these);
     match one < 100.0 {

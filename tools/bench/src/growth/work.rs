@@ -200,7 +200,7 @@ impl Case {
         Some(Work { bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
     }
 
-    /// Edges that lie across the border of the picture, and those with an end that must be clipped.
+    /// The number of edges that cross the border of the picture, and of edges with an end that must be clipped.
     fn edges(&self, placed: &MeshInstance<'_>) -> (u32, u32) {
         let (mut across, mut clipped) = (0, 0);
         let [width, height] = self.size.map(|side| (side as i32) << 8);
@@ -231,7 +231,7 @@ impl Case {
         }
     }
 
-    /// How many bands of so many rows look at a face that is drawn.
+    /// The number of bands that a drawn face touches.
     fn bands(&self, face: usize, rows: u32) -> Option<u32> {
         let all = self.what.mesh()?;
         let alone = Mesh::new(all.vertices(), all.exponent(), all.faces().get(face..=face)?).ok()?;
