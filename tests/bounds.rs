@@ -1,8 +1,7 @@
-//! Rule 2 of the house: every stated bound of a numeric function holds, and is at most twice the largest error met.
-//! The measurements are those of docs/accuracy.md, made anew (`apps/accuracy/src/functions.rs`).
+//! Every stated bound of a numeric function holds, and is at most twice the largest error measured. The measurements of
+//! docs/accuracy.md are repeated here (`apps/accuracy/src/functions.rs`).
 //!
-//! `src/math` is compiled in once more, as what is measured: its functions
-//! are private.
+//! `src/math` is compiled into this test, because its functions are private.
 
 use support::bridge;
 use support::oracle;
