@@ -118,7 +118,7 @@ mod tests {
     use std::collections::HashSet;
     use std::hash::{BuildHasher, BuildHasherDefault};
 
-    /// A map of 2¹⁶ keys looks at 16 low bits and 7 high ones. Of so many random numbers 1 − 1/e are different: 41 427.
+    /// A map of 2¹⁶ keys looks at 16 low bits and 7 high ones. Of 2¹⁶ random numbers, a fraction of 1 − 1/e is distinct: 41 427.
     #[test]
     fn keys_of_grids_are_spread() {
         let hash = BuildHasherDefault::<Mix>::default();

@@ -365,7 +365,7 @@ pub(crate) fn views() -> [Measured; 3] {
     let mut rng = Rng::new(0x58);
     let (mut rows, mut column, mut image) = (0f64, 0f64, 0f64);
     for k in 0..300_000 {
-        // Anywhere, by any door; or with components that differ by orders of magnitude.
+        // Anywhere, by any constructor; or with components that differ by orders of magnitude.
         let view = match k % 2 {
             0 => random_view(&mut rng),
             _ => {

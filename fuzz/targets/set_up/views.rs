@@ -57,7 +57,7 @@ fn reals(view: &ViewTransform) -> M3 {
     view.rows().map(|row| row.map(|c| f64::from(c) / f64::from(1 << 30)))
 }
 
-/// `got` is what the three doors must say, and its rows are the exact ones.
+/// The three constructors must return `got`, whose rows are the exact ones.
 fn same(got: Result<ViewTransform, ViewTransformError>, view: ViewBits) {
     let (n, up) = directions(view);
     if n == [0; 3] {
