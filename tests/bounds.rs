@@ -1,8 +1,7 @@
-//! Rule 2 of the house: every stated bound of a numeric function holds, and is at most twice the largest error met.
-//! The measurements are those of docs/accuracy.md, made anew (`apps/accuracy/src/functions.rs`).
+//! Every stated bound of a numeric function holds, and is at most twice the largest error measured. The measurements of
+//! docs/accuracy.md are repeated here (`apps/accuracy/src/functions.rs`).
 //!
-//! `src/math` is compiled in once more, as what is measured: its functions
-//! are private.
+//! `src/math` is compiled into this test, because its functions are private.
 
 use support::bridge;
 use support::oracle;
@@ -115,7 +114,7 @@ fn s4_isometric_rows() {
     assert!((0.125..=0.25).contains(&worst), "{worst}");
 }
 
-/// What a transform keeps comes out of the matrix door and goes in again without loss.
+/// A transform's coefficients are converted to an f64 matrix and back without loss.
 #[test]
 fn s2_a_matrix_read_back_is_the_same_transform() {
     let mut rng = Rng::new(0x5B);
@@ -165,7 +164,7 @@ fn s3_a_view_from_its_matrix() {
         for (got, exact) in ours.eye().iter().zip(exact.eye) {
             eyes = eyes.max((*got as f64 - exact * 4_294_967_296.0).abs());
         }
-        // What it draws with goes through the door once more: the rows are the same bits.
+        // A round trip through the f64 matrix leaves the rows unchanged, bit for bit.
         let again = ViewTransform::from_matrix(&ours.to_matrix()).expect("a rigid matrix");
         assert_eq!(again.rows(), ours.rows());
     }

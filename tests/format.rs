@@ -1,5 +1,5 @@
-//! Every public type can be logged by defmt: one list of them all, held against the sources and, with the feature
-//! (`cargo test --features defmt --test format`), by the compiler. What they print, `examples/log` shows on a device.
+//! Every public type can be logged by defmt. A list of all types is compared with the sources and, with the feature
+//! (`cargo test --features defmt --test format`), checked by the compiler. `examples/log` tests the output on a device.
 
 use std::collections::BTreeSet;
 use std::fs;

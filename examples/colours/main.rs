@@ -15,7 +15,7 @@ use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::generated::Generated;
 use pinhole_apps_support::sheet::{write, BACKGROUND, FAINT, INK};
 use pinhole_apps_support::{command, still};
-use scene::{Inks, Scene};
+use scene::{Scene, Shaders};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -100,18 +100,18 @@ where
     Dithered<Gouraud>: SpanShader<C>,
     Dithered<Lit>: SpanShader<C>,
 {
-    let nearest = picture::<C, _, _>(scene, (|ink| ink, |ink| ink))?;
+    let nearest = picture::<C, _, _>(scene, (|shader| shader, |shader| shader))?;
     Ok([nearest, picture::<C, _, _>(scene, (Gouraud::dithered, Lit::dithered))?])
 }
 
 /// The scene in one pixel format, drawn in bands.
-fn picture<C, I, L>(scene: &Scene, inks: Inks<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
+fn picture<C, I, L>(scene: &Scene, shaders: Shaders<I, L>) -> Result<Vec<Rgb888>, Box<dyn Error>>
 where
     C: Channels + PixelFormat + Into<Rgb888>,
     I: SpanShader<C>,
     L: SpanShader<C>,
 {
     let mut pixels = Vec::new();
-    scene.draw(ROWS, inks, |band| pixels.extend(band.colors().map(Into::into)))?;
+    scene.draw(ROWS, shaders, |band| pixels.extend(band.colors().map(Into::into)))?;
     Ok(pixels)
 }

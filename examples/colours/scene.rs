@@ -18,7 +18,7 @@ use std::error::Error;
 const CLAY: Rgb888 = Rgb888::new(255, 178, 92);
 
 /// The shaders of the wall and of the teapot.
-pub(crate) type Inks<I, L> = (fn(Gouraud) -> I, fn(Lit) -> L);
+pub(crate) type Shaders<I, L> = (fn(Gouraud) -> I, fn(Lit) -> L);
 
 /// A wall across the picture, counter-clockwise from the lower left.
 const WALL: [[i16; 3]; 4] = [[-34, -36, -18], [34, -36, -18], [34, 22, -18], [-34, 22, -18]];
@@ -56,11 +56,11 @@ impl Scene {
         Ok(Self { area: Rectangle::new(Point::zero(), size), camera, model, levels })
     }
 
-    /// Draws in bands of `rows` rows; `inks` makes the shaders.
+    /// Draws in bands of `rows` rows; `shaders` makes the shaders.
     pub(crate) fn draw<C: Channels + PixelFormat, I: SpanShader<C>, L: SpanShader<C>>(
         &self,
         rows: u32,
-        (smooth, lit): Inks<I, L>,
+        (smooth, lit): Shaders<I, L>,
         mut send: impl FnMut(&Band<'_, C>),
     ) -> Result<(), Box<dyn Error>> {
         let pot = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES)?;

@@ -68,7 +68,7 @@ pub(crate) fn draw(
         }
         Ok(())
     };
-    // BinnedEdges from the origin have the colour of their axis.
+    // Edges from the origin have the colour of their axis.
     let colour = |edge: usize| AXES.get(edge).copied().unwrap_or(INK);
     let visible = |[a, b]: [Side; 2]| seen(a) || seen(b);
     for hidden in [true, false] {

@@ -48,7 +48,7 @@ fn fill<C: Copy>(run: &mut [C], colour: C) {
 }
 
 impl<C: Copy> Canvas<'_, C> {
-    /// Rectangles of more than one row, and those that are partly outside the picture.
+    /// Rectangles of more than one row, and rectangles that are partly outside the picture.
     #[inline(never)]
     fn fill_rows(&mut self, top_left: Point, size: Size, colour: C) {
         let (left, top, right, bottom) = edges(&Rectangle::new(top_left, size));
@@ -99,7 +99,7 @@ impl<C: PixelColor> DrawTarget for Canvas<'_, C> {
             self.fill_rows(area.top_left, area.size, colour);
             return Ok(());
         }
-        // Most are a run in the picture. Its pixels have places.
+        // Most rectangles are one row inside the picture, whose pixels are consecutive.
         let from = (y as usize).wrapping_mul(self.size.width as usize).wrapping_add(x as usize);
         if let Some(run) = self.pixels.get_mut(from..from.wrapping_add(width as usize)) {
             fill(run, colour);

@@ -3,7 +3,7 @@
 
 #[allow(dead_code)] // not every user calls every method
 pub(crate) mod canvas;
-#[allow(unreachable_pub)] // generated, and `pub` for those who take it in elsewhere
+#[allow(unreachable_pub)] // generated, `pub` for other users
 #[path = "../../assets/teapot.rs"]
 mod teapot;
 

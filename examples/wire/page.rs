@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 const HEAD: &str = "\
 # On the wire
 
-What a frame costs between the microcontroller and its display, in bytes on an 8-bit SPI bus: pixels and commands. This page
+The bytes of a frame on an 8-bit SPI bus between the microcontroller and its display: pixels and commands. This page
 is written by
 
 ```sh
@@ -21,8 +21,8 @@ cargo run --release --example wire
 
 and CI checks that it is current (`-- --check`). The bytes are those of the driver
 [mipidsi](https://docs.rs/mipidsi) 0.10, counted where a controller in memory (`tests/support/src/panel`) receives them through the
-traits of embedded-hal. It decodes them, and every frame on this page was compared with one drawn whole in memory: they
-are equal, pixel by pixel. `tests/device/wire.rs` asserts what is promised.
+traits of embedded-hal. It decodes them, and every frame on this page was compared, pixel by pixel, with one drawn in memory as a
+whole: they are equal. `tests/device/wire.rs` asserts the promised limits.
 
 A **window** is one rectangle: 11 bytes of commands (column range, row range, memory write), then its pixels.
 **Frames a second** are SPI clock ÷ (8 × bytes): the bus alone. A real one has gaps between bytes and transfers, and the
@@ -32,7 +32,7 @@ frame is drawn first, or by DMA at the same time; so this is what the bus allows
 const FULL: &str = "\
 ## Full frames
 
-All pixels, whatever they show. A band's strip is the only memory for pixels; the full frame takes a framebuffer. The
+All pixels are sent, changed or not. In bands the strip is the only memory for pixels; sent in one, a frame needs a framebuffer. The
 share is in bytes of the pixels.
 
 | panel | sent in | strip, bytes | bytes a frame | windows | share | at 20 MHz | at 40 MHz |
@@ -42,18 +42,18 @@ share is in bytes of the pixels.
 const FILMS: &str = "\
 ## Films
 
-Means over a film, the first frame (all of the screen) left out; in brackets the largest frame. Bands and dirty
-rectangles go through a strip of ROWS rows of the screen. *Spans* is what drawing straight onto the display costs: cleared, then
+Means over a film, without the first frame (all of the screen); in brackets the largest frame. Bands and dirty
+rectangles use a strip of ROWS rows of the screen. *Spans* is the cost of drawing straight onto the display: cleared, then
 each run of equal pixels a `fill_solid`. *Pixels* is a renderer that gives its display one pixel at a time (several at
 a time, mipidsi's feature `batch` would gather). Both flicker, as the display shows the cleared screen first.
 ";
 
 const CHANGED: &str = "\
-## DirtyRegions rectangles, and what changed
+## Dirty rectangles, and what changed
 
 Bytes sent with dirty rectangles, over the bytes of the least rectangle about the pixels that differ from those of the last frame:
-of a cube spun about an axis of the world, ST7789. The rectangles are known from the vertices before anything is
-drawn. So a pixel that is drawn in its old colour is sent too: when the cube turns by a degree or less, in some frames a
+for a cube that rotates about an axis of the world, ST7789. The rectangles are known from the vertices before anything is
+drawn. So a pixel that is drawn in its old colour is also sent: when the cube turns by a degree or less, in some frames a
 whole edge stays within its pixels, and the faces' colours within their steps. Sent in bands of ROWS rows of the screen, whose
 windows are counted.
 

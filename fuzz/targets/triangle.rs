@@ -51,7 +51,7 @@ fn point(b: &mut Bytes<'_>, from: P) -> P {
     clamped((coordinate(b, from.0), coordinate(b, from.1)))
 }
 
-/// A place `s`/2¹⁶ of the way.
+/// The point `s`/2¹⁶ of the way from one point to another.
 fn between(p: P, q: P, s: i64) -> P {
     (p.0 + (((q.0 - p.0) * s) >> 16), p.1 + (((q.1 - p.1) * s) >> 16))
 }
@@ -99,7 +99,7 @@ fuzz_target!(|data: &[u8]| {
     let t = [p, q, r];
     assert_eq!(raster::area(&t.map(screen_point)), -edge(p, q, r), "with y down");
 
-    // 64 pixels about a place on an edge, reached from as many rows higher up.
+    // 64 pixels around a point on an edge; the walk starts 64 rows above it.
     let along = b.below(3);
     let at = place(&mut b, t[along], t[(along + 1) % 3]);
     let shape = b.byte();

@@ -11,11 +11,11 @@ pub struct ImportError {
     pub file: PathBuf,
     /// The line of the file, counted from 1, if the problem lies in one line.
     pub line: Option<usize>,
-    /// What is wrong.
+    /// The problem.
     pub problem: Problem,
 }
 
-/// What can be wrong with a model.
+/// The problems that a model can have.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Problem {

@@ -5,7 +5,7 @@ use crate::{Centre, Problem};
 pub(crate) struct Grid {
     /// The longest side of the bounding box.
     pub(crate) extent: f64,
-    /// What is subtracted.
+    /// The point that becomes the origin: it is subtracted from every vertex.
     pub(crate) centre: [f64; 3],
     pub(crate) exponent: i8,
     /// `2^exponent`.

@@ -22,7 +22,7 @@
 //! 6. faces and vertices are put in an order in which neighbours follow each other, if that is asked for;
 //! 7. edges, the faces beside them, normals, and the planes of faces are derived from what is left.
 //!
-//! What is refused is an [`ImportError`]; what is only doubtful stands in [`ImportedMesh::warnings`].
+//! Invalid input is an [`ImportError`]; doubtful input is imported, and listed in [`ImportedMesh::warnings`].
 
 mod decimate;
 mod edges;

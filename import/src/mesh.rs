@@ -34,7 +34,7 @@ pub struct ImportedMesh {
     pub offset: [f64; 3],
     /// What was done to the model.
     pub report: Report,
-    /// What is doubtful about it.
+    /// Doubtful parts of the model that were imported all the same.
     pub warnings: Vec<Warning>,
 }
 

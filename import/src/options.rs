@@ -42,7 +42,7 @@ pub struct Options {
     pub edge_faces: bool,
     /// A normal for each face.
     pub normals: bool,
-    /// The plane of each face, 2 bytes, by which [`pinhole::MeshInstance::cull_by_planes`] knows the faces that are turned away. Wants
+    /// The plane of each face, 2 bytes, by which [`pinhole::MeshInstance::cull_by_planes`] culls back faces early. Needs
     /// `normals`.
     pub planes: bool,
     /// A normal for each vertex: the mean of its faces' normals, each weighted by the face's angle there (Thürmer and
@@ -70,7 +70,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// What is wrong with the numbers, or does not go together.
+    /// Refuses numbers out of range and options that exclude each other.
     pub(crate) fn check(&self) -> Result<(), Problem> {
         if self.fit.is_some_and(|side| !(side.is_finite() && side > 0.0)) {
             return Err(Problem::Options("the length to fit is not a positive number"));
@@ -138,8 +138,8 @@ pub enum Centre {
 pub enum Edges {
     /// Each edge of each face.
     All,
-    /// Those at which the surface turns by more than this angle between normals, ends, or is not a surface (three faces,
-    /// or two of opposite winding). Angles are those of the mesh, after quantising.
+    /// Creases and borders only: edges where the angle between the normals of both faces is larger than this, edges of one face, and
+    /// edges that are not part of a proper surface (three faces, or two of opposite winding). Angles are measured after quantising.
     Feature {
         /// 0 … 180.
         degrees: f64,

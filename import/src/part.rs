@@ -27,7 +27,7 @@ impl Part {
             Ok(there) if there.is_dir() => {
                 return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"))
             }
-            // What is there and no file (/dev/stdout) must not be replaced.
+            // A path that exists and is no regular file, such as /dev/stdout, must not be replaced.
             Ok(there) if !there.is_file() => std::env::temp_dir().join(name),
             _ => to.with_file_name(name),
         };

@@ -1,4 +1,4 @@
-//! Lines to whoever reads them. The command says so what it has to say, and the host examples of pinhole do.
+//! Lines of output for the user, of the command and of pinhole's host examples.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};

@@ -3,12 +3,12 @@
 use std::collections::{HashMap, HashSet};
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
-/// What is left after welding: for each new vertex the old one it stands for, and the faces, indexing the new ones in
-/// the order in which the faces name them first.
+/// The mesh after welding: for each new vertex the index of an old one, and the faces. New vertices are numbered in the order in
+/// which the faces use them first.
 pub(crate) struct Welded {
     pub(crate) vertices: Vec<usize>,
     pub(crate) faces: Vec<[usize; 3]>,
-    /// For each face its place among those given.
+    /// For each face its index in the input.
     pub(crate) sources: Vec<usize>,
     /// Vertices at the position of an earlier one.
     pub(crate) welded: usize,
@@ -65,7 +65,7 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
     out
 }
 
-/// The same triangle with the same winding, whichever corner it began with.
+/// Rotates a triangle's indices so that the smallest comes first: equal triangles of equal winding get equal indices.
 fn smallest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
     if a < b && a < c {
         [a, b, c]
@@ -118,7 +118,7 @@ mod tests {
     use std::collections::HashSet;
     use std::hash::{BuildHasher, BuildHasherDefault};
 
-    /// A map of 2¹⁶ keys looks at 16 low bits and 7 high ones. Of so many random numbers 1 − 1/e are different: 41 427.
+    /// A map of 2¹⁶ keys looks at 16 low bits and 7 high ones. Of 2¹⁶ random numbers, a fraction of 1 − 1/e is distinct: 41 427.
     #[test]
     fn keys_of_grids_are_spread() {
         let hash = BuildHasherDefault::<Mix>::default();

@@ -14,7 +14,7 @@ v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1
 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8
 ";
 
-/// The same cube, each quad with four vertices of its own.
+/// `CUBE`, with four separate vertices for each quad.
 fn cube_of_loose_quads() -> String {
     let vertices: Vec<&str> = CUBE.lines().filter(|l| l.starts_with('v')).collect();
     let mut text = String::new();
@@ -315,7 +315,7 @@ fn indices_out_of_range_are_an_error_from_any_reader() {
     assert!(matches!(quantise(&model), Err(Problem::NoSuchVertex)));
 }
 
-/// What is doubtful about a text.
+/// The warnings of an import.
 fn warnings(text: &str) -> Vec<(Option<usize>, String)> {
     import(text).unwrap().warnings.into_iter().map(|w| (w.line, w.message)).collect()
 }

@@ -120,7 +120,7 @@ fn the_axis_that_points_upwards_becomes_y_and_nothing_is_mirrored() {
     ];
     for (up, axis) in axes {
         let mesh = import(&block(), &Options { up, ..Options::default() }).unwrap();
-        // The same faces in the same order: so the turn is found by comparing vertices.
+        // Faces are unchanged and in unchanged order, so comparing vertices checks the rotation.
         assert_eq!(mesh.faces, whole.faces);
         for vertex in 0..8 {
             let (before, after) = (position(&whole, vertex), position(&mesh, vertex));
@@ -263,7 +263,7 @@ fn the_faces_beside_edges_are_all_there() {
     assert_eq!(edges[..2], [[0, 1], [0, 1]]);
     assert_eq!(fan.edge_faces, pinhole::edge_faces(&edges, &fan.faces));
     assert_eq!(fan.edge_faces[1], [2, u16::MAX]);
-    // Those beside feature edges only.
+    // Faces of feature edges only.
     let options = Options { edges: Edges::Feature { degrees: 30.0 }, ..options };
     let mesh = import(&block(), &options).unwrap();
     assert_eq!(mesh.edge_faces.len(), 12);
@@ -330,7 +330,7 @@ fn neighbours_follow_each_other_and_nothing_else_changes() {
     }
     assert_eq!(usize::from(next), after.vertices.len());
 
-    // The same faces, by their vertices' places, with their normals.
+    // Faces are equal if the positions and normals of their vertices are.
     let faces = |mesh: &ImportedMesh| {
         let of = |face: usize| {
             let [a, b, c] = mesh.faces[face].map(usize::from);

@@ -63,7 +63,7 @@ const STL: &[&str] = &[
     "\n",
 ];
 
-/// The same cases in every run, unless the environment says otherwise: `PROPTEST_RNG_SEED`, `PROPTEST_CASES`.
+/// Fixed cases in every run, unless `PROPTEST_RNG_SEED` or `PROPTEST_CASES` is set.
 fn cases() -> ProptestConfig {
     let mut config = ProptestConfig { failure_persistence: None, ..ProptestConfig::default() };
     if std::env::var_os("PROPTEST_CASES").is_none() {

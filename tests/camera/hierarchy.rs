@@ -1,4 +1,4 @@
-//! SPEC 2, scene hierarchy: world = parent's world · local, a node moves its descendants, invalid parents are refused, one
+//! docs/spec.md, section 2, scene hierarchy: world = parent's world · local, a node moves its descendants, invalid parents are refused, one
 //! mesh under many nodes and many meshes under one, and no drift.
 
 use pinhole::space::Model;

@@ -1,4 +1,4 @@
-//! SPEC 4: any projective 4 × 4 matrix. 10⁵ random matrices, each a frustum, a box or a
+//! docs/spec.md, section 4: any projective 4 × 4 matrix. 10⁵ random matrices, each a frustum, a box or a
 //! slanted box after a rigid move of view space, times any positive factor: vertices within 1/256 px
 //! of the matrix in f64. Affine and view matrices, their round trips, and the matrices that are refused.
 
@@ -39,7 +39,7 @@ fn case(rng: &mut Rng) -> Case {
         let [l, r, b, t] = [l, r, b, t].map(|c| c * near);
         (chain::frustum(l, r, b, t, near, far), distance)
     };
-    // A place in the picture.
+    // A point in the picture.
     let wanted = [rng.real(-1.0, 1.0), rng.real(-1.0, 1.0)];
     let w = if flat { 1.0 } else { at };
     let p = [

@@ -1,4 +1,4 @@
-//! SPEC 2: rotation about any axis through any point, quaternions, frames and inverses, the normal
+//! docs/spec.md, section 2: rotation about any axis through any point, quaternions, frames and inverses, the normal
 //! transform, composition.
 
 use pinhole::space::{Model, World};

@@ -88,7 +88,7 @@ fn unproject_gives_the_projected_point_back() {
             gap <= allowed,
             "{gap} for {allowed}: {view_bits:?} {family:?} {world:?} {screen:?} {depth} {back:?}"
         );
-        // The ray through the same place passes the point, ahead of its origin.
+        // The ray through the projected point passes the original point, ahead of its origin.
         let Some(ray) = camera.ray(screen) else { continue };
         rays += 1;
         let (o, d) = (
@@ -140,7 +140,7 @@ fn project_reports_why_a_point_is_hidden() {
     assert!(plain.project(at(edge(8191.9), 0, 4 * ONE)).is_ok());
     assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(ProjectError::OutsideGuardBand));
     assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(ProjectError::OutsideGuardBand));
-    // A point outside the viewport has a place too.
+    // A point outside the viewport has screen coordinates too.
     let (p, _) = plain.project(at(-2 * ONE, 0, 4 * ONE)).expect("a place");
     assert_eq!((p.x(), p.y()), (-200 * 256, 200 * 256));
     // The reasons differ in words.

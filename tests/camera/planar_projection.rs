@@ -1,4 +1,4 @@
-//! SPEC 4, planar projections by position of the view plane: worked example A, the general matrix
+//! docs/spec.md, section 4, planar projections by position of the view plane: worked example A, the general matrix
 //! that contains all others, Q → ∞, and the planes that are refused.
 
 use pinhole::space::{View, World};
@@ -256,8 +256,8 @@ fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
     }
 }
 
-/// The centre lies one unit beside the origin and almost in the plane, so that is where the origin's image is:
-/// also where a component is the least number of all, and the smallest ones must not lose their last bit.
+/// The centre lies one unit from the origin and almost in the plane, and so does the origin's image, even where a
+/// component is `i32::MIN`; the smallest components must not lose their last bit.
 #[test]
 fn s4_directions_keep_their_last_bit_beside_the_least_number() {
     for least in [i32::MIN, -i32::MAX] {

@@ -1,4 +1,4 @@
-//! SPEC 4, projections by name: the defining property of each.
+//! docs/spec.md, section 4, projections by name: the defining property of each.
 
 use pinhole::space::World;
 use pinhole::{Angle, Camera, Point3, Projection, Scalar, Side, ViewTransform, ViewTransformError, Viewport};

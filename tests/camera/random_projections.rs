@@ -1,4 +1,4 @@
-//! SPEC 4: for every projection of the family, vertices within 1/256 px of the f64 construction from
+//! docs/spec.md, section 4: for every projection of the family, vertices within 1/256 px of the f64 construction from
 //! the definition (the projector cuts the view plane), over 10⁵ random valid set-ups each; depth
 //! within one step. Beyond the documented conditions the error budget holds. `--nocapture` shows the
 //! figures.
@@ -38,14 +38,14 @@ struct Reach {
     off_axis: f64,
     /// The greatest slant of parallel projectors.
     slant: f64,
-    /// The greatest ratio of what is on the way (the object's half extent, the way from the VRP, the
-    /// PRP's own place) to the vertex's distance.
+    /// The largest ratio of any length involved (half the object's extent, the distance from the VRP, the PRP's
+    /// coordinates) to the vertex's distance.
     ratio: f64,
 }
 
 const PLAIN: Reach = Reach { focal: 700.0, off_axis: 1.0, slant: 2.0, ratio: 300.0 };
 
-/// A window of that width and height, its centre off the place given.
+/// A window of the given width and height whose centre lies at a random distance from `at`.
 fn window(rng: &mut Rng, reach: Reach, at: (f64, f64), w: f64, h: f64) -> Option<[i32; 4]> {
     let x = at.0 + w * rng.real(-reach.off_axis, reach.off_axis);
     let y = at.1 + h * rng.real(-reach.off_axis, reach.off_axis);
@@ -55,7 +55,7 @@ fn window(rng: &mut Rng, reach: Reach, at: (f64, f64), w: f64, h: f64) -> Option
 
 fn family(rng: &mut Rng, kind: Kind, reach: Reach, distance: f64) -> Option<Family> {
     let (fx_px, fy_px) = (rng.log(8.0, reach.focal), rng.log(8.0, reach.focal));
-    // Distances of near and far from the centre, or places about it for a parallel projection.
+    // Distances of near and far from the centre; for a parallel projection, signed positions around it.
     let near = to_fx(rng.log(0.25, 0.25 + distance.min(3000.0)))?;
     let far = to_fx(rng.log(fx(near) * 1.001 + 0.001, 32767.0))?;
     let [low, high] = {
@@ -84,7 +84,7 @@ fn family(rng: &mut Rng, kind: Kind, reach: Reach, distance: f64) -> Option<Fami
         Kind::Reference => {
             let n = rng.log(0.25, 3000.0);
             let w = central(rng, (0.0, 0.0), n)?;
-            // The PRP before the window, or beside it.
+            // The PRP in front of the window, or to its side.
             let (cw, ch) = (fx(w[1]) - fx(w[0]), fx(w[3]) - fx(w[2]));
             let x = (fx(w[0]) + fx(w[1])) / 2.0 + cw * rng.real(-reach.off_axis, reach.off_axis);
             let y = (fx(w[2]) + fx(w[3])) / 2.0 + ch * rng.real(-reach.off_axis, reach.off_axis);
@@ -146,7 +146,7 @@ struct Figures {
     budget: f64,
 }
 
-/// A set-up with one place of its viewport aimed at.
+/// A set-up, and a point of its viewport at which the vertices are aimed.
 struct Case {
     view: ViewBits,
     family: Family,
@@ -212,7 +212,7 @@ fn budget(picture: &Picture, at: V3, extent: f64) -> f64 {
     // x·w and y·w are linear: their coefficients from their values at four points.
     let form = |axis: usize, p: V3| picture.ndc(p)[axis] * picture.distance(p[2]);
     let row = |axis: usize| {
-        // Any four points about a place that has an image.
+        // Four random points around a point that has an image.
         let o = [centre[0], centre[1], centre[2] - 1.0];
         let constant = form(axis, o);
         let slopes: V3 = core::array::from_fn(|i| {

@@ -139,7 +139,7 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
             (-(class.size.0 as i32) / 2, -(class.size.1 as i32) / 2, class.size.0, class.size.1)
         },
     };
-    // A place in the viewport, at a depth from near on.
+    // A point in the viewport, at the near plane's depth or beyond.
     if matches!(projection.library(), Err(ProjectionError::FieldOfView)) {
         return None;
     }

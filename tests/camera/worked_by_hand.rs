@@ -1,4 +1,4 @@
-//! Every number of SPEC 2 and 3, and of the frustum, the box and the look-at of SPEC 4 and 6,
+//! Every number of docs/spec.md, sections 2 and 3, and of the frustum, the box and the look-at of sections 4 and 6,
 //! through the fixed-point chain, to the rounding of its formats.
 
 use embedded_graphics_core::geometry::{Point, Size};
@@ -17,7 +17,7 @@ fn check(model: &ModelBits, p: [i32; 3], bound: f64) {
     close3(reals(ours), exact, bound, &format!("{model:?} {p:?}"));
 }
 
-// SPEC 2
+// docs/spec.md, section 2
 
 #[test]
 fn translation_and_scale_are_exact() {
@@ -104,7 +104,7 @@ fn composition_is_that_of_the_matrices_and_associative() {
 
 #[test]
 fn rotation_about_any_axis_is_align_rotate_undo() {
-    // SPEC 2: align the axis with z, rotate, undo; against the axis–angle formula in f64.
+    // docs/spec.md, section 2: align the axis with z, rotate, undo; against the axis–angle formula in f64.
     let mut rng = Rng::new(0xA8);
     for _ in 0..2000 {
         let (azimuth, polar, turn) = (rng.bits(), rng.bits() >> 1, rng.bits());
@@ -135,7 +135,7 @@ fn rotation_about_any_axis_is_align_rotate_undo() {
     }
 }
 
-// SPEC 3
+// docs/spec.md, section 3
 
 fn example_a() -> ViewBits {
     ViewBits::Reference(ints(1, 2, 3), ints(2, -1, 2), ints(0, 1, 0))
@@ -223,7 +223,7 @@ fn look_at_looks_along_minus_z_with_y_up() {
     assert_eq!(reference, Ok(ours));
 }
 
-// SPEC 4
+// docs/spec.md, section 4
 
 /// Window −1.5 … 2 × −0.5 … 1.25, near ¾, far 40: off axis in both.
 const WINDOW: [i32; 4] = [-3 * ONE / 2, 2 * ONE, -ONE / 2, 5 * ONE / 4];
@@ -403,7 +403,7 @@ fn behind_the_eye_there_is_no_image() {
     assert!(frustum().apply(point([1, 1, -1])).ndc().is_some());
 }
 
-// SPEC 6
+// docs/spec.md, section 6
 
 #[test]
 fn viewport_borders_are_the_corners_of_ndc() {

@@ -115,7 +115,7 @@ fn on_the_host() -> String {
     folder.follow_the_readme(&main, "").run(cargo().arg("run"))
 }
 
-/// The board's part is that of the examples: its memory, its linker flags, and QEMU in place of a probe.
+/// Memory layout and linker flags are those of the examples; QEMU runs the program instead of a probe.
 fn on_a_microcontroller() -> String {
     let folder = Folder::new("device");
     let main =
@@ -176,8 +176,8 @@ fn read(path: &str) -> String {
     fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// Outside of the repository, or cargo would count what is made in it among the repository's packages. One at a time: all
-/// are built into the same place, and to cargo they are the same package, built anew where a file is younger.
+/// A folder outside the repository, so that cargo does not take its packages for the repository's. Only one exists at a time:
+/// all are built into one target folder, and cargo takes them for one package, rebuilt where a file is newer.
 struct Folder {
     path: PathBuf,
     _one: MutexGuard<'static, ()>,

@@ -128,8 +128,8 @@ fn an_emulator_that_does_not_start_is_an_error() {
     assert!(error.to_string().contains("cortex-m1000"), "{error}");
 }
 
-/// The firmware of the show, told to send a command that the SSD0323 does not have. A QEMU that does not say so, or in
-/// other words, would let everything pass.
+/// The show's firmware, made to send a command that the SSD0323 does not have. If QEMU did not report it, or in other
+/// words, the other tests here could not fail.
 #[test]
 fn an_unknown_display_command_fails_the_test() {
     let Some(firmware) = Firmware::for_target("thumbv7m-none-eabi") else { return };

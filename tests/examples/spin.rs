@@ -1,4 +1,4 @@
-//! The README's first command: what its film shows, and what it says to bad input.
+//! The README's first command: its film, and its messages for bad input.
 
 #[path = "../../examples/spin/depth.rs"]
 mod depth;

@@ -1,5 +1,5 @@
-//! Golden pictures of a cube. What is expected was drawn by the oracles (the chain in f64, snapped,
-//! then exact coverage and exact lines), and frozen; `the_oracle_draws_the_golden_pictures` still holds them to it.
+//! Golden pictures of a cube. The expected pictures were drawn by the oracles (the chain in f64, snapped,
+//! then exact coverage and exact lines); `the_oracle_draws_the_golden_pictures` draws them again and compares.
 
 use pinhole::{Mesh, Painter};
 use support::bridge::draw::{solid, wireframe, Shader, CUBE, CUBE_EDGES, CUBE_FACES};

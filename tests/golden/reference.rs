@@ -1,4 +1,4 @@
-//! SPEC 4, viewing by PRP and window: the normalising transforms onto the canonical volumes, from
+//! docs/spec.md, section 4, viewing by PRP and window: the normalising transforms onto the canonical volumes, from
 //! there to clip space, and the worked set-ups against the projector that cuts the view plane.
 
 use pinhole::space::{Model, View, World};
@@ -101,7 +101,7 @@ fn s4_the_view_volumes_corners_go_to_the_canonical_volumes() {
     assert!(compared > 60_000, "{compared}");
 }
 
-/// From a view point to clip space by N and the two maps of SPEC 4, in f64, and by the library.
+/// From a view point to clip space by N and the two maps of docs/spec.md, section 4, in f64, and by the library.
 #[test]
 fn s4_the_canonical_volumes_go_to_the_clip_volume() {
     let mut rng = Rng::new(0x42);
@@ -190,7 +190,7 @@ fn s4_reference_volumes_report_their_own_errors() {
     assert_eq!(make([0, 0, ONE], far, 0, -ONE), (small, small));
 }
 
-/// SPEC 4's worked set-ups: name, VRP, VPN, VUP, PRP, window.
+/// The worked set-ups of docs/spec.md, section 4: name, VRP, VPN, VUP, PRP, window.
 struct SetUp {
     name: &'static str,
     vrp: [i32; 3],

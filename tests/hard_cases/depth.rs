@@ -191,7 +191,7 @@ fn d2_slivers_never_leave_their_corners_depths() {
     assert!(pixels > 20_000 && steep > 1_000, "{pixels}, {steep}");
 }
 
-/// SPEC 7: the stored depth is round(65535·(z/w + 1)/2), and 65535 where nothing is drawn; it is linear on the screen.
+/// docs/spec.md, section 7: the stored depth is round(65535·(z/w + 1)/2), and 65535 where nothing is drawn; it is linear on the screen.
 #[test]
 fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
     let mut rng = Rng::new(0xd3);
@@ -233,7 +233,7 @@ fn d3_stored_depth_is_rounded_and_linear_on_the_screen() {
     assert!(depths.iter().all(|&d| d == 65_534));
 }
 
-/// Only pixels of the depth buffer are drawn, as they would be with a depth buffer of the whole target.
+/// Only pixels inside the depth buffer are drawn, and these as with a depth buffer that covers the target.
 #[test]
 fn d3_only_pixels_of_the_depth_buffer_are_drawn() {
     let camera = camera(ONE, 100 * ONE);

@@ -37,8 +37,8 @@ pub(crate) struct Tally {
     pub(crate) ambiguous: usize,
 }
 
-/// Draws the front faces of a mesh and compares every pixel with the eye's, but for those that another ray within
-/// `tolerance` px may see otherwise.
+/// Draws the front faces of a mesh and compares every pixel with the ray through it, except pixels where a ray within
+/// `tolerance` px may hit another face.
 pub(crate) fn compare(
     c: &CameraBits,
     far: bool,

@@ -1,4 +1,4 @@
-//! E3, E4, E5: each kind of set-up without a picture has its own error; set-ups close to these are accurate.
+//! E3, E4, E5: each kind of set-up that cannot show a picture has its own error; set-ups close to these are accurate.
 
 use pinhole::{Projection, ProjectionError, ViewTransformError};
 use support::bridge::pair::{ProjectionBits, ViewBits, ONE};

@@ -270,7 +270,7 @@ fn a6_the_area_is_positive_counter_clockwise_with_y_up() {
 #[test]
 fn a7_the_snap_rounds_to_nearest_on_both_sides_of_zero() {
     let (camera, model) = (flat().library(), before().library());
-    // All of ±4 sub-pixels about the origin in 2⁻¹⁶ px, and about some other places.
+    // All positions within ±4 sub-pixels of the origin in steps of 2⁻¹⁶ px, and of some other points.
     let (mut floored, mut truncated, mut all) = (0, 0, 0);
     for about in [0, -65536, 65536, -31 * 65536, 31 * 65536, -(65536 / 2), 7 * 65536 + 91] {
         let offsets: Vec<i64> = (-1024..1024).map(|k| about + k).collect();
@@ -282,7 +282,7 @@ fn a7_the_snap_rounds_to_nearest_on_both_sides_of_zero() {
         for (i, &v) in offsets.iter().enumerate() {
             let (p, _) = placed.project(i).expect("on the screen");
             let (x, y) = (i64::from(p.x()), i64::from(p.y()));
-            // An exact tie is decided by what was rounded before: the reciprocal of w is a little small.
+            // An exact tie may go down, because the reciprocal of w is rounded down before.
             let right = |c: i64| c == nearest(v) || (v.rem_euclid(256) == 128 && c == nearest(v) - 1);
             assert!(right(x) && right(y), "{v}·2⁻¹⁶ px: ({x}, {y})");
             largest = largest.max((256 * x - v).abs());

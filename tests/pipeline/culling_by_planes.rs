@@ -72,7 +72,7 @@ fn by_planes<V: pinhole::Coordinate>(
     })
 }
 
-/// In bands of 7 rows: what was drawn where, and the faces asked for.
+/// Draws in bands of 7 rows; returns the pixels and the faces whose shader was asked for.
 fn in_bands<V: pinhole::Coordinate>(
     placed: &MeshInstance<'_, V>,
     depth: bool,

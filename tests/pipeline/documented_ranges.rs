@@ -60,7 +60,7 @@ fn a_span_higher_than_the_picture_fills_its_rows_alone() {
     assert_eq!(fill(Span { x: 1, y: 1, width: 2, height: -5 }), [0; 12]);
 }
 
-/// A painter of the largest size cannot be made larger: the message gives the limit in place of that advice.
+/// A painter of the largest size cannot be made larger: the message gives the limit instead of advising a larger one.
 #[test]
 fn a_full_painter_of_the_largest_size_is_not_told_to_grow() {
     let most = [

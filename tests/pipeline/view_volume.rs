@@ -1,4 +1,4 @@
-//! SPEC 5: outcodes, lines and triangles with attributes against an f64 clipper, equal cut points for both neighbors of an
+//! docs/spec.md, section 5: outcodes, lines and triangles with attributes against an f64 clipper, equal cut points for both neighbors of an
 //! edge, at most nine corners, and the visibility of bounding spheres.
 
 use pinhole::clip::{self, ClipVertex};
@@ -224,8 +224,8 @@ fn s5_clipped_triangles_and_attributes_match_f64() {
                 let error = largest(core::array::from_fn(|k| real(&v.point)[k] - p[k])) / size;
                 worst = worst.max(error);
                 for k in 0..2 {
-                    // An attribute's place on the edge is the point's: where the edge is short
-                    // against the corners that place is known less well.
+                    // The attribute is taken at the point's position along the edge, which is less accurate if the
+                    // edge is short compared with its coordinates.
                     let range = corners.iter().map(|c| f64::from(c.attributes[k]).abs()).fold(0.0, f64::max);
                     let shortest = (0..3)
                         .map(|i| {

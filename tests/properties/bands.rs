@@ -212,7 +212,7 @@ proptest! {
         }
     }
 
-    /// Heights that change within a frame, and frames of any part of the display: also beside the viewport.
+    /// Band heights that change within a frame, and frames of any part of the display, also outside the viewport.
     #[test]
     fn any_rectangle_in_any_bands_shows_a_crop(
         scene in scene(),

@@ -54,7 +54,7 @@ impl Target {
             .collect()
     }
 
-    /// Bytes of one window: a row takes whole bytes, and so does a row of columns that a byte holds.
+    /// Bytes to send one window: each row of pixels takes a whole number of bytes.
     fn bytes([l, t, r, b]: Borders, steps: (u16, u16), bits: u32, window: u16) -> i64 {
         let (columns, rows) = (i64::from(steps.0), i64::from(steps.1));
         let cell = columns * rows * i64::from(bits);

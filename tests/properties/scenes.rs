@@ -31,13 +31,13 @@ fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Shader>) ->
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
     let placed = camera.place(&mesh, &model);
     let mut cache = vec![ScreenVertex::default(); cache];
-    let ink = |face: usize| Shader(face as u16);
+    let shader = |face: usize| Shader(face as u16);
     match way {
-        Way::Solid(cull) => placed.with_cull(cull).solid(ink, &mut cache, target),
+        Way::Solid(cull) => placed.with_cull(cull).solid(shader, &mut cache, target),
         Way::Wireframe => placed.wireframe(Shader(9), &mut cache, target),
         Way::Painter => {
             let mut painter = Painter::<Shader, 128, 64>::new();
-            painter.add(&placed, ink).expect("enough room");
+            painter.add(&placed, shader).expect("enough room");
             painter.draw(target)
         }
     }
@@ -126,7 +126,7 @@ proptest! {
         if here.iter().chain(&there).all(Option::is_some) {
             for way in WAYS {
                 let there = picture(&moved, way, bridge::rectangle(dx, dy, WIDTH, HEIGHT));
-                let back: Picture = there.into_iter().map(|((x, y), ink)| ((x - dx, y - dy), ink)).collect();
+                let back: Picture = there.into_iter().map(|((x, y), color)| ((x - dx, y - dy), color)).collect();
                 prop_assert!(back == picture(&scene, way, whole()), "{way:?}");
             }
         }

@@ -1,5 +1,5 @@
-//! Fast triangles against the plain ones: what `fill_triangle` draws, into memory and as spans of any other target, is what
-//! `raster::triangle` defines, for triangles of every tier, whole and clipped.
+//! Fast triangles against the plain ones: `fill_triangle`, into memory and as spans of any other target, draws the pixels that
+//! `raster::triangle` defines, for triangles of every tier, clipped or not.
 
 use core::convert::Infallible;
 use embedded_graphics_core::draw_target::DrawTarget;

@@ -1,4 +1,4 @@
-//! What is published: the library and its documentation, nothing large, nothing missing.
+//! The published packages hold the library and its documentation, nothing large, and miss nothing.
 
 use std::fs;
 use std::path::Path;

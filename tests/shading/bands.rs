@@ -23,7 +23,7 @@ const VERTICES: usize = 16;
 struct Scene {
     vertices: [[i16; 3]; VERTICES],
     faces: [[u16; 3]; FACES],
-    inks: Vec<(Flat, Gouraud)>,
+    shaders: Vec<(Flat, Gouraud)>,
     lights: Vec<[Lit; 3]>,
     /// The viewport, and a frame that shows a part of it or all of it.
     viewport: (i32, i32, u32, u32),
@@ -39,7 +39,7 @@ impl Scene {
         }
         let mut index = || rng.below(VERTICES) as u16;
         let faces = [[0; 3]; FACES].map(|face| face.map(|_: u16| index()));
-        let inks = (0..FACES)
+        let shaders = (0..FACES)
             .map(|_| {
                 let colours = [0; 3].map(|_| random_colour(rng));
                 (flat(colours[0]), gouraud(colours))
@@ -51,7 +51,7 @@ impl Scene {
         } else {
             ((0, 0, 21, 13), bridge::rectangle(0, 0, 21, 13))
         };
-        Self { vertices, faces, inks, lights, viewport, frame }
+        Self { vertices, faces, shaders, lights, viewport, frame }
     }
 
     fn camera(&self) -> Camera {
@@ -64,7 +64,7 @@ impl Scene {
         .library()
     }
 
-    fn check<C: Colour, I: SpanShader<C>>(&self, ink: impl Fn(usize) -> I) {
+    fn check<C: Colour, I: SpanShader<C>>(&self, shader: impl Fn(usize) -> I) {
         let (camera, background) = (self.camera(), C::decode(0));
         let mesh = Mesh::new(&self.vertices, -6, &self.faces).expect("a mesh");
         let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
@@ -72,12 +72,12 @@ impl Scene {
         let (mut corners, mut records) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
 
         let [mut solid, mut nearer, mut painted] = [0; 3].map(|_| Picture::<C>::new(self.frame));
-        let Ok(_) = placed.solid(&ink, &mut corners, &mut solid);
+        let Ok(_) = placed.solid(&shader, &mut corners, &mut solid);
         let mut storage = vec![0; pixels];
         let mut depth = DepthBuffer::new(self.frame, &mut storage).expect("storage");
-        let Ok(_) = placed.depth_tested(&ink, &mut corners, &mut depth, &mut nearer);
+        let Ok(_) = placed.depth_tested(&shader, &mut corners, &mut depth, &mut nearer);
         let mut painter = Box::new(Painter::<I, 200, 80>::new());
-        painter.add(&placed, &ink).expect("room");
+        painter.add(&placed, &shader).expect("room");
         let order = painter.order();
         let Ok(()) = order.draw(&mut painted);
 
@@ -101,7 +101,7 @@ impl Scene {
             let projected = placed.transform(&mut corners);
             let mut faces = projected.bin_faces(&mut records).expect("room");
             let bands = banded(rows, &mut |band| {
-                let Ok(()) = faces.solid(&ink, band);
+                let Ok(()) = faces.solid(&shader, band);
             });
             assert!(bands == solid.before(background), "{name}: {rows} rows");
             let projected = placed.transform_depth(&mut corners);
@@ -109,7 +109,7 @@ impl Scene {
             let bands = banded(rows, &mut |band| {
                 let mut storage = vec![0; pixels];
                 let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-                let Ok(()) = faces.depth_tested(&ink, &mut depth, band);
+                let Ok(()) = faces.depth_tested(&shader, &mut depth, band);
             });
             assert!(bands == nearer.before(background), "{name}: with depth, {rows} rows");
         }
@@ -117,8 +117,8 @@ impl Scene {
 }
 
 fn every_ink<C: Colour>(scene: &Scene) {
-    let smooth = |face: usize| scene.inks[face].1;
-    let even = |face: usize| scene.inks[face].0;
+    let smooth = |face: usize| scene.shaders[face].1;
+    let even = |face: usize| scene.shaders[face].0;
     scene.check::<C, Gouraud>(smooth);
     scene.check::<C, Dithered<Gouraud>>(|face| smooth(face).dithered());
     let tables: Vec<_> = scene.lights.iter().map(|&lights| shaded::<C>(lights)).collect();
@@ -153,7 +153,7 @@ fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scen
             while let Some(mut band) = frame.next_band(&mut strip).expect("a row at least") {
                 let mut storage = vec![0; pixels];
                 let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
-                let smooth = |face: usize| scene.inks[face].1.dithered();
+                let smooth = |face: usize| scene.shaders[face].1.dithered();
                 let Ok(()) = match fast {
                     true => faces.depth_tested(smooth, &mut depth, &mut band.pixels()),
                     false => faces.depth_tested(smooth, &mut depth, &mut band),

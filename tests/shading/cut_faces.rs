@@ -67,7 +67,7 @@ impl Planes {
     }
 }
 
-/// What a shader may add to the error of a channel, beside the gradients and the rounding of the cut corners.
+/// The error that a shader may add to a channel, besides those of the gradients and of rounded cut corners.
 #[derive(Clone, Copy)]
 enum Rounding {
     /// To the nearest level.

@@ -22,10 +22,10 @@ fn rank(pattern: &[Vec<i128>], p: Point) -> i128 {
 }
 
 /// A picture filled with one color.
-fn everywhere<C: Colour>(ink: pinhole::Dithered<Flat>) -> Picture<C> {
+fn everywhere<C: Colour>(shader: pinhole::Dithered<Flat>) -> Picture<C> {
     let vertices = [(-20_000, -20_000), (60_000, -20_000), (-20_000, 60_000)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
-    draw(&camera.place(&mesh, &Affine::identity()), ink)
+    draw(&camera.place(&mesh, &Affine::identity()), shader)
 }
 
 fn smooth<C: Colour>(cases: usize) {
@@ -125,12 +125,12 @@ fn more_light_makes_no_pixel_darker() {
 #[test]
 fn the_dither_pattern_is_fixed_to_the_screen() {
     let (mut rng, camera) = (Rng::new(0x72), flat_camera());
-    let ink = flat(Lit { rgb: [90, 140, 33], level: 200 }).dithered();
-    let still = everywhere::<Gray4>(ink);
+    let shader = flat(Lit { rgb: [90, 140, 33], level: 200 }).dithered();
+    let still = everywhere::<Gray4>(shader);
     for _ in 0..200 {
         let vertices = random_triangle(&mut rng).map(vertex);
         let mesh = mesh(&vertices);
-        let moved = draw::<Gray4, _>(&camera.place(&mesh, &Affine::identity()), ink);
+        let moved = draw::<Gray4, _>(&camera.place(&mesh, &Affine::identity()), shader);
         assert!(moved.drawn().all(|(p, colour)| still.at(p) == Some(colour)));
     }
     let kinds: std::collections::BTreeSet<_> = still.drawn().map(|(_, c)| c.levels()).collect();

@@ -18,7 +18,7 @@ const BOUND: f64 = 0.5 + 1.0 / 512.0;
 
 fn check<C: Colour, I: SpanShader<C>>(
     t: [P; 3],
-    ink: impl Fn([Lit; 3]) -> I,
+    shader: impl Fn([Lit; 3]) -> I,
     colours: [Lit; 3],
     worst: &mut f64,
 ) {
@@ -26,7 +26,7 @@ fn check<C: Colour, I: SpanShader<C>>(
     let mesh = mesh(&vertices);
     let placed = camera.place(&mesh, &Affine::identity());
     let Some(t) = corners(&placed) else { panic!("{t:?} is in the guard band") };
-    let picture = draw::<C, _>(&placed, ink(colours));
+    let picture = draw::<C, _>(&placed, shader(colours));
     let plain = draw::<C, _>(&placed, C::decode(0));
     assert_eq!(picture.drawn().count(), plain.drawn().count());
     for (p, colour) in picture.drawn() {
@@ -120,9 +120,9 @@ fn one_draw_call_fills_a_whole_span() {
     let vertices = [(100, 100), (9000, 3000), (2000, 11_000)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
     let placed = camera.place(&mesh, &Affine::identity()).with_cull(pinhole::Cull::None);
-    let ink = Gouraud::lit(Rgb888::new(200, 100, 50), [0, 256, 100]);
+    let shader = Gouraud::lit(Rgb888::new(200, 100, 50), [0, 256, 100]);
     let (mut smooth, mut plain) = (Recorder::<Rgb565>::sized(64, 48), Recorder::<Rgb565>::sized(64, 48));
-    placed.solid(|_| ink, &mut [], &mut smooth).expect("no error");
+    placed.solid(|_| shader, &mut [], &mut smooth).expect("no error");
     placed.solid(|_| Rgb565::new(0, 0, 0), &mut [], &mut plain).expect("no error");
     let spans = |calls: &[Call<Rgb565>]| -> Vec<_> {
         calls

@@ -1,4 +1,4 @@
-//! SPEC 8: ambient and Lambert light per face, within one level of 256; colours within half a step of a channel.
+//! docs/spec.md, section 8: ambient and Lambert light per face, within one level of 256; colours within half a step of a channel.
 
 use embedded_graphics_core::pixelcolor::{BinaryColor, Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
 use pinhole::{Dim, Lambert};

@@ -210,9 +210,9 @@ pub(crate) fn mesh<'a>(vertices: &'a [[Scalar; 3]; 3]) -> Mesh<'a, Scalar> {
     Mesh::from_fixed(vertices, &[[0, 1, 2]]).expect("a mesh")
 }
 
-pub(crate) fn draw<C: Colour, I: SpanShader<C>>(placed: &MeshInstance<'_, Scalar>, ink: I) -> Picture<C> {
+pub(crate) fn draw<C: Colour, I: SpanShader<C>>(placed: &MeshInstance<'_, Scalar>, shader: I) -> Picture<C> {
     let mut picture = Picture::new(screen());
-    let Ok(_) = placed.with_cull(pinhole::Cull::None).solid(|_| ink, &mut [], &mut picture);
+    let Ok(_) = placed.with_cull(pinhole::Cull::None).solid(|_| shader, &mut [], &mut picture);
     picture
 }
 

@@ -129,18 +129,18 @@ fn memory_targets_and_depth_tests_draw_the_colors_of_any_target() {
         let vertices = random_triangle(&mut rng).map(vertex);
         let mesh = mesh(&vertices);
         let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
-        let ink = shaded::<Rgb565>(lights);
-        let wanted = draw::<Rgb565, _>(&placed, ink);
+        let shader = shaded::<Rgb565>(lights);
+        let wanted = draw::<Rgb565, _>(&placed, shader);
         drawn += wanted.drawn().count();
         let wanted = wanted.before(black);
         let mut pixels = [black; 64 * 48];
         let Ok(_) =
-            placed.solid(|_| ink, &mut [], &mut Picture::new(&mut pixels, size).expect("room").pixels());
+            placed.solid(|_| shader, &mut [], &mut Picture::new(&mut pixels, size).expect("room").pixels());
         assert!(pixels[..] == wanted[..], "{vertices:?} {lights:?}");
         let (mut pixels, mut depths) = ([black; 64 * 48], [0; 64 * 48]);
         let mut depth = DepthBuffer::new(area, &mut depths).expect("room");
         let mut picture = Picture::new(&mut pixels, size).expect("room");
-        let Ok(_) = placed.depth_tested(|_| ink, &mut [], &mut depth, &mut picture.pixels());
+        let Ok(_) = placed.depth_tested(|_| shader, &mut [], &mut depth, &mut picture.pixels());
         assert!(pixels[..] == wanted[..], "with depth: {vertices:?} {lights:?}");
     }
     assert!(drawn > 300_000, "{drawn}");

@@ -40,7 +40,7 @@ pub(crate) fn sines() -> [Measured; 3] {
     let mut rng = Rng::new(0x51);
     let (mut worst, mut circle, mut quarters) = (0f64, 0f64, 0f64);
     for k in 0..1u32 << 22 {
-        // Every table angle and its neighbours, the half ways between them, and any.
+        // Every table angle and its neighbours, the midpoints between them, and random angles.
         let near = ((k >> 4) % 512) << 23;
         let angle = match k % 16 {
             0 => near,
@@ -355,7 +355,7 @@ pub(crate) fn normals() -> [Measured; 1] {
             worst = worst.max((f64::from(*got) / 32_768.0 - exact).abs());
         }
     }
-    // +1 itself has no place in 2⁻¹⁵.
+    // +1 itself is not representable in steps of 2⁻¹⁵.
     let ours = Affine::<Model, World>::identity().normals().apply([0, 0, i16::MAX]);
     worst = worst.max((f64::from(ours[2]) / 32_768.0 - 1.0).abs());
     [Measured::new("`NormalMatrix::apply`", "1", worst, two(-15.0), "s2_normals")]
@@ -365,7 +365,7 @@ pub(crate) fn views() -> [Measured; 3] {
     let mut rng = Rng::new(0x58);
     let (mut rows, mut column, mut image) = (0f64, 0f64, 0f64);
     for k in 0..300_000 {
-        // Anywhere, by any door; or with components that differ by orders of magnitude.
+        // Anywhere, by any constructor; or with components that differ by orders of magnitude.
         let view = match k % 2 {
             0 => random_view(&mut rng),
             _ => {
@@ -576,7 +576,7 @@ pub(crate) fn planes() -> [Measured; 2] {
         }
     }
     for _ in 0..30_000 {
-        // Where an axis of the world vanishes, and what turning the axis does to that place.
+        // The vanishing point of a world axis, and how far it moves when the axis turns.
         let bits = CameraBits {
             view: random_view(&mut rng),
             projection: ProjectionBits::Perspective(

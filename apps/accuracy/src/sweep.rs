@@ -75,8 +75,8 @@ fn object(camera: &Camera, design: Design, object: &Object) -> Result<Vec<Option
     })
 }
 
-/// A single point by [`Camera::project`], which is placed as an object without extent; that is where to read it
-/// before the snap.
+/// A single point by [`Camera::project`]. It is also drawn as an object without extent, from which its position before the snap
+/// is read.
 fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::MeshError> {
     let model = Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(vector(at)));
     let vertices = [[0; 3]; VERTICES];

@@ -28,7 +28,7 @@ pub(crate) fn tables() -> Result<String, String> {
         let table: Vec<_> = section.lines().filter(|line| line.starts_with('|')).collect();
         text += &format!("\n## {title}\n\n{}\n", table.join("\n"));
     }
-    text += "\nIn bytes, at opt-level 3 and s, beyond a firmware that does nothing; *variables* are what each program lends: the vertices of\n\
-        a cube, in bands the records, and 8 rows of 240 pixels of colour or depth where it keeps those.\n";
+    text += "\nIn bytes, at opt-level 3 and s, beyond a firmware that does nothing; *variables* are the memory that each program provides: the vertex\n\
+        cache of a cube, in bands the bin storage, and 8 rows of 240 pixels of colour or depth where it needs them.\n";
     Ok(text)
 }

@@ -166,8 +166,8 @@ pub fn paint<C: Colour>(
         }
         (false, false) => out.bands(statistics, &areas, |band, depth| solid.draw(smooth, depth, band)),
         (false, true) => {
-            let ink = |p: &Part, f| smooth(p, f).dithered();
-            out.bands(statistics, &areas, |band, depth| solid.draw(ink, depth, band))
+            let shader = |p: &Part, f| smooth(p, f).dithered();
+            out.bands(statistics, &areas, |band, depth| solid.draw(shader, depth, band))
         }
     }
 }
@@ -193,12 +193,12 @@ struct Solid<'a, 'f> {
 impl Solid<'_, '_> {
     fn draw<C: Colour, I: SpanShader<C>>(
         &mut self,
-        ink: impl Fn(&Part, usize) -> I,
+        shader: impl Fn(&Part, usize) -> I,
         depth: &mut DepthBuffer<'_>,
         band: &mut Band<'_, C>,
     ) {
         for (part, faces) in self.parts.iter().zip(self.faces.iter_mut()) {
-            let Ok(()) = faces.depth_tested(|face| ink(part, face), depth, band);
+            let Ok(()) = faces.depth_tested(|face| shader(part, face), depth, band);
         }
     }
 }

@@ -12,7 +12,7 @@ pub(crate) struct Palette {
 type Group = Vec<([u8; 3], usize)>;
 
 impl Palette {
-    /// A palette for the colours that occur. The most frequent one is kept exactly, and so are the others if there are at
+    /// A palette for the colours that occur. The most frequent one is exact, and so are the others if there are at
     /// most 255; otherwise median cut chooses them (Heckbert, *Color image quantization for frame buffer display*, 1982).
     pub(crate) fn of<'a>(pixels: impl Iterator<Item = &'a Rgb888>) -> Self {
         let mut counts = HashMap::<[u8; 3], usize>::new();

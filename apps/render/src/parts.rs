@@ -7,7 +7,7 @@ pub struct Part {
     /// Indices into the mesh's vertices, for all vertices of the part but the first: see [`Part::vertices`].
     indices: Vec<usize>,
     pub faces: Vec<[u16; 3]>,
-    /// BinnedEdges of the faces; an edge with more than two faces occurs once for every two of them. Empty until
+    /// Edges of the faces; an edge with more than two faces occurs once for every two of them. Empty until
     /// [`Part::find_edges`] is called.
     pub edges: Vec<[u16; 2]>,
     /// The two faces of each edge.

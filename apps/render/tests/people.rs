@@ -177,7 +177,7 @@ fn parallel_projections_have_the_extents_of_their_definitions() {
         let ids = cube_ids(name, &[]);
         let drawn: Vec<_> = ids.iter().map(|id| *id >= 0).collect();
         let [[left, right], [top, bottom]] = extent(&drawn, 200);
-        // The larger one fills 184 pixels of the 200; whole pixels are within one of that, in each.
+        // The larger one fills 184 of the 200 pixels; rounding to pixels moves each figure by at most one.
         let scale = 184.0 / width.max(height);
         let near = |pixels: usize, extent: f64| (pixels as f64 - extent * scale).abs() < 1.5;
         assert!(
@@ -298,12 +298,12 @@ fn modes_are_what_they_say() {
     assert!(of(&cube, "gouraud").colors().len() > 20);
     let smooth = of(&teapot(), "solid");
     assert!(smooth.colors().len() > of(&teapot(), "flat").colors().len());
-    // Of all lines those that are not hidden: one corner's three edges less, and the sides' diagonals.
+    // Hidden lines are missing: the three edges at the far corner and the diagonals of the three far sides.
     let (wire, less) = (of(&cube, "wireframe").drawn(), of(&cube, "hidden-line").drawn());
     assert!(wire.iter().zip(&less).all(|(wire, less)| *wire || !less));
     let count = |drawn: &[bool]| drawn.iter().filter(|d| **d).count();
     assert!(count(&less) < count(&wire) * 3 / 4 && count(&less) > count(&wire) / 4);
-    // Within the outline, or beside it by the half pixel that a line is wide.
+    // The lines lie inside the outline, or outside by half a line's width: half a pixel.
     let [a, b] = [flat.drawn(), less].map(|drawn| extent(&drawn, 100));
     assert!(a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| a.abs_diff(*b) <= 1), "{a:?} {b:?}");
 }
@@ -379,7 +379,7 @@ fn a_film_goes_once_around() {
     let different: BTreeSet<_> = frames.iter().map(|(_, pixels)| pixels).collect();
     assert_eq!(different.len(), 7);
     for (_, pixels) in &frames {
-        // In all of them the mesh is whole.
+        // All of them show the whole mesh.
         let drawn: Vec<_> = pixels.iter().map(|c| *c != pixels[0]).collect();
         let [[left, right], [top, bottom]] = extent(&drawn, 64);
         assert!(left > 0 && right < 64 && top > 0 && bottom < 48);

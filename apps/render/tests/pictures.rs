@@ -75,13 +75,13 @@ fn check(file: &Path, to: &Path) -> Comparison {
     comparison
 }
 
-/// The largest move of an edge that a picture may need: issue C's number. Half a sub-pixel along both
+/// The largest move of an edge that a picture may need: half a sub-pixel along both
 /// axes is 0.00276; the largest met is below it, as all three corners would have to be at their worst.
 const SHIFT: f64 = 0.0025;
 /// The documented bound: half a step for rounding, and what stepping and the corners' rounding add. What the
 /// chain leaves the corners' depths is the oracle's to allow, by its own documented budget.
 const DEPTH: f64 = 0.54;
-/// BinnedFaces that reach far end half a step before it.
+/// Faces that reach far end half a step before it.
 const DEPTH_AT_FAR: f64 = 1.1;
 
 fn is_explained(found: &Comparison) -> bool {

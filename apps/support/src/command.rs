@@ -59,7 +59,7 @@ pub fn option(name: &'static str, value: &'static str, help: &'static str, defau
 ///
 /// # Errors
 ///
-/// The message to print where the text is no such size.
+/// The message to print if the text is not a valid size.
 pub fn size(text: &str, range: RangeInclusive<u32>) -> Result<Size, String> {
     let size = text.split_once('x').and_then(|(w, h)| Some(Size::new(w.parse().ok()?, h.parse().ok()?)));
     size.filter(|size| range.contains(&size.width) && range.contains(&size.height)).ok_or_else(|| {

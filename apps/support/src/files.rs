@@ -27,7 +27,7 @@ pub fn apart<'a>(input: &Path, outputs: impl IntoIterator<Item = &'a Path>) -> R
 ///
 /// # Errors
 ///
-/// A message that names the file. Files that stood under these names before stay as they were.
+/// A message that names the file that cannot be written. Existing files of these names are then unchanged.
 pub fn write<B: AsRef<[u8]>>(files: &[(&Path, B)]) -> Result<(), String> {
     let mut pending = Vec::new();
     for (path, bytes) in files {

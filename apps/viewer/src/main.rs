@@ -91,7 +91,7 @@ fn size(given: &mut ArgMatches, source: &Source) -> Result<Size, String> {
         .named(&format!("is of {width} x {height} pixels, a display of {low} to {high}: give it by --size")))
 }
 
-/// What a script does in place of a user.
+/// A script, which replaces a user's input.
 struct Script {
     screenshot: Option<PathBuf>,
     stay: Duration,

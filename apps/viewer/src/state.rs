@@ -160,7 +160,7 @@ impl State {
         })
     }
 
-    /// Applies an action; those of the window change nothing.
+    /// Applies an action; actions of the window change nothing.
     pub fn apply(&mut self, action: Action) {
         match action {
             Action::Orbit(right, up) => self.orbit(right, up),
@@ -234,7 +234,7 @@ impl State {
     }
 }
 
-/// The item `by` places further in a list that wraps around.
+/// The item `by` positions further in a list that wraps around.
 fn next<T: Copy + PartialEq>(list: &[T], now: T, by: i32) -> T {
     let place = list.iter().position(|item| *item == now).unwrap_or_default();
     let further = (place as i64 + i64::from(by)).rem_euclid(list.len().max(1) as i64);

@@ -211,7 +211,7 @@ fn formats_have_their_colours_and_no_others() {
     grey("c c", 16);
     assert_eq!(grey("c c c", 4).len(), 4);
     assert_eq!(grey("c c c c", 2), [[0; 3], [255; 3]].into());
-    // Of 5, 6 and 5 bits: so many levels from 0 to 255, the nearest whole numbers.
+    // 5, 6 and 5 bits per channel: 32, 64 and 32 levels from 0 to 255, rounded to whole numbers.
     let level = |v: u8, most: u32| (0..=most).any(|n| (n * 510 + most) / (2 * most) == u32::from(v));
     let met = of("");
     assert!(met.iter().all(|&[r, g, b]| level(r, 31) && level(g, 63) && level(b, 31)), "{met:?}");

@@ -1,4 +1,4 @@
-//! The window itself, under a virtual display: the pixels that X shows are those of the host's own render of the same
+//! The window under a virtual display: the pixels that X shows equal those that the host renders of the same
 //! state. `cargo test -p pinhole-viewer --features viewer`; it needs SDL2 and Xvfb, and without Xvfb it says so and
 //! tests nothing (with CI set it fails).
 
@@ -39,7 +39,7 @@ impl DrawTarget for Picture {
     }
 }
 
-/// What a window should show after these keys.
+/// The picture that a window should show after these keys.
 fn expected(keys: &str) -> Vec<[u8; 3]> {
     let source = Source::built_in();
     let mut state = source.state();
@@ -187,7 +187,7 @@ fn the_window_shows_what_the_host_renders() {
         let _viewer = Running(viewer);
         let expected = expected(keys);
         assert!(wait_for("screenshot", || read_png(&png)) == expected, "{keys}: the screenshot differs");
-        // X draws a little after it was told to; the window stands in the middle.
+        // X draws with a delay; the window is centred.
         let (left, top) = ((SCREEN.width - SIZE.width) / 2, (SCREEN.height - SIZE.height) / 2);
         wait_for(&format!("picture of {keys}"), || {
             stands_at(&screen(&folder), &expected, left as usize, top as usize).then_some(())

@@ -20,7 +20,7 @@ pub struct Panel<Bus, Channel, Pin> {
     command: Pin,
 }
 
-/// A strip on its way.
+/// A strip that is being sent.
 pub struct Transfer<Bus: WriteTarget, Channel: SingleChannel, Pin> {
     running: single_buffer::Transfer<Channel, &'static mut [u8], Bus>,
     select: Pin,

@@ -1,4 +1,4 @@
-//! Firmware that logs by defmt, over semihosting: every frame with its statistics, and those that were dropped, with the
+//! Firmware that logs by defmt, over semihosting: every frame with its statistics, and dropped frames with the
 //! reason. In this folder,
 //!
 //! ```text

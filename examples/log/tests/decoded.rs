@@ -35,7 +35,7 @@ fn the_film_has_all_kinds_of_frames() {
     assert_eq!(different.len(), lines.len(), "{lines:#?}");
 }
 
-/// What `types::log` makes, in its order, worked out by hand. The camera stands 40 away and 6 up, and has 30° for 64 rows:
+/// The output of `types::log`, in its order, computed by hand. The camera stands 40 away and 6 up, and has 30° for 64 rows:
 /// a focal length of 119.4 rows. So the square's half side of 9/8 takes 3.32 columns and 3.29 rows from (64, 32): faces
 /// cover the centres from 61 to 66 and 29 to 34, and edges run from pixel 60 to 67 and 28 to 35.
 ///

@@ -2,7 +2,7 @@
 
 use pinhole::{edge_faces, Mesh};
 
-#[allow(unreachable_pub)] // generated, and `pub` for those who take it in elsewhere
+#[allow(unreachable_pub)] // generated, `pub` for other users
 #[path = "../../../assets/teapot.rs"]
 mod teapot;
 

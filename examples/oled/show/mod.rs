@@ -149,8 +149,8 @@ impl Scratch {
         let mut faces = faces(&placed.transform_depth(corners), records);
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
-            let ink = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
-            let Ok(()) = faces.depth_tested(ink, depth, band);
+            let shader = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
+            let Ok(()) = faces.depth_tested(shader, depth, band);
         })
     }
 
@@ -182,8 +182,8 @@ impl Scratch {
         screen.show(SCENES[4], |band, depth| {
             let balls = [(&mut of_sun, &sun.2), (&mut of_planet, &planet.2), (&mut of_moon, &moon.2)];
             for (faces, levels) in balls {
-                let ink = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
-                let Ok(()) = faces.depth_tested(ink, depth, band);
+                let shader = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
+                let Ok(()) = faces.depth_tested(shader, depth, band);
             }
             for (edges, grey) in [(&mut far, 4), (&mut near, 7)] {
                 let Ok(()) = edges.depth_tested(Gray4::new(grey), depth, band);
@@ -210,8 +210,8 @@ impl Scratch {
                 let grey = Gray4::new(5 + 3 * (i as u8 % 4));
                 let Ok(()) = Pixel(Point::new(x, y), grey).draw(band);
             }
-            let ink = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
-            let Ok(()) = ground.depth_tested(ink, depth, band);
+            let shader = |face| Gouraud::lit(Rgb888::WHITE, BALL.corners_of(face, levels)).dithered();
+            let Ok(()) = ground.depth_tested(shader, depth, band);
             let Ok(()) = ship.depth_tested(|face| ship_colour(&sun, face), depth, band);
         })
     }

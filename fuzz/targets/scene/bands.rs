@@ -36,7 +36,7 @@ fn strips(
     pixels
 }
 
-/// An error asks for as much as is enough.
+/// An error for too little memory names a size that suffices.
 fn record<'a, T>(records: &'a mut [u16], mut with: impl FnMut(&'a mut [u16]) -> Result<T, BinError>) -> T {
     match with(&mut []) {
         Ok(recorded) => recorded,
@@ -58,7 +58,7 @@ pub(crate) fn check(scene: &Scene) {
         Point::new(area.right as i32 - 1, area.bottom as i32 - 1),
     );
     let height = scene.cache as u32 % area.size.height + 1;
-    let ink = |face: usize| Shader(face as u16);
+    let shader = |face: usize| Shader(face as u16);
     let whole = |draw: &mut dyn FnMut(&mut DepthBuffer<'_>, &mut Recorder<Shader>)| {
         strips(area, area.size.height, draw)
     };
@@ -71,8 +71,8 @@ pub(crate) fn check(scene: &Scene) {
         let projected = placed.transform(&mut corners);
         let mut faces: BinnedFaces<'_> = record(first, |records| projected.bin_faces(records));
         let mut edges: BinnedEdges<'_> = record(second, |records| projected.bin_edges(records));
-        let solid = whole(&mut |_, target| placed.solid(ink, cache, target).map(drop).unwrap());
-        assert!(solid == strips(area, height, |_, target| faces.solid(ink, target).unwrap()), "{scene:?}");
+        let solid = whole(&mut |_, target| placed.solid(shader, cache, target).map(drop).unwrap());
+        assert!(solid == strips(area, height, |_, target| faces.solid(shader, target).unwrap()), "{scene:?}");
         let lines = whole(&mut |_, target| placed.wireframe(Shader(7), cache, target).map(drop).unwrap());
         assert!(
             lines == strips(area, height, |_, target| edges.draw(Shader(7), target).unwrap()),
@@ -84,8 +84,8 @@ pub(crate) fn check(scene: &Scene) {
         let mut faces: BinnedFaces<'_, i16, true> = record(third, |records| projected.bin_faces(records));
         let mut edges: BinnedEdges<'_, i16, true> = record(fourth, |records| projected.bin_edges(records));
         let tested =
-            whole(&mut |depth, target| placed.depth_tested(ink, cache, depth, target).map(drop).unwrap());
-        let banded = strips(area, height, |depth, target| faces.depth_tested(ink, depth, target).unwrap());
+            whole(&mut |depth, target| placed.depth_tested(shader, cache, depth, target).map(drop).unwrap());
+        let banded = strips(area, height, |depth, target| faces.depth_tested(shader, depth, target).unwrap());
         assert!(tested == banded, "depth: {scene:?}");
         let hidden = whole(&mut |depth, target| {
             placed.depth_only(cache, depth);

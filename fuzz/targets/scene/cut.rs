@@ -1,4 +1,4 @@
-//! BinnedFaces that are cut, by one ray a pixel in f64: no clipping in there.
+//! Cut faces against one f64 ray per pixel, which needs no clipping.
 
 use crate::bridge::draw::Shader;
 use crate::bridge::pair::ViewBits;
@@ -74,8 +74,8 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();
     let [a, b, c] = face;
     let (exact, model) = (scene.camera.exact(), scene.model.exact());
-    // Edge-on it has no pixels for the oracle, but cut corners are rounded. Below 2⁻⁴⁰ of what it is a sum of, the
-    // determinant is mostly what f64 rounds, its sign too.
+    // The oracle sees no pixels of an edge-on face, but cut corners are rounded. Below 2⁻⁴⁰ of its terms the determinant, and its
+    // sign, are mostly rounding errors of f64.
     let [a_, b_, c_] = face.map(|i| exact.homogeneous_screen(exact.clip(&model, scene.model_point(i))));
     let determinant = chain::dot(a_, chain::cross(b_, c_));
     if determinant.abs() <= 2f64.powi(-40) * length(a_) * length(b_) * length(c_) {

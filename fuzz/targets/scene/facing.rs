@@ -1,4 +1,4 @@
-//! BinnedFaces asked by their planes, if they have any.
+//! Culling by face planes, for meshes that have them, against culling by area.
 
 use crate::bridge::draw::Shader;
 use crate::cut::before_rounding;
@@ -25,8 +25,8 @@ fn both(scene: &Scene, placed: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] 
     })
 }
 
-/// Whether a face is turned to the front before its corners are rounded to sub-pixels, by more than the error of places can
-/// make of one that is seen from the side. `None` where one of them has no place, or numbers leave their range.
+/// Whether a face is a front face before its corners are rounded to sub-pixels, by more than the error of screen positions can
+/// make of an edge-on face. `None` if a corner has no screen position, or numbers leave their range.
 fn is_front(scene: &Scene, placed: &MeshInstance<'_>, face: [u16; 3]) -> Option<bool> {
     let (error, _) = before_rounding(scene, face)?;
     let place = |index: u16| {
@@ -57,7 +57,7 @@ pub(crate) fn check(scene: &Scene) {
     let placed = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
     let [(_, plain), (_, by_planes)] = both(scene, &placed);
     for &face in plain.iter().filter(|face| !by_planes.contains(face)) {
-        // BinnedFaces that are cut, or reach far out where places saturate, have no area that could be looked at.
+        // Cut faces, and faces that reach so far out that screen positions saturate, have no area to compare.
         assert_ne!(
             is_front(scene, &placed, scene.faces[face]),
             Some(true),

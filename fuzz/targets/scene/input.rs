@@ -1,5 +1,5 @@
-//! A scene from bytes: small numbers in simple views as often as extremes, and the target about a place
-//! that the viewport shows.
+//! A scene from bytes: small numbers in simple views as often as extremes, and a target around a point inside the
+//! viewport.
 
 use crate::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
 use crate::bridge::rectangle;

@@ -52,7 +52,7 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     });
 }
 
-/// The pixels of the whole line that lie in the area: at most as many steps as the area is wide or high.
+/// The pixels of the unclipped line inside the area, found in at most as many steps as the area is wide or high.
 fn line_in(a: P, b: P, area: Area) -> Vec<P> {
     let (from, to) = if a <= b { (a, b) } else { (b, a) };
     let steep = line::is_steep(from, to);
@@ -92,7 +92,7 @@ pub(crate) fn points(scene: &Scene, placed: &MeshInstance<'_>, target: &Recorder
     assert_eq!(drawn(target), wanted.into_iter().collect::<Vec<_>>(), "{scene:?}");
 }
 
-/// Where all vertices have a place: the union of the exact lines.
+/// If all vertices have a screen position: the union of the exact lines.
 pub(crate) fn polyline(scene: &Scene, placed: &MeshInstance<'_>, drawing: &Drawing) {
     let images: Vec<P> =
         (0..scene.vertices.len()).filter_map(|i| placed.project(i)).map(|(p, _)| pixel(p)).collect();

@@ -130,8 +130,8 @@ impl SetUp {
         let beside = (ex - cx).abs().max((ey - cy).abs()) / free;
         let budget = share * beside.max(1.0) + 8192.0 * rho[3] / w.abs();
         let coarse = (share + rho[3] / w.abs()) / free;
-        // Before near or not: the sum of two rows, each within a few 2⁻³⁰ of its own reach, or of what
-        // x and y reach, whose exponent they share when that is coarse.
+        // In front of the near plane or not: the sum of two rows, each within a few 2⁻³⁰ of its own range, or of the range
+        // of x and y, if that is coarser, because the rows share one exponent.
         let (near, unsure) = (clip[2] + w, (rho[2] + rho[3] + 2.0 * w.abs() * coarse) * 2f64.powi(-26));
         if near < -unsure {
             assert!(got.is_none(), "{:?} before near: {clip:?} {at:?} {what:?}", got);
@@ -178,7 +178,7 @@ impl SetUp {
 pub(crate) fn check(b: &mut Bytes<'_>) {
     let kind = b.byte();
     let Some((set_up, apart)) = set_up(b) else { return };
-    // A place in the picture, or any, for the first vertex.
+    // The first vertex lies in the picture, or anywhere.
     let at = if kind & 3 == 0 {
         fx3(triple(b, [ONE; 3]))
     } else {

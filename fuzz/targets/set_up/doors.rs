@@ -1,4 +1,4 @@
-//! Numbers through the float doors, angles and viewports.
+//! Constructors from floats, angles and viewports.
 
 use crate::bridge::{point, rectangle};
 use crate::bytes::Bytes;

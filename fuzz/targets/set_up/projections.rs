@@ -253,7 +253,7 @@ fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], 
         return;
     }
     let at = |distance: i32| constant - slope * fx(distance);
-    // In steps of 2⁻³² and of what w's own terms leave.
+    // In steps of 2⁻³², plus the rounding of w's terms.
     let step = 2f64.powi(-28) * (slope.abs() * (fx(n).abs() + fx(f).abs()) + constant.abs()) + 2f64.powi(-30);
     for w in [at(n), at(f)] {
         if w < -step {

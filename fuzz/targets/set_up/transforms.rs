@@ -194,8 +194,8 @@ pub(crate) fn inverse(b: &mut Bytes<'_>) {
         core::array::from_fn(|i| core::array::from_fn(|j| cofactors[j][i] as f64 / det as f64 * 65_536.0));
     let frobenius = |m: &M3| m.iter().flatten().map(|c| c * c).sum::<f64>().sqrt();
     let exact: M3 = m.map(|row| row.map(|c| c as f64 / 65_536.0));
-    // The ratio of the stretches is at most the product of the norms. The frame rounds the axes to 2⁻³⁰ of the largest number:
-    // where that is a part of the least stretch, the inverse is that of another matrix.
+    // The condition number is at most the product of the norms. The frame rounds the axes to 2⁻³⁰ of the largest number:
+    // where the smallest singular value is not much larger, the inverse belongs to a different matrix.
     let ratio = frobenius(&exact) * frobenius(&inverse);
     let error = 2f64.powi(-26) * ratio * largest(inverse.into_iter().flatten());
     let p = triple(b, origin);

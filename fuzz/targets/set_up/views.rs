@@ -57,7 +57,7 @@ fn reals(view: &ViewTransform) -> M3 {
     view.rows().map(|row| row.map(|c| f64::from(c) / f64::from(1 << 30)))
 }
 
-/// `got` is what the three doors must say, and its rows are the exact ones.
+/// The three constructors must return `got`, whose rows are the exact ones.
 fn same(got: Result<ViewTransform, ViewTransformError>, view: ViewBits) {
     let (n, up) = directions(view);
     if n == [0; 3] {
@@ -134,8 +134,8 @@ fn matrix(b: &mut Bytes<'_>) {
     }
     let got = ViewTransform::from_matrix(&m);
     let rows: M3 = core::array::from_fn(|i| [m[i][0], m[i][1], m[i][2]]);
-    // How far from what the documentation asks, NaN counting as too far. Rounding the rows, to 2⁻³¹ or from 2·10⁻⁶ beyond 1
-    // to it, changes that by less than 10⁻⁸.
+    // The distance from the documented condition; NaN counts as too far. Rounding the rows to 2⁻³¹, or from up to 1 + 2·10⁻⁶
+    // down to 1, changes it by less than 10⁻⁸.
     let mut off = 0f64;
     for i in 0..3 {
         for j in 0..=i {

@@ -6,15 +6,15 @@
 use super::{COUNT, HEADER};
 use crate::Problem;
 
-/// The same as a binary file, and the line in which each facet begins.
+/// An ASCII file converted to binary STL, and the line in which each facet begins.
 pub(super) struct Text {
     pub(super) binary: Vec<u8>,
     pub(super) lines: Vec<u32>,
-    /// The last line, if no `endsolid` says that it is meant to be that.
+    /// The last line, if the file ends without `endsolid`.
     pub(super) unended: Option<usize>,
 }
 
-/// What is wrong, and in which line.
+/// A problem, and the line where it is, if known.
 type Refusal = (Problem, Option<usize>);
 
 /// Reads it all.

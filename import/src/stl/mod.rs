@@ -31,7 +31,7 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
     let given = bytes.len() as u64;
     let needed = declared_length(&bytes).unwrap_or((HEADER + COUNT) as u64);
     if given < needed {
-        // No count of triangles has four bytes of text: so many are in no file of a size that is read.
+        // Four bytes of ASCII text are larger than any count of triangles in a file that is small enough to be read.
         let is_text = bytes.get(..HEADER + COUNT).is_some_and(|head| !head.contains(&0));
         return Err(as_it_is(match is_text {
             true => Problem::Syntax("is text, but no ASCII STL: that begins with `solid`"),

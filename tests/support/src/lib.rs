@@ -1,6 +1,6 @@
-//! What the tests, the fuzz targets and the measuring programs share.
+//! Code that the tests, the fuzz targets and the measuring programs share.
 //!
-//! * [`oracle`]: what is right, computed slowly from the specification. No oracle imports the library.
+//! * [`oracle`]: expected results, computed slowly from the specification. No oracle imports the library.
 //! * [`bridge`]: passes an oracle's plain numbers to the library and the library's answers back.
 //! * [`definition`]: every projection by its geometric definition, in f64.
 //! * [`teapot`]: the Utah teapot as a constant mesh.

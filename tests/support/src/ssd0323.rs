@@ -71,7 +71,7 @@ struct State {
     data: bool,
     /// Bytes under way: they arrive when the bus is flushed.
     pending: Vec<u8>,
-    /// What fails, after so many more calls that do not.
+    /// Which call fails, after this many calls that succeed.
     failure: Option<(Failure, usize)>,
     count: usize,
 }

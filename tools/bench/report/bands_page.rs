@@ -15,16 +15,16 @@ tools/bench/run
 ```
 
 and CI runs that with `--check`: it fails where a limit is broken or, with the same compiler, a figure is not within 2 %
-(or 64 bytes) of this page's. What the code takes of the flash is in [footprint.md](footprint.md). ";
+(or 64 bytes) of this page's. Code size is in [footprint.md](footprint.md). ";
 
 const SPEED: &str = "
 ## Instructions
 
 For one frame on a Cortex-M3 (thumbv7m, opt-level 3, fat LTO), 240 × 240 pixels of Rgb565. Instructions are not cycles.
 The emulator's clock counts them, 64 ns for each, checked against a loop of known length in the same run; every run
-gives the same counts. They are those of the second frame of a scene: its pixels set to the background, the depth strips
-cleared, the object placed, its vertices transformed, its faces culled, lit and drawn. The count ends when the pixels lie
-in memory: nothing is sent. Camera and light are set up before. The compiler knows none of the numbers. Every picture
+gives equal counts. The second frame of a scene is counted: its pixels are set to the background, the depth strips
+cleared, the object's transform set up, its vertices transformed, its faces culled, lit and drawn. The count ends when the pixels
+lie in memory: nothing is sent. Camera and light are set up before. No figure of the scene is known at compile time. Every picture
 equals the host's, by checksum, and each scene covers as many pixels as `tools/bench/scenes.json` states.
 
 *At once* draws the whole frame into memory through the generic `DrawTarget` interface, with a depth for each pixel; in
@@ -40,7 +40,7 @@ by the frame drawn at once, with the clears and without; for the torus with dept
 const RAM: &str = "
 ## RAM
 
-Depth-tested in bands of 8 rows, without planes: all variables (corners, records, the strips of colour and depth, from the image's
+Depth-tested in bands of 8 rows, without planes: all variables (vertex cache, bin storage, the strips of colour and depth, from the image's
 sections) and the stack from the top of RAM to its deepest byte in two frames and the set-up before them (painted
 first). The mesh lies in flash.
 

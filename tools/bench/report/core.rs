@@ -5,7 +5,7 @@ use crate::{Result, M0, M3};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// At opt-level 3, as those who want speed build.
+/// At opt-level 3, the level for speed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Core {
     pub(crate) name: &'static str,

@@ -1,4 +1,4 @@
-//! Flash, variables and stack of linking only what is used: of images less the empty one, and what these must not hold.
+//! Flash, variables and stack of single-feature images, minus the empty one; and a check that no image links unused features.
 
 #[path = "../../../tests/device/floats.rs"]
 mod floats;
@@ -87,7 +87,7 @@ pub(crate) const IMAGES: &[Image] = &[
     Image { name: "everything", says: "everything", goal: Some(20 << 10), without: &[] },
 ];
 
-/// Has all that others must not have.
+/// Links everything that other images must not link.
 const WITNESS: &str = "dither";
 const LIMITS: &str = "tools/bench/footprint.txt";
 
@@ -130,7 +130,7 @@ pub(crate) fn bins() -> Vec<String> {
     names.map(|name| format!("--bin=flash_{name}")).collect()
 }
 
-/// Whether the library has that for this core: one that divides has another way than one that does not.
+/// Whether the library has this part for this core: cores with a division instruction and cores without have different code.
 fn is_for(Part(file, _): &Part, build: Build) -> bool {
     match *file {
         "fast/edge20.rs" | "fast/small_triangle.rs" => build.target == M3,

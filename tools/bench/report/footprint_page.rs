@@ -15,15 +15,15 @@ Flash, RAM and stack of each feature. This page is written by
 tools/bench/run
 ```
 
-and CI runs that with `--check`: it fails where flash, variables or stack are 5 % above `tools/bench/footprint.txt` or,
-with the same compiler, a goal that was met no longer is, or a figure is not within 2 % (or 64 bytes) of this page's. It also fails
-where an image holds a routine for floating point. ";
+and CI runs that with `--check`: it fails if flash, variables or stack are 5 % above `tools/bench/footprint.txt` or,
+with the same compiler, a goal that was met is missed, or a figure is not within 2 % (or 64 bytes) of this page's. It also fails
+if an image holds a floating-point routine. ";
 
 const FLASH: &str = "
 ## Flash
 
 Code, constants and start values of a single-purpose firmware, minus an empty one, which has the same mesh, start and end.
-Fat LTO. The display is a stub. Each turns a cube by an angle and places it before a camera, which is a constant of 224
+Fat LTO. The display is a stub. Each firmware rotates a cube and draws it with a camera, which is a constant of 224
 bytes; the second row makes it at run time (`look_at` and `perspective`): add this difference once to any other row.
 The image *everything* draws wireframes, hidden and depth-tested lines, flat faces, smooth faces with dither and depth, painter's order
 and points, in bands and dirty rectangles, from two cameras, one of them made at run time. The goals are for thumbv7m at
@@ -32,7 +32,7 @@ opt-level 3.
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the README does: faster, and larger. The other rows in bands
 draw into it as into any DrawTarget (`&mut band`). *By planes* is `MeshInstance::cull_by_planes()`, of a mesh with planes.
 
-The target, the ink, and the closure that gives a face its ink are type parameters: each closure type instantiates the
+The target, the shader, and the closure that gives a face its shader are type parameters: each closure type instantiates the
 drawing code again, even if two closures return equal colours. A call in a loop over objects is linked once, and so are
 several calls with one named function.
 
@@ -41,8 +41,8 @@ several calls with one named function.
 const STACK_TEXT: &str = "
 ## RAM and stack
 
-Of the same images: variables (vertices, records of faces, the strips of colour and depth, which are 8 rows of 240 pixels here), and the stack,
-filled with a pattern before the run: from the top of RAM to the deepest byte that changed while the program ran,
+Variables of these images: vertex caches, bin storage, and the strips of colour and depth, which are 8 rows of 240 pixels here. The
+stack is filled with a pattern before the run, and measured from the top of RAM to the deepest byte that changed,
 set-up and the program's own frames included. There is no heap. Each image draws two frames in a loop, and so does the empty
 one: the cube, and a cube twice as large, of which the near plane clips visible faces. So these figures include clipping.
 

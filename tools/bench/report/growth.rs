@@ -1,4 +1,4 @@
-//! What a vertex, a face, a row and a pixel take, fitted to some cases, and what these constants foretell of others.
+//! The cost of a vertex, a face, a row and a pixel, fitted to some cases, and tested by predicting others.
 
 use crate::core::{Core, CORES};
 use crate::fit::{dot, fit};
@@ -68,7 +68,7 @@ pub(crate) fn measure() -> Result<Vec<Growth>> {
     Ok(all)
 }
 
-/// What there is to do in every case and way, as the firmware goes through them.
+/// The work of every case and way, in the firmware's order.
 fn works() -> Result<Vec<(&'static Case, Way, Work)>> {
     let all = CASES.iter().flat_map(|case| case.ways().map(move |way| (case, way)));
     all.map(|(case, way)| {

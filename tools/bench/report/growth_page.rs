@@ -9,7 +9,7 @@ use std::fmt::Write;
 const HEAD: &str = "\
 # How a frame grows
 
-What a vertex, a triangle, a row and a pixel take, and with that the time of a frame before it is written. This page is
+Instructions per vertex, triangle, row and pixel, to estimate the time of a frame before you write it. This page is
 written by
 
 ```sh
@@ -28,26 +28,27 @@ Count what a frame has of each thing, and add up count × constant, from the col
 
 With double-buffered DMA, drawing and sending overlap, so take the longer of the two. Cycles per instruction depend on core
 and flash: draw one frame of any scene on the board, count its cycles, and divide by what the formula says. The counts are of
-one frame; `Statistics` tells how many faces were drawn. What says *more* comes on top of what the same face or edge takes
+one frame; `Statistics` tells how many faces were drawn. A constant marked *more* is added to what the face or edge costs
 anyway:
 
 * *frame*: 1.
-* *vertex*: of the mesh, all of them, in every way. Where faces are asked by their planes (`MeshInstance::cull_by_planes`) count all of them, too:
-  the constant is for clearing their places, and placing those that are needed is part of a *face drawn*.
-* *face left out*: turned away, or before the near plane; of a closed mesh about half. *Face drawn*: the others, also beside the
-  picture.
-* *large face*: of those drawn, one that is higher than 31 rows or lies across the left or right border of the picture, and each
-  that is cut.
-* *face to be clipped*: has a corner before the near plane or far outside the picture; none, where the object is before
-  the camera as a whole. *Face cut*: those that a clip plane actually cuts, back faces included (their side is known only
-  after cutting). With `facing`, back faces are in neither count.
-* *row of a face*: over all drawn faces, the rows of pixels in each. *Pixel of a face*: the same, hidden later or not.
+* *vertex*: every vertex of the mesh, also with early culling by planes (`MeshInstance::cull_by_planes`): there the constant is
+  for clearing the vertex cache, and transforming the vertices of visible faces is part of *face drawn*.
+* *face left out*: a back face, or one in front of the near plane; about half the faces of a closed mesh. *Face drawn*: every other
+  face, even if it lies outside the picture.
+* *large face*: a drawn face that is higher than 31 rows, crosses the left or right border of the picture, or is cut by a clip
+  plane.
+* *face to be clipped*: has a corner in front of the near plane or far outside the picture; there is none if the whole object is
+  in front of the camera. *Face cut*: a face that a clip plane actually cuts, back faces included (their side is known only
+  after clipping). With `cull_by_planes`, back faces are in neither count.
+* *row of a face*: over all drawn faces, the rows of pixels in each. *Pixel of a face*: over all drawn faces, the pixels in each,
+  hidden later or not.
 * *pixel of the picture*: width × height; it is cleared, and so is its depth.
 * *band*; *face in a band*: the sum over bands of the faces touching each: drawn faces plus one for every band border a face
-  crosses. Of these, *large* is as above, but without those that are cut: such a face is cut anew in each band that it may
-  reach. In bands, *face* is each of the mesh, drawn or not.
-* *edge across the border*: of those drawn, one that lies partly outside the picture, on any side. *Edge to be clipped*: has an
-  end before the near plane or far outside the picture. *Edge cut*: of those, what is drawn in part.
+  crosses. *Large* is as above, but without cut faces: a cut face is clipped again in each band that it may
+  reach. In bands, *face* is every face of the mesh, drawn or not.
+* *edge across the border*: a drawn edge that lies partly outside the picture, on any side. *Edge to be clipped*: has an
+  end in front of the near plane or far outside the picture. *Edge cut*: an edge to be clipped of which a part is drawn.
 
 If you know only faces and covered pixels, estimate the rows, and from the average height of a face how many are large:
 ";
@@ -55,10 +56,10 @@ If you know only faces and covered pixels, estimate the rows, and from the avera
 const CHECKED: &str = "
 ## Whether it holds
 
-The cases below had no part in the fit. *Off* is what the formula says, over what was counted: above 0 it says too much. The last
-column is the same with guessed rows and large faces. The means of these columns, with their signs and without, stand below each
-table of constants. Only the fit separates per-row and per-pixel cost from per-face cost; [profile.md](profile.md) has it by
-following each instruction: on the M3, what these constants give for S2, S3 and S4 is within a tenth of that without depth, and
+The cases below had no part in the fit. *Off* is the relative error of the formula: above 0, its estimate is too high. The last
+column is the error with estimated rows and large faces. The means of these columns, with their signs and without, stand below each
+table of constants. Only the fit separates per-row and per-pixel cost from per-face cost; [profile.md](profile.md) measures it by
+following each instruction: on the M3, these constants agree with it for S2, S3 and S4 within a tenth without depth, and
 within a fifth with depth.
 
 | way | scene | picture | M0 counts | off | M3 counts | off | M4F counts | off | M3, guessed |
@@ -68,10 +69,10 @@ within a fifth with depth.
 const FITTED: &str = "
 ## What it is fitted to
 
-Least squares of the relative error, over these cases: tori, a sphere and land (their numbers are triangles), and vertices alone;
-whole, close, and cut by the near plane. By way, what the formula is off on the M3. There is no figure where both sides of faces
-show, and so no plane is asked. It is furthest off with depth, where a few faces fill a small picture or many
-pixels are drawn behind others: it says too little.
+Least squares of the relative error, over these cases: tori, a sphere and land (with their numbers of triangles), and vertices alone;
+seen whole, from close by, and cut by the near plane. The columns give the error of the formula on the M3 for each way of drawing.
+There is no figure where both sides of faces show, because planes are not used there. The error is largest with depth, where a few
+faces fill a small picture or many pixels are drawn behind others: there the estimate is too low.
 
 ";
 
@@ -94,13 +95,13 @@ pub(crate) fn text(compiler: &str, all: &[Growth]) -> String {
 
 /// In the order of `WAYS`.
 const TITLES: [&str; 7] = [
-    "BinnedEdges as lines",
-    "BinnedFaces without depth",
-    "BinnedFaces with depth",
-    "BinnedFaces without depth, asked by their planes",
-    "BinnedFaces with depth, asked by their planes",
-    "BinnedFaces with depth in bands",
-    "BinnedFaces with depth in bands, asked by their planes",
+    "Edges as lines",
+    "Faces without depth",
+    "Faces with depth",
+    "Faces without depth, asked by their planes",
+    "Faces with depth, asked by their planes",
+    "Faces with depth in bands",
+    "Faces with depth in bands, asked by their planes",
 ];
 
 fn constants(text: &mut String, title: &str, cores: &[&Growth]) {

@@ -1,4 +1,4 @@
-//! Measures instructions of whole frames and of their stages, what bands cost of these and of RAM, and what each feature takes of flash and
+//! Measures instructions of frames and of their stages, instructions and RAM of drawing in bands, and each feature's flash and
 //! stack; writes `docs/speed.md`, `docs/profile.md`, `docs/growth.md`, `docs/bands.md` and
 //! `docs/footprint.md`. `tools/bench/run` starts it.
 

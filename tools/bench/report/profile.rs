@@ -81,7 +81,7 @@ impl Place {
     }
 }
 
-/// Where the debug information has no file for a place, that is for what stands before it in the same function.
+/// An address without a file in the debug information counts for the address before it in the same function.
 fn by_place(places: Vec<Vec<Frame>>) -> Vec<Place> {
     let mut before = (String::new(), Place::Any);
     let known = places.into_iter().map(|place| {

@@ -16,8 +16,8 @@ use std::fmt::Write;
 const HEAD: &str = "\
 # Where a frame's instructions go
 
-The frames of [speed.md](speed.md), stage by stage: what each stage takes for one vertex, face, row and pixel, beside a
-prototype, the least that it has to do, and what was tried. This page is written by
+The frames of [speed.md](speed.md), stage by stage: the instructions of each stage per vertex, face, row and pixel, compared with a
+prototype; the least work of each stage; and the designs that were tried. This page is written by
 
 ```sh
 tools/bench/run profile
@@ -32,27 +32,27 @@ const HOW: &str = "
 ## How it is counted
 
 Each cell's firmware runs once more, and the emulator writes a log of every block of code that it executes. The firmware's debug
-information says for which function an instruction was written, inlined or not; functions make stages. What is called
-and belongs to no stage, as a wide product or division on an M0, counts for the stage that calls it. Only the frame that is
-counted counts.";
+information names the source function of each instruction, inlined or not; functions are grouped into stages. A function that
+belongs to no stage, such as a wide product or a division on an M0, counts for the stage that calls it. Only the measured
+frame counts.";
 
-/// What a stage is.
+/// The description of a stage.
 struct About {
     title: &'static str,
-    /// What there is to do in it, one by one.
+    /// The item that it processes.
     unit: &'static str,
     what: &'static str,
     count: fn(&Work) -> u32,
 }
 
-/// What a cell has to do.
+/// The work of a cell.
 struct Work {
     units: Units,
-    /// Of the vertices.
+    /// The number of transformed vertices.
     placed: u32,
 }
 
-/// Of a scene. By planes not all vertices are placed; without, all must be.
+/// The work of a scene. All vertices must be transformed, unless faces are culled by planes.
 fn work(scene: &str) -> Result<Work> {
     let units = units(scene).ok_or(scene)?;
     let variants = CELLS.iter().filter(|cell| cell.0 == scene).map(|cell| placed(scene, cell.1));
@@ -75,31 +75,31 @@ fn about(stage: Stage) -> About {
     match stage {
         Stage::Vertices => of(
             "vertices",
-            "vertex placed",
-            "from the mesh to a place on the screen, with depth, in 8 bytes",
+            "vertex transformed",
+            "from the mesh to a screen vertex of 8 bytes, with depth",
             |work| work.placed,
         ),
-        Stage::Light => of("light", "vertex", "of S8: at each vertex, placed or not", |work| work.units.vertices),
+        Stage::Light => of("light", "vertex", "S8 only: at each vertex, transformed or not", |work| work.units.vertices),
         Stage::Faces => of(
             "faces",
             "face",
-            "its plane, where it has one; fetching the corners, area, culling, counting; of lines and 2D triangles, reading",
+            "its plane, if it has one; loading the corners, area, culling, counting; for lines and 2D triangles, reading them",
             |work| work.units.faces,
         ),
         Stage::PassingOn => of(
             "passing on",
             "face drawn",
-            "the corners' places, light and colour of a face, and the way to the loops that draw it",
+            "a face's corners, light and colour, and the calls of the fill loops",
             |work| work.units.drawn,
         ),
         Stage::Sides => of(
             "sides",
             "face drawn",
-            "the corners' order, which loop to take, start and slope of three sides",
+            "sorting the corners, choosing a loop, start and slope of three edges",
             |work| work.units.drawn,
         ),
         Stage::Planes => {
-            of("planes", "face drawn", "depth over the triangle; of S8 the light too", |work| work.units.drawn)
+            of("planes", "face drawn", "the gradient of depth over the triangle; for S8 the light's too", |work| work.units.drawn)
         }
         Stage::Rows => {
             of("rows", "row", "both ends, the row's memory, depth and colour at its start", |work| work.units.rows)
@@ -107,10 +107,10 @@ fn about(stage: Stage) -> About {
         Stage::Pixels => of("pixels", "pixel", "tests of depth, colours, stores", |work| work.units.pixels),
         Stage::Clears => of("clear", "frame", "of the depth buffer", |_| 1),
         Stage::Lines => {
-            of("lines", "line", "whether it must be cut, its course and slope", |work| work.units.drawn)
+            of("lines", "line", "whether it must be clipped, its direction and slope", |work| work.units.drawn)
         }
         Stage::LinePixels => {
-            of("pixels of lines", "pixel", "the loops along a line, with what is before them", |work| work.units.pixels)
+            of("pixels of lines", "pixel", "the loops along a line, with their set-up", |work| work.units.pixels)
         }
     }
 }
@@ -138,10 +138,10 @@ pub(crate) fn text(compiler: &str, profiles: &[Profile], targets: &[Target]) -> 
 const THINGS: &str = "
 ## How much there is to do
 
-Counted on the host. S3, S4 and S8 are drawn by planes: vertices are placed of the faces that may be seen. Rows and pixels are those
-of all faces that are drawn, hidden later or not.
+Counted on the host. S3, S4 and S8 are culled by planes, so only the vertices of possibly visible faces are transformed. Rows and pixels
+are counted over all drawn faces, hidden later or not.
 
-| scene | vertices | placed | faces, edges or lines | drawn | rows | pixels |
+| scene | vertices | transformed | faces, edges or lines | drawn | rows | pixels |
 |---|--:|--:|--:|--:|--:|--:|
 ";
 
@@ -179,10 +179,10 @@ fn whole(text: &mut String, core: &str, profiles: &[Profile]) -> Result<()> {
 const ABOVE: &str = "
 ## Above the target
 
-For one vertex, face, row and pixel, of each scene that takes more than its target on one of the cores. *Prototype* is the throw-away
-program by which the targets were set, as far as its figures were noted, once for all scenes: it has no near plane, does not ask
-which vertices must be clipped, places all of them, and knows the width of the picture when it is compiled. *More* is what the
-library takes beyond it in that stage of the M3's frame. What both must do, and what the library does besides, is
+Per vertex, face, row and pixel, for each scene that exceeds its target on one of the cores. *Prototype* is the throw-away
+program by which the targets were set, where its figures were noted, once for all scenes: it has no near plane, does not test
+which vertices must be clipped, transforms all of them, and knows the width of the picture at compile time. *More* is the
+library's additional instructions in that stage of the M3's frame. The work that both must do, and the library's own, is described
 [below](#floors).
 ";
 
@@ -225,7 +225,7 @@ fn each(text: &mut String, cores: [(&Profile, &Target); 3]) -> Result<()> {
     for stage in STAGES.into_iter().filter(|stage| [m3, m4, m0].iter().any(|of| of.of(*stage) > 0)) {
         let About { title, unit, count, .. } = about(stage);
         let these = count(&work);
-        // The prototype places all of them.
+        // The prototype transforms all vertices.
         let then_these = if stage == Stage::Vertices { work.units.vertices } else { these };
         let noted = |core| prototype(stage, scene, variant, core);
         let [then_m3, then_m0] = ["M3", "M0"].map(|core| noted(core).map_or("–".into(), range));
@@ -251,7 +251,7 @@ fn each(text: &mut String, cores: [(&Profile, &Target); 3]) -> Result<()> {
     Ok(())
 }
 
-/// Rows of what was tried that have a figure of this cell.
+/// The number of rows in the table of designs tried that have a figure of this cell.
 fn tried(scene: &str, variant: &str) -> usize {
     // Else the scene's name is enough.
     let both = CELLS.iter().filter(|cell| cell.0 == scene).count() > 1;
@@ -281,7 +281,7 @@ fn range((from, to): Noted) -> String {
     }
 }
 
-/// For one of these.
+/// Instructions per item.
 fn one(instructions: u64, these: u32) -> String {
     let one = instructions as f64 / f64::from(these);
     match one < 100.0 {

@@ -1,13 +1,13 @@
-//! What the prototype took by whose figures the targets were set: a throw-away program that fills triangles as exactly, but
-//! has no near plane, does not ask which vertices must be clipped, and knows the picture's width when it is compiled.
-//! Measured then, with the targets.
+//! The figures of the prototype by which the targets were set: a throw-away program that fills triangles as exactly, but
+//! has no near plane, does not test which vertices must be clipped, and knows the picture's width at compile time.
+//! They were measured when the targets were set.
 
 use crate::stages::Stage;
 
 /// Instructions for one thing of a stage: from, to.
 pub(crate) type Noted = (f64, f64);
 
-/// As they were noted. Of sides with depth, that is with planes.
+/// The noted figures. With depth, *sides* includes *planes*.
 pub(crate) fn prototype(stage: Stage, scene: &str, variant: &str, core: &str) -> Option<Noted> {
     let mesh = matches!(scene, "S1" | "S2" | "S3" | "S4" | "S8");
     let flat = scene != "S8"; // of smooth colours nothing was noted

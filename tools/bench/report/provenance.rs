@@ -6,12 +6,12 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Code of the library, by the chain of calls that were inlined into one another at one place.
+/// The library's code: for each address the chain of functions inlined there.
 pub(crate) struct Provenance {
     places: Vec<Vec<Frame>>,
 }
 
-/// One function at one place; of the library `file` is like `raster/line.rs`.
+/// One function at an address; for the library, `file` is relative to `src`, such as `raster/line.rs`.
 pub(crate) struct Frame {
     pub(crate) file: String,
     pub(crate) function: String,
@@ -47,7 +47,7 @@ pub(crate) fn frames(image: &Path) -> Result<Vec<Vec<Frame>>> {
     std::io::Read::read_to_string(&mut child.stdout.take().ok_or("its output")?, &mut text)?;
     asker.join().map_err(|_| "the thread that asks")??;
     child.wait()?;
-    // An answer is pairs of lines, a function and its place; then an empty line.
+    // An answer is pairs of lines, a function and its source location, then an empty line.
     let places = text.split("\n\n").map(|answer| {
         let lines: Vec<&str> = answer.lines().collect();
         let frame = |pair: &[&str]| {
@@ -67,13 +67,13 @@ impl Provenance {
         Ok(Self { places: frames(image)?.into_iter().map(within).collect() })
     }
 
-    /// Bytes that were written in one of these files, or inlined there from other libraries.
+    /// Bytes of code from one of these files, or inlined there from other libraries.
     pub(crate) fn of_file(&self, file: &str) -> u64 {
         let innermost = |place: &&Vec<Frame>| place.first().is_some_and(|frame| frame.file.starts_with(file));
         STEP * self.places.iter().filter(innermost).count() as u64
     }
 
-    /// Bytes that are there because of this part: its own and what it calls, where that was inlined.
+    /// Bytes of this part and of the functions inlined into it.
     pub(crate) fn because_of(&self, Part(file, function): Part) -> u64 {
         let named = |frame: &Frame| function.is_none_or(|name| frame.function.contains(name));
         let part = |frame: &Frame| frame.file.starts_with(file) && named(frame);

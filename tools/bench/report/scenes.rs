@@ -1,4 +1,4 @@
-//! Whether the scenes that are drawn are those that the targets were set for.
+//! Checks that the drawn scenes are the ones for which the targets were set.
 
 use bench::{scene, tally};
 

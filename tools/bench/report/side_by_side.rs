@@ -5,7 +5,7 @@ use crate::Result;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// What `each` makes of these, in their order.
+/// Applies `each` to all items in parallel; returns the results in order.
 pub(crate) fn side_by_side<T: Sync, R: Send>(
     these: &[T],
     each: impl Fn(&T) -> Result<R> + Sync,

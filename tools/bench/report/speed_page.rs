@@ -11,14 +11,14 @@ use std::fmt::Write;
 const HEAD: &str = "\
 # How fast it is
 
-Instructions a frame on emulated microcontrollers, against what was aimed at and against other libraries. This page is
+Instructions per frame on emulated microcontrollers, compared with targets and with other libraries. This page is
 written by
 
 ```sh
 tools/bench/run
 ```
 
-which prints the cells too, a line each: `scene,variant,core,instructions,flash,ram,stack,crc`.
+which also prints one line per cell: `scene,variant,core,instructions,flash,ram,stack,crc`.
 `tools/bench/run cells S3 M0` measures some of them. ";
 
 const COUNTED: &str = "
@@ -26,20 +26,20 @@ const COUNTED: &str = "
 
 One frame of 240 × 240 pixels of Rgb565 in RAM, the second of two, from the mesh in flash to the last pixel: vertices, faces, the
 light on each face (S8: at each vertex), pixels; with *z* the clearing of the depth buffer too. Not counted: the clearing
-of the picture, and what is set up before a frame: camera, light, the place of the model, S8's shade table. The library is used as
-anyone would use it: the size of the picture is a variable, everything is clipped, statistics are kept; the
+of the picture, and the set-up before a frame: camera, light, the model's transform, S8's shade table. The library is used as
+anyone would use it: the size of the picture is a variable, everything is clipped, statistics are counted; the
 compiler knows none of the numbers. Opt-level 3, fat LTO.
 
 The torus and the icosphere have a normal and a plane (`Mesh::with_planes`, 2 bytes) with each face, and are drawn by
-`MeshInstance::cull_by_planes`: most faces that are turned away are known before their corners are looked at, and a vertex that no other
-face has is not placed. What the same meshes take without planes is [below](#by-planes-and-without).
+`MeshInstance::cull_by_planes`: most back faces are culled before their vertices are transformed, and a vertex that only back
+faces use is never transformed. Figures for these meshes without planes are [below](#by-planes-and-without).
 
-Where the instructions of a frame go, stage by stage, is in [profile.md](profile.md), and what a scene of your own will take in
-[growth.md](growth.md).
+[profile.md](profile.md) shows where the instructions of a frame go, stage by stage; with [growth.md](growth.md) you can estimate
+your own scene.
 
-Instructions are not cycles: how many of these one takes depends on the core and its flash. They are counted
-by the clock of the emulator (QEMU), which advances by the same time for each, and is compared with a loop of known length
-in every run; RV32 has a counter of its own. The counts are the same in every run. Every picture is that of the same
+Instructions are not cycles: the cycles per instruction depend on the core and its flash. Instructions are counted
+by the clock of the emulator (QEMU), which advances by a fixed time per instruction, and is compared with a loop of known length
+in every run; RV32 has its own instruction counter. The counts are equal in every run. Every picture equals that of the
 program on the host, compared by checksum.
 
 M0: thumbv6m. M3: thumbv7m. M4F: thumbv7em with FPU, which the library does not use. RV32: rv32imc.
@@ -66,8 +66,7 @@ const CELLS_HEAD: &str = "
 measured once, with the targets, on the same scenes and emulator; which versions of S3L and TGX these were was not noted.
 The lines and triangles of embedded-graphics itself, which need our projection in S1, stand
 [below](#rivals-in-the-same-run).
-*Of target* is below 1 where the target is beaten; *best rival / ours* says how many times as many instructions the best rival
-takes.
+*Of target* is below 1 where the target is beaten; *best rival / ours* is the best rival's instructions divided by ours.
 
 | scene | | core | instructions | target | stretch | of target | best rival | | best rival / ours |
 |---|---|---|--:|--:|--:|--:|---|--:|--:|
@@ -78,9 +77,9 @@ const RIVALS: &str = "
 
 Published crates that build as they are: embedded-3dgfx 0.7.2 (3DG; features `row_width_240`, `depth-u16`, `lighting`) and the
 lines and filled triangles of embedded-graphics 0.8.2 (EG), at the same level of optimisation, into the same picture, counted
-by the same clock. Each is asked for the same scene, and draws as many pixels but for 8 %: both round corners to pixels and fill all edges. 3DG
+by the same clock. Each draws the same scene, and the number of pixels differs by at most 8 %: both round corners to pixels and fill all edges. 3DG
 records and executes (without depth: draws what it has recorded); S1 of EG are its lines between points that we project.
-*Then* is what 3DG took when the targets were set, by another program: it may be used in more than one way.
+*Then* is 3DG's figure from when the targets were set, measured by another program, which may have used 3DG differently.
 
 | scene | | core | ours | 3DG | then | 3DG / ours | EG | EG / ours |
 |---|---|---|--:|--:|--:|--:|--:|--:|
@@ -89,9 +88,9 @@ records and executes (without depth: draws what it has recorded); S1 of EG are i
 const NO_PLANES: &str = "
 ## By planes and without
 
-S3, S4 and S8 as above, and once more from the same mesh without its planes, drawn by `MeshInstance` in place of `MeshInstance::cull_by_planes`: the
-same pose and frame, and the same picture, compared by checksum. S1 and S2 are drawn without planes in any case. *Flash* is what
-drawing by planes takes more, in bytes: the planes, 2 for each face, and code.
+S3, S4 and S8 as above, and again from the same mesh without planes and without `MeshInstance::cull_by_planes`: the
+same pose and frame, and the same picture, compared by checksum. S1 and S2 are always drawn without planes. *Flash* is the
+additional flash of culling by planes, in bytes: the planes, 2 for each face, and code.
 
 | scene | | core | by planes | of target | without | of target | by planes / without | flash: planes | code |
 |---|---|---|--:|--:|--:|--:|--:|--:|--:|
@@ -107,9 +106,9 @@ const RISCV: &str = "
 const MEMORY: &str = "
 ## Memory
 
-On the M3, in bytes. Flash: code and constants, more than a firmware has that counts a frame with nothing in it; the mesh or
-list is in it. RAM: the picture (115 200), the depth buffer (115 200), 8 a vertex, and 2 more for S8's light levels. Stack: at its deepest, with the set-up of
-camera and light and the firmware's own frames. In bands it takes a fraction: [bands.md](bands.md).
+On the M3, in bytes. Flash: code and constants, with the mesh or list, minus a firmware that counts an empty frame. RAM: the picture
+(115 200), the depth buffer (115 200), 8 bytes per vertex, and 2 more for S8's light levels. Stack: at its deepest, with the set-up of
+camera and light and the firmware's own frames. Drawing in bands needs a fraction of this RAM: [bands.md](bands.md).
 
 | scene | | flash | of that, data | RAM | stack |
 |---|---|--:|--:|--:|--:|

@@ -5,7 +5,7 @@ use crate::provenance::Frame;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stage {
     Vertices,
-    /// At vertices.
+    /// The light at each vertex.
     Light,
     Faces,
     PassingOn,
@@ -18,7 +18,7 @@ pub(crate) enum Stage {
     LinePixels,
 }
 
-/// In the order of the page.
+/// The stages in the order of the page.
 pub(crate) const STAGES: [Stage; 11] = [
     Stage::Vertices,
     Stage::Light,
@@ -33,82 +33,96 @@ pub(crate) const STAGES: [Stage; 11] = [
     Stage::LinePixels,
 ];
 
-/// Functions of a file or folder; all, if none is named.
+/// A file or folder, its functions (all if none is named), and their stage.
 type Rule = (&'static str, &'static [&'static str], Stage);
 
-/// Where one of these is at work, all below belongs to it.
+/// A rule that matches any frame, inner or outer, decides for the whole instruction.
 const ABOVE: [Rule; 4] = [
-    ("output/depth.rs", &["clear"], Stage::Clears),
-    ("output/memory", &["flat", "gentle", "steep", "by_runs"], Stage::LinePixels),
-    ("output/memory_line.rs", &[], Stage::Lines),
+    ("surface/depth.rs", &["clear"], Stage::Clears),
+    ("fast/line_fill.rs", &["flat", "gentle", "steep", "by_runs"], Stage::LinePixels),
+    ("fast/line_fill.rs", &[], Stage::Lines),
     ("raster/line.rs", &[], Stage::Lines),
 ];
 
-/// Elsewhere the innermost function that is one of these. Those that many stages call are not among them.
-const RULES: [Rule; 50] = [
-    ("output/memory.rs", &["fill", "fill_any"], Stage::Pixels),
+/// Otherwise the innermost frame that a rule matches decides. Functions that many stages call are not listed.
+const RULES: [Rule; 66] = [
+    ("surface/block_fill.rs", &[], Stage::Pixels),
+    ("surface/memory.rs", &["new"], Stage::PassingOn),
+    ("fast/solid_fill.rs", &["fill_rows", "closure of each", "fill_row"], Stage::Rows),
+    ("fast/solid_fill.rs", &[], Stage::Sides),
     (
-        "output/nearer.rs",
-        &["fill_nearer", "fill_short_nearer", "fill_few_nearer", "nothing_is_held", "one_nearer"],
+        "fast/depth_fill.rs",
+        &["fill_few", "fill_each", "fill_blocks", "is_clear", "put_nearer"],
         Stage::Pixels,
     ),
-    ("output/nearer.rs", &["over"], Stage::Planes),
-    ("output/nearer.rs", &[], Stage::Rows),
-    ("output/shades.rs", &["few", "many", "look_up"], Stage::Pixels),
-    ("output/shades.rs", &["over"], Stage::Planes),
-    ("output/shades.rs", &[], Stage::Rows),
-    // Of a smooth triangle's span.
-    ("output/memory.rs", &["closure of each_span"], Stage::Pixels),
-    (
-        "output/memory.rs",
-        &["rows", "rows_nearer", "closure of each", "fill_row", "shaded", "shaded_nearer", "row"],
-        Stage::Rows,
-    ),
-    ("output/memory.rs", &["new"], Stage::PassingOn),
-    ("output/memory.rs", &[], Stage::Sides),
-    ("raster/triangle.rs", &["area"], Stage::Faces),
-    ("raster/triangle.rs", &["next", "each_span"], Stage::Rows),
-    ("raster/triangle.rs", &[], Stage::Sides),
-    ("raster/stretch.rs", &["each", "row", "span"], Stage::Rows),
-    ("raster/stretch.rs", &[], Stage::Sides),
-    ("fast/small_triangle.rs", &["each_span", "span"], Stage::Rows),
+    ("fast/depth_fill.rs", &["set_up"], Stage::Planes),
+    ("fast/depth_fill.rs", &["triangle_nearer", "fill_nearer", "small", "low", "large"], Stage::Sides),
+    ("fast/depth_fill.rs", &[], Stage::Rows),
+    ("fast/table_fill.rs", &["fill_each", "fill_blocks"], Stage::Pixels),
+    ("fast/table_fill.rs", &["set_up"], Stage::Planes),
+    ("fast/table_fill.rs", &["triangle_nearer"], Stage::Sides),
+    ("fast/table_fill.rs", &[], Stage::Rows),
+    // The span of a smooth triangle.
+    ("fast/shaded_fill.rs", &["closure of each_span", "put_nearer"], Stage::Pixels),
+    ("fast/shaded_fill.rs", &["fill", "fill_nearer"], Stage::Rows),
+    ("fast/shaded_fill.rs", &[], Stage::Sides),
+    ("fast/rows.rs", &["each", "sheared"], Stage::Rows),
+    ("fast/rows.rs", &[], Stage::Sides),
+    ("fast/spans.rs", &["next", "each_span"], Stage::Rows),
+    ("fast/spans.rs", &[], Stage::Sides),
+    ("fast/small_triangle.rs", &["each", "each_span", "span"], Stage::Rows),
     ("fast/small_triangle.rs", &[], Stage::Sides),
     ("fast/bresenham_triangle.rs", &["each", "each_span", "span"], Stage::Rows),
     ("fast/bresenham_triangle.rs", &[], Stage::Sides),
-    ("raster/places.rs", &[], Stage::Sides),
     ("fast/edge20.rs", &["next"], Stage::Rows),
     ("fast/edge20.rs", &[], Stage::Sides),
+    ("fast/tiny_gradient.rs", &[], Stage::Planes),
+    ("raster/triangle.rs", &["area"], Stage::Faces),
+    ("raster/triangle.rs", &["set"], Stage::PassingOn),
+    ("raster/triangle.rs", &[], Stage::Sides),
+    ("raster/any_triangle.rs", &["next"], Stage::Rows),
+    ("raster/any_triangle.rs", &[], Stage::Sides),
+    ("raster/trapezoid.rs", &["each", "row", "span"], Stage::Rows),
+    ("raster/trapezoid.rs", &[], Stage::Sides),
+    ("raster/pixel_layout.rs", &[], Stage::Sides),
+    ("raster/row_scratch.rs", &[], Stage::Sides),
     ("raster/edge.rs", &["next"], Stage::Rows),
     ("raster/edge.rs", &[], Stage::Sides),
-    ("raster/gradient.rs", &["at", "down", "step", "sheared"], Stage::Rows),
+    ("raster/gradient.rs", &["at", "row_step", "step"], Stage::Rows),
     ("raster/gradient.rs", &[], Stage::Planes),
+    ("raster/gradient_setup.rs", &[], Stage::Planes),
     ("raster/depth.rs", &[], Stage::Planes),
-    ("raster/light.rs", &[], Stage::Planes),
-    ("raster/mod.rs", &["from_subpixels"], Stage::Faces),
-    ("shade/lambert.rs", &["levels"], Stage::Light),
-    ("shade/gouraud.rs", &["over"], Stage::Planes),
-    ("shade/gouraud.rs", &["run"], Stage::Rows),
-    ("shade/gouraud.rs", &["next"], Stage::Pixels),
-    ("shade/gouraud.rs", &["lit", "part"], Stage::PassingOn),
-    ("shade/table.rs", &[], Stage::PassingOn),
-    ("shade/channels.rs", &["from_channels"], Stage::Pixels),
-    ("shade/", &["dim", "part"], Stage::PassingOn),
-    ("camera/vertex_transform.rs", &["at"], Stage::PassingOn),
+    ("raster/table_light.rs", &[], Stage::Planes),
+    ("raster/screen.rs", &["from_subpixels"], Stage::Faces),
+    ("shading/lambert.rs", &["levels"], Stage::Light),
+    ("shading/gouraud.rs", &["gradients"], Stage::Planes),
+    ("shading/gouraud.rs", &["run"], Stage::Rows),
+    ("shading/gouraud.rs", &["next"], Stage::Pixels),
+    ("shading/lit.rs", &["gradients", "per_channel"], Stage::Planes),
+    ("shading/smooth.rs", &["set_up"], Stage::Planes),
+    ("shading/table.rs", &["look_up"], Stage::Pixels),
+    ("shading/table.rs", &["light"], Stage::Planes),
+    ("shading/table.rs", &[], Stage::PassingOn),
+    ("shading/channels.rs", &["from_channels"], Stage::Pixels),
+    ("shading/", &["dim", "lit", "with_weights", "sub_face", "with_corners"], Stage::PassingOn),
+    ("camera/vertex_transform.rs", &["unpack"], Stage::PassingOn),
     ("camera/vertex_transform.rs", &[], Stage::Vertices),
-    ("render/facing.rs", &["clear", "project"], Stage::Vertices),
-    ("render/transformed.rs", &["project", "project_all"], Stage::Vertices),
-    ("render/transformed.rs", &["images"], Stage::PassingOn),
-    ("render/smooth.rs", &["over"], Stage::Planes),
-    ("render/mod.rs", &[], Stage::PassingOn),
-    ("render/plain.rs", &[], Stage::PassingOn),
-    ("render/", &[], Stage::Faces),
-    ("output/", &[], Stage::PassingOn),
+    ("pipeline/vertex_cache.rs", &["transform_one", "transform_all"], Stage::Vertices),
+    // Clears the lazy cache.
+    ("pipeline/vertex_cache.rs", &["new"], Stage::Vertices),
+    ("pipeline/vertex_cache.rs", &["unpack"], Stage::PassingOn),
+    ("pipeline/face_triangles.rs", &["set_whole", "set_triangle"], Stage::PassingOn),
+    ("pipeline/fill.rs", &[], Stage::PassingOn),
+    ("pipeline/draw_2d.rs", &[], Stage::PassingOn),
+    ("pipeline/", &[], Stage::Faces),
+    ("surface/", &[], Stage::PassingOn),
     ("bench/cells/two.rs", &[], Stage::Faces),
     ("bench/", &[], Stage::PassingOn),
 ];
 
 impl Stage {
-    /// Of an instruction, by the functions there, the innermost first; `None` if they may belong to any.
+    /// The stage of an instruction, given the functions inlined there, the innermost first. `None`: no rule applies, so it belongs to its caller's
+    /// stage.
     pub(crate) fn of(frames: &[Frame]) -> Option<Self> {
         let names: Vec<String> = (0..frames.len()).map(|at| name(&frames[at..])).collect();
         let named = || frames.iter().zip(&names);
@@ -128,8 +142,8 @@ impl Stage {
     }
 }
 
-/// The first one's name without its path and types. A closure is `closure of` the function around it; it has no name where
-/// that stands in the same file: then it is a part of that.
+/// The name of the first frame's function without its path and types. A closure is `closure of` the function that calls it; a closure
+/// called from its own file has no name, so that it counts as part of its caller.
 fn name(frames: &[Frame]) -> String {
     let Some((frame, around)) = frames.split_first() else { return String::new() };
     let own = last_word(&frame.function);
@@ -142,7 +156,7 @@ fn name(frames: &[Frame]) -> String {
     }
 }
 
-/// `at` of `<Plane>::at::<i16>`.
+/// The function's name: `at` of `<Gradient>::at::<i16>`.
 fn last_word(function: &str) -> String {
     let (mut depth, mut plain) = (0u32, String::new());
     for c in function.replace("->", "").chars() {

@@ -20,7 +20,7 @@ pub(crate) struct Target {
 }
 
 impl Target {
-    /// Whether so many instructions are within 1.12 times of it: no cell may take more.
+    /// Whether a number of instructions is at most 1.12 times the target, the limit of every cell.
     pub(crate) const fn is_near(&self, instructions: u64) -> bool {
         instructions * 100 <= self.target * 112
     }

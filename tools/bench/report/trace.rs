@@ -28,7 +28,7 @@ pub(crate) fn clock(image: &Path, places: &[Vec<Frame>]) -> Result<u64> {
 /// What the log has said so far.
 #[derive(Default)]
 struct Log {
-    /// Blocks by the places where QEMU keeps them: the addresses of their instructions.
+    /// The instruction addresses of each block, by the block's address in QEMU's cache.
     blocks: HashMap<u64, Vec<u64>>,
     /// The block that is being translated.
     new: Option<Vec<u64>>,

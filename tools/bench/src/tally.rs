@@ -1,4 +1,4 @@
-//! What the scenes draw, counted: whether they are those that `scenes.json` and its readers speak of.
+//! Counts what the scenes draw, to check that they are the scenes of `scenes.json`.
 
 use crate::lists::{LINES, SCREEN, TRIANGLES};
 use crate::scene::{Model, Scene, CUBE, ICO, LINE, SIZE, TORUS};
@@ -66,7 +66,7 @@ fn flat(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {
     Some([at(ax, ay)?, at(bx, by)?, at(cx, cy)?])
 }
 
-/// What a scene has of each thing. *BinnedFaces* are edges where those are drawn, lines and triangles of lists.
+/// The counts of a scene. *Faces* are edges where edges are drawn, and lines or triangles for lists.
 #[derive(Clone, Copy, Debug)]
 pub struct Units {
     pub vertices: u32,
@@ -100,7 +100,7 @@ pub fn units(scene: &str) -> Option<Units> {
     Some(Units { vertices, faces, drawn, rows: tally.rows, pixels: tally.pixels })
 }
 
-/// Vertices, faces, and those that are drawn.
+/// Vertices, faces, and drawn faces.
 fn draw_solid(model: &'static Model, tally: &mut Tally) -> Option<(usize, usize, usize)> {
     let scene = Scene::new(model)?;
     let light = scene.light()?;

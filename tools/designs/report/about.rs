@@ -57,7 +57,7 @@ pub(crate) const ALL: &[About] = about! {
     "f32-eye" Float "f32, eye first, one division":
         "Three rows from the eye, focal length and sub-pixels folded in: f32 at its best. No range test either."
     "q16-naive" Sixteen "Q16.16, `>> 16` after each product":
-        "What one writes first: world vertices, a view matrix with −R·eye in it, a 64-bit division for each coordinate. \
+        "The usual first attempt: world vertices, a view matrix with −R·eye in it, a 64-bit division for each coordinate. \
          No range test."
     "q16-mismatch" Sixteen "Q16.16, translation from the exact rotation":
         "Sums of 64 bits, but −R·eye is of the exact R and the rows are rounded: the two do not cancel far from the \

@@ -5,7 +5,7 @@ use crate::number::decimal;
 use crate::speed::CORES;
 use crate::Measured;
 
-/// The largest of so many random errors says no more than this about a design: two samples of one differ as much.
+/// The largest errors of two designs must differ by more than this factor: two random samples of one design differ as much.
 const SAME: f64 = 1.1;
 
 /// How code is arranged alone moves a count by this much.

@@ -1,8 +1,8 @@
-//! Dividing by w: by a reciprocal of so many bits, or exactly.
+//! Division by w: by a reciprocal of limited precision, or exactly.
 
 use crate::num::{mul_high, mul_wide};
 
-/// A number that divides others: 0 < w, |x| < w.
+/// A divisor w > 0 of numbers |x| < w.
 pub(crate) trait Divide {
     type By: Copy;
     /// And n.

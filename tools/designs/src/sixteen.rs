@@ -113,7 +113,7 @@ impl Design for Mismatched {
     }
 }
 
-/// The eye first, then rows of so many fractional bits with sums of 64 bits, rounded to Q16.16.
+/// Subtracts the eye first; then rows of a given number of fractional bits with sums of 64 bits, rounded to Q16.16.
 pub(crate) struct EyeFirst<const FRACTION: u32> {
     rows: [[i32; 3]; 3],
     eye: [i32; 3],

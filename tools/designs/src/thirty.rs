@@ -14,7 +14,7 @@ pub(crate) struct Thirty<D, const BITS: u32> {
     w: Form,
     /// Least w that is drawn.
     near: i32,
-    /// |x|, |y| < w >> narrow have a place within 1024 px.
+    /// |x|, |y| < w >> narrow lie within 1024 px of the centre.
     narrow: u32,
     /// x/w · 2^beyond is in pixels.
     beyond: i32,

@@ -11,7 +11,7 @@ pub const DEGREES: i32 = 60;
 pub const NEAR: i32 = 1 << 15;
 pub const FAR: i32 = 20 << 16;
 
-/// The camera so many times as far away as in the scene.
+/// The torus, with the camera `times` as far away as in the scene.
 pub fn object(times: i32) -> Object {
     let q16 = |bits: i32| f64::from(bits) / 65536.0;
     let unit = crate::num::exp2(EXPONENT.into());

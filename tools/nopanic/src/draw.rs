@@ -45,7 +45,7 @@ fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut
     }
 }
 
-/// What varies over a face, through every way to draw faces, at once and in bands.
+/// Shaders that vary over a face, in every way to draw faces, in whole frames and in bands.
 fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::PixelFormat>>(
     scene: &mut Scene<'_, D::Color>,
     levels: &mut [u16],
@@ -58,7 +58,7 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::PixelFormat>>(
     let smooth = |face| Gouraud::lit(colour(), mesh.corners_of(face, levels));
     let ends = || Gouraud::new([colour(), colour(), colour()]);
     let flat = || Flat::lit(colour(), any() as u16);
-    // An ink a run: together the calls of one have a chance to be inlined.
+    // One shader per function: so the calls with one shader can be inlined.
     match any() {
         0 => fill_all(scene, &placed, smooth, target),
         1 => fill_all(scene, &placed, |_| ends().dithered(), target),
@@ -245,7 +245,7 @@ entries! {
     entry_least_binary: Least<BinaryColor>, BinaryColor;
 }
 
-/// Pixels in memory: of a picture, and of a band; one colour a face, and inks that vary.
+/// Pixels in memory, of a picture and of a band: one colour per face, and shaders that vary.
 fn draw_pixels<T: Target<Color = Rgb565>>(
     scene: &mut Scene<'_, Rgb565>,
     placed: &MeshInstance<'_>,

@@ -192,7 +192,7 @@ pub fn bits(v: [f64; 3]) -> Option<[i32; 3]> {
     Some([x?, y?, z?])
 }
 
-/// Any camera anywhere in the world, by any of the doors; its directions of any length.
+/// A random camera anywhere in the world, by any constructor, with directions of any length.
 pub fn random_view(rng: &mut Rng) -> ViewBits {
     loop {
         let eye = match rng.below(4) {

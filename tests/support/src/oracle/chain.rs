@@ -1,4 +1,4 @@
-//! The whole vertex chain in f64, straight from SPEC 2–4 and 6, starting from the quantised inputs:
+//! The whole vertex chain in f64, straight from docs/spec.md, sections 2–4 and 6, starting from the quantised inputs:
 //! I16F16 numbers as their bits, angles as binary bits, i16 vertices with their exponent.
 //!
 //! f64 is accurate enough only if the eye is subtracted before anything is rotated. World
@@ -80,7 +80,7 @@ pub fn sin_cos(bits: u32) -> (f64, f64) {
     }
 }
 
-/// SPEC 2: a linear part and a translation.
+/// docs/spec.md, section 2: a linear part and a translation.
 #[derive(Clone, Copy, Debug)]
 pub struct Affine {
     pub m: M3,
@@ -132,7 +132,7 @@ pub fn vertex(v: [i16; 3], exponent: i8) -> V3 {
     v.map(|c| f64::from(c) * f64::from(exponent).exp2())
 }
 
-/// SPEC 3: world → view. The rows are u, v, n.
+/// docs/spec.md, section 3: world → view. The rows are u, v, n.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     pub rows: M3,
@@ -179,7 +179,7 @@ impl View {
     }
 }
 
-/// SPEC 4: the frustum, near and far positive distances.
+/// docs/spec.md, section 4: the frustum, near and far positive distances.
 pub fn frustum(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> M4 {
     [
         [2.0 * n / (r - l), 0.0, (r + l) / (r - l), 0.0],
@@ -208,12 +208,12 @@ pub fn orthographic(l: f64, r: f64, b: f64, t: f64, n: f64, f: f64) -> M4 {
     ]
 }
 
-/// SPEC 4's squish, in signed z: the frustum to its box.
+/// The map of a frustum to its box in signed z (docs/spec.md, section 4).
 pub fn squish(n: f64, f: f64) -> M4 {
     [[n, 0.0, 0.0, 0.0], [0.0, n, 0.0, 0.0], [0.0, 0.0, n + f, -n * f], [0.0, 0.0, 1.0, 0.0]]
 }
 
-/// SPEC 6.
+/// docs/spec.md, section 6.
 #[derive(Clone, Copy, Debug)]
 pub struct Viewport {
     pub x: f64,
@@ -232,7 +232,7 @@ impl Viewport {
     }
 }
 
-/// Outcode bits of the homogeneous volume (SPEC 5).
+/// Outcode bits of the homogeneous volume (docs/spec.md, section 5).
 pub fn outcode(p: V4) -> u8 {
     let [x, y, z, w] = p;
     u8::from(x < -w)
@@ -243,7 +243,7 @@ pub fn outcode(p: V4) -> u8 {
         | u8::from(z > w) << 5
 }
 
-/// SPEC 7: the depth before it is rounded and clamped, 0 near … 65535 far.
+/// docs/spec.md, section 7: the depth before it is rounded and clamped, 0 near … 65535 far.
 pub fn depth(clip: V4) -> f64 {
     65535.0 * (clip[2] / clip[3] + 1.0) / 2.0
 }

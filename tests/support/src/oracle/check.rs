@@ -103,7 +103,7 @@ fn a_clipped_line_is_the_line_cut() {
 
 #[test]
 fn line_equals_the_midpoint_algorithm() {
-    // SPEC 7: d₀ = 2dy − dx; E adds 2dy, NE adds 2(dy − dx); d ≤ 0 chooses E. First octant.
+    // docs/spec.md, section 7: d₀ = 2dy − dx; E adds 2dy, NE adds 2(dy − dx); d ≤ 0 chooses E. First octant.
     for dx in 0i64..70 {
         for dy in 0..=dx {
             let (mut d, mut y, mut pixels) = (2 * dy - dx, 0, vec![]);

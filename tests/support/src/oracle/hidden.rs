@@ -28,7 +28,7 @@ pub fn depth([a, b, c]: [Vertex; 3], p: (f64, f64)) -> Option<f64> {
 }
 
 /// All pixels of an edge inside the picture, each at the point of the edge that has the pixel's centre along the
-/// major axis; `faces` are those that hide, by the numbers of their vertices.
+/// major axis; `faces` are the faces that may hide it, by vertex indices.
 pub fn samples(
     [u, v]: [u16; 2],
     vertices: &[Vertex],
@@ -42,7 +42,7 @@ pub fn samples(
     let major = usize::from(line::is_steep(p, q));
     let beside = |face: &[u16; 3]| face.contains(&u) && face.contains(&v);
     let corners = |face: &[u16; 3]| face.map(|i| vertices[usize::from(i)]);
-    // The nearest of the faces that are beside the edge, and of the others.
+    // The nearest of the faces at the edge, and the nearest of all others.
     let nearest = |p: (f64, f64), of: bool| {
         let there = faces.iter().filter(|&face| beside(face) == of);
         there.filter_map(|face| depth(corners(face), p)).fold(f64::INFINITY, f64::min)

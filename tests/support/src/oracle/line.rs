@@ -1,4 +1,4 @@
-//! Line pixels by SPEC 7: ends ordered by (x, y) ascending, one pixel per major step, the nearest
+//! Line pixels by docs/spec.md, section 7: ends ordered by (x, y) ascending, one pixel per major step, the nearest
 //! minor step, a tie takes the smaller one. Each pixel has its own exact division, without an error term.
 
 use super::coverage::{Area, Counts};

@@ -3,11 +3,11 @@
 //! Every triangle becomes a polygon on the screen, cut at near and far in homogeneous coordinates. A
 //! pixel that shows a triangle is explained by moving edges: the triangle's own outwards until it
 //! covers the pixel's centre, and those of all nearer ones inwards until they do not. The smallest such
-//! move is the picture's error there, in pixels, whatever way it came about.
+//! move is the picture's error at that pixel, in pixels, whatever its cause.
 
 use super::chain::{mul4, M4, V3, V4};
 
-/// A scene in the terms of SPEC 10.
+/// A scene in the terms of docs/spec.md, section 10.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub vertices: Vec<V3>,

@@ -1,4 +1,4 @@
-//! splitmix64: deterministic, seeded, the same on every host.
+//! splitmix64: deterministic, seeded, with equal numbers on every host.
 
 pub struct Rng(u64);
 

@@ -1,4 +1,4 @@
-//! Colours in exact fractions: what a channel is at the centre of a pixel, and Bayer's pattern from its recursion.
+//! Colours in exact fractions: the level of a channel at the centre of a pixel, and Bayer's pattern from its recursion.
 
 use super::coverage::{edge, P};
 

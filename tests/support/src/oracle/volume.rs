@@ -1,4 +1,4 @@
-//! The homogeneous volume −w ≤ x, y, z ≤ w (SPEC 5), in f64.
+//! The homogeneous volume −w ≤ x, y, z ≤ w (docs/spec.md, section 5), in f64.
 
 use super::chain::V4;
 

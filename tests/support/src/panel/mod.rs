@@ -1,4 +1,4 @@
-//! A display controller in memory, at the end of an SPI bus: what an ST7789 or ILI9341 does with the bytes it is sent.
+//! A display controller in memory, at the end of an SPI bus, which decodes bytes as an ST7789 or ILI9341 does.
 //!
 //! After the data sheets' chapters on commands and on the address counter (Sitronix ST7789V; Ilitek ILI9341), and independent
 //! of the driver and of the library. It is strict: what it does not know, or what a real controller would answer with a

@@ -1,4 +1,4 @@
-//! Scenes drawn in bands of 240, 16 and 8 rows, a firmware for each way to draw: `band_empty` only clears.
+//! Scenes drawn in bands of 240, 16 and 8 rows, one firmware for each way to draw; `band_empty` only clears.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::{self, Memory};
 use bench::measure::{measure, Named};

@@ -1,4 +1,4 @@
-//! A camera made at run time, and a placed mesh, of which nothing is drawn.
+//! A camera made at run time, and a mesh instance that is not drawn.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image;
 use core::hint::black_box;

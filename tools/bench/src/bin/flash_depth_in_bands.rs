@@ -1,4 +1,4 @@
-//! BinnedFaces in bands, with depth, a firmware each: flat, flat into a band's pixels, smooth, and dithered.
+//! Faces in bands, with depth, one firmware each: flat, flat into a band's pixels, smooth, and dithered.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::{depth_in_bands, position, scene};
 

@@ -8,7 +8,7 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use heapless::Vec;
 use pinhole::{DepthBuffer, DirtyRegions, Frame, Lambert, MeshInstance, Painter, ScreenVertex, TransferCost};
 
-/// BinnedFaces of the cube, and of the triangles that clipping makes of them.
+/// Faces of the cube, and of the triangles that clipping makes of them.
 const FACES: usize = 12;
 type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 

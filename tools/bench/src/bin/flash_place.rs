@@ -1,4 +1,4 @@
-//! A placed mesh, of which nothing is drawn.
+//! A mesh instance that is not drawn.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image;
 use bench::image::Turntable;

@@ -1,4 +1,4 @@
-//! Scenes drawn into memory for a whole frame, a firmware for each way to draw: `full_empty` only clears.
+//! Scenes drawn into memory for a whole frame, one firmware for each way to draw; `full_empty` only clears.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::frames::{self, Memory};
 use bench::measure::{measure, Named};

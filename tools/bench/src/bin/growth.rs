@@ -1,4 +1,4 @@
-//! All cases in all ways, a line each: `case,way,instructions`.
+//! Prints a line `case,way,instructions` for every case and way.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::board::{println, Clock};
 use bench::firmware;

@@ -14,7 +14,7 @@ impl Frame {
     pub const NEW: Self = Self([BACKGROUND; PIXELS]);
 }
 
-/// A picture, and a mesh of so many vertices.
+/// Memory of a picture and of a mesh's vertices.
 pub struct Plain<const N: usize> {
     pub(crate) frame: Frame,
     pub(crate) corners: [ScreenVertex; N],
@@ -24,7 +24,7 @@ impl<const N: usize> Plain<N> {
     pub const NEW: Self = Self { frame: Frame::NEW, corners: [ScreenVertex::EMPTY; N] };
 }
 
-/// A picture, depth, and a mesh of so many vertices.
+/// Memory of a picture, a depth buffer and a mesh's vertices.
 pub struct Deep<const N: usize> {
     pub(crate) frame: Frame,
     pub(crate) depth: Depth,
@@ -39,7 +39,7 @@ impl<const N: usize> Deep<N> {
         Self { frame: Frame::NEW, depth: Depth([0; PIXELS]), corners: [ScreenVertex::EMPTY; N] };
 }
 
-/// A picture, depth, a mesh of so many vertices, and the light at each.
+/// Memory of a picture, a depth buffer, a mesh's vertices, and the light at each vertex.
 pub struct Smooth<const N: usize> {
     pub(crate) deep: Deep<N>,
     pub(crate) levels: [u16; N],

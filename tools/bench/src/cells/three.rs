@@ -1,6 +1,6 @@
-//! S1 to S4 and S8: models before a camera. Camera, light and colours are set up before the frame, and the model is placed.
-//! The torus and the icosphere have planes, and their faces are asked by these; the cube's are too few. Both are drawn
-//! without planes, too, to show what these do.
+//! S1 to S4 and S8: models seen by a camera. Camera, light, colours and the model's transform are set up before the frame.
+//! The torus and the icosphere are culled by face planes; the cube has too few faces for it. Both are also drawn
+//! without planes, to show their gain.
 
 use super::{count, Counted, Deep, Plain, Smooth, CUBE, ICO, TORUS};
 use crate::lists::TORUS_NORMALS;
@@ -11,7 +11,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::ScreenVertex;
 use pinhole::{DepthBuffer, Mesh, ShadeTable};
 
-/// The torus and the icosphere without planes: a firmware that draws these has none in its flash.
+/// The torus and the icosphere without planes, for a firmware that has no planes in its flash.
 static TORUS_WITHOUT: Model = without(&scene::TORUS);
 static ICO_WITHOUT: Model = without(&scene::ICO);
 
@@ -75,7 +75,7 @@ pub fn s4_z_no_planes(memory: &mut Deep<ICO>) -> Option<Counted> {
     flat_z::<false, _>(&ICO_WITHOUT, memory)
 }
 
-/// A level of light for each face, asked by its plane or not.
+/// A light level for each face, culled by its plane or not.
 #[inline(always)]
 fn flat<const PLANES: bool, const N: usize>(
     model: &'static Model,

@@ -53,13 +53,13 @@ pub enum Way {
     Lines,
     Faces,
     Depth,
-    /// BinnedFaces, with early culling by face planes.
+    /// Faces, with early culling by face planes.
     PlaneCulled,
-    /// BinnedFaces with depth, with early culling by face planes.
+    /// Faces with depth, with early culling by face planes.
     FacingDepth,
-    /// BinnedFaces with depth, in bands of so many rows.
+    /// Faces with depth, in bands of this many rows.
     Bands(u32),
-    /// BinnedFaces with depth in bands of so many rows, with early culling by face planes.
+    /// Faces with depth in bands of this many rows, with early culling by face planes.
     FacingBands(u32),
 }
 
@@ -97,7 +97,7 @@ impl core::fmt::Display for Way {
 }
 
 impl Case {
-    /// The ways in which it is drawn, by their place in [`WAYS`]: where both sides show, no plane is asked.
+    /// The ways in which it is drawn, as indices into [`WAYS`]: not by planes if both sides of faces show.
     pub fn ways(&self) -> impl Iterator<Item = Way> {
         let asked = self.cull == Cull::Back;
         WAYS.into_iter().flatten().copied().filter(move |way| asked || !way.asks_planes())

@@ -1,4 +1,4 @@
-//! What there was to do in a frame: the host draws it and looks.
+//! Counts the work of a frame on the host: vertices, faces, rows, pixels.
 
 use super::watch::Watch;
 use super::{Case, Way};
@@ -6,35 +6,36 @@ use crate::scene::{BACKGROUND, LINE};
 use embedded_graphics_core::geometry::Size;
 use pinhole::{Cull, Mesh, MeshInstance};
 
-/// Of one frame. *BinnedFaces* are edges where lines are drawn.
+/// The work of one frame. Where lines are drawn, *faces* are edges.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Work {
     pub vertices: u32,
     pub faces: u32,
     pub drawn: u32,
-    /// Of those drawn: higher than [`LOW`], or across the left or right border of the picture, or cut. Of edges, those across
-    /// any border.
+    /// Drawn faces that are higher than [`LOW`], cross the left or right border of the picture, or are cut; drawn edges that
+    /// cross any border.
     pub large: u32,
-    /// With a corner that must be clipped: drawn or not.
+    /// Faces or edges with a corner that must be clipped, drawn or not.
     pub clipped: u32,
-    /// Of these, those that a plane of the view volume cuts: drawn, or culled, which is known only after clipping. BinnedEdges are drawn.
+    /// `clipped` faces that a plane of the view volume cuts, drawn or culled (known only after clipping); `clipped` edges that are
+    /// drawn.
     pub cut: u32,
     pub rows: u32,
     pub pixels: u32,
-    /// Of the picture: these are cleared.
+    /// Pixels of the picture, which are cleared.
     pub area: u32,
     pub bands: u32,
-    /// BinnedFaces that a band looks at, over all bands; of these, the large ones that are not cut, and the cut ones.
+    /// Faces that touch a band, summed over all bands; `met_large`: the large ones that are not cut; `met_cut`: the cut ones.
     pub met: u32,
     pub met_large: u32,
     pub met_cut: u32,
 }
 
-/// Triangles of so many rows or fewer, between the left and the right border of the picture, take a short way:
+/// Rows up to which a triangle between the left and right border of the picture takes a fast path:
 /// `src/fast/edge20.rs`, and on a Cortex-M0 `src/fast/bresenham_triangle.rs`.
 const LOW: u32 = 31;
 
-/// What [`Work::counts`] has.
+/// The names of the counts of [`Work::counts`].
 pub const fn names(way: Way) -> &'static [&'static str] {
     match way {
         Way::Lines => &[
@@ -77,7 +78,7 @@ pub const fn names(way: Way) -> &'static [&'static str] {
 }
 
 impl Work {
-    /// For [`names`].
+    /// The counts, in the order of [`names`].
     pub fn counts(&self, way: Way) -> Vec<f64> {
         let Self { vertices, faces, drawn, large, clipped, cut, rows, pixels, area, .. } = *self;
         let Self { bands, met, met_large, met_cut, .. } = *self;
@@ -199,7 +200,7 @@ impl Case {
         Some(Work { bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
     }
 
-    /// BinnedEdges that lie across the border of the picture, and those with an end that must be clipped.
+    /// The number of edges that cross the border of the picture, and of edges with an end that must be clipped.
     fn edges(&self, placed: &MeshInstance<'_>) -> (u32, u32) {
         let (mut across, mut clipped) = (0, 0);
         let [width, height] = self.size.map(|side| (side as i32) << 8);
@@ -230,7 +231,7 @@ impl Case {
         }
     }
 
-    /// How many bands of so many rows look at a face that is drawn.
+    /// The number of bands that a drawn face touches.
     fn bands(&self, face: usize, rows: u32) -> Option<u32> {
         let all = self.what.mesh()?;
         let alone = Mesh::new(all.vertices(), all.exponent(), all.faces().get(face..=face)?).ok()?;
