@@ -64,7 +64,7 @@ impl SpanShader<Rgb888> for Checkerboard {
     }
 }
 
-/// A color that turns into fog from one depth to another.
+/// A colour that turns into fog from one depth to another.
 #[derive(Clone, Copy)]
 pub(crate) struct Fog {
     pub(crate) color: Rgb888,
@@ -114,7 +114,7 @@ impl SpanShader<Rgb888> for Fog {
     }
 }
 
-/// Glass: half of its color, half of the pixel that is there.
+/// Glass: half of its colour, half of the pixel that is there.
 #[derive(Clone, Copy)]
 pub(crate) struct Glass(pub(crate) Rgb888);
 

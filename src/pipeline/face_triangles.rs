@@ -9,9 +9,9 @@ use crate::math::ClipCoords;
 use crate::raster::{self, DepthTriangle, Scissor};
 use crate::shading::Shader;
 
-/// What clipping leaves of a face: a convex polygon on the screen, with the varyings of its corners.
+/// A clipped face: a convex polygon on the screen, with the varyings of its corners.
 pub(super) struct Polygon<K> {
-    /// Corners: in clip space while planes cut, then on the screen as x, y, depth and clip space's w.
+    /// Corners: in clip space during clipping, then on the screen as x, y, depth and clip space's w.
     pub(super) slots: [ClipCoords; CLIP_SLOTS],
     /// The varyings of the corner in each slot.
     pub(super) varyings: [K; CLIP_SLOTS],
@@ -29,7 +29,7 @@ impl<K: Varying> Polygon<K> {
         }
     }
 
-    /// A face with all corners on the screen.
+    /// Sets a face with all corners on the screen.
     pub(super) fn set_face(&mut self, corners: &[UnpackedVertex; 3]) {
         for (slot, corner) in self.slots.iter_mut().zip(corners) {
             *slot = corner.to_clip_slot();
@@ -38,32 +38,32 @@ impl<K: Varying> Polygon<K> {
         let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
     }
 
-    /// The rows and columns in which the polygon may cover pixels.
-    fn reach(&self) -> Scissor {
-        let mut reach = Scissor::UNION_IDENTITY;
+    /// The bounding box of the polygon's pixels.
+    fn bounds(&self) -> Scissor {
+        let mut bounds = Scissor::UNION_IDENTITY;
         for &slot in &self.order {
             keep_rolled();
             if let Some(corner) = self.slots.get(usize::from(slot)) {
-                reach =
-                    reach.union(&Scissor::bounding_box(&[UnpackedVertex::from_clip_slot(corner).point; 3]));
+                bounds =
+                    bounds.union(&Scissor::bounding_box(&[UnpackedVertex::from_clip_slot(corner).point; 3]));
             }
         }
-        reach
+        bounds
     }
 }
 
-/// The triangles of one face after the other, with one triangle as the current one.
+/// The triangles of one face, of which one is the current triangle; reused for face after face.
 pub(super) struct FaceTriangles<'v, K> {
     triangle: DepthTriangle<'v>,
     polygon: Polygon<K>,
-    /// Whether planes took a part of the face, which only a fan tells.
+    /// Whether clipping removed a part of the face. Valid only if `end` is not 0.
     is_cut: bool,
     /// Whether the polygon's corners are taken from the last to the first, so that its triangles face the viewer.
     reversed: bool,
     /// The fan about the polygon's first corner: its next triangle has the two corners after this one.
     at: u8,
-    /// The number of triangles in the fan; 0 for a face that was not handed to the clipper: then nothing else of the fan
-    /// counts, so that the common case sets this alone.
+    /// The number of triangles in the fan; 0 for a face that was not passed to the clipper. All other fields of the fan are
+    /// ignored then, so that the common case sets only this one.
     end: u8,
 }
 
@@ -74,20 +74,20 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         Self { triangle, polygon: Polygon::new(), is_cut: false, reversed: false, at: 0, end: 0 }
     }
 
-    /// A face with all corners on the screen, the common case: one triangle.
+    /// Sets a face with all corners on the screen, the common case: one triangle.
     #[inline(always)]
-    pub(super) fn set_whole<const DEPTH: bool>(&mut self, corners: &[UnpackedVertex; 3], area: i64) {
+    pub(super) fn set_unclipped<const DEPTH: bool>(&mut self, corners: &[UnpackedVertex; 3], area: i64) {
         self.end = 0;
         set_triangle::<DEPTH>(&mut self.triangle, corners, area);
     }
 
-    /// Whether the face is drawn from the cache's vertices: it was not handed to the clipper.
+    /// Whether the face is drawn from cached vertices: it was not passed to the clipper.
     #[inline(always)]
     pub(super) fn is_cached(&self) -> bool {
         self.end == 0
     }
 
-    /// Whether planes took a part of the face: then its corners are those of the polygon.
+    /// Whether clipping removed a part of the face: then its corners are those of the polygon.
     #[inline(always)]
     pub(super) fn is_cut(&self) -> bool {
         !self.is_cached() && self.is_cut
@@ -99,9 +99,9 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         &mut self.polygon
     }
 
-    /// Begins the fan of the polygon: what becomes of the face, and if it is drawn its first triangle. `cut`: planes took
-    /// a part of the face.
-    #[inline(never)] // rare: small is better
+    /// Begins the fan of the polygon, with its first triangle as the current one, and returns what becomes of the face. `cut`:
+    /// clipping removed a part of the face.
+    #[inline(never)] // rare: code size matters more than speed
     pub(super) fn begin_fan(&mut self, cull: Cull, cut: bool) -> Outcome {
         (self.is_cut, self.reversed, self.at) = (cut, false, 0);
         let (mut area, mut corners) = (0, [UnpackedVertex::ORIGIN; 3]);
@@ -112,8 +112,8 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
             (0, _) => Outcome::Outside,
             (_, Facing::EdgeOn) => Outcome::Degenerate,
             (_, Facing::Away) => Outcome::Culled,
-            (_, Facing::Front) if cut => Outcome::Cut,
-            (_, Facing::Front) => Outcome::Whole,
+            (_, Facing::Front) if cut => Outcome::Clipped,
+            (_, Facing::Front) => Outcome::Unclipped,
         };
         // The triangles of a cut face are made counter-clockwise.
         self.reversed = cut && area < 0;
@@ -130,14 +130,14 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         &self.triangle
     }
 
-    /// Goes on to the next triangle of the face, if there is one.
+    /// Makes the next triangle of the face the current one; false if there is none.
     #[inline(always)]
     pub(super) fn advance(&mut self) -> bool {
         !self.is_cached() && self.advance_fan()
     }
 
-    /// The next triangle that faces as the polygon does: rounding of the corners may turn a sliver over, which would be
-    /// drawn on top of its neighbor.
+    /// Makes the next triangle of the fan that has the polygon's orientation the current one. Rounding may turn a sliver over,
+    /// which would then be drawn on top of its neighbour.
     #[cold]
     #[inline(never)]
     fn advance_fan(&mut self) -> bool {
@@ -152,7 +152,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         false
     }
 
-    /// The shader of the current triangle: the face's own, or the one of a part of the face.
+    /// The shader of the current triangle: the face's own, or that of a sub-face.
     #[inline(always)]
     pub(super) fn shader<S: Shader<Varying = K>>(&self, shader: &S) -> S {
         if self.is_cut() {
@@ -165,7 +165,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         }
     }
 
-    /// Clip space's w at the corners of the current triangle of a face that was cut.
+    /// Clip space's w at the corners of the current triangle, for a clipped face.
     pub(super) fn clip_w(&self) -> [i32; 3] {
         self.fan_slots().map(|slot| match self.polygon.slots.get(slot) {
             Some(ClipCoords { xydw: [.., w] }) => *w,
@@ -173,20 +173,20 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
         })
     }
 
-    /// The rows and columns in which the face may cover pixels.
+    /// The bounding box of the face's pixels.
     #[inline(always)]
-    pub(super) fn reach(&self) -> Scissor {
+    pub(super) fn bounds(&self) -> Scissor {
         if self.is_cached() {
             Scissor::bounding_box(self.triangle.triangle.corners())
         } else {
-            self.reach_of_polygon()
+            self.polygon_bounds()
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn reach_of_polygon(&self) -> Scissor {
-        self.polygon.reach()
+    fn polygon_bounds(&self) -> Scissor {
+        self.polygon.bounds()
     }
 
     /// The slots of the current triangle's corners.
@@ -203,7 +203,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     }
 
     /// The corners of the fan's next triangle and its area, if there is one.
-    #[inline(never)] // rare: small is better
+    #[inline(never)] // rare: code size matters more than speed
     fn fan_step(&mut self, corners: &mut [UnpackedVertex; 3]) -> Option<i64> {
         let at = usize::from(self.at);
         let mut i = 0;
@@ -217,7 +217,7 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
     }
 }
 
-/// Makes a triangle with these corners and this area the one that is drawn next.
+/// Sets the corners, the area and, with `DEPTH`, the depths of a triangle.
 #[inline(always)]
 fn set_triangle<const DEPTH: bool>(
     triangle: &mut DepthTriangle<'_>,

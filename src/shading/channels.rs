@@ -33,8 +33,8 @@ pub trait Channels: PixelColor {
 }
 
 macro_rules! rgb {
-    ($($colour:ty),*) => {$(
-        impl Channels for $colour {
+    ($($color:ty),*) => {$(
+        impl Channels for $color {
             const GRAY: bool = false;
             const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
 
@@ -47,8 +47,8 @@ macro_rules! rgb {
 }
 
 macro_rules! grey {
-    ($($colour:ty: $max:literal),*) => {$(
-        impl Channels for $colour {
+    ($($color:ty: $max:literal),*) => {$(
+        impl Channels for $color {
             const GRAY: bool = true;
             const MAX: [u8; 3] = [$max, 0, 0];
 

@@ -28,8 +28,8 @@ fn dimmed(channel: u8, level: u16) -> u8 {
 }
 
 macro_rules! dim_rgb {
-    ($($colour:ty),*) => {$(
-        impl Dim for $colour {
+    ($($color:ty),*) => {$(
+        impl Dim for $color {
             fn dim(self, level: u16) -> Self {
                 Self::new(dimmed(self.r(), level), dimmed(self.g(), level), dimmed(self.b(), level))
             }
@@ -38,8 +38,8 @@ macro_rules! dim_rgb {
 }
 
 macro_rules! dim_gray {
-    ($($colour:ty),*) => {$(
-        impl Dim for $colour {
+    ($($color:ty),*) => {$(
+        impl Dim for $color {
             fn dim(self, level: u16) -> Self {
                 Self::new(dimmed(self.luma(), level))
             }

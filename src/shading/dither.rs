@@ -73,12 +73,12 @@ impl Flat {
 #[derive(Clone, Copy, Debug)]
 pub struct DitheredColor<C> {
     levels: [u32; 3],
-    colour: PhantomData<C>,
+    color: PhantomData<C>,
 }
 
 impl<C: Channels> DitheredColor<C> {
-    pub(crate) fn new(colour: Flat) -> Self {
-        Self { levels: levels::<C>(colour).map(align), colour: PhantomData }
+    pub(crate) fn new(color: Flat) -> Self {
+        Self { levels: levels::<C>(color).map(align), color: PhantomData }
     }
 
     /// The colours of a span that starts at pixel (x, y).

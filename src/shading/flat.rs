@@ -19,14 +19,14 @@ pub struct Flat(pub(super) [u16; 3]);
 
 impl Flat {
     /// `colour` times `level`/256, exact; levels above 256 count as 256.
-    pub fn lit(colour: Rgb888, level: u16) -> Self {
+    pub fn lit(color: Rgb888, level: u16) -> Self {
         // ≤ 255·256.
-        Self([colour.r(), colour.g(), colour.b()].map(|channel| u16::from(channel) * level.min(256)))
+        Self([color.r(), color.g(), color.b()].map(|channel| u16::from(channel) * level.min(256)))
     }
 }
 
 impl From<Rgb888> for Flat {
-    fn from(colour: Rgb888) -> Self {
-        Self::lit(colour, 256)
+    fn from(color: Rgb888) -> Self {
+        Self::lit(color, 256)
     }
 }

@@ -41,7 +41,7 @@ impl Gouraud {
     pub(crate) fn with_weights(&self, corners: [[i32; 3]; 3]) -> Self {
         Self(corners.map(|weights| {
             Flat([0, 1, 2].map(|channel| {
-                let values = self.0.map(|Flat(colour)| colour.get(channel).copied().map_or(0, i32::from));
+                let values = self.0.map(|Flat(color)| color.get(channel).copied().map_or(0, i32::from));
                 weighted_mean(values, weights, 255 * 256) as u16
             }))
         }))
@@ -68,13 +68,13 @@ impl Gouraud {
 #[derive(Clone, Copy, Debug)]
 pub struct ChannelGradients<C> {
     planes: [Gradient; 3],
-    colour: PhantomData<C>,
+    color: PhantomData<C>,
 }
 
 impl<C: Channels> ChannelGradients<C> {
     #[inline(always)]
     pub(super) fn new(planes: [Gradient; 3]) -> Self {
-        Self { planes, colour: PhantomData }
+        Self { planes, color: PhantomData }
     }
 
     /// The colours of a span that starts at the covered pixel (x, y).
@@ -118,14 +118,14 @@ pub(crate) struct SpanColors<C, R> {
     levels: [u32; 3],
     steps: [u32; 3],
     rounding: R,
-    colour: PhantomData<C>,
+    color: PhantomData<C>,
 }
 
 impl<C: Channels, R: Rounding> SpanColors<C, R> {
     #[inline(always)]
     pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
         let levels = add_bias::<C>(levels, R::FIRST);
-        Self { levels, steps, rounding: R::from(x, y), colour: PhantomData }
+        Self { levels, steps, rounding: R::from(x, y), color: PhantomData }
     }
 }
 
@@ -176,12 +176,12 @@ mod tests {
             if area(&points) == 0 {
                 continue;
             }
-            let colours = [0; 3].map(|_| match random.within(2) {
+            let colors = [0; 3].map(|_| match random.within(2) {
                 0 => 0,
                 1 => 65_280,
                 _ => random.within(65_280).unsigned_abs() as u16,
             });
-            let face = Gouraud(colours.map(|c| Flat([c; 3])));
+            let face = Gouraud(colors.map(|c| Flat([c; 3])));
             let ramps = face.gradients::<Gray8>(&Triangle::new(points, area(&points), &scissor));
             let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
                 i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
@@ -189,7 +189,7 @@ mod tests {
             let Ok::<(), core::convert::Infallible>(()) = triangle(points, &scissor, |span| {
                 for x in [span.x, span.x + span.width - 1] {
                     let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
-                    let [u, v, w] = colours.map(i128::from);
+                    let [u, v, w] = colors.map(i128::from);
                     // In 2⁻⁸ levels: 255 of them are 65280.
                     let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
                     let whole = cross(a, b, c);

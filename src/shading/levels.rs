@@ -15,8 +15,8 @@ pub(super) const fn aligned_max(max: u8) -> u8 {
 
 /// The channels of `C` as levels with [`fraction_bits`] − 8 fractional bits, below 2²⁴, rounded to nearest.
 #[inline]
-pub(super) fn levels<C: Channels>(colour: Flat) -> [i32; 3] {
-    let [r, g, b] = colour.0.map(u32::from); // ≤ 255·2⁸
+pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
+    let [r, g, b] = color.0.map(u32::from); // ≤ 255·2⁸
     let [x, y, z] = C::MAX.map(aligned_max);
     if C::GRAY {
         [level(luma([r, g, b]), x), 0, 0]

@@ -17,7 +17,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lit {
-    colour: [u8; 3],
+    color: [u8; 3],
     /// In 2⁻²² / 255 of a level: the product with a channel of the colour is at most 2³⁰.
     light: [i32; 3],
 }
@@ -40,8 +40,8 @@ impl Gouraud {
     /// # let _ = face;
     /// # use embedded_graphics::pixelcolor::WebColors;
     /// ```
-    pub fn lit(colour: Rgb888, levels: [u16; 3]) -> Lit {
-        Lit { colour: [colour.r(), colour.g(), colour.b()], light: levels.map(|level| light(level.min(256))) }
+    pub fn lit(color: Rgb888, levels: [u16; 3]) -> Lit {
+        Lit { color: [color.r(), color.g(), color.b()], light: levels.map(|level| light(level.min(256))) }
     }
 }
 
@@ -63,7 +63,7 @@ impl Lit {
         // of 255 levels; what is rounded down adds 1024 · 2⁻²⁴.
         let times =
             |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - fraction_bits(max));
-        let ([r, g, b], [x, y, z]) = (self.colour, C::MAX);
+        let ([r, g, b], [x, y, z]) = (self.color, C::MAX);
         ChannelGradients::new([times(r, x), times(g, y), times(b, z)])
     }
 
@@ -74,7 +74,7 @@ impl Lit {
             let factor = (factor * u32::from(aligned_max(max))) as i32; // ≤ 255² · 2⁸
             planes.through(&self.light.map(|light| ((mul_wide(light, factor) + (1 << 21)) >> 22) as i32))
         };
-        let ([r, g, b], [x, y, z]) = (self.colour.map(u32::from), C::MAX);
+        let ([r, g, b], [x, y, z]) = (self.color.map(u32::from), C::MAX);
         ChannelGradients::new(match C::GRAY {
             true => [through(luma([r, g, b]), x); 3],
             false => [through(r << 8, x), through(g << 8, y), through(b << 8, z)],

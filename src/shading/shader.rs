@@ -7,8 +7,8 @@ use crate::shading::TableShader;
 use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// What a face is filled with: a color, or something that varies over the face. The closures that draw calls take return a
-/// shader for each face; [`SpanShader`] gives its colors.
+/// What a face is filled with: a colour, or something that varies over the face. The closures that draw calls take return a
+/// shader for each face; [`SpanShader`] gives its colours.
 ///
 /// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are
 /// colours of light for any target, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up
@@ -35,7 +35,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// #     &viewport,
 /// # );
 /// let model = Affine::<Model, World>::identity();
-/// let placed = camera.place(&mesh, &model);
+/// let instance = camera.place(&mesh, &model);
 /// let light = Lambert::new(&model, Vector3::from_ints(-1, 0, 2), 64)?;
 /// # let mut cache = [ScreenVertex::EMPTY; 4];
 /// # let colours = |display: &MockDisplay<Rgb565>| {
@@ -46,13 +46,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// // The mesh in one colour.
 /// # let mut target = display();
-/// placed.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
+/// instance.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
 /// # assert_eq!(colours(&target), 1);
 ///
 /// // A colour for each face, at the light of its normal.
 /// # let mut target = display();
 /// let paint = [Rgb565::RED, Rgb565::WHITE];
-/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
+/// instance.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
 /// # assert_eq!(colours(&target), 2);
 ///
 /// // The light at each vertex, worked out once; smooth in between.
@@ -60,13 +60,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// let mut levels = [0; VERTICES.len()];
 /// light.levels(mesh.vertex_normals(), &mut levels);
 /// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
-/// placed.solid(smooth, &mut cache, &mut target)?;
+/// instance.solid(smooth, &mut cache, &mut target)?;
 /// # assert!(colours(&target) > 8);
 ///
 /// // A colour for each vertex.
 /// # let mut target = display();
 /// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
-/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
+/// instance.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
 /// # assert!(colours(&target) > 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -96,7 +96,7 @@ pub trait Shader: Copy {
     }
 }
 
-/// A [`Shader`] for targets with pixels of `C`. It is set up once for each triangle and then gives the colors of spans.
+/// A [`Shader`] for targets with pixels of `C`. It is set up once for each triangle and then gives the colours of spans.
 ///
 /// A shader of one's own, interpolated from corner to corner (`examples/shader` has three more: a perspective-correct
 /// checkerboard, a fog by depth, and a blend with the pixels that are there):
@@ -135,9 +135,9 @@ pub trait Shader: Copy {
 /// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
 /// #     &viewport,
 /// # );
-/// # let placed = camera.place(&mesh, &Affine::identity());
+/// # let instance = camera.place(&mesh, &Affine::identity());
 /// let mut display = MockDisplay::<Gray8>::new();
-/// placed.solid(|_face| Ramp([40, 240, 140]), &mut [], &mut display)?;
+/// instance.solid(|_face| Ramp([40, 240, 140]), &mut [], &mut display)?;
 /// # use embedded_graphics::pixelcolor::GrayColor;
 /// let luma = |x| display.get_pixel(Point::new(x, 24)).unwrap().luma();
 /// assert!(luma(8) < 75 && luma(16) > 130 && luma(16) < 150 && luma(23) > 205);
@@ -155,11 +155,11 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// Prepares the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
 
-    /// The colors of a row's span from left to right: at least `span.width`. Only pixels of the triangle are asked for.
+    /// The colours of a row's span from left to right: at least `span.width`. Only pixels of the triangle are asked for.
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
 
-    /// The colors of a row's span from left to right, given the colors that are there: called in place of
-    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. Take one color of `stored` for each color that
+    /// The colours of a row's span from left to right, given the colours that are there: called in place of
+    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. Take one colour of `stored` for each colour that
     /// is returned, and before it is returned.
     ///
     /// ```
@@ -204,7 +204,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
         Self::span(setup, span)
     }
 
-    /// The color, if all pixels of the triangle have the same: [`set_up`](Self::set_up) and [`span`](Self::span) are then not
+    /// The colour, if all pixels of the triangle have the same: [`set_up`](Self::set_up) and [`span`](Self::span) are then not
     /// called.
     #[inline(always)]
     fn solid_color(&self) -> Option<C> {

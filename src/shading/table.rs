@@ -1,4 +1,4 @@
-//! Smooth light by table: 256 shades of one color, computed once.
+//! Smooth light by table: 256 shades of one colour, computed once.
 
 use super::levels::{luma, weighted_mean};
 use super::{Channels, Shader, SpanShader};
@@ -7,9 +7,9 @@ use crate::raster::{Gradient, Span, Triangle};
 use core::iter::repeat_with;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
-/// 256 shades of a color from dark to full light, computed once and looked up at every pixel: the fastest smooth light, for the
-/// memory of 256 colors of the target (512 bytes of `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one
-/// gradient and loads one color at each pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for displays
+/// 256 shades of a colour from dark to full light, computed once and looked up at every pixel: the fastest smooth light, for the
+/// memory of 256 colours of the target (512 bytes of `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one
+/// gradient and loads one colour at each pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for displays
 /// with a palette did it this way.
 ///
 /// **Error.** Light is linear on the screen and is rounded to an entry, 0 … 255: it is off by at most ½ + 2⁻⁹ of an entry, for
@@ -33,7 +33,7 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 pub struct ShadeTable<C>([C; 256]);
 
 impl<C> ShadeTable<C> {
-    /// A table of any 256 colors: a heat map, heights, the few steps of a cartoon. May be a constant.
+    /// A table of any 256 colours: a heat map, heights, the few steps of a cartoon. May be a constant.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor};
@@ -53,7 +53,7 @@ impl<C> ShadeTable<C> {
         Self(colors)
     }
 
-    /// The colors from no light to full light.
+    /// The colours from no light to full light.
     pub const fn colors(&self) -> &[C; 256] {
         &self.0
     }
@@ -71,7 +71,7 @@ impl<C> ShadeTable<C> {
 }
 
 impl<C: Channels> ShadeTable<C> {
-    /// The colors of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
+    /// The colours of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
     pub fn new(color: Rgb888) -> Self {
         const WHOLE: u32 = 256 * 255 * 255;
         let [r, g, b] = [color.r(), color.g(), color.b()].map(u32::from);
@@ -90,11 +90,11 @@ impl<C: Channels> ShadeTable<C> {
     }
 }
 
-/// The shader of a face: the colors of a [`ShadeTable`], and the light at each corner. [`ShadeTable::lit`] makes it.
+/// The shader of a face: the colours of a [`ShadeTable`], and the light at each corner. [`ShadeTable::lit`] makes it.
 #[derive(Clone, Copy, Debug)]
 pub struct TableShader<'t, C> {
     colors: &'t [C; 256],
-    /// The index of a color for each corner, in 2⁻¹⁰.
+    /// The index of a colour for each corner, in 2⁻¹⁰.
     light: [i32; 3],
 }
 
@@ -110,11 +110,11 @@ impl<'t, C> TableShader<'t, C> {
 }
 
 impl<C: PixelColor> TableShader<'_, C> {
-    /// The color for a value of [`Gradient::of_light`].
+    /// The colour for a value of [`Gradient::of_light`].
     #[inline(always)]
     pub(crate) fn look_up(colors: &[C; 256], light: u32) -> C {
         let [index, ..] = light.to_be_bytes();
-        colors[usize::from(index)] // each of 256 indices has a color
+        colors[usize::from(index)] // each of 256 indices has a colour
     }
 }
 
@@ -157,7 +157,7 @@ pub struct TableGradient<'t, C> {
     light: Gradient,
 }
 
-// The colors are not printed: they need not implement `Format`.
+// The colours are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for ShadeTable<C> {
     fn format(&self, f: defmt::Formatter<'_>) {
