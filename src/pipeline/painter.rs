@@ -99,7 +99,7 @@ impl core::fmt::Display for PainterError {
             Self::Vertices { needed, capacity: 65_536 } => {
                 write!(
                     f,
-                    "{needed} vertices, but a painter holds at most 65536: record fewer meshes, or smaller ones"
+                    "{needed} vertices, but a painter holds at most 65536: add fewer meshes, or smaller ones"
                 )
             }
             Self::Vertices { needed, capacity } => {
@@ -108,7 +108,7 @@ impl core::fmt::Display for PainterError {
             Self::Faces { needed, capacity: 65_535 } => {
                 write!(
                     f,
-                    "{needed} faces, but a painter holds at most 65535: record fewer meshes, or smaller ones"
+                    "{needed} faces, but a painter holds at most 65535: add fewer meshes, or smaller ones"
                 )
             }
             Self::Faces { needed, capacity } => {

@@ -3,7 +3,8 @@
 use super::{Channels, Flat};
 use crate::math::num::mul_wide;
 
-/// The number of fractional bits of a level in 32 bits: as many as the largest level leaves. A right shift by it gives the integer part.
+/// The number of fractional bits of a level in 32 bits: all bits that the largest level does not need. A right shift by this number
+/// gives the integer part.
 pub(super) const fn fraction_bits(max: u8) -> u32 {
     24 + (max | 1).leading_zeros()
 }
@@ -25,7 +26,7 @@ pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
     }
 }
 
-/// The luma of Rec. 601, 2⁸ times as large as its channels.
+/// The luma of Rec. 601 of these channels, times 2⁸.
 pub(super) fn luma([r, g, b]: [u32; 3]) -> u32 {
     77 * r + 150 * g + 29 * b
 }

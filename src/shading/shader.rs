@@ -7,14 +7,13 @@ use crate::shading::TableShader;
 use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// What a face is filled with: a colour, or something that varies over the face. The closures that draw calls take return a
-/// shader for each face; [`SpanShader`] gives its colours.
+/// What a face is filled with: a colour, or colours that vary over the face. Every draw call takes a closure that returns a shader
+/// for each face. A shader also implements [`SpanShader`], which computes the colours of pixels.
 ///
-/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are
-/// colours of light for any target, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up
-/// in 256 levels of light.
+/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) take `Rgb888` colours for
+/// targets of any colour type, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up in 256 levels of light.
 ///
-/// Colours of the mesh, of its faces and of its vertices are three closures:
+/// One colour for the mesh, one per face, and one per vertex differ only in the closure:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
@@ -55,7 +54,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// instance.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
 /// # assert_eq!(colours(&target), 2);
 ///
-/// // The light at each vertex, worked out once; smooth in between.
+/// // The light at each vertex, computed once; smooth in between.
 /// # let mut target = display();
 /// let mut levels = [0; VERTICES.len()];
 /// light.levels(mesh.vertex_normals(), &mut levels);
@@ -71,24 +70,26 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Shader: Copy {
-    /// What a corner of the face carries when planes cut the face: `()` for shaders that do not vary.
+    /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies from
+    /// corner to corner, [`Barycentric`](crate::clip::Barycentric) to get the weights of the new corners, or your own type.
     type Varying: Varying;
 
-    /// Whether the shader wants the depths of a triangle's corners, in [`with_corners`](Self::with_corners). Vertices are
-    /// then transformed with depth, whichever draw call takes the shader, and the far plane cuts.
+    /// Whether the shader needs the depths of a triangle's corners, in [`with_corners`](Self::with_corners). If true, every draw call
+    /// transforms vertices with depth and clips at the far plane.
     const NEEDS_DEPTH: bool = false;
 
-    /// Whether the shader wants 1/w of a triangle's corners, in [`with_corners`](Self::with_corners), for
-    /// perspective-correct interpolation.
+    /// Whether the shader needs 1/w of a triangle's corners, in [`with_corners`](Self::with_corners), for perspective-correct
+    /// interpolation.
     const NEEDS_W: bool = false;
 
-    /// The shader of a part of a face that planes cut, from the varyings of the part's corners.
+    /// The shader of a sub-face, one triangle of a clipped face, from the varyings of the sub-face's corners.
     #[must_use]
     fn sub_face(&self, corners: [Self::Varying; 3]) -> Self;
 
-    /// The shader of a triangle, a face or a part of one, with what it asks for by [`NEEDS_DEPTH`](Self::NEEDS_DEPTH) and
-    /// [`NEEDS_W`](Self::NEEDS_W). It is called once for each triangle, after [`sub_face`](Self::sub_face) and before
-    /// [`set_up`](SpanShader::set_up), if one of these is true. A [`Painter`](crate::Painter) stores its result.
+    /// The shader of a triangle (a face or a sub-face) with the depths and 1/w of its corners. Called only if
+    /// [`NEEDS_DEPTH`](Self::NEEDS_DEPTH) or [`NEEDS_W`](Self::NEEDS_W) is true: once for each triangle, after
+    /// [`sub_face`](Self::sub_face) and before [`set_up`](SpanShader::set_up). A [`Painter`](crate::Painter) stores the shader that this
+    /// returns.
     #[must_use]
     fn with_corners(&self, corners: &CornerValues) -> Self {
         let _ = corners;
@@ -96,10 +97,11 @@ pub trait Shader: Copy {
     }
 }
 
-/// A [`Shader`] for targets with pixels of `C`. It is set up once for each triangle and then gives the colours of spans.
+/// A [`Shader`] for targets whose pixels have the colour type `C`. It is set up once for each triangle and then returns the colours of
+/// each span.
 ///
-/// A shader of one's own, interpolated from corner to corner (`examples/shader` has three more: a perspective-correct
-/// checkerboard, a fog by depth, and a blend with the pixels that are there):
+/// Example of a custom shader, which interpolates a grey value from corner to corner. `examples/shader` has three more: a
+/// perspective-correct checkerboard, depth fog, and a blend with the stored pixels.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
@@ -123,8 +125,8 @@ pub trait Shader: Copy {
 ///     fn set_up(&self, triangle: &Triangle) -> Gradient {
 ///         triangle.plane(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
 ///     }
-///     fn span(plane: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
-///         (span.x..).map(move |x| Gray8::new((plane.at(x, span.y) >> 24) as u8))
+///     fn span(gradient: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
+///         (span.x..).map(move |x| Gray8::new((gradient.at(x, span.y) >> 24) as u8))
 ///     }
 /// }
 /// # const VERTICES: [[i16; 3]; 3] = [[-3, -3, 0], [3, -3, 0], [0, 3, 0]];
@@ -144,28 +146,29 @@ pub trait Shader: Copy {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait SpanShader<C: PixelColor>: Shader {
-    /// What is computed once for each triangle: gradients, most often.
+    /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;
 
-    /// Whether the shader reads the pixels that are there, in [`span_over`](Self::span_over). Such a shader compiles only for
+    /// Whether the shader reads the stored pixels, in [`span_over`](Self::span_over). Such a shader compiles only for
     /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture), the pixels of a
-    /// [`Band`](crate::Band), or memory of one's own.
+    /// [`Band`](crate::Band), or a target of your own that has memory.
     const READS_PIXELS: bool = false;
 
-    /// Prepares the shader for a triangle, whose corners are in the order of the face's vertices.
+    /// Sets up the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
 
-    /// The colours of a row's span from left to right: at least `span.width`. Only pixels of the triangle are asked for.
+    /// The colours of a span, one row high, from left to right: at least `span.width` of them. Spans contain only pixels that the
+    /// triangle covers.
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
 
-    /// The colours of a row's span from left to right, given the colours that are there: called in place of
-    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. Take one colour of `stored` for each colour that
-    /// is returned, and before it is returned.
+    /// The colours of a span, one row high, from left to right, given the colours of its stored pixels. Called instead of
+    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. The iterator must take one colour from `stored` before it
+    /// returns each colour: pixels are read and written in turn.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
     /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Picture, Shader, SpanShader};
-    /// /// Half of this color, half of what is there.
+    /// /// Half of this colour, half of the stored colour.
     /// #[derive(Clone, Copy)]
     /// struct Half(u8);
     /// impl Shader for Half {
@@ -184,7 +187,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     ///         core::iter::repeat(Gray8::new(*own))
     ///     }
     ///     fn span_over(own: &u8, _: Span, stored: impl Iterator<Item = Gray8>) -> impl Iterator<Item = Gray8> {
-    ///         stored.map(|there| Gray8::new(((u16::from(*own) + u16::from(there.luma())) / 2) as u8))
+    ///         stored.map(|stored| Gray8::new(((u16::from(*own) + u16::from(stored.luma())) / 2) as u8))
     ///     }
     /// }
     /// let mut pixels = [Gray8::new(100); 16];
@@ -204,15 +207,15 @@ pub trait SpanShader<C: PixelColor>: Shader {
         Self::span(setup, span)
     }
 
-    /// The colour, if all pixels of the triangle have the same: [`set_up`](Self::set_up) and [`span`](Self::span) are then not
-    /// called.
+    /// The colour of all pixels, if the shader has only one. Then [`set_up`](Self::set_up) and [`span`](Self::span) are not called, and
+    /// faces are filled faster.
     #[inline(always)]
     fn solid_color(&self) -> Option<C> {
         None
     }
 
-    /// The [`TableShader`] that draws the same pixels, if there is one: against a depth buffer in memory it is drawn by a faster
-    /// loop in place of [`set_up`](Self::set_up) and [`span`](Self::span).
+    /// A [`TableShader`] that draws equal pixels, if there is one. With a depth buffer, targets with memory draw it by a faster loop,
+    /// instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
     #[inline(always)]
     fn table(&self) -> Option<TableShader<'_, C>> {
         None
