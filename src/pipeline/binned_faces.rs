@@ -196,9 +196,9 @@ impl FaceSource for BandSource<'_, '_> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
-    /// Draws the faces in a band, in the mesh's order: see [`MeshInstance::solid`](crate::MeshInstance::solid). `shade`
-    /// is asked once for each face that a band meets. A shader that needs depth takes faces that were
-    /// [transformed with depth](crate::MeshInstance::transform_depth), or does not compile.
+    /// Draws the faces in a band as [`MeshInstance::solid`](crate::MeshInstance::solid) does. `shade` is called once for each face that
+    /// lies in the band. A shader that needs depth compiles only for faces that were
+    /// [transformed with depth](crate::MeshInstance::transform_depth).
     ///
     /// # Errors
     ///

@@ -43,7 +43,7 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
             return Ok(());
         }
     }
-    // The viewport is the guard band and not the target, so that colours in a band are those of the whole picture.
+    // The viewport is the guard band and not the target, so that gradients, and so colours, are equal in all bands.
     let triangle = Triangle::new(corners, area, &Scissor::GUARD_BAND);
     fill(&triangle, &shader, &scissor_of(target), target)
 }

@@ -61,7 +61,7 @@ impl Lit {
         let Some(light) = (if C::GRAY { None } else { setup.slope_through(&self.light) }) else {
             return self.per_channel::<C>(&setup);
         };
-        // `slope_through` returns `None` beyond 512 pixels. Up to there, light is off by less than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is
+        // `slope_through` returns `None` for steep light, which is all light beyond 512 pixels. Up to there, it is off by less than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is
         // 2⁻¹¹ of 255 levels; rounding down adds 1024 · 2⁻²⁴.
         let times =
             |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - fraction_bits(max));
