@@ -50,8 +50,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if the
-    /// mesh has more than 65535 edges. Nothing is binned then.
+    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// the mesh has more than 65535 edges. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while edges are drawn
     pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BinError> {
         let mut edges = BinnedEdges(Binned::new(*self, storage, self.instance.mesh.edges().len()));

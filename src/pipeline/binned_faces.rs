@@ -20,8 +20,8 @@ use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible faces of a mesh, binned by their first rows: each band, or any other rectangle of the picture, draws only the
-/// faces that lie in it. [`TransformedMesh::bin_faces`] makes it; [`MeshInstance::transform`](crate::MeshInstance::transform) has an
-/// example.
+/// faces that lie in it. [`TransformedMesh::bin_faces`] makes it; [`MeshInstance::transform`](crate::MeshInstance::transform)
+/// has an example.
 #[derive(Debug)]
 pub struct BinnedFaces<'a, V = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
 
@@ -32,8 +32,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if the
-    /// mesh has more than 65535 faces. Nothing is binned then.
+    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// the mesh has more than 65535 faces. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
     pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
         let mut faces = BinnedFaces(Binned::new(*self, storage, self.instance.mesh.faces().len()));
@@ -94,8 +94,8 @@ fn add_to_sort(index: usize, triangles: &FaceTriangles<'_, ()>, sort: &mut BinSo
 
 impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     /// Bins the visible faces for drawing in bands, as [`TransformedMesh::bin_faces`] does, but transforms only the vertices of
-    /// faces that may be visible. `cache` holds the transformed vertices. `storage` is bin storage: one number per visible face,
-    /// and one per 16 faces of the mesh, rounded up.
+    /// faces that may be visible. `cache` holds the transformed vertices. `storage` is bin storage: one number per visible
+    /// face, and one per 16 faces of the mesh, rounded up.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -124,8 +124,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if the
-    /// mesh has more than 65535 faces. Nothing is binned then.
+    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// the mesh has more than 65535 faces. Nothing is binned then.
     pub fn bin_faces(
         &self,
         cache: &'a mut [ScreenVertex],
@@ -134,8 +134,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         self.binned(cache, storage)
     }
 
-    /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, with depth, for depth-tested bands. Faces are clipped at the
-    /// far plane, even if the camera does not clip there.
+    /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, with depth, for depth-tested bands. Faces are clipped at
+    /// the far plane, even if the camera does not clip there.
     ///
     /// # Errors
     ///
@@ -196,9 +196,9 @@ impl FaceSource for BandSource<'_, '_> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
-    /// Draws the faces in a band as [`MeshInstance::solid`](crate::MeshInstance::solid) does. `shade` is called once for each face that
-    /// lies in the band. A shader that needs depth compiles only for faces that were
-    /// [transformed with depth](crate::MeshInstance::transform_depth).
+    /// Draws the faces in a band as [`MeshInstance::solid`](crate::MeshInstance::solid) does. `shade` is called once for each
+    /// face that lies in the band. A shader that needs depth compiles only for faces that were [transformed with
+    /// depth](crate::MeshInstance::transform_depth).
     ///
     /// # Errors
     ///
@@ -273,9 +273,9 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate> BinnedFaces<'_, V, true> {
-    /// Draws the faces in a band as [`MeshInstance::depth_tested`](crate::MeshInstance::depth_tested) does. Create `depth` for this
-    /// band's [area](crate::Band::area): nothing is drawn outside the depth buffer. `shade` is called once for each face that lies in
-    /// the band.
+    /// Draws the faces in a band as [`MeshInstance::depth_tested`](crate::MeshInstance::depth_tested) does. Create `depth` for
+    /// this band's [area](crate::Band::area): nothing is drawn outside the depth buffer. `shade` is called once for each face
+    /// that lies in the band.
     ///
     /// # Errors
     ///

@@ -17,8 +17,8 @@ const BINS: usize = 64;
 pub(super) struct Bins<'s> {
     /// Indices of primitives, bin after bin.
     order: &'s mut [u16],
-    /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended. During the sort:
-    /// set if the primitive is visible.
+    /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended. During the
+    /// sort: set if the primitive is visible.
     active: &'s mut [u16],
     /// The first row of the first bin.
     top: i32,

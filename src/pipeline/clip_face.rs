@@ -141,8 +141,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         self.clipper(&edge, &mut slots, None).edge()
     }
 
-    /// The slow path for a face with an uncached vertex, or one that must be clipped. Returns what becomes of the face, with its
-    /// first triangle in `triangles` if it is drawn.
+    /// The slow path for a face with an uncached vertex, or one that must be clipped. Returns what becomes of the face, with
+    /// its first triangle in `triangles` if it is drawn.
     #[cold]
     #[inline(never)]
     pub(super) fn clip_face<K: Varying>(

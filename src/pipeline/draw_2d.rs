@@ -6,8 +6,8 @@ use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::Target;
 
-/// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. `corners` are in the
-/// target's coordinates, in 1/256 pixel; either winding is drawn.
+/// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. `corners` are in
+/// the target's coordinates, in 1/256 pixel; either winding is drawn.
 ///
 /// # Errors
 ///

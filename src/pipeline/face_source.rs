@@ -75,8 +75,8 @@ impl<V> FaceSource for PlaneOrder<'_, V> {
 }
 
 impl<V> PlaneOrder<'_, V> {
-    /// One bit for each of `count` faces (at most [`BATCH`]), the lowest for face `first`: 0 if the face's plane shows that it is
-    /// a back face.
+    /// One bit for each of `count` faces (at most [`BATCH`]), the lowest for face `first`: 0 if the face's plane shows that it
+    /// is a back face.
     #[inline(never)] // the loop gets all registers; one copy for all draw calls
     pub(super) fn visible(&self, first: usize, count: usize) -> u32 {
         let (mesh, range, eye) = (self.instance.mesh, first..first + count, self.eye);

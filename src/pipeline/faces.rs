@@ -231,8 +231,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe).
     ///
     /// **Depth** is that of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
-    /// the screen. Where two faces have equal depth, the one that was drawn first stays. Faces are clipped at the far plane, even if
-    /// the camera [does not clip](crate::Camera::with_far_clip) there. Nothing is drawn outside the depth buffer.
+    /// the screen. Where two faces have equal depth, the one that was drawn first stays. Faces are clipped at the far plane,
+    /// even if the camera [does not clip](crate::Camera::with_far_clip) there. Nothing is drawn outside the depth buffer.
     ///
     /// **Error**: within 0.54 of a step for faces within 512 pixels; for larger ones within ½ + 2⁻¹³ and 2⁻¹⁷ for
     /// every column and row of the viewport. At the far plane a face is drawn half a step nearer, as 65535 is the value of an

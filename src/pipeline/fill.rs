@@ -1,8 +1,8 @@
 //! The last step of the pipeline: a triangle or a line, clipped to the screen, becomes pixels.
 //!
-//! The plain path is the loop over spans at the end of each function; it draws into any target and defines the picture. The call
-//! before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for targets
-//! whose pixels do not lie in memory.
+//! The plain path is the loop over spans at the end of each function; it draws into any target and defines the picture. The
+//! call before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for
+//! targets whose pixels do not lie in memory.
 
 use crate::fast::{self, depth_fill, line_fill, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
@@ -34,8 +34,8 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
 }
 
-/// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and in
-/// the depth buffer.
+/// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and
+/// in the depth buffer.
 #[inline(always)]
 pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
@@ -261,7 +261,8 @@ mod tests {
         }
     }
 
-    /// Calls `draw` for a plain target and one in memory, each with a depth buffer of this rectangle; compares pixels and depths.
+    /// Calls `draw` for a plain target and one in memory, each with a depth buffer of this rectangle; compares pixels and
+    /// depths.
     struct Twins {
         area: Rectangle,
         plain: Plain<Rgb565>,

@@ -22,9 +22,9 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// face comes out in pieces, as rounding decides which of both is nearer: for the edges of the solid objects themselves use
     /// [`hidden_line`](Self::hidden_line).
     ///
-    /// A pixel's depth is the depth of the line at the pixel's centre along the line's major axis, within 0.51 of a step for lines
-    /// of at most 512 pixels; for longer lines within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line whose two ends lie in one pixel is
-    /// tested by its nearer end.
+    /// A pixel's depth is the depth of the line at the pixel's centre along the line's major axis, within 0.51 of a step for
+    /// lines of at most 512 pixels; for longer lines within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line whose two ends lie in one
+    /// pixel is tested by its nearer end.
     ///
     /// # Errors
     ///
@@ -46,17 +46,17 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// displays. First store the depth of this mesh, and of all others that may hide its edges, with
     /// [`depth_only`](Self::depth_only).
     ///
-    /// A pixel of an edge is drawn if the edge is at least as near as the stored depth, or if the stored depth belongs to one of the
-    /// two faces beside the edge ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)). The second rule is needed because a
-    /// pixel's centre lies to one side of the edge, where the depth of a steep face differs much from that of the edge. If the mesh
-    /// has no edge faces, edges come out dotted: up to half of their pixels are missing. An edge whose two ends lie in one pixel is
-    /// tested by its nearer end.
+    /// A pixel of an edge is drawn if the edge is at least as near as the stored depth, or if the stored depth belongs to one
+    /// of the two faces beside the edge ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)). The second rule is needed
+    /// because a pixel's centre lies to one side of the edge, where the depth of a steep face differs much from that of the
+    /// edge. If the mesh has no edge faces, edges come out dotted: up to half of their pixels are missing. An edge whose two
+    /// ends lie in one pixel is tested by its nearer end.
     ///
-    /// So no pixel is drawn where the edge lies more than two steps behind the nearest face at the pixel's centre, unless that face
-    /// is beside the edge. Errors are possible within a pixel of the point at which another face begins to hide the edge: at least
-    /// 99.8 % of the pixels in which a part of an edge is visible are drawn, and at most 0.3 % of the drawn pixels show a part that
-    /// is just hidden (`tests/pipeline/hidden_lines.rs`). If an edge lies in a face that is not beside it, such as the lower edge of
-    /// a box on a floor, about half of the edge's pixels are missing.
+    /// So no pixel is drawn where the edge lies more than two steps behind the nearest face at the pixel's centre, unless that
+    /// face is beside the edge. Errors are possible within a pixel of the point at which another face begins to hide the edge:
+    /// at least 99.8 % of the pixels in which a part of an edge is visible are drawn, and at most 0.3 % of the drawn pixels
+    /// show a part that is just hidden (`tests/pipeline/hidden_lines.rs`). If an edge lies in a face that is not beside it,
+    /// such as the lower edge of a box on a floor, about half of the edge's pixels are missing.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -133,8 +133,8 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         }
     }
 
-    /// Fills `beside` with triangles of the faces beside an edge, clipped as they were when their depth was stored, beginning with
-    /// triangle number `first`. Returns whether there are more triangles than fit.
+    /// Fills `beside` with triangles of the faces beside an edge, clipped as they were when their depth was stored, beginning
+    /// with triangle number `first`. Returns whether there are more triangles than fit.
     #[inline(never)]
     fn triangles_beside(&self, edge: usize, first: usize, viewport: &Scissor, beside: &mut Beside) -> bool {
         beside.clear();
@@ -182,8 +182,8 @@ struct TriangleBeside {
 }
 
 impl TriangleBeside {
-    /// Whether the stored depth of a pixel belongs to this triangle: the values are equal, and the pixel's centre lies inside the
-    /// triangle or on its border.
+    /// Whether the stored depth of a pixel belongs to this triangle: the values are equal, and the pixel's centre lies inside
+    /// the triangle or on its border.
     fn is_stored(&self, stored: u16, x: i32, y: i32) -> bool {
         (self.depth.at(x, y) >> 16) as u16 == stored && {
             let center = ScreenPoint::inside(x * 256 + 128, y * 256 + 128); // of a pixel of the target

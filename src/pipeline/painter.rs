@@ -27,8 +27,8 @@ use heapless::Vec;
 /// beside a short one, and faces that pierce each other, can come out wrong. (Newell, Newell and Sancha, *A solution to the
 /// hidden surface problem*, 1972, split such faces; this painter does not.)
 ///
-/// `VERTICES` and `FACES` are the capacities: room for all vertices of all meshes, and for all visible faces. Memory: 8 bytes per
-/// vertex; 10 bytes and a shader (usually a colour) per face. [`add`](Self::add) transforms each vertex of a mesh once.
+/// `VERTICES` and `FACES` are the capacities: room for all vertices of all meshes, and for all visible faces. Memory: 8 bytes
+/// per vertex; 10 bytes and a shader (usually a colour) per face. [`add`](Self::add) transforms each vertex of a mesh once.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
@@ -74,8 +74,8 @@ pub struct Painter<S, const VERTICES: usize, const FACES: usize> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PainterError {
-    /// Too many vertices: raise `VERTICES` (65536 at most). Every vertex of a mesh takes one, and every corner of a clipped face's
-    /// triangles.
+    /// Too many vertices: raise `VERTICES` (65536 at most). Every vertex of a mesh takes one, and every corner of a clipped
+    /// face's triangles.
     Vertices {
         /// The number of vertices with this mesh.
         needed: usize,
@@ -193,8 +193,8 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         self.area = None;
     }
 
-    /// Stores the visible faces of a mesh instance. `shade` is called once for each visible face, with the face's index, and returns
-    /// its shader.
+    /// Stores the visible faces of a mesh instance. `shade` is called once for each visible face, with the face's index, and
+    /// returns its shader.
     ///
     /// # Errors
     ///
@@ -224,8 +224,8 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     ///
     /// # Errors
     ///
-    /// [`PainterError`] as from [`add`](Self::add). Here a face takes vertices of its own not only if it is clipped, but also if a
-    /// corner lies farther out than a [`ScreenVertex`] can hold.
+    /// [`PainterError`] as from [`add`](Self::add). Here a face takes vertices of its own not only if it is clipped, but also
+    /// if a corner lies farther out than a [`ScreenVertex`] can hold.
     #[inline(never)] // its frame is gone when it returns
     pub fn add_culled_by_planes<V: Coordinate>(
         &mut self,
@@ -334,7 +334,8 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     }
 
     /// Links the faces by ascending key and returns the index of the first: a stable radix sort of linked lists, four digits of
-    /// four bits, in time proportional to the number of faces and without memory beyond the links. (Knuth, *The Art of Computer Programming*, vol. 3, 2nd ed., section 5.2.5.)
+    /// four bits, in time proportional to the number of faces and without memory beyond the links. (Knuth, *The Art of Computer
+    /// Programming*, vol. 3, 2nd ed., section 5.2.5.)
     #[inline(never)] // its lists are gone when it returns
     fn sort(&mut self) -> u16 {
         let count = self.faces.len();
@@ -390,8 +391,8 @@ struct Room {
 }
 
 impl Room {
-    /// Converts the mesh's vertices from packed screen vertices to points. `all`: also vertices that are not on the screen, or that
-    /// lie farther out than a [`ScreenVertex`] can hold, because unclipped faces may refer to them.
+    /// Converts the mesh's vertices from packed screen vertices to points. `all`: also vertices that are not on the screen, or
+    /// that lie farther out than a [`ScreenVertex`] can hold, because unclipped faces may refer to them.
     fn unpack<V: Coordinate>(
         &self,
         instance: &MeshInstance<'_, V>,

@@ -21,21 +21,23 @@ pub struct PlaneCulled<'a, V = i16> {
 }
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Enables early back-face culling: drawing first tests each face's [plane](crate::Mesh::with_planes), and transforms a vertex
-    /// only when a face that may be visible needs it. Then draw at once, or [bin](PlaneCulled::bin_faces) the faces for bands.
+    /// Enables early back-face culling: drawing first tests each face's [plane](crate::Mesh::with_planes), and transforms a
+    /// vertex only when a face that may be visible needs it. Then draw at once, or [bin](PlaneCulled::bin_faces) the faces for
+    /// bands.
     ///
-    /// This is worth it for closed meshes of a few hundred faces or more. It costs more than it saves for a few dozen faces, for
-    /// terrain seen from above, for meshes without planes and with [`Cull::None`]. (Figures are in `docs/growth.md`: computing the
-    /// eye's position alone takes as long as transforming about ten vertices.)
+    /// This is worth it for closed meshes of a few hundred faces or more. It costs more than it saves for a few dozen faces,
+    /// for terrain seen from above, for meshes without planes and with [`Cull::None`]. (Figures are in `docs/growth.md`:
+    /// computing the eye's position alone takes as long as transforming about ten vertices.)
     ///
-    /// A face is culled by its plane if the eye lies behind the plane by more than 1/290 of the eye's distance or of the mesh's largest
-    /// coordinate, whichever is larger, in model units. In a parallel projection a face is culled if its normal points away from the
-    /// viewer by more than an angle whose sine is 1/290. No visible face is culled.
+    /// A face is culled by its plane if the eye lies behind the plane by more than 1/290 of the eye's distance or of the mesh's
+    /// largest coordinate, whichever is larger, in model units. In a parallel projection a face is culled if its normal points
+    /// away from the viewer by more than an angle whose sine is 1/290. No visible face is culled.
     ///
-    /// The picture equals the picture without culling by planes, except for back faces so thin on the screen that rounding their
-    /// vertices turns them to the front: slivers narrower than 1/100 pixel, of any length, if vertices are accurate to 1/256 px (see
-    /// [`project`](MeshInstance::project)). Such a sliver may cover a few pixels; culling by planes leaves it out. In the
-    /// [`Statistics`], all faces that are culled by planes count as `culled`, even those that would be `degenerate` or `outside`.
+    /// The picture equals the picture without culling by planes, except for back faces so thin on the screen that rounding
+    /// their vertices turns them to the front: slivers narrower than 1/100 pixel, of any length, if vertices are accurate to
+    /// 1/256 px (see [`project`](MeshInstance::project)). Such a sliver may cover a few pixels; culling by planes leaves it
+    /// out. In the [`Statistics`], all faces that are culled by planes count as `culled`, even those that would be `degenerate`
+    /// or `outside`.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -78,8 +80,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         PlaneOrder { instance: self.instance, eye: self.eye }
     }
 
-    /// Draws the faces that may be visible as [`MeshInstance::solid`] does. A vertex that must be clipped, or lies farther out than a
-    /// [`ScreenVertex`] can hold, is transformed again for each face that uses it.
+    /// Draws the faces that may be visible as [`MeshInstance::solid`] does. A vertex that must be clipped, or lies farther out
+    /// than a [`ScreenVertex`] can hold, is transformed again for each face that uses it.
     ///
     /// # Errors
     ///
@@ -105,8 +107,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         }
     }
 
-    /// Draws the faces that may be visible as [`MeshInstance::depth_tested`] does. A vertex that must be clipped, or lies farther out
-    /// than a [`ScreenVertex`] can hold, is transformed again for each face that uses it.
+    /// Draws the faces that may be visible as [`MeshInstance::depth_tested`] does. A vertex that must be clipped, or lies
+    /// farther out than a [`ScreenVertex`] can hold, is transformed again for each face that uses it.
     ///
     /// # Errors
     ///
@@ -124,8 +126,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         faces::depth_tested(self.source(), cache, &region, shade, depth, target)
     }
 
-    /// Stores the depth of the faces that may be visible and draws nothing, as [`MeshInstance::depth_only`] does: the first step of
-    /// [hidden-line removal](MeshInstance::hidden_line).
+    /// Stores the depth of the faces that may be visible and draws nothing, as [`MeshInstance::depth_only`] does: the first
+    /// step of [hidden-line removal](MeshInstance::hidden_line).
     #[inline(never)] // its frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
         let region = DrawRegion::shared(&depth.area(), self.instance.area(), None);
@@ -163,9 +165,9 @@ mod tests {
         [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
     }
 
-    /// Faces through random points, compared with their planes in f64: a face is never culled if the eye is in front of its plane or
-    /// in it, and always if the eye is behind the plane by more than 1/579 of the eye's distance or of the power of two to which the
-    /// mesh is justified.
+    /// Faces through random points, compared with their planes in f64: a face is never culled if the eye is in front of its
+    /// plane or in it, and always if the eye is behind the plane by more than 1/579 of the eye's distance or of the power of
+    /// two to which the mesh is justified.
     #[test]
     fn faces_are_culled_only_if_the_eye_is_behind_their_plane() {
         const FACES: usize = 27;

@@ -32,8 +32,9 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         Ok(statistics)
     }
 
-    /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at a joint
-    /// of two lines is drawn once, with the line that ends there. Lines are clipped as in [`wireframe`](Self::wireframe).
+    /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
+    /// a joint of two lines is drawn once, with the line that ends there. Lines are clipped as in
+    /// [`wireframe`](Self::wireframe).
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};

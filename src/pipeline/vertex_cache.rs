@@ -1,7 +1,7 @@
 //! The vertex caches: screen vertices in caller-provided memory, each transformed once.
 //!
-//! [`TransformedMesh`] transforms all vertices before the first face; [`LazyCache`] transforms a vertex when the first face needs
-//! it.
+//! [`TransformedMesh`] transforms all vertices before the first face; [`LazyCache`] transforms a vertex when the first face
+//! needs it.
 
 use super::instance::MeshInstance;
 use crate::camera::{ScreenVertex, UnpackedVertex, VertexTransform};
@@ -28,9 +28,9 @@ pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
 /// A mesh instance with its vertices transformed to the screen, each once, for drawing in bands: the next step is
 /// [`bin_faces`](Self::bin_faces) or [`bin_edges`](Self::bin_edges). With `DEPTH` the vertices have depth.
 ///
-/// [`MeshInstance::transform`] makes it and has an example; [`MeshInstance::transform_depth`] makes it with depth. The vertices lie
-/// in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed whenever
-/// a face or an edge needs them, and the picture is equal.
+/// [`MeshInstance::transform`] makes it and has an example; [`MeshInstance::transform_depth`] makes it with depth. The vertices
+/// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
+/// whenever a face or an edge needs them, and the picture is equal.
 #[derive(Debug)]
 pub struct TransformedMesh<'a, V = i16, const DEPTH: bool = false> {
     pub(super) instance: &'a MeshInstance<'a, V>,
@@ -48,8 +48,8 @@ impl<V, const DEPTH: bool> Clone for TransformedMesh<'_, V, DEPTH> {
 impl<V, const DEPTH: bool> Copy for TransformedMesh<'_, V, DEPTH> {}
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of the
-    /// mesh; if it is shorter, vertices beyond its end are transformed whenever they are needed.
+    /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of
+    /// the mesh; if it is shorter, vertices beyond its end are transformed whenever they are needed.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -83,20 +83,21 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         TransformedMesh::new(self, cache)
     }
 
-    /// Transforms the mesh's vertices once, with depth, for depth-tested bands. `cache` is as in [`transform`](Self::transform). Faces
-    /// and edges are clipped at the far plane, even if the camera [does not clip](crate::Camera::with_far_clip) there.
+    /// Transforms the mesh's vertices once, with depth, for depth-tested bands. `cache` is as in
+    /// [`transform`](Self::transform). Faces and edges are clipped at the far plane, even if the camera [does not
+    /// clip](crate::Camera::with_far_clip) there.
     pub fn transform_depth<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, true> {
         TransformedMesh::new(self, cache)
     }
 
-    /// The screen point of vertex `index` and its depth (0 near … 65534 far). `None` if the mesh has no such vertex, or if the vertex
-    /// lies in front of the near plane, outside the guard band or, if the camera clips there, beyond the far plane.
+    /// The screen point of vertex `index` and its depth (0 near … 65534 far). `None` if the mesh has no such vertex, or if the
+    /// vertex lies in front of the near plane, outside the guard band or, if the camera clips there, beyond the far plane.
     ///
     /// **Error.** For 480 × 320 pixels and focal lengths up to 700 px, the point is within 1/256 px of the exact image of the
-    /// quantised input, including the rounding to 1/256 px, for objects whose half extent is at most 300 times the vertex's distance;
-    /// for larger objects it is within `1/512 + 6.5·10⁻⁶ · extent/distance` px. ARCHITECTURE.md has the formula for all other
-    /// pictures. Under these conditions depth is within 1 of `65535·(z/w + 1)/2` if far is at least twice near; otherwise its error
-    /// grows as far/(far − near).
+    /// quantised input, including the rounding to 1/256 px, for objects whose half extent is at most 300 times the vertex's
+    /// distance; for larger objects it is within `1/512 + 6.5·10⁻⁶ · extent/distance` px. ARCHITECTURE.md has the formula for
+    /// all other pictures. Under these conditions depth is within 1 of `65535·(z/w + 1)/2` if far is at least twice near;
+    /// otherwise its error grows as far/(far − near).
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
@@ -121,9 +122,9 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         Some((vertex.point, vertex.step()))
     }
 
-    /// Vertex `index` before it is rounded to 1/256 px, for measurements: x and y in 2⁻³² px, and depth in 2⁻³² of its 65536 steps,
-    /// not clamped to the range of depth. `None` if the mesh has no such vertex, or if it lies in front of the near plane. Values
-    /// beyond ±2³⁰ saturate.
+    /// Vertex `index` before it is rounded to 1/256 px, for measurements: x and y in 2⁻³² px, and depth in 2⁻³² of its 65536
+    /// steps, not clamped to the range of depth. `None` if the mesh has no such vertex, or if it lies in front of the near
+    /// plane. Values beyond ±2³⁰ saturate.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
         let vertex = *self.mesh.vertices().get(index)?;
         let h = self.vertex_transform.clip(vertex);
@@ -133,7 +134,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Transforms as many vertices as fit into the cache. With depth, the far plane clips even if the camera does not clip there.
+    /// Transforms as many vertices as fit into the cache. With depth, the far plane clips even if the camera does not clip
+    /// there.
     pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
         let far = DEPTH || instance.vertex_transform.clips_at_far();
         transform_all::<V, DEPTH>(&instance.vertex_transform, far, instance.mesh.vertices(), cache);
@@ -311,8 +313,8 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
 ) {
     let by_d = vertex_transform.needs_d(DEPTH, far);
     // `black_box` hides the transform, so that LLVM does not load its fields into registers before the loop: Arm has too few
-    // registers, and the fields would be spilled. Inside the loop LLVM loads them in pairs. RISC-V has twice as many registers and
-    // no paired loads. On a Cortex-M0, the loop with depth keeps so much in memory that spilled fields cost nothing.
+    // registers, and the fields would be spilled. Inside the loop LLVM loads them in pairs. RISC-V has twice as many registers
+    // and no paired loads. On a Cortex-M0, the loop with depth keeps so much in memory that spilled fields cost nothing.
     #[cfg(target_arch = "arm")]
     let vertex_transform = match !crate::math::cores::CORTEX_M0 || !DEPTH {
         true => black_box(vertex_transform),

@@ -30,12 +30,12 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
 }
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not change an edge's
-    /// pixels; an end that is clipped at the near plane, the far plane or the guard band is rounded to 1/256 px.
+    /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not change an
+    /// edge's pixels; an end that is clipped at the near plane, the far plane or the guard band is rounded to 1/256 px.
     ///
-    /// `cache` is memory for transformed vertices. If it is as long as the mesh's vertex list, each vertex is transformed once. If it
-    /// is shorter, or empty, the vertices beyond its end are transformed whenever an edge needs them: slower, but the picture is
-    /// equal.
+    /// `cache` is memory for transformed vertices. If it is as long as the mesh's vertex list, each vertex is transformed once.
+    /// If it is shorter, or empty, the vertices beyond its end are transformed whenever an edge needs them: slower, but the
+    /// picture is equal.
     ///
     /// # Errors
     ///

@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 /// A target's colour type that consists of channels with integer levels. The shaders [`Flat`](super::Flat),
-/// [`Gouraud`](super::Gouraud), [`Lit`](super::Lit) and [`Dithered`](super::Dithered), and [`ShadeTable::new`](super::ShadeTable::new),
-/// draw in every such type; all colour types of embedded-graphics implement it.
+/// [`Gouraud`](super::Gouraud), [`Lit`](super::Lit) and [`Dithered`](super::Dithered), and
+/// [`ShadeTable::new`](super::ShadeTable::new), draw in every such type; all colour types of embedded-graphics implement it.
 ///
 /// Shaders take colours as `Rgb888`, whatever the target. Red, green and blue each become a level of their channel,
 /// `value · MAX/255`; a grey target gets the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as in `embedded-graphics`.

@@ -26,11 +26,11 @@ impl CornerValues {
         self.depths
     }
 
-    /// Numbers proportional to 1/w, the reciprocal of clip space's w, which is linear on the screen. The largest of the three is
-    /// 2³⁰ … 2³¹ − 1; the error of each is at most 2⁻²⁹ of its value, plus 1. All three are equal in a parallel projection.
+    /// Numbers proportional to 1/w, the reciprocal of clip space's w, which is linear on the screen. The largest of the three
+    /// is 2³⁰ … 2³¹ − 1; the error of each is at most 2⁻²⁹ of its value, plus 1. All three are equal in a parallel projection.
     ///
-    /// The unknown factor is the same for the three corners, but differs from triangle to triangle: divide interpolated values of
-    /// one triangle (u/w by 1/w), but do not compare values of two triangles.
+    /// The unknown factor is the same for the three corners, but differs from triangle to triangle: divide interpolated values
+    /// of one triangle (u/w by 1/w), but do not compare values of two triangles.
     pub const fn inverse_w(&self) -> [i32; 3] {
         self.inverse_w
     }

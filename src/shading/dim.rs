@@ -15,8 +15,8 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
 /// ```
 pub trait Dim: PixelColor {
-    /// This colour times `level`/256, each channel rounded to nearest, ties up; levels above 256 count as 256. A `BinaryColor` is off
-    /// below level 128, otherwise unchanged.
+    /// This colour times `level`/256, each channel rounded to nearest, ties up; levels above 256 count as 256. A `BinaryColor`
+    /// is off below level 128, otherwise unchanged.
     #[must_use]
     fn dim(self, level: u16) -> Self;
 }

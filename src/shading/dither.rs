@@ -5,9 +5,10 @@ use super::levels::{add_bias, align, integer_parts, levels};
 use super::{Channels, Flat, Gouraud, Lit};
 use core::marker::PhantomData;
 
-/// A shader with ordered dithering, which shows more shades than the target has: each pixel is rounded down or up by a threshold, one
-/// of 64 in an 8 × 8 pattern. [`Flat::dithered`], [`Gouraud::dithered`] and [`Lit::dithered`] make it. (Bayer, *An optimum method for two-level
-/// rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed., section 13.1.2.)
+/// A shader with ordered dithering, which shows more shades than the target has: each pixel is rounded down or up by a
+/// threshold, one of 64 in an 8 × 8 pattern. [`Flat::dithered`], [`Gouraud::dithered`] and [`Lit::dithered`] make it. (Bayer,
+/// *An optimum method for two-level rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed.,
+/// section 13.1.2.)
 ///
 /// **The pattern** depends only on the pixel's coordinates in the frame. So it does not move with objects, and it continues across
 /// bands and edges. Its thresholds are 1/128, 3/128 … 127/128.

@@ -5,20 +5,21 @@ use super::{Channels, Flat};
 use crate::raster::{Gradient, GradientSetup, Triangle};
 use core::marker::PhantomData;
 
-/// Gouraud shading: a colour at each corner of a face, in the order of the face's vertices, interpolated linearly on the screen.
-/// (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer Graphics*, 2nd ed., section 16.2.4.)
+/// Gouraud shading: a colour at each corner of a face, in the order of the face's vertices, interpolated linearly on the
+/// screen. (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer Graphics*, 2nd ed., section
+/// 16.2.4.)
 ///
 /// **Error.** Each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest level of the target: off by at
 /// most ½ + 2⁻⁹ level, for any triangle in the guard band, however fast its colour changes.
 ///
 /// **Clipped faces.** If the near plane, the far plane or the guard band clips a face, the colours at the new corners are
-/// interpolated in space and rounded to 1/256 of a step of `Rgb888`, which adds at most 2⁻⁹ level to the error. On each sub-face,
-/// colours are linear on the screen. So a clipped face has slightly different colours than it had before it reached the plane, but
-/// no colour jumps by more than 1/255 as a corner passes the plane (`tests/shading/cut_faces.rs`); the more of the face is clipped,
-/// the closer its colours are to perspective-correct ones.
+/// interpolated in space and rounded to 1/256 of a step of `Rgb888`, which adds at most 2⁻⁹ level to the error. On each
+/// sub-face, colours are linear on the screen. So a clipped face has slightly different colours than it had before it reached
+/// the plane, but no colour jumps by more than 1/255 as a corner passes the plane (`tests/shading/cut_faces.rs`); the more of
+/// the face is clipped, the closer its colours are to perspective-correct ones.
 ///
-/// For one colour with a light level at each corner, [`Gouraud::lit`] is faster, and [`ShadeTable::lit`](crate::ShadeTable::lit) is the
-/// fastest.
+/// For one colour with a light level at each corner, [`Gouraud::lit`] is faster, and
+/// [`ShadeTable::lit`](crate::ShadeTable::lit) is the fastest.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -63,9 +64,9 @@ impl Gouraud {
 /// The levels of each channel over a triangle, with [`fraction_bits`](super::levels::fraction_bits) fractional bits: within
 /// 2⁻¹⁰ + 2⁻¹³ level of the exact levels.
 ///
-/// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` units of the last of at least 24 fractional bits, w columns and
-/// h rows from its corner, w + h ≤ 2¹⁵, and its corners are off by 2⁻¹⁷ level. So adding the bias (½ to round, 1/128 to 127/128 to
-/// dither) keeps every sum within 0 … 2³²: a channel that is full at all corners is full in between.
+/// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` units of the last of at least 24 fractional bits, w
+/// columns and h rows from its corner, w + h ≤ 2¹⁵, and its corners are off by 2⁻¹⁷ level. So adding the bias (½ to round,
+/// 1/128 to 127/128 to dither) keeps every sum within 0 … 2³²: a channel that is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]
 pub struct ChannelGradients<C> {
     gradients: [Gradient; 3],

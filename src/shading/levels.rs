@@ -3,8 +3,8 @@
 use super::{Channels, Flat};
 use crate::math::num::mul_wide;
 
-/// The number of fractional bits of a level in 32 bits: all bits that the largest level does not need. A right shift by this number
-/// gives the integer part.
+/// The number of fractional bits of a level in 32 bits: all bits that the largest level does not need. A right shift by this
+/// number gives the integer part.
 pub(super) const fn fraction_bits(max: u8) -> u32 {
     24 + (max | 1).leading_zeros()
 }

@@ -7,9 +7,9 @@ use crate::math::num::mul_wide;
 use crate::raster::{GradientSetup, Triangle};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
-/// Gouraud shading of one colour: a light level at each corner of a face, in the order of the face's vertices, interpolated linearly
-/// on the screen. It is faster than [`Gouraud::new`] with three dimmed colours, as it sets up one gradient instead of three.
-/// [`Gouraud::lit`] makes it.
+/// Gouraud shading of one colour: a light level at each corner of a face, in the order of the face's vertices, interpolated
+/// linearly on the screen. It is faster than [`Gouraud::new`] with three dimmed colours, as it sets up one gradient instead of
+/// three. [`Gouraud::lit`] makes it.
 ///
 /// **Error.** As for [`Gouraud`], each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest level of
 /// the target: off by at most ½ + 2⁻⁹ level.
@@ -33,7 +33,8 @@ const fn light(level: u16) -> i32 {
 
 impl Gouraud {
     /// The shader of a face in one colour, with a light level at each corner: 0 … 256 (more counts as 256).
-    /// [`Lambert::levels`](crate::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those of a face.
+    /// [`Lambert::levels`](crate::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those
+    /// of a face.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -61,8 +62,8 @@ impl Lit {
         let Some(light) = (if C::GRAY { None } else { setup.slope_through(&self.light) }) else {
             return self.per_channel::<C>(&setup);
         };
-        // `slope_through` returns `None` for steep light, which is all light beyond 512 pixels. Up to there, it is off by less than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is
-        // 2⁻¹¹ of 255 levels; rounding down adds 1024 · 2⁻²⁴.
+        // `slope_through` returns `None` for steep light, which is all light beyond 512 pixels. Up to there, it is off by less
+        // than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is 2⁻¹¹ of 255 levels; rounding down adds 1024 · 2⁻²⁴.
         let times =
             |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - fraction_bits(max));
         let ([r, g, b], [x, y, z]) = (self.color, C::MAX);

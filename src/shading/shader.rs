@@ -7,11 +7,12 @@ use crate::shading::TableShader;
 use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// What a face is filled with: a colour, or colours that vary over the face. Every draw call takes a closure that returns a shader
-/// for each face. A shader also implements [`SpanShader`], which computes the colours of pixels.
+/// What a face is filled with: a colour, or colours that vary over the face. Every draw call takes a closure that returns a
+/// shader for each face. A shader also implements [`SpanShader`], which computes the colours of pixels.
 ///
-/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) take `Rgb888` colours for
-/// targets of any colour type, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up in 256 levels of light.
+/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) take `Rgb888`
+/// colours for targets of any colour type, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up in 256
+/// levels of light.
 ///
 /// One colour for the mesh, one per face, and one per vertex differ only in the closure:
 ///
@@ -70,12 +71,13 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Shader: Copy {
-    /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies from
-    /// corner to corner, [`Barycentric`](crate::clip::Barycentric) to get the weights of the new corners, or your own type.
+    /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies
+    /// from corner to corner, [`Barycentric`](crate::clip::Barycentric) to get the weights of the new corners, or your own
+    /// type.
     type Varying: Varying;
 
-    /// Whether the shader needs the depths of a triangle's corners, in [`with_corners`](Self::with_corners). If true, every draw call
-    /// transforms vertices with depth and clips at the far plane.
+    /// Whether the shader needs the depths of a triangle's corners, in [`with_corners`](Self::with_corners). If true, every
+    /// draw call transforms vertices with depth and clips at the far plane.
     const NEEDS_DEPTH: bool = false;
 
     /// Whether the shader needs 1/w of a triangle's corners, in [`with_corners`](Self::with_corners), for perspective-correct
@@ -88,8 +90,8 @@ pub trait Shader: Copy {
 
     /// The shader of a triangle (a face or a sub-face) with the depths and 1/w of its corners. Called only if
     /// [`NEEDS_DEPTH`](Self::NEEDS_DEPTH) or [`NEEDS_W`](Self::NEEDS_W) is true: once for each triangle, after
-    /// [`sub_face`](Self::sub_face) and before [`set_up`](SpanShader::set_up). A [`Painter`](crate::Painter) stores the shader that this
-    /// returns.
+    /// [`sub_face`](Self::sub_face) and before [`set_up`](SpanShader::set_up). A [`Painter`](crate::Painter) stores the shader
+    /// that this returns.
     #[must_use]
     fn with_corners(&self, corners: &CornerValues) -> Self {
         let _ = corners;
@@ -97,8 +99,8 @@ pub trait Shader: Copy {
     }
 }
 
-/// A [`Shader`] for targets whose pixels have the colour type `C`. It is set up once for each triangle and then returns the colours of
-/// each span.
+/// A [`Shader`] for targets whose pixels have the colour type `C`. It is set up once for each triangle and then returns the
+/// colours of each span.
 ///
 /// Example of a custom shader, which interpolates a grey value from corner to corner. `examples/shader` has three more: a
 /// perspective-correct checkerboard, depth fog, and a blend with the stored pixels.
@@ -157,13 +159,13 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// Sets up the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
 
-    /// The colours of a span, one row high, from left to right: at least `span.width` of them. Spans contain only pixels that the
-    /// triangle covers.
+    /// The colours of a span, one row high, from left to right: at least `span.width` of them. Spans contain only pixels that
+    /// the triangle covers.
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
 
     /// The colours of a span, one row high, from left to right, given the colours of its stored pixels. Called instead of
-    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. The iterator must take one colour from `stored` before it
-    /// returns each colour: pixels are read and written in turn.
+    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. The iterator must take one colour from `stored`
+    /// before it returns each colour: pixels are read and written in turn.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
@@ -207,15 +209,15 @@ pub trait SpanShader<C: PixelColor>: Shader {
         Self::span(setup, span)
     }
 
-    /// The colour of all pixels, if the shader has only one. Then [`set_up`](Self::set_up) and [`span`](Self::span) are not called, and
-    /// faces are filled faster.
+    /// The colour of all pixels, if the shader has only one. Then [`set_up`](Self::set_up) and [`span`](Self::span) are not
+    /// called, and faces are filled faster.
     #[inline(always)]
     fn solid_color(&self) -> Option<C> {
         None
     }
 
-    /// A [`TableShader`] that draws equal pixels, if there is one. With a depth buffer, targets with memory draw it by a faster loop,
-    /// instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
+    /// A [`TableShader`] that draws equal pixels, if there is one. With a depth buffer, targets with memory draw it by a faster
+    /// loop, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
     #[inline(always)]
     fn table(&self) -> Option<TableShader<'_, C>> {
         None

@@ -8,13 +8,15 @@ use core::iter::repeat_with;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
 /// A colour in 256 levels of light, computed once and looked up at every pixel: the fastest smooth light. The table takes 256
-/// colours of the target (512 bytes for `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one gradient and loads
-/// one colour per pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for palette displays light faces this way.
+/// colours of the target (512 bytes for `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one gradient and
+/// loads one colour per pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for palette displays light
+/// faces this way.
 ///
 /// **Error.** Light is linear on the screen and is rounded to the index of an entry, 0 … 255, with an error of at most
-/// ½ + 2⁻⁹, for any triangle in the guard band. With a table made by [`new`](Self::new), each channel of a pixel is off by at most ½
-/// level of the target for rounding the entry, plus `(½ + 2⁻⁹) · MAX/255` for rounding the light. A face with full light at all
-/// corners has the last entry everywhere, a face without light the first. [`Gouraud::lit`](crate::Gouraud::lit) is finer, and can be dithered.
+/// ½ + 2⁻⁹, for any triangle in the guard band. With a table made by [`new`](Self::new), each channel of a pixel is off by at
+/// most ½ level of the target for rounding the entry, plus `(½ + 2⁻⁹) · MAX/255` for rounding the light. A face with full light
+/// at all corners has the last entry everywhere, a face without light the first. [`Gouraud::lit`](crate::Gouraud::lit) is
+/// finer, and can be dithered.
 ///
 /// **Clipped faces** are treated as by [`Gouraud`](crate::Gouraud). The light at new corners is rounded to 2⁻¹⁰ of an entry.
 ///
