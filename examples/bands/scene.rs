@@ -38,7 +38,7 @@ pub(crate) struct Scene {
 }
 
 /// The contents of a frame, drawn into every band.
-pub(crate) struct Recorded<'a> {
+pub(crate) struct Contents<'a> {
     faces: BinnedFaces<'a, i16, true>,
     light: &'a Lambert,
     depth: &'a mut [u16],
@@ -65,14 +65,14 @@ impl Scene {
     }
 
     /// Starts a frame: transforms every vertex and bins every face, once.
-    pub(crate) fn record(&mut self) -> Result<(Frame<Rgb565>, Recorded<'_>), BinError> {
+    pub(crate) fn begin_frame(&mut self) -> Result<(Frame<Rgb565>, Contents<'_>), BinError> {
         let faces = self.instance.transform_depth(&mut self.cache).bin_faces(&mut self.bins)?;
         let frame = Frame::new(Rectangle::new(Point::zero(), SIZE), Rgb565::new(2, 6, 5));
-        Ok((frame, Recorded { faces, light: &self.light, depth: &mut self.depth }))
+        Ok((frame, Contents { faces, light: &self.light, depth: &mut self.depth }))
     }
 }
 
-impl Recorded<'_> {
+impl Contents<'_> {
     /// Draws a band: the teapot with the band's depth buffer, and the caption on top.
     pub(crate) fn draw(&mut self, band: &mut Band<'_, Rgb565>) -> Result<(), DepthBufferError> {
         let mut depth = DepthBuffer::new(band.area(), self.depth)?;

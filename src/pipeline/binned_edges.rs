@@ -60,7 +60,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     }
 
     /// Clips and counts all edges, then sorts the visible ones.
-    #[inline(never)] // the lists of the sort are gone when it returns
+    #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_edge_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
         let (edges, mut statistics) = (self.instance.mesh.edges(), Statistics::NONE);
         let mut sort = bins.sort();
@@ -101,7 +101,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn draw<T: Target>(&mut self, color: T::Color, band: &mut T) -> Result<(), T::Error> {
         let region = self.advance_to_band(&band.area(), None);
@@ -165,7 +165,7 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn depth_tested<T: Target>(
         &mut self,
@@ -192,7 +192,7 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn hidden_line<T: Target>(
         &mut self,

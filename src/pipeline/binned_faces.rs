@@ -41,7 +41,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         Ok(faces)
     }
 
-    #[inline(never)] // the lists of the sort are gone when it returns
+    #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
         bin(MeshOrder, *self, bins)
     }
@@ -87,7 +87,7 @@ fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
     Ok(statistics)
 }
 
-#[inline(never)] // its frame is not there while faces are culled
+#[inline(never)] // its stack frame does not exist while faces are culled
 fn add_to_sort(index: usize, triangles: &FaceTriangles<'_, ()>, sort: &mut BinSort<'_, '_>) {
     sort.add(index, &triangles.bounds());
 }
@@ -160,7 +160,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         Ok(BinnedFaces(Binned { transformed, bins, statistics }))
     }
 
-    #[inline(never)] // the lists of the sort are gone when it returns
+    #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_bins<const DEPTH: bool>(
         &self,
         cache: &mut [ScreenVertex],
@@ -202,7 +202,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn solid<T: Target, S: SpanShader<T::Color>>(
         &mut self,
@@ -279,7 +279,7 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
         &mut self,

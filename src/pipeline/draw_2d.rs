@@ -11,7 +11,7 @@ use crate::surface::Target;
 ///
 /// # Errors
 ///
-/// The target's own, at the first span that it refuses.
+/// The target's error, at the first span that it refuses.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -53,7 +53,7 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
 ///
 /// # Errors
 ///
-/// The target's own, at the first span that it refuses.
+/// The target's error, at the first span that it refuses.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

@@ -208,8 +208,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn solid<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -272,8 +272,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -287,7 +287,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
 
     /// Stores the depth of the faces and draws nothing: the first step of hidden-line removal. The depth is, bit for bit, that
     /// of [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
         let region = DrawRegion::shared(&depth.area(), self.area(), None);
         depth_only(MeshOrder, TransformedMesh::new(self, cache), &region, depth)

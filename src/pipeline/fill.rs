@@ -66,7 +66,7 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
 }
 
 /// The plain path of [`fill_nearer`] for one colour.
-#[inline(never)] // its frame is gone when it returns
+#[inline(never)] // its stack frame is gone when it returns
 fn fill_spans_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,
     color: T::Color,
@@ -83,7 +83,7 @@ fn fill_spans_nearer<T: Target>(
 }
 
 /// The plain path of [`fill_nearer`] for colours that vary.
-#[inline(never)] // its frame is gone when it returns
+#[inline(never)] // its stack frame is gone when it returns
 fn shade_spans_nearer<T: Target, R: Iterator<Item = T::Color>>(
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
@@ -108,7 +108,7 @@ fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
 }
 
 /// [`fill`] for a shader that reads the stored pixels.
-#[inline(never)] // its frame is gone when it returns
+#[inline(never)] // its stack frame is gone when it returns
 fn blend<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
     shader: &S,
@@ -121,7 +121,7 @@ fn blend<T: Target, S: SpanShader<T::Color>>(
 }
 
 /// [`fill_nearer`] for a shader that reads the stored pixels.
-#[inline(never)] // its frame is gone when it returns
+#[inline(never)] // its stack frame is gone when it returns
 fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,

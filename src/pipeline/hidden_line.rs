@@ -28,8 +28,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn wireframe_depth_tested<T: Target>(
         &self,
         color: T::Color,
@@ -93,8 +93,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn hidden_line<T: Target>(
         &self,
         color: T::Color,

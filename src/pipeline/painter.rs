@@ -148,8 +148,8 @@ impl<S: Copy> PaintersOrder<'_, S> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn draw<T: Target>(&self, target: &mut T) -> Result<(), T::Error>
     where
         S: SpanShader<T::Color>,
@@ -200,7 +200,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     ///
     /// [`PainterError`] if there is no room, or if the viewport differs from that of the stored faces. Nothing of this mesh is
     /// stored then; the faces of other meshes stay.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn add<V: Coordinate>(
         &mut self,
         instance: &MeshInstance<'_, V>,
@@ -226,7 +226,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     ///
     /// [`PainterError`] as from [`add`](Self::add). Here a face takes vertices of its own not only if it is clipped, but also
     /// if a corner lies farther out than a [`ScreenVertex`] can hold.
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn add_culled_by_planes<V: Coordinate>(
         &mut self,
         faces: &PlaneCulled<'_, V>,
@@ -290,8 +290,8 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn draw<T: Target>(&mut self, target: &mut T) -> Result<Statistics, T::Error>
     where
         S: SpanShader<T::Color>,
@@ -336,7 +336,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// Links the faces by ascending key and returns the index of the first: a stable radix sort of linked lists, four digits of
     /// four bits, in time proportional to the number of faces and without memory beyond the links. (Knuth, *The Art of Computer
     /// Programming*, vol. 3, 2nd ed., section 5.2.5.)
-    #[inline(never)] // its lists are gone when it returns
+    #[inline(never)] // its arrays leave the stack when it returns
     fn sort(&mut self) -> u16 {
         let count = self.faces.len();
         for (i, face) in self.faces.iter_mut().enumerate() {

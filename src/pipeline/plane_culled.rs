@@ -85,8 +85,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn solid<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -112,8 +112,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -128,7 +128,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
 
     /// Stores the depth of the faces that may be visible and draws nothing, as [`MeshInstance::depth_only`] does: the first
     /// step of [hidden-line removal](MeshInstance::hidden_line).
-    #[inline(never)] // its frame is gone when it returns
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
         let region = DrawRegion::shared(&depth.area(), self.instance.area(), None);
         faces::depth_only(self.source(), LazyCache::new(self.instance, true, cache), &region, depth)

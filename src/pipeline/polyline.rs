@@ -14,8 +14,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first pixel that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first pixel that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
@@ -58,8 +58,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn polyline<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();

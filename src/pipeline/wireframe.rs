@@ -39,8 +39,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn wireframe<T: Target>(
         &self,
         color: T::Color,
