@@ -72,7 +72,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         Ok(statistics.with_the_rest_drawn(edges.len()))
     }
 
-    /// [`edge`](Self::edge) as one shared copy: here code size matters more than speed.
+    /// [`edge`](Self::edge) as one shared copy, for callers whose code size matters more than their speed.
     #[inline(never)]
     fn edge_out_of_line(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
         self.edge(edge, statistics)

@@ -22,8 +22,9 @@ use crate::shading::{CornerValues, Shader, SpanShader};
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 
-/// The face loop: each face that `source` pushes is culled and, where it must be, clipped; `sink` gets the index and the
-/// triangles of each face that is drawn, and returns whether the face is finished.
+/// The face loop: culls each face that `source` pushes, clips it if a corner is not on the screen, and calls `sink` with the
+/// index, the vertices and the triangles of each visible face. `sink` returns whether the face is finished: see
+/// [`FaceSource::push`].
 ///
 /// # Errors
 ///
@@ -74,7 +75,7 @@ where
     Ok(statistics.with_the_rest_culled(faces.len()))
 }
 
-/// The shader of a face's current triangle, with the depths and 1/w of its corners where the shader asks for them.
+/// The shader of a face's current triangle, with the depths and 1/w of the triangle's corners if the shader needs them.
 #[inline(always)]
 pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     instance: &MeshInstance<'_, V>,
@@ -230,7 +231,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// `shade` is called once for each face that is drawn, with the face's index, and returns its colour or another
     /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe).
     ///
-    /// **Depth** is that of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
+    /// **Depth** is the depth of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
     /// the screen. Where two faces have equal depth, the one that was drawn first stays. Faces are clipped at the far plane,
     /// even if the camera [does not clip](crate::Camera::with_far_clip) there. Nothing is drawn outside the depth buffer.
     ///

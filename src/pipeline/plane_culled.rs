@@ -169,7 +169,7 @@ mod tests {
     /// plane or in it, and always if the eye is behind the plane by more than 1/579 of the eye's distance or of the power of
     /// two to which the mesh is justified.
     #[test]
-    fn faces_are_culled_only_if_the_eye_is_behind_their_plane() {
+    fn faces_are_left_out_only_where_the_eye_is_behind_their_plane() {
         const FACES: usize = 27;
         let mut random = Random(11);
         let number = Scalar::from_num::<f64>;
