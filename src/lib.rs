@@ -1,7 +1,7 @@
 #![no_std]
-// docs.rs shows what needs a feature.
+// docs.rs marks items that need a feature.
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// Before the README's own definitions, so that its links lead somewhere on docs.rs too.
+// The first definition of a link counts: these replace the README's relative links, which lead nowhere on docs.rs.
 #![doc = include_str!("book/links.md")]
 #![doc = include_str!("../README.md")]
 

@@ -6,9 +6,9 @@ use std::error::Error;
 
 pub(crate) fn show(scene: &mut Scene, display: &mut Display) -> Result<(), Box<dyn Error>> {
     let mut strip = [0; STRIP];
-    let (mut frame, mut recorded) = scene.record()?;
+    let (mut frame, mut contents) = scene.begin_frame()?;
     while let Some(mut band) = frame.next_band(&mut strip)? {
-        recorded.draw(&mut band)?;
+        contents.draw(&mut band)?;
         band.send(display)?;
     }
     Ok(())

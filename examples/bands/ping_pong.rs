@@ -32,12 +32,12 @@ pub(crate) fn show(scene: &mut Scene, display: Display) -> Result<Display, Box<d
     // In firmware these are two statics.
     let strips = [0; 2].map(|_| Vec::leak(vec![0; STRIP]));
     let [mut free, other] = strips;
-    let (mut frame, mut recorded) = scene.record()?;
+    let (mut frame, mut contents) = scene.begin_frame()?;
     // The loop starts with an empty transfer.
     let nowhere = Rectangle::zero();
     let mut transfer = Dma(display).send(nowhere, other);
     while let Some(mut band) = frame.next_band(free)? {
-        recorded.draw(&mut band)?;
+        contents.draw(&mut band)?;
         let area = band.area();
         let bytes = band.into_bytes();
         let (dma, sent) = transfer.wait()?;

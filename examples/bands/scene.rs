@@ -27,18 +27,18 @@ const TEAPOT: Mesh<'static> = {
 };
 const VERTICES: usize = teapot::VERTICES.len();
 /// Bin storage: the largest number of visible faces, and one entry for every 16 faces of the mesh.
-const RECORDS: usize = 600 + teapot::FACES.len().div_ceil(16);
+const BIN_STORAGE: usize = 600 + teapot::FACES.len().div_ceil(16);
 
 pub(crate) struct Scene {
-    placed: MeshInstance<'static>,
+    instance: MeshInstance<'static>,
     light: Lambert,
-    corners: [ScreenVertex; VERTICES],
-    records: [u16; RECORDS],
+    cache: [ScreenVertex; VERTICES],
+    bins: [u16; BIN_STORAGE],
     depth: [u16; (SIZE.width * ROWS) as usize],
 }
 
 /// The contents of a frame, drawn into every band.
-pub(crate) struct Recorded<'a> {
+pub(crate) struct Contents<'a> {
     faces: BinnedFaces<'a, i16, true>,
     light: &'a Lambert,
     depth: &'a mut [u16],
@@ -47,7 +47,7 @@ pub(crate) struct Recorded<'a> {
 impl Scene {
     pub(crate) fn new() -> Result<Self, Box<dyn Error>> {
         let viewport = Viewport::new(Point::zero(), SIZE)?;
-        let viewing = ViewTransform::look_at(
+        let view = ViewTransform::look_at(
             Point3::from_ints(0, 16, 32),
             Point3::from_ints(0, 0, 0),
             Vector3::from_ints(0, 1, 0),
@@ -56,23 +56,23 @@ impl Scene {
             Projection::perspective(Angle::degrees(45), SIZE, Scalar::from_num(10), Scalar::from_num(60))?;
         let model = Affine::rotation_y(Angle::degrees(-25));
         Ok(Self {
-            placed: Camera::new(&viewing, &projection, &viewport).place(&TEAPOT, &model),
+            instance: Camera::new(&view, &projection, &viewport).place(&TEAPOT, &model),
             light: Lambert::new(&model, Vector3::from_ints(-4, 6, 5), 60)?,
-            corners: [ScreenVertex::EMPTY; VERTICES],
-            records: [0; RECORDS],
+            cache: [ScreenVertex::EMPTY; VERTICES],
+            bins: [0; BIN_STORAGE],
             depth: [0; (SIZE.width * ROWS) as usize],
         })
     }
 
     /// Starts a frame: transforms every vertex and bins every face, once.
-    pub(crate) fn record(&mut self) -> Result<(Frame<Rgb565>, Recorded<'_>), BinError> {
-        let faces = self.placed.transform_depth(&mut self.corners).bin_faces(&mut self.records)?;
+    pub(crate) fn begin_frame(&mut self) -> Result<(Frame<Rgb565>, Contents<'_>), BinError> {
+        let faces = self.instance.transform_depth(&mut self.cache).bin_faces(&mut self.bins)?;
         let frame = Frame::new(Rectangle::new(Point::zero(), SIZE), Rgb565::new(2, 6, 5));
-        Ok((frame, Recorded { faces, light: &self.light, depth: &mut self.depth }))
+        Ok((frame, Contents { faces, light: &self.light, depth: &mut self.depth }))
     }
 }
 
-impl Recorded<'_> {
+impl Contents<'_> {
     /// Draws a band: the teapot with the band's depth buffer, and the caption on top.
     pub(crate) fn draw(&mut self, band: &mut Band<'_, Rgb565>) -> Result<(), DepthBufferError> {
         let mut depth = DepthBuffer::new(band.area(), self.depth)?;

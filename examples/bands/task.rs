@@ -39,9 +39,9 @@ async fn yield_now() {
 
 async fn draw(scene: &mut Scene, bus: &mut Bus) -> Result<(), Box<dyn Error>> {
     let mut strip = [0; STRIP];
-    let (mut frame, mut recorded) = scene.record()?;
+    let (mut frame, mut contents) = scene.begin_frame()?;
     while let Some(mut band) = frame.next_band(&mut strip)? {
-        recorded.draw(&mut band)?;
+        contents.draw(&mut band)?;
         bus.write(&band.area(), band.bytes()).await;
     }
     Ok(())

@@ -65,16 +65,16 @@ impl Scene {
     ) -> Result<(), Box<dyn Error>> {
         let pot = Mesh::new(&teapot::VERTICES, teapot::EXPONENT, &teapot::FACES)?;
         let wall = Mesh::new(&WALL, 0, &WALL_FACES)?;
-        let (mut pot_corners, mut wall_corners) =
+        let (mut pot_cache, mut wall_cache) =
             ([ScreenVertex::EMPTY; teapot::VERTICES.len()], [ScreenVertex::EMPTY; 4]);
-        let (mut pot_records, mut wall_records) = (vec![0; 2 * teapot::FACES.len()], [0; 3]);
+        let (mut pot_bins, mut wall_bins) = (vec![0; 2 * teapot::FACES.len()], [0; 3]);
 
         // The inside is visible through the gap around the lid.
-        let placed = self.camera.place(&pot, &self.model).with_cull(Cull::None);
-        let projected = placed.transform_depth(&mut pot_corners);
-        let mut pot_faces = projected.bin_faces(&mut pot_records)?;
-        let placed = self.camera.place(&wall, &Affine::identity());
-        let mut wall_faces = placed.transform_depth(&mut wall_corners).bin_faces(&mut wall_records)?;
+        let instance = self.camera.place(&pot, &self.model).with_cull(Cull::None);
+        let projected = instance.transform_depth(&mut pot_cache);
+        let mut pot_faces = projected.bin_faces(&mut pot_bins)?;
+        let instance = self.camera.place(&wall, &Affine::identity());
+        let mut wall_faces = instance.transform_depth(&mut wall_cache).bin_faces(&mut wall_bins)?;
 
         let width = self.area.size.width;
         let mut strip = vec![0; Frame::<C>::strip_bytes(width, rows)];

@@ -59,12 +59,12 @@ pub(crate) fn draw(
 
     let mut edges = |list: &[[u16; 2]], colour: Rgb888, dashed: bool| -> Result<(), Box<dyn Error>> {
         let mesh = Mesh::new(&VERTICES, EXPONENT, &[])?.with_edges(list)?;
-        let placed = camera.place(&mesh, &model);
+        let instance = camera.place(&mesh, &model);
         let mut cache = [ScreenVertex::default(); VERTICES.len()];
         if dashed {
-            placed.wireframe(colour, &mut cache, &mut Dashed { target: sheet, on: 2, off: 2, at: 0 })?;
+            instance.wireframe(colour, &mut cache, &mut Dashed { target: sheet, on: 2, off: 2, at: 0 })?;
         } else {
-            placed.wireframe(colour, &mut cache, sheet)?;
+            instance.wireframe(colour, &mut cache, sheet)?;
         }
         Ok(())
     };

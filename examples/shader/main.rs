@@ -1,7 +1,7 @@
-//! Shaders of one's own: a perspective-correct checkerboard, fog by depth, and glass that blends with what is there.
+//! Custom shaders: a perspective-correct checkerboard, depth fog, and glass that blends with the stored pixels.
 //!
 //! `cargo run --release --example shader` writes `target/shader/shader.png`. `tests/shading` compares each pixel with an
-//! oracle.
+//! oracle in f64.
 
 mod scene;
 mod shaders;

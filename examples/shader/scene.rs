@@ -1,4 +1,4 @@
-//! A checkered floor that the near plane cuts, a wall in fog, and a pane of glass before both.
+//! A checkered floor that is clipped at the near plane, a wall in fog, and a pane of glass in front of both.
 
 use super::shaders::{Checkerboard, Fog, Glass};
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
@@ -24,7 +24,7 @@ pub(crate) const TILES: u32 = 12;
 pub(crate) const BOARD: [Rgb888; 2] = [Rgb888::new(235, 235, 225), Rgb888::new(60, 70, 90)];
 pub(crate) const WALL_COLOR: Rgb888 = Rgb888::new(190, 90, 60);
 pub(crate) const FOG_COLOR: Rgb888 = Rgb888::new(200, 215, 230);
-/// In steps of depth.
+/// The depths at which fog begins and at which it hides the wall, in steps of the depth buffer.
 pub(crate) const FOG_RANGE: [u16; 2] = [50_000, 64_000];
 pub(crate) const GLASS: Rgb888 = Rgb888::new(40, 160, 120);
 pub(crate) const SKY: Rgb888 = Rgb888::new(120, 160, 210);
@@ -50,7 +50,7 @@ pub(crate) fn draw() -> Result<Vec<Rgb888>, Box<dyn Error>> {
     let fog = |_| Fog::new(WALL_COLOR, FOG_COLOR, FOG_RANGE);
     camera.place(&floor, &model).depth_tested(board, &mut [], &mut depth, &mut picture.pixels())?;
     camera.place(&wall, &model).depth_tested(fog, &mut [], &mut depth, &mut picture.pixels())?;
-    // What is blended is drawn last.
+    // Draw glass last: it blends with the pixels that are stored when it is drawn.
     camera.place(&pane, &model).depth_tested(|_| Glass(GLASS), &mut [], &mut depth, &mut picture.pixels())?;
     Ok(pixels)
 }

@@ -1,4 +1,4 @@
-//! Three shaders of one's own, made with the public interface of `pinhole` alone.
+//! Three custom shaders, written with the public interface of `pinhole` alone.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::clip::Barycentric;
@@ -8,11 +8,11 @@ use pinhole::{CornerValues, Shader, SpanShader};
 /// A perspective-correct checkerboard: tiles are squares in space, so u/w, v/w and 1/w are interpolated on the screen.
 #[derive(Clone, Copy)]
 pub(crate) struct Checkerboard {
-    /// The corners' places on the board, in 2⁻¹⁶ of its width and height: 0 … 2¹⁶.
+    /// The texture coordinates of the corners, in 2⁻¹⁶ of the board's width and height: 0 … 2¹⁶.
     uv: [[i32; 2]; 3],
     /// Numbers proportional to 1/w at the corners, at most 2²⁴.
     inverse_w: [i32; 3],
-    /// Tiles a side.
+    /// The number of tiles along each side.
     tiles: u32,
     colors: [Rgb888; 2],
 }
@@ -57,19 +57,19 @@ impl SpanShader<Rgb888> for Checkerboard {
     fn span((gradients, tiles, colors): &Self::Setup, span: Span) -> impl Iterator<Item = Rgb888> {
         (span.x..).map(move |x| {
             let [u, v, inverse_w] = gradients.map(|gradient| u64::from(gradient.at(x, span.y)));
-            // Divisions for each pixel are right, and slow.
+            // A division per coordinate and pixel is exact, but slow.
             let tile = |over_w: u64| over_w * u64::from(*tiles) / inverse_w.max(1);
             colors[((tile(u) + tile(v)) % 2) as usize]
         })
     }
 }
 
-/// A color that turns into fog from one depth to another.
+/// A colour that fades into fog with depth.
 #[derive(Clone, Copy)]
 pub(crate) struct Fog {
     pub(crate) color: Rgb888,
     pub(crate) fog: Rgb888,
-    /// Where fog begins and where it hides all else, in steps of depth.
+    /// The depths at which fog begins and at which it hides the colour, in steps of the depth buffer.
     pub(crate) range: [u16; 2],
     depths: [i32; 3],
 }
@@ -114,7 +114,7 @@ impl SpanShader<Rgb888> for Fog {
     }
 }
 
-/// Glass: half of its color, half of the pixel that is there.
+/// Glass: half of its own colour, half of the stored pixel.
 #[derive(Clone, Copy)]
 pub(crate) struct Glass(pub(crate) Rgb888);
 

@@ -68,7 +68,7 @@ impl Stage {
         let [x, y, z] = teapot::OFFSET.map(Scalar::from_bits);
         let model =
             Affine::<Model, Model>::translation(Vector3::new(x, y, z)).then(&Affine::rotation_y(turn));
-        let placed = camera(40 - 6 * step).place(&TEAPOT, &model);
+        let instance = camera(40 - 6 * step).place(&TEAPOT, &model);
 
         let mut canvas = Canvas::new(&mut self.pixels, SIZE);
         let Ok(()) = canvas.clear(Rgb565::new(2, 6, 6));
@@ -80,14 +80,14 @@ impl Stage {
         let mut cache = [ScreenVertex::EMPTY; teapot::VERTICES.len()];
         let Ok(statistics) = match frame / TURN {
             0 => {
-                self.painter.add(&placed, shade).expect("room for the teapot");
+                self.painter.add(&instance, shade).expect("room for the teapot");
                 self.painter.draw(&mut canvas)
             }
-            1 => placed.wireframe(Rgb565::CYAN, &mut cache, &mut canvas),
+            1 => instance.wireframe(Rgb565::CYAN, &mut cache, &mut canvas),
             _ => {
                 let area = Rectangle::new(Point::zero(), SIZE);
                 let mut depth = DepthBuffer::new(area, &mut self.depth).expect("a depth for each pixel");
-                placed.depth_tested(shade, &mut cache, &mut depth, &mut canvas)
+                instance.depth_tested(shade, &mut cache, &mut depth, &mut canvas)
             }
         };
         let mut checksum = crc32(self.pixels.iter().flat_map(|pixel| pixel.to_be_bytes()));

@@ -23,13 +23,13 @@ pub(crate) fn face_colour(face: usize) -> Rgb888 {
 /// Depth is the exact plane through the three screen points with their depths, at the pixel's
 /// centre, in `f64`; of faces with equal depths the first one wins. `None` if a vertex cannot be projected,
 /// since faces are not clipped here.
-pub(crate) fn nearest_faces(placed: &[MeshInstance<'_>; 2], size: Size) -> Option<Canvas<Rgb888>> {
+pub(crate) fn nearest_faces(instances: &[MeshInstance<'_>; 2], size: Size) -> Option<Canvas<Rgb888>> {
     let scissor = Scissor::new(0, 0, size.width as i32, size.height as i32);
     let mut nearest = Canvas::new(size, f64::INFINITY);
     let mut shown = Canvas::new(size, NOTHING);
-    let faces = placed.iter().flat_map(|p| p.mesh().faces().iter().map(move |face| (p, face)));
-    for (number, (placed, face)) in faces.enumerate() {
-        let [a, b, c] = face.map(|vertex| placed.project(vertex.into()));
+    let faces = instances.iter().flat_map(|p| p.mesh().faces().iter().map(move |face| (p, face)));
+    for (number, (instance, face)) in faces.enumerate() {
+        let [a, b, c] = face.map(|vertex| instance.project(vertex.into()));
         let face = [a?, b?, c?];
         let points = face.map(|(point, _)| point);
         if area(&points) <= 0 {

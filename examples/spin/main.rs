@@ -60,7 +60,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     // All memory that drawing needs; firmware has smaller sizes.
     let mut painter = Box::new(Painter::<Rgb565, 65_536, 65_535>::new());
     let mut numberer = Box::new(Painter::<Rgb888, 65_536, 65_535>::new());
-    let mut corners = vec![ScreenVertex::default(); mesh.vertices.len()];
+    let mut cache = vec![ScreenVertex::default(); mesh.vertices.len()];
 
     let (mut solid, mut wireframe) = (Sum::default(), Sum::default());
     let mut misordered = Misordered::default();
@@ -71,7 +71,7 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
     for frame in 0..frames {
         let mut canvas = Canvas::new(size, BACKGROUND);
         let model = Turntable::model(frame, frames);
-        let placed = table.place(&model);
+        let instances = table.place(&model);
         let start = Instant::now();
         if frame < frames.div_ceil(2) {
             let light = Lambert::new(&model, Vector3::from_ints(-2, 3, 4), AMBIENT)?;
@@ -79,14 +79,14 @@ fn film(mesh: &ImportedMesh, arguments: &Film) -> Result<(), Box<dyn Error>> {
                 Some(&normal) => CLAY.dim(light.level(normal)),
                 None => CLAY.dim(AMBIENT), // the inside
             };
-            let statistics = scene::paint(&mut painter, &placed, shade, &mut canvas)?;
+            let statistics = scene::paint(&mut painter, &instances, shade, &mut canvas)?;
             solid.add(statistics, start.elapsed());
 
             let mut numbers = Canvas::new(size, depth::NOTHING);
-            scene::paint(&mut numberer, &placed, depth::face_colour, &mut numbers)?;
-            misordered.add(&numbers, depth::nearest_faces(&placed, size));
+            scene::paint(&mut numberer, &instances, depth::face_colour, &mut numbers)?;
+            misordered.add(&numbers, depth::nearest_faces(&instances, size));
         } else {
-            let statistics = placed[0].wireframe(WIRE, &mut corners, &mut canvas)?;
+            let statistics = instances[0].wireframe(WIRE, &mut cache, &mut canvas)?;
             wireframe.add(statistics, start.elapsed());
         }
         gif.add(canvas.pixels())?;

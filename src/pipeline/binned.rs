@@ -8,7 +8,7 @@ use crate::math::Coordinate;
 use crate::surface::{rectangle, DepthBuffer};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible primitives of a mesh by the rows in which they begin, and the vertices that they are drawn from.
+/// The visible primitives of a mesh, binned by their first rows, and the vertices that they are drawn from.
 #[derive(Debug)]
 pub(super) struct Binned<'a, V, const DEPTH: bool> {
     pub(super) transformed: TransformedMesh<'a, V, DEPTH>,
@@ -21,19 +21,19 @@ impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
     #[inline(always)]
     pub(super) fn new(
         transformed: TransformedMesh<'a, V, DEPTH>,
-        records: &'a mut [u16],
+        storage: &'a mut [u16],
         count: usize,
     ) -> Self {
-        let bins = Bins::new(records, count, pixels(transformed.instance.area()));
+        let bins = Bins::new(storage, count, pixels(transformed.instance.area()));
         Self { transformed, bins, statistics: Statistics::NONE }
     }
 
-    /// A rectangle around the pixels of all primitives; it has no pixels where there are no primitives.
+    /// A rectangle around the pixels of all primitives; empty if there are none.
     pub(super) fn bounds(&self) -> Rectangle {
         rectangle(&self.bins.bounds())
     }
 
-    /// Takes in the primitives that begin in a band. Returns the part of the viewport that lies in the band, and in the
+    /// Activates the primitives that begin in a band. Returns the part of the viewport that lies in the band, and in the
     /// depth buffer if there is one.
     #[inline(always)]
     pub(super) fn advance_to_band(

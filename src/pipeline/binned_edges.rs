@@ -1,4 +1,4 @@
-//! Edges that are binned once a frame and drawn band by band.
+//! Edges that are binned once per frame and drawn band by band.
 
 use super::binned::Binned;
 use super::bins::{BinError, Bins};
@@ -13,15 +13,15 @@ use crate::raster::Scissor;
 use crate::surface::{DepthBuffer, Target};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible edges of a mesh, binned by the rows in which they begin, to be drawn band by band: see
-/// [`TransformedMesh::bin_edges`]. They are drawn like the faces of the example at
-/// [`MeshInstance::transform`](crate::MeshInstance::transform).
+/// The visible edges of a mesh, binned by their first rows: each band draws only the edges that lie in it.
+/// [`TransformedMesh::bin_edges`] makes it and has an example.
 #[derive(Debug)]
 pub struct BinnedEdges<'a, V = i16, const DEPTH: bool = false>(Binned<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Sorts the visible edges by their first row. `records` is scratch for the frame: one number per visible
-    /// edge, and one per 16 edges of the mesh, rounded up.
+    /// Sorts the visible edges by their first row, for drawing in bands. `storage` is bin storage that the result borrows. It
+    /// must hold one number per visible edge and one per 16 edges of the mesh, rounded up: `edges + edges.div_ceil(16)` numbers
+    /// are always enough.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -34,62 +34,62 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// # let lens = Projection::perspective(Angle::degrees(40), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&view, &lens, &viewport);
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
-    /// let placed = camera.place(&mesh, &Affine::identity());
-    /// let (mut corners, mut records) = ([ScreenVertex::EMPTY; 3], [0; 3 + 1]);
-    /// let mut edges = placed.transform(&mut corners).bin_edges(&mut records)?;
+    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 3 + 1]); // one per vertex; one per edge, and one per 16 edges
+    /// let mut edges = instance.transform(&mut cache).bin_edges(&mut bins)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
     ///     edges.draw(Gray8::WHITE, &mut band.pixels())?;
     ///     band.send(&mut display)?;
     /// }
-    /// let (corner, _) = placed.project(0).ok_or("out of sight")?;
-    /// let at = Point::new(corner.pixel().x.into(), corner.pixel().y.into());
+    /// let (vertex, _) = instance.project(0).ok_or("out of sight")?;
+    /// let at = Point::new(vertex.pixel().x.into(), vertex.pixel().y.into());
     /// assert_eq!((edges.statistics().drawn, display.get_pixel(at)), (3, Some(Gray8::WHITE)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] when the records are too short, and says how many are needed, and
-    /// [`BinError::TooMany`] beyond 65535 edges; nothing is recorded then.
-    #[inline(never)] // the result is large: inlined, it would stand on the stack once more while edges are drawn
-    pub fn bin_edges(&self, records: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BinError> {
-        let mut edges = BinnedEdges(Binned::new(*self, records, self.instance.mesh.edges().len()));
+    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// the mesh has more than 65535 edges. Nothing is binned then.
+    #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while edges are drawn
+    pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BinError> {
+        let mut edges = BinnedEdges(Binned::new(*self, storage, self.instance.mesh.edges().len()));
         edges.0.statistics = self.fill_edge_bins(&mut edges.0.bins)?;
         Ok(edges)
     }
 
-    /// Counts all edges, and then sorts those that are drawn.
-    #[inline(never)] // the lists of the sort are gone when it returns
+    /// Clips and counts all edges, then sorts the visible ones.
+    #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_edge_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
         let (edges, mut statistics) = (self.instance.mesh.edges(), Statistics::NONE);
         let mut sort = bins.sort();
         for (index, &edge) in edges.iter().enumerate() {
             let ends = self.edge_out_of_line(edge, &mut statistics);
-            sort.put(index, &ends.map_or(Scissor::EMPTY, |ends| reach(&ends)));
+            sort.add(index, &ends.map_or(Scissor::EMPTY, |ends| bounds(&ends)));
         }
         sort.finish(edges.len(), |index| self.first_row_of_edge(index))?;
         Ok(statistics.with_the_rest_drawn(edges.len()))
     }
 
-    /// [`edge`](Self::edge) where small is better than fast.
+    /// [`edge`](Self::edge) as one shared copy, for callers whose code size matters more than their speed.
     #[inline(never)]
     fn edge_out_of_line(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
         self.edge(edge, statistics)
     }
 
-    /// The first row of an edge that was binned.
+    /// The first row of a binned edge.
     #[inline(never)] // one copy for two callers
     fn first_row_of_edge(&self, index: usize) -> i32 {
         let edge = self.instance.mesh.edges().get(index);
         let ends = edge.and_then(|&edge| self.edge_out_of_line(edge, &mut Statistics::default()));
-        ends.map_or(0, |ends| reach(&ends).rows().start)
+        ends.map_or(0, |ends| bounds(&ends).rows().start)
     }
 }
 
-/// The rows and columns in which a line may cover pixels.
+/// The bounding box of a line's pixels.
 #[inline(always)]
-fn reach([from, to]: &[UnpackedVertex; 2]) -> Scissor {
+fn bounds([from, to]: &[UnpackedVertex; 2]) -> Scissor {
     let (from, to) = (from.point.pixel(), to.point.pixel());
     let (left, right) = (from.x.min(to.x), from.x.max(to.x));
     let (top, bottom) = (from.y.min(to.y), from.y.max(to.y));
@@ -101,22 +101,22 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn draw<T: Target>(&mut self, colour: T::Color, band: &mut T) -> Result<(), T::Error> {
+    pub fn draw<T: Target>(&mut self, color: T::Color, band: &mut T) -> Result<(), T::Error> {
         let region = self.advance_to_band(&band.area(), None);
-        self.draw_lines(&region, colour, band)
+        self.draw_lines(&region, color, band)
     }
 
-    #[inline(never)] // its frame is gone when it returns, and is not there while the bins advance
+    #[inline(never)] // its stack frame does not exist while the bins advance
     fn draw_lines<T: Target>(
         &mut self,
         region: &DrawRegion,
-        colour: T::Color,
+        color: T::Color,
         band: &mut T,
     ) -> Result<(), T::Error> {
         self.each(region, |_, _, [from, to]| {
-            line(band, from.point.pixel(), to.point.pixel(), &region.scissor, colour)
+            line(band, from.point.pixel(), to.point.pixel(), &region.scissor, color)
         })
     }
 
@@ -125,20 +125,20 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         self.0.statistics
     }
 
-    /// A rectangle of the viewport around all edges that are drawn: no pixel outside it is drawn. It has no pixels where no
-    /// edge is drawn.
+    /// A rectangle inside the viewport around all visible edges: no pixel outside it is drawn. It is empty if no edge is
+    /// visible.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }
 
-    /// Takes in the edges that begin in a band. Returns the part of the viewport that lies in the band, and in the depth
+    /// Activates the edges that begin in a band. Returns the part of the viewport that lies in the band, and in the depth
     /// buffer if there is one.
     #[inline(never)] // one copy for all draw calls
     fn advance_to_band(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> DrawRegion {
         self.0.advance_to_band(band, depth, TransformedMesh::first_row_of_edge)
     }
 
-    /// Passes on the edges that may meet the band of the last [`advance_to_band`](Self::advance_to_band).
+    /// Calls `draw` for each edge that may lie in the band of the last [`advance_to_band`](Self::advance_to_band).
     #[inline(always)]
     fn each<E>(
         &mut self,
@@ -146,7 +146,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         mut draw: impl FnMut(&TransformedMesh<'_, V, DEPTH>, usize, [UnpackedVertex; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
         if region.scissor.is_empty() {
-            return Ok(()); // the bins stand at another band
+            return Ok(()); // the bins did not advance to this band
         }
         let (edges, end) = (self.0.transformed.instance.mesh.edges(), region.scissor.rows().end);
         let Binned { transformed, bins, .. } = &mut self.0;
@@ -155,7 +155,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };
             draw(transformed, index, ends)?;
-            Ok(reach(&ends).rows().end <= end)
+            Ok(bounds(&ends).rows().end <= end)
         })
     }
 }
@@ -165,54 +165,54 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn depth_tested<T: Target>(
         &mut self,
-        colour: T::Color,
+        color: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
         let region = self.advance_to_band(&band.area(), Some(depth));
-        self.draw_depth_tested(&region, colour, depth, band)
+        self.draw_depth_tested(&region, color, depth, band)
     }
 
-    #[inline(never)] // its frame is gone when it returns, and is not there while the bins advance
+    #[inline(never)] // its stack frame does not exist while the bins advance
     fn draw_depth_tested<T: Target>(
         &mut self,
         region: &DrawRegion,
-        colour: T::Color,
+        color: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(region, |_, _, ends| draw_nearer(&ends, colour, &region.scissor, depth, band))
+        self.each(region, |_, _, ends| draw_nearer(&ends, color, &region.scissor, depth, band))
     }
 
     /// Draws the edges in a band as [`MeshInstance::hidden_line`](crate::MeshInstance::hidden_line) does.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn hidden_line<T: Target>(
         &mut self,
-        colour: T::Color,
+        color: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
         let region = self.advance_to_band(&band.area(), Some(depth));
-        self.draw_unhidden(&region, colour, depth, band)
+        self.draw_hidden_line(&region, color, depth, band)
     }
 
-    #[inline(never)] // its frame is gone when it returns, and is not there while the bins advance
-    fn draw_unhidden<T: Target>(
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn draw_hidden_line<T: Target>(
         &mut self,
         region: &DrawRegion,
-        colour: T::Color,
+        color: T::Color,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(region, |mesh, edge, ends| mesh.draw_unhidden(edge, &ends, colour, region, depth, band))
+        self.each(region, |mesh, edge, ends| mesh.draw_hidden_line(edge, &ends, color, region, depth, band))
     }
 }
 

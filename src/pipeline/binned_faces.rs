@@ -1,11 +1,11 @@
-//! Faces that are binned once a frame and drawn band by band.
+//! Faces that are binned once per frame and drawn band by band.
 
 use super::binned::Binned;
 use super::bins::{BinError, BinSort, Bins};
 use super::draw_region::{pixels, DrawRegion};
 use super::face_source::{FaceSource, MeshOrder};
 use super::face_triangles::FaceTriangles;
-use super::faces::{draw_triangles, each_face, keep_depth};
+use super::faces::{draw_triangles, each_face, store_depth};
 use super::fill::{fill, fill_nearer};
 use super::plane_culled::PlaneCulled;
 use super::statistics::Statistics;
@@ -19,32 +19,34 @@ use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The visible faces of a mesh, binned by the rows in which they begin, to be drawn band by band, or into any part of the
-/// picture: see [`TransformedMesh::bin_faces`]; [`MeshInstance::transform`](crate::MeshInstance::transform) has an example.
+/// The visible faces of a mesh, binned by their first rows: each band, or any other rectangle of the picture, draws only the
+/// faces that lie in it. [`TransformedMesh::bin_faces`] makes it; [`MeshInstance::transform`](crate::MeshInstance::transform)
+/// has an example.
 #[derive(Debug)]
 pub struct BinnedFaces<'a, V = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Culls the faces and sorts the visible ones by their first row. `records` is scratch for the frame: one
-    /// number per visible face, and one per 16 faces of the mesh, rounded up.
+    /// Culls the faces and sorts the visible ones by their first row, for drawing in bands. `storage` is bin storage that the
+    /// result borrows. It must hold one number per visible face and one per 16 faces of the mesh, rounded up:
+    /// `faces + faces.div_ceil(16)` numbers are always enough.
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] when the records are too short, and says how many are needed, and
-    /// [`BinError::TooMany`] beyond 65535 faces; nothing is recorded then.
-    #[inline(never)] // the result is large: inlined, it would stand on the stack once more while faces are drawn
-    pub fn bin_faces(&self, records: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
-        let mut faces = BinnedFaces(Binned::new(*self, records, self.instance.mesh.faces().len()));
+    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// the mesh has more than 65535 faces. Nothing is binned then.
+    #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
+    pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
+        let mut faces = BinnedFaces(Binned::new(*self, storage, self.instance.mesh.faces().len()));
         faces.0.statistics = self.fill_bins(&mut faces.0.bins)?;
         Ok(faces)
     }
 
-    #[inline(never)] // the lists of the sort are gone when it returns
+    #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
         bin(MeshOrder, *self, bins)
     }
 
-    /// The first row of a face that was binned.
+    /// The first row of a binned face.
     #[inline(never)] // one copy for two callers
     pub(super) fn first_row(&self, index: usize) -> i32 {
         let Some(face) = self.instance.mesh.faces().get(index) else { return 0 };
@@ -59,14 +61,14 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     #[cold]
     #[inline(never)]
     fn first_row_of_clipped(&self, face: &[u16; 3]) -> i32 {
-        let viewport = Scissor::EMPTY; // no gradient is asked for
+        let viewport = Scissor::EMPTY; // no gradient is computed
         let mut triangles = FaceTriangles::<()>::new(&viewport);
         self.clip_face(face, &mut triangles);
-        triangles.fan.reach().rows().start
+        triangles.fan.bounds().rows().start
     }
 }
 
-/// Bins faces of a source: counts them, and then sorts those that are drawn.
+/// Bins the faces of a source: culls and counts them all, then sorts the visible ones.
 #[inline(always)]
 fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
     source: impl FaceSource,
@@ -90,15 +92,16 @@ fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
     let viewport = Scissor::EMPTY; // no gradient is asked for
     let Ok(statistics) =
         each_face(source, cache, &viewport, |index, _, triangles: &mut FaceTriangles<'_, ()>| {
-            sort.put(index, &triangles.fan.reach());
+            sort.add(index, &triangles.fan.bounds());
             Ok::<bool, Infallible>(true)
         });
     statistics
 }
 
 impl<'a, V: Coordinate> PlaneCulled<'a, V> {
-    /// Like `placed.transform(corners).bin_faces(records)` ([`TransformedMesh::bin_faces`]), for drawing in bands, but
-    /// transforms only vertices of faces that may be visible.
+    /// Bins the visible faces for drawing in bands, as [`TransformedMesh::bin_faces`] does, but transforms only the vertices of
+    /// faces that may be visible. `cache` holds the transformed vertices. `storage` is bin storage: one number per visible
+    /// face, and one per 16 faces of the mesh, rounded up.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -112,9 +115,9 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     /// # let camera = Camera::new(&view, &lens, &viewport);
     /// # let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// let mesh = mesh.with_normals(&[[0, 0, 32_767], [0, 0, -32_767]])?.with_planes(&[0, 0])?;
-    /// let placed = camera.place(&mesh, &Affine::identity());
-    /// let (mut cache, mut storage) = ([ScreenVertex::EMPTY; 3], [0; 2 + 1]);
-    /// let mut faces = placed.cull_by_planes().bin_faces(&mut cache, &mut storage)?;
+    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2 + 1]); // one per vertex; one per face, and one per 16 faces
+    /// let mut faces = instance.cull_by_planes().bin_faces(&mut cache, &mut bins)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
     ///     faces.solid(|_| Gray8::WHITE, &mut band.pixels())?;
@@ -127,18 +130,18 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     ///
     /// # Errors
     ///
-    /// [`BinError::Storage`] when the records are too short, and says how many are needed, and
-    /// [`BinError::TooMany`] beyond 65535 faces; nothing is recorded then.
+    /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
+    /// the mesh has more than 65535 faces. Nothing is binned then.
     pub fn bin_faces(
         &self,
         cache: &'a mut [ScreenVertex],
-        records: &'a mut [u16],
+        storage: &'a mut [u16],
     ) -> Result<BinnedFaces<'a, V>, BinError> {
-        self.binned(cache, records)
+        self.binned(cache, storage)
     }
 
-    /// [`bin_faces`](Self::bin_faces) with depth, for drawing against depth strips: see
-    /// [`MeshInstance::transform_depth`](crate::MeshInstance::transform_depth).
+    /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, with depth, for depth-tested bands. Faces are clipped at
+    /// the far plane, even if the camera does not clip there.
     ///
     /// # Errors
     ///
@@ -146,24 +149,24 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     pub fn bin_faces_with_depth(
         &self,
         cache: &'a mut [ScreenVertex],
-        records: &'a mut [u16],
+        storage: &'a mut [u16],
     ) -> Result<BinnedFaces<'a, V, true>, BinError> {
-        self.binned(cache, records)
+        self.binned(cache, storage)
     }
 
-    #[inline(never)] // the result is large: inlined, it would stand on the stack once more while faces are drawn
+    #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
     fn binned<const DEPTH: bool>(
         &self,
         cache: &'a mut [ScreenVertex],
-        records: &'a mut [u16],
+        storage: &'a mut [u16],
     ) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
-        let mut bins = Bins::new(records, self.instance.mesh.faces().len(), pixels(self.instance.area()));
+        let mut bins = Bins::new(storage, self.instance.mesh.faces().len(), pixels(self.instance.area()));
         let statistics = self.fill_bins::<DEPTH>(cache, &mut bins)?;
         let transformed = TransformedMesh::with_cache(self.instance, DEPTH, cache);
         Ok(BinnedFaces(Binned { transformed, bins, statistics }))
     }
 
-    #[inline(never)] // the lists of the sort are gone when it returns
+    #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_bins<const DEPTH: bool>(
         &self,
         cache: &mut [ScreenVertex],
@@ -199,13 +202,13 @@ impl FaceSource for BandSource<'_, '_> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
-    /// Draws the faces in a band, in the mesh's order: see [`MeshInstance::solid`](crate::MeshInstance::solid). `shade`
-    /// is asked once for each face that a band meets. A shader that needs depth takes faces that were
-    /// [transformed with depth](crate::MeshInstance::transform_depth), or does not compile.
+    /// Draws the faces in a band as [`MeshInstance::solid`](crate::MeshInstance::solid) does. `shade` is called once for each
+    /// face that lies in the band. A shader that needs depth compiles only for faces that were [transformed with
+    /// depth](crate::MeshInstance::transform_depth).
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn solid<T: Target, S: SpanShader<T::Color>>(
         &mut self,
@@ -217,7 +220,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         self.draw_solid(&region, shade, band)
     }
 
-    #[inline(never)] // its frame is gone when it returns, and is not there while the bins advance
+    #[inline(never)] // its stack frame does not exist while the bins advance
     fn draw_solid<T: Target, S: SpanShader<T::Color>>(
         &mut self,
         region: &DrawRegion,
@@ -233,25 +236,25 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         })
     }
 
-    /// Counts for the whole frame, whichever bands were drawn; `drawn` includes faces that cover no pixel.
+    /// Counts for the whole frame, whichever bands were drawn. `drawn` includes faces that cover no pixel.
     pub const fn statistics(&self) -> Statistics {
         self.0.statistics
     }
 
-    /// A rectangle of the viewport around all faces that are drawn: no pixel outside it is covered. It has no pixels where
-    /// no face is drawn.
+    /// A rectangle inside the viewport around all visible faces: no pixel outside it is drawn. It is empty if no face is
+    /// visible.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }
 
-    /// Takes in the faces that begin in a band. Returns the part of the viewport that lies in the band, and in the depth
+    /// Activates the faces that begin in a band. Returns the part of the viewport that lies in the band, and in the depth
     /// buffer if there is one.
     #[inline(never)] // one copy for all draw calls
     fn advance_to_band(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> DrawRegion {
         self.0.advance_to_band(band, depth, TransformedMesh::first_row)
     }
 
-    /// Passes on the faces that meet the band of the last [`advance_to_band`](Self::advance_to_band).
+    /// Calls `draw` for each face that lies in the band of the last [`advance_to_band`](Self::advance_to_band).
     #[inline(always)]
     fn each<K: Varying, E>(
         &mut self,
@@ -260,30 +263,29 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     ) -> Result<(), E> {
         let rows = region.scissor.rows();
         if region.scissor.is_empty() {
-            return Ok(()); // the bins stand at another band
+            return Ok(()); // the bins did not advance to this band
         }
         let mut cache = BinnedVertices(self.0.transformed);
         let source = BandSource(&mut self.0.bins);
         each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
-            let reach = triangles.fan.reach().rows();
-            if reach.start < rows.end && reach.end > rows.start {
+            let bounds = triangles.fan.bounds().rows();
+            if bounds.start < rows.end && bounds.end > rows.start {
                 draw(index, face, triangles)?;
             }
-            Ok(reach.end <= rows.end)
+            Ok(bounds.end <= rows.end)
         })?;
         Ok(())
     }
 }
 
 impl<V: Coordinate> BinnedFaces<'_, V, true> {
-    /// Draws the faces in a band where they are nearer than `depth`. Make that for the band's
-    /// [area](crate::Band::area): nothing is drawn outside it, so with another band's buffer this one stays empty.
-    /// See [`MeshInstance::depth_tested`](crate::MeshInstance::depth_tested). `shade` is asked once for each face that a band
-    /// meets.
+    /// Draws the faces in a band as [`MeshInstance::depth_tested`](crate::MeshInstance::depth_tested) does. Create `depth` for
+    /// this band's [area](crate::Band::area): nothing is drawn outside the depth buffer. `shade` is called once for each face
+    /// that lies in the band.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
+    /// The target's error, at the first span that it refuses.
     #[inline(always)]
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
         &mut self,
@@ -295,7 +297,7 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
         self.draw_depth_tested(&region, shade, depth, band)
     }
 
-    #[inline(never)] // its frame is gone when it returns, and is not there while the bins advance
+    #[inline(never)] // its stack frame does not exist while the bins advance
     fn draw_depth_tested<T: Target, S: SpanShader<T::Color>>(
         &mut self,
         region: &DrawRegion,
@@ -313,18 +315,18 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
         })
     }
 
-    /// Keeps the depth of the faces in a band and draws nothing: see
+    /// Stores the depth of the faces in a band and draws nothing: see
     /// [`MeshInstance::depth_only`](crate::MeshInstance::depth_only).
     #[inline(always)]
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
         let region = self.advance_to_band(&depth.area(), None);
-        self.keep_depth(&region, depth);
+        self.store_depth(&region, depth);
     }
 
-    #[inline(never)] // its frame is gone when it returns, and is not there while the bins advance
-    fn keep_depth(&mut self, region: &DrawRegion, depth: &mut DepthBuffer<'_>) {
+    #[inline(never)] // its stack frame does not exist while the bins advance
+    fn store_depth(&mut self, region: &DrawRegion, depth: &mut DepthBuffer<'_>) {
         let Ok(()) = self.each(region, |_, _, triangles| {
-            keep_depth(triangles, &region.scissor, depth);
+            store_depth(triangles, &region.scissor, depth);
             Ok::<(), Infallible>(())
         });
     }

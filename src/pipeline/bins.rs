@@ -1,15 +1,15 @@
-//! Primitives of a mesh, faces or edges, binned by the rows in which they begin.
+//! Primitives of a mesh (faces or edges), binned by their first rows.
 //!
-//! The indices of the primitives stand in one list, sorted into bins of rows by counting (Knuth, *The Art of Computer
-//! Programming*, vol. 3, 2nd ed., section 5.2): each primitive is looked at twice. A band takes in the bins that begin
-//! above its end and sets a bit for each of their primitives. The bit stays until the primitive has ended, and bits are
-//! visited in rising order: so whatever the bands, primitives are drawn in the order of the mesh.
+//! One list holds the indices of the primitives, sorted into bins of rows by a counting sort (Knuth, *The Art of Computer
+//! Programming*, vol. 3, 2nd ed., section 5.2), which visits each primitive twice. As in an active-edge table, a band activates
+//! the bins that begin above its end: it sets a bit for each of their primitives. The bit stays set until the primitive ends.
+//! Bits are visited in ascending order, so primitives are drawn in the order of the mesh, whatever the bands.
 
 use crate::raster::Scissor;
 use core::hint::black_box;
 use core::ops::Range;
 
-/// The number of bins: with 240 rows, a bin has four rows.
+/// The number of bins. With 240 rows, each bin has four.
 const BINS: usize = 64;
 
 /// The visible primitives of a mesh, sorted for bands, in memory that the caller provides.
@@ -17,17 +17,18 @@ const BINS: usize = 64;
 pub(super) struct Bins<'s> {
     /// Indices of primitives, bin after bin.
     order: &'s mut [u16],
-    /// A bit for each primitive of the mesh: taken in, and not ended. During the sort: to be sorted.
-    open: &'s mut [u16],
+    /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended. During the
+    /// sort: set if the primitive is visible.
+    active: &'s mut [u16],
     /// The first row of the first bin.
     top: i32,
     /// A bin has 2^shift rows.
     shift: u32,
-    /// How many of `order` were taken in. During the sort: how many primitives are visible.
-    taken: usize,
-    /// The bin of the first primitive that was not taken in, or a lower bound for it.
+    /// How many entries of `order` were activated. During the sort: how many primitives are visible.
+    activated: usize,
+    /// The bin of the first primitive that was not activated, or a lower bound for it.
     next: usize,
-    /// Where the last band ended.
+    /// The end of the last band.
     row: i32,
     /// The bounding box of the visible primitives inside the viewport. Before the sort: the viewport.
     bounds: Scissor,
@@ -38,25 +39,25 @@ pub(super) struct BinSort<'b, 's> {
     bins: &'b mut Bins<'s>,
     /// A primitive that does not meet the viewport is dropped.
     viewport: Scissor,
-    /// The number of primitives in each bin; then the position of the bin's next one. Not part of [`Bins`], which stay on
-    /// the stack while bands are drawn.
+    /// The number of primitives in each bin; then the index in `order` of the bin's next primitive. Not a field of [`Bins`],
+    /// which stays on the stack while bands are drawn.
     ends: [u16; BINS],
 }
 
-/// Why faces or edges were not binned: none of them was.
+/// Why faces or edges were not binned. After an error none of them is binned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BinError {
-    /// The storage is too short: provide as many numbers as are needed.
+    /// The bin storage is too short: provide at least `needed` numbers.
     Storage {
-        /// One number for each visible face or edge, and one for every 16 of the mesh.
+        /// One number per visible face or edge, and one per 16 faces or edges of the mesh, rounded up.
         needed: usize,
-        /// The length of the storage.
+        /// The length of the bin storage.
         given: usize,
     },
-    /// More faces or edges than a `u16` can count: split the mesh.
+    /// The mesh has more faces or edges than a `u16` can count: split it.
     TooMany {
-        /// The number of faces or edges; at most 65535.
+        /// The number of faces or edges. At most 65535 can be binned.
         items: usize,
     },
 }
@@ -81,21 +82,20 @@ impl core::error::Error for BinError {}
 
 impl<'s> Bins<'s> {
     /// Empty bins for `items` primitives that may be drawn in a viewport.
-    #[inline(never)] // rare, as all of this file: small is better
+    #[inline(never)] // once per frame, like most of this file: code size matters more than speed
     pub(super) fn new(storage: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
         let words = items.div_ceil(16);
-        // The list comes first, the bits after it. `make_room` reports storage that is too short even for the bits.
+        // The list comes first, then the bits. `make_room` reports storage that is too short even for the bits.
         let list = storage.len().saturating_sub(words);
-        let (order, open) = storage.split_at_mut_checked(list).unwrap_or_default();
-        open.fill(0);
+        let (order, active) = storage.split_at_mut_checked(list).unwrap_or_default();
+        active.fill(0);
         let rows = viewport.rows();
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
         let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        Self { order, open, top: rows.start, shift, taken: 0, next: 0, row: i32::MIN, bounds: viewport }
+        Self { order, active, top: rows.start, shift, activated: 0, next: 0, row: i32::MIN, bounds: viewport }
     }
 
-    /// Begins the sort: each primitive is [put](BinSort::put) in the order of the mesh, then the sort is
-    /// [finished](BinSort::finish).
+    /// Begins the sort: [add](BinSort::add) each primitive in the order of the mesh, then [finish](BinSort::finish) the sort.
     #[inline(always)]
     pub(super) fn sort(&mut self) -> BinSort<'_, 's> {
         let viewport = core::mem::replace(&mut self.bounds, Scissor::UNION_IDENTITY);
@@ -111,20 +111,20 @@ impl<'s> Bins<'s> {
         (row.saturating_sub(self.top).max(0) >> self.shift).min(BINS as i32 - 1) as usize
     }
 
-    /// Calls `draw` with the index of each primitive that may meet the band of the last
+    /// Calls `draw` with the index of each primitive that may lie in the band of the last
     /// [`advance_to_band`](Self::advance_to_band), in the order of the mesh. `draw` returns whether the primitive ends in or
-    /// above the band: then no later band meets it.
+    /// above the band: then it is no longer active.
     ///
     /// # Errors
     ///
     /// The first error of `draw`.
     #[inline(always)]
     pub(super) fn band<E>(&mut self, mut draw: impl FnMut(usize) -> Result<bool, E>) -> Result<(), E> {
-        for (word, bits) in self.open.iter_mut().enumerate() {
-            let mut left = *bits;
-            while left != 0 {
-                let lowest = left & left.wrapping_neg();
-                left ^= lowest;
+        for (word, bits) in self.active.iter_mut().enumerate() {
+            let mut remaining = *bits;
+            while remaining != 0 {
+                let lowest = remaining & remaining.wrapping_neg();
+                remaining ^= lowest;
                 if draw(word * 16 + lowest.trailing_zeros() as usize)? {
                     *bits ^= lowest;
                 }
@@ -133,16 +133,16 @@ impl<'s> Bins<'s> {
         Ok(())
     }
 
-    /// Takes in the primitives that begin in a band or above it. `first_row` gives the row by which a primitive was sorted.
+    /// Activates the primitives that begin in a band or above it. `first_row` returns the row by which a primitive was sorted.
     #[inline(always)]
     pub(super) fn advance_to_band(&mut self, rows: &Range<i32>, first_row: impl Fn(usize) -> i32) {
         if rows.is_empty() {
             return;
         }
         if rows.start < self.row {
-            // Start again at the top: a band again, another frame, or another rectangle of the frame.
-            self.open.fill(0);
-            (self.taken, self.next) = (0, 0);
+            // This band does not follow the last one: start again at the top.
+            self.active.fill(0);
+            (self.activated, self.next) = (0, 0);
         }
         self.row = rows.end;
         if rows.end <= self.top {
@@ -152,21 +152,21 @@ impl<'s> Bins<'s> {
         if last < self.next {
             return;
         }
-        // The end of these bins is found by bisection: to store the ends would take 128 bytes.
-        let (begun, mut behind) = (self.taken, self.order.len());
+        // Bisection finds the end of these bins: storing the ends would take 128 bytes.
+        let (begun, mut behind) = (self.activated, self.order.len());
         self.next = BINS;
-        while self.taken < behind {
-            let middle = (self.taken + behind) / 2; // at most 65535 each
+        while self.activated < behind {
+            let middle = (self.activated + behind) / 2; // at most 65535 each
             let bin = self.order.get(middle).map_or(BINS, |&item| self.bin(first_row(item.into())));
             if bin <= last {
-                self.taken = middle + 1;
+                self.activated = middle + 1;
             } else {
                 (behind, self.next) = (middle, bin);
             }
         }
-        for &item in self.order.get(begun..self.taken).unwrap_or_default() {
+        for &item in self.order.get(begun..self.activated).unwrap_or_default() {
             black_box(()); // keeps the loop as short as it is
-            if let Some(bits) = self.open.get_mut(usize::from(item / 16)) {
+            if let Some(bits) = self.active.get_mut(usize::from(item / 16)) {
                 *bits |= 1 << (item % 16);
             }
         }
@@ -174,31 +174,31 @@ impl<'s> Bins<'s> {
 }
 
 impl BinSort<'_, '_> {
-    /// Counts a primitive with this bounding box, unless it does not meet the viewport.
-    #[inline(never)] // small is better: once for a visible primitive
-    pub(super) fn put(&mut self, item: usize, reach: &Scissor) {
-        let (rows, columns) = (reach.rows(), reach.columns());
+    /// Counts a primitive with this bounding box if it meets the viewport.
+    #[inline(never)] // code size matters more than speed: once per visible primitive
+    pub(super) fn add(&mut self, item: usize, bounds: &Scissor) {
+        let (rows, columns) = (bounds.rows(), bounds.columns());
         let (all_rows, all_columns) = (self.viewport.rows(), self.viewport.columns());
         let meets = |own: &Range<i32>, all: &Range<i32>| own.start < all.end && own.end > all.start;
-        if reach.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
+        if bounds.is_empty() || !(meets(&rows, &all_rows) && meets(&columns, &all_columns)) {
             return;
         }
-        self.bins.bounds = self.bins.bounds.union(reach);
-        self.bins.taken += 1; // at most all items
-        if let Some(bits) = self.bins.open.get_mut(item / 16) {
+        self.bins.bounds = self.bins.bounds.union(bounds);
+        self.bins.activated += 1; // at most all items
+        if let Some(bits) = self.bins.active.get_mut(item / 16) {
             *bits |= 1 << (item % 16);
         }
-        let bin = self.bins.bin(reach.rows().start);
+        let bin = self.bins.bin(bounds.rows().start);
         if let Some(count) = self.ends.get_mut(bin) {
             *count = count.wrapping_add(1); // at most all items
         }
     }
 
-    /// Distributes the primitives that were counted, of `items` in the mesh, to their bins by their first rows.
+    /// Distributes the counted primitives to their bins by their first rows. `items`: the number of primitives in the mesh.
     ///
     /// # Errors
     ///
-    /// [`BinError`] where the storage is too short.
+    /// [`BinError`] if the storage is too short or there are too many primitives.
     #[inline(always)]
     pub(super) fn finish(
         &mut self,
@@ -210,18 +210,18 @@ impl BinSort<'_, '_> {
         Ok(())
     }
 
-    /// Turns counts into the positions where bins begin.
+    /// Checks the storage, and turns counts into the indices at which bins begin.
     #[inline(never)]
     fn make_room(&mut self, items: usize) -> Result<(), BinError> {
         if items > usize::from(u16::MAX) {
             return Err(BinError::TooMany { items });
         }
-        let Bins { order, open, taken, .. } = &mut *self.bins;
-        let (needed, given) = (*taken + items.div_ceil(16), order.len() + open.len());
+        let Bins { order, active, activated, .. } = &mut *self.bins;
+        let (needed, given) = (*activated + items.div_ceil(16), order.len() + active.len());
         if given < needed {
             return Err(BinError::Storage { needed, given });
         }
-        *order = core::mem::take(order).get_mut(..*taken).unwrap_or_default();
+        *order = core::mem::take(order).get_mut(..*activated).unwrap_or_default();
         let mut sum = 0u16;
         for end in &mut self.ends {
             black_box(()); // keeps the loop as short as it is
@@ -234,22 +234,22 @@ impl BinSort<'_, '_> {
     /// Moves the index of each counted primitive to its bin.
     #[inline(always)]
     fn distribute(&mut self, mut first_row: impl FnMut(usize) -> i32) {
-        for word in 0..self.bins.open.len() {
-            let mut left = self.bins.open.get_mut(word).map_or(0, core::mem::take);
-            while left != 0 {
-                let item = word * 16 + left.trailing_zeros() as usize;
-                left &= left.wrapping_sub(1);
+        for word in 0..self.bins.active.len() {
+            let mut remaining = self.bins.active.get_mut(word).map_or(0, core::mem::take);
+            while remaining != 0 {
+                let item = word * 16 + remaining.trailing_zeros() as usize;
+                remaining &= remaining.wrapping_sub(1);
                 let bin = self.bins.bin(first_row(item));
                 if let Some(end) = self.ends.get_mut(bin) {
-                    if let Some(place) = self.bins.order.get_mut(usize::from(*end)) {
-                        *place = item as u16; // fewer than 65536
+                    if let Some(entry) = self.bins.order.get_mut(usize::from(*end)) {
+                        *entry = item as u16; // fewer than 65536
                     }
                     *end = end.wrapping_add(1); // at most all items
                 }
             }
         }
-        self.bins.taken = 0;
-        // Each primitive meets the viewport.
+        self.bins.activated = 0;
+        // Each primitive meets the viewport, but may extend beyond it.
         self.bins.bounds = self.bins.bounds.clipped_to(&self.viewport);
     }
 }
@@ -262,15 +262,15 @@ mod tests {
     /// Three items, in rows 0 … 9, 5 … 14 and 20 … 29.
     const ITEMS: [(i32, i32); 3] = [(0, 10), (5, 15), (20, 30)];
 
-    /// Bands in any order, as those of several rectangles: each meets what lies in it.
+    /// Bands in any order, such as the bands of several rectangles: each band visits every item that lies in it.
     #[test]
     fn a_band_that_is_not_below_the_last_begins_anew() {
-        let mut records = [0; 4];
-        let mut bins = Bins::new(&mut records, 3, Scissor::new(0, 0, 1, 40));
-        let reach = |item: usize| Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1);
-        let first_row = |item: usize| reach(item).rows().start;
+        let mut storage = [0; 4];
+        let mut bins = Bins::new(&mut storage, 3, Scissor::new(0, 0, 1, 40));
+        let bounds = |item: usize| Scissor::new(0, ITEMS[item].0, 1, ITEMS[item].1);
+        let first_row = |item: usize| bounds(item).rows().start;
         let mut sort = bins.sort();
-        (0..3).for_each(|item| sort.put(item, &reach(item)));
+        (0..3).for_each(|item| sort.add(item, &bounds(item)));
         assert_eq!(sort.finish(3, first_row), Ok(()));
         for (from, to) in [(0, 16), (16, 32), (0, 16), (0, 16), (8, 12), (12, 40), (25, 26), (0, 3), (3, 4)] {
             let mut met = [false; 3];

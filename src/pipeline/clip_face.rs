@@ -1,4 +1,4 @@
-//! The slow path: points, edges and faces with a vertex that is not on the screen, cut by planes in clip space.
+//! Clipping in clip space: the slow path for points, edges and faces with a vertex that is not on the screen.
 
 use super::face_triangles::{FaceTriangles, Fan, Polygon};
 use super::statistics::{Outcome, Statistics};
@@ -8,23 +8,22 @@ use crate::clip::{self, ClipCorners, Varying, CLIP_SLOTS};
 use crate::math::hints::opaque_next;
 use crate::math::{ClipCoords, Coordinate};
 
-/// The vertices of a point, an edge or a face in clip space, before the planes of the view volume widened to the guard
-/// band.
+/// Clips the vertices of a point, an edge or a face at the near and far planes and at the guard band.
 struct Clipper<'a> {
     vertex_transform: &'a VertexTransform,
-    /// Whether the far plane cuts too.
+    /// Whether the far plane clips.
     far: bool,
     depth: Option<DepthOf>,
     slots: &'a mut [ClipCoords],
     varyings: Option<&'a mut dyn ClipVaryings>,
 }
 
-/// The varyings of all slots, whatever their type: so the clipper is compiled once.
+/// The varyings of all slots. As a trait object they have one type, so that the clipper is compiled once.
 trait ClipVaryings {
-    /// Sets those of a whole face in slots 0, 1 and 2.
+    /// Sets the varyings of an unclipped face in slots 0, 1 and 2.
     fn begin(&mut self);
 
-    /// Interpolates where an edge is cut: see [`ClipCorners::put`].
+    /// Interpolates the varying where a plane cuts an edge: see [`ClipCorners::put`].
     fn interpolate(&mut self, at: usize, inside: usize, outside: usize, t: i32);
 }
 
@@ -46,7 +45,7 @@ impl<K: Varying> ClipVaryings for [K; CLIP_SLOTS] {
 }
 
 impl ClipCorners for Clipper<'_> {
-    #[inline(never)] // rare, as all of this file: small is better
+    #[inline(never)] // rare, like all of this file: code size matters more than speed
     fn distance(&self, plane: usize, at: usize) -> i64 {
         self.slots.get(at).map_or(0, |point| self.vertex_transform.distance(plane, point))
     }
@@ -65,13 +64,13 @@ impl Clipper<'_> {
         5 + usize::from(self.far)
     }
 
-    /// The first vertex on the screen, or `None` where it lies beyond a plane.
+    /// The vertex in slot 0 on the screen, or `None` if it is clipped.
     #[inline(never)]
     fn point(self) -> Option<UnpackedVertex> {
         (0..self.planes()).all(|plane| self.distance(plane, 0) >= 0).then(|| self.to_screen(0))
     }
 
-    /// The ends of an edge on the screen and whether the planes took a part of it, or `None` when they take all of it.
+    /// The ends of an edge on the screen and whether clipping shortened it, or `None` if clipping leaves nothing.
     #[inline(never)]
     fn edge(mut self) -> Option<([UnpackedVertex; 2], bool)> {
         let planes = self.planes();
@@ -79,8 +78,8 @@ impl Clipper<'_> {
         Some(([self.to_screen(0), self.to_screen(1)], cut))
     }
 
-    /// Leaves in `order` the polygon that the planes leave of a face, its corners on the screen, and returns whether the
-    /// planes took a part of it.
+    /// Clips a face: writes the slots of the polygon's corners to `order`, moves the corners to the screen, and returns whether
+    /// clipping removed a part of the face.
     #[inline(never)]
     fn face(mut self, order: &mut clip::SlotOrder) -> bool {
         let planes = self.planes();
@@ -114,7 +113,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         Clipper { vertex_transform, far: self.far, depth, slots, varyings }
     }
 
-    /// A vertex on the screen, if no plane cuts it off.
+    /// A vertex on the screen, or `None` if it is clipped.
     pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
         let vertex = self.screen_vertex(index);
         if vertex.is_on_screen() {
@@ -124,7 +123,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         self.clipper(&[index], &mut slots, None).point()
     }
 
-    /// The ends of an edge on the screen, or `None` when nothing is left of it; counts edges that are cut or not drawn.
+    /// The ends of an edge on the screen, or `None` if clipping leaves nothing. Counts edges that are clipped or not drawn.
     #[inline(always)]
     pub(super) fn edge(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
         let ends = edge.map(|index| self.screen_vertex(index));
@@ -142,8 +141,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         self.clipper(&edge, &mut slots, None).edge()
     }
 
-    /// A face with an uncached vertex, or one that must be clipped: what becomes of it, and its first triangle if it is
-    /// drawn.
+    /// The slow path for a face with an uncached vertex, or one that must be clipped. Returns what becomes of the face, with
+    /// its first triangle in `triangles` if it is drawn.
     #[inline(always)]
     pub(super) fn clip_face<K: Varying>(
         &self,
@@ -169,8 +168,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     }
 }
 
-/// Transforms the vertices with these indices, which Mesh has checked, to clip space.
-#[inline(never)] // rare: small is better
+/// Transforms the vertices with these indices to clip space. `Mesh` has checked the indices.
+#[inline(never)] // rare: code size matters more than speed
 fn to_clip_space<V: Coordinate>(
     vertex_transform: &VertexTransform,
     vertices: &[[V; 3]],

@@ -1,32 +1,32 @@
 //! The one rule by which faces are culled: the sign of their area on the screen.
 
-/// Which faces are culled by their winding on the screen.
+/// Which faces are culled, by their winding on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cull {
-    /// Back faces: right for closed meshes.
+    /// Culls back faces: right for closed meshes, whose back faces are hidden by front faces.
     #[default]
     Back,
-    /// No face: both sides of a face are drawn.
+    /// Culls nothing: both sides of each face are drawn.
     None,
 }
 
-/// How a face or a polygon turns on the screen.
+/// Which way a face or a polygon is turned.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Facing {
-    /// To be drawn.
+    /// Towards the viewer, or drawn whichever way it is turned.
     Front,
     /// Without area: it covers no pixel.
     EdgeOn,
-    /// Turned away from the viewer, and culled for that.
+    /// Away from the viewer: a back face, to be culled.
     Away,
 }
 
 impl Cull {
-    /// How a face with this signed area turns: positive areas are counter-clockwise with y up.
+    /// Which way a face with this signed area is turned: a positive area is counter-clockwise with y up.
     #[inline(always)]
     pub(super) fn facing(self, area: i64) -> Facing {
-        // Most faces are in front or away, which the sign alone tells: zero comes last.
+        // The sign decides for most faces, so the test for zero comes last.
         if area < 0 {
             if self == Self::Back {
                 return Facing::Away;

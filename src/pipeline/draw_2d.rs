@@ -6,12 +6,12 @@ use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::Target;
 
-/// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. Corners are in the
-/// target's coordinates, in 1/256 pixel.
+/// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. `corners` are in
+/// the target's coordinates, in 1/256 pixel; either winding is drawn.
 ///
 /// # Errors
 ///
-/// The target's own, at the first span that it refuses.
+/// The target's error, at the first span that it refuses.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -43,7 +43,7 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
             return Ok(());
         }
     }
-    // The viewport is the guard band and not the target, so that colors in a band are those of the whole picture.
+    // The viewport is the guard band and not the target, so that gradients, and so colours, are equal in all bands.
     let triangle = Triangle::new(corners, area, &Scissor::GUARD_BAND);
     fill(&triangle, &shader, &scissor_of(target), target)
 }
@@ -53,7 +53,7 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
 ///
 /// # Errors
 ///
-/// The target's own, at the first span that it refuses.
+/// The target's error, at the first span that it refuses.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};

@@ -1,19 +1,19 @@
-//! Which pixels a draw call may write.
+//! The draw region: which pixels a draw call may write.
 
 use crate::raster::Scissor;
 use crate::surface::{inside, DepthBuffer, Target};
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The pixels that a draw call may write, and the viewport that gradients are referred to.
+/// The pixels that a draw call may write, and the viewport in which gradients are set up.
 pub(super) struct DrawRegion {
-    /// The viewport's pixels that the target has, and the depth buffer if there is one.
+    /// The pixels that lie in the viewport, in the target, and in the depth buffer if there is one.
     pub(super) scissor: Scissor,
-    /// All pixels of the viewport: the same for every band, so that every band computes the same gradients.
+    /// All pixels of the viewport, whichever band is drawn: so gradients are equal in all bands.
     pub(super) viewport: Scissor,
 }
 
-/// The pixels of a viewport. It lies inside the guard band, so no sum overflows.
+/// The pixels of a viewport, which lies inside the guard band: no sum overflows.
 pub(super) fn pixels(viewport: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *viewport;
     Scissor::unclamped(x, y, x.wrapping_add_unsigned(size.width), y.wrapping_add_unsigned(size.height))
@@ -38,8 +38,8 @@ impl DrawRegion {
         Self { scissor: depth.scissor().clipped_to(&self.scissor), ..self }
     }
 
-    /// [`new`](Self::new) out of line, for draw calls that a firmware uses several of: bands, painter's order, lines
-    /// against depth.
+    /// [`new`](Self::new) out of line, one copy for the draw calls of which a firmware may use several: bands, painter's order,
+    /// depth-tested lines.
     #[inline(never)]
     pub(super) fn shared(target: &Rectangle, viewport: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> Self {
         let region = Self::of(target, viewport);

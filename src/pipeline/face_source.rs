@@ -6,7 +6,7 @@ use super::instance::MeshInstance;
 use crate::camera::PlaneEye;
 use crate::math::hints::keep_rolled;
 
-/// Pushes faces of a mesh into a loop.
+/// Pushes faces of a mesh into the face loop.
 pub(super) trait FaceSource {
     /// Calls `visit` with the index and the vertices of each face. `visit` returns whether the face is finished: a
     /// binned source does not offer a finished face again.
@@ -31,7 +31,7 @@ impl FaceSource for MeshOrder {
         faces: &[[u16; 3]],
         mut visit: impl FnMut(usize, &[u16; 3]) -> Result<bool, E>,
     ) -> Result<(), E> {
-        // A face's index follows from how many faces are left, so that faces that are culled do not count it.
+        // The index is computed from the number of faces that are left: so culled faces take no instruction to count it.
         let mut left = faces;
         while let [face, rest @ ..] = left {
             visit(faces.len() - left.len(), face)?;
@@ -41,13 +41,14 @@ impl FaceSource for MeshOrder {
     }
 }
 
-/// Faces whose planes do not tell that they are turned away: early back-face culling, before a vertex is transformed.
+/// The faces of a mesh, in its order, without those whose planes show that they are back faces: early back-face culling,
+/// before a vertex is transformed.
 pub(super) struct PlaneOrder<'a, V> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     pub(super) eye: PlaneEye,
 }
 
-/// Faces whose planes are tested at a time: one bit of a word each.
+/// The number of faces whose planes are tested together: one bit of a word for each.
 const BATCH: usize = 32;
 
 impl<V> FaceSource for PlaneOrder<'_, V> {
@@ -74,8 +75,8 @@ impl<V> FaceSource for PlaneOrder<'_, V> {
 }
 
 impl<V> PlaneOrder<'_, V> {
-    /// One bit for each of `count` faces, at most [`BATCH`], the first face's the lowest: 0 where the face's plane tells
-    /// that the face is turned away.
+    /// One bit for each of `count` faces (at most [`BATCH`]), the lowest for face `first`: 0 if the face's plane shows that it
+    /// is a back face.
     #[inline(never)] // the loop gets all registers; one copy for all draw calls
     pub(super) fn visible(&self, first: usize, count: usize) -> u32 {
         let (mesh, range, eye) = (self.instance.mesh, first..first + count, self.eye);

@@ -9,9 +9,9 @@ use crate::math::ClipCoords;
 use crate::raster::{self, DepthTriangle, Scissor};
 use crate::shading::Shader;
 
-/// What clipping leaves of a face: a convex polygon on the screen.
+/// A clipped face: a convex polygon on the screen.
 pub(super) struct Polygon {
-    /// Corners: in clip space while planes cut, then on the screen as x, y, depth and clip space's w.
+    /// Corners: in clip space during clipping, then on the screen as x, y, depth and clip space's w.
     pub(super) slots: [ClipCoords; CLIP_SLOTS],
     /// The slots of the polygon's corners, in order.
     pub(super) order: SlotOrder,
@@ -23,7 +23,7 @@ impl Polygon {
         Self { slots: [ClipCoords::ZERO; CLIP_SLOTS], order: SlotOrder::new() }
     }
 
-    /// A face with all corners on the screen.
+    /// Sets a face with all corners on the screen.
     pub(super) fn set_face(&mut self, corners: &[UnpackedVertex; 3]) {
         for (slot, corner) in self.slots.iter_mut().zip(corners) {
             *slot = corner.to_clip_slot();
@@ -32,21 +32,21 @@ impl Polygon {
         let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
     }
 
-    /// The rows and columns in which the polygon may cover pixels.
-    fn reach(&self) -> Scissor {
-        let mut reach = Scissor::UNION_IDENTITY;
+    /// The bounding box of the polygon's pixels.
+    fn bounds(&self) -> Scissor {
+        let mut bounds = Scissor::UNION_IDENTITY;
         for &slot in &self.order {
             keep_rolled();
             if let Some(corner) = self.slots.get(usize::from(slot)) {
-                reach =
-                    reach.union(&Scissor::bounding_box(&[UnpackedVertex::from_clip_slot(corner).point; 3]));
+                bounds =
+                    bounds.union(&Scissor::bounding_box(&[UnpackedVertex::from_clip_slot(corner).point; 3]));
             }
         }
-        reach
+        bounds
     }
 }
 
-/// The triangles of one face after the other, with the varyings of their corners.
+/// The triangles of one face with the varyings of their corners; reused for face after face.
 pub(super) struct FaceTriangles<'v, K> {
     pub(super) fan: Fan<'v>,
     /// The varyings of the corner in each slot of the polygon.
@@ -78,14 +78,14 @@ impl<'v, K: Varying> FaceTriangles<'v, K> {
 pub(super) struct Fan<'v> {
     triangle: DepthTriangle<'v>,
     pub(super) polygon: Polygon,
-    /// Whether planes took a part of the face, which only a fan tells.
+    /// Whether clipping removed a part of the face. Valid only if `end` is not 0.
     is_cut: bool,
     /// Whether the polygon's corners are taken from the last to the first, so that its triangles face the viewer.
     reversed: bool,
     /// The fan about the polygon's first corner: its next triangle has the two corners after this one.
     at: u8,
-    /// The number of triangles in the fan; 0 for a face that was not handed to the clipper: then nothing else of the fan
-    /// counts, so that the common case sets this alone.
+    /// The number of triangles in the fan; 0 for a face that was not passed to the clipper. All other fields of the fan are
+    /// ignored then, so that the common case sets only this one.
     end: u8,
 }
 
@@ -96,28 +96,28 @@ impl<'v> Fan<'v> {
         Self { triangle, polygon: Polygon::new(), is_cut: false, reversed: false, at: 0, end: 0 }
     }
 
-    /// A face with all corners on the screen, the common case: one triangle.
+    /// Sets a face with all corners on the screen, the common case: one triangle.
     #[inline(always)]
-    pub(super) fn set_whole<const DEPTH: bool>(&mut self, corners: &[UnpackedVertex; 3], area: i64) {
+    pub(super) fn set_unclipped<const DEPTH: bool>(&mut self, corners: &[UnpackedVertex; 3], area: i64) {
         self.end = 0;
         set_triangle::<DEPTH>(&mut self.triangle, corners, area);
     }
 
-    /// Whether the face is drawn from the cache's vertices: it was not handed to the clipper.
+    /// Whether the face is drawn from cached vertices: it was not passed to the clipper.
     #[inline(always)]
     pub(super) fn is_cached(&self) -> bool {
         self.end == 0
     }
 
-    /// Whether planes took a part of the face: then its corners are those of the polygon.
+    /// Whether clipping removed a part of the face: then its corners are those of the polygon.
     #[inline(always)]
     pub(super) fn is_cut(&self) -> bool {
         !self.is_cached() && self.is_cut
     }
 
-    /// Begins the fan of the polygon: what becomes of the face, and if it is drawn its first triangle. `cut`: planes took
-    /// a part of the face.
-    #[inline(never)] // rare: small is better
+    /// Begins the fan of the polygon, with its first triangle as the current one, and returns what becomes of the face. `cut`:
+    /// clipping removed a part of the face.
+    #[inline(never)] // rare: code size matters more than speed
     pub(super) fn begin(&mut self, cull: Cull, cut: bool) -> Outcome {
         (self.is_cut, self.reversed, self.at) = (cut, false, 0);
         let (mut area, mut corners) = (0, [UnpackedVertex::ORIGIN; 3]);
@@ -128,8 +128,8 @@ impl<'v> Fan<'v> {
             (0, _) => Outcome::Outside,
             (_, Facing::EdgeOn) => Outcome::Degenerate,
             (_, Facing::Away) => Outcome::Culled,
-            (_, Facing::Front) if cut => Outcome::Cut,
-            (_, Facing::Front) => Outcome::Whole,
+            (_, Facing::Front) if cut => Outcome::Clipped,
+            (_, Facing::Front) => Outcome::Unclipped,
         };
         // The triangles of a cut face are made counter-clockwise.
         self.reversed = cut && area < 0;
@@ -146,14 +146,14 @@ impl<'v> Fan<'v> {
         &self.triangle
     }
 
-    /// Goes on to the next triangle of the face, if there is one.
+    /// Makes the next triangle of the face the current one; false if there is none.
     #[inline(always)]
     pub(super) fn advance(&mut self) -> bool {
         !self.is_cached() && self.step_on()
     }
 
-    /// The next triangle that faces as the polygon does: rounding of the corners may turn a sliver over, which would be
-    /// drawn on top of its neighbor.
+    /// Makes the next triangle of the fan that has the polygon's orientation the current one. Rounding may turn a sliver over,
+    /// which would then be drawn on top of its neighbour.
     #[cold]
     #[inline(never)]
     fn step_on(&mut self) -> bool {
@@ -168,7 +168,7 @@ impl<'v> Fan<'v> {
         false
     }
 
-    /// Clip space's w at the corners of the current triangle of a face that was cut.
+    /// Clip space's w at the corners of the current triangle, for a clipped face.
     pub(super) fn clip_w(&self) -> [i32; 3] {
         self.slots().map(|slot| match self.polygon.slots.get(slot) {
             Some(ClipCoords { xydw: [.., w] }) => *w,
@@ -176,20 +176,20 @@ impl<'v> Fan<'v> {
         })
     }
 
-    /// The rows and columns in which the face may cover pixels.
+    /// The bounding box of the face's pixels.
     #[inline(always)]
-    pub(super) fn reach(&self) -> Scissor {
+    pub(super) fn bounds(&self) -> Scissor {
         if self.is_cached() {
             Scissor::bounding_box(self.triangle.triangle.corners())
         } else {
-            self.reach_of_polygon()
+            self.polygon_bounds()
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn reach_of_polygon(&self) -> Scissor {
-        self.polygon.reach()
+    fn polygon_bounds(&self) -> Scissor {
+        self.polygon.bounds()
     }
 
     /// The slots of the current triangle's corners.
@@ -206,7 +206,7 @@ impl<'v> Fan<'v> {
     }
 
     /// The corners of the fan's next triangle and its area, if there is one.
-    #[inline(never)] // rare: small is better
+    #[inline(never)] // rare: code size matters more than speed
     fn step(&mut self, corners: &mut [UnpackedVertex; 3]) -> Option<i64> {
         let at = usize::from(self.at);
         let mut i = 0;
@@ -220,7 +220,7 @@ impl<'v> Fan<'v> {
     }
 }
 
-/// Makes a triangle with these corners and this area the one that is drawn next.
+/// Sets the corners, the area and, with `DEPTH`, the depths of a triangle.
 #[inline(always)]
 fn set_triangle<const DEPTH: bool>(
     triangle: &mut DepthTriangle<'_>,

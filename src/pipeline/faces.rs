@@ -1,8 +1,9 @@
-//! Faces: one loop from a source over a vertex cache to a sink, and the draw calls that are made of it.
+//! The face loop, from a face source over a vertex cache to a sink, and the draw calls that consist of it. Any source works
+//! with any cache and any sink:
 //!
 //! | source | cache | sink |
 //! |---|---|---|
-//! | [`MeshOrder`], [`PlaneOrder`](super::face_source::PlaneOrder), binned faces | [`TransformedMesh`], [`LazyCache`](super::vertex_cache::LazyCache) | pixels, pixels with depth, depth alone, bins, a painter |
+//! | [`MeshOrder`], [`PlaneOrder`](super::face_source::PlaneOrder), binned faces | [`TransformedMesh`], [`LazyCache`](super::vertex_cache::LazyCache) | a fill, a depth-tested fill, depth only, bins, a painter |
 
 use super::cull::Facing;
 use super::draw_region::DrawRegion;
@@ -21,8 +22,9 @@ use crate::shading::{CornerValues, Shader, SpanShader};
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 
-/// The face loop: each face that `source` pushes is culled and, where it must be, clipped; `sink` gets the index and the
-/// triangles of each face that is drawn, and returns whether the face is finished.
+/// The face loop: culls each face that `source` pushes, clips it if a corner is not on the screen, and calls `sink` with the
+/// index, the vertices and the triangles of each visible face. `sink` returns whether the face is finished: see
+/// [`FaceSource::push`].
 ///
 /// # Errors
 ///
@@ -47,7 +49,7 @@ pub(super) fn each_face<
     let faces = instance.mesh.faces();
     source.push(faces, |index, face| {
         match cache.corners(face) {
-            // The common case. A face that is turned away counts nothing: see `with_the_rest_culled`.
+            // The common case. Back faces are not counted one by one: see `with_the_rest_culled`.
             Some(corners) => {
                 let area = area::<DEPTH>(&corners);
                 let facing = if C::CULLED { Facing::Front } else { instance.cull.facing(area) };
@@ -59,12 +61,12 @@ pub(super) fn each_face<
                         return Ok(true);
                     }
                 }
-                let Some(corners) = cache.corners_again(face, corners) else { return Ok(true) };
-                statistics.count(Outcome::Whole);
+                let Some(corners) = cache.reload_corners(face, corners) else { return Ok(true) };
+                statistics.count(Outcome::Unclipped);
                 let transform = &instance.vertex_transform;
                 triangles
                     .fan
-                    .set_whole::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
+                    .set_unclipped::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
             }
             None => {
                 let outcome = cache.view().clip_face(face, &mut triangles);
@@ -79,7 +81,7 @@ pub(super) fn each_face<
     Ok(statistics.with_the_rest_culled(faces.len()))
 }
 
-/// The shader of a face's current triangle, with the depths and 1/w of its corners where the shader asks for them.
+/// The shader of a face's current triangle, with the depths and 1/w of the triangle's corners if the shader needs them.
 #[inline(always)]
 pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     instance: &MeshInstance<'_, V>,
@@ -130,7 +132,7 @@ pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
     }
 }
 
-/// Fills faces.
+/// Draws faces without a depth test.
 #[inline(always)]
 pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>, const DEPTH: bool>(
     source: impl FaceSource,
@@ -149,7 +151,7 @@ pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>, 
     })
 }
 
-/// Fills faces where they are nearer than a depth buffer.
+/// Draws the pixels of faces that are nearer than a depth buffer, and stores their depth.
 #[inline(always)]
 pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>>(
     source: impl FaceSource,
@@ -170,7 +172,7 @@ pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::C
     })
 }
 
-/// Keeps the faces' depth and draws nothing.
+/// Stores the depth of faces and draws nothing.
 #[inline(always)]
 pub(super) fn depth_only<'a, V: Coordinate + 'a>(
     source: impl FaceSource,
@@ -179,15 +181,15 @@ pub(super) fn depth_only<'a, V: Coordinate + 'a>(
     depth: &mut DepthBuffer<'_>,
 ) -> Statistics {
     let Ok(statistics) = each_face(source, &mut cache, &region.viewport, |_, _, triangles| {
-        keep_depth(triangles, &region.scissor, depth);
+        store_depth(triangles, &region.scissor, depth);
         Ok::<bool, Infallible>(true)
     });
     statistics
 }
 
-/// Keeps the depth of a face's triangles.
+/// Stores the depth of a face's triangles.
 #[inline(always)]
-pub(super) fn keep_depth(
+pub(super) fn store_depth(
     triangles: &mut FaceTriangles<'_, ()>,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
@@ -205,15 +207,16 @@ pub(super) fn keep_depth(
 }
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Draws the faces in the mesh's order, one colour each: right for convex meshes, where front
-    /// faces never hide each other; [`Painter`](crate::Painter) draws the others. `shade` gives face `i` its
-    /// colour, and is asked once for each face drawn. `cache` is as in
-    /// [`wireframe`](Self::wireframe).
+    /// Draws the faces in the mesh's order, without hidden-surface removal: right for convex meshes, whose front faces never
+    /// hide each other. For other meshes use [`depth_tested`](Self::depth_tested) or a [`Painter`](crate::Painter).
+    ///
+    /// `shade` is called once for each face that is drawn, with the face's index, and returns its colour or another
+    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe).
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn solid<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -228,17 +231,19 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         }
     }
 
-    /// Draws the faces, one colour each, where they are nearer than what `depth` holds: right for all
-    /// meshes, also those that pierce each other. `shade` gives face `i` its colour, and is asked once
-    /// for each face drawn. `cache` is as in [`wireframe`](Self::wireframe).
+    /// Draws the pixels of faces that are nearer than the depth buffer, and stores their depth: right for all meshes, also for
+    /// meshes that pierce each other.
     ///
-    /// **Depth** is that of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
-    /// the screen. Of equal depths the first drawn stays. What lies beyond the far plane is clipped, whatever the
-    /// camera says. Nothing is drawn outside the depth buffer.
+    /// `shade` is called once for each face that is drawn, with the face's index, and returns its colour or another
+    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe).
+    ///
+    /// **Depth** is the depth of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
+    /// the screen. Where two faces have equal depth, the one that was drawn first stays. Faces are clipped at the far plane,
+    /// even if the camera [does not clip](crate::Camera::with_far_clip) there. Nothing is drawn outside the depth buffer.
     ///
     /// **Error**: within 0.54 of a step for faces within 512 pixels; for larger ones within ½ + 2⁻¹³ and 2⁻¹⁷ for
-    /// every column and row of the viewport. A face that reaches the far plane is drawn half a step nearer there
-    /// (65535 stands for nothing): within 1.1. So faces two steps apart are told apart.
+    /// every column and row of the viewport. At the far plane a face is drawn half a step nearer, as 65535 is the value of an
+    /// empty buffer: the error there is within 1.1. So faces that are two steps apart are drawn in the right order.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
@@ -274,8 +279,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -287,9 +292,9 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         depth_tested(MeshOrder, TransformedMesh::new(self, cache), &region, shade, depth, target)
     }
 
-    /// Draws only the faces' depth: what hides lines. Bit for bit the depth of
-    /// [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
-    #[inline(never)] // its frame is gone when it returns
+    /// Stores the depth of the faces and draws nothing: the first step of hidden-line removal. The depth is, bit for bit, that
+    /// of [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
         let region = DrawRegion::shared(&depth.area(), self.area(), None);
         depth_only(MeshOrder, TransformedMesh::new(self, cache), &region, depth)

@@ -1,8 +1,8 @@
 //! The last step of the pipeline: a triangle or a line, clipped to the screen, becomes pixels.
 //!
-//! The plain path is the loop over spans at the end of each function; it draws to any target and defines the picture. The call
-//! before it attaches a fast path, which may decline; all of them decline with `--cfg pinhole_plain`, and for targets whose
-//! pixels do not lie in memory.
+//! The plain path is the loop over spans at the end of each function; it draws into any target and defines the picture. The
+//! call before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for
+//! targets whose pixels do not lie in memory.
 
 use crate::fast::{self, depth_fill, line_fill, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
@@ -10,7 +10,7 @@ use crate::shading::SpanShader;
 use crate::surface::{drawable, DepthTarget, PixelStore, StoredPixel, Target};
 use core::cell::Cell;
 
-/// Fills a triangle inside the scissor, which lies in the target.
+/// Fills the pixels of a triangle inside the scissor, which lies in the target.
 #[inline(always)]
 pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
@@ -34,8 +34,8 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
 }
 
-/// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and in
-/// the depth buffer.
+/// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and
+/// in the depth buffer.
 #[inline(always)]
 pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
@@ -65,8 +65,8 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     shade_spans_nearer(triangle, scissor, depth, target, |span| S::span(&setup, span))
 }
 
-/// The plain path of [`fill_nearer`] for one color.
-#[inline(never)] // its frame is gone when it returns
+/// The plain path of [`fill_nearer`] for one colour.
+#[inline(never)] // its stack frame is gone when it returns
 fn fill_spans_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,
     color: T::Color,
@@ -76,14 +76,14 @@ fn fill_spans_nearer<T: Target>(
 ) -> Result<(), T::Error> {
     let mut spans = fast::spans(&triangle.triangle, scissor);
     if spans.is_empty() {
-        return Ok(()); // without setting up the gradient
+        return Ok(()); // no pixel: the gradient is not set up
     }
-    let plane = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-    spans.try_for_each(|span| depth.buffer.test(span, &plane, |visible| target.fill(visible, color)))
+    let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
+    spans.try_for_each(|span| depth.buffer.test(span, &gradient, |visible| target.fill(visible, color)))
 }
 
-/// The plain path of [`fill_nearer`] for colors that vary.
-#[inline(never)] // its frame is gone when it returns
+/// The plain path of [`fill_nearer`] for colours that vary.
+#[inline(never)] // its stack frame is gone when it returns
 fn shade_spans_nearer<T: Target, R: Iterator<Item = T::Color>>(
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
@@ -91,24 +91,24 @@ fn shade_spans_nearer<T: Target, R: Iterator<Item = T::Color>>(
     target: &mut T,
     span_colors: impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
-    let plane = fast::depth_gradient(&triangle.triangle, &triangle.depths);
+    let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
     let mut spans = fast::spans(&triangle.triangle, scissor);
-    spans.try_for_each(|span| shade_span_nearer(span, &plane, depth, target, &span_colors))
+    spans.try_for_each(|span| shade_span_nearer(span, &gradient, depth, target, &span_colors))
 }
 
-#[inline(never)] // its frame is large, and is not there while the next span is found
+#[inline(never)] // its large stack frame does not exist while the next span is computed
 fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
     span: Span,
-    plane: &Gradient,
+    gradient: &Gradient,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
     span_colors: &impl Fn(Span) -> R,
 ) -> Result<(), T::Error> {
-    depth.buffer.test(span, plane, |visible| target.fill_run(visible, span_colors(visible)))
+    depth.buffer.test(span, gradient, |visible| target.fill_run(visible, span_colors(visible)))
 }
 
-/// [`fill`] for a shader that reads the pixels that are there.
-#[inline(never)] // its frame is gone when it returns
+/// [`fill`] for a shader that reads the stored pixels.
+#[inline(never)] // its stack frame is gone when it returns
 fn blend<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
     shader: &S,
@@ -120,8 +120,8 @@ fn blend<T: Target, S: SpanShader<T::Color>>(
     Ok(())
 }
 
-/// [`fill_nearer`] for a shader that reads the pixels that are there.
-#[inline(never)] // its frame is gone when it returns
+/// [`fill_nearer`] for a shader that reads the stored pixels.
+#[inline(never)] // its stack frame is gone when it returns
 fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
@@ -139,15 +139,15 @@ fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
     })
 }
 
-/// Replaces the pixels of a row's span by what the shader makes of them.
+/// Replaces the pixels of a span, one row high, by the shader's blend with them.
 fn blend_span<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span, target: &mut T) {
     const {
-        // Also evaluated for shaders that do not read.
+        // The compiler evaluates this for shaders that do not read pixels, too.
         let readable = !S::READS_PIXELS || <T::Store as PixelStore>::READABLE;
         assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
     }
     let Some(row) = target.memory().and_then(|memory| memory.row(span.x, span.y, span.width)) else { return };
-    // A pixel is read before it is written: the shader takes one stored color for each that it returns.
+    // A pixel is read before it is written: the shader takes one stored colour for each colour that it returns.
     let row = Cell::from_mut(row).as_slice_of_cells();
     let stored = row.iter().map(|cell| T::Color::load(cell.get()));
     row.iter().zip(S::span_over(setup, span, stored)).for_each(|(cell, color)| cell.set(color.stored()));
@@ -168,7 +168,8 @@ pub(super) fn line<T: Target>(
     raster::line(from, to, scissor, |span| target.fill(span, color))
 }
 
-/// The part of a target that 2D drawing can reach. Memory holds it, so that it is not computed for each triangle.
+/// The part of a target inside the guard band, in which 2D drawing is done. `Memory` stores it, so that it is not computed for
+/// each triangle.
 #[inline(always)]
 pub(super) fn scissor_of<T: Target>(target: &mut T) -> Scissor {
     match target.memory() {
@@ -193,7 +194,7 @@ mod tests {
     use std::vec;
     use std::vec::Vec;
 
-    /// A target that takes spans and sets pixels one by one: only plain paths draw to it.
+    /// A target that takes spans and sets pixels one by one: only plain paths draw into it.
     struct Plain<C> {
         area: Rectangle,
         pixels: Vec<C>,
@@ -260,7 +261,8 @@ mod tests {
         }
     }
 
-    /// Calls `draw` for a plain target and one in memory, each with a depth buffer of this rectangle; compares pixels and depths.
+    /// Calls `draw` for a plain target and one in memory, each with a depth buffer of this rectangle; compares pixels and
+    /// depths.
     struct Twins {
         area: Rectangle,
         plain: Plain<Rgb565>,
@@ -348,7 +350,7 @@ mod tests {
     fn items(random: &mut Random, count: usize, kinds: &[usize]) -> Vec<Item> {
         let mut items = Vec::new();
         for i in 0..count {
-            // Small triangles, low ones, and those that reach far beyond the target.
+            // Small triangles, low triangles, and triangles that extend far beyond the target.
             let reach = [2_000, 6_000, 60_000, 700][random.below(4) as usize];
             let center = [0; 2].map(|_| random.within(20_000));
             let mut point = || {
@@ -399,7 +401,7 @@ mod tests {
         }
     }
 
-    /// A color as a cell: the smallest store without memory, whose `memory` is `None`.
+    /// The pixel store `[Color; 0]` marks a target without memory: its `memory` returns `None`.
     #[test]
     fn a_target_without_memory_hands_out_none() {
         let mut plain = Plain { area: AREA, pixels: vec![Gray8::new(0); 97 * 71] };

@@ -1,4 +1,4 @@
-//! Lines against depth: those that are nearer than a depth buffer, and those that no face hides.
+//! Lines with a depth test: wireframes among solid objects, and hidden-line removal.
 
 use super::draw_region::DrawRegion;
 use super::face_triangles::FaceTriangles;
@@ -15,48 +15,48 @@ use crate::surface::{DepthBuffer, Target};
 use heapless::Vec;
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Draws the mesh's edges where they are as near as what `depth` holds, or nearer, and keeps their
-    /// depth there: axes, paths and cages among solid things. Otherwise as
-    /// [`wireframe`](Self::wireframe).
+    /// Draws the pixels of the mesh's edges that are as near as the depth buffer or nearer, and stores their depth: for axes,
+    /// paths and cages among solid objects. `cache` is as in [`wireframe`](Self::wireframe).
     ///
-    /// A pixel's depth is that of the line at the pixel's centre along the major axis, within 0.51 of a step for
-    /// lines within 512 pixels, beyond within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line whose two ends lie in one pixel is
-    /// tested by its nearer end. Call this after the solid things
-    /// were drawn [`depth_tested`](Self::depth_tested) into the same buffer. A line that lies in a face flickers:
-    /// use [`hidden_line`](Self::hidden_line) for a solid's own edges.
+    /// Call this after the solid objects were drawn [`depth_tested`](Self::depth_tested) into `depth`. An edge that lies in a
+    /// face comes out in pieces, as rounding decides which of both is nearer: for the edges of the solid objects themselves use
+    /// [`hidden_line`](Self::hidden_line).
+    ///
+    /// A pixel's depth is the depth of the line at the pixel's centre along the line's major axis, within 0.51 of a step for
+    /// lines of at most 512 pixels; for longer lines within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line whose two ends lie in one
+    /// pixel is tested by its nearer end.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn wireframe_depth_tested<T: Target>(
         &self,
-        colour: T::Color,
+        color: T::Color,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
         let mesh = TransformedMesh::<V, true>::new(self, cache);
-        each_edge(&mesh, |_, ends| draw_nearer(&ends, colour, &region.scissor, depth, target))
+        each_edge(&mesh, |_, ends| draw_nearer(&ends, color, &region.scissor, depth, target))
     }
 
-    /// Draws those parts of the mesh's edges that no face hides, by the depth that
-    /// [`depth_only`](Self::depth_only) left, of this mesh and of others: a wireframe of a solid, on any
-    /// target, also of one bit.
+    /// Draws the parts of the mesh's edges that no face hides: a wireframe of a solid object, on any target, also on 1-bit
+    /// displays. First store the depth of this mesh, and of all others that may hide its edges, with
+    /// [`depth_only`](Self::depth_only).
     ///
-    /// A pixel of an edge is drawn where the edge is at least as near as the buffer, or where the buffer holds one
-    /// of the edge's own two faces ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)): a pixel's centre
-    /// lies to one side of the edge, and on a steep face its depth differs much. Without the faces beside them,
-    /// edges come out dotted: up to half of their pixels are missing. An edge whose two ends lie in one pixel is tested by
-    /// its nearer end.
+    /// A pixel of an edge is drawn if the edge is at least as near as the stored depth, or if the stored depth belongs to one
+    /// of the two faces beside the edge ([`Mesh::with_edge_faces`](crate::Mesh::with_edge_faces)). The second rule is needed
+    /// because a pixel's centre lies to one side of the edge, where the depth of a steep face differs much from that of the
+    /// edge. If the mesh has no edge faces, edges come out dotted: up to half of their pixels are missing. An edge whose two
+    /// ends lie in one pixel is tested by its nearer end.
     ///
-    /// So nothing is drawn that lies more than two steps behind what is nearest at the pixel's centre, unless
-    /// that is a face beside it. Within a pixel of where another face begins to hide an edge, the picture may
-    /// differ from what is true at the edge itself: of the pixels where a part of an edge is seen 99.8 % and more
-    /// are drawn, and 0.3 % at most of those drawn show a part that is just hidden (`tests/pipeline/hidden_lines.rs`). Where
-    /// an edge lies in a face that is not beside it, as that of a box on a floor does, about half of that
-    /// edge's pixels go to the floor.
+    /// So no pixel is drawn where the edge lies more than two steps behind the nearest face at the pixel's centre, unless that
+    /// face is beside the edge. Errors are possible within a pixel of the point at which another face begins to hide the edge:
+    /// at least 99.8 % of the pixels in which a part of an edge is visible are drawn, and at most 0.3 % of the drawn pixels
+    /// show a part that is just hidden (`tests/pipeline/hidden_lines.rs`). If an edge lies in a face that is not beside it,
+    /// such as the lower edge of a box on a floor, about half of the edge's pixels are missing.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -78,14 +78,14 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///     &viewport,
     /// );
     /// let model = Affine::<Model, World>::rotation_y(Angle::degrees(20));
-    /// let placed = camera.place(&mesh, &model);
+    /// let instance = camera.place(&mesh, &model);
     /// let mut storage = [0; 64 * 64];
     /// let mut depth = DepthBuffer::new(display.bounding_box(), &mut storage)?;
-    /// placed.depth_only(&mut [], &mut depth);
-    /// placed.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut display)?;
+    /// instance.depth_only(&mut [], &mut depth);
+    /// instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut display)?;
     /// // The edge at the back is hidden: from (-1, 1, -1) to (1, -1, -1), through the middle.
     /// let lit = |x, y| display.get_pixel(Point::new(x, y)).is_some();
-    /// let [from, to] = [2, 1].map(|i| placed.project(i).unwrap().0.pixel());
+    /// let [from, to] = [2, 1].map(|i| instance.project(i).unwrap().0.pixel());
     /// assert!(lit(from.x.into(), from.y.into()) && lit(to.x.into(), to.y.into()));
     /// assert!(!lit((i32::from(from.x) + i32::from(to.x)) / 2, (i32::from(from.y) + i32::from(to.y)) / 2));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -93,29 +93,30 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn hidden_line<T: Target>(
         &self,
-        colour: T::Color,
+        color: T::Color,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
         let mesh = TransformedMesh::<V, true>::new(self, cache);
-        each_edge(&mesh, |edge, ends| mesh.draw_unhidden(edge, &ends, colour, &region, depth, target))
+        each_edge(&mesh, |edge, ends| mesh.draw_hidden_line(edge, &ends, color, &region, depth, target))
     }
 }
 
 impl<V: Coordinate> TransformedMesh<'_, V, true> {
-    /// Draws a line where it is as near as the depth buffer, or where the buffer holds a face beside the edge.
+    /// Draws the pixels of an edge that are as near as the depth buffer, or where the stored depth is that of a face beside the
+    /// edge.
     #[inline(always)]
-    pub(super) fn draw_unhidden<T: Target>(
+    pub(super) fn draw_hidden_line<T: Target>(
         &self,
         edge: usize,
         ends: &[UnpackedVertex; 2],
-        colour: T::Color,
+        color: T::Color,
         region: &DrawRegion,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
@@ -124,7 +125,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         loop {
             let more = self.triangles_beside(edge, first, &region.viewport, &mut beside);
             let is_beside = |stored, x, y| beside.iter().any(|triangle| triangle.is_stored(stored, x, y));
-            draw_visible(ends, false, &is_beside, colour, &region.scissor, depth, target)?;
+            draw_visible(ends, false, &is_beside, color, &region.scissor, depth, target)?;
             if !more {
                 return Ok(());
             }
@@ -132,15 +133,15 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         }
     }
 
-    /// Fills `beside` with triangles of the faces beside an edge, cut as they were when their depth was kept: those from
-    /// number `first` on for which there is room. Returns whether there are more.
+    /// Fills `beside` with triangles of the faces beside an edge, clipped as they were when their depth was stored, beginning
+    /// with triangle number `first`. Returns whether there are more triangles than fit.
     #[inline(never)]
     fn triangles_beside(&self, edge: usize, first: usize, viewport: &Scissor, beside: &mut Beside) -> bool {
         beside.clear();
         let (mesh, mut number) = (self.instance.mesh, 0);
         let mut triangles = FaceTriangles::<()>::new(viewport);
         for &face in mesh.edge_faces().get(edge).into_iter().flatten() {
-            // NO_FACE is also the number of a large mesh's last face, which no edge can name.
+            // NO_FACE is also the index of the last face of a mesh of 65536 faces: no edge can refer to that face.
             let named = mesh.faces().get(usize::from(face)).filter(|_| face != Mesh::<V>::NO_FACE);
             let Some(face) = named else { continue };
             if !self.clip_face(face, &mut triangles).is_drawn() {
@@ -170,8 +171,8 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
     }
 }
 
-/// Triangles of the faces beside an edge. Where there are more than two, the line is drawn once more for the others: few
-/// faces are cut to more than two triangles, and stack is scarce.
+/// Triangles of the faces beside an edge, two at a time, as stack is scarce. If clipping makes more than two triangles of the
+/// faces, which is rare, the line is drawn again for each further two.
 type Beside = Vec<TriangleBeside, 2>;
 
 /// A triangle of a face beside an edge.
@@ -181,8 +182,8 @@ struct TriangleBeside {
 }
 
 impl TriangleBeside {
-    /// Whether the depth that is stored for a pixel is that of this triangle: the same value, at a pixel inside the
-    /// triangle or on its border.
+    /// Whether the stored depth of a pixel belongs to this triangle: the values are equal, and the pixel's centre lies inside
+    /// the triangle or on its border.
     fn is_stored(&self, stored: u16, x: i32, y: i32) -> bool {
         (self.depth.at(x, y) >> 16) as u16 == stored && {
             let center = ScreenPoint::inside(x * 256 + 128, y * 256 + 128); // of a pixel of the target
@@ -193,26 +194,26 @@ impl TriangleBeside {
     }
 }
 
-/// Draws a line where it is as near as the depth buffer or nearer, and stores its depth there.
+/// Draws the pixels of a line that are as near as the depth buffer or nearer, and stores their depth.
 #[inline(always)]
 pub(super) fn draw_nearer<T: Target>(
     ends: &[UnpackedVertex; 2],
-    colour: T::Color,
+    color: T::Color,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    draw_visible(ends, true, &|_, _, _| false, colour, scissor, depth, target)
+    draw_visible(ends, true, &|_, _, _| false, color, scissor, depth, target)
 }
 
-/// Draws a line where it is as near as the depth buffer, or where `is_drawn_over` says so of the stored depth at a pixel.
-/// `stores`: stores the line's depth where the line is drawn.
-#[inline(never)] // one copy for both callers; `is_drawn_over` is asked only where the line is behind what is stored
+/// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true, given the
+/// stored depth and the pixel. `stores`: the depth of drawn pixels is stored.
+#[inline(never)] // one copy for both callers; `is_drawn_over` is called only where the line lies behind the stored depth
 fn draw_visible<T: Target>(
     ends: &[UnpackedVertex; 2],
     stores: bool,
     is_drawn_over: &dyn Fn(u16, i32, i32) -> bool,
-    colour: T::Color,
+    color: T::Color,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
@@ -228,6 +229,6 @@ fn draw_visible<T: Target>(
             }
             is_visible
         };
-        depth.along(span, is_visible, |visible| target.fill(visible, colour))
+        depth.along(span, is_visible, |visible| target.fill(visible, color))
     })
 }

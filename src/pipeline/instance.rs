@@ -1,4 +1,4 @@
-//! A mesh placed before a camera.
+//! A mesh instance: a mesh, the transform of one object, and a camera.
 
 use super::cull::Cull;
 use crate::camera::{Camera, VertexTransform};
@@ -7,9 +7,11 @@ use crate::scene::Mesh;
 use crate::space::{Model, World};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A mesh placed before a camera, ready to be drawn: [`Camera::place`] makes it, once per object and frame.
+/// A mesh with the transform of one object before one camera, ready to be drawn. [`Camera::place`] makes it, once per object
+/// and frame.
 ///
-/// Each way to draw is a method. [The book](crate::book::ch4_visibility) says which to choose.
+/// Each drawing mode is a method: lines, solid faces, faces with a depth test, hidden lines, points.
+/// [The book](crate::book::ch4_visibility) compares them.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshInstance<'m, V = i16> {
     pub(super) mesh: &'m Mesh<'m, V>,
@@ -18,9 +20,9 @@ pub struct MeshInstance<'m, V = i16> {
 }
 
 impl Camera {
-    /// Places a mesh before this camera. Everything that depends on the object but not on its vertices is computed here, in
-    /// integers.
-    #[inline(never)] // the result is large and is made in place: inlined, it would stand on the stack twice
+    /// Places a mesh before this camera: `model` takes the mesh's vertices to the world. Everything that depends on the
+    /// object but not on its vertices is computed here, in integers.
+    #[inline(never)] // the result is large and is written directly to the caller's variable: inlined, it would be on the stack twice
     pub fn place<'m, V: Coordinate>(
         &self,
         mesh: &'m Mesh<'m, V>,
@@ -38,7 +40,7 @@ impl<'m, V> MeshInstance<'m, V> {
         self.vertex_transform.area()
     }
 
-    /// The mesh that was placed.
+    /// The mesh of this instance.
     pub const fn mesh(&self) -> &'m Mesh<'m, V> {
         self.mesh
     }
@@ -57,11 +59,11 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let from_behind = Mesh::new(&[[-1, -1, 0], [0, 1, 0], [1, -1, 0]], 0, &[[0, 1, 2]])?; // clockwise
-    /// let placed = camera.place(&from_behind, &Affine::identity());
+    /// let instance = camera.place(&from_behind, &Affine::identity());
     /// let mut display = MockDisplay::new();
-    /// let statistics = placed.solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// let statistics = instance.solid(|_| BinaryColor::On, &mut [], &mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (0, 1));
-    /// let statistics = placed.with_cull(Cull::None).solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// let statistics = instance.with_cull(Cull::None).solid(|_| BinaryColor::On, &mut [], &mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (1, 0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -4,14 +4,14 @@
 //!    forms, once per object: a [`MeshInstance`].
 //! 2. Vertices go through the forms to the screen, into a cache that the caller provides: all before the first face
 //!    ([`TransformedMesh`]), or each when the first face needs it ([`PlaneCulled`]). Vertices that are not on the screen
-//!    are marked.
-//! 3. A source pushes faces into the face loop (`faces.rs`): in the order of the mesh, without those that their planes
-//!    show to be turned away, or those that a band may meet. The loop culls each face by its area on the screen; a face
-//!    with a marked vertex is clipped in clip space and becomes a fan of triangles.
-//! 4. A sink takes the triangles: it fills them with their shader ([`MeshInstance::solid`]), where they are nearer than a
-//!    depth buffer ([`MeshInstance::depth_tested`]), keeps their depth alone ([`MeshInstance::depth_only`]), bins the face
+//!    are marked: they need clipping.
+//! 3. A source pushes faces into the face loop (`faces.rs`), in the order of the mesh: all faces, all except back faces found
+//!    by their planes, or the faces that may lie in a band. The loop culls each face by its area on the screen; a face with a
+//!    marked vertex is clipped in clip space and becomes a fan of triangles.
+//! 4. A sink takes the triangles: it fills them with their shader ([`MeshInstance::solid`]), fills their pixels that pass the
+//!    depth test ([`MeshInstance::depth_tested`]), stores only their depth ([`MeshInstance::depth_only`]), bins the face
 //!    ([`TransformedMesh::bin_faces`]) or stores it to be drawn from far to near ([`Painter`]).
-//! 5. `fill.rs` takes a triangle or a line span by span to the target.
+//! 5. `fill.rs` draws a triangle or a line into the target, span by span.
 
 mod binned;
 mod binned_edges;

@@ -1,4 +1,4 @@
-//! Painter's order: from far to near, over everything recorded.
+//! The painter's algorithm: stored faces are drawn from far to near.
 
 use super::draw_region::DrawRegion;
 use super::face_source::{FaceSource, MeshOrder};
@@ -19,16 +19,16 @@ use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
-/// Records faces of any number of placed meshes and draws them from far to near, without a depth
-/// buffer.
+/// The painter's algorithm: stores the visible faces of any number of mesh instances and draws them from far to near, without
+/// a depth buffer.
 ///
-/// BinnedFaces are ordered by the mean depth of their corners, in 65536 steps that are linear on the
-/// screen; equal ones in the order recorded. Long faces beside short ones, and faces that pierce
-/// each other, can come out wrong: that is painter's order. (Newell, Newell and Sancha, *A
-/// solution to the hidden surface problem*, 1972, go further.)
+/// Faces are sorted by the mean depth of their corners, in 65536 steps that are linear on the screen; faces with equal mean
+/// depth are drawn in the order in which they were added. As a whole face is drawn before or after another one, a long face
+/// beside a short one, and faces that pierce each other, can come out wrong. (Newell, Newell and Sancha, *A solution to the
+/// hidden surface problem*, 1972, split such faces; this painter does not.)
 ///
-/// Memory: 8 bytes per corner; 10 bytes and an ink (usually a colour) per face. Meshes are transformed when
-/// recorded, each vertex once.
+/// `VERTICES` and `FACES` are the capacities: room for all vertices of all meshes, and for all visible faces. Memory: 8 bytes
+/// per vertex; 10 bytes and a shader (usually a colour) per face. [`add`](Self::add) transforms each vertex of a mesh once.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
@@ -62,35 +62,34 @@ use heapless::Vec;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Painter<I, const VERTICES: usize, const FACES: usize> {
+pub struct Painter<S, const VERTICES: usize, const FACES: usize> {
     vertices: Vec<ScreenVertex, VERTICES>,
-    faces: Vec<Face<I>, FACES>,
+    faces: Vec<Face<S>, FACES>,
     statistics: Statistics,
-    /// The viewport drawn into.
+    /// The viewport of the stored faces.
     area: Option<Rectangle>,
 }
 
-/// Why a mesh was not recorded: nothing of it was.
+/// Why a mesh was not added. After an error nothing of this mesh is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PainterError {
-    /// Raise `VERTICES` (65536 at most): every vertex takes one, and every corner of a face that
-    /// was cut.
+    /// Too many vertices: raise `VERTICES` (65536 at most). Every vertex of a mesh takes one, and every corner of a clipped
+    /// face's triangles.
     Vertices {
-        /// What this mesh would fill.
+        /// The number of vertices with this mesh.
         needed: usize,
-        /// What there is.
+        /// The number of vertices for which there is room.
         capacity: usize,
     },
-    /// Raise `FACES` (65535 at most): every face drawn takes one, and every piece of a face that
-    /// was cut.
+    /// Too many faces: raise `FACES` (65535 at most). Every visible face takes one, and every triangle of a clipped face.
     Faces {
-        /// What this mesh would fill.
+        /// The number of faces with this mesh.
         needed: usize,
-        /// What there is.
+        /// The number of faces for which there is room.
         capacity: usize,
     },
-    /// What is recorded already goes into another viewport: draw it first, or take two painters.
+    /// The stored faces belong to another viewport: draw them first, or use two painters.
     OtherViewport,
 }
 
@@ -100,7 +99,7 @@ impl core::fmt::Display for PainterError {
             Self::Vertices { needed, capacity: 65_536 } => {
                 write!(
                     f,
-                    "{needed} vertices, but a painter holds at most 65536: record fewer meshes, or smaller ones"
+                    "{needed} vertices, but a painter holds at most 65536: add fewer meshes, or smaller ones"
                 )
             }
             Self::Vertices { needed, capacity } => {
@@ -109,7 +108,7 @@ impl core::fmt::Display for PainterError {
             Self::Faces { needed, capacity: 65_535 } => {
                 write!(
                     f,
-                    "{needed} faces, but a painter holds at most 65535: record fewer meshes, or smaller ones"
+                    "{needed} faces, but a painter holds at most 65535: add fewer meshes, or smaller ones"
                 )
             }
             Self::Faces { needed, capacity } => {
@@ -124,35 +123,36 @@ impl core::error::Error for PainterError {}
 
 /// A triangle to draw.
 #[derive(Clone, Copy, Debug)]
-struct Face<I> {
+struct Face<S> {
     vertices: [u16; 3],
     /// 0 far … 65535 near.
     key: u16,
-    /// The face to draw after this one.
+    /// The index of the face to draw after this one.
     next: u16,
-    shader: I,
+    shader: S,
 }
 
-/// All that a [`Painter`] recorded, from far to near: `painter.order()`, then `draw` for every band.
+/// The faces of a [`Painter`] from far to near, to be drawn more than once: [`Painter::order`] makes it, [`draw`](Self::draw)
+/// draws one band.
 #[derive(Clone, Copy, Debug)]
-pub struct PaintersOrder<'a, I> {
+pub struct PaintersOrder<'a, S> {
     vertices: &'a [ScreenVertex],
-    faces: &'a [Face<I>],
+    faces: &'a [Face<S>],
     first: u16,
     area: Option<Rectangle>,
     statistics: Statistics,
 }
 
-impl<I: Copy> PaintersOrder<'_, I> {
-    /// Draws what lies in the target, a band for instance.
+impl<S: Copy> PaintersOrder<'_, S> {
+    /// Draws the faces that lie in the target, for instance in a band.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn draw<T: Target>(&self, target: &mut T) -> Result<(), T::Error>
     where
-        I: SpanShader<T::Color>,
+        S: SpanShader<T::Color>,
     {
         let Some(area) = &self.area else { return Ok(()) };
         let region = DrawRegion::shared(&target.area(), area, None);
@@ -170,7 +170,7 @@ impl<I: Copy> PaintersOrder<'_, I> {
         Ok(())
     }
 
-    /// What became of the faces.
+    /// How many faces were drawn, culled and clipped, summed over all meshes that were added.
     pub const fn statistics(&self) -> Statistics {
         self.statistics
     }
@@ -179,13 +179,13 @@ impl<I: Copy> PaintersOrder<'_, I> {
 /// No face: the end of a list.
 const NONE: u16 = u16::MAX;
 
-impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FACES> {
-    /// An empty recorder.
+impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FACES> {
+    /// A painter without faces.
     pub const fn new() -> Self {
         Self { vertices: Vec::new(), faces: Vec::new(), statistics: Statistics::NONE, area: None }
     }
 
-    /// Forgets what was recorded.
+    /// Removes all faces.
     pub fn clear(&mut self) {
         self.vertices.clear();
         self.faces.clear();
@@ -193,21 +193,21 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
         self.area = None;
     }
 
-    /// Records the visible faces of a mesh. `shade` gives face `i` its shader, and is asked once for each face that is
-    /// drawn.
+    /// Stores the visible faces of a mesh instance. `shade` is called once for each visible face, with the face's index, and
+    /// returns its shader.
     ///
     /// # Errors
     ///
-    /// [`PainterError`] when there is no room, or the viewport is not that of the faces recorded before. Nothing of this
-    /// mesh is recorded then; what was recorded before stays.
-    #[inline(never)] // its frame is gone when it returns
+    /// [`PainterError`] if there is no room, or if the viewport differs from that of the stored faces. Nothing of this mesh is
+    /// stored then; the faces of other meshes stay.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn add<V: Coordinate>(
         &mut self,
         instance: &MeshInstance<'_, V>,
-        shade: impl FnMut(usize) -> I,
+        shade: impl FnMut(usize) -> S,
     ) -> Result<(), PainterError>
     where
-        I: Shader,
+        S: Shader,
     {
         let far = instance.vertex_transform.clips_at_far();
         let (vertices, mut recorder) = self.begin(instance)?;
@@ -219,21 +219,21 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
         self.finish(&room, statistics)
     }
 
-    /// Records the faces of a mesh that may be visible by their planes, as
-    /// [`cull_by_planes`](MeshInstance::cull_by_planes) finds them. Only vertices that such a face needs are transformed.
+    /// Stores the visible faces of a mesh instance, as [`add`](Self::add) does, after
+    /// [culling by planes](MeshInstance::cull_by_planes): only vertices of faces that may be visible are transformed.
     ///
     /// # Errors
     ///
-    /// Those of [`add`](Self::add). A face that is cut, or has a corner farther out than a [`ScreenVertex`] holds, takes
-    /// vertices of its own.
-    #[inline(never)] // its frame is gone when it returns
+    /// [`PainterError`] as from [`add`](Self::add). Here a face takes vertices of its own not only if it is clipped, but also
+    /// if a corner lies farther out than a [`ScreenVertex`] can hold.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn add_culled_by_planes<V: Coordinate>(
         &mut self,
         faces: &PlaneCulled<'_, V>,
-        shade: impl FnMut(usize) -> I,
+        shade: impl FnMut(usize) -> S,
     ) -> Result<(), PainterError>
     where
-        I: Shader,
+        S: Shader,
     {
         let instance = faces.instance;
         let (vertices, mut recorder) = self.begin(instance)?;
@@ -246,11 +246,11 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
         self.finish(&room, statistics)
     }
 
-    /// Takes room for the vertices of a mesh, as many as there is room for, and what records its faces.
+    /// Reserves the vertices of a mesh, as many as fit, and returns the recorder of its faces.
     fn begin<V>(
         &mut self,
         instance: &MeshInstance<'_, V>,
-    ) -> Result<(&mut [ScreenVertex], Recorder<'_, I, FACES>), PainterError> {
+    ) -> Result<(&mut [ScreenVertex], Recorder<'_, S, FACES>), PainterError> {
         if self.vertices.is_empty() {
             self.area = Some(*instance.area());
         } else if self.area.as_ref() != Some(instance.area()) {
@@ -259,14 +259,14 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
         let (first, count) = (self.vertices.len(), instance.mesh.vertices().len());
         let room =
             Room { first, vertices: first + count, first_face: self.faces.len(), faces: self.faces.len() };
-        // A mesh without room is reported at the end, with the room that all of it needs.
+        // A mesh that does not fit is reported by `finish`, when its needs are known.
         let _ = self.vertices.resize_default(VERTICES);
         let vertices = self.vertices.get_mut(first..).unwrap_or_default();
         let (vertices, own) = vertices.split_at_mut(count.min(vertices.len()));
         Ok((vertices, Recorder { own: own.iter_mut(), faces: &mut self.faces, room }))
     }
 
-    /// Keeps what was recorded if there was room for it, and drops it otherwise.
+    /// Keeps the faces of the mesh if all of them fit, and removes them otherwise.
     fn finish(&mut self, room: &Room, statistics: Statistics) -> Result<(), PainterError> {
         let (most_vertices, most_faces) = (VERTICES.min(65_536), FACES.min(usize::from(NONE)));
         let error = if room.vertices > most_vertices {
@@ -286,15 +286,15 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
         Err(error)
     }
 
-    /// Draws all that was recorded, far to near, and forgets it: also when the target refuses.
+    /// Draws all faces from far to near and removes them, even if the target returns an error.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn draw<T: Target>(&mut self, target: &mut T) -> Result<Statistics, T::Error>
     where
-        I: SpanShader<T::Color>,
+        S: SpanShader<T::Color>,
     {
         let order = self.order();
         let statistics = order.statistics();
@@ -303,8 +303,7 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
         result.map(|()| statistics)
     }
 
-    /// Puts all that was recorded in order, to be drawn more than once: band by band. What was
-    /// recorded stays until it is [cleared](Self::clear).
+    /// Sorts the faces, to be drawn more than once: band by band. The faces stay until they are [cleared](Self::clear).
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -328,16 +327,16 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
     /// assert_eq!((order.statistics().drawn, display.get_pixel(Point::new(32, 32))), (1, Some(Gray8::WHITE)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn order(&mut self) -> PaintersOrder<'_, I> {
+    pub fn order(&mut self) -> PaintersOrder<'_, S> {
         let first = self.sort();
         let (vertices, faces) = (self.vertices.as_slice(), self.faces.as_slice());
         PaintersOrder { vertices, faces, first, area: self.area, statistics: self.statistics }
     }
 
-    /// Links the faces by rising key and gives the first: a radix sort of lists, four digits of
-    /// four bits, stable, in time proportional to the number of faces and with no memory beside
-    /// the links. (Knuth, *The Art of Computer Programming*, vol. 3, 2nd ed., section 5.2.5.)
-    #[inline(never)] // its lists are gone when it returns
+    /// Links the faces by ascending key and returns the index of the first: a stable radix sort of linked lists, four digits of
+    /// four bits, in time proportional to the number of faces and without memory beyond the links. (Knuth, *The Art of Computer
+    /// Programming*, vol. 3, 2nd ed., section 5.2.5.)
+    #[inline(never)] // its arrays leave the stack when it returns
     fn sort(&mut self) -> u16 {
         let count = self.faces.len();
         for (i, face) in self.faces.iter_mut().enumerate() {
@@ -347,9 +346,9 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
         }
         let mut first = if count == 0 { NONE } else { 0 };
         for digit in 0..black_box(4u32) {
-            // Four times the same code would be no faster.
+            // `black_box` prevents unrolling: four copies of the loop would be no faster.
             let shift = (4 * digit) & 15;
-            // Each digit's list: its first face and its last.
+            // The list of each digit: its first face and its last face.
             let mut lists = [(NONE, NONE); 16];
             let mut at = first;
             while let Some(face) = self.faces.get_mut(usize::from(at)) {
@@ -382,9 +381,9 @@ impl<I: Copy, const VERTICES: usize, const FACES: usize> Painter<I, VERTICES, FA
     }
 }
 
-/// The room that a mesh takes in a painter, counted beyond what there is.
+/// The vertices and faces that a mesh takes in a painter. They are counted even if they exceed the capacities.
 struct Room {
-    /// The first vertex of the mesh, and the end of its vertices and those of its cut faces.
+    /// The index of the mesh's first vertex. `vertices`: the end of its vertices and those of its clipped faces.
     first: usize,
     vertices: usize,
     first_face: usize,
@@ -392,8 +391,8 @@ struct Room {
 }
 
 impl Room {
-    /// Turns the vertices of the mesh from packed ones to points on the screen. `all`: also those that are not on the
-    /// screen or farther out than a [`ScreenVertex`] holds, as a face that is not cut may refer to them.
+    /// Converts the mesh's vertices from packed screen vertices to points. `all`: also vertices that are not on the screen, or
+    /// that lie farther out than a [`ScreenVertex`] can hold, because unclipped faces may refer to them.
     fn unpack<V: Coordinate>(
         &self,
         instance: &MeshInstance<'_, V>,
@@ -415,26 +414,26 @@ impl Room {
     }
 }
 
-/// Records the faces of a mesh.
-struct Recorder<'p, I, const FACES: usize> {
-    /// Room for vertices of cut faces.
+/// Stores the faces of one mesh in a painter.
+struct Recorder<'p, S, const FACES: usize> {
+    /// Room for the vertices of clipped faces.
     own: core::slice::IterMut<'p, ScreenVertex>,
-    faces: &'p mut Vec<Face<I>, FACES>,
+    faces: &'p mut Vec<Face<S>, FACES>,
     room: Room,
 }
 
-impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
-    /// Records the triangles of the faces of a source. `shares`: a face that is not cut refers to the mesh's vertices also
-    /// where they are not in the cache.
+impl<S: Shader, const FACES: usize> Recorder<'_, S, FACES> {
+    /// Stores the triangles of a source's faces. `shares`: an unclipped face refers to the mesh's vertices even if they are not
+    /// cached.
     #[inline(always)]
     fn record<'a, V: Coordinate + 'a>(
         &mut self,
         source: impl FaceSource,
         cache: &mut impl VertexCache<'a, V, true>,
         shares: bool,
-        mut shade: impl FnMut(usize) -> I,
+        mut shade: impl FnMut(usize) -> S,
     ) -> Statistics {
-        let viewport = Scissor::GUARD_BAND; // no gradient is asked for
+        let viewport = Scissor::GUARD_BAND; // no gradient is computed
         let instance = cache.instance();
         let Ok(statistics) = each_face(source, cache, &viewport, |index, face, triangles| {
             let shared = !triangles.fan.is_cut() && (shares || triangles.fan.is_cached());
@@ -451,7 +450,7 @@ impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
         statistics
     }
 
-    /// Stores the corners of a cut face if there is room, and counts them in any case.
+    /// Stores the corners of a clipped face's triangle if there is room, and counts them in any case.
     #[cold]
     #[inline(never)]
     fn own_vertices(&mut self, corners: &[ScreenPoint; 3]) -> [usize; 3] {
@@ -467,15 +466,15 @@ impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
 
     /// Stores a triangle if there is room, and counts it in any case.
     #[inline(always)]
-    fn face(&mut self, vertices: [usize; 3], depths: &[i32; 3], shader: I) {
+    fn face(&mut self, vertices: [usize; 3], depths: &[i32; 3], shader: S) {
         self.room.faces += 1;
         let [a, b, c] = depths.map(|depth| (depth.unsigned_abs() + 128) >> 8); // to whole steps
 
-        // The mean of three depths of at most 65534: 196602·21845 < 2³², and 21845/2¹⁶ falls short
-        // of a third by so little that the order of sums is kept.
+        // The mean of three depths of at most 65534: 196602·21845 < 2³². 21845/2¹⁶ is slightly less than a third, but still
+        // increases with the sum.
         let mean = ((a + b + c) * 21_845) >> 16;
         let _ = self.faces.push(Face {
-            // Beyond 65535 the mesh is refused at the end, and these never meet a picture.
+            // If an index exceeds 65535, `finish` removes the mesh: the truncated index is never used.
             vertices: vertices.map(|index| index as u16),
             key: !(mean as u16),
             next: NONE,
@@ -485,7 +484,7 @@ impl<I: Shader, const FACES: usize> Recorder<'_, I, FACES> {
 }
 
 #[cfg(feature = "defmt")]
-impl<I, const VERTICES: usize, const FACES: usize> defmt::Format for Painter<I, VERTICES, FACES> {
+impl<S, const VERTICES: usize, const FACES: usize> defmt::Format for Painter<S, VERTICES, FACES> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let (vertices, faces) = (self.vertices.len(), self.faces.len());
         defmt::write!(
@@ -501,7 +500,7 @@ impl<I, const VERTICES: usize, const FACES: usize> defmt::Format for Painter<I, 
 }
 
 #[cfg(feature = "defmt")]
-impl<I> defmt::Format for PaintersOrder<'_, I> {
+impl<S> defmt::Format for PaintersOrder<'_, S> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "painter's order of {=usize} faces: {}", self.faces.len(), self.statistics);
     }

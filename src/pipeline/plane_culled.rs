@@ -12,8 +12,8 @@ use crate::math::Coordinate;
 use crate::shading::SpanShader;
 use crate::surface::{DepthBuffer, Target};
 
-/// A mesh instance whose back faces are culled by their planes, before vertices are transformed:
-/// [`MeshInstance::cull_by_planes`] makes it, and has an example.
+/// A mesh instance whose back faces are culled by their planes, before vertices are transformed.
+/// [`MeshInstance::cull_by_planes`] makes it and has an example.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneCulled<'a, V = i16> {
     pub(super) instance: &'a MeshInstance<'a, V>,
@@ -21,22 +21,23 @@ pub struct PlaneCulled<'a, V = i16> {
 }
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Tests each face's [plane](crate::Mesh::with_planes) first, and transforms a vertex only when a face that
-    /// may be visible needs it. Draws at once, or [records](PlaneCulled::bin_faces) for bands.
+    /// Enables early back-face culling: drawing first tests each face's [plane](crate::Mesh::with_planes), and transforms a
+    /// vertex only when a face that may be visible needs it. Then draw at once, or [bin](PlaneCulled::bin_faces) the faces for
+    /// bands.
     ///
-    /// Worth it for closed meshes of some hundred faces and more. It costs more than it saves for some dozen
-    /// faces, for terrain seen from above, for meshes without planes and for [`Cull::None`]. (Figures are in
-    /// `docs/growth.md`; the eye alone takes as long as some ten vertices.)
+    /// This is worth it for closed meshes of a few hundred faces or more. It costs more than it saves for a few dozen faces,
+    /// for terrain seen from above, for meshes without planes and with [`Cull::None`]. (Figures are in `docs/growth.md`:
+    /// computing the eye's position alone takes as long as transforming about ten vertices.)
     ///
-    /// A face is culled where the eye lies behind its plane by more than 1/290 of the larger of the eye's distance
-    /// and the mesh's largest coordinate, in model units; in parallel projections where its normal points away
-    /// from the viewer by more than an angle whose sine is 1/290. No visible face is left out.
+    /// A face is culled by its plane if the eye lies behind the plane by more than 1/290 of the eye's distance or of the mesh's
+    /// largest coordinate, whichever is larger, in model units. In a parallel projection a face is culled if its normal points
+    /// away from the viewer by more than an angle whose sine is 1/290. No visible face is culled.
     ///
-    /// The picture is the same as without, but for faces that are turned away and so thin on the screen that rounding
-    /// turns their corners to the front: less than 1/100 pixel, however long, where vertices are within 1/256 px of their
-    /// places (see [`project`](MeshInstance::project)). Those are left out here, and with them the few pixels that such a
-    /// sliver may cover. In the [`Statistics`] all faces that are known by their planes are
-    /// `culled`, what would be `degenerate` or `outside` too.
+    /// The picture equals the picture without culling by planes, except for back faces so thin on the screen that rounding
+    /// their vertices turns them to the front: slivers narrower than 1/100 pixel, of any length, if vertices are accurate to
+    /// 1/256 px (see [`project`](MeshInstance::project)). Such a sliver may cover a few pixels; culling by planes leaves it
+    /// out. In the [`Statistics`], all faces that are culled by planes count as `culled`, even those that would be `degenerate`
+    /// or `outside`.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -58,8 +59,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// );
     /// let model = Affine::<Model, World>::identity();
     /// let mut display = MockDisplay::<Gray8>::new();
-    /// let placed = camera.place(&mesh, &model);
-    /// let statistics = placed.cull_by_planes().solid(|_face| Gray8::WHITE, &mut [ScreenVertex::EMPTY; 4], &mut display)?;
+    /// let instance = camera.place(&mesh, &model);
+    /// let statistics = instance.cull_by_planes().solid(|_face| Gray8::WHITE, &mut [ScreenVertex::EMPTY; 4], &mut display)?;
     /// assert_eq!((statistics.drawn, statistics.culled), (1, 3));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -73,19 +74,19 @@ impl<V: Coordinate> MeshInstance<'_, V> {
 }
 
 impl<'a, V: Coordinate> PlaneCulled<'a, V> {
-    /// The faces that may be visible.
+    /// The source of the faces that may be visible.
     #[inline(always)]
     pub(super) fn source(&self) -> PlaneOrder<'a, V> {
         PlaneOrder { instance: self.instance, eye: self.eye }
     }
 
-    /// Draws the faces as [`MeshInstance::solid`] does. A vertex that must be clipped, or lies too far out for a
-    /// [`ScreenVertex`], is transformed again for each face that shares it.
+    /// Draws the faces that may be visible as [`MeshInstance::solid`] does. A vertex that must be clipped, or lies farther out
+    /// than a [`ScreenVertex`] can hold, is transformed again for each face that uses it.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn solid<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -106,13 +107,13 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         }
     }
 
-    /// Draws the faces as [`MeshInstance::depth_tested`] does. A vertex that must be clipped, or lies too far out for a
-    /// [`ScreenVertex`], is transformed again for each face that shares it.
+    /// Draws the faces that may be visible as [`MeshInstance::depth_tested`] does. A vertex that must be clipped, or lies
+    /// farther out than a [`ScreenVertex`] can hold, is transformed again for each face that uses it.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>>(
         &self,
         shade: impl FnMut(usize) -> S,
@@ -125,8 +126,9 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         faces::depth_tested(self.source(), cache, &region, shade, depth, target)
     }
 
-    /// Keeps the faces' depth as [`MeshInstance::depth_only`] does: for [hidden lines](MeshInstance::hidden_line).
-    #[inline(never)] // its frame is gone when it returns
+    /// Stores the depth of the faces that may be visible and draws nothing, as [`MeshInstance::depth_only`] does: the first
+    /// step of [hidden-line removal](MeshInstance::hidden_line).
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
         let region = DrawRegion::shared(&depth.area(), self.instance.area(), None);
         faces::depth_only(self.source(), LazyCache::new(self.instance, true, cache), &region, depth)
@@ -163,9 +165,9 @@ mod tests {
         [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
     }
 
-    /// BinnedFaces through random points against their planes in f64: none is left out that the eye is before, or in the
-    /// plane of, and all are that it is behind by more than 1/579 of its distance or of the power of two to which the
-    /// mesh is justified.
+    /// Faces through random points, compared with their planes in f64: a face is never culled if the eye is in front of its
+    /// plane or in it, and always if the eye is behind the plane by more than 1/579 of the eye's distance or of the power of
+    /// two to which the mesh is justified.
     #[test]
     fn faces_are_left_out_only_where_the_eye_is_behind_their_plane() {
         const FACES: usize = 27;
@@ -175,8 +177,8 @@ mod tests {
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
         let lens =
             Projection::perspective(Angle::degrees(50), viewport.size(), number(0.1), number(90.0)).unwrap();
-        // Behind the plane, in parts of the eye's distance: the least of those left out, the most of those kept.
-        let (mut least, mut most, mut left_out) = (f64::MAX, f64::MIN, 0);
+        // How far the eye is behind the plane, as a share of its distance: the least of culled faces, the most of others.
+        let (mut least, mut most, mut culled_faces) = (f64::MAX, f64::MIN, 0);
         for i in 0..4_000 {
             let reach: f64 = [32_767.0, 300.0][i % 2];
             let mut vertices = [[0_i16; 3]; 3 * FACES];
@@ -185,7 +187,7 @@ mod tests {
             for face in 0..FACES {
                 faces[face] = [0, 1, 2].map(|corner| (3 * face + corner) as u16);
                 loop {
-                    // AnyTriangle ones, and small ones.
+                    // Large faces and small faces.
                     let (size, about) = ([0.5, 0.02][face % 2], [0; 3].map(|_| 0.5 * random.unit()));
                     for vertex in &mut vertices[3 * face..3 * face + 3] {
                         *vertex = about.map(|c| (reach * (c + size * random.unit())) as i16);
@@ -210,7 +212,7 @@ mod tests {
             let eye = vector([1.2, 4.0, 40.0][i / 4 % 3]);
             let as_vector = |[x, y, z]: V| Vector3::<World>::new(number(x), number(y), number(z));
             let point = |[x, y, z]: V| Point3::<World>::new(number(x), number(y), number(z));
-            // The eye where the model's matrix brings it from.
+            // The eye in model space.
             let volume = dot(x, cross(y, z));
             if volume.abs() < 0.02 * thin {
                 continue;
@@ -220,31 +222,31 @@ mod tests {
                 .map(|c| c / volume * f64::from(exponent).exp2().recip());
             let model =
                 Affine::<Model, World>::from_frame(as_vector(x), as_vector(y), as_vector(z), point(origin));
-            let viewing =
+            let view =
                 ViewTransform::look_at(point(eye), Point3::from_ints(0, 0, 0), Vector3::from_ints(1, 2, 3))
                     .unwrap();
-            let camera = Camera::new(&viewing, &lens, &viewport);
-            let placed = camera.place(&mesh, &model);
-            let facing = placed.cull_by_planes();
-            let seen = facing.source().visible(0, FACES);
+            let camera = Camera::new(&view, &lens, &viewport);
+            let instance = camera.place(&mesh, &model);
+            let culled = instance.cull_by_planes();
+            let seen = culled.source().visible(0, FACES);
             assert_eq!(seen >> FACES, 0);
             let distance = own.into_iter().fold(f64::from(1 << (31 - mesh.justify())), |m, c| m.max(c.abs()));
             for (face, corners) in faces.iter().enumerate() {
                 let [a, b, c] = corners.map(|vertex| vertices[usize::from(vertex)].map(f64::from));
                 let normal = cross(minus(b, a), minus(c, a));
-                // A mirrored face turns the other way.
+                // A mirrored face is turned the other way.
                 let behind =
                     volume.signum() * dot(normal, minus(a, own)) / dot(normal, normal).sqrt() / distance;
                 if seen >> face & 1 == 0 {
                     least = least.min(behind);
-                    left_out += 1;
+                    culled_faces += 1;
                 } else {
                     most = most.max(behind);
                 }
             }
         }
-        assert!(least > 0.0 && left_out > 50_000, "{least} {left_out}");
-        // By the margin and errors as large against it, 2·115 806 of 32 767·4096; 0.00067 is met.
+        assert!(least > 0.0 && culled_faces > 50_000, "{least} {culled_faces}");
+        // The margin and an error of equal size allow 2·115 806 of 32 767·4096 = 1/579; the largest seen is 0.00067.
         assert!((0.0005..1.0 / 579.0).contains(&most), "{most}");
     }
 }

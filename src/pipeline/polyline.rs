@@ -1,4 +1,4 @@
-//! Points and poly-lines: plots, tool paths, labels' anchors.
+//! Points and polylines, for plots, tool paths and the anchors of labels.
 
 use super::draw_region::DrawRegion;
 use super::fill::line;
@@ -10,13 +10,13 @@ use crate::raster::{self, Pixel, Span};
 use crate::surface::Target;
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Draws each vertex as the pixel that it lies in: [`polyline`](Self::polyline) has an example.
+    /// Draws each vertex as one pixel. [`polyline`](Self::polyline) has an example.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first pixel that it refuses.
-    #[inline(never)] // its frame is gone when it returns
-    pub fn points<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+    /// The target's error, at the first pixel that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
+    pub fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
         for index in 0..self.mesh.vertices().len() {
@@ -24,7 +24,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
                 Some((point, _)) => {
                     statistics.drawn += 1;
                     let pixel = point.pixel();
-                    line(target, pixel, pixel, &scissor, colour)?;
+                    line(target, pixel, pixel, &scissor, color)?;
                 }
                 None => statistics.outside += 1,
             }
@@ -32,8 +32,9 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         Ok(statistics)
     }
 
-    /// Draws the vertices in order as one poly-line, closed if the last repeats the first. The pixel at a joint is
-    /// drawn once, with the line that ends there. Lines are clipped as those of [`wireframe`](Self::wireframe).
+    /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
+    /// a joint of two lines is drawn once, with the line that ends there. Lines are clipped as in
+    /// [`wireframe`](Self::wireframe).
     ///
     /// ```
     /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::BinaryColor};
@@ -45,44 +46,44 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// let window = Window { left: zero, right: five, bottom: zero, top: four };
     /// let view = ViewTransform::multiview(Point3::from_f32(-0.5, -0.5, 0.0)?, Side::Front); // to pixel centres
     /// let camera = Camera::new(&view, &Projection::orthographic(window, -one, one)?, &viewport);
-    /// let placed = camera.place(&mesh, &Affine::identity());
+    /// let instance = camera.place(&mesh, &Affine::identity());
     /// let mut display = MockDisplay::new(); // which refuses a pixel that is drawn twice
-    /// placed.polyline(BinaryColor::On, &mut display)?;
+    /// instance.polyline(BinaryColor::On, &mut display)?;
     /// display.assert_pattern(&["  #  ", " # # ", " #  #", "#    "]); // up by 3 in 2 columns, and down by 2 in 2
     /// let mut display = MockDisplay::new();
-    /// placed.points(BinaryColor::On, &mut display)?;
+    /// instance.points(BinaryColor::On, &mut display)?;
     /// display.assert_pattern(&["  #  ", "     ", "    #", "#    "]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
-    pub fn polyline<T: Target>(&self, colour: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
+    pub fn polyline<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
         let vertices = self.mesh.vertices();
-        // u16 indices reach all of them: Mesh allows no more than 65536.
-        let line = TransformedMesh::<V, false>::with_cache(self, false, &[]);
-        let place = |index: usize| line.vertex(index as u16).map(|vertex| vertex.point.pixel());
+        // `index as u16` is exact: a mesh has at most 65536 vertices.
+        let mesh = TransformedMesh::<V, false>::with_cache(self, false, &[]);
+        let pixel = |index: usize| mesh.vertex(index as u16).map(|vertex| vertex.point.pixel());
         let count = vertices.len();
-        let first = if count == 0 { None } else { place(0) };
-        // Where all lies in one pixel, no later line comes back to it.
+        let first = if count == 0 { None } else { pixel(0) };
+        // If all vertices lie in one pixel, no later line returns to it: not closed.
         let closed = count > 2
             && first.is_some()
-            && place(count - 1) == first
-            && (1..count).any(|index| place(index) != first);
-        // The pixel that the line before ended in, or will end in.
+            && pixel(count - 1) == first
+            && (1..count).any(|index| pixel(index) != first);
+        // The pixel not to draw again: where the previous line ended or, for the first line, where the last one will end.
         let mut joint = if closed { first } else { None };
         for index in 1..count {
-            // Of an end that a plane cuts off there is no joint.
-            let is_joint = place(index).is_some();
-            match line.edge([(index - 1) as u16, index as u16], &mut statistics) {
+            // An end that is clipped is no joint.
+            let is_joint = pixel(index).is_some();
+            match mesh.edge([(index - 1) as u16, index as u16], &mut statistics) {
                 Some([a, b]) => {
                     let (a, b) = (a.point.pixel(), b.point.pixel());
                     raster::line(a, b, &scissor, |span| match without(span, joint) {
-                        Some(span) => target.fill(span, colour),
+                        Some(span) => target.fill(span, color),
                         None => Ok(()),
                     })?;
                     joint = Some(b).filter(|_| is_joint);
@@ -94,7 +95,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     }
 }
 
-/// The span less a pixel at one of its ends.
+/// The span without a pixel, if that is at one of its ends.
 fn without(span: Span, pixel: Option<Pixel>) -> Option<Span> {
     let Some(pixel) = pixel else { return Some(span) };
     let (x, y) = (i32::from(pixel.x), i32::from(pixel.y));

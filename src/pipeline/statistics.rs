@@ -1,32 +1,33 @@
-//! Counts of what a draw call did with the primitives that it was given.
+//! Statistics: how many primitives a draw call drew, culled and clipped.
 
-/// What becomes of a face.
+/// What the pipeline does with a face.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Outcome {
-    /// Turned away from the viewer.
+    /// A back face.
     Culled,
     /// Without area on the screen.
     Degenerate,
-    /// Wholly beyond one of the planes.
+    /// Outside the view volume: clipping leaves nothing of it.
     Outside,
-    /// Drawn with its own corners.
-    Whole,
-    /// Drawn as the polygon that planes leave of it.
-    Cut,
+    /// Drawn with its own three corners.
+    Unclipped,
+    /// Clipped, and drawn as a polygon.
+    Clipped,
 }
 
 impl Outcome {
     #[inline(always)]
     pub(super) fn is_drawn(self) -> bool {
-        matches!(self, Self::Whole | Self::Cut)
+        matches!(self, Self::Unclipped | Self::Clipped)
     }
 }
 
-/// Counts of what a draw did, in faces, edges, segments of a poly-line or points. Each one handed in is in exactly
-/// one of `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts those of the drawn that were cut first.
+/// How many primitives (faces, edges, segments of a polyline or points) a draw call drew, and why it did not draw the others.
+/// Each primitive is counted in exactly one of `drawn`, `culled`, `outside` and `degenerate`; `clipped` counts the drawn
+/// primitives that were clipped.
 ///
-/// Drawn means handed to the rasteriser: a face between four pixel centres, or beside the target,
-/// is drawn and covers none.
+/// *Drawn* means passed to the rasteriser. A drawn face need not cover a pixel: it may lie between pixel centres, or beside the
+/// target.
 ///
 /// ```
 /// use pinhole::Statistics;
@@ -39,22 +40,22 @@ impl Outcome {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Statistics {
-    /// Rasterised.
+    /// Passed to the rasteriser.
     pub drawn: u32,
-    /// Turned away from the viewer.
+    /// Back faces.
     pub culled: u32,
-    /// Cut by the near plane, the far plane or the guard band, and drawn.
+    /// Clipped at the near plane, the far plane or the guard band, and drawn; also counted in `drawn`.
     pub clipped: u32,
-    /// Wholly in front of the near plane, beyond the far plane or outside the guard band.
+    /// Outside: clipping at the near plane, the far plane and the guard band leaves nothing.
     pub outside: u32,
-    /// BinnedFaces without area on the screen.
+    /// Faces without area on the screen.
     pub degenerate: u32,
 }
 
 impl Statistics {
     pub(super) const NONE: Self = Self { drawn: 0, culled: 0, clipped: 0, outside: 0, degenerate: 0 };
 
-    /// Both together, saturating.
+    /// The sum of two counts, saturating.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
         Self {
@@ -74,8 +75,8 @@ impl Statistics {
             Outcome::Culled => &mut self.culled,
             Outcome::Degenerate => &mut self.degenerate,
             Outcome::Outside => &mut self.outside,
-            Outcome::Whole => &mut self.drawn,
-            Outcome::Cut => {
+            Outcome::Unclipped => &mut self.drawn,
+            Outcome::Clipped => {
                 self.clipped = self.clipped.wrapping_add(1);
                 &mut self.drawn
             }
@@ -83,17 +84,17 @@ impl Statistics {
         *field = field.wrapping_add(1);
     }
 
-    /// These counts of a mesh of `faces` faces, where each face that was not counted was culled: so the common case, a face
-    /// that is turned away, costs no instruction.
+    /// Completes the counts of a mesh of `faces` faces: each face that was not counted is culled. So a back face, the common
+    /// case, costs no instruction.
     pub(super) fn with_the_rest_culled(self, faces: usize) -> Self {
         // Each count is below 2³², and so is their sum.
         let rest = (faces as u32).wrapping_sub(self.drawn + self.outside + self.degenerate);
         Self { culled: rest, ..self }
     }
 
-    /// Counts an edge that is cut or not drawn and passes on its ends: `edge` has the ends on the screen and whether the edge
-    /// was cut, or is `None` when nothing is left of the edge. Edges that are not counted are
-    /// [drawn](Self::with_the_rest_drawn).
+    /// Counts the result of clipping an edge and returns the edge's ends. `edge` is the ends on the screen and whether clipping
+    /// shortened the edge, or `None` if clipping left nothing of it. Drawn edges are not counted here, but by
+    /// [`with_the_rest_drawn`](Self::with_the_rest_drawn).
     #[inline(always)]
     pub(super) fn count_edge<T>(&mut self, edge: Option<(T, bool)>) -> Option<T> {
         let Some((ends, cut)) = edge else {
@@ -104,7 +105,7 @@ impl Statistics {
         Some(ends)
     }
 
-    /// These counts of a mesh of `edges` edges, where each edge that was not counted was drawn.
+    /// Completes the counts of a mesh of `edges` edges: each edge that was not counted as outside is drawn.
     pub(super) fn with_the_rest_drawn(self, edges: usize) -> Self {
         Self { drawn: (edges as u32).wrapping_sub(self.outside), ..self } // below 2³²
     }

@@ -1,7 +1,7 @@
-//! Vertices on the screen: transformed once into memory that the caller provides.
+//! The vertex caches: screen vertices in caller-provided memory, each transformed once.
 //!
-//! Two caches: [`TransformedMesh`] transforms all vertices before the first face, [`LazyCache`] a vertex when the first
-//! face that needs it is drawn.
+//! [`TransformedMesh`] transforms all vertices before the first face; [`LazyCache`] transforms a vertex when the first face
+//! needs it.
 
 use super::instance::MeshInstance;
 use crate::camera::{ScreenVertex, UnpackedVertex, VertexTransform};
@@ -10,7 +10,7 @@ use crate::math::Coordinate;
 use crate::raster::{self, ScreenPoint};
 use core::hint::black_box;
 
-/// A cache of a mesh's vertices, as the face loop asks it.
+/// A vertex cache, as the face loop sees it.
 pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
     /// Whether all faces that the loop meets were culled before: then the loop does not test them again.
     const CULLED: bool = false;
@@ -18,24 +18,26 @@ pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
     /// The corners of a face, if the cache holds all of them and they lie on the screen.
     fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]>;
 
-    /// The corners that [`corners`](Self::corners) returned for this face before, from memory where that saves registers.
-    fn corners_again(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]>;
+    /// The `corners` that [`corners`](Self::corners) returned for this face, loaded again if that saves registers.
+    fn reload_corners(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]>;
 
     /// The instance whose vertices are cached.
     fn instance(&self) -> &'a MeshInstance<'a, V>;
 
-    /// A view of the cache that transforms nothing.
+    /// A read-only view of the cache.
     fn view(&self) -> TransformedMesh<'_, V, DEPTH>;
 }
 
-/// A mesh instance with its vertices on the screen, each transformed once. `DEPTH`: with their depths.
+/// A mesh instance with its vertices transformed to the screen, each once, for drawing in bands: the next step is
+/// [`bin_faces`](Self::bin_faces) or [`bin_edges`](Self::bin_edges). With `DEPTH` the vertices have depth.
 ///
-/// Vertices beyond the end of the cache are transformed whenever a face or an edge needs them: the picture is the same, so
-/// a mesh may have more vertices than its cache. [`MeshInstance::transform`] has an example.
+/// [`MeshInstance::transform`] makes it and has an example; [`MeshInstance::transform_depth`] makes it with depth. The vertices
+/// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
+/// whenever a face or an edge needs them, and the picture is equal.
 #[derive(Debug)]
 pub struct TransformedMesh<'a, V = i16, const DEPTH: bool = false> {
     pub(super) instance: &'a MeshInstance<'a, V>,
-    /// Whether the far plane cuts.
+    /// Whether the far plane clips.
     pub(super) far: bool,
     cache: &'a [ScreenVertex],
 }
@@ -49,8 +51,8 @@ impl<V, const DEPTH: bool> Clone for TransformedMesh<'_, V, DEPTH> {
 impl<V, const DEPTH: bool> Copy for TransformedMesh<'_, V, DEPTH> {}
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Transforms every vertex once, without depth, for drawing in bands. Vertices beyond the end of `cache` are
-    /// transformed again whenever they are needed.
+    /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of
+    /// the mesh; if it is shorter, vertices beyond its end are transformed whenever they are needed.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -68,9 +70,9 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///     &viewport,
     /// );
     /// let model = Affine::<Model, World>::identity();
-    /// let (mut corners, mut records) = ([ScreenVertex::EMPTY; 3], [0; 2]); // a face, and one for every 16
-    /// let placed = camera.place(&mesh, &model);
-    /// let mut faces = placed.transform(&mut corners).bin_faces(&mut records)?;
+    /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2]); // one per vertex; one per face, and one per 16 faces
+    /// let instance = camera.place(&mesh, &model);
+    /// let mut faces = instance.transform(&mut cache).bin_faces(&mut bins)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
@@ -84,22 +86,21 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         TransformedMesh::new(self, cache)
     }
 
-    /// Like [`transform`](Self::transform), with depth, for drawing against depth strips. What lies beyond the far
-    /// plane is clipped, whatever the camera says.
+    /// Transforms the mesh's vertices once, with depth, for depth-tested bands. `cache` is as in
+    /// [`transform`](Self::transform). Faces and edges are clipped at the far plane, even if the camera [does not
+    /// clip](crate::Camera::with_far_clip) there.
     pub fn transform_depth<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, true> {
         TransformedMesh::new(self, cache)
     }
 
-    /// Where vertex `index` lies on the screen, and its depth (0 near … 65534 far). `None` when
-    /// there is no such vertex, or it lies in front of the near plane or outside the guard band
-    /// (and beyond the far plane, where the camera clips there).
+    /// The screen point of vertex `index` and its depth (0 near … 65534 far). `None` if the mesh has no such vertex, or if the
+    /// vertex lies in front of the near plane, outside the guard band or, if the camera clips there, beyond the far plane.
     ///
-    /// Within 1/256 px of the exact image of the quantised input, the rounding to 1/256 px
-    /// included, for objects whose half extent is at most 300 times the vertex's distance;
-    /// beyond, within `1/512 + 6.5·10⁻⁶ · extent/distance` px, for 480 × 320 pixels and focal lengths up
-    /// to 700 px; ARCHITECTURE.md has the formula for all others. Depth is within 1 of
-    /// `65535·(z/w + 1)/2` there, where far is at least twice near: what rounding costs grows as
-    /// far/(far − near).
+    /// **Error.** For 480 × 320 pixels and focal lengths up to 700 px, the point is within 1/256 px of the exact image of the
+    /// quantised input, including the rounding to 1/256 px, for objects whose half extent is at most 300 times the vertex's
+    /// distance; for larger objects it is within `1/512 + 6.5·10⁻⁶ · extent/distance` px. ARCHITECTURE.md has the formula for
+    /// all other pictures. Under these conditions depth is within 1 of `65535·(z/w + 1)/2` if far is at least twice near;
+    /// otherwise its error grows as far/(far − near).
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
@@ -111,11 +112,11 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let mesh = Mesh::new(&[[0, 0, 0], [0, 0, 8]], 0, &[])?;
-    /// let placed = camera.place(&mesh, &Affine::identity());
-    /// let (at, depth) = placed.project(0).ok_or("hidden")?;
+    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// let (at, depth) = instance.project(0).ok_or("hidden")?;
     /// assert_eq!((at.x(), at.y()), (32 * 256, 32 * 256)); // the centre of 64 × 64 pixels
     /// assert!(depth > 0 && depth < 65_534);
-    /// assert_eq!(placed.project(1), None); // behind the eye
+    /// assert_eq!(instance.project(1), None); // behind the eye
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
@@ -124,9 +125,9 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         Some((vertex.point, vertex.step()))
     }
 
-    /// Where vertex `index` lies before its place is rounded to 1/256 px: x and y in 2⁻³² px, and depth
-    /// in 2⁻³² of its 65536 steps, not cut off at either end. For measuring. `None` when there is no
-    /// such vertex, or it lies in front of the near plane; what is beyond ±2³⁰ saturates.
+    /// Vertex `index` before it is rounded to 1/256 px, for measurements: x and y in 2⁻³² px, and depth in 2⁻³² of its 65536
+    /// steps, not clamped to the range of depth. `None` if the mesh has no such vertex, or if it lies in front of the near
+    /// plane. Values beyond ±2³⁰ saturate.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
         let vertex = *self.mesh.vertices().get(index)?;
         let h = self.vertex_transform.clip(vertex);
@@ -136,18 +137,18 @@ impl<V: Coordinate> MeshInstance<'_, V> {
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Transforms the vertices from the start of the vertex list into the cache. With depth the far plane cuts, whatever
-    /// the camera says.
+    /// Transforms as many vertices as fit into the cache. With depth, the far plane clips even if the camera does not clip
+    /// there.
     pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
         let far = DEPTH || instance.vertex_transform.clips_at_far();
         transform_all::<V, DEPTH>(&instance.vertex_transform, far, instance.mesh.vertices(), cache);
-        // A length that the compiler does not know is compared in one instruction, many a constant in two. Without depth
-        // the constant is better: no register is left for the length.
+        // With depth, `black_box` hides the length of the cache: comparing with a register takes one instruction, with many
+        // constants two. Without depth no register is left for the length, and the constant is better.
         let cache: &[ScreenVertex] = if DEPTH { black_box(cache) } else { cache };
         Self::with_cache(instance, DEPTH, cache)
     }
 
-    /// A view of a cache that was filled elsewhere. `far`: the far plane cuts, whatever the camera says.
+    /// A view of a cache that already holds screen vertices. `far`: the far plane clips even if the camera does not clip there.
     #[inline(always)]
     pub(super) fn with_cache(
         instance: &'a MeshInstance<'_, V>,
@@ -170,7 +171,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     #[inline(never)]
     fn uncached(&self, index: u16) -> ScreenVertex {
         let mut vertex = [ScreenVertex::EMPTY];
-        // Mesh has checked that there is such a vertex.
+        // `Mesh` has checked that this vertex exists.
         let vertices = self.instance.mesh.vertices().get(usize::from(index)..).unwrap_or_default();
         transform_all::<V, DEPTH>(&self.instance.vertex_transform, self.far, vertices, &mut vertex);
         let [vertex] = vertex;
@@ -190,7 +191,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         Some([corner(a)?, corner(b)?, corner(c)?])
     }
 
-    /// The corners' positions on the screen, with their depths.
+    /// The corners as 24.8 points, with their depths.
     #[inline(always)]
     pub(super) fn unpack(&self, corners: [ScreenVertex; 3]) -> [UnpackedVertex; 3] {
         corners.map(|corner| self.instance.vertex_transform.unpack::<DEPTH>(corner))
@@ -204,9 +205,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     }
 
     #[inline(always)]
-    fn corners_again(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
+    fn reload_corners(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
         if DEPTH {
-            // With depth, culling needs the registers that the corners are in: they are loaded again.
+            // With depth, culling needs the registers of the corners: load the corners again.
             return Some(self.cached(black_box(face))?.map(|corner| *corner));
         }
         Some(corners)
@@ -235,7 +236,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
     }
 
     #[inline(always)]
-    fn corners_again(&mut self, _: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
+    fn reload_corners(&mut self, _: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
         Some(corners)
     }
 
@@ -250,21 +251,21 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
     }
 }
 
-/// A cache that transforms a vertex when it is asked for it the first time.
+/// A vertex cache that transforms a vertex at its first use.
 pub(super) struct LazyCache<'a, 'c, V, const DEPTH: bool> {
     instance: &'a MeshInstance<'a, V>,
-    /// Whether the far plane cuts.
+    /// Whether the far plane clips.
     far: bool,
     cache: &'c mut [ScreenVertex],
 }
 
 impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
-    /// Marks all vertices as not transformed. `far`: the far plane cuts.
+    /// Marks all vertices as not transformed. `far`: the far plane clips.
     #[inline(always)]
     pub(super) fn new(instance: &'a MeshInstance<'a, V>, far: bool, cache: &'c mut [ScreenVertex]) -> Self {
         let count = instance.mesh.vertices().len().min(cache.len());
         let cache = cache.get_mut(..count).unwrap_or_default();
-        // A value that the compiler does not know: it would call its `memset` for zeros, which is slower.
+        // `black_box` hides that the value is zero: LLVM would call `memset`, which is slower.
         let empty = black_box(ScreenVertex::EMPTY);
         for vertex in cache.iter_mut() {
             *vertex = empty;
@@ -272,13 +273,12 @@ impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
         Self { instance, far, cache }
     }
 
-    /// The vertices, those that no face needed among them: these are empty.
+    /// The vertices of the cache. A vertex that no face needed is empty.
     pub(super) fn into_cache(self) -> &'c mut [ScreenVertex] {
         self.cache
     }
 
-    /// A vertex, transformed now if it was not before. `None` for a vertex that is not on the screen or has no room in the
-    /// cache.
+    /// A vertex, transformed at its first use. `None` if it is not on the screen, or lies beyond the end of the cache.
     #[inline(always)]
     fn vertex(&mut self, index: u16) -> Option<ScreenVertex> {
         let vertex = self.cache.get_mut(usize::from(index))?;
@@ -299,7 +299,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
     }
 
     #[inline(always)]
-    fn corners_again(&mut self, _: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
+    fn reload_corners(&mut self, _: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
         Some(corners)
     }
 
@@ -314,7 +314,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
     }
 }
 
-/// Twice the area of a face with these corners on the screen, positive counter-clockwise with y up.
+/// Twice the signed area of a face with these corners, positive if they are counter-clockwise with y up.
 #[inline(always)]
 pub(super) fn area<const DEPTH: bool>(corners: &[ScreenVertex; 3]) -> i64 {
     raster::area(&corners.map(|corner| corner.offset::<DEPTH>()))
@@ -333,7 +333,7 @@ fn transform_one<V: Coordinate, const DEPTH: bool>(
     }
 }
 
-/// The vertex loop. `far`: the far plane cuts.
+/// The vertex loop. `far`: the far plane clips.
 #[inline(never)] // one copy, for cached and uncached vertices
 pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     vertex_transform: &VertexTransform,
@@ -342,9 +342,9 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     cache: &mut [ScreenVertex],
 ) {
     let by_d = vertex_transform.needs_d(DEPTH, far);
-    // Somewhere, and perhaps changed in every turn: so nothing of it is brought into registers, of which there are too
-    // few, before the loop, and its numbers are loaded in pairs. RISC-V has twice as many registers, and no such loads; on a
-    // Cortex-M0 the loop with depth has so much in memory that it costs nothing to have it all on the stack.
+    // `black_box` hides the transform, so that LLVM does not load its fields into registers before the loop: Arm has too few
+    // registers, and the fields would be spilled. Inside the loop LLVM loads them in pairs. RISC-V has twice as many registers
+    // and no paired loads. On a Cortex-M0, the loop with depth keeps so much in memory that spilled fields cost nothing.
     #[cfg(target_arch = "arm")]
     let vertex_transform = match !crate::math::cores::CORTEX_M0 || !DEPTH {
         true => black_box(vertex_transform),
@@ -356,21 +356,21 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     }
 }
 
-/// Both side by side, as many as there are of both.
+/// The vertices and their cache entries in pairs, as many as both slices have.
 #[cfg(not(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32")))]
 #[inline(always)]
 fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item = (&'a mut A, &'a B)> {
     cache.iter_mut().zip(vertices)
 }
 
-/// The same by two pointers and one count in place of an index, where normalising w is a loop: the compiler makes them of an
-/// index in innermost loops alone.
+/// The vertices and their cache entries in pairs, as many as both slices have, for cores on which normalising w is a loop. It
+/// advances two slices: LLVM replaces an index by pointers only in innermost loops, and this loop contains another.
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
 fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item = (&'a mut A, &'a B)> {
-    let kept = cache.len().min(vertices.len());
-    let mut cache = cache.get_mut(..kept).unwrap_or_default();
-    let mut vertices = vertices.get(..kept).unwrap_or_default();
+    let count = cache.len().min(vertices.len());
+    let mut cache = cache.get_mut(..count).unwrap_or_default();
+    let mut vertices = vertices.get(..count).unwrap_or_default();
     core::iter::from_fn(move || {
         let (packed, vertex);
         (packed, cache) = core::mem::take(&mut cache).split_first_mut()?;

@@ -1,4 +1,4 @@
-//! Edges as lines.
+//! Wireframes: the edges of a mesh as lines.
 
 use super::draw_region::DrawRegion;
 use super::fill::line;
@@ -9,7 +9,7 @@ use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::math::Coordinate;
 use crate::surface::Target;
 
-/// The edge loop: `draw` gets the index and the ends of each edge of which something is left.
+/// The edge loop: clips each edge and calls `draw` with the index and the ends of each edge of which clipping leaves something.
 ///
 /// # Errors
 ///
@@ -30,26 +30,26 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
 }
 
 impl<V: Coordinate> MeshInstance<'_, V> {
-    /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not
-    /// change an edge's pixels; ends cut by the near or far plane or the guard band are rounded to 1/256 px.
+    /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not change an
+    /// edge's pixels; an end that is clipped at the near plane, the far plane or the guard band is rounded to 1/256 px.
     ///
-    /// `cache` holds transformed vertices; one as long as the vertex list computes each once, a
-    /// shorter one (even an empty one) computes the rest whenever an edge needs them. The picture
-    /// is the same.
+    /// `cache` is memory for transformed vertices. If it is as long as the mesh's vertex list, each vertex is transformed once.
+    /// If it is shorter, or empty, the vertices beyond its end are transformed whenever an edge needs them: slower, but the
+    /// picture is equal.
     ///
     /// # Errors
     ///
-    /// The target's own, at the first span that it refuses.
-    #[inline(never)] // its frame is gone when it returns
+    /// The target's error, at the first span that it refuses.
+    #[inline(never)] // its stack frame is gone when it returns
     pub fn wireframe<T: Target>(
         &self,
-        colour: T::Color,
+        color: T::Color,
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         each_edge(&TransformedMesh::<V, false>::new(self, cache), |_, [from, to]| {
-            line(target, from.point.pixel(), to.point.pixel(), &scissor, colour)
+            line(target, from.point.pixel(), to.point.pixel(), &scissor, color)
         })
     }
 }

@@ -1,17 +1,17 @@
-//! Colours of any target as levels of their channels.
+//! Target colours as levels of red, green and blue, or of luma.
 
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888, RgbColor,
 };
 
-/// A target colour made of channels with integer levels: [`Flat`](super::Flat), [`Gouraud`](super::Gouraud), [`Lit`](super::Lit),
-/// [`Dithered`](super::Dithered) and [`ShadeTable::new`](super::ShadeTable::new) draw in any such colour.
+/// A target's colour type that consists of channels with integer levels. The shaders [`Flat`](super::Flat),
+/// [`Gouraud`](super::Gouraud), [`Lit`](super::Lit) and [`Dithered`](super::Dithered), and
+/// [`ShadeTable::new`](super::ShadeTable::new), draw in every such type; all colour types of embedded-graphics implement it.
 ///
-/// Colours are given as `Rgb888` whatever the target. Red, green and blue each become levels of their
-/// channel, `value · MAX/255`; greys take the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as
-/// `embedded-graphics` does. Levels keep 16
-/// fractional bits and are rounded to integers once, at the pixel.
+/// Shaders take colours as `Rgb888`, whatever the target. Red, green and blue each become a level of their channel,
+/// `value · MAX/255`; a grey target gets the luma of Rec. 601, `(77·red + 150·green + 29·blue)/256`, as in `embedded-graphics`.
+/// Levels have 16 fractional bits and are rounded to integers once, at the pixel.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray4, Rgb565};
@@ -33,8 +33,8 @@ pub trait Channels: PixelColor {
 }
 
 macro_rules! rgb {
-    ($($colour:ty),*) => {$(
-        impl Channels for $colour {
+    ($($color:ty),*) => {$(
+        impl Channels for $color {
             const GRAY: bool = false;
             const MAX: [u8; 3] = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
 
@@ -47,8 +47,8 @@ macro_rules! rgb {
 }
 
 macro_rules! grey {
-    ($($colour:ty: $max:literal),*) => {$(
-        impl Channels for $colour {
+    ($($color:ty: $max:literal),*) => {$(
+        impl Channels for $color {
             const GRAY: bool = true;
             const MAX: [u8; 3] = [$max, 0, 0];
 

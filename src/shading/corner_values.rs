@@ -12,9 +12,9 @@ pub struct CornerValues {
 }
 
 impl CornerValues {
-    /// From depths in 16.8, and positive w in one unit.
+    /// From depths in 16.8, and positive w in any unit.
     pub(crate) fn new(depths: [i32; 3], w: [i32; 3]) -> Self {
-        // 1/w = mantissa · 2^(shift − 61), mantissa 2³⁰ … 2³¹ − 1: the largest shift is that of the least w.
+        // 1/w = mantissa · 2^(shift − 61), mantissa 2³⁰ … 2³¹ − 1: the smallest w has the largest shift.
         let reciprocals = w.map(|w| reciprocal(w.max(1)));
         let most = reciprocals.iter().fold(0, |most, r| r.shift.max(most));
         Self { depths, inverse_w: reciprocals.map(|r| r.mantissa >> most.wrapping_sub(r.shift).min(31)) }
@@ -26,10 +26,11 @@ impl CornerValues {
         self.depths
     }
 
-    /// Numbers proportional to 1/w, the reciprocal of clip space's w, which is linear on the screen: the largest of the
-    /// three is 2³⁰ … 2³¹ − 1, each is within 2⁻²⁹ of itself and 1. The factor is one for the triangle: quotients of
-    /// interpolated values are right, values of two triangles are not to be compared. All are alike in a parallel
-    /// projection.
+    /// Numbers proportional to 1/w, the reciprocal of clip space's w, which is linear on the screen. The largest of the three
+    /// is 2³⁰ … 2³¹ − 1; the error of each is at most 2⁻²⁹ of its value, plus 1. All three are equal in a parallel projection.
+    ///
+    /// The unknown factor is the same for the three corners, but differs from triangle to triangle: divide interpolated values
+    /// of one triangle (u/w by 1/w), but do not compare values of two triangles.
     pub const fn inverse_w(&self) -> [i32; 3] {
         self.inverse_w
     }

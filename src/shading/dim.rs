@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{
     Rgb666, Rgb888, RgbColor,
 };
 
-/// A target colour that can be dimmed.
+/// A target's colour type that can be dimmed by a light level: the cheapest way to light flat faces.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -15,8 +15,8 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
 /// ```
 pub trait Dim: PixelColor {
-    /// This colour times `level`/256, each channel rounded to nearest, ties up; levels above 256 count as 256. A `BinaryColor` is off below
-    /// 128, otherwise unchanged.
+    /// This colour times `level`/256, each channel rounded to nearest, ties up; levels above 256 count as 256. A `BinaryColor`
+    /// is off below level 128, otherwise unchanged.
     #[must_use]
     fn dim(self, level: u16) -> Self;
 }
@@ -28,8 +28,8 @@ fn dimmed(channel: u8, level: u16) -> u8 {
 }
 
 macro_rules! dim_rgb {
-    ($($colour:ty),*) => {$(
-        impl Dim for $colour {
+    ($($color:ty),*) => {$(
+        impl Dim for $color {
             fn dim(self, level: u16) -> Self {
                 Self::new(dimmed(self.r(), level), dimmed(self.g(), level), dimmed(self.b(), level))
             }
@@ -38,8 +38,8 @@ macro_rules! dim_rgb {
 }
 
 macro_rules! dim_gray {
-    ($($colour:ty),*) => {$(
-        impl Dim for $colour {
+    ($($color:ty),*) => {$(
+        impl Dim for $color {
             fn dim(self, level: u16) -> Self {
                 Self::new(dimmed(self.luma(), level))
             }
@@ -50,7 +50,7 @@ macro_rules! dim_gray {
 dim_rgb!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
 dim_gray!(Gray2, Gray4, Gray8);
 
-/// One bit has no shades: it is off below level 128.
+/// One bit has no shades: below level 128 it is off.
 impl Dim for BinaryColor {
     fn dim(self, level: u16) -> Self {
         if level >= 128 {

@@ -5,15 +5,16 @@ use super::levels::{add_bias, align, integer_parts, levels};
 use super::{Channels, Flat, Gouraud, Lit};
 use core::marker::PhantomData;
 
-/// Ordered dithering of [`Flat`], [`Gouraud`] or [`Lit`], which shows more shades than the target has: each pixel is rounded down or up by a
-/// threshold, one of 64 in an 8 × 8 pattern. (Bayer, *An optimum method for two-level
-/// rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed., section 13.1.2.)
+/// A shader with ordered dithering, which shows more shades than the target has: each pixel is rounded down or up by a
+/// threshold, one of 64 in an 8 × 8 pattern. [`Flat::dithered`], [`Gouraud::dithered`] and [`Lit::dithered`] make it. (Bayer,
+/// *An optimum method for two-level rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed.,
+/// section 13.1.2.)
 ///
-/// **The pattern** depends on the pixel's coordinates in the frame only. So it does not move with objects, and is the same in every band and
-/// on both sides of an edge. Its thresholds are 1/128, 3/128 … 127/128.
+/// **The pattern** depends only on the pixel's coordinates in the frame. So it does not move with objects, and it continues across
+/// bands and edges. Its thresholds are 1/128, 3/128 … 127/128.
 ///
-/// **Error.** The mean over any 8 × 8 pixels is within 1/128 + 2⁻¹⁶ level of the colour, in every channel; colours that the target has, such as
-/// black and white, are not dithered.
+/// **Error.** The mean over any 8 × 8 pixels is within 1/128 + 2⁻¹⁶ level of the colour, in every channel. Colours that the target can
+/// show exactly, such as black and white, are not dithered.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*};
@@ -46,11 +47,11 @@ use core::marker::PhantomData;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Dithered<I>(pub(crate) I);
+pub struct Dithered<S>(pub(crate) S);
 
 macro_rules! dithered {
-    ($($ink:ty),*) => {$(
-        impl $ink {
+    ($($shader:ty),*) => {$(
+        impl $shader {
             /// This shader with ordered dithering.
             pub const fn dithered(self) -> Dithered<Self> {
                 Dithered(self)
@@ -69,21 +70,21 @@ impl Flat {
     }
 }
 
-/// The levels of one colour, ready to be dithered.
+/// One colour, set up for dithering.
 #[derive(Clone, Copy, Debug)]
 pub struct DitheredColor<C> {
     levels: [u32; 3],
-    colour: PhantomData<C>,
+    color: PhantomData<C>,
 }
 
 impl<C: Channels> DitheredColor<C> {
-    pub(crate) fn new(colour: Flat) -> Self {
-        Self { levels: levels::<C>(colour).map(align), colour: PhantomData }
+    pub(crate) fn new(color: Flat) -> Self {
+        Self { levels: levels::<C>(color).map(align), color: PhantomData }
     }
 
     /// The colours of a span that starts at pixel (x, y).
     #[inline(always)]
-    pub(crate) fn run(&self, x: i32, y: i32) -> SpanColors<C, Bayer> {
+    pub(crate) fn span(&self, x: i32, y: i32) -> SpanColors<C, Bayer> {
         SpanColors::new(self.levels, [0; 3], (x, y))
     }
 }
@@ -110,7 +111,7 @@ const PATTERN: [[u8; 8]; 8] = {
     pattern
 };
 
-/// Rounds to the level below or above, by the pattern.
+/// Rounds a level down or up by the pattern.
 pub(crate) struct Bayer {
     row: &'static [u8; 8],
     x: usize,
@@ -122,7 +123,7 @@ impl Rounding for Bayer {
     #[inline(always)]
     fn from(x: i32, y: i32) -> Self {
         let [first, ..] = &PATTERN;
-        // The mask keeps both inside the pattern; `get` says so without a panic path.
+        // The mask keeps the index inside the pattern; `get` has no panic path, whether or not LLVM sees that.
         Self { row: PATTERN.get(y as usize & 7).unwrap_or(first), x: x as usize }
     }
 

@@ -4,8 +4,9 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 /// One colour for a face, with red, green and blue in 1/256 of the steps of `Rgb888`.
 ///
-/// As a shader it gives every pixel the nearest colour of the target, computed once per face, so one closure works for all colours with
-/// [`Channels`](super::Channels). [`dithered`](Self::dithered) shows the fraction that rounding drops.
+/// As a shader it fills a face with the nearest colour of the target, computed once per face. The target may have any colour
+/// type with [`Channels`](super::Channels), so one closure works for all of them. [`dithered`](Self::dithered) also shows the
+/// fraction that rounding drops.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -19,14 +20,14 @@ pub struct Flat(pub(super) [u16; 3]);
 
 impl Flat {
     /// `colour` times `level`/256, exact; levels above 256 count as 256.
-    pub fn lit(colour: Rgb888, level: u16) -> Self {
+    pub fn lit(color: Rgb888, level: u16) -> Self {
         // ≤ 255·256.
-        Self([colour.r(), colour.g(), colour.b()].map(|channel| u16::from(channel) * level.min(256)))
+        Self([color.r(), color.g(), color.b()].map(|channel| u16::from(channel) * level.min(256)))
     }
 }
 
 impl From<Rgb888> for Flat {
-    fn from(colour: Rgb888) -> Self {
-        Self::lit(colour, 256)
+    fn from(color: Rgb888) -> Self {
+        Self::lit(color, 256)
     }
 }

@@ -5,20 +5,21 @@ use super::{Channels, Flat};
 use crate::raster::{Gradient, GradientSetup, Triangle};
 use core::marker::PhantomData;
 
-/// Gouraud shading: a colour at each corner of a face, in the order of its indices, interpolated linearly on the screen. (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer
-/// Graphics*, 2nd ed., section 16.2.4.)
+/// Gouraud shading: a colour at each corner of a face, in the order of the face's vertices, interpolated linearly on the
+/// screen. (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer Graphics*, 2nd ed., section
+/// 16.2.4.)
 ///
-/// **Error.** Each channel of a pixel is the exact one at its centre, rounded to nearest in levels of the
-/// target: off by at most ½ + 2⁻⁹ level, for any triangle in the guard band and any slope of colour.
+/// **Error.** Each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest level of the target: off by at
+/// most ½ + 2⁻⁹ level, for any triangle in the guard band, however fast its colour changes.
 ///
-/// **Clipped faces.** Where the near plane, the far plane or the guard band clips a face, the new corners get the
-/// colours that those points of the face have in space, rounded to 1/256 of a step of `Rgb888`: off by another 2⁻⁹
-/// level at most. On each sub-face colours are again linear on the screen. That differs from the unclipped
-/// face, but no colour changes by more than 1/255 as a corner passes a plane (`tests/shading/cut_faces.rs`); from there
-/// they approach perspective-correct ones.
+/// **Clipped faces.** If the near plane, the far plane or the guard band clips a face, the colours at the new corners are
+/// interpolated in space and rounded to 1/256 of a step of `Rgb888`, which adds at most 2⁻⁹ level to the error. On each
+/// sub-face, colours are linear on the screen. So a clipped face has slightly different colours than it had before it reached
+/// the plane, but no colour jumps by more than 1/255 as a corner passes the plane (`tests/shading/cut_faces.rs`); the more of
+/// the face is clipped, the closer its colours are to perspective-correct ones.
 ///
-/// For one colour with a light level at each corner [`Gouraud::lit`] takes less work, and
-/// [`ShadeTable::lit`](crate::ShadeTable::lit) least.
+/// For one colour with a light level at each corner, [`Gouraud::lit`] is faster, and
+/// [`ShadeTable::lit`](crate::ShadeTable::lit) is the fastest.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -31,7 +32,7 @@ use core::marker::PhantomData;
 pub struct Gouraud([Flat; 3]);
 
 impl Gouraud {
-    /// From a colour per corner, `Rgb888` or [`Flat`], exact.
+    /// The shader of a face, from one colour per corner: `Rgb888` or [`Flat`], stored exactly.
     pub fn new(corners: [impl Into<Flat>; 3]) -> Self {
         Self(corners.map(Into::into))
     }
@@ -41,7 +42,7 @@ impl Gouraud {
     pub(crate) fn with_weights(&self, corners: [[i32; 3]; 3]) -> Self {
         Self(corners.map(|weights| {
             Flat([0, 1, 2].map(|channel| {
-                let values = self.0.map(|Flat(colour)| colour.get(channel).copied().map_or(0, i32::from));
+                let values = self.0.map(|Flat(color)| color.get(channel).copied().map_or(0, i32::from));
                 weighted_mean(values, weights, 255 * 256) as u16
             }))
         }))
@@ -52,47 +53,48 @@ impl Gouraud {
     pub(crate) fn gradients<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
         let [a, b, c] = self.0.map(levels::<C>);
         let ([a, d, g], [b, e, h], [c, f, i]) = (a, b, c);
-        let over = GradientSetup::new(triangle);
-        let first = over.through(&[a, b, c]);
-        let planes =
-            if C::GRAY { [first; 3] } else { [first, over.through(&[d, e, f]), over.through(&[g, h, i])] };
-        ChannelGradients::new(planes)
+        let setup = GradientSetup::new(triangle);
+        let first = setup.through(&[a, b, c]);
+        let gradients =
+            if C::GRAY { [first; 3] } else { [first, setup.through(&[d, e, f]), setup.through(&[g, h, i])] };
+        ChannelGradients::new(gradients)
     }
 }
 
-/// The levels of each channel over a triangle, with their [`places`]: within 2⁻¹⁰ + 2⁻¹³ level of the exact ones.
+/// The levels of each channel over a triangle, with [`fraction_bits`](super::levels::fraction_bits) fractional bits: within
+/// 2⁻¹⁰ + 2⁻¹³ level of the exact levels.
 ///
-/// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` of the last place, of 24 or more, w columns
-/// and h rows from its corner, w + h ≤ 2¹⁵, and its corners by 2⁻¹⁷ level. So the half that rounds, or the 1/128
-/// to 127/128 that dither, keep every sum within 0 … 2³²: what is full at all corners is full in between.
+/// [`GradientSetup::through`] is off by less than `(w + h)/2 + 34 + 2¹⁰·⁶` units of the last of at least 24 fractional bits, w
+/// columns and h rows from its corner, w + h ≤ 2¹⁵, and its corners are off by 2⁻¹⁷ level. So adding the bias (½ to round,
+/// 1/128 to 127/128 to dither) keeps every sum within 0 … 2³²: a channel that is full at all corners is full in between.
 #[derive(Clone, Copy, Debug)]
 pub struct ChannelGradients<C> {
-    planes: [Gradient; 3],
-    colour: PhantomData<C>,
+    gradients: [Gradient; 3],
+    color: PhantomData<C>,
 }
 
 impl<C: Channels> ChannelGradients<C> {
     #[inline(always)]
-    pub(super) fn new(planes: [Gradient; 3]) -> Self {
-        Self { planes, colour: PhantomData }
+    pub(super) fn new(gradients: [Gradient; 3]) -> Self {
+        Self { gradients, color: PhantomData }
     }
 
     /// The colours of a span that starts at the covered pixel (x, y).
     #[inline(always)]
-    pub(crate) fn run<R: Rounding>(&self, x: i32, y: i32) -> SpanColors<C, R> {
-        SpanColors::new(self.planes.map(|p| p.at(x, y)), self.planes.map(|p| p.step()), (x, y))
+    pub(crate) fn span<R: Rounding>(&self, x: i32, y: i32) -> SpanColors<C, R> {
+        SpanColors::new(self.gradients.map(|g| g.at(x, y)), self.gradients.map(|g| g.step()), (x, y))
     }
 }
 
 /// How levels are rounded to integers: a bias in 2⁻²⁴, added before the fraction is dropped.
 pub(crate) trait Rounding {
-    /// The constant bias of all pixels.
+    /// The bias that is common to all pixels.
     const FIRST: u32;
 
     /// The biases of a span that starts at pixel (x, y).
     fn from(x: i32, y: i32) -> Self;
 
-    /// The additional bias of the next pixel.
+    /// The bias of the next pixel, in addition to [`FIRST`](Self::FIRST).
     fn next(&mut self) -> u32;
 }
 
@@ -113,19 +115,19 @@ impl Rounding for Nearest {
     }
 }
 
-/// The colours of a span from left to right; it has no end.
+/// The colours of a span from left to right, an iterator without end.
 pub(crate) struct SpanColors<C, R> {
     levels: [u32; 3],
     steps: [u32; 3],
     rounding: R,
-    colour: PhantomData<C>,
+    color: PhantomData<C>,
 }
 
 impl<C: Channels, R: Rounding> SpanColors<C, R> {
     #[inline(always)]
     pub(super) fn new(levels: [u32; 3], steps: [u32; 3], (x, y): (i32, i32)) -> Self {
         let levels = add_bias::<C>(levels, R::FIRST);
-        Self { levels, steps, rounding: R::from(x, y), colour: PhantomData }
+        Self { levels, steps, rounding: R::from(x, y), color: PhantomData }
     }
 }
 
@@ -134,13 +136,13 @@ impl<C: Channels, R: Rounding> Iterator for SpanColors<C, R> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<C> {
-        let whole = integer_parts::<C>(add_bias::<C>(self.levels, self.rounding.next()));
+        let levels = integer_parts::<C>(add_bias::<C>(self.levels, self.rounding.next()));
         let ([r, g, b], [x, y, z]) = (self.levels, self.steps);
         self.levels = match C::GRAY {
             true => [r.wrapping_add(x), 0, 0],
             false => [r.wrapping_add(x), g.wrapping_add(y), b.wrapping_add(z)],
         };
-        Some(C::from_channels(whole))
+        Some(C::from_channels(levels))
     }
 }
 
@@ -159,7 +161,7 @@ mod tests {
             let middle = [0; 2].map(|_| i64::from(random.within(side)));
             let mut corner = || {
                 middle.map(|m| {
-                    // Every fourth one as large as can be.
+                    // Every fourth triangle is as large as it can be.
                     let end = (2 * random.below(2) - 1) * reach;
                     let away = if case % 4 == 1 { end } else { i64::from(random.within(reach)) };
                     (m + away + i64::from(random.within(1))).clamp(-1 << 21, 1 << 21)
@@ -167,7 +169,7 @@ mod tests {
             };
             let (a, b, mut c) = (corner(), corner(), corner());
             if case % 4 == 0 {
-                // As thin as can be.
+                // As thin as it can be.
                 let k = i64::from(random.within(256)).abs();
                 c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(random.within(1)));
                 c = c.map(|v| v.clamp(-1 << 21, 1 << 21));
@@ -176,12 +178,12 @@ mod tests {
             if area(&points) == 0 {
                 continue;
             }
-            let colours = [0; 3].map(|_| match random.within(2) {
+            let colors = [0; 3].map(|_| match random.within(2) {
                 0 => 0,
                 1 => 65_280,
                 _ => random.within(65_280).unsigned_abs() as u16,
             });
-            let face = Gouraud(colours.map(|c| Flat([c; 3])));
+            let face = Gouraud(colors.map(|c| Flat([c; 3])));
             let ramps = face.gradients::<Gray8>(&Triangle::new(points, area(&points), &scissor));
             let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
                 i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
@@ -189,12 +191,12 @@ mod tests {
             let Ok::<(), core::convert::Infallible>(()) = triangle(points, &scissor, |span| {
                 for x in [span.x, span.x + span.width - 1] {
                     let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
-                    let [u, v, w] = colours.map(i128::from);
+                    let [u, v, w] = colors.map(i128::from);
                     // In 2⁻⁸ levels: 255 of them are 65280.
                     let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
                     let whole = cross(a, b, c);
-                    let [level, ..] = ramps.planes.map(|plane| i128::from(plane.at(x, span.y)));
-                    // As near as wrapping allows.
+                    let [level, ..] = ramps.gradients.map(|gradient| i128::from(gradient.at(x, span.y)));
+                    // The difference modulo 2³², as levels wrap.
                     let turn = whole.abs() << 32;
                     let off = (level * whole - (exact << 16)).rem_euclid(turn);
                     worst = worst.max(off.min(turn - off) / whole.abs() + 1);

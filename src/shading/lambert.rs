@@ -1,14 +1,16 @@
-//! Ambient and diffuse (Lambert) lighting, per face or per vertex.
+//! Lambert light: ambient and diffuse lighting, per face or per vertex.
 
 use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::{to_q15, Affine, NormalMatrix, Vector3};
 use crate::space::{Model, World};
 
-/// One directional light and ambient light, set up for one object.
+/// One directional light and ambient light by Lambert's law, set up for one object. [`level`](Self::level) computes the light
+/// of a face or a vertex from its normal.
 ///
-/// Normals go through the inverse transpose of the model transform. If that is conformal (a
-/// rotation or reflection with uniform scale), the light direction is transformed to model space instead, and a normal costs three products. (Lambert's law: Foley et al.,
+/// Normals are transformed by the inverse transpose of the model transform. If the transform is conformal (a rotation or
+/// reflection with uniform scale), the light direction is transformed to model space instead, and a normal takes three
+/// multiplications. (Lambert's law: Foley et al.,
 /// *Computer Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
 ///
 /// ```
@@ -23,8 +25,8 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lambert {
-    /// The direction towards the light in 2⁻¹⁵, times the share of light that is not ambient: in model space if the transform is conformal,
-    /// otherwise in world space.
+    /// The direction towards the light in 2⁻¹⁵, times the share of light that is not ambient. In model space if the transform
+    /// is conformal, otherwise in world space.
     towards: [i16; 3],
     /// The normal matrix to world space, if the transform is not conformal.
     normal_matrix: Option<NormalMatrix<Model, World>>,
@@ -49,8 +51,8 @@ impl core::fmt::Display for LightError {
 impl core::error::Error for LightError {}
 
 impl Lambert {
-    /// Sets up light from the direction `towards_light` (world space, any length) on an object with the transform `model`, plus ambient light of
-    /// `ambient`/256 of full light (more than 256 counts as 256).
+    /// Sets up the light on an object with the transform `model`. `towards_light` points towards the light (world space, any
+    /// length). `ambient` is the ambient part in 1/256 of full light (more than 256 counts as 256).
     ///
     /// # Errors
     ///
@@ -81,8 +83,8 @@ impl Lambert {
         })
     }
 
-    /// The light on a face, or at a vertex, with this unit normal (model space, 2⁻¹⁵), 0 … 256: within 1 and
-    /// κ·2⁻²² (κ: the model's largest stretch over its smallest) of `ambient + (256 − ambient) · max(0, cos)`.
+    /// The light level, 0 … 256, of a face or a vertex with this unit normal (model space, in 2⁻¹⁵): `ambient + (256 − ambient)
+    /// · max(0, cos)`, within 1 + κ·2⁻²², where κ is the largest scale factor of the model transform divided by its smallest.
     #[inline(always)]
     pub fn level(&self, normal: [i16; 3]) -> u16 {
         let [a, b, c] = normal;
@@ -109,14 +111,14 @@ impl Lambert {
     #[inline(always)]
     fn level_in_light_space(&self, a: i16, b: i16, c: i16) -> u16 {
         let ([a, b, c], [x, y, z]) = ([a, b, c].map(i32::from), self.towards.map(i32::from));
-        // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹; as l is the shorter the more is ambient, the last
-        // one stays below 2³².
+        // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹. The larger the ambient part, the shorter is l: so the sum with
+        // the ambient part stays below 2³².
         let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
         ((dot.max(0) as u32).wrapping_add(self.ambient) >> 22).min(256) as u16
     }
 
-    /// Writes each normal's [`level`](Self::level) to `levels`, as far as both slices go: once a frame, for
-    /// [`Gouraud`](super::Gouraud).
+    /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice. Call it once per frame
+    /// for smooth shading with [`Gouraud`](super::Gouraud) or a [`ShadeTable`](super::ShadeTable).
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Lambert, Vector3};
@@ -133,10 +135,10 @@ impl Lambert {
     }
 }
 
-/// Whether the transform is conformal: rows are orthogonal and of equal length, to 2⁻¹⁰, so that errors of angles change light by less than
-/// a level.
+/// Whether the transform is conformal: its rows are orthogonal and of equal length within 2⁻¹⁰, so that the error in angles
+/// changes light by less than a level.
 fn is_conformal([x, y, z]: &[[i32; 3]; 3]) -> bool {
-    let length = dot(x, x); // 3·2⁶⁰ at most, as all
+    let length = dot(x, x); // 3·2⁶⁰ at most, like the other products
     let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
     near(dot(y, y), length)
         && near(dot(z, z), length)

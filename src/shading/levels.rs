@@ -3,7 +3,8 @@
 use super::{Channels, Flat};
 use crate::math::num::mul_wide;
 
-/// The number of fractional bits of a level in 32 bits: as many as the largest level leaves. A right shift by it gives the integer part.
+/// The number of fractional bits of a level in 32 bits: all bits that the largest level does not need. A right shift by this
+/// number gives the integer part.
 pub(super) const fn fraction_bits(max: u8) -> u32 {
     24 + (max | 1).leading_zeros()
 }
@@ -15,8 +16,8 @@ pub(super) const fn aligned_max(max: u8) -> u8 {
 
 /// The channels of `C` as levels with [`fraction_bits`] − 8 fractional bits, below 2²⁴, rounded to nearest.
 #[inline]
-pub(super) fn levels<C: Channels>(colour: Flat) -> [i32; 3] {
-    let [r, g, b] = colour.0.map(u32::from); // ≤ 255·2⁸
+pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
+    let [r, g, b] = color.0.map(u32::from); // ≤ 255·2⁸
     let [x, y, z] = C::MAX.map(aligned_max);
     if C::GRAY {
         [level(luma([r, g, b]), x), 0, 0]
@@ -25,7 +26,7 @@ pub(super) fn levels<C: Channels>(colour: Flat) -> [i32; 3] {
     }
 }
 
-/// The luma of Rec. 601, 2⁸ times as large as its channels.
+/// The luma of Rec. 601 of these channels, times 2⁸.
 pub(super) fn luma([r, g, b]: [u32; 3]) -> u32 {
     77 * r + 150 * g + 29 * b
 }

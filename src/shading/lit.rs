@@ -7,17 +7,18 @@ use crate::math::num::mul_wide;
 use crate::raster::{GradientSetup, Triangle};
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
-/// Gouraud shading of one colour with a light level at each corner of a face, in the order of its indices, interpolated linearly on the screen.
-/// The pixels are those of [`Gouraud::new`] with three dimmed colours, for less work: one gradient in place of three. [`Gouraud::lit`] makes it.
+/// Gouraud shading of one colour: a light level at each corner of a face, in the order of the face's vertices, interpolated
+/// linearly on the screen. It is faster than [`Gouraud::new`] with three dimmed colours, as it sets up one gradient instead of
+/// three. [`Gouraud::lit`] makes it.
 ///
-/// **Error.** The bound of [`Gouraud`]: each channel of a pixel is the exact one at its centre, rounded to nearest in levels of
-/// the target, off by at most ½ + 2⁻⁹ level.
+/// **Error.** As for [`Gouraud`], each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest level of
+/// the target: off by at most ½ + 2⁻⁹ level.
 ///
-/// **Clipped faces.** Like [`Gouraud`]; the light at new corners is rounded to 2⁻²² of full light.
+/// **Clipped faces** are treated as by [`Gouraud`]. The light at new corners is rounded to 2⁻²² of full light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lit {
-    colour: [u8; 3],
+    color: [u8; 3],
     /// In 2⁻²² / 255 of a level: the product with a channel of the colour is at most 2³⁰.
     light: [i32; 3],
 }
@@ -31,7 +32,9 @@ const fn light(level: u16) -> i32 {
 }
 
 impl Gouraud {
-    /// One colour with the light level at each corner, 0 … 256 (more counts as 256).
+    /// The shader of a face in one colour, with a light level at each corner: 0 … 256 (more counts as 256).
+    /// [`Lambert::levels`](crate::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those
+    /// of a face.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -40,8 +43,8 @@ impl Gouraud {
     /// # let _ = face;
     /// # use embedded_graphics::pixelcolor::WebColors;
     /// ```
-    pub fn lit(colour: Rgb888, levels: [u16; 3]) -> Lit {
-        Lit { colour: [colour.r(), colour.g(), colour.b()], light: levels.map(|level| light(level.min(256))) }
+    pub fn lit(color: Rgb888, levels: [u16; 3]) -> Lit {
+        Lit { color: [color.r(), color.g(), color.b()], light: levels.map(|level| light(level.min(256))) }
     }
 }
 
@@ -55,26 +58,26 @@ impl Lit {
     /// The gradients of the channels over a triangle.
     #[inline(always)]
     pub(crate) fn gradients<C: Channels>(&self, triangle: &Triangle<'_>) -> ChannelGradients<C> {
-        let planes = GradientSetup::new(triangle);
-        let Some(light) = (if C::GRAY { None } else { planes.slope_through(&self.light) }) else {
-            return self.per_channel::<C>(&planes);
+        let setup = GradientSetup::new(triangle);
+        let Some(light) = (if C::GRAY { None } else { setup.slope_through(&self.light) }) else {
+            return self.per_channel::<C>(&setup);
         };
-        // Within 512 pixels, beyond which it counts as steep, light is off by less than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is 2⁻¹¹
-        // of 255 levels; what is rounded down adds 1024 · 2⁻²⁴.
+        // `slope_through` returns `None` for steep light, which is all light beyond 512 pixels. Up to there, it is off by less
+        // than 512 + 34 + 2¹⁰·⁶ of 2³⁰, which is 2⁻¹¹ of 255 levels; rounding down adds 1024 · 2⁻²⁴.
         let times =
             |channel: u8, max: u8| light.times(i32::from(channel) * i32::from(max), 38 - fraction_bits(max));
-        let ([r, g, b], [x, y, z]) = (self.colour, C::MAX);
+        let ([r, g, b], [x, y, z]) = (self.color, C::MAX);
         ChannelGradients::new([times(r, x), times(g, y), times(b, z)])
     }
 
-    /// The gradients by one set-up per channel: for greys, and where light changes fast from pixel to pixel.
+    /// The gradients computed channel by channel: for greys, and if light changes fast from pixel to pixel.
     #[inline(never)]
-    fn per_channel<C: Channels>(&self, planes: &GradientSetup<'_>) -> ChannelGradients<C> {
+    fn per_channel<C: Channels>(&self, setup: &GradientSetup<'_>) -> ChannelGradients<C> {
         let through = |factor: u32, max: u8| {
             let factor = (factor * u32::from(aligned_max(max))) as i32; // ≤ 255² · 2⁸
-            planes.through(&self.light.map(|light| ((mul_wide(light, factor) + (1 << 21)) >> 22) as i32))
+            setup.through(&self.light.map(|light| ((mul_wide(light, factor) + (1 << 21)) >> 22) as i32))
         };
-        let ([r, g, b], [x, y, z]) = (self.colour.map(u32::from), C::MAX);
+        let ([r, g, b], [x, y, z]) = (self.color.map(u32::from), C::MAX);
         ChannelGradients::new(match C::GRAY {
             true => [through(luma([r, g, b]), x); 3],
             false => [through(r << 8, x), through(g << 8, y), through(b << 8, z)],

@@ -1,4 +1,4 @@
-//! Light and colour: what a face looks like. The rasteriser knows nothing of it.
+//! Shaders and light: the colours of a face's pixels. The rasteriser does not depend on this module.
 
 mod channels;
 mod corner_values;

@@ -7,14 +7,14 @@ use crate::shading::TableShader;
 use core::iter::repeat;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// What a face is filled with: a color, or something that varies over the face. The closures that draw calls take return a
-/// shader for each face; [`SpanShader`] gives its colors.
+/// What a face is filled with: a colour, or colours that vary over the face. Every draw call takes a closure that returns a
+/// shader for each face. A shader also implements [`SpanShader`], which computes the colours of pixels.
 ///
-/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) are
-/// colours of light for any target, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up
-/// in 256 levels of light.
+/// Every `PixelColor` is a shader, at no extra cost. [`Flat`](crate::Flat) and [`Gouraud`](crate::Gouraud) take `Rgb888`
+/// colours for targets of any colour type, dithered or not; [`ShadeTable::lit`](crate::ShadeTable::lit) looks colours up in 256
+/// levels of light.
 ///
-/// Colours of the mesh, of its faces and of its vertices are three closures:
+/// One colour for the mesh, one per face, and one per vertex differ only in the closure:
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
@@ -35,7 +35,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// #     &viewport,
 /// # );
 /// let model = Affine::<Model, World>::identity();
-/// let placed = camera.place(&mesh, &model);
+/// let instance = camera.place(&mesh, &model);
 /// let light = Lambert::new(&model, Vector3::from_ints(-1, 0, 2), 64)?;
 /// # let mut cache = [ScreenVertex::EMPTY; 4];
 /// # let colours = |display: &MockDisplay<Rgb565>| {
@@ -46,49 +46,52 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 ///
 /// // The mesh in one colour.
 /// # let mut target = display();
-/// placed.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
+/// instance.solid(|_| Rgb565::CYAN, &mut cache, &mut target)?;
 /// # assert_eq!(colours(&target), 1);
 ///
 /// // A colour for each face, at the light of its normal.
 /// # let mut target = display();
 /// let paint = [Rgb565::RED, Rgb565::WHITE];
-/// placed.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
+/// instance.solid(|face| paint[face].dim(light.level(mesh.normals()[face])), &mut cache, &mut target)?;
 /// # assert_eq!(colours(&target), 2);
 ///
-/// // The light at each vertex, worked out once; smooth in between.
+/// // The light at each vertex, computed once; smooth in between.
 /// # let mut target = display();
 /// let mut levels = [0; VERTICES.len()];
 /// light.levels(mesh.vertex_normals(), &mut levels);
 /// let smooth = |face| Gouraud::lit(Rgb888::CSS_GOLD, mesh.corners_of(face, &levels)).dithered();
-/// placed.solid(smooth, &mut cache, &mut target)?;
+/// instance.solid(smooth, &mut cache, &mut target)?;
 /// # assert!(colours(&target) > 8);
 ///
 /// // A colour for each vertex.
 /// # let mut target = display();
 /// let heights = [Rgb888::RED, Rgb888::RED, Rgb888::BLUE, Rgb888::GREEN];
-/// placed.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
+/// instance.solid(|face| Gouraud::new(FACES[face].map(|v| heights[usize::from(v)])), &mut cache, &mut target)?;
 /// # assert!(colours(&target) > 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Shader: Copy {
-    /// What a corner of the face carries when planes cut the face: `()` for shaders that do not vary.
+    /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies
+    /// from corner to corner, [`Barycentric`](crate::clip::Barycentric) to get the weights of the new corners, or your own
+    /// type.
     type Varying: Varying;
 
-    /// Whether the shader wants the depths of a triangle's corners, in [`with_corners`](Self::with_corners). Vertices are
-    /// then transformed with depth, whichever draw call takes the shader, and the far plane cuts.
+    /// Whether the shader needs the depths of a triangle's corners, in [`with_corners`](Self::with_corners). If true, every
+    /// draw call transforms vertices with depth and clips at the far plane.
     const NEEDS_DEPTH: bool = false;
 
-    /// Whether the shader wants 1/w of a triangle's corners, in [`with_corners`](Self::with_corners), for
-    /// perspective-correct interpolation.
+    /// Whether the shader needs 1/w of a triangle's corners, in [`with_corners`](Self::with_corners), for perspective-correct
+    /// interpolation.
     const NEEDS_W: bool = false;
 
-    /// The shader of a part of a face that planes cut, from the varyings of the part's corners.
+    /// The shader of a sub-face, one triangle of a clipped face, from the varyings of the sub-face's corners.
     #[must_use]
     fn sub_face(&self, corners: [Self::Varying; 3]) -> Self;
 
-    /// The shader of a triangle, a face or a part of one, with what it asks for by [`NEEDS_DEPTH`](Self::NEEDS_DEPTH) and
-    /// [`NEEDS_W`](Self::NEEDS_W). It is called once for each triangle, after [`sub_face`](Self::sub_face) and before
-    /// [`set_up`](SpanShader::set_up), if one of these is true. A [`Painter`](crate::Painter) stores its result.
+    /// The shader of a triangle (a face or a sub-face) with the depths and 1/w of its corners. Called only if
+    /// [`NEEDS_DEPTH`](Self::NEEDS_DEPTH) or [`NEEDS_W`](Self::NEEDS_W) is true: once for each triangle, after
+    /// [`sub_face`](Self::sub_face) and before [`set_up`](SpanShader::set_up). A [`Painter`](crate::Painter) stores the shader
+    /// that this returns.
     #[must_use]
     fn with_corners(&self, corners: &CornerValues) -> Self {
         let _ = corners;
@@ -96,10 +99,11 @@ pub trait Shader: Copy {
     }
 }
 
-/// A [`Shader`] for targets with pixels of `C`. It is set up once for each triangle and then gives the colors of spans.
+/// A [`Shader`] for targets whose pixels have the colour type `C`. It is set up once for each triangle and then returns the
+/// colours of each span.
 ///
-/// A shader of one's own, interpolated from corner to corner (`examples/shader` has three more: a perspective-correct
-/// checkerboard, a fog by depth, and a blend with the pixels that are there):
+/// Example of a custom shader, which interpolates a grey value from corner to corner. `examples/shader` has three more: a
+/// perspective-correct checkerboard, depth fog, and a blend with the stored pixels.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};
@@ -123,8 +127,8 @@ pub trait Shader: Copy {
 ///     fn set_up(&self, triangle: &Triangle) -> Gradient {
 ///         triangle.gradient(self.0.map(|c| u32::from(c) << 16)) // 8.16 at the corners, 8.24 at pixels
 ///     }
-///     fn span(plane: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
-///         (span.x..).map(move |x| Gray8::new((plane.at(x, span.y) >> 24) as u8))
+///     fn span(gradient: &Gradient, span: Span) -> impl Iterator<Item = Gray8> {
+///         (span.x..).map(move |x| Gray8::new((gradient.at(x, span.y) >> 24) as u8))
 ///     }
 /// }
 /// # const VERTICES: [[i16; 3]; 3] = [[-3, -3, 0], [3, -3, 0], [0, 3, 0]];
@@ -135,37 +139,38 @@ pub trait Shader: Copy {
 /// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
 /// #     &viewport,
 /// # );
-/// # let placed = camera.place(&mesh, &Affine::identity());
+/// # let instance = camera.place(&mesh, &Affine::identity());
 /// let mut display = MockDisplay::<Gray8>::new();
-/// placed.solid(|_face| Ramp([40, 240, 140]), &mut [], &mut display)?;
+/// instance.solid(|_face| Ramp([40, 240, 140]), &mut [], &mut display)?;
 /// # use embedded_graphics::pixelcolor::GrayColor;
 /// let luma = |x| display.get_pixel(Point::new(x, 24)).unwrap().luma();
 /// assert!(luma(8) < 75 && luma(16) > 130 && luma(16) < 150 && luma(23) > 205);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait SpanShader<C: PixelColor>: Shader {
-    /// What is computed once for each triangle: gradients, most often.
+    /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;
 
-    /// Whether the shader reads the pixels that are there, in [`span_over`](Self::span_over). Such a shader compiles only for
+    /// Whether the shader reads the stored pixels, in [`span_over`](Self::span_over). Such a shader compiles only for
     /// targets whose pixels lie in [memory](crate::Target::memory): a [`Picture`](crate::Picture), the pixels of a
-    /// [`Band`](crate::Band), or memory of one's own.
+    /// [`Band`](crate::Band), or a target of your own that has memory.
     const READS_PIXELS: bool = false;
 
-    /// Prepares the shader for a triangle, whose corners are in the order of the face's vertices.
+    /// Sets up the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
 
-    /// The colors of a row's span from left to right: at least `span.width`. Only pixels of the triangle are asked for.
+    /// The colours of a span, one row high, from left to right: at least `span.width` of them. Spans contain only pixels that
+    /// the triangle covers.
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
 
-    /// The colors of a row's span from left to right, given the colors that are there: called in place of
-    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. Take one color of `stored` for each color that
-    /// is returned, and before it is returned.
+    /// The colours of a span, one row high, from left to right, given the colours of its stored pixels. Called instead of
+    /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. The iterator must take one colour from `stored`
+    /// before it returns each colour: pixels are read and written in turn.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
     /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Picture, Shader, SpanShader};
-    /// /// Half of this color, half of what is there.
+    /// /// Half of this colour, half of the stored colour.
     /// #[derive(Clone, Copy)]
     /// struct Half(u8);
     /// impl Shader for Half {
@@ -184,7 +189,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     ///         core::iter::repeat(Gray8::new(*own))
     ///     }
     ///     fn span_over(own: &u8, _: Span, stored: impl Iterator<Item = Gray8>) -> impl Iterator<Item = Gray8> {
-    ///         stored.map(|there| Gray8::new(((u16::from(*own) + u16::from(there.luma())) / 2) as u8))
+    ///         stored.map(|stored| Gray8::new(((u16::from(*own) + u16::from(stored.luma())) / 2) as u8))
     ///     }
     /// }
     /// let mut pixels = [Gray8::new(100); 16];
@@ -204,15 +209,15 @@ pub trait SpanShader<C: PixelColor>: Shader {
         Self::span(setup, span)
     }
 
-    /// The color, if all pixels of the triangle have the same: [`set_up`](Self::set_up) and [`span`](Self::span) are then not
-    /// called.
+    /// The colour of all pixels, if the shader has only one. Then [`set_up`](Self::set_up) and [`span`](Self::span) are not
+    /// called, and faces are filled faster.
     #[inline(always)]
     fn solid_color(&self) -> Option<C> {
         None
     }
 
-    /// The [`TableShader`] that draws the same pixels, if there is one: against a depth buffer in memory it is drawn by a faster
-    /// loop in place of [`set_up`](Self::set_up) and [`span`](Self::span).
+    /// A [`TableShader`] that draws equal pixels, if there is one. With a depth buffer, targets with memory draw it by a faster
+    /// loop, instead of calling [`set_up`](Self::set_up) and [`span`](Self::span).
     #[inline(always)]
     fn table(&self) -> Option<TableShader<'_, C>> {
         None

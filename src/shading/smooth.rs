@@ -1,4 +1,4 @@
-//! The inks of [`crate::shading`] that are more than a colour.
+//! The shader traits of [`Flat`], [`Gouraud`], [`Lit`] and [`Dithered`].
 
 use super::{Shader, SpanShader};
 use crate::clip::Barycentric;
@@ -24,8 +24,8 @@ impl<C: Channels> SpanShader<C> for Flat {
     }
 
     #[inline(always)]
-    fn span(fill: &C, _: Span) -> impl Iterator<Item = C> {
-        repeat(*fill)
+    fn span(setup: &C, _: Span) -> impl Iterator<Item = C> {
+        repeat(*setup)
     }
 
     #[inline(always)]
@@ -34,10 +34,10 @@ impl<C: Channels> SpanShader<C> for Flat {
     }
 }
 
-impl<I: Shader> Shader for Dithered<I> {
-    type Varying = I::Varying;
+impl<S: Shader> Shader for Dithered<S> {
+    type Varying = S::Varying;
 
-    fn sub_face(&self, corners: [I::Varying; 3]) -> Self {
+    fn sub_face(&self, corners: [S::Varying; 3]) -> Self {
         Self(self.0.sub_face(corners))
     }
 }
@@ -50,14 +50,14 @@ impl<C: Channels> SpanShader<C> for Dithered<Flat> {
     }
 
     #[inline(always)]
-    fn span(fill: &DitheredColor<C>, span: Span) -> impl Iterator<Item = C> {
-        fill.run(span.x, span.y)
+    fn span(setup: &DitheredColor<C>, span: Span) -> impl Iterator<Item = C> {
+        setup.span(span.x, span.y)
     }
 }
 
 macro_rules! smooth {
-    ($($ink:ident),*) => {$(
-        impl Shader for $ink {
+    ($($shader:ident),*) => {$(
+        impl Shader for $shader {
             type Varying = Barycentric;
 
             fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
@@ -65,7 +65,7 @@ macro_rules! smooth {
             }
         }
 
-        impl<C: Channels> SpanShader<C> for $ink {
+        impl<C: Channels> SpanShader<C> for $shader {
             type Setup = ChannelGradients<C>;
 
             #[inline(always)]
@@ -74,12 +74,12 @@ macro_rules! smooth {
             }
 
             #[inline(always)]
-            fn span(fill: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
-                fill.run::<Nearest>(span.x, span.y)
+            fn span(setup: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
+                setup.span::<Nearest>(span.x, span.y)
             }
         }
 
-        impl<C: Channels> SpanShader<C> for Dithered<$ink> {
+        impl<C: Channels> SpanShader<C> for Dithered<$shader> {
             type Setup = ChannelGradients<C>;
 
             #[inline(always)]
@@ -88,8 +88,8 @@ macro_rules! smooth {
             }
 
             #[inline(always)]
-            fn span(fill: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
-                fill.run::<Bayer>(span.x, span.y)
+            fn span(setup: &ChannelGradients<C>, span: Span) -> impl Iterator<Item = C> {
+                setup.span::<Bayer>(span.x, span.y)
             }
         }
     )*};

@@ -1,20 +1,21 @@
-//! Smooth light by table: 256 shades of one color, computed once.
+//! Smooth light by table: 256 shades of one colour, computed once.
 
 use super::levels::luma;
 use super::Channels;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
-/// 256 shades of a color from dark to full light, computed once and looked up at every pixel: the fastest smooth light, for the
-/// memory of 256 colors of the target (512 bytes of `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one
-/// gradient and loads one color at each pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for displays
-/// with a palette did it this way.
+/// A colour in 256 levels of light, computed once and looked up at every pixel: the fastest smooth light. The table takes 256
+/// colours of the target (512 bytes for `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one gradient and
+/// loads one colour per pixel, where [`Gouraud`](crate::Gouraud) steps three channels. Renderers for palette displays light
+/// faces this way.
 ///
-/// **Error.** Light is linear on the screen and is rounded to an entry, 0 … 255: it is off by at most ½ + 2⁻⁹ of an entry, for
-/// any triangle in the guard band. In a table of [`new`](Self::new) each channel of a pixel is off by at most ½ level of the
-/// target for rounding the entry, and by `(½ + 2⁻⁹) · MAX/255` for rounding the light. Full light at all corners gives the last
-/// entry throughout, no light the first. [`Gouraud::lit`](crate::Gouraud::lit) is finer, and can be dithered.
+/// **Error.** Light is linear on the screen and is rounded to the index of an entry, 0 … 255, with an error of at most
+/// ½ + 2⁻⁹, for any triangle in the guard band. With a table made by [`new`](Self::new), each channel of a pixel is off by at
+/// most ½ level of the target for rounding the entry, plus `(½ + 2⁻⁹) · MAX/255` for rounding the light. A face with full light
+/// at all corners has the last entry everywhere, a face without light the first. [`Gouraud::lit`](crate::Gouraud::lit) is
+/// finer, and can be dithered.
 ///
-/// **Clipped faces.** Light at new corners is interpolated as by [`Gouraud`](crate::Gouraud), and rounded to 2⁻¹⁰ of an entry.
+/// **Clipped faces** are treated as by [`Gouraud`](crate::Gouraud). The light at new corners is rounded to 2⁻¹⁰ of an entry.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{Rgb565, Rgb888}, prelude::*};
@@ -30,7 +31,7 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 pub struct ShadeTable<C>([C; 256]);
 
 impl<C> ShadeTable<C> {
-    /// A table of any 256 colors: a heat map, heights, the few steps of a cartoon. May be a constant.
+    /// A table of any 256 colours: a heat map, colours by height, the few steps of cartoon shading. It can be a constant.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Gray4, GrayColor};
@@ -50,7 +51,7 @@ impl<C> ShadeTable<C> {
         Self(colors)
     }
 
-    /// The colors from no light to full light.
+    /// The colours of the table, from no light to full light.
     pub const fn colors(&self) -> &[C; 256] {
         &self.0
     }
@@ -68,15 +69,15 @@ impl<C> ShadeTable<C> {
 }
 
 impl<C: Channels> ShadeTable<C> {
-    /// The colors of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
+    /// The colours of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
     pub fn new(color: Rgb888) -> Self {
-        const WHOLE: u32 = 256 * 255 * 255;
+        const UNIT: u32 = 256 * 255 * 255;
         let [r, g, b] = [color.r(), color.g(), color.b()].map(u32::from);
         let [x, y, z] = C::MAX;
         let mut light = 0;
         Self([(); 256].map(|()| {
             // All three are at most 255, the first one 2⁸ times as large: less than 2³² with the half.
-            let nearest = |channel: u32, max: u8| (channel * light * u32::from(max) + WHOLE / 2) / WHOLE;
+            let nearest = |channel: u32, max: u8| (channel * light * u32::from(max) + UNIT / 2) / UNIT;
             let levels = match C::GRAY {
                 true => [nearest(luma([r, g, b]), x), 0, 0],
                 false => [nearest(r << 8, x), nearest(g << 8, y), nearest(b << 8, z)],
@@ -87,11 +88,12 @@ impl<C: Channels> ShadeTable<C> {
     }
 }
 
-/// The shader of a face: the colors of a [`ShadeTable`], and the light at each corner. [`ShadeTable::lit`] makes it.
+/// The shader of a face that looks its colours up in a [`ShadeTable`], by light that is linear between the corners.
+/// [`ShadeTable::lit`] makes it.
 #[derive(Clone, Copy, Debug)]
 pub struct TableShader<'t, C> {
     colors: &'t [C; 256],
-    /// The index of a color for each corner, in 2⁻¹⁰.
+    /// The index into the table at each corner, in 2⁻¹⁰.
     light: [i32; 3],
 }
 
@@ -108,22 +110,22 @@ impl<'t, C> TableShader<'t, C> {
         Self { light, ..self }
     }
 
-    /// In 2⁻¹⁰ of an index.
+    /// The index into the table at each corner, in 2⁻¹⁰.
     pub(crate) const fn light(&self) -> &[i32; 3] {
         &self.light
     }
 }
 
 impl<C: PixelColor> TableShader<'_, C> {
-    /// The color for a value of [`Gradient::of_light`].
+    /// The colour for a value of [`Gradient::of_light`].
     #[inline(always)]
     pub(crate) fn look_up(colors: &[C; 256], light: u32) -> C {
         let [index, ..] = light.to_be_bytes();
-        colors[usize::from(index)] // each of 256 indices has a color
+        colors[usize::from(index)] // each of 256 indices has a colour
     }
 }
 
-// The colors are not printed: they need not implement `Format`.
+// The colours are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for ShadeTable<C> {
     fn format(&self, f: defmt::Formatter<'_>) {

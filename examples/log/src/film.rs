@@ -26,20 +26,20 @@ const TEAPOT: Mesh<'static> = {
 };
 
 /// Too few for the frames in which most faces are seen: those are dropped.
-const RECORDS: usize = 370 + teapot::FACES.len().div_ceil(16);
+const BIN_STORAGE: usize = 370 + teapot::FACES.len().div_ceil(16);
 
 /// The memory of a film.
 pub(crate) struct Film {
-    corners: [ScreenVertex; teapot::VERTICES.len()],
-    records: [u16; RECORDS],
+    cache: [ScreenVertex; teapot::VERTICES.len()],
+    bins: [u16; BIN_STORAGE],
     strip: [u8; STRIP],
 }
 
 impl Film {
     pub(crate) const fn new() -> Self {
         Self {
-            corners: [ScreenVertex::EMPTY; teapot::VERTICES.len()],
-            records: [0; RECORDS],
+            cache: [ScreenVertex::EMPTY; teapot::VERTICES.len()],
+            bins: [0; BIN_STORAGE],
             strip: [0; STRIP],
         }
     }
@@ -50,8 +50,8 @@ impl Film {
         let light = Lambert::new(&model, Vector3::from_ints(1, 2, 3), 48).expect("a direction");
         let shade = |face: usize| Gray8::new(teapot::NORMALS.get(face).map_or(0, |&n| light.level(n) as u8));
 
-        let placed = camera(40 - 4 * number as i16).place(&TEAPOT, &model);
-        let mut faces = placed.transform(&mut self.corners).bin_faces(&mut self.records)?;
+        let instance = camera(40 - 4 * number as i16).place(&TEAPOT, &model);
+        let mut faces = instance.transform(&mut self.cache).bin_faces(&mut self.bins)?;
         let mut frame = Frame::new(AREA, Gray8::BLACK);
         let mut bands = 0;
         while let Some(mut band) = frame.next_band(&mut self.strip).expect("room for a row") {
@@ -65,9 +65,9 @@ impl Film {
 pub(crate) fn camera(distance: i16) -> Camera {
     let origin = Point3::from_ints(0, 0, 0);
     let up = Vector3::from_ints(0, 1, 0);
-    let viewing = ViewTransform::look_at(Point3::from_ints(0, 6, distance), origin, up).expect("a direction");
+    let view = ViewTransform::look_at(Point3::from_ints(0, 6, distance), origin, up).expect("a direction");
     let (near, far) = (Scalar::const_from_int(1), Scalar::const_from_int(100));
     let projection =
         Projection::perspective(Angle::degrees(30), AREA.size, near, far).expect("a field of view");
-    Camera::new(&viewing, &projection, &Viewport::new(AREA.top_left, AREA.size).expect("a picture"))
+    Camera::new(&view, &projection, &Viewport::new(AREA.top_left, AREA.size).expect("a picture"))
 }

@@ -17,20 +17,20 @@ const SQUARE: [[i16; 3]; 4] = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]];
 pub(crate) fn log() {
     let mesh = Mesh::new(&SQUARE, -3, &[[0, 1, 2], [0, 2, 3]]).expect("a mesh");
     let mesh = mesh.with_edges(&[[0, 1], [1, 2]]).expect("edges");
-    let (mut corners, mut records, mut more) = ([ScreenVertex::EMPTY; 3], [0; 3], [0; 3]);
+    let (mut cache, mut face_bins, mut edge_bins) = ([ScreenVertex::EMPTY; 3], [0; 3], [0; 3]);
     debug!("{}", mesh);
     debug!("{}", Viewport::new(Point::new(8, 0), Size::new(128, 64)).expect("a viewport"));
 
-    let placed = camera(40).place(&mesh, &Affine::identity());
-    debug!("{}", placed);
-    debug!("{}", placed.cull_by_planes());
-    let transformed = placed.transform(&mut corners);
+    let instance = camera(40).place(&mesh, &Affine::identity());
+    debug!("{}", instance);
+    debug!("{}", instance.cull_by_planes());
+    let transformed = instance.transform(&mut cache);
     debug!("{}", transformed);
-    debug!("{}", transformed.bin_faces(&mut records).expect("room"));
-    debug!("{}", transformed.bin_edges(&mut more).expect("room"));
+    debug!("{}", transformed.bin_faces(&mut face_bins).expect("room"));
+    debug!("{}", transformed.bin_edges(&mut edge_bins).expect("room"));
 
     let mut painter = Painter::<Gray8, 8, 4>::new();
-    painter.add(&placed, |_| Gray8::WHITE).expect("room");
+    painter.add(&instance, |_| Gray8::WHITE).expect("room");
     debug!("{}", painter);
     debug!("{}", painter.order());
 

@@ -105,8 +105,8 @@ impl Scratch {
     #[inline(never)]
     fn wireframe<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
         let (corners, _, records) = &mut self.ship;
-        let placed = place_ship(&mut self.stage, &turning(step));
-        let mut edges = edges(&placed.transform(corners), records);
+        let instance = place_ship(&mut self.stage, &turning(step));
+        let mut edges = edges(&instance.transform(corners), records);
         screen.mark(edges.bounds());
         screen.show(SCENES[0], |band, _| {
             let Ok(()) = edges.draw(Gray4::WHITE, band);
@@ -131,8 +131,8 @@ impl Scratch {
         let (corners, records, _) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
-        let placed = place_ship(&mut self.stage, &model);
-        let mut faces = faces(&placed.transform_depth(corners), records);
+        let instance = place_ship(&mut self.stage, &model);
+        let mut faces = faces(&instance.transform_depth(corners), records);
         screen.mark(faces.bounds());
         screen.show(SCENES[2], |band, depth| {
             let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face), depth, band);
@@ -145,8 +145,8 @@ impl Scratch {
         let turn = Affine::<Model, Model>::rotation_y(Angle::degrees(22 * step - 30));
         let model = turn.then(&Affine::translation(Vector3::from_ints(1, 0, 0)));
         light(&model, FROM_ABOVE).levels(TEAPOT.vertex_normals(), levels);
-        let placed = place_one(&mut self.stage, &TEAPOT, &model, [0, 14, 38], 27);
-        let mut faces = faces(&placed.transform_depth(corners), records);
+        let instance = place_one(&mut self.stage, &TEAPOT, &model, [0, 14, 38], 27);
+        let mut faces = faces(&instance.transform_depth(corners), records);
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
             let shader = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
@@ -222,14 +222,14 @@ impl Scratch {
         let (corners, face_records, edge_records) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
-        let placed = place_ship(&mut self.stage, &model);
-        let transformed = placed.transform_depth(corners);
+        let instance = place_ship(&mut self.stage, &model);
+        let transformed = instance.transform_depth(corners);
         let mut faces = faces(&transformed, face_records);
         let mut edges = edges(&transformed, edge_records);
         let style = MonoTextStyle::new(&FONT_5X8, Gray4::WHITE);
         let names = [(NOSE, "nose"), (LEFT_TIP, "port"), (RIGHT_TIP, "starboard")];
         let names = names.map(|(vertex, name)| {
-            let at = placed.project(vertex).map_or(Point::zero(), |(point, _)| {
+            let at = instance.project(vertex).map_or(Point::zero(), |(point, _)| {
                 let pixel = point.pixel();
                 Point::new(pixel.x.into(), pixel.y.into())
             });
