@@ -1,13 +1,13 @@
-//! Triangles of one color against a depth buffer, into memory.
+//! Triangles of one colour against a depth buffer, into memory.
 //!
 //! - **Plain twin**: `pipeline::fill::fill_nearer`: `DepthBuffer::test` for each span, and `Target::fill` for each run of
 //!   visible pixels.
 //! - **Domain**: every triangle, on a target whose pixels lie in memory, where the depth buffer is laid out as the memory is.
-//! - **Gain**: depth and color are written in one loop, eight pixels at once where the depth buffer is still clear, the common
+//! - **Gain**: depth and colour are written in one loop, eight pixels at once where the depth buffer is still clear, the common
 //!   case.
 //! - **Test**: `pipeline::fill::tests`.
 //!
-//! [`DepthFill`] is what differs between one color and [table lookup](super::table_fill); the loops over rows are shared.
+//! [`DepthFill`] is what differs between one colour and [table lookup](super::table_fill); the loops over rows are shared.
 
 use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
 use crate::math::cores::CORTEX_M0;

@@ -1,4 +1,4 @@
-//! Lines of one color, into memory.
+//! Lines of one colour, into memory.
 //!
 //! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Target::fill`.
 //! - **Domain**: every line, on a target whose pixels lie in memory.

@@ -1,10 +1,10 @@
-//! Triangles whose pixels have colors of their own, into memory.
+//! Triangles whose pixels have colours of their own, into memory.
 //!
 //! - **Plain twins**: `pipeline::fill::fill` and `fill_nearer`, which pass each span to `Target::fill_run`, with depth each run
 //!   of nearer pixels.
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory; with depth, only where the depth buffer is
 //!   laid out as the memory is.
-//! - **Gain**: the shader's colors go to the cells in one loop with the edge walker. With depth, a row is walked once, and the
+//! - **Gain**: the shader's colours go to the cells in one loop with the edge walker. With depth, a row is walked once, and the
 //!   shader is not set up again for each run of visible pixels.
 //! - **Test**: `pipeline::fill::tests`.
 
@@ -14,7 +14,7 @@ use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
 use crate::surface::{DepthTarget, Memory, PixelStore, StoredPixel, Target};
 use core::hint::black_box;
 
-/// Fills a triangle with the colors that `span_colors` gives for each span, unless the target's pixels do not lie in memory.
+/// Fills a triangle with the colours that `span_colors` gives for each span, unless the target's pixels do not lie in memory.
 #[inline(always)]
 pub(crate) fn triangle<T: Target, R: Iterator<Item = T::Color>>(
     triangle: &Triangle<'_>,

@@ -1,4 +1,4 @@
-//! Triangles of one color, into memory.
+//! Triangles of one colour, into memory.
 //!
 //! - **Plain twin**: `pipeline::fill::fill`, which passes each span to `Target::fill`.
 //! - **Domain**: every triangle, on a target whose pixels lie in memory.

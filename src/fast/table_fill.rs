@@ -1,8 +1,8 @@
-//! Triangles whose colors are looked up in a [`ShadeTable`](crate::ShadeTable), against a depth buffer, into memory.
+//! Triangles whose colours are looked up in a [`ShadeTable`](crate::ShadeTable), against a depth buffer, into memory.
 //!
 //! - **Plain twin**: `pipeline::fill::fill_nearer` with the shader's [`span`](crate::SpanShader::span).
 //! - **Domain**: every triangle, on a target whose pixels lie in memory, where the depth buffer is laid out as the memory is.
-//! - **Gain**: colors are looked up only for pixels that are nearer, eight at once where the depth buffer is still clear; the
+//! - **Gain**: colours are looked up only for pixels that are nearer, eight at once where the depth buffer is still clear; the
 //!   gradients of depth and light share one reciprocal.
 //! - **Test**: `pipeline::fill::tests`.
 
@@ -57,7 +57,7 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
     }
 }
 
-/// Rows of colors from a table.
+/// Rows of colours from a table.
 struct TableRows<'a, C, Cell> {
     steps: Steps<'a, C>,
     cells: &'a mut [Cell],

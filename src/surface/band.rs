@@ -142,7 +142,7 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         self.bytes
     }
 
-    /// The band's pixels as the fastest target, for colors of `N` whole bytes.
+    /// The band's pixels as the fastest target, for colours of `N` whole bytes.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -170,7 +170,7 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         self.bytes
     }
 
-    /// The colors of the [`area`](Self::area)'s pixels, row by row, decoded from the strip's bytes.
+    /// The colours of the [`area`](Self::area)'s pixels, row by row, decoded from the strip's bytes.
     pub fn colors(&self) -> impl Iterator<Item = C> + '_ {
         let Size { width, height } = self.area.size;
         if C::BITS >= 8 {
@@ -278,7 +278,7 @@ fn intersection(low: i32, extent: u32, origin: i32, all: u32) -> Range<u32> {
     from_origin(low)..from_origin(low.saturating_add_unsigned(extent))
 }
 
-/// The colors of a band, row by row.
+/// The colours of a band, row by row.
 struct BandColors<'b, C> {
     /// The row of the next pixel and all rows below it.
     bytes: &'b [u8],
@@ -344,7 +344,7 @@ impl<C: PixelFormat> DrawTarget for Band<'_, C> {
             copy_pixels(bytes, from, from.wrapping_add(area.size.width as usize), colors);
             return Ok(());
         }
-        // No colors are taken for rows below the band.
+        // No colours are taken for rows below the band.
         let (top, bottom) =
             (area.top_left.y, self.area.top_left.y.saturating_add_unsigned(self.area.size.height));
         if area.size.width == 0 || bottom <= top {
@@ -367,7 +367,7 @@ impl<C: PixelFormat> DrawTarget for Band<'_, C> {
     }
 }
 
-// Colors and pixels are not printed: a color need not implement `Format`, and a strip is kilobytes.
+// Colours and pixels are not printed: a colour need not implement `Format`, and a strip is kilobytes.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for Frame<C> {
     fn format(&self, f: defmt::Formatter<'_>) {

@@ -11,10 +11,10 @@ use embedded_graphics_core::primitives::Rectangle;
 /// The pipeline asks at compile time whether there are cells at all, so a target without memory pays nothing for the code that
 /// draws into memory.
 pub trait PixelStore {
-    /// What is stored for one pixel: the color itself, an integer, or the bytes that the display takes.
+    /// What is stored for one pixel: the colour itself, an integer, or the bytes that the display takes.
     type Cell: Copy;
 
-    /// Whether pixels can be read back: a shader that blends needs the color that is there.
+    /// Whether pixels can be read back: a shader that blends needs the colour that is there.
     const READABLE: bool;
 
     /// All cells, row by row.

@@ -10,7 +10,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A whole picture in a buffer that the caller provides, one color for each pixel, row by row: a DrawTarget, and by
+/// A whole picture in a buffer that the caller provides, one colour for each pixel, row by row: a DrawTarget, and by
 /// [`pixels`](Self::pixels) the fastest [`Target`](crate::Target).
 ///
 /// ```
@@ -62,11 +62,11 @@ impl PictureError {
 }
 
 impl<'a, C: PixelColor> Picture<'a, C> {
-    /// A picture of `size` in the first colors of `buffer`, whose top left pixel is the origin.
+    /// A picture of `size` in the first colours of `buffer`, whose top left pixel is the origin.
     ///
     /// # Errors
     ///
-    /// [`PictureError`] when there are fewer colors than pixels.
+    /// [`PictureError`] when there are fewer colours than pixels.
     pub fn new(buffer: &'a mut [C], size: Size) -> Result<Self, PictureError> {
         let needed = u64::from(size.width) * u64::from(size.height);
         let error = PictureError { needed, given: buffer.len() };
@@ -99,7 +99,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
         }
     }
 
-    /// The colors, row by row.
+    /// The colours, row by row.
     pub const fn colors(&self) -> &[C] {
         self.cells
     }
@@ -148,7 +148,7 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
     }
 }
 
-// The colors are not printed: they need not implement `Format`.
+// The colours are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for Picture<'_, C> {
     fn format(&self, f: defmt::Formatter<'_>) {

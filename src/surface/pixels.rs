@@ -12,18 +12,18 @@ use embedded_graphics_core::primitives::Rectangle;
 /// Pixels in a slice of memory, the fastest [`Target`]: of a [`Picture`](crate::Picture), of a [`Band`](crate::Band), or of a
 /// framebuffer that something else owns, made by [`new`](Self::new).
 ///
-/// `C` is the color, `Cell` is what memory holds for a pixel: see [`StoredPixel`].
+/// `C` is the colour, `Cell` is what memory holds for a pixel: see [`StoredPixel`].
 #[derive(Debug)]
 pub struct Pixels<'a, C, Cell = C> {
     memory: Memory<&'a mut [Cell]>,
     color: PhantomData<C>,
 }
 
-/// A color as a cell of memory: the color itself, its bytes in the order in which displays take them, or its number.
+/// A colour as a cell of memory: the colour itself, its bytes in the order in which displays take them, or its number.
 ///
-/// | cell | memory holds | colors |
+/// | cell | memory holds | colours |
 /// |---|---|---|
-/// | the color | whatever the type is | all |
+/// | the colour | whatever the type is | all |
 /// | `[u8; N]` | [`PixelFormat`](crate::PixelFormat)'s bits, most significant byte first | those of 8, 16 and 24 bits |
 /// | `u16` | the number in the core's own byte order, as LCD controllers and 16-bit SPI take it | `Rgb565`, `Bgr565`, `Rgb555`, `Bgr555` |
 ///
@@ -35,10 +35,10 @@ pub struct Pixels<'a, C, Cell = C> {
 /// assert_eq!(Rgb565::load(0xf800_u16), Rgb565::RED);
 /// ```
 pub trait StoredPixel<Cell>: PixelColor {
-    /// The color as a cell of memory.
+    /// The colour as a cell of memory.
     fn stored(self) -> Cell;
 
-    /// The color of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.
+    /// The colour of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.
     fn load(cell: Cell) -> Self;
 }
 
@@ -117,7 +117,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Target for Pixels<'a, C, Cell> {
     }
 }
 
-// The color is not printed: it need not implement `Format`.
+// The colour is not printed: it need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C, Cell: Copy> defmt::Format for Pixels<'_, C, Cell> {
     fn format(&self, f: defmt::Formatter<'_>) {

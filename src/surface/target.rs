@@ -57,7 +57,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # Ok::<(), PictureError>(())
 /// ```
 pub trait Target {
-    /// The color of a pixel.
+    /// The colour of a pixel.
     type Color: StoredPixel<<Self::Store as PixelStore>::Cell>;
 
     /// What drawing can fail with.
@@ -69,15 +69,15 @@ pub trait Target {
     /// The rectangle that can be drawn to.
     fn area(&self) -> Rectangle;
 
-    /// Sets the pixels of a span, which lies in the [`area`](Self::area), to one color.
+    /// Sets the pixels of a span, which lies in the [`area`](Self::area), to one colour.
     ///
     /// # Errors
     ///
     /// The target's own.
     fn fill(&mut self, span: Span, color: Self::Color) -> Result<(), Self::Error>;
 
-    /// Sets the pixels of a row's span, which lies in the [`area`](Self::area), to these colors from left to right. There are
-    /// at least `span.width` colors.
+    /// Sets the pixels of a row's span, which lies in the [`area`](Self::area), to these colours from left to right. There are
+    /// at least `span.width` colours.
     ///
     /// # Errors
     ///
@@ -85,7 +85,7 @@ pub trait Target {
     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Self::Color>) -> Result<(), Self::Error>;
 
     /// The memory that holds the pixels of the [`area`](Self::area), if they lie in memory. Most drawing then writes to it, and
-    /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only for what no fast path takes. Colors are converted
+    /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only for what no fast path takes. Colours are converted
     /// by [`StoredPixel`], so both ways must store the same cells.
     #[inline(always)]
     fn memory(&mut self) -> Option<&mut Memory<Self::Store>> {
