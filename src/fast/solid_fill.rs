@@ -3,8 +3,8 @@
 //! - **Plain twin**: `pipeline::fill::fill`, which passes each span to `Target::fill`.
 //! - **Domain**: every triangle, on a target whose pixels lie in memory.
 //! - **Gain**: rows go from the edge walker to the cells without a span in between; a small triangle (32 × 30 pixels, or 31 rows
-//!   on a Cortex-M0) has a loop of its own with all registers.
-//! - **Test**: `pipeline::fill::tests`.
+//!   on a Cortex-M0) has a loop of its own with all registers. Not measured alone: all fast paths together halve the time of S3.
+//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/twins.rs`.
 
 use super::Rows;
 use super::{memory_of, Low, Small};
@@ -26,8 +26,8 @@ pub(crate) fn triangle<T: Target>(
     true
 }
 
-/// As [`triangle`], for a triangle of 2D drawing, with its area, which is not zero: it is clipped to the target, whose scissor
-/// the memory holds.
+/// [`triangle`] for 2D drawing, clipped to the part of the target that 2D drawing can reach. `area` is the
+/// [`area`](crate::raster::area()) of the corners and not zero.
 #[inline(always)]
 pub(crate) fn triangle_2d<T: Target>(
     corners: [ScreenPoint; 3],
@@ -41,8 +41,8 @@ pub(crate) fn triangle_2d<T: Target>(
     true
 }
 
-/// Fills a small triangle; passes all others on. `pair` holds the cell twice: two arguments, of which LLVM does not know that
-/// they are equal, so that it stores two 16-bit cells from one register.
+/// Fills a triangle of the [`Small`] tier; passes all others to [`low`]. `pair` is the stored pixel twice, as two arguments:
+/// LLVM does not know that they are equal, so it stores two 16-bit pixels from one register.
 #[inline(never)] // its loop needs all registers
 fn small<S: PixelStore>(
     memory: &mut Memory<S>,
@@ -56,7 +56,8 @@ fn small<S: PixelStore>(
     }
 }
 
-/// Fills a triangle of few rows that may be wide or reach beyond the scissor; passes larger ones on.
+/// Fills a triangle of the [`Low`] tier, which may be wide, and may begin or end beyond the scissor's rows; passes all others to
+/// [`large`].
 #[inline(never)]
 fn low<S: PixelStore>(
     memory: &mut Memory<S>,
@@ -92,7 +93,7 @@ fn large<Cell: Copy>(
     let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
     while triangle.trapezoid(&mut trapezoid) {
         match trapezoid.as_rectangle(layout.stride as i32) {
-            // A large face is cut on both sides: its rows are as wide as memory's, and so one run.
+            // A face wider than the picture is clipped at both sides: its rows join into one run.
             Some((x, pixels)) => {
                 let from = layout.at(x, trapezoid.y);
                 if let Some(run) = cells.get_mut(from..from.wrapping_add(pixels as usize)) {
@@ -109,7 +110,7 @@ fn large<Cell: Copy>(
     }
 }
 
-/// Fills a row from `left` to `right`, counted from the cell at `start`, if it does not end before it begins.
+/// Fills the row from `left` up to but excluding `right`, both counted from index `start`; nothing if `right < left`.
 #[inline(always)]
 fn fill_row<Cell: Copy>(
     cells: &mut [Cell],
@@ -120,9 +121,9 @@ fn fill_row<Cell: Copy>(
     may_be_long: bool,
 ) {
     let from = start.wrapping_add(left as usize);
-    // Larger than any slice where the row ends before it begins.
+    // If the row ends before it begins, the difference wraps to more than any slice has.
     let width = right.wrapping_sub(left) as usize;
-    // The walker of the Cortex-M0 has both ends as indices; on other cores the width is at hand.
+    // On a Cortex-M0 both ends are indices already; on other cores the width is in a register.
     if CORTEX_M0 {
         if let Some(run) = cells.get_mut(from..from.wrapping_add(width)) {
             fill_pairs(run, pair, may_be_long);
