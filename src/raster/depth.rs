@@ -66,7 +66,7 @@ mod tests {
         }
         let gradient =
             Gradient::of_depth(&Triangle::new(points, area(&points), scissor), &corners.map(|c| c.2));
-        // The gradient at p in barycentric form: three areas as weights.
+        // The exact value at p in barycentric form: three areas as weights.
         let cross = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
             (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)
         };
@@ -89,7 +89,7 @@ mod tests {
                 assert!(stored <= 65_534, "{corners:?} ({x}, {}): {stored}", span.y);
                 // 24 + 46 + 20 bits over 54.
                 let error = (stored * 256 * total - exact).abs() << 20;
-                worst = worst.max(error / (256 * whole.abs()) + 1);
+                worst = worst.max(error / (256 * total.abs()) + 1);
             }
             Ok(())
         });

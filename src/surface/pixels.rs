@@ -1,4 +1,4 @@
-//! A slice of memory as a target.
+//! Pixels in a borrowed slice, as a target.
 
 use super::memory::Memory;
 use super::picture::PictureError;
@@ -9,23 +9,24 @@ use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Pixels in a slice of memory, the fastest [`Target`]: of a [`Picture`](crate::Picture), of a [`Band`](crate::Band), or of a
-/// framebuffer that something else owns, made by [`new`](Self::new).
+/// Pixels in a borrowed slice, the fastest [`Target`]. [`Picture::pixels`](crate::Picture::pixels) and
+/// [`Band::pixels`](crate::Band::pixels) make one, and [`new`](Self::new) makes one of any other framebuffer.
 ///
-/// `C` is the colour, `Cell` is what memory holds for a pixel: see [`StoredPixel`].
+/// `C` is the colour type, `Cell` the stored form of one pixel: see [`StoredPixel`].
 #[derive(Debug)]
 pub struct Pixels<'a, C, Cell = C> {
     memory: Memory<&'a mut [Cell]>,
     color: PhantomData<C>,
 }
 
-/// A colour as a cell of memory: the colour itself, its bytes in the order in which displays take them, or its number.
+/// A colour that can be stored in memory as a `Cell`: as the colour type itself, as bytes in the order in which displays take them,
+/// or as an integer.
 ///
-/// | cell | memory holds | colours |
+/// | cell | stored as | colours |
 /// |---|---|---|
-/// | the colour | whatever the type is | all |
+/// | the colour type | itself | all |
 /// | `[u8; N]` | [`PixelFormat`](crate::PixelFormat)'s bits, most significant byte first | those of 8, 16 and 24 bits |
-/// | `u16` | the number in the core's own byte order, as LCD controllers and 16-bit SPI take it | `Rgb565`, `Bgr565`, `Rgb555`, `Bgr555` |
+/// | `u16` | those bits as an integer in the core's own byte order, as LCD controllers and 16-bit SPI take it | `Rgb565`, `Bgr565`, `Rgb555`, `Bgr555` |
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -35,10 +36,10 @@ pub struct Pixels<'a, C, Cell = C> {
 /// assert_eq!(Rgb565::load(0xf800_u16), Rgb565::RED);
 /// ```
 pub trait StoredPixel<Cell>: PixelColor {
-    /// The colour as a cell of memory.
+    /// The stored form of the colour.
     fn stored(self) -> Cell;
 
-    /// The colour of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.
+    /// The colour that is stored as `cell`, for shaders that blend with stored pixels: the inverse of [`stored`](Self::stored).
     fn load(cell: Cell) -> Self;
 }
 
@@ -55,7 +56,7 @@ impl<C: PixelColor> StoredPixel<C> for C {
 }
 
 impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
-    /// The pixels of `area`, row by row, in the first cells of a slice. A framebuffer of numbers:
+    /// The pixels of `area`, row by row, in the first cells of a slice. A framebuffer of integers:
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -83,7 +84,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
 }
 
 impl<'a, C, Cell: Copy> Pixels<'a, C, Cell> {
-    /// As [`new`](Self::new), for callers that have checked the number of cells.
+    /// [`new`](Self::new) for callers that have checked the number of cells.
     #[inline(always)]
     pub(super) fn unchecked(cells: &'a mut [Cell], area: Rectangle) -> Self {
         Self { memory: Memory::unchecked(cells, area), color: PhantomData }
