@@ -1,4 +1,4 @@
-//! The eye point in an object's coordinates, for culling by face planes.
+//! The viewer's position in an object's coordinates, for culling by face planes.
 
 use super::VertexTransform;
 use crate::math::num::{bits_of, mul_wide, scale, shift_to_fit};
@@ -17,13 +17,13 @@ pub(crate) struct PlaneEye {
 }
 
 impl PlaneEye {
-    /// An eye that no plane faces and none faces away from, so that nothing is culled.
+    /// An eye for which [`behind`](Self::behind) is negative for every plane, so that nothing is culled.
     pub(crate) const NOWHERE: Self = Self { xyz: [0; 3], w: 0 };
 
-    /// Bits of the largest of the four numbers: none is more than 2^BITS.
+    /// The four numbers are at most 2^BITS in magnitude.
     const BITS: i32 = 13;
 
-    /// The error of each number in 1/1000: a half from rounding, and the bits that [`new`](Self::new) drops.
+    /// The error bound of each of the four numbers, in 1/1000: half a unit from rounding, and the bits that [`new`](Self::new) drops.
     const ERROR: i32 = 515;
 
     /// The error bound of [`behind`](Self::behind), for normals of unit length with components within 2⁻¹⁵. Let v be a vertex with
@@ -33,7 +33,7 @@ impl PlaneEye {
     /// * the normal's error is multiplied by xyz − v·w, at most 2^(BITS + 1) in each of three components;
     /// * the plane's error, a half, is multiplied by 2w.
     ///
-    /// One is added for the bits that the first product drops, and for six times the excess of the eye's numbers over 2^BITS.
+    /// One unit is added for the bits that the first product drops and for what the eye's numbers may exceed 2^BITS by, times six.
     const MARGIN: i32 = 2 * 56_759 * Self::ERROR / 1000 + 6 * (1 << Self::BITS) + (1 << Self::BITS) + 1;
 
     /// At the eye the three forms x, y and w of a vertex are 0: by Cramer's rule with the forms'

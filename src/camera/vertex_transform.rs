@@ -27,23 +27,24 @@ pub(crate) struct VertexTransform {
     w: LinearForm,
     x: LinearForm,
     y: LinearForm,
-    /// The power of two that justifies a vertex coordinate.
+    /// The power of two that shifts a mesh's largest coordinate to the top of its word: coordinates are *justified* by it.
     justify_factor: i32,
-    /// The least w for which 32-bit arithmetic suffices and, if w alone decides the near test, which is surely behind the near plane.
+    /// The least w for which 32-bit arithmetic suffices. If w alone decides the near test, a vertex with this w is also certainly
+    /// beyond the near plane.
     min_w: i32,
-    /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
+    /// The right shift from `x·R/2³²` to half sub-pixels, where R is the reciprocal of w shifted to 31 bits.
     right: i32,
     /// [`ScreenVertex::BIAS`]: as a constant it would take two instructions and a register.
     bias: i32,
     /// If depth depends on w alone it is `origin + depth_scale/w`, in 2⁻²⁷; `origin` includes the half that rounds to 2⁻²⁴.
     origin: i32,
-    /// Negative, in units of w times 2^(2 − scale_down).
+    /// The negative factor of 1/w in that formula, in units of w times 2^(2 − scale_down).
     depth_scale: i32,
     scale_down: i32,
     /// e_d − e_w: never negative.
     d_over_w: i32,
     d: LinearForm,
-    /// e_xy − e_w: 0 … room.
+    /// e_xy − e_w: 0 … [`Screen::room`](super::camera::Screen::room).
     xy_over_w: i32,
     screen: Screen,
     /// Whether the near test and depth need d.
@@ -62,7 +63,7 @@ impl VertexTransform {
         justify: u32,
         narrow: bool,
     ) -> Self {
-        // 1 Model to view, relative to the eye.
+        // Step 1: model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);
         let (mut view, mut i) = (RowBlock { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
@@ -71,7 +72,7 @@ impl VertexTransform {
             i = opaque_next(i);
         }
         view.exponent = matrix_product(&camera.axes, 0, m, m_exponent, &mut view.linear);
-        // 2 View to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow windows,
+        // Step 2: view to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow windows,
         //   distant objects) it prevents saturation. In 2⁻³² an object extends three coefficients times 2^(31 + unit) around `offset`.
         let unit = exponent - justify as i32;
         let largest = magnitude(view.linear.as_flattened());
@@ -85,7 +86,7 @@ impl VertexTransform {
             shift = shift.max(row.overflow(bits));
             i = opaque_next(i);
         }
-        // 3 Exponents from the range of each row over the object. A justified coordinate v stands for v·2^unit.
+        // Step 3: exponents from the range of each row over the object. A justified coordinate v stands for v·2^unit.
         let (mut rows, mut reaches, mut i) = ([Row::ZERO; 4], [0; 4], 0);
         while let (Some(row), Some(reached), Some(own)) =
             (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
@@ -100,12 +101,12 @@ impl VertexTransform {
         // x need not be finer than w; if it is much coarser, the object lies far to the side.
         let e_w = reach_w.max(e_xy - room);
         let e_xy = e_xy.max(e_w);
-        // 4 Depth from w if w is at least 2⁻⁴ somewhere, so that offsets in 2⁻³² are fine enough; otherwise from d.
+        // Step 4: depth from w if w is at least 2⁻⁴ somewhere, so that offsets in 2⁻³² are fine enough; otherwise from d.
         let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
         let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
         let e_d = reach_d.max(e_w);
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
-        // 5 `project` shifts right by at least 0 and left by less than 32, which limits the leading zeros of w.
+        // Step 5: `project` shifts right by at least 0 and left by less than 32, which limits the leading zeros of w.
         let right = 28 - xy_over_w - screen_unit;
         let zeros = right.min(31 - d_over_w).min(9);
         let mut min_w = if zeros >= 0 && screen_unit + room >= ScreenVertex::RANGE_BITS {
@@ -166,7 +167,7 @@ impl VertexTransform {
         h
     }
 
-    /// Clip space's w of a vertex, in a unit of the instance: positive in front of the eye.
+    /// w of a vertex in clip space, in a unit common to the vertices of this transform: positive in front of the eye.
     pub(crate) fn w<V: Coordinate>(&self, vertex: &[V; 3]) -> i32 {
         self.w.at(vertex.map(|c| c.times(self.justify_factor)), V::NARROW)
     }
@@ -266,8 +267,8 @@ impl VertexTransform {
         }
     }
 
-    /// Projects any point that the clipper kept, in 64-bit arithmetic: [`project`](Self::project) gives the same bits where it applies
-    /// (`the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller wants it.
+    /// Projects any point that the clipper did not remove, in 64-bit arithmetic. Where [`project`](Self::project) applies it gives
+    /// equal bits (test `the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller needs it.
     pub(crate) fn project_wide(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
@@ -343,10 +344,11 @@ impl VertexTransform {
 /// The type of [`VertexTransform::depth`]: passed as a value, so that images without depth link no code for it.
 pub(crate) type DepthOf = fn(&VertexTransform, i32, Reciprocal) -> i32;
 
-/// A depth in 2⁻²⁴, eight steps before the far plane: rounding of d and w costs less than that.
+/// A depth in 16.8, eight depth steps before the far plane: the errors of d and w are smaller, so all vertices up to this depth lie
+/// before it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
-/// `v · mantissa · 2^shift`, rounded to nearest, plus `more`, clamped to the guard band. shift < 0, |more| < 2²⁴.
+/// `v · mantissa · 2^shift`, rounded to nearest, plus `more`, clamped to the guard band; for shift < 0 and |more| < 2²⁴.
 #[inline(never)] // rare path: code size counts, speed does not
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
     const REACH: i64 = GUARD_BAND as i64 * 256;
@@ -386,7 +388,7 @@ mod tests {
     use crate::math::{Angle, Point3, Scalar, Vector3};
     use embedded_graphics_core::geometry::{Point, Size};
 
-    /// Compares `project` and `image` bit by bit for random vertices; returns how many `project` gave a position.
+    /// Compares `project` and `project_wide` bit by bit for random vertices; returns how many `project` gave a position.
     fn compare(lens: &Projection, eye: f32, seed: u64) -> usize {
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
         let at = Point3::new(Scalar::from_num(eye * 0.3), Scalar::from_num(eye * 0.2), Scalar::from_num(eye));

@@ -17,7 +17,7 @@ pub(crate) fn mantissa_and_exponent(v: f64) -> Option<(i64, i32)> {
     Some((if v < 0.0 { -mantissa } else { mantissa }, exponent))
 }
 
-/// Numbers as 61-bit integers with one exponent, which the largest number determines; `None` if one is not finite.
+/// Converts numbers to 61-bit integers with one exponent, which the largest number determines; `None` if one is not finite.
 pub(crate) fn common_exponent<const N: usize>(numbers: [f64; N]) -> Option<([i64; N], i32)> {
     let mut all = [(0, 0); N];
     for (out, v) in all.iter_mut().zip(numbers) {

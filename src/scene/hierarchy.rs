@@ -110,7 +110,8 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// Computes all world transforms, parent's world · local, in order. Each level adds the rounding error of [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
+    /// Computes the world transform of every node, parent's world · local, in the order of the list. Each level adds the rounding error
+    /// of [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
     pub fn update(&mut self) {
         for i in 0..self.nodes.len() {
             let (before, rest) = self.nodes.split_at_mut(i); // i < len: never panics
