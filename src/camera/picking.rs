@@ -91,9 +91,9 @@ impl Camera {
         // A model transform of scale 0 maps all vertices to this point.
         let model =
             Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
-        let placement = VertexTransform::new(self, &model, 0, 16, true);
-        let h = placement.clip([0i16; 3]);
-        let outside = |plane: usize| placement.distance(plane, &h) < 0;
+        let transform = VertexTransform::new(self, &model, 0, 16, true);
+        let h = transform.clip([0i16; 3]);
+        let outside = |plane: usize| transform.distance(plane, &h) < 0;
         let [.., w] = h.xydw;
         if outside(0) || w <= 0 {
             return Err(ProjectError::BeforeNear);
@@ -104,8 +104,8 @@ impl Camera {
         if self.far_clip && outside(5) {
             return Err(ProjectError::BeyondFar);
         }
-        let image = placement.project_wide(&h, Some(VertexTransform::depth));
-        Ok((image.point, image.step()))
+        let vertex = transform.project_wide(&h, Some(VertexTransform::depth));
+        Ok((vertex.point, vertex.step()))
     }
 
     /// The world point that [`project`](Self::project)s to this screen position and depth. `None` if it is outside of ±32768 world units,

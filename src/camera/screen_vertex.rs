@@ -122,8 +122,8 @@ mod tests {
 
     #[test]
     fn packing_keeps_position_and_depth() {
-        let places = [1 - (1 << 18), -255, -1, 0, 1, 77, (1 << 18) - 1];
-        for (right, down) in places.iter().flat_map(|&right| places.map(|down| (right, down))) {
+        let positions = [1 - (1 << 18), -255, -1, 0, 1, 77, (1 << 18) - 1];
+        for (right, down) in positions.iter().flat_map(|&right| positions.map(|down| (right, down))) {
             for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
                 // Ties are rounded up.
                 for half in [0, -1] {

@@ -124,7 +124,7 @@ impl VertexTransform {
             scale_down = (34 + shift + e_w - shift_to_fit(by_w.scale as u64, 31)).clamp(0, 31);
             depth_scale = -in_w(by_w.scale, scale_down - 2).min(i32::MAX.into()) as i32;
         }
-        let mut placed = Self {
+        let mut transform = Self {
             justify_factor: LinearForm::justify(justify, narrow),
             xy_over_w,
             right,
@@ -142,19 +142,19 @@ impl VertexTransform {
             d: LinearForm::ZERO,
             w: LinearForm::ZERO,
         };
-        placed.x = vertex_form(x, unit, e_xy);
-        placed.y = vertex_form(y, unit, e_xy);
-        placed.d = vertex_form(d, unit, e_d);
-        placed.w = vertex_form(w, unit, e_w);
-        placed
+        transform.x = vertex_form(x, unit, e_xy);
+        transform.y = vertex_form(y, unit, e_xy);
+        transform.d = vertex_form(d, unit, e_d);
+        transform.w = vertex_form(w, unit, e_w);
+        transform
     }
 
     /// The vertex in clip space. Few vertices take this path, so code size counts and speed does not.
     #[inline(never)]
-    pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], place: &mut ClipCoords) {
+    pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], slot: &mut ClipCoords) {
         let v = vertex.map(|c| c.times(self.justify_factor));
         let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
-        while let (Some(value), Some(form)) = (place.xydw.get_mut(i), forms.get(i)) {
+        while let (Some(value), Some(form)) = (slot.xydw.get_mut(i), forms.get(i)) {
             *value = form.at(v, V::NARROW);
             i = opaque_next(i);
         }
@@ -235,7 +235,7 @@ impl VertexTransform {
             depth =
                 (self.origin + (mul_high(self.depth_scale, r.mantissa) >> ((self.scale_down - n) & 31))) >> 3;
         }
-        let [x, y] = early.map_or_else(|| over_w(forms()), |(places, _)| places);
+        let [x, y] = early.map_or_else(|| over_w(forms()), |(positions, _)| positions);
         if DEPTH && depth > SURELY_BEFORE_FAR {
             if far && self.is_beyond_far(vertex) {
                 return ScreenVertex::EMPTY;
@@ -396,48 +396,48 @@ mod tests {
         let viewing = ViewTransform::look_at(at, origin, Vector3::from_ints(0, 1, 0)).unwrap();
         let camera = Camera::new(&viewing, lens, &viewport);
         let model = Affine::rotation_y(Angle::degrees(33));
-        let placement = VertexTransform::new(&camera, &model, -14, 16, true);
-        let (mut random, mut places) = (Random(seed), 0);
+        let transform = VertexTransform::new(&camera, &model, -14, 16, true);
+        let (mut random, mut positions) = (Random(seed), 0);
         for _ in 0..20_000 {
             let vertex = random.vertex();
-            let h = placement.clip(vertex);
-            let plain = placement.project::<_, false>(&vertex, placement.needs_d(false, true), true);
-            let deep = placement.project::<_, true>(&vertex, placement.needs_d(true, true), true);
+            let h = transform.clip(vertex);
+            let plain = transform.project::<_, false>(&vertex, transform.needs_d(false, true), true);
+            let deep = transform.project::<_, true>(&vertex, transform.needs_d(true, true), true);
             for (corner, depth) in [(plain, false), (deep, true)] {
                 if corner.is_on_screen() {
-                    assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
-                    let (image, exact) = (
+                    assert!((0..6).all(|plane| transform.distance(plane, &h) >= 0), "{vertex:?}");
+                    let (packed, wide) = (
                         if depth {
-                            placement.unpack::<true>(corner)
+                            transform.unpack::<true>(corner)
                         } else {
-                            placement.unpack::<false>(corner)
+                            transform.unpack::<false>(corner)
                         },
-                        placement.project_wide(&h, Some(VertexTransform::depth)),
+                        transform.project_wide(&h, Some(VertexTransform::depth)),
                     );
-                    assert_eq!(image.point, exact.point, "{vertex:?}");
-                    assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
-                    places += 1;
+                    assert_eq!(packed.point, wide.point, "{vertex:?}");
+                    assert!(!depth || packed.depth == wide.depth, "{vertex:?}: {packed:?} {wide:?}");
+                    positions += 1;
                 }
             }
         }
-        places
+        positions
     }
 
     /// The error of a vertex's depth against `d/w`, or `A − B/w`, of the integers that it is computed from, in 2⁻⁸ steps.
-    fn depth_error(placement: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
-        let corner = placement.project::<_, true>(&vertex, placement.needs_d(true, true), true);
-        let h = placement.clip(vertex);
+    fn depth_error(transform: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
+        let corner = transform.project::<_, true>(&vertex, transform.needs_d(true, true), true);
+        let h = transform.clip(vertex);
         let depth = corner.depth();
         if !corner.is_on_screen() || depth == FARTHEST {
             return None;
         }
         // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + depth_scale·2^(2 − scale_down)` where depth_scale is 2⁻²⁷ · 2^29.
         let [_, _, d, w] = h.xydw.map(i128::from);
-        let exact = match placement.by_d {
-            true => d << (27 + placement.d_over_w),
+        let exact = match transform.by_d {
+            true => d << (27 + transform.d_over_w),
             false => {
-                let scaled = i128::from(placement.depth_scale) << 29 >> placement.scale_down;
-                i128::from(placement.origin - 4) * w + scaled
+                let scaled = i128::from(transform.depth_scale) << 29 >> transform.scale_down;
+                i128::from(transform.origin - 4) * w + scaled
             }
         };
         let off = (i128::from(depth) << 3) * w - exact; // 2⁻²⁷ · w
@@ -466,13 +466,13 @@ mod tests {
                 ];
                 for lens in lenses {
                     let camera = Camera::new(&viewing, &lens, &viewport);
-                    let placement =
+                    let transform =
                         VertexTransform::new(&camera, &Affine::rotation_y(Angle::degrees(33)), -14, 16, true);
-                    let way = usize::from(placement.by_d);
+                    let source = usize::from(transform.by_d);
                     for _ in 0..20_000 {
-                        if let Some(error) = depth_error(&placement, random.vertex()) {
-                            largest[way] = largest[way].max(error);
-                            counts[way] += 1;
+                        if let Some(error) = depth_error(&transform, random.vertex()) {
+                            largest[source] = largest[source].max(error);
+                            counts[source] += 1;
                         }
                     }
                 }
@@ -486,17 +486,17 @@ mod tests {
     fn the_packed_and_the_wide_path_give_the_same_bits() {
         let size = Size::new(240, 180);
         let number = Scalar::from_num::<f64>;
-        let mut places = 0;
+        let mut positions = 0;
         for (near, far) in [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)] {
             for eye in [0.6, 1.4, 3.0, 12.0] {
                 let (near, far) = (number(near), number(far));
                 let lens = Projection::perspective(Angle::degrees(60), size, near, far).unwrap();
-                places += compare(&lens, eye, 1);
+                positions += compare(&lens, eye, 1);
                 let side = number(1.5);
                 let window = Window { left: -side, right: side, bottom: -side, top: side };
-                places += compare(&Projection::orthographic(window, near, far).unwrap(), eye, 2);
+                positions += compare(&Projection::orthographic(window, near, far).unwrap(), eye, 2);
             }
         }
-        assert!(places > 200_000, "{places}");
+        assert!(positions > 200_000, "{positions}");
     }
 }

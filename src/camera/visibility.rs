@@ -53,11 +53,11 @@ impl Camera {
         let away = model.offset_from(&self.eye);
         let mut linear = [[0; 3]; 3];
         let view_exponent = matrix_product(&self.axes, 0, m, exponent, &mut linear);
-        let place = |i: usize| {
+        let coordinate = |i: usize| {
             let axis = Row { linear: self.axes[i], ..Row::ZERO };
             Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)
         };
-        let centre = [place(0), place(1), place(2)];
+        let centre = [coordinate(0), coordinate(1), coordinate(2)];
         let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
 
         // Half of the square root, in 2^(exponent − 28), rounded up.

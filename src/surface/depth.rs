@@ -139,11 +139,11 @@ impl<'a> DepthBuffer<'a> {
     pub(crate) fn test<E>(
         &mut self,
         span: Span,
-        plane: &Gradient,
+        gradient: &Gradient,
         mut visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
         let Some(row) = self.row(span.x, span.y, span.width) else { return Ok(()) };
-        let (mut z, step) = (plane.at(span.x, span.y), plane.step());
+        let (mut z, step) = (gradient.at(span.x, span.y), gradient.step());
         let mut is_nearer = |stored: &mut u16| {
             let depth = (z >> 16) as u16;
             z = z.wrapping_add(step);

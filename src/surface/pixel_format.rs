@@ -253,8 +253,8 @@ fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32
     }
     put(first, from_on(from));
     put(last, !from_on(to));
-    if let Some(whole) = row.get_mut(first + 1..last) {
-        whole.fill(pattern);
+    if let Some(bytes) = row.get_mut(first + 1..last) {
+        bytes.fill(pattern);
     }
 }
 
