@@ -32,9 +32,9 @@ use crate::space::{View, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ViewTransform {
-    /// u, v, n in 2⁻³⁰.
+    /// The axes u, v, n of view space in world coordinates, in 2⁻³⁰.
     rows: [[i32; 3]; 3],
-    /// In 2⁻³² world units; at most ±2¹⁶ world units.
+    /// The eye in 2⁻³² world units; at most ±2¹⁶ world units.
     eye: [i64; 3],
 }
 

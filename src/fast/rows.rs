@@ -1,7 +1,7 @@
 //! Rows of triangles in a buffer of pixels: the trait through which the fills use the triangle tiers.
 //!
-//! This file has no fast path of its own, so it has no plain twin, gain or test: see [`small_triangle`](super::small_triangle) and
-//! [`bresenham_triangle`](super::bresenham_triangle), which implement the trait.
+//! This file has no fast path of its own, so it has no plain twin, gain or test: see `small_triangle.rs` and `bresenham_triangle.rs`, whose
+//! triangles implement the trait.
 
 use crate::raster::{Gradient, PixelLayout, RowScratch};
 

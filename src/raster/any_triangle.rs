@@ -10,7 +10,7 @@ pub(crate) struct AnyTriangle {
     /// The next row, and the row below the last one.
     row: i32,
     end: i32,
-    /// The edge to or from the middle corner, and the edge between the top and the bottom corner, both at `row`.
+    /// The edge that ends or begins at the middle corner, and the edge from the top to the bottom corner, both in the row `row`.
     short: Edge32,
     long: Edge32,
     /// The rows at which `short` and `long` must be set up again.

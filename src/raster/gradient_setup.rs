@@ -266,8 +266,8 @@ impl<'t> GradientSetup<'t> {
         Some(Slope::new(a, (value << 8).wrapping_add(at), right, down))
     }
 
-    /// A steep gradient, anchored near the pixels that will be evaluated, since the error grows with the distance. The
-    /// anchor is no nearer than the viewport, so that every band computes the same gradient.
+    /// The gradient if it is steep. It is computed relative to an anchor, because the error grows with the distance from there: the
+    /// pixel of the viewport that is nearest to the first corner. The viewport is that of the frame, so all bands get equal bits.
     #[cold]
     #[inline(never)]
     fn steep(&self, values: &[i32; 3], &Numerators { x, minus_y, k }: &Numerators) -> Gradient {

@@ -74,7 +74,7 @@ pub(super) fn clear<Cell: Copy>(cells: &mut [Cell], cell: Cell) {
     fill(cells, cell);
 }
 
-/// Fills words in blocks of 64, which become stores of several words.
+/// Fills a slice of words in blocks of 64, which LLVM stores by instructions for several words.
 ///
 /// `black_box` keeps LLVM from turning the loop into a call of `memset`, which takes up to three times as long on a Cortex-M.
 pub(super) fn fill_words(words: &mut [u32], word: u32) {

@@ -273,7 +273,7 @@ mod tests {
         dirty.take()
     }
 
-    /// 5 pixels of 16 bits take fewer bytes than a window's 11, 6 take more.
+    /// A gap of 5 pixels of 16 bits takes 10 bytes, fewer than the 11 bytes of commands of a second rectangle; a gap of 6 takes more.
     #[test]
     fn two_marks_are_merged_where_that_takes_no_more_bytes() {
         assert_eq!(taken::<8>(16, &[at(0, 0, 9, 5), at(10, 0, 9, 5)]), [at(0, 0, 19, 5)]);
