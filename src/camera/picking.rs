@@ -118,7 +118,7 @@ impl Camera {
     pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
         let [across, down] = self.planes_through(at);
         let [_, _, d, w] = &self.rows;
-        // Depth is 2¹⁶·d/w, so this plane holds the points of that depth.
+        // Depth is 2¹⁶·d/w, so this plane contains the points of that depth.
         let behind = d.linear_combination((1 << 30, -30), w, (-i64::from(depth), -16));
         self.world_point(meet([&across, &down, &behind])?)
     }

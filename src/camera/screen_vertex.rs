@@ -7,7 +7,7 @@ use crate::raster::ScreenPoint;
 /// A projected vertex, packed into 8 bytes: screen position in 1/256 pixel and, for drawing with a depth buffer, depth in 16.8.
 /// Caller-provided buffers of screen vertices serve as vertex caches.
 ///
-/// It holds positions within 1024 pixels of the viewport's centre. A vertex farther out is stored as [`EMPTY`](Self::EMPTY), like one
+/// It has room for positions within 1024 pixels of the viewport's centre. A vertex farther out is stored as [`EMPTY`](Self::EMPTY), like one
 /// that must be clipped, and is projected again, in wide arithmetic, for each face that uses it.
 // Two layouts: with depth, and without, which takes fewer instructions per face. The caller knows which one it stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Conversion of f64 matrices, for hosts: exact wherever the integers can hold the number.
+//! Conversion of f64 matrices, for hosts: exact for all numbers that the integers can represent.
 
 use super::num::{add, scale};
 use super::row::Row;
@@ -43,7 +43,7 @@ pub(crate) fn row_from_f64([x, y, z, constant]: &[f64; 4], shift: i32) -> Option
 /// `m · 2^exponent`: exact for 53 bits, beyond them rounded to nearest; 0 or ±∞ outside f64's
 /// range.
 pub(crate) fn ldexp(m: i64, exponent: i32) -> f64 {
-    // Multiplied by powers of two of at most 2^±1000, which f64 holds.
+    // Multiplied by powers of two of at most 2^±1000, which f64 represents exactly.
     let (mut value, mut rest) = (m as f64, exponent.clamp(-3000, 3000));
     while rest != 0 {
         let step = rest.clamp(-1000, 1000);

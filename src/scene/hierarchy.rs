@@ -6,7 +6,7 @@ use crate::space::{Model, World};
 /// A node of a transform hierarchy: its local transform, to its parent or, for a root, to the world, and its world transform, which
 /// [`Hierarchy::update`] computes.
 ///
-/// A node holds no mesh: the caller draws any number of meshes with its world transform.
+/// A node has no mesh: the caller draws any number of meshes with its world transform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Node {
