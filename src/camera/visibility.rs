@@ -11,7 +11,7 @@ use crate::space::{Model, World};
 pub enum Visibility {
     /// No part: the object need not be drawn.
     Outside,
-    /// Possibly a part, or all of it: the object must be drawn.
+    /// Perhaps a part, perhaps nothing: the object must be drawn.
     Partly,
     /// All of the object.
     Inside,

@@ -69,13 +69,13 @@ pub(super) fn fill_nearer<T: Target, F: DepthFill<<T::Store as PixelStore>::Cell
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-    small(memory, triangle, scissor, depth.buffer, fill);
+    fill_small(memory, triangle, scissor, depth.buffer, fill);
     true
 }
 
-/// Fills a triangle of the [`Small`] tier; passes all others to [`low`].
+/// Fills a triangle of the [`Small`] tier; passes all others to [`fill_low`].
 #[inline(never)] // its loop needs all registers
-fn small<S: PixelStore, F: DepthFill<S::Cell>>(
+fn fill_small<S: PixelStore, F: DepthFill<S::Cell>>(
     memory: &mut Memory<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
@@ -84,14 +84,14 @@ fn small<S: PixelStore, F: DepthFill<S::Cell>>(
 ) {
     match Small::new(&triangle.triangle, scissor, memory.scratch()) {
         Some(small) => fill_rows(small, triangle, memory, depth.values_mut(), fill),
-        None => low(memory, triangle, scissor, depth, fill),
+        None => fill_low(memory, triangle, scissor, depth, fill),
     }
 }
 
 /// Fills a triangle of the [`Low`] tier, which may be wide, and may begin or end beyond the scissor's rows; passes all others to
-/// [`large`].
+/// [`fill_any`].
 #[inline(never)]
-fn low<S: PixelStore, F: DepthFill<S::Cell>>(
+fn fill_low<S: PixelStore, F: DepthFill<S::Cell>>(
     memory: &mut Memory<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
@@ -100,7 +100,7 @@ fn low<S: PixelStore, F: DepthFill<S::Cell>>(
 ) {
     match Low::new(&triangle.triangle, scissor, memory.scratch()) {
         Some(low) => fill_rows(low, triangle, memory, depth.values_mut(), fill),
-        None => large(memory, triangle, scissor, depth, fill),
+        None => fill_any(memory, triangle, scissor, depth, fill),
     }
 }
 
@@ -124,7 +124,7 @@ fn fill_rows<S: PixelStore, F: DepthFill<S::Cell>>(
 
 /// Fills any triangle, trapezoid by trapezoid.
 #[inline(never)] // rare, and most of its time is spent on pixels
-fn large<S: PixelStore, F: DepthFill<S::Cell>>(
+fn fill_any<S: PixelStore, F: DepthFill<S::Cell>>(
     memory: &mut Memory<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,

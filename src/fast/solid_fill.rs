@@ -22,7 +22,7 @@ pub(crate) fn triangle<T: Target>(
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    small(memory, triangle, scissor, [color.stored(); 2]);
+    fill_small(memory, triangle, scissor, [color.stored(); 2]);
     true
 }
 
@@ -37,14 +37,14 @@ pub(crate) fn triangle_2d<T: Target>(
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
     let scissor = *memory.drawable();
-    small(memory, &Triangle::new(corners, area, &scissor), &scissor, [color.stored(); 2]);
+    fill_small(memory, &Triangle::new(corners, area, &scissor), &scissor, [color.stored(); 2]);
     true
 }
 
-/// Fills a triangle of the [`Small`] tier; passes all others to [`low`]. `pair` is the stored pixel twice, as two arguments:
+/// Fills a triangle of the [`Small`] tier; passes all others to [`fill_low`]. `pair` is the stored pixel twice, as two arguments:
 /// LLVM does not know that they are equal, so it stores two 16-bit pixels from one register.
 #[inline(never)] // its loop needs all registers
-fn small<S: PixelStore>(
+fn fill_small<S: PixelStore>(
     memory: &mut Memory<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
@@ -52,14 +52,14 @@ fn small<S: PixelStore>(
 ) {
     match Small::new(triangle, scissor, memory.scratch()) {
         Some(small) => fill_rows(small, memory, pair),
-        None => low(memory, triangle, scissor, pair),
+        None => fill_low(memory, triangle, scissor, pair),
     }
 }
 
 /// Fills a triangle of the [`Low`] tier, which may be wide, and may begin or end beyond the scissor's rows; passes all others to
-/// [`large`].
+/// [`fill_any`].
 #[inline(never)]
-fn low<S: PixelStore>(
+fn fill_low<S: PixelStore>(
     memory: &mut Memory<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
@@ -69,7 +69,7 @@ fn low<S: PixelStore>(
         Some(low) => fill_rows(low, memory, pair),
         None => {
             let (cells, scratch) = memory.parts();
-            large(cells, scratch.layout, triangle, scissor, pair);
+            fill_any(cells, scratch.layout, triangle, scissor, pair);
         }
     }
 }
@@ -83,7 +83,7 @@ fn fill_rows<R: Rows, S: PixelStore>(rows: R, memory: &mut Memory<S>, pair: [S::
 
 /// Fills any triangle, trapezoid by trapezoid.
 #[inline(never)] // its loop needs all registers
-fn large<Cell: Copy>(
+fn fill_any<Cell: Copy>(
     cells: &mut [Cell],
     layout: PixelLayout,
     triangle: &Triangle<'_>,
