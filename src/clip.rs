@@ -25,15 +25,15 @@ use heapless::Vec;
 /// The most corners of a triangle clipped against six planes: 3 + 6.
 pub const CORNERS: usize = 9;
 
-/// Slots for a polygon's corners while a plane clips it: a plane finds at most `CORNERS − 1` corners, and adds two before it removes
-/// any.
+/// Slots for a polygon's corners while it is clipped by one plane: it has at most `CORNERS − 1` corners before, and two are added
+/// before any is removed.
 pub(crate) const CLIP_SLOTS: usize = CORNERS + 1;
 
 /// The corners of a polygon, in order, by slot number.
 pub(crate) type SlotOrder = Vec<u8, CORNERS>;
 
-/// Corners in numbered slots, with their distances from clip planes. The clipper needs nothing else, so corners may be any points that vary
-/// linearly along an edge.
+/// What the clipper needs of its corners, which it knows by slot number: their distances from clip planes, and points between two of
+/// them. Corners may be anything that varies linearly along an edge.
 pub(crate) trait ClipCorners {
     /// The signed distance of the corner in slot `at` from a plane, negative outside. The distances of the two ends of an intersected edge
     /// differ by less than 2⁶².
@@ -45,8 +45,8 @@ pub(crate) trait ClipCorners {
 
 /// Linear interpolation `a + (b − a)·t·2⁻³¹`, rounded to nearest, for 0 ≤ t < 2³¹.
 fn lerp(a: i32, b: i32, t: i32) -> i32 {
-    let way = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
-    let moved = (way * i64::from(t) + (1 << 30)) >> 31;
+    let difference = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
+    let moved = (difference * i64::from(t) + (1 << 30)) >> 31;
     a.wrapping_add(moved as i32) // between a and b
 }
 
@@ -56,11 +56,11 @@ impl ClipCoords {
 
     /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two: coordinate by
     /// coordinate, each read before it is written.
-    pub(crate) fn put(places: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
+    pub(crate) fn put(slots: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
         let mut i = 0;
-        let number = |places: &[Self], place: usize, i: usize| places.get(place)?.xydw.get(i).copied();
-        while let (Some(a), Some(b)) = (number(places, inside, i), number(places, outside, i)) {
-            let Some(number) = places.get_mut(at).and_then(|place| place.xydw.get_mut(i)) else { return };
+        let number = |slots: &[Self], slot: usize, i: usize| slots.get(slot)?.xydw.get(i).copied();
+        while let (Some(a), Some(b)) = (number(slots, inside, i), number(slots, outside, i)) {
+            let Some(number) = slots.get_mut(at).and_then(|slot| slot.xydw.get_mut(i)) else { return };
             *number = lerp(a, b, t);
             i = opaque_next(i);
         }
@@ -97,8 +97,8 @@ impl Varying for () {
 pub struct Barycentric([i32; 2]);
 
 impl Barycentric {
-    /// One weight per corner, whose sum is 2³⁰. The first two are 0 … 2³⁰; the third is −6 … 2³⁰ + 6, an error of one for each of six clip
-    /// planes.
+    /// One weight per corner of the face; their sum is 2³⁰. The first two are 0 … 2³⁰. The third is −6 … 2³⁰ + 6, because each of six
+    /// clip planes may add an error of 1.
     pub const fn weights(self) -> [i32; 3] {
         let [a, b] = self.0;
         [a, b, (1 << 30) - a - b] // a, b: 0 … 2³⁰
@@ -124,12 +124,12 @@ impl Varying for Barycentric {
 fn intersect_edge(corners: &mut impl ClipCorners, plane: usize, at: usize, inside: usize, outside: usize) {
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
-    let way = within - corners.distance(plane, outside);
-    let t = fraction(within as u64, way as u64, 31) as i32;
+    let across = within - corners.distance(plane, outside);
+    let t = fraction(within as u64, across as u64, 31) as i32;
     corners.put(at, inside, outside, t);
 }
 
-/// 1 if a corner lies outside of a plane, otherwise 0.
+/// Returns 1 if a corner lies outside of a plane, otherwise 0.
 fn is_outside(corners: &impl ClipCorners, plane: usize, at: usize) -> u32 {
     (corners.distance(plane, at) < 0).into()
 }
@@ -197,7 +197,7 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, planes: usize, polyg
         let beyond = outside_mask(corners, polygon, plane);
         let is_beyond = |at: u8| beyond >> (at & 31) & 1 != 0;
         let Some(&(mut from)) = polygon.last() else { break };
-        let mut kept = SlotOrder::new();
+        let mut clipped = SlotOrder::new();
         for &to in polygon.iter() {
             if is_beyond(from) != is_beyond(to) {
                 let free = taken.trailing_ones() as usize;
@@ -205,15 +205,15 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, planes: usize, polyg
                     taken |= 1 << free;
                     let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
                     intersect_edge(corners, plane, free, inside.into(), outside.into());
-                    push_corner(&mut kept, free as u8);
+                    push_corner(&mut clipped, free as u8);
                 }
             }
             if !is_beyond(to) {
-                push_corner(&mut kept, to);
+                push_corner(&mut clipped, to);
             }
             from = to;
         }
-        (*polygon, taken) = (kept, taken & !beyond);
+        (*polygon, taken) = (clipped, taken & !beyond);
         plane = opaque_next(plane);
     }
     crossed
@@ -225,7 +225,7 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, planes: usize, polyg
 pub struct ClipVertex<const A: usize> {
     /// The position.
     pub point: ClipPoint,
-    /// The attributes, in any unit and over all of `i32`. Interpolated linearly in clip space, hence linearly in space, with a parameter of
+    /// The attributes, in any unit, in the full range of `i32`. They are interpolated linearly in clip space, hence linearly in space, with a parameter of
     /// 31 bits, and rounded to nearest: within 1 of the exact value if the two ends differ by less than 2³¹.
     pub attributes: [i32; A],
 }
@@ -268,8 +268,8 @@ impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
         if let (Some(a), Some(b)) = (self.get(inside), self.get(outside)) {
             let point = a.towards(b, t);
-            if let Some(place) = self.get_mut(at) {
-                *place = point;
+            if let Some(slot) = self.get_mut(at) {
+                *slot = point;
             }
         }
     }
@@ -313,15 +313,15 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
 pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A>, CORNERS> {
     let exponent = corners.iter().map(|c| c.point.exponent()).max().unwrap_or(0);
     let [a, b, c] = corners.map(|c| AlignedVertex::new(&c.point, exponent, c.attributes));
-    let mut places = [a; CLIP_SLOTS];
-    (places[1], places[2]) = (b, c);
+    let mut slots = [a; CLIP_SLOTS];
+    (slots[1], slots[2]) = (b, c);
     let mut result = Vec::new();
     let mut polygon = SlotOrder::new();
-    clip_triangle(&mut places, 6, &mut polygon);
+    clip_triangle(&mut slots, 6, &mut polygon);
     if polygon.len() < 3 {
         return result;
     }
-    for corner in polygon.iter().filter_map(|&at| places.get(usize::from(at))) {
+    for corner in polygon.iter().filter_map(|&at| slots.get(usize::from(at))) {
         // A polygon has at most `CORNERS` vertices.
         let _ = result.push(ClipVertex {
             point: ClipPoint::from_units(corner.xyzw, exponent),

@@ -10,8 +10,8 @@ use crate::raster::GUARD_BAND;
 
 use embedded_graphics_core::primitives::Rectangle;
 
-/// View transform, projection and viewport, composed into one 4 × 4 matrix. [`place`](Self::place) joins it with a mesh and its model
-/// transform; [`MeshInstance::project`](crate::MeshInstance::project) documents the error of projected vertices.
+/// View transform, projection and viewport, composed into one 4 × 4 matrix. [`place`](Self::place) combines it with a mesh and its
+/// model transform; [`MeshInstance::project`](crate::MeshInstance::project) documents the error of projected vertices.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -46,7 +46,7 @@ use embedded_graphics_core::primitives::Rectangle;
 pub struct Camera {
     pub(super) axes: [[i32; 3]; 3],
     pub(super) eye: [i64; 3],
-    /// The rows x, y, d, w over view coordinates.
+    /// x, y, d, w as linear forms of view coordinates.
     pub(super) rows: [Row; 4],
     /// Depth as a function of w, if the rows d and w are parallel.
     pub(super) depth_by_w: Option<DepthByW>,
@@ -61,19 +61,19 @@ pub(crate) struct Screen {
     pub(crate) centre: [i32; 2],
     /// x/w and y/w are in units of 2^unit sub-pixels: 7 … 21.
     pub(crate) unit: i32,
-    /// |x/w| < 2^room lies inside the guard band, whatever the centre: 0 … 14.
+    /// A point with |x/w| and |y/w| below 2^room lies inside the guard band, wherever the viewport's centre is: 0 … 14.
     pub(crate) room: i32,
     pub(crate) area: Rectangle,
 }
 
 impl Camera {
-    /// From view transform, projection and viewport. The near plane always clips; the far plane clips on
+    /// The camera with this view transform, projection and viewport. The near plane always clips; the far plane clips on
     /// [request](Self::with_far_clip).
     #[inline(never)] // set-up: code size counts, speed does not
     pub const fn new(viewing: &ViewTransform, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
         let (x, y) = viewport.centre();
-        // From half a pixel to 2²¹ sub-pixels: the viewport is not empty and lies inside the guard band.
+        // Half a pixel to 2²¹ sub-pixels, because the viewport is not empty and lies inside the guard band.
         let free = GUARD_BAND * 256 - max(x.abs(), y.abs());
         let half = max(area.size.width as i32, area.size.height as i32) * 128;
         // Binary logarithms, rounded down and up; `ilog2` would panic at 0.

@@ -36,7 +36,7 @@ impl core::fmt::Display for ProjectError {
 
 impl core::error::Error for ProjectError {}
 
-/// A half-line in world space: all points that project to one screen position.
+/// A half-line in world space, whose points all project to one screen position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ray {
@@ -46,7 +46,7 @@ pub struct Ray {
     pub direction: Vector3<World>,
 }
 
-/// The vanishing point of a world axis: the image of all lines parallel to it meets there.
+/// The vanishing point of a world axis: the images of all lines parallel to the axis meet there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VanishingPoint {
@@ -91,9 +91,9 @@ impl Camera {
         // A model transform of scale 0 maps all vertices to this point.
         let model =
             Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
-        let placement = VertexTransform::new(self, &model, 0, 16, true);
-        let h = placement.clip([0i16; 3]);
-        let outside = |plane: usize| placement.distance(plane, &h) < 0;
+        let transform = VertexTransform::new(self, &model, 0, 16, true);
+        let h = transform.clip([0i16; 3]);
+        let outside = |plane: usize| transform.distance(plane, &h) < 0;
         let [.., w] = h.xydw;
         if outside(0) || w <= 0 {
             return Err(ProjectError::BeforeNear);
@@ -104,8 +104,8 @@ impl Camera {
         if self.far_clip && outside(5) {
             return Err(ProjectError::BeyondFar);
         }
-        let image = placement.project_wide(&h, Some(VertexTransform::depth));
-        Ok((image.point, image.step()))
+        let vertex = transform.project_wide(&h, Some(VertexTransform::depth));
+        Ok((vertex.point, vertex.step()))
     }
 
     /// The world point that [`project`](Self::project)s to this screen position and depth. `None` if it is outside of ±32768 world units,
@@ -118,7 +118,7 @@ impl Camera {
     pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
         let [across, down] = self.planes_through(at);
         let [_, _, d, w] = &self.rows;
-        // Depth is 2¹⁶·d/w, so this plane holds the points of that depth.
+        // Depth is 2¹⁶·d/w, so this plane contains the points of that depth.
         let behind = d.linear_combination((1 << 30, -30), w, (-i64::from(depth), -16));
         self.world_point(meet([&across, &down, &behind])?)
     }
@@ -131,7 +131,7 @@ impl Camera {
     pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;
-        // Along the intersection of both planes, in the direction in which d grows: away from the eye.
+        // The direction of the intersection of both planes in which d grows: away from the eye.
         let along = normalise(&cross_exact(&across.linear, &down.linear));
         if is_zero(&along) {
             return None;
@@ -205,10 +205,10 @@ impl Camera {
     fn planes_through(&self, at: ScreenPoint) -> [Row; 2] {
         let [x, y, _, w] = &self.rows;
         let [cx, cy] = self.screen.centre;
-        let plane = |row: &Row, place: i32, centre: i32| {
-            debug_assert!(place.abs() <= GUARD_BAND * 256);
-            // x/w = (place − centre)/2^unit: 23 bits.
-            row.linear_combination((1 << 30, -30), w, (-i64::from(place - centre), -self.screen.unit))
+        let plane = |row: &Row, position: i32, centre: i32| {
+            debug_assert!(position.abs() <= GUARD_BAND * 256);
+            // x/w = (position − centre)/2^unit: 23 bits.
+            row.linear_combination((1 << 30, -30), w, (-i64::from(position - centre), -self.screen.unit))
         };
         [plane(x, at.x(), cx), plane(y, at.y(), cy)]
     }

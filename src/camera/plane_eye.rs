@@ -1,4 +1,4 @@
-//! The eye point in an object's coordinates, for culling by face planes.
+//! The viewer's position in an object's coordinates, for culling by face planes.
 
 use super::VertexTransform;
 use crate::math::num::{bits_of, mul_wide, scale, shift_to_fit};
@@ -17,13 +17,13 @@ pub(crate) struct PlaneEye {
 }
 
 impl PlaneEye {
-    /// An eye that no plane faces and none faces away from, so that nothing is culled.
+    /// An eye for which [`behind`](Self::behind) is negative for every plane, so that nothing is culled.
     pub(crate) const NOWHERE: Self = Self { xyz: [0; 3], w: 0 };
 
-    /// Bits of the largest of the four numbers: none is more than 2^BITS.
+    /// The four numbers are at most 2^BITS in magnitude.
     const BITS: i32 = 13;
 
-    /// The error of each number in 1/1000: a half from rounding, and the bits that [`new`](Self::new) drops.
+    /// The error bound of each of the four numbers, in 1/1000: half a unit from rounding, and the bits that [`new`](Self::new) drops.
     const ERROR: i32 = 515;
 
     /// The error bound of [`behind`](Self::behind), for normals of unit length with components within 2⁻¹⁵. Let v be a vertex with
@@ -33,7 +33,7 @@ impl PlaneEye {
     /// * the normal's error is multiplied by xyz − v·w, at most 2^(BITS + 1) in each of three components;
     /// * the plane's error, a half, is multiplied by 2w.
     ///
-    /// One is added for the bits that the first product drops, and for six times the excess of the eye's numbers over 2^BITS.
+    /// One unit is added for the bits that the first product drops and for what the eye's numbers may exceed 2^BITS by, times six.
     const MARGIN: i32 = 2 * 56_759 * Self::ERROR / 1000 + 6 * (1 << Self::BITS) + (1 << Self::BITS) + 1;
 
     /// At the eye the three forms x, y and w of a vertex are 0: by Cramer's rule with the forms'
@@ -42,8 +42,8 @@ impl PlaneEye {
     /// screen, is the plane through them at this point (the Cauchy–Binet formula; Blinn, *A Homogeneous Formulation for
     /// Lines in 3 Space*, 1977).
     #[inline(never)] // set-up: code size counts, speed does not
-    pub(crate) fn new(placement: &VertexTransform) -> Self {
-        let forms @ [(x, _), (y, _), (w, _)] = placement.forms();
+    pub(crate) fn new(transform: &VertexTransform) -> Self {
+        let forms @ [(x, _), (y, _), (w, _)] = transform.forms();
         // Exact, below 2⁶¹; then 29 bits, half a unit off.
         let crosses = [cross_exact(&y, &w), cross_exact(&w, &x), cross_exact(&x, &y)];
         let down = shift_to_fit(bits_of(crosses.as_flattened()), 29);
@@ -85,9 +85,9 @@ mod tests {
     use embedded_graphics_core::geometry::{Point, Size};
 
     /// xyz and w by Cramer's rule in 128-bit integers, from the forms' rounded offsets.
-    fn exact(placement: &VertexTransform) -> [i128; 4] {
+    fn exact(transform: &VertexTransform) -> [i128; 4] {
         let [(x, ox), (y, oy), (w, ow)] =
-            placement.forms().map(|(linear, offset)| (linear.map(i128::from), i128::from(offset)));
+            transform.forms().map(|(linear, offset)| (linear.map(i128::from), i128::from(offset)));
         let cross = |a: [i128; 3], b: [i128; 3]| {
             [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
         };
@@ -117,27 +117,27 @@ mod tests {
             };
             let size = [1.0, 0.1, 0.004][i % 3];
             let (x, y, z) = (vector(size), vector(size), vector([1.0, 0.01][i / 3 % 2] * size));
-            let mut place = |size: f64| {
+            let mut point = |size: f64| {
                 Point3::new(
                     number(random.unit() * size),
                     number(random.unit() * size),
                     number(random.unit() * size),
                 )
             };
-            let (origin, eye) = (place(1.0), place([1.5, 10.0, 60.0][i / 6 % 3]));
+            let (origin, eye) = (point(1.0), point([1.5, 10.0, 60.0][i / 6 % 3]));
             let model = Affine::<Model, World>::from_frame(x, y, z, origin);
             let viewing =
                 ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(1, 2, 3)).unwrap();
             let camera = Camera::new(&viewing, if i % 5 == 0 { &parallel } else { &lens }, &viewport);
-            let placement = VertexTransform::new(&camera, &model, -14, 16, true);
-            let found = PlaneEye::new(&placement);
+            let transform = VertexTransform::new(&camera, &model, -14, 16, true);
+            let found = PlaneEye::new(&transform);
             let ([x, y, z], w) = (found.xyz, found.w);
             let found = [x, y, z, w].map(f64::from);
             if found == [0.0; 4] {
                 continue;
             }
             counted += 1;
-            let exact = exact(&placement).map(|v| v as f64);
+            let exact = exact(&transform).map(|v| v as f64);
             let most = |numbers: [f64; 4]| numbers.into_iter().fold(0.0, |most: f64, v| most.max(v.abs()));
             let factor = (most(found) / most(exact)).log2().round().exp2();
             for (found, exact) in found.into_iter().zip(exact) {

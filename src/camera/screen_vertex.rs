@@ -4,10 +4,10 @@ use crate::math::hints::keep_branch;
 use crate::math::ClipCoords;
 use crate::raster::ScreenPoint;
 
-/// A projected vertex, packed into 8 bytes: screen position in 1/256 pixel and, where it is asked for, depth in 16.8. Caller-provided
-/// buffers of it are vertex caches.
+/// A projected vertex, packed into 8 bytes: screen position in 1/256 pixel and, for drawing with a depth buffer, depth in 16.8.
+/// Caller-provided buffers of screen vertices serve as vertex caches.
 ///
-/// It holds positions within 1024 pixels of the viewport's centre. A vertex farther out is stored as [`EMPTY`](Self::EMPTY), like one
+/// It has room for positions within 1024 pixels of the viewport's centre. A vertex farther out is stored as [`EMPTY`](Self::EMPTY), like one
 /// that must be clipped, and is projected again, in wide arithmetic, for each face that uses it.
 // Two layouts: with depth, and without, which takes fewer instructions per face. The caller knows which one it stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,18 +56,18 @@ impl ScreenVertex {
     /// The bias that [`new`](Self::new) adds: it makes half sub-pixels positive and rounds them.
     pub(crate) const BIAS: i32 = (2 << Self::RANGE_BITS) + 1;
 
-    /// A vertex without a position, to initialise arrays. All bits are zero, so a `static` array of it takes no flash.
+    /// A vertex without a position, to initialise arrays. All bits are zero, so a `static` array of them takes no flash.
     pub const EMPTY: Self = Self { right: 0, down: 0 };
 
-    /// From half sub-pixels from the viewport's centre, rounded to sub-pixels with ties up, and depth in 16.8, 24 bits. Out of range
-    /// it is [`EMPTY`](Self::EMPTY); a position right at the limit may be.
+    /// Packs a position, given in half sub-pixels from the viewport's centre and rounded to sub-pixels with ties up, and a depth in
+    /// 16.8 of 24 bits. Returns [`EMPTY`](Self::EMPTY) for a position out of range, and possibly for one at the end of the range.
     #[inline(always)]
     pub(crate) fn new<const DEPTH: bool>(right: i32, down: i32, bias: i32, depth: i32) -> Self {
         debug_assert!(depth >> 24 == 0);
         let biased = |v: i32| v.wrapping_add(bias) as u32;
         let (right, down) = (biased(right), biased(down));
         if (right | down) >> (Self::RANGE_BITS + 2) != 0 {
-            keep_branch(); // else every vertex selects between two values, twice
+            keep_branch(); // otherwise LLVM selects between two values, twice per vertex
             return Self::EMPTY;
         }
         match DEPTH {
@@ -82,12 +82,12 @@ impl ScreenVertex {
         self.right != 0
     }
 
-    /// Position in sub-pixels relative to an origin common to all vertices of a viewport, for differences; the viewport's centre is at
-    /// [`CENTRE`](Self::CENTRE).
+    /// The position in sub-pixels, relative to an origin that all vertices of a viewport share: only differences have a meaning. The
+    /// viewport's centre is at [`CENTRE`](Self::CENTRE).
     #[inline(always)]
     pub(crate) fn offset<const DEPTH: bool>(self) -> ScreenPoint {
-        let held = |v: u32| (if DEPTH { v >> 13 } else { v }) as i32; // 19 bits
-        ScreenPoint::inside(held(self.right), held(self.down))
+        let position = |v: u32| (if DEPTH { v >> 13 } else { v }) as i32; // 19 bits
+        ScreenPoint::inside(position(self.right), position(self.down))
     }
 
     /// The viewport's centre in the coordinates of [`offset`](Self::offset).
@@ -122,8 +122,8 @@ mod tests {
 
     #[test]
     fn packing_keeps_position_and_depth() {
-        let places = [1 - (1 << 18), -255, -1, 0, 1, 77, (1 << 18) - 1];
-        for (right, down) in places.iter().flat_map(|&right| places.map(|down| (right, down))) {
+        let positions = [1 - (1 << 18), -255, -1, 0, 1, 77, (1 << 18) - 1];
+        for (right, down) in positions.iter().flat_map(|&right| positions.map(|down| (right, down))) {
             for depth in [0, 1, 0xfff, 0x1000, 0x7f_f000, crate::raster::FARTHEST] {
                 // Ties are rounded up.
                 for half in [0, -1] {

@@ -27,23 +27,24 @@ pub(crate) struct VertexTransform {
     w: LinearForm,
     x: LinearForm,
     y: LinearForm,
-    /// The power of two that justifies a vertex coordinate.
+    /// The power of two that shifts a mesh's largest coordinate to the top of its word: coordinates are *justified* by it.
     justify_factor: i32,
-    /// The least w for which 32-bit arithmetic suffices and, if w alone decides the near test, which is surely behind the near plane.
+    /// The least w for which 32-bit arithmetic suffices. If w alone decides the near test, a vertex with this w is also certainly
+    /// beyond the near plane.
     min_w: i32,
-    /// The right shift that brings `x·R/2³²` to half sub-pixels, where R is of a normalised w.
+    /// The right shift from `x·R/2³²` to half sub-pixels, where R is the reciprocal of w shifted to 31 bits.
     right: i32,
     /// [`ScreenVertex::BIAS`]: as a constant it would take two instructions and a register.
     bias: i32,
     /// If depth depends on w alone it is `origin + depth_scale/w`, in 2⁻²⁷; `origin` includes the half that rounds to 2⁻²⁴.
     origin: i32,
-    /// Negative, in units of w times 2^(2 − scale_down).
+    /// The negative factor of 1/w in that formula, in units of w times 2^(2 − scale_down).
     depth_scale: i32,
     scale_down: i32,
     /// e_d − e_w: never negative.
     d_over_w: i32,
     d: LinearForm,
-    /// e_xy − e_w: 0 … room.
+    /// e_xy − e_w: 0 … [`Screen::room`](super::camera::Screen::room).
     xy_over_w: i32,
     screen: Screen,
     /// Whether the near test and depth need d.
@@ -62,7 +63,7 @@ impl VertexTransform {
         justify: u32,
         narrow: bool,
     ) -> Self {
-        // 1 Model to view, relative to the eye.
+        // Step 1: model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);
         let (mut view, mut i) = (RowBlock { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
@@ -71,7 +72,7 @@ impl VertexTransform {
             i = opaque_next(i);
         }
         view.exponent = matrix_product(&camera.axes, 0, m, m_exponent, &mut view.linear);
-        // 2 View to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow windows,
+        // Step 2: view to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow windows,
         //   distant objects) it prevents saturation. In 2⁻³² an object extends three coefficients times 2^(31 + unit) around `offset`.
         let unit = exponent - justify as i32;
         let largest = magnitude(view.linear.as_flattened());
@@ -85,7 +86,7 @@ impl VertexTransform {
             shift = shift.max(row.overflow(bits));
             i = opaque_next(i);
         }
-        // 3 Exponents from the range of each row over the object. A justified coordinate v stands for v·2^unit.
+        // Step 3: exponents from the range of each row over the object. A justified coordinate v stands for v·2^unit.
         let (mut rows, mut reaches, mut i) = ([Row::ZERO; 4], [0; 4], 0);
         while let (Some(row), Some(reached), Some(own)) =
             (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
@@ -100,12 +101,12 @@ impl VertexTransform {
         // x need not be finer than w; if it is much coarser, the object lies far to the side.
         let e_w = reach_w.max(e_xy - room);
         let e_xy = e_xy.max(e_w);
-        // 4 Depth from w if w is at least 2⁻⁴ somewhere, so that offsets in 2⁻³² are fine enough; otherwise from d.
+        // Step 4: depth from w if w is at least 2⁻⁴ somewhere, so that offsets in 2⁻³² are fine enough; otherwise from d.
         let by_w = camera.depth_by_w.as_ref().filter(|_| e_w + shift >= -35);
         let in_w = |v: i64, up: i32| scale(v, up - 32 - shift - e_w);
         let e_d = reach_d.max(e_w);
         let (xy_over_w, d_over_w) = (e_xy - e_w, e_d - e_w);
-        // 5 `project` shifts right by at least 0 and left by less than 32, which limits the leading zeros of w.
+        // Step 5: `project` shifts right by at least 0 and left by less than 32, which limits the leading zeros of w.
         let right = 28 - xy_over_w - screen_unit;
         let zeros = right.min(31 - d_over_w).min(9);
         let mut min_w = if zeros >= 0 && screen_unit + room >= ScreenVertex::RANGE_BITS {
@@ -123,7 +124,7 @@ impl VertexTransform {
             scale_down = (34 + shift + e_w - shift_to_fit(by_w.scale as u64, 31)).clamp(0, 31);
             depth_scale = -in_w(by_w.scale, scale_down - 2).min(i32::MAX.into()) as i32;
         }
-        let mut placed = Self {
+        let mut transform = Self {
             justify_factor: LinearForm::justify(justify, narrow),
             xy_over_w,
             right,
@@ -141,19 +142,19 @@ impl VertexTransform {
             d: LinearForm::ZERO,
             w: LinearForm::ZERO,
         };
-        placed.x = vertex_form(x, unit, e_xy);
-        placed.y = vertex_form(y, unit, e_xy);
-        placed.d = vertex_form(d, unit, e_d);
-        placed.w = vertex_form(w, unit, e_w);
-        placed
+        transform.x = vertex_form(x, unit, e_xy);
+        transform.y = vertex_form(y, unit, e_xy);
+        transform.d = vertex_form(d, unit, e_d);
+        transform.w = vertex_form(w, unit, e_w);
+        transform
     }
 
     /// The vertex in clip space. Few vertices take this path, so code size counts and speed does not.
     #[inline(never)]
-    pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], place: &mut ClipCoords) {
+    pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], slot: &mut ClipCoords) {
         let v = vertex.map(|c| c.times(self.justify_factor));
         let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
-        while let (Some(value), Some(form)) = (place.xydw.get_mut(i), forms.get(i)) {
+        while let (Some(value), Some(form)) = (slot.xydw.get_mut(i), forms.get(i)) {
             *value = form.at(v, V::NARROW);
             i = opaque_next(i);
         }
@@ -166,7 +167,7 @@ impl VertexTransform {
         h
     }
 
-    /// Clip space's w of a vertex, in a unit of the instance: positive in front of the eye.
+    /// w of a vertex in clip space, in a unit common to the vertices of this transform: positive in front of the eye.
     pub(crate) fn w<V: Coordinate>(&self, vertex: &[V; 3]) -> i32 {
         self.w.at(vertex.map(|c| c.times(self.justify_factor)), V::NARROW)
     }
@@ -234,7 +235,7 @@ impl VertexTransform {
             depth =
                 (self.origin + (mul_high(self.depth_scale, r.mantissa) >> ((self.scale_down - n) & 31))) >> 3;
         }
-        let [x, y] = early.map_or_else(|| over_w(forms()), |(places, _)| places);
+        let [x, y] = early.map_or_else(|| over_w(forms()), |(positions, _)| positions);
         if DEPTH && depth > SURELY_BEFORE_FAR {
             if far && self.is_beyond_far(vertex) {
                 return ScreenVertex::EMPTY;
@@ -266,8 +267,8 @@ impl VertexTransform {
         }
     }
 
-    /// Projects any point that the clipper kept, in 64-bit arithmetic: [`project`](Self::project) gives the same bits where it applies
-    /// (`the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller wants it.
+    /// Projects any point that the clipper did not remove, in 64-bit arithmetic. Where [`project`](Self::project) applies it gives
+    /// equal bits (test `the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller needs it.
     pub(crate) fn project_wide(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
@@ -343,10 +344,11 @@ impl VertexTransform {
 /// The type of [`VertexTransform::depth`]: passed as a value, so that images without depth link no code for it.
 pub(crate) type DepthOf = fn(&VertexTransform, i32, Reciprocal) -> i32;
 
-/// A depth in 2⁻²⁴, eight steps before the far plane: rounding of d and w costs less than that.
+/// A depth in 16.8, eight depth steps before the far plane: the errors of d and w are smaller, so all vertices up to this depth lie
+/// before it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
-/// `v · mantissa · 2^shift`, rounded to nearest, plus `more`, clamped to the guard band. shift < 0, |more| < 2²⁴.
+/// `v · mantissa · 2^shift`, rounded to nearest, plus `more`, clamped to the guard band; for shift < 0 and |more| < 2²⁴.
 #[inline(never)] // rare path: code size counts, speed does not
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
     const REACH: i64 = GUARD_BAND as i64 * 256;
@@ -386,7 +388,7 @@ mod tests {
     use crate::math::{Angle, Point3, Scalar, Vector3};
     use embedded_graphics_core::geometry::{Point, Size};
 
-    /// Compares `project` and `image` bit by bit for random vertices; returns how many `project` gave a position.
+    /// Compares `project` and `project_wide` bit by bit for random vertices; returns how many `project` gave a position.
     fn compare(lens: &Projection, eye: f32, seed: u64) -> usize {
         let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
         let at = Point3::new(Scalar::from_num(eye * 0.3), Scalar::from_num(eye * 0.2), Scalar::from_num(eye));
@@ -394,48 +396,48 @@ mod tests {
         let viewing = ViewTransform::look_at(at, origin, Vector3::from_ints(0, 1, 0)).unwrap();
         let camera = Camera::new(&viewing, lens, &viewport);
         let model = Affine::rotation_y(Angle::degrees(33));
-        let placement = VertexTransform::new(&camera, &model, -14, 16, true);
-        let (mut random, mut places) = (Random(seed), 0);
+        let transform = VertexTransform::new(&camera, &model, -14, 16, true);
+        let (mut random, mut positions) = (Random(seed), 0);
         for _ in 0..20_000 {
             let vertex = random.vertex();
-            let h = placement.clip(vertex);
-            let plain = placement.project::<_, false>(&vertex, placement.needs_d(false, true), true);
-            let deep = placement.project::<_, true>(&vertex, placement.needs_d(true, true), true);
+            let h = transform.clip(vertex);
+            let plain = transform.project::<_, false>(&vertex, transform.needs_d(false, true), true);
+            let deep = transform.project::<_, true>(&vertex, transform.needs_d(true, true), true);
             for (corner, depth) in [(plain, false), (deep, true)] {
                 if corner.is_on_screen() {
-                    assert!((0..6).all(|plane| placement.distance(plane, &h) >= 0), "{vertex:?}");
-                    let (image, exact) = (
+                    assert!((0..6).all(|plane| transform.distance(plane, &h) >= 0), "{vertex:?}");
+                    let (packed, wide) = (
                         if depth {
-                            placement.unpack::<true>(corner)
+                            transform.unpack::<true>(corner)
                         } else {
-                            placement.unpack::<false>(corner)
+                            transform.unpack::<false>(corner)
                         },
-                        placement.project_wide(&h, Some(VertexTransform::depth)),
+                        transform.project_wide(&h, Some(VertexTransform::depth)),
                     );
-                    assert_eq!(image.point, exact.point, "{vertex:?}");
-                    assert!(!depth || image.depth == exact.depth, "{vertex:?}: {image:?} {exact:?}");
-                    places += 1;
+                    assert_eq!(packed.point, wide.point, "{vertex:?}");
+                    assert!(!depth || packed.depth == wide.depth, "{vertex:?}: {packed:?} {wide:?}");
+                    positions += 1;
                 }
             }
         }
-        places
+        positions
     }
 
     /// The error of a vertex's depth against `d/w`, or `A − B/w`, of the integers that it is computed from, in 2⁻⁸ steps.
-    fn depth_error(placement: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
-        let corner = placement.project::<_, true>(&vertex, placement.needs_d(true, true), true);
-        let h = placement.clip(vertex);
+    fn depth_error(transform: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
+        let corner = transform.project::<_, true>(&vertex, transform.needs_d(true, true), true);
+        let h = transform.clip(vertex);
         let depth = corner.depth();
         if !corner.is_on_screen() || depth == FARTHEST {
             return None;
         }
         // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + depth_scale·2^(2 − scale_down)` where depth_scale is 2⁻²⁷ · 2^29.
         let [_, _, d, w] = h.xydw.map(i128::from);
-        let exact = match placement.by_d {
-            true => d << (27 + placement.d_over_w),
+        let exact = match transform.by_d {
+            true => d << (27 + transform.d_over_w),
             false => {
-                let scaled = i128::from(placement.depth_scale) << 29 >> placement.scale_down;
-                i128::from(placement.origin - 4) * w + scaled
+                let scaled = i128::from(transform.depth_scale) << 29 >> transform.scale_down;
+                i128::from(transform.origin - 4) * w + scaled
             }
         };
         let off = (i128::from(depth) << 3) * w - exact; // 2⁻²⁷ · w
@@ -464,13 +466,13 @@ mod tests {
                 ];
                 for lens in lenses {
                     let camera = Camera::new(&viewing, &lens, &viewport);
-                    let placement =
+                    let transform =
                         VertexTransform::new(&camera, &Affine::rotation_y(Angle::degrees(33)), -14, 16, true);
-                    let way = usize::from(placement.by_d);
+                    let source = usize::from(transform.by_d);
                     for _ in 0..20_000 {
-                        if let Some(error) = depth_error(&placement, random.vertex()) {
-                            largest[way] = largest[way].max(error);
-                            counts[way] += 1;
+                        if let Some(error) = depth_error(&transform, random.vertex()) {
+                            largest[source] = largest[source].max(error);
+                            counts[source] += 1;
                         }
                     }
                 }
@@ -484,17 +486,17 @@ mod tests {
     fn the_packed_and_the_wide_path_give_the_same_bits() {
         let size = Size::new(240, 180);
         let number = Scalar::from_num::<f64>;
-        let mut places = 0;
+        let mut positions = 0;
         for (near, far) in [(0.05, 3.0), (0.5, 20.0), (1.0, 1.2), (1.0, 3000.0), (2.5, 3.5), (0.001, 9.0)] {
             for eye in [0.6, 1.4, 3.0, 12.0] {
                 let (near, far) = (number(near), number(far));
                 let lens = Projection::perspective(Angle::degrees(60), size, near, far).unwrap();
-                places += compare(&lens, eye, 1);
+                positions += compare(&lens, eye, 1);
                 let side = number(1.5);
                 let window = Window { left: -side, right: side, bottom: -side, top: side };
-                places += compare(&Projection::orthographic(window, near, far).unwrap(), eye, 2);
+                positions += compare(&Projection::orthographic(window, near, far).unwrap(), eye, 2);
             }
         }
-        assert!(places > 200_000, "{places}");
+        assert!(positions > 200_000, "{positions}");
     }
 }

@@ -6,7 +6,7 @@ use crate::math::unit::{cross, cross_units, is_zero, normalise};
 use crate::math::{Point3, Row, Scalar, Vector3};
 use crate::space::{View, World};
 
-/// The rigid transform from world to view, `V = R · T(−eye)`:
+/// The rigid transform from world space to view space, `V = R · T(−eye)`:
 ///
 /// ```text
 ///     | ux uy uz −u·eye |   u  right          u = (VUP × VPN) / |VUP × VPN|
@@ -15,7 +15,7 @@ use crate::space::{View, World};
 ///     | 0  0  0  1      |
 /// ```
 ///
-/// The eye is kept exactly and subtracted first, in integers: a scene far from the origin is as
+/// The eye is stored exactly and subtracted first, in integers: a scene far from the origin is as
 /// sharp as one near it. Rows are in 2⁻³⁰, each coefficient within 2⁻²⁸ over the sine of the angle
 /// between VUP and VPN: near-parallel ones leave the roll uncertain. (Foley, van Dam, Feiner, Hughes, *Computer
 /// Graphics*, 2nd ed., section 6.5.)
@@ -32,9 +32,9 @@ use crate::space::{View, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ViewTransform {
-    /// u, v, n in 2⁻³⁰.
+    /// The axes u, v, n of view space in world coordinates, in 2⁻³⁰.
     rows: [[i32; 3]; 3],
-    /// In 2⁻³² world units; at most ±2¹⁶ world units.
+    /// The eye in 2⁻³² world units; at most ±2¹⁶ world units.
     eye: [i64; 3],
 }
 
@@ -42,9 +42,9 @@ pub struct ViewTransform {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ViewTransformError {
-    /// VPN or gaze has length zero: give a direction, or a target that differs from the eye.
+    /// The view plane normal (VPN) or the gaze has length zero: give a direction, or a target that differs from the eye.
     ZeroDirection,
-    /// VUP has length zero: give a vector that is not parallel to the gaze, such as (0, 1, 0).
+    /// The view up vector (VUP) has length zero: give a vector that is not parallel to the gaze, such as (0, 1, 0).
     ZeroUp,
     /// The VPN does not fit the axonometric view: all three components must be non-zero, all different in size for a trimetric view, and
     /// `side` and `up` different in size for a dimetric one.
@@ -386,8 +386,8 @@ fn cross_f64(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 mod tests {
     use super::is_rigid;
 
-    /// The tolerance itself is refused: `from_matrix` rounds to 2⁻³⁰ afterwards and asks again, so only this function
-    /// shows on which side of the limit it lies.
+    /// A difference equal to the tolerance is refused. `from_matrix` rounds to 2⁻³⁰ and tests again, so only `is_rigid` itself shows
+    /// this.
     #[test]
     fn axes_as_skew_as_the_tolerance_are_not_rigid() {
         let skewed = |by: f64| is_rigid(&[[1.0, 0.0, 0.0], [by, 1.0, 0.0], [0.0, 0.0, 1.0]]);

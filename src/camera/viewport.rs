@@ -7,8 +7,7 @@ use crate::space::Ndc;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A rectangle of the target, in pixels, that shows the picture. It may extend beyond the target: pixels in the intersection of both are
-/// drawn.
+/// The rectangle of the target, in pixels, that shows the picture. It may extend beyond the target: only pixels inside both are drawn.
 ///
 /// NDC −1 and +1 map to its outer borders, not to pixel centres; y is negated, because screen y grows downwards: `x = x₀ + (x + 1)·W/2`, `y = y₀ + (1 − y)·H/2`.
 ///
@@ -68,7 +67,7 @@ impl Viewport {
         Ok(Self { area: Rectangle::new(top_left, size) })
     }
 
-    /// Width and height in pixels: also the aspect ratio for [`Projection::perspective`](crate::Projection::perspective).
+    /// Width and height in pixels; also serves as the aspect ratio for [`Projection::perspective`](crate::Projection::perspective).
     pub const fn size(&self) -> Size {
         self.area.size
     }

@@ -9,9 +9,9 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Visibility {
-    /// Nothing: the object need not be drawn.
+    /// No part: the object need not be drawn.
     Outside,
-    /// Possibly a part.
+    /// Perhaps a part, perhaps nothing: the object must be drawn.
     Partly,
     /// All of the object.
     Inside,
@@ -53,11 +53,11 @@ impl Camera {
         let away = model.offset_from(&self.eye);
         let mut linear = [[0; 3]; 3];
         let view_exponent = matrix_product(&self.axes, 0, m, exponent, &mut linear);
-        let place = |i: usize| {
+        let coordinate = |i: usize| {
             let axis = Row { linear: self.axes[i], ..Row::ZERO };
             Row { linear: linear[i], exponent: view_exponent, offset: axis.apply(&away) }.apply(&centre)
         };
-        let centre = [place(0), place(1), place(2)];
+        let centre = [coordinate(0), coordinate(1), coordinate(2)];
         let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
 
         // Half of the square root, in 2^(exponent − 28), rounded up.
@@ -90,8 +90,8 @@ impl Camera {
             let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
             mul_translation((length >> 1) as i32 + 1, row.exponent - 29 - shift, v)
         };
-        // The rounding error: of coefficients, it grows with the distance from the eye. The far plane adds the errors of w and d, which
-        // nearly cancel.
+        // The error of rounded coefficients grows with the distance from the eye. At the far plane w and d nearly cancel, so their
+        // errors are added.
         let of_rows = add(times_length(w, all, 28), 16);
         for plane in &planes {
             if plane.overflow(away) > 0 {
@@ -120,7 +120,7 @@ mod tests {
 
     /// A sphere of radius ½ seen from 10 away with a field of view of 90°: at distance 10 the picture reaches to ±10, so
     /// from ±11 on nothing of the sphere shows, and up to ±9 all of it. Near and far lie at 1 and 20. The radius counts √3
-    /// times, the bound on what any rotation makes of it, so the cases keep 1 away from the planes.
+    /// times, the bound for any rotation, so all cases lie at least 1 away from the planes.
     #[test]
     fn a_sphere_is_judged_where_the_model_transform_puts_it() {
         let size = Size::new(100, 100);

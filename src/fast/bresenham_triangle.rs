@@ -1,7 +1,7 @@
 //! Triangles of few rows where a division is a library call, as on a Cortex-M0: Bresenham's error term per edge.
 //!
 //! The ends of all rows are computed beforehand, one edge after the other, so that each edge has all registers for itself.
-//! They are kept in a [`RowScratch`].
+//! A [`RowScratch`] stores them.
 //!
 //! In the n-th row of an edge ⌈T⌉ is x, where `e = x·dy − (m + n·dx)` is one of 0 … dy − 1 (`raster/edge.rs` defines m and
 //! T). With `dx = q·dy + r`, 0 ≤ r < dy, the next row has x + q and e − r, or, if that is negative, x + q + 1 and
@@ -11,8 +11,10 @@
 //! - **Plain twin**: [`AnyTriangle`](crate::raster::AnyTriangle), and its spans, [`Triangle::spans`].
 //! - **Domain**: all corners between the scissor's columns and within 31 rows. Without `CLIP_ROWS` all corners lie inside the
 //!   scissor.
-//! - **Gain**: see the table in [`fast`](super).
-//! - **Test**: `rows_inside_are_exact` and `clipped_rows_are_exact` in this file, against rules R1 to R5.
+//! - **Gain**: on a Cortex-M0 scene S3 takes 12 % more instructions, S4 and S7 11 % more, if edges are divided by reciprocals
+//!   instead (`tools/bench/report/floors.md`). Other cores do not use it.
+//! - **Test**: `rows_inside_are_exact` and `clipped_rows_are_exact` in this file, against rules R1 to R5, on every core;
+//!   on a Cortex-M0 also `spans_are_those_of_the_plain_triangle` in `spans.rs`.
 
 use super::rows::{RowOrigin, Rows};
 use crate::math::hints::keep_rolled;
@@ -22,7 +24,7 @@ use crate::raster::edge::{
 use crate::raster::triangle::sort_by_y;
 use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Triangle, GUARD_BAND};
 
-/// No corner lies farther from a row of the guard band.
+/// The largest distance, in rows, between two points of the guard band.
 const ALL_ROWS: i32 = 2 * GUARD_BAND;
 
 /// A triangle of at most 31 rows between the scissor's columns, whose row ends are stored in a [`RowScratch`].
@@ -37,7 +39,7 @@ pub(crate) struct BresenhamTriangle<const CLIP_ROWS: bool> {
 }
 
 impl<const CLIP_ROWS: bool> BresenhamTriangle<CLIP_ROWS> {
-    /// `None` outside of the domain.
+    /// Computes and stores the row ends; `None` for a triangle outside of the domain, which the module states.
     #[inline(always)]
     pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor, scratch: &mut RowScratch) -> Option<Self> {
         if cfg!(pinhole_plain) {
@@ -93,8 +95,8 @@ impl<const CLIP_ROWS: bool> Rows for BresenhamTriangle<CLIP_ROWS> {
 }
 
 impl RowScratch {
-    /// Stores the ends of all rows, if the triangle has few rows and lies inside the scissor. Returns the first row and the
-    /// number of rows, −1 outside of the domain.
+    /// Stores the ends of all rows, if the triangle has at most [`ROWS`](Self::ROWS) rows and lies inside the scissor. Returns
+    /// the first row and the number of rows; the number is −1 if nothing was stored.
     #[inline(never)]
     fn walk(&mut self, triangle: &Triangle<'_>, scissor: &Scissor) -> (i32, i32) {
         let ([a, b, c], middle_is_left) = sort_by_y(triangle.corners.each_ref(), triangle.area);
@@ -125,11 +127,11 @@ impl RowScratch {
         (top, self.walk_edge(a, c, start, 0, long_side) as i32)
     }
 
-    /// Stores the row ends of the edge from `p` down to `q`, from entry `at` on, as left (0) or right (1) ends; `start` is
-    /// the index of column 0 in the first row. Returns the number of rows.
+    /// Stores the row ends of the edge from `p` down to `q` in the entries from `at` on, as left ends if `side` is 0 and as
+    /// right ends if it is 1. `start` is the buffer index of column 0 in the first row. Returns the number of rows.
     #[inline(always)]
     fn walk_edge(&mut self, p: &ScreenPoint, q: &ScreenPoint, start: usize, at: usize, side: usize) -> usize {
-        // |dx / dy| < 16: quotients are less than 16 and a little more.
+        // |dx / dy| < 16: each quotient takes about 16 subtractions at most.
         let (dx, dy) = (q.x - p.x, q.y - p.y);
         match ((dx + (dy << 4)) as u32) < (dy << 5) as u32 {
             true => self.store_edge(p, q, start, at, side, divide_by_subtraction),
@@ -191,7 +193,7 @@ impl RowScratch {
 
 /// ⌊n / d⌋ and its remainder, by [`LongDivision`].
 fn divide(n: i32, d: i32) -> (i32, i32) {
-    let quotient = (LongDivision::new(d).divide(n.into()) >> 32) as i32; // or one less
+    let quotient = (LongDivision::new(d).divide(n.into()) >> 32) as i32; // exact or one too small
     let remainder = n.wrapping_sub(quotient.wrapping_mul(d));
     if remainder < d {
         (quotient, remainder)
@@ -282,7 +284,7 @@ mod tests {
         all.into_iter().filter(|corners| area(corners) != 0)
     }
 
-    /// Asserts that the spans hold exactly the covered pixels inside the scissor.
+    /// Asserts that the spans contain exactly the covered pixels inside the scissor.
     fn assert_covered(spans: &[Span], corners: &[ScreenPoint; 3], scissor: &Scissor) {
         let bounds = Scissor::bounding_box(corners);
         for y in bounds.top.max(scissor.top)..bounds.bottom.min(scissor.bottom) {

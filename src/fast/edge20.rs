@@ -2,8 +2,9 @@
 //!
 //! - **Plain twin**: [`Edge32`](crate::raster::edge::Edge32).
 //! - **Domain**: edges within a [`Divisor`]'s width and height, walked over the rows of the edge only.
-//! - **Gain**: one or four 32-bit divisions per edge in place of a reciprocal and two 64-bit corrections.
-//! - **Test**: `row_ends_are_exact` in this file.
+//! - **Gain**: two or four 32-bit divisions per edge in place of a reciprocal and two 64-bit corrections. Not measured alone;
+//!   [`fast`](super) has the gain of the triangles that use it.
+//! - **Test**: `row_ends_are_exact` and `edges_stay_within_a_lattice_unit` in this file.
 
 use crate::raster::edge::{distances_to_centre, numerator, EdgeWalker};
 use crate::raster::ScreenPoint;
@@ -50,8 +51,8 @@ pub(crate) trait Divisor {
     const WIDTH: i32;
     const HEIGHT: i32;
 
-    /// m / dy less one unit or more, given xr and yr, and dx / dy. Any result will do for an edge that meets no row of
-    /// centres; dy is positive for all others.
+    /// The value and the step of an edge: m / dy less at least one unit, where `first` is xr and yr, and dx / dy. An edge that
+    /// meets no row of pixel centres may have dy ≤ 0; its result is not used.
     fn divide(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32);
 }
 
@@ -111,8 +112,8 @@ mod tests {
     use crate::raster::edge::tests::edge;
     use crate::raster::edge::{base_column, first_row};
 
-    /// Asserts that an edge is behind T by at most a lattice unit, in 2⁻²⁰ of it: from 0 on if `less`, which counts one unit
-    /// of the last place to the edge, else by more than 0.
+    /// Asserts that an edge is behind T by at most one unit of the lattice, in 2⁻²⁰ of that unit. With `less` one unit of the
+    /// last place is added to the edge, and it may be equal to T; without, it must be less than T.
     fn assert_behind(m: i32, dx: i32, dy: i32, (start, step): (i32, i32), row: i32, less: bool) {
         let more =
             if less { (i64::from(start) + 1, i64::from(step)) } else { (i64::from(start), i64::from(step)) };
@@ -122,7 +123,7 @@ mod tests {
         assert!(within.contains(&behind), "{m} {dx} / {dy}, row {row}: {behind}");
     }
 
-    /// `less`: the divisor's value is S less one unit of the last place; else it is only less than T.
+    /// `less`: whether the divisor promises a value of S less one unit of the last place, not only a value below T.
     fn assert_steps_of<D: Divisor>(less: bool) {
         let random = &mut Random(9);
         let heights = [40, 300, 4095, 4096, i64::from(D::HEIGHT) - 1];

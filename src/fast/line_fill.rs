@@ -1,13 +1,14 @@
-//! Lines of one color, into memory.
+//! Lines of one colour, into memory.
 //!
 //! - **Plain twin**: `pipeline::fill::line`, which passes each span of [`raster::line`](crate::raster::line()) to `Target::fill`.
 //! - **Domain**: every line, on a target whose pixels lie in memory.
-//! - **Gain**: no span and no error term for each pixel of a steep line: two instructions for its step.
-//! - **Test**: `pipeline::fill::tests`; `tests/memory_lines.rs` holds it against the oracle.
+//! - **Gain**: a steep line costs no span and no error term per pixel: its step takes two instructions. Not measured alone.
+//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/memory_lines.rs`
+//!   against an oracle.
 //!
-//! A steep line moves one row at each step, so that the indices of its pixels only grow, or only fall: the loop gets the slice
-//! that ends with the last pixel, and the bounds check of an index also ends the loop. Indices are fixed-point numbers with 32
-//! fractional bits, whose carry is the step aside. A flat line is drawn row by row, with Bresenham's error in integers.
+//! A steep line moves one row at each step, so the indices of its pixels only grow or only fall: the loop gets the slice that
+//! ends with the last pixel, and the bounds check of an index also ends the loop. An index is a fixed-point number with 32
+//! fractional bits, whose carry is the step to the next column. A flat line is drawn with Bresenham's error term.
 
 use super::memory_of;
 use crate::math::num::{mul_high, reciprocal};
@@ -29,7 +30,7 @@ pub(crate) fn line_into_memory<T: Target>(
     let Some(memory) = memory_of(target) else { return false };
     let Rectangle { top_left, size } = memory.area();
     let (cells, _) = memory.parts();
-    // Counted from the first pixel. These wrap where the area begins so far away that no pixel of it is in the scissor.
+    // Coordinates relative to the area's first pixel. They wrap only if the area is so far away that the scissor is empty.
     let (right, down) = (|x: i32| x.wrapping_sub(top_left.x), |y: i32| y.wrapping_sub(top_left.y));
     let moved = |p: Pixel| (right(p.x.into()), down(p.y.into()));
     let (rows, columns) = (scissor.rows(), scissor.columns());
@@ -41,7 +42,8 @@ pub(crate) fn line_into_memory<T: Target>(
     true
 }
 
-/// Draws a line into cells, row by row. The parts of the memory are arguments: from line to line they stay in registers.
+/// Draws a line into `cells`, row by row. Slice and stride are separate arguments, so that they stay in registers from line to
+/// line.
 #[inline(never)] // its loops need all registers
 fn line<Cell: Copy>(
     cells: &mut [Cell],
@@ -51,28 +53,28 @@ fn line<Cell: Copy>(
     scissor: &Scissor,
     cell: Cell,
 ) {
-    let course = LineSetup::between(from, to);
-    if !course.lies_in(scissor) || course.tall && !is_short(&course, stride) {
-        return cut(cells, stride, (course.x, course.y), course.end, scissor, cell);
+    let setup = LineSetup::between(from, to);
+    if !setup.lies_in(scissor) || setup.tall && !is_short(&setup, stride) {
+        return cut(cells, stride, (setup.x, setup.y), setup.end, scissor, cell);
     }
-    let (start, end) = ((course.x, course.y), course.end);
-    if course.tall {
-        steep(cells, stride, start, end, &course, 0, cell);
-    } else if course.rise <= course.length >> 2 {
+    let (start, end) = ((setup.x, setup.y), setup.end);
+    if setup.tall {
+        steep(cells, stride, start, end, &setup, 0, cell);
+    } else if setup.rise <= setup.length >> 2 {
         gentle(
             cells,
             pixel_index(start.0, start.1, stride),
-            down(stride, course.up),
-            course.rise,
-            course.length,
+            down(stride, setup.up),
+            setup.rise,
+            setup.length,
             cell,
         );
     } else {
-        flat(cells, stride, start, end, &course, -1 - course.length, cell);
+        flat(cells, stride, start, end, &setup, -1 - setup.length, cell);
     }
 }
 
-/// Draws the part of a line that lies in the scissor.
+/// Draws the part of a line that lies in the scissor, or a line for which [`steep`] is not exact.
 #[cold]
 #[inline(never)]
 fn cut<Cell: Copy>(
@@ -83,13 +85,13 @@ fn cut<Cell: Copy>(
     scissor: &Scissor,
     cell: Cell,
 ) {
-    let course = LineSetup::between(from, to).clipped(scissor);
-    let LineSetup { x, y, tall, up, length, first, last, .. } = course;
+    let setup = LineSetup::between(from, to).clipped(scissor);
+    let LineSetup { x, y, tall, up, length, first, last, .. } = setup;
     if first > last {
         return;
     }
-    // The line is longer than one pixel.
-    let ((aside, rest), (last_aside, _)) = (course.aside(first), course.aside(last));
+    // The line has at least two pixels, so its length is not 0.
+    let ((aside, rest), (last_aside, _)) = (setup.aside(first), setup.aside(last));
     let at = |step: i32, aside: i32| {
         let (right, down) = if tall { (aside, step) } else { (step, aside) };
         (x + right, if up { y - down } else { y + down })
@@ -97,15 +99,15 @@ fn cut<Cell: Copy>(
     let (start, end) = (at(first, aside), at(last, last_aside));
     if !tall {
         // `raster::line` has `rest` + 1 + 2m − 2L there.
-        flat(cells, stride, start, end, &course, rest - 2 * length, cell);
-    } else if is_short(&course, stride) {
-        steep(cells, stride, start, end, &course, first as u32, cell);
+        flat(cells, stride, start, end, &setup, rest - 2 * length, cell);
+    } else if is_short(&setup, stride) {
+        steep(cells, stride, start, end, &setup, first as u32, cell);
     } else {
         by_runs(cells, stride, from, to, scissor, cell);
     }
 }
 
-/// The step of an index from a row to the line's next row.
+/// The change of an index from a row of the line to the line's next row.
 #[inline(always)]
 fn down(stride: usize, up: bool) -> usize {
     if up {
@@ -115,9 +117,9 @@ fn down(stride: usize, up: bool) -> usize {
     }
 }
 
-/// Draws a line that runs more to the right than down or up, pixel by pixel. `error` is that of
-/// [`raster::line`](crate::raster::line()) less 1 and less 2m, at the first pixel; where it is not negative once 2m is added, the
-/// line steps aside.
+/// Draws a line that runs more to the right than down or up, pixel by pixel. `error` is the error term of
+/// [`raster::line`](crate::raster::line()) at the first pixel, less 2m + 1, for the minor extent m: the line goes to its next row
+/// where adding 2m makes it 0 or more.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn flat<Cell: Copy>(
@@ -125,16 +127,16 @@ fn flat<Cell: Copy>(
     stride: usize,
     (x, y): (i32, i32),
     end: (i32, i32),
-    course: &LineSetup,
+    setup: &LineSetup,
     error: i32,
     cell: Cell,
 ) {
-    // All rows but the last one: the index leaves this slice when the line comes to its last row.
+    // The slice of all rows but the last: the index leaves it when the line comes to its last row.
     let last = pixel_index(0, end.1, stride);
-    let (low, high) = if course.up { (last.wrapping_add(stride), cells.len()) } else { (0, last) };
-    let (mut at, down) = (pixel_index(x, y, stride).wrapping_sub(low), down(stride, course.up));
+    let (low, high) = if setup.up { (last.wrapping_add(stride), cells.len()) } else { (0, last) };
+    let (mut at, down) = (pixel_index(x, y, stride).wrapping_sub(low), down(stride, setup.up));
     // The error is negative at every pixel: the addition carries where it becomes 0 or more.
-    let (along, back) = (2 * course.rise as u32, 2 * course.length as u32);
+    let (along, back) = (2 * setup.rise as u32, 2 * setup.length as u32);
     let mut error = error as u32;
     if let Some(cells) = cells.get_mut(low..high) {
         while let Some(pixel) = cells.get_mut(at) {
@@ -161,8 +163,8 @@ fn flat<Cell: Copy>(
 
 /// Draws a flat line that is not clipped and whose runs have four pixels or more, run by run.
 ///
-/// The last step in row K is ⌊(2K + 1)·L / 2m⌋: from row to row ⌊L/m⌋ more, or one more than that. (Bresenham, *Run length
-/// slice algorithm for incremental lines*, 1985.)
+/// With L and m the major and minor extent, the last step in row K is ⌊(2K + 1)·L / 2m⌋: each run has ⌊L/m⌋ pixels or one more.
+/// (Bresenham, *Run length slice algorithm for incremental lines*, 1985.)
 #[inline(never)] // its loop needs all registers
 fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32, length: i32, cell: Cell) {
     let pair = pair(cell);
@@ -201,18 +203,18 @@ fn steep<Cell: Copy>(
     stride: usize,
     (x, y): (i32, i32),
     end: (i32, i32),
-    course: &LineSetup,
+    setup: &LineSetup,
     first: u32,
     cell: Cell,
 ) {
     let (start, end) = (pixel_index(x, y, stride), pixel_index(end.0, end.1, stride));
-    let (low, high) = if course.up { (end, start) } else { (start, end) };
+    let (low, high) = if setup.up { (end, start) } else { (start, end) };
     let Some(cells) = cells.get_mut(low..high.wrapping_add(1)) else { return };
-    // Steps aside in a row, in 2⁻³².
-    let slope = slope(course);
+    // Columns per row, in 2⁻³².
+    let slope = slope(setup);
     let mut at = fixed(start.wrapping_sub(low), slope.wrapping_mul(first).wrapping_add(HALF));
-    let step = fixed(down(stride, course.up), slope);
-    // The index after the last pixel lies beyond the slice, or wraps far beyond it.
+    let step = fixed(down(stride, setup.up), slope);
+    // After the last pixel the index is beyond the end of the slice; moving upwards it wraps below 0, which is beyond the end, too.
     while let Some(pixel) = cells.get_mut((at >> 32) as usize) {
         *pixel = cell;
         at = at.wrapping_add(step);
@@ -220,40 +222,42 @@ fn steep<Cell: Copy>(
     }
 }
 
+/// A number in 32.32.
 #[inline(always)]
-fn fixed(whole: usize, part: u32) -> u64 {
-    (whole as u64) << 32 | u64::from(part)
+fn fixed(integer: usize, fraction: u32) -> u64 {
+    (integer as u64) << 32 | u64::from(fraction)
 }
 
 /// Just below ½, in 2⁻³².
 ///
-/// After i steps a line has made ⌊(2mi + L − 1)/2L⌋ steps aside, for its minor extent m and its major extent L. The sum of i
-/// slopes and this constant is that number before rounding, plus 1/2L − 2⁻³², minus i times what the slope is short of m/L.
-/// Rounded down both are equal as long as the difference is not negative (so the floor is not too low) and below 1/2L (the
-/// rounded numbers are multiples of 1/2L).
+/// After i major steps a line has made ⌊(2mi + L − 1)/2L⌋ minor steps, for its minor extent m and its major extent L. The sum
+/// of i slopes and this constant is (2mi + L − 1)/2L plus 1/2L − 2⁻³², minus i times the error of the slope. Both have the same
+/// floor as long as their difference is at least 0 (then the floor is not too low) and below 1/2L (then it is not too high,
+/// because (2mi + L − 1)/2L is a multiple of 1/2L).
 const HALF: u32 = (1 << 31) - 1;
 
-/// The largest L with 48·L + 1 ≤ 2³²/2L: a slope is short by less than 48 · 2⁻³².
+/// The largest L with 48·L + 1 ≤ 2³²/2L: a slope is too small by less than 48 · 2⁻³².
 const LONGEST: i32 = 6688;
 
-/// Whether [`steep`] draws the line exactly. With two columns or more the index after the last pixel is larger; with at most 2¹⁵
-/// columns and 2¹³ rows, the indices from one end to the other have less than 32 bits.
+/// Whether [`steep`] draws the line exactly. It needs at least two columns, so that the index after the last pixel leaves the
+/// slice, and at most 2¹⁵ columns and 2¹³ rows, so that indices have less than 32 bits.
 #[inline(always)]
-fn is_short(course: &LineSetup, stride: usize) -> bool {
-    course.length <= LONGEST && (2..=0x8000).contains(&stride)
+fn is_short(setup: &LineSetup, stride: usize) -> bool {
+    setup.length <= LONGEST && (2..=0x8000).contains(&stride)
 }
 
-/// m/L in 2⁻³², short by at least 0 and less than 48; 0 for 0. `0 ≤ m ≤ L`, `0 < L ≤ LONGEST`.
+/// m/L in 2⁻³², too small by 0 to less than 48 units; 0 if m is 0. `0 ≤ m ≤ L`, `0 < L ≤ LONGEST`.
 #[inline(always)]
 fn slope(&LineSetup { rise, length, .. }: &LineSetup) -> u32 {
     let r = reciprocal(length);
     // m·2^shift ≤ L·2^shift < 2³¹, and the mantissa is 2⁶¹/(L·2^shift) within 2⁻²⁸: the high word is m/L in 2⁻²⁹, within
-    // 2 and rounded down. So 3 less is short by 0 to 6, and below 2²⁹.
+    // 2 and rounded down. So 3 less is too small by 0 to 6 units, and below 2²⁹.
     let high = mul_high(rise << r.shift, r.mantissa) - 3;
     (high.max(0) as u32) << 3
 }
 
-/// Draws a line span by span: the slow path.
+/// Draws the part of a line that lies in the scissor span by span, like the plain path: for steep lines for which [`steep`] is not
+/// exact.
 #[cold]
 #[inline(never)]
 fn by_runs<Cell: Copy>(

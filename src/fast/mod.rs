@@ -1,21 +1,22 @@
 //! Fast paths: each computes the same bits as a plain path, for some inputs or some cores.
 //!
-//! A fast path is attached by one call that may decline, its header names the plain twin, and a test compares both bit for
-//! bit. `--cfg pinhole_plain` makes all of them decline.
+//! A fast path is attached by one call, which may decline: then the plain path runs. The header of its file names the plain twin,
+//! the domain (the inputs that it takes), the gain, and the test that compares both bit for bit. `--cfg pinhole_plain` makes all
+//! of them decline; scene S3 then takes twice the time. Scenes S1 to S8 are the benchmarks of `docs/speed.md`.
 //!
 //! # Triangles
 //!
-//! A triangle goes to the first tier whose domain contains it. The domains count pixels between the corners; in all tiers but
-//! the last the corners lie between the scissor's columns, so that no edge is clipped.
+//! A triangle goes to the first tier whose domain contains it. Domains are the largest differences between corners, in pixels:
+//! columns × rows. In all tiers but the last the corners lie between the scissor's columns, so that no edge is clipped.
 //!
 //! | tier | domain | row ends | core | gain of the tier |
 //! |---|---|---|---|---|
 //! | [`Small`]: [`SmallTriangle`](small_triangle) with [`OneDivision`](edge20) | 32 × 30, inside the scissor | 12.20 in 32 bits; one division for an edge's value, one for its step | all but Cortex-M0 | not measured alone |
 //! | [`Low`] and [`Inside`], the middle tier: [`SmallTriangle`](small_triangle) with [`TwoDivisions`](edge20) | 2040 × 32, rows clipped | 12.20 in 32 bits; two divisions each | all but Cortex-M0 | S3 takes 9 % fewer instructions on an M3, 4.5 % with depth; nothing on an M0 |
-//! | all three: [`BresenhamTriangle`](bresenham_triangle) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | not measured alone |
+//! | all three: `BresenhamTriangle` (`bresenham_triangle.rs`) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | edges by reciprocals instead take 12 % more instructions on S3, 11 % on S4 and S7 |
 //! | [`AnyTriangle`](crate::raster::AnyTriangle), the definition | any in the guard band | 32.32 in 64 bits; a reciprocal and two corrections | all | – |
 //!
-//! Gradients have one fast tier: [`tiny_gradient`].
+//! Gradients of triangles within 32 pixels have a fast path, too: [`tiny_gradient`].
 
 #![cfg_attr(pinhole_plain, allow(dead_code))]
 

@@ -1,20 +1,23 @@
-//! Rows of triangles in a buffer of pixels: what the fills of memory ask of a fast triangle.
+//! Rows of triangles in a buffer of pixels: the trait through which the fills use the triangle tiers.
+//!
+//! This file has no fast path of its own, so it has no plain twin, gain or test: see `small_triangle.rs` and `bresenham_triangle.rs`, whose
+//! triangles implement the trait.
 
 use crate::raster::{Gradient, PixelLayout, RowScratch};
 
 /// The rows of a triangle, top to bottom.
 pub(crate) trait Rows: Sized {
-    /// An upper bound of a row's width, in sub-pixels.
+    /// No row is wider than this, in sub-pixels.
     const WIDTH: i32;
 
     /// Whether the triangle has no row.
     fn is_empty(&self) -> bool;
 
-    /// The origin that row ends are counted from.
+    /// The origin that row ends are counted from, in a buffer with this layout.
     fn start(&self, layout: PixelLayout) -> RowOrigin;
 
-    /// Calls `row` with each row's base index and its two ends, counted from there. A row is empty if it ends at or before
-    /// its beginning.
+    /// Calls `row` for each row with a base index, the left end and the right end, both counted from the base index. The left end
+    /// is included, the right end excluded; a row is empty if right ≤ left.
     fn each(self, scratch: &mut RowScratch, row: impl FnMut(usize, i32, i32));
 }
 

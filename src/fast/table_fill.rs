@@ -1,10 +1,10 @@
-//! Triangles whose colors are looked up in a [`ShadeTable`](crate::ShadeTable), against a depth buffer, into memory.
+//! Triangles whose colours are looked up in a [`ShadeTable`](crate::ShadeTable), against a depth buffer, into memory.
 //!
 //! - **Plain twin**: `pipeline::fill::fill_nearer` with the shader's [`span`](crate::SpanShader::span).
 //! - **Domain**: every triangle, on a target whose pixels lie in memory, where the depth buffer is laid out as the memory is.
-//! - **Gain**: colors are looked up only for pixels that are nearer, eight at once where the depth buffer is still clear; the
-//!   gradients of depth and light share one reciprocal.
-//! - **Test**: `pipeline::fill::tests`.
+//! - **Gain**: colours are looked up only for pixels that are nearer, eight at once where the depth buffer is still clear; the
+//!   gradients of depth and light share one reciprocal. Not measured alone.
+//! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
 
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use super::{depth_and_light_gradients, RowOrigin};
@@ -29,7 +29,7 @@ pub(crate) fn triangle_nearer<T: Target>(
 }
 
 impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
-    /// Of depth and of light.
+    /// The gradients of depth and of light.
     type Gradients = [Gradient; 2];
 
     #[inline(always)]
@@ -50,20 +50,20 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
         Self: 'a,
     {
         let (cells, depths) = same_length(cells, depths);
-        *gradients = gradients.map(|plane| plane.sheared(shear));
+        *gradients = gradients.map(|gradient| gradient.sheared(shear));
         let [depth, light] = &*gradients;
         let steps = Steps { colors: self.colors(), depth: depth.step(), light: light.step() };
         TableRows { steps, cells, depths, gradients, z: depth.at(x, y), light: light.at(x, y) }
     }
 }
 
-/// Rows of colors from a table.
+/// Rows that are filled with colours from a table.
 struct TableRows<'a, C, Cell> {
     steps: Steps<'a, C>,
     cells: &'a mut [Cell],
     depths: &'a mut [u16],
     gradients: &'a [Gradient; 2],
-    /// Depth and light at the origin from which the next row's ends are counted.
+    /// Depth and light at the origin that the next row's ends are counted from.
     z: u32,
     light: u32,
 }
@@ -86,7 +86,7 @@ impl<C: StoredPixel<Cell>, Cell> RowFill for TableRows<'_, C, Cell> {
 }
 
 impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
-    /// A row's cells and depths, and depth and light at its first pixel.
+    /// The cells and depths of a row that begins at index `from` and column `left`, and depth and light at its first pixel.
     #[inline(always)]
     fn part(&mut self, from: usize, left: i32, width: usize) -> Option<(&mut [Cell], &mut [u16], u32, u32)> {
         let (run, depths) = (part_of(self.cells, from, width)?, part_of(self.depths, from, width)?);
@@ -95,12 +95,13 @@ impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
         Some((run, depths, z, light))
     }
 
-    /// Fills a row of fewer than [`BLOCK`] pixels. All that it needs lies in memory, so the call is cheap and has all registers.
+    /// Fills a row of fewer than [`BLOCK`] pixels. What it needs is in memory behind `self`, so the call passes few arguments and
+    /// its loop has all registers.
     #[inline(never)]
     fn short(&mut self, from: usize, left: i32, width: usize) {
         let steps = Steps { ..self.steps };
         if let Some((run, depths, z, light)) = self.part(from, left, width) {
-            let (_, run) = run.as_chunks_mut::<BLOCK>(); // all of it: this tells the compiler how short it is
+            let (_, run) = run.as_chunks_mut::<BLOCK>(); // the same run: tells the compiler that it is shorter than a block
             steps.fill_each(run, depths, z, light);
         }
     }
@@ -119,7 +120,7 @@ impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
 #[inline(always)]
 fn part_of<T>(all: &mut [T], from: usize, width: usize) -> Option<&mut [T]> {
     if CORTEX_M0 {
-        // `black_box` keeps LLVM from folding the two checks into one value to be tested later: five instructions more each.
+        // `black_box` keeps LLVM from merging the two checks into arithmetic, which takes five more instructions per slice.
         let part = all.get_mut(from..)?;
         black_box(());
         let part = part.get_mut(..width)?;
@@ -129,7 +130,7 @@ fn part_of<T>(all: &mut [T], from: usize, width: usize) -> Option<&mut [T]> {
     all.get_mut(from..from.wrapping_add(width)) // a sum that wraps is below `from`
 }
 
-/// The table, and the steps of depth and light from a pixel to the next one.
+/// The table, and the steps of depth and light from a pixel to its right neighbour.
 struct Steps<'a, C> {
     colors: &'a [C; 256],
     depth: u32,
@@ -137,7 +138,7 @@ struct Steps<'a, C> {
 }
 
 impl<C: PixelColor> Steps<'_, C> {
-    /// Fills pixels one by one; depth and light after the last one.
+    /// Fills pixels one by one; returns depth and light after the last one.
     #[inline(always)]
     fn fill_each<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32) -> (u32, u32)
     where
@@ -149,18 +150,18 @@ impl<C: PixelColor> Steps<'_, C> {
                 *pixel = TableShader::look_up(self.colors, light).stored();
             }
             (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
-            black_box(()); // unrolled only where there are few
+            black_box(()); // not unrolled, except for fewer than eight pixels
         }
         (z, light)
     }
 
-    /// Eight pixels at once where the depth buffer is still clear, the common case.
+    /// Fills a long run, eight pixels at once where the depth buffer is still clear, the common case.
     #[inline(always)]
     fn fill_blocks<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32)
     where
         C: StoredPixel<Cell>,
     {
-        // Both have one length; this tells the compiler.
+        // The lengths are equal already; this tells the compiler.
         let Some(depths) = depths.get_mut(..run.len()) else { return };
         let ((blocks, rest), (depth_blocks, depth_rest)) =
             (run.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());

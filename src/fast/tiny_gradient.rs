@@ -4,14 +4,14 @@
 //! - **Domain**: that of `GradientSetup::through_tiny` in `raster/gradient_setup.rs`: corners within 32 pixels, an area that
 //!   is not thin, values less than 2¹⁹ − 4 apart. Most triangles of a fine mesh. All others go to the plain twin.
 //! - **Gain**: two 32-bit products and no search for leading zeros per step in place of 64-bit products; light shares
-//!   depth's reciprocal.
+//!   depth's reciprocal. Not measured alone.
 //! - **Test**: `gradients_are_those_of_the_plain_twins` in this file.
 
 use crate::math::num::mul_high;
 use crate::raster::gradient_setup::{differences, to_centre, Extent, GradientSetup, Numerators, Slope};
 use crate::raster::{Gradient, Triangle};
 
-/// The gradient of depth: `Gradient::of_depth`.
+/// The gradient of depth, with the bits of `Gradient::of_depth`.
 #[inline(never)]
 pub(crate) fn depth_gradient(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Gradient {
     if cfg!(pinhole_plain) {
@@ -24,8 +24,8 @@ pub(crate) fn depth_gradient(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Grad
     }
 }
 
-/// The gradients of depth and light: `Gradient::of_depth` and `Gradient::of_light`. Each is stored as soon as it is known,
-/// which frees the registers for the other.
+/// The gradients of depth and light, with the bits of `Gradient::of_depth` and `Gradient::of_light`. Each is stored as soon as it
+/// is computed, which frees the registers for the other.
 #[inline(never)]
 pub(crate) fn depth_and_light_gradients(
     triangle: &Triangle<'_>,
@@ -58,7 +58,7 @@ fn through_tiny(setup: &GradientSetup<'_>, values: &[i32; 3]) -> Option<Gradient
     if !setup.is_near(dz1, dz2) {
         return None;
     }
-    // Products below 2³⁰: both sums are less than 2³¹.
+    // The products are below 2³⁰, so the sums are below 2³¹.
     let Numerators { x, minus_y, .. } = Numerators::of_scaled(setup.triangle, dz1 >> 2, dz2 >> 2, -2);
     let (x, y) = (mul_high(x, setup.mantissa), mul_high(-minus_y, setup.mantissa));
     let left = 34 - setup.shift; // −7 … 10
@@ -123,8 +123,8 @@ mod tests {
         assert!(near > 50_000, "{near}");
     }
 
-    /// A light of half an entry or more above an entry is the next entry, at every pixel: on a small and a large triangle, by
-    /// itself and beside depth.
+    /// Light that is constant over a triangle selects the nearest entry of the table at every pixel: on a small and a large
+    /// triangle, set up alone and together with depth.
     #[test]
     fn an_even_light_is_rounded_to_the_nearest_entry() {
         for size in [8, 2000] {

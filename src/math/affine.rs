@@ -21,10 +21,10 @@ use core::marker::PhantomData;
 /// Vectors are columns, so `M · p`; [`then`](Self::then) reads left to right. Each composition rounds coefficients
 /// to within 2⁻³⁰ of the largest one, and the translation to within 2⁻³³ world units; translations saturate at
 /// ±2³⁰. Rebuild transforms from angles every frame instead of accumulating them: then nothing drifts. (A million
-/// turns of 0.1°, each applied to the matrix so far, stretch a model by 0.037 % and leave it 0.057° behind.)
+/// turns of 0.1°, accumulated in one matrix, stretch a model by 0.037 % and leave it 0.057° behind.)
 ///
-/// `==` compares the stored numbers: the same map reached in two ways may differ. Compare
-/// [`to_matrix`](Self::to_matrix).
+/// `==` compares the stored numbers: two values of one map that were computed differently may differ. To allow for rounding, compare
+/// the results of [`to_matrix`](Self::to_matrix).
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
@@ -151,7 +151,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         Self::fixing(linear, Point3::from_ints(0, 0, 0))
     }
 
-    /// The map with a linear part in 2⁻³⁰, of up to 31 bits, and one fixed point.
+    /// The map with this linear part, in 2⁻³⁰ of up to 31 bits, that maps the point `fixed` to itself.
     fn fixing(linear: [[i64; 3]; 3], fixed: Point3<B>) -> Self {
         let (linear, exponent) = rounded_block(&linear, 0);
         let turned = Self::from_parts(linear, exponent, [0; 3]);
@@ -335,7 +335,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         Point3::from_bits(self.apply_bits(&p).map(to_scalar))
     }
 
-    /// The image of a point in 2⁻³², in 2⁻³².
+    /// The image of a point; both in 2⁻³².
     fn apply_bits(&self, p: &[i64; 3]) -> [i64; 3] {
         transform_point(&self.linear, self.exponent, p, &self.offset)
     }
@@ -480,7 +480,7 @@ mod tests {
     use super::*;
     use crate::space::{Model, World};
 
-    /// Where the determinant equals the limit, a transform still has an inverse; one unit below, it has none.
+    /// A transform whose determinant equals the limit has an inverse; one unit below the limit it has none.
     #[test]
     fn flat_is_below_the_limit_not_at_it() {
         // Rows of length 2²⁹: their product, 2⁸⁷·2⁻⁹⁰, times 2⁻²⁴ is 2⁻²⁷. So is a determinant of 2³³·2⁻⁶⁰.

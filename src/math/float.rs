@@ -1,4 +1,4 @@
-//! Conversion of f64 matrices, for hosts: exact wherever the integers can hold the number.
+//! Conversion of f64 matrices, for hosts: exact for all numbers that the integers can represent.
 
 use super::num::{add, scale};
 use super::row::Row;
@@ -17,7 +17,7 @@ pub(crate) fn mantissa_and_exponent(v: f64) -> Option<(i64, i32)> {
     Some((if v < 0.0 { -mantissa } else { mantissa }, exponent))
 }
 
-/// Numbers as 61-bit integers with one exponent, which the largest number determines; `None` if one is not finite.
+/// Converts numbers to 61-bit integers with one exponent, which the largest number determines; `None` if one is not finite.
 pub(crate) fn common_exponent<const N: usize>(numbers: [f64; N]) -> Option<([i64; N], i32)> {
     let mut all = [(0, 0); N];
     for (out, v) in all.iter_mut().zip(numbers) {
@@ -43,7 +43,7 @@ pub(crate) fn row_from_f64([x, y, z, constant]: &[f64; 4], shift: i32) -> Option
 /// `m · 2^exponent`: exact for 53 bits, beyond them rounded to nearest; 0 or ±∞ outside f64's
 /// range.
 pub(crate) fn ldexp(m: i64, exponent: i32) -> f64 {
-    // Multiplied by powers of two of at most 2^±1000, which f64 holds.
+    // Multiplied by powers of two of at most 2^±1000, which f64 represents exactly.
     let (mut value, mut rest) = (m as f64, exponent.clamp(-3000, 3000));
     while rest != 0 {
         let step = rest.clamp(-1000, 1000);

@@ -47,9 +47,9 @@ mod sealed {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded
 pub(crate) struct WideForm {
-    /// In 2⁻³², the rounding half included.
+    /// The constant in 2⁻³², with the half that rounds.
     offset: i64,
-    /// Each below 2³⁰ − 2¹⁵ in absolute value, times 2.
+    /// The coefficients, each below 2³⁰ − 2¹⁵ in absolute value, times 2.
     doubled: [i32; 3],
 }
 

@@ -50,7 +50,7 @@ pub(super) fn normalised_by_steps(mut v: i32) -> (i32, u32) {
         keep_rolled();
         (v, shift) = (v << 8, shift + 8);
     }
-    // Twice it: the end is a sign.
+    // Doubled, so that the loop ends when the sign bit is set.
     let mut twice = v << 1;
     while twice >= 0 {
         keep_rolled();
@@ -59,7 +59,7 @@ pub(super) fn normalised_by_steps(mut v: i32) -> (i32, u32) {
     ((twice as u32 >> 1) as i32, shift)
 }
 
-/// [`normalised_by_steps`] for numbers that most often lie near 2³⁰: one bit at a time.
+/// [`normalised_by_steps`], fastest for numbers near 2³⁰: one bit at a time.
 #[inline(always)]
 pub(super) fn normalised_by_bits(mut v: i32) -> (i32, u32) {
     let mut shift = 0;
@@ -81,7 +81,7 @@ pub(super) fn normalised_by_bits(mut v: i32) -> (i32, u32) {
 pub(crate) struct HalfwordForm {
     low: [i32; 3],
     high: [i32; 3],
-    /// The offset in 2⁻¹⁵, and in whole units.
+    /// The fraction of the offset in 2⁻¹⁵, and its integer part.
     rest: i32,
     offset: i32,
 }
@@ -138,7 +138,7 @@ mod tests {
     use crate::math::form::WideForm;
     use crate::math::random::{mixed as random, Random};
 
-    /// By the count of leading zeros.
+    /// The plain twin of both, by the count of leading zeros.
     fn normalised_plainly(v: i32) -> (i32, u32) {
         (v << (v.leading_zeros() - 1), v.leading_zeros() - 1)
     }

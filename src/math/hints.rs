@@ -18,13 +18,13 @@
 use core::hint::black_box;
 
 /// Keeps a loop rolled when its body calls it: LLVM unrolls four times and more, which costs flash on every core, and time where unrolled
-/// code runs out of registers. Set-up code and short loops call it.
+/// code runs out of registers. Used in set-up code and short loops.
 #[inline(always)]
 pub(crate) const fn keep_rolled() {
     black_box(());
 }
 
-/// `index + 1`, as a value that the compiler does not know, so that it keeps a loop of three or four iterations a loop.
+/// `index + 1`, as a value that the compiler does not know, so that it does not unroll a loop of three or four iterations.
 /// [`keep_rolled`] does not prevent full unrolling where the count is a constant.
 #[inline(always)]
 pub(crate) const fn opaque_next(index: usize) -> usize {
@@ -32,15 +32,14 @@ pub(crate) const fn opaque_next(index: usize) -> usize {
 }
 
 /// Keeps a branch a branch when one of its sides calls it. Without it LLVM computes both sides and selects, or merges two
-/// tests with the same outcome into one that needs more arithmetic: dearer on cores without predicated instructions and
-/// with single-cycle branches.
+/// tests with one outcome into a single test that needs more arithmetic: slower on cores without predicated instructions.
 #[inline(always)]
 pub(crate) const fn keep_branch() {
     black_box(());
 }
 
-/// `value`, of which the compiler knows nothing more. The call site says why: to keep a constant in a register, to load a
-/// value again where a register is needed more, to prevent a call of `memset`.
+/// Returns `value` so that the compiler no longer knows it. The call site says why: to keep a constant in a register, to load a value
+/// again where a register is needed more, or to prevent a call of `memset`.
 #[allow(dead_code)] // until every `black_box` outside of this module has moved
 #[inline(always)]
 pub(crate) const fn opaque<T>(value: T) -> T {

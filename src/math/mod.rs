@@ -1,4 +1,4 @@
-//! Numbers, angles, points and affine transforms, in integers. Of the crate it imports only the tags of
+//! Numbers, angles, points and affine transforms, in integers. The module imports nothing of the crate but the tags of
 //! [`space`](crate::space).
 
 mod affine;

@@ -23,7 +23,7 @@ use core::marker::PhantomData;
 /// ```
 #[derive(Debug, PartialEq, Eq)]
 pub struct NormalMatrix<A, B> {
-    /// 30 bits, up to a positive factor.
+    /// The rows of the normal matrix, 30 bits, times an unknown positive factor.
     rows: [[i32; 3]; 3],
     ends: PhantomData<(A, B)>,
 }

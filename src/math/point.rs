@@ -65,7 +65,7 @@ macro_rules! coordinates {
                 Self { bits, space: PhantomData }
             }
 
-            /// In 2⁻¹⁶ world units.
+            /// The coordinates in 2⁻¹⁶ world units.
             pub(crate) const fn bits(self) -> [i32; 3] {
                 self.bits
             }

@@ -11,17 +11,17 @@ impl Random {
         (self.0 >> 32) as u32
     }
 
-    /// 0 … n − 1; n at most 2³¹.
+    /// A number in 0 … n − 1, for n up to 2³¹.
     pub(crate) fn below(&mut self, n: i64) -> i64 {
         i64::from(self.bits() >> 1) % n
     }
 
-    /// −n … n; n below 2³⁰.
+    /// A number in −n … n, for n below 2³⁰.
     pub(crate) fn within(&mut self, n: i64) -> i32 {
         (self.below(2 * n + 1) - n) as i32
     }
 
-    /// −1 … 1.
+    /// A number in −1 … 1.
     pub(crate) fn unit(&mut self) -> f64 {
         f64::from(self.bits() >> 8) / f64::from(1 << 23) - 1.0
     }

@@ -5,15 +5,15 @@ use super::num::{
     add, bits_of, magnitude, max, mul_translation, row_times, scale, shift_to_fit, Accumulator,
 };
 
-/// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a
-/// constant in 2⁻³² that keeps what a coefficient's rounding would lose far from the origin.
+/// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a constant in 2⁻³². The constant has its own
+/// precision, so that points far from the origin stay exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
     /// Each at most 2³⁰ in absolute value.
     pub(crate) linear: [i32; 3],
-    /// Of the block.
+    /// The exponent that the three coefficients share.
     pub(crate) exponent: i32,
-    /// In 2⁻³², at most 2⁶² in absolute value.
+    /// The constant in 2⁻³², at most 2⁶² in absolute value.
     pub(crate) offset: i64,
 }
 
@@ -39,13 +39,13 @@ pub(crate) const fn block_scaled(sums: &[i64], exponent: i32, linear: &mut [i32]
 pub(crate) struct RowBlock {
     /// Each at most 2³⁰ in absolute value.
     pub(crate) linear: [[i32; 3]; 3],
-    /// Of the block.
+    /// The exponent that all nine coefficients share.
     pub(crate) exponent: i32,
-    /// In 2⁻³², at most 2⁶² in absolute value.
+    /// The constants in 2⁻³², at most 2⁶² in absolute value.
     pub(crate) offset: [i64; 3],
 }
 
-/// The affine map of three rows at a point in 2⁻³²: in 2⁻³², saturating.
+/// Maps a point in 2⁻³² by three rows; the result is in 2⁻³² and saturates.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) fn transform_point(
     linear: &[[i32; 3]; 3],
@@ -57,8 +57,8 @@ pub(crate) fn transform_point(
     [evaluate(x, exponent, p, a), evaluate(y, exponent, p, b), evaluate(z, exponent, p, c)]
 }
 
-/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²: in 2⁻³², saturating. The products are summed
-/// exactly, because they may be far larger than their sum.
+/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²; the result is in 2⁻³² and saturates. The products
+/// are summed exactly, because they may be far larger than their sum.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) fn evaluate(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
     let (mut sum, mut i) = (Accumulator::ZERO, 0);
@@ -96,7 +96,7 @@ impl Row {
         linear.max(shift_to_fit(self.offset.unsigned_abs(), 0)) - 60
     }
 
-    /// Evaluates the form at a vector in 2⁻³²: in 2⁻³², saturating.
+    /// Evaluates the form at a point in 2⁻³²; the result is in 2⁻³² and saturates.
     pub(crate) fn apply(&self, p: &[i64; 3]) -> i64 {
         evaluate(&self.linear, self.exponent, p, self.offset)
     }

@@ -16,8 +16,8 @@ use crate::space::Model;
 pub struct Sphere {
     /// The centre, in model units.
     pub centre: Point3<Model>,
-    /// The radius, in model units. A negative radius counts as zero. `Scalar::MAX` stands for a radius that [`Scalar`] cannot
-    /// hold: such a sphere is always [`Partly`](crate::Visibility::Partly) visible.
+    /// The radius, in model units. A negative radius counts as zero. `Scalar::MAX` stands for a radius beyond the range of
+    /// [`Scalar`]: such a sphere is always [`Partly`](crate::Visibility::Partly) visible.
     pub radius: Scalar,
 }
 

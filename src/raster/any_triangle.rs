@@ -1,4 +1,4 @@
-//! Any triangle inside the guard band as trapezoids, and these as spans.
+//! Splits any triangle inside the guard band into trapezoids, and these into spans.
 
 use super::edge::{first_row, Edge32};
 use super::triangle::{area, sort_by_y};
@@ -10,17 +10,17 @@ pub(crate) struct AnyTriangle {
     /// The next row, and the row below the last one.
     row: i32,
     end: i32,
-    /// The edge to or from the middle corner, and the edge between the top and the bottom corner, both at `row`.
+    /// The edge that ends or begins at the middle corner, and the edge from the top to the bottom corner, both in the row `row`.
     short: Edge32,
     long: Edge32,
-    /// The rows at which `short` and `long` must be set up.
+    /// The rows at which `short` and `long` must be set up again.
     until: [i32; 2],
     /// The scissor's columns.
     left: i32,
     right: i32,
     /// Whether the middle corner lies to the left of `long`.
     middle_is_left: bool,
-    /// Sorted by y.
+    /// The corners, sorted by y.
     corners: [ScreenPoint; 3],
 }
 
@@ -48,8 +48,8 @@ impl AnyTriangle {
         self.row >= self.end
     }
 
-    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; `false` if none is left. The caller keeps
-    /// the trapezoid, which is too large to be returned in registers.
+    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. The caller provides
+    /// the memory, because a trapezoid is too large to be returned in registers.
     #[inline(never)]
     pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge32>) -> bool {
         if self.is_empty() {
@@ -60,7 +60,8 @@ impl AnyTriangle {
         true
     }
 
-    /// Takes the rows in which neither edge ends or crosses a limit of the scissor's columns.
+    /// Writes the rows up to the next row where an edge must be set up, or crosses the left or right border of the scissor, and
+    /// advances both edges.
     #[inline(never)] // its stack frame is not live while edges are set up
     fn take_rows(&mut self, trapezoid: &mut Trapezoid<Edge32>) {
         let Self { row: y, short, long, until: [short_until, long_until], .. } = *self;
@@ -73,7 +74,7 @@ impl AnyTriangle {
         self.row += trapezoid.rows;
     }
 
-    /// Sets up the edges that are due at this row.
+    /// Sets up each edge whose row in `until` is reached.
     #[inline(never)]
     fn set_up_edges(&mut self) {
         let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;
@@ -94,9 +95,9 @@ impl AnyTriangle {
 
 /// The spans of a triangle inside a scissor, top to bottom: the definition that every fast path reproduces.
 pub(crate) struct Spans {
-    /// The rest of the present trapezoid.
+    /// The present trapezoid, without the rows already returned.
     trapezoid: Trapezoid<Edge32>,
-    /// The rows below it.
+    /// The part of the triangle below it.
     below: AnyTriangle,
 }
 

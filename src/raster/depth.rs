@@ -1,13 +1,13 @@
-//! Depth over a triangle in 16.16, below the value of an empty depth buffer.
+//! Depth over a triangle in 16.16, always less than 65535, the value of a clear depth buffer.
 
 use super::gradient_setup::Extent;
 use super::{Gradient, GradientSetup, Scissor, Triangle};
 
-/// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less, so
-/// that what stepping adds to it within 512 pixels does not reach 65535, the value of an empty depth buffer.
+/// The largest depth of a corner in 16.8: half a step below the far plane's 65535, and 9/256 less. So the errors of steps within
+/// 512 pixels do not raise it to 65535, the value of a clear depth buffer.
 pub(crate) const FARTHEST: i32 = 65_534 * 256 + 119;
 
-/// The largest depth of a corner beyond 512 pixels, where stepping adds 2⁻¹⁷ for every column and row.
+/// The largest depth of a corner of triangles beyond 512 pixels, where every column and row may add an error of 2⁻¹⁷.
 fn farthest_of_large(viewport: &Scissor) -> i32 {
     let pixels = (viewport.right - viewport.left).max(0) + (viewport.bottom - viewport.top).max(0); // ≤ 2¹⁷
     FARTHEST.min(65_534 * 256 + 127 - (pixels >> 9))
@@ -23,9 +23,10 @@ impl Gradient {
     /// The half that rounds depths in 16.16 when their lower 16 bits are dropped.
     pub(crate) const DEPTH_BIAS: u32 = 1 << 15;
 
-    /// The gradient of depths in 16.8, 0 … [`FARTHEST`], including the half that rounds: the upper 16 bits at a pixel are
-    /// its depth. In steps of depth the error of [`GradientSetup::through`] is `(w + h)·2⁻¹⁷`, 34·2⁻¹⁶ and 2⁻⁵·⁴:
-    /// triangles within 512 pixels stay below 1/30, all others below ¼.
+    /// The gradient of depth, given at the corners in 16.8, 0 … [`FARTHEST`]. Its values include the half that rounds: the upper
+    /// 16 bits at a pixel are its depth. The error of [`GradientSetup::through`] is at most `(w + h)·2⁻¹⁷ + 34·2⁻¹⁶ + 2⁻⁵·⁴`
+    /// depth steps, where a pixel is w columns and h rows from the first corner: below 1/30 for triangles within 512 pixels,
+    /// below ¼ for all others.
     ///
     /// Its fast twin is `fast::depth_gradient`.
     pub(crate) fn of_depth(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Self {
@@ -56,15 +57,16 @@ mod tests {
     /// Half a step of depth in 2⁻²⁰; the 2⁻¹⁷ of a pixel are 8 of these units.
     const HALF: i128 = 1 << 19;
 
-    /// The largest distance of a covered pixel's stored depth from the exact plane, over all covered pixels of a scissor,
-    /// in 2⁻²⁰ steps, rounded up. The plane is evaluated in rationals.
+    /// The largest distance of a covered pixel's stored depth from the exact value, over all covered pixels of a scissor,
+    /// in 2⁻²⁰ steps, rounded up. The exact value is computed in rationals.
     fn worst(corners: [(i32, i32, i32); 3], scissor: &Scissor) -> i128 {
         let points = corners.map(|(x, y, _)| ScreenPoint::from_subpixels(x, y).unwrap());
         if area(&points) == 0 {
             return 0;
         }
-        let plane = Gradient::of_depth(&Triangle::new(points, area(&points), scissor), &corners.map(|c| c.2));
-        // The plane at p in barycentric form: three areas as weights.
+        let gradient =
+            Gradient::of_depth(&Triangle::new(points, area(&points), scissor), &corners.map(|c| c.2));
+        // The exact value at p in barycentric form: three areas as weights.
         let cross = |p: (i128, i128), q: (i128, i128), r: (i128, i128)| {
             (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0)
         };
@@ -76,18 +78,18 @@ mod tests {
         };
         let farthest = if corners.iter().any(beyond) { farthest_of_large(scissor) } else { FARTHEST };
         let [za, zb, zc] = corners.map(|c| i128::from(c.2.min(farthest)));
-        let whole = cross(a, b, c);
+        let total = cross(a, b, c);
         let mut worst = 0;
         let Ok::<(), core::convert::Infallible>(()) = triangle(points, scissor, |span| {
             // A span's ends and its middle: the error is linear in between but for rounding.
             for x in [span.x, span.x + span.width / 2, span.x + span.width - 1] {
                 let p = (i128::from(x) * 256 + 128, i128::from(span.y) * 256 + 128);
                 let exact = za * cross(p, b, c) + zb * cross(a, p, c) + zc * cross(a, b, p);
-                let stored = i128::from(plane.at(x, span.y) >> 16);
+                let stored = i128::from(gradient.at(x, span.y) >> 16);
                 assert!(stored <= 65_534, "{corners:?} ({x}, {}): {stored}", span.y);
                 // 24 + 46 + 20 bits over 54.
-                let error = (stored * 256 * whole - exact).abs() << 20;
-                worst = worst.max(error / (256 * whole.abs()) + 1);
+                let error = (stored * 256 * total - exact).abs() << 20;
+                worst = worst.max(error / (256 * total.abs()) + 1);
             }
             Ok(())
         });
@@ -127,7 +129,7 @@ mod tests {
         assert!(largest <= bound && largest > HALF + (HALF / 100), "{largest} of {bound}");
     }
 
-    /// Triangles at and inside the limits of `through_tiny`, most triangles of a fine mesh.
+    /// Triangles at and inside the bounds of the domain of `through_tiny`: most triangles of a fine mesh.
     #[test]
     fn d2_depth_of_tiny_triangles_stays_within_the_bound() {
         let (mut random, mut largest, mut near) = (Random(3), 0, 0);

@@ -6,17 +6,17 @@
 //!     ⌈X − ½⌉ = c + ⌈T⌉,   T = (m + n·dx) / dy,   m = ⌈(xr·dy + yr·dx) / 256⌉
 //! ```
 //!
-//! where `p.x − 128 = 256·c + xr`, and yr in 0 … 255 is the distance from p to its first row of centres. Numerators on
-//! the lattice 1/256 may be rounded up first, since `⌈a/(256·b)⌉ = ⌈⌈a/256⌉/b⌉`. So T lies on the lattice
-//! of 1/dy. An edge walker steps S instead, with
+//! where X is the edge's x in that row in pixels, `p.x − 128 = 256·c + xr` with xr in 0 … 255, and yr in 0 … 255 is the distance
+//! from p down to the first row of centres. The numerator may be rounded up to an integer first, since
+//! `⌈a/(256·b)⌉ = ⌈⌈a/256⌉/b⌉`; so T is a multiple of 1/dy. An edge walker adds up rounded numbers S instead of T, with
 //!
 //! ```text
 //!     T − 1/dy < S ≤ T
 //! ```
 //!
-//! Between S and T lies no other point of the lattice, and so no integer: `⌈S⌉ = ⌈T⌉`. An [`Edge32`] holds S in 32.32, less
-//! one unit of the last place: the integer part of that is ⌈S⌉ − 1, so a row costs one addition. Any value from T − 1/dy up
-//! to but excluding T would serve. `fast/edge20.rs` holds S in 12.20 for triangles of few rows.
+//! No multiple of 1/dy other than T lies there, and so no integer: `⌈S⌉ = ⌈T⌉`. An [`Edge32`] stores S in 32.32, less one unit
+//! of the last place: the integer part of that is ⌈S⌉ − 1, so a row costs one addition. Any stored value from T − 1/dy up to but
+//! excluding T gives the same end. `fast/edge20.rs` stores S in 12.20 for triangles of few rows.
 
 use super::ScreenPoint;
 use crate::math::num::{keep_rolled, mul_wide, reciprocal, Reciprocal};
@@ -27,31 +27,33 @@ pub(crate) fn first_row(p: &ScreenPoint) -> i32 {
     (p.y + 127) >> 8
 }
 
-/// An edge that is walked row by row.
+/// An edge of a triangle, evaluated row by row from top to bottom (DDA).
 pub(crate) trait EdgeWalker {
-    /// The end of the span in the present row; advances to the next row.
+    /// The column where the span ends in the present row; advances to the next row. An edge has one such column, which is the first
+    /// pixel of the span if it is a left edge, and the pixel after the last one if it is a right edge.
     fn next(&mut self) -> i32;
 }
 
-/// c: the last column whose centre does not lie to the right of the point.
+/// c in the [module](self)'s formula: the last column whose centre does not lie to the right of the point.
 #[inline(always)]
 pub(crate) fn base_column(p: &ScreenPoint) -> i32 {
     (p.x - 128) >> 8
 }
 
-/// xr and yr: the distances in sub-pixels from the centre of column c to the point, and from the point to its first row.
+/// xr and yr in the [module](self)'s formula: the distances in sub-pixels from the centre of column c to the point, and from the
+/// point to its first row of centres.
 #[inline(always)]
 pub(crate) fn distances_to_centre(p: &ScreenPoint) -> (i32, i32) {
     ((p.x - 128) & 255, 255 - ((p.y + 127) & 255))
 }
 
-/// m of an edge with differences dx and dy: |m| ≤ |dx| + dy.
+/// m in the [module](self)'s formula, for an edge with differences dx and dy: |m| ≤ |dx| + dy.
 #[inline(always)]
 pub(crate) fn numerator((xr, yr): (i32, i32), dx: i32, dy: i32) -> i32 {
     (xr * dy + yr * dx + 255) >> 8 // two products of at most 255·2²²: below 2³¹
 }
 
-/// The quotient ⌊n / d⌋ and the remainder, by repeated subtraction: for small quotients.
+/// The quotient ⌊n / d⌋ and the remainder, by repeated subtraction. For small quotients: it takes one step per unit of the quotient.
 #[inline(always)]
 pub(crate) fn divide_by_subtraction(n: i32, d: i32) -> (i32, i32) {
     let (mut quotient, mut remainder) = (0, n);
@@ -78,8 +80,8 @@ pub(crate) struct Edge32 {
 impl Edge32 {
     /// The number of rows for which an edge stays exact after set-up.
     ///
-    /// Value and step are rounded down to multiples of 2⁻³²; of a negative number the multiple below is taken even where it
-    /// is exact. S falls behind T by at most 2⁻³² at first and in each row, 960·2⁻³² in all, where 1/dy ≥ 2⁻²².
+    /// Value and step are rounded down to multiples of 2⁻³²; a negative number that is such a multiple is lowered by one, too. S
+    /// falls behind T by at most 2⁻³² at first and in each row, 960·2⁻³² in all, which is less than 1/dy ≥ 2⁻²².
     pub(crate) const MAX_ROWS: i32 = 959;
 
     /// The edge from `p` down to `q` at `row`, which is p's first row or below and above q's first row; so `q.y > p.y`.
@@ -89,7 +91,7 @@ impl Edge32 {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx|, dy ≤ 2²²
         let (column, m) = (base_column(p), numerator(distances_to_centre(p), dx, dy));
         let by_dy = LongDivision::new(dy);
-        // Between the columns of p and q: |n| < 2¹⁵·dy.
+        // The point lies between the columns of p and q, so |n| < 2¹⁵·dy.
         let n = i64::from(m) + mul_wide(row - first_row(p), dx);
         let value = (i64::from(column) << 32) + by_dy.divide(n) + 0xffff_ffff;
         Self { value, step: by_dy.divide(dx.into()) }
@@ -134,10 +136,10 @@ impl EdgeWalker for Edge32 {
     }
 }
 
-/// Divides by one divisor 0 < d ≤ 2²², to 32.32, rounded as [`Edge32::MAX_ROWS`] says.
+/// Divides several numbers by one divisor 0 < d ≤ 2²². Quotients are in 32.32, rounded as [`Edge32::MAX_ROWS`] says.
 ///
-/// The reciprocal's relative error of 2⁻²⁹ puts the fraction off by less than 9 units before it is rounded down; the
-/// remainder then tells by how many.
+/// The reciprocal has a relative error of 2⁻²⁹, so a fraction is off by less than 9 units before it is rounded down; the
+/// remainder gives the exact correction.
 pub(crate) struct LongDivision {
     d: i32,
     /// 1/d = mantissa · 2^(shift − 61); shifts of 8 … 30.
@@ -155,7 +157,7 @@ impl LongDivision {
     pub(crate) fn divide(&self, n: i64) -> i64 {
         let Self { d, reciprocal: Reciprocal { mantissa, shift } } = *self;
         let (sign, n) = (n >> 63, n.unsigned_abs());
-        // The upper 31 bits of n. Only a large d has an n with bits to drop, and what they hold is less than d.
+        // The upper 31 bits of n. n has more than 31 bits only if d is large; then the dropped bits are less than d.
         let dropped = if n >> 31 == 0 { 0 } else { 7 };
         let estimate = mul_wide((n >> dropped) as i32, mantissa) >> ((61 - shift - dropped) & 63);
         let mut integer = estimate as u32; // off by less than 2

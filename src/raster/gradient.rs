@@ -1,11 +1,11 @@
 //! Attribute interpolation: a value that varies linearly over a triangle, stepped from pixel to pixel in 32 bits.
 
-/// The plane equation of depth or of a colour channel over a triangle, evaluated at the centres of the pixels that the
-/// triangle covers. Values have 24 bits at the corners and 32 bits at pixels, in units of 2⁻⁸ of the corners' unit.
-/// [`SpanShader`](crate::SpanShader) has an example.
+/// A value that is linear over a triangle, such as depth or a colour channel: its value at pixel (0, 0), and its change per
+/// column and per row. It is evaluated at the centres of the pixels that the triangle covers. Values have 24 bits at the corners
+/// and 32 bits at pixels, in units of 2⁻⁸ of the corners' unit. [`SpanShader`](crate::SpanShader) has an example.
 ///
-/// The value at a covered pixel lies between the values of the corners, so it need only be known modulo 2³²: all sums
-/// wrap, and no gradient is too steep.
+/// The value at a covered pixel lies between the values of the corners, so arithmetic modulo 2³² is enough: all sums wrap, and no
+/// gradient is too steep.
 #[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gradient {
@@ -19,8 +19,8 @@ pub struct Gradient {
 
 impl Gradient {
     /// The value at the centre of a covered pixel, column `x` and row `y`, in 2⁻⁸ of the corners' unit: between the
-    /// corners' values, and within `(w + h)/2 + 34 + 2¹⁰·⁶` units of the plane, w columns and h rows from the pixel of
-    /// the first corner. At a pixel that the triangle does not cover the value wraps.
+    /// corners' values, and within `(w + h)/2 + 34 + 2¹⁰·⁶` units of the exact value, w columns and h rows from the pixel of
+    /// the first corner. At a pixel that the triangle does not cover the value may wrap.
     #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> u32 {
         self.origin

@@ -1,6 +1,6 @@
-//! Set-up of gradients: the plane through the values of a triangle's corners.
+//! Set-up of gradients: from the values at a triangle's corners to the change per column and per row.
 //!
-//! With corners a, b, c and differences from a, the plane climbs by
+//! With corners a, b, c and differences from a, the changes of a value z are
 //!
 //! ```text
 //!     ∂z/∂x = (dz₁·dy₂ − dz₂·dy₁) / den,   ∂z/∂y = (dx₁·dz₂ − dx₂·dz₁) / den,   den = dx₁·dy₂ − dx₂·dy₁
@@ -22,23 +22,24 @@ use super::{Gradient, ScreenPoint, Triangle};
 use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive};
 use core::hint::black_box;
 
-/// What the gradients of all attributes of one triangle share.
+/// The part of gradient set-up that all values over one triangle share: the reciprocal of its area.
 ///
-/// Per pixel and in 2⁻⁸ of the corners' unit a gradient climbs by `v · 2¹⁶ / den`, where v is the numerator for x or y,
-/// computed as `v·2ᵏ · mantissa >> (shift + k)`. The numerators are made of differences of values times 2ᵏ, so that they
-/// have 31 bits and only the upper word of the product counts.
+/// Per pixel, in 2⁻⁸ of the corners' unit, a gradient changes by `v · 2¹⁶ / den`, where v is the numerator for x or y. This is
+/// computed as `v·2ᵏ · mantissa >> (shift + k)`. Differences of values are scaled by 2ᵏ, so that numerators have 31 bits and only
+/// the upper word of the product counts.
 pub(crate) struct GradientSetup<'t> {
     pub(crate) triangle: &'t Triangle<'t>,
     /// The reciprocal of the area with its sign turned: 2¹⁶/den = mantissa · 2^−shift.
     pub(crate) mantissa: i32,
-    /// Forced far below [`MIN_SHIFT`] beyond 512 pixels, so that every gradient counts as steep.
+    /// The right shift that belongs to `mantissa`. For triangles beyond 512 pixels it is far below [`MIN_SHIFT`], so that every
+    /// gradient counts as steep.
     pub(crate) shift: i32,
     pub(crate) extent: Extent,
     /// The area's magnitude, cut to 31 bits beyond 128 pixels.
     area: i32,
 }
 
-/// With a smaller shift the upper word holds too few bits of the step.
+/// With a smaller shift the gradient is steep: the upper word of the product has too few bits of the step.
 const MIN_SHIFT: i32 = 34;
 
 /// The bits of the largest difference between corners, in sub-pixels.
@@ -107,7 +108,7 @@ impl Numerators {
         }
         // Less than 32, as the extent is not 0.
         let scale = |dz: i32| (dz << (room & 31)) >> 2;
-        // The products are at most 2³⁰, and never both.
+        // Each product is at most 2³⁰, and not both reach it.
         Some(Self::of_scaled(triangle, scale(dz1), scale(dz2), room - 2))
     }
 
@@ -177,10 +178,10 @@ impl<'t> GradientSetup<'t> {
     /// not farther than the corners, is off by less than `(w + h)·½` for the rounding of the steps, 34
     /// for the rounding of the origin, and, but for slivers and beyond 512 pixels, 2¹⁰·⁶ for what follows.
     ///
-    /// No step is larger than 2²⁸. Within 128 pixels the reciprocal is off by 2⁻²⁸ of itself: 2⁸ at most.
-    /// Differences of values may lose two bits, as if corners had been up to 4 units lower: 2¹⁰.
-    /// Within 512 pixels area and numerator are cut to 31 bits, by 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of
-    /// the step: 2⁹·⁶ for x and for y.
+    /// The last term bounds these errors: No step is larger than 2²⁸. Within 128 pixels the reciprocal has a relative error of
+    /// 2⁻²⁸, at most 2⁸. Differences of values may lose two bits, as if corners had been up to 4 units lower: 2¹⁰. Within 512
+    /// pixels area and numerator are truncated to 31 bits, a relative error of 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of the step:
+    /// 2⁹·⁶ for x and for y.
     // No inline hint: inlined where there is one call.
     pub(crate) fn through(&self, values: &[i32; 3]) -> Gradient {
         let numerators = Numerators::new(self.triangle, self.extent.headroom(), values);
@@ -196,7 +197,7 @@ impl<'t> GradientSetup<'t> {
     /// [`through`](Self::through) defines the gradient. The error is within that of [`through`](Self::through).
     ///
     /// With E the largest difference between corners and |den| ≥ 32·(E + 1), no step reaches 2³¹. **Error.** Differences of
-    /// values lose two bits, up to 3 units: 768 for the plane. A step is rounded down to a multiple of 2^(34 − shift), which
+    /// values lose two bits, up to 3 units: 768 for the value. A step is rounded down to a multiple of 2^(34 − shift), which
     /// is less than 2²⁰/|den|, or to an integer: over (E + 1)/256 pixels each way, 2⁸ or w + h, which is at most 64. The
     /// distance to the pixel centre is multiplied by steps less 8 bits: 2⁸. The reciprocal adds 1: 1281 in all, less than
     /// 2¹⁰·⁶.
@@ -265,8 +266,8 @@ impl<'t> GradientSetup<'t> {
         Some(Slope::new(a, (value << 8).wrapping_add(at), right, down))
     }
 
-    /// A steep gradient, anchored near the pixels that will be evaluated, since the error grows with the distance. The
-    /// anchor is no nearer than the viewport, so that every band computes the same gradient.
+    /// The gradient if it is steep. It is computed relative to an anchor, because the error grows with the distance from there: the
+    /// pixel of the viewport that is nearest to the first corner. The viewport is that of the frame, so all bands get equal bits.
     #[cold]
     #[inline(never)]
     fn steep(&self, values: &[i32; 3], &Numerators { x, minus_y, k }: &Numerators) -> Gradient {
@@ -331,8 +332,8 @@ impl Slope {
         Gradient { origin: origin as u32, right: right as u32, down: down as u32 }
     }
 
-    /// The gradient of values `factor / 2^cut` times as large, modulo 2³²; for values up to 2²²·⁵ at the corners, factors
-    /// below 2¹⁶ and cuts from 1 to 16. The value at the corner's pixel and the steps are rounded down.
+    /// The gradient of the values times `factor / 2^cut`, modulo 2³²: for values up to 2²²·⁵ at the corners, `factor` below 2¹⁶
+    /// and `cut` from 1 to 16. The value at the corner's pixel and the steps are rounded down.
     #[inline(always)]
     pub(crate) fn times(&self, factor: i32, cut: u32) -> Gradient {
         let times = |v: i32| {

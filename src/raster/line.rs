@@ -18,7 +18,7 @@ use core::hint::black_box;
 ///
 /// # Errors
 ///
-/// The first error of `span`, which ends the walk.
+/// The first error of `span`; no further span is computed.
 ///
 /// ```
 /// use pinhole::raster::{line, Pixel, Scissor, Span};
@@ -41,8 +41,8 @@ pub fn line<E>(
     LineSpans::new(&LineSetup::new(a, b), scissor).try_for_each(span)
 }
 
-/// Set-up of a line: it starts at its smaller end, the one with the smaller x, and takes steps along its major axis, of which
-/// steps `first` to `last` are drawn.
+/// Set-up of a line. It starts at its smaller end, the one with the smaller x, and has one pixel per step along its major axis;
+/// the pixels of steps `first` to `last` are drawn.
 pub(crate) struct LineSetup {
     /// The smaller end.
     pub(crate) x: i32,
@@ -61,13 +61,13 @@ pub(crate) struct LineSetup {
 }
 
 impl LineSetup {
-    /// The whole line between two pixels.
+    /// The line between two pixels, not clipped.
     #[inline(always)]
     pub(crate) fn new(a: Pixel, b: Pixel) -> Self {
         Self::between((a.x.into(), a.y.into()), (b.x.into(), b.y.into()))
     }
 
-    /// The whole line between two pixels, given by columns and rows of 16 bits.
+    /// The line between two pixels, not clipped: column and row of each, in 16 bits.
     #[inline(always)]
     pub(crate) fn between((ax, ay): (i32, i32), (bx, by): (i32, i32)) -> Self {
         // Ends sorted by x; with equal x both directions give the same pixels.
@@ -79,7 +79,7 @@ impl LineSetup {
         Self { x, y, tall, up: dy < 0, length, rise, end, first: 0, last: length }
     }
 
-    /// Whether the whole line lies in the scissor.
+    /// Whether all pixels of the line lie in the scissor.
     #[inline(always)]
     pub(crate) fn lies_in(&self, scissor: &Scissor) -> bool {
         let &Self { x, y, up, end, .. } = self;
@@ -114,7 +114,8 @@ impl LineSetup {
         Self { first, last, ..*self }
     }
 
-    /// k(i) at a step of the line, and the remainder of its division. The length must not be 0.
+    /// The number of minor steps that the line has made at a major step, k(i), and the remainder of its division. The length must
+    /// not be 0.
     #[inline(never)] // only clipped lines call it: code size counts
     pub(crate) fn aside(&self, step: i32) -> (i32, i32) {
         // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ ≤ m < 2¹⁶.
@@ -125,7 +126,7 @@ impl LineSetup {
     }
 }
 
-/// `⌊odd·L / 2m⌋`, at most 2²⁰: every result beyond L means the same to the caller.
+/// `⌊odd·L / 2m⌋`, at most 2²⁰: the caller does not distinguish results beyond L.
 #[inline(never)] // only clipped lines call it: code size counts
 fn invert(odd: i32, length: i32, rise: i32) -> i32 {
     // odd·L < 2¹⁷ · 2¹⁶; the quotient may pass `length` but not 2³³.
@@ -138,7 +139,7 @@ pub(crate) struct LineSpans {
     /// The smaller end.
     x: i32,
     y: i32,
-    /// Whether the major axis is y, and whether y runs upwards.
+    /// Whether the major axis is y, and whether y decreases along the line.
     tall: bool,
     up: bool,
     /// The next step along the major axis, and the last one.
@@ -146,8 +147,8 @@ pub(crate) struct LineSpans {
     last: i32,
     /// The minor steps made so far.
     minor_step: i32,
-    /// `2·m·(i + 1) − L − 2·L·k`: positive if the next pixel makes a minor step. |·| < 2¹⁸, as of its increments
-    /// `along`, for a major step, and `aside`, for a minor step as well.
+    /// `2·m·(i + 1) − L − 2·L·k`: positive if the next pixel makes a minor step. A major step alone adds `along` to it, a major
+    /// and a minor step add `aside`. All three are below 2¹⁸ in magnitude.
     error: i32,
     along: i32,
     aside: i32,

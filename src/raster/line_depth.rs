@@ -3,15 +3,16 @@
 use super::{Pixel, ScreenPoint};
 use crate::math::num::{mul_wide, reciprocal};
 
-/// The depth along a line between two points, at the centres of its pixels along the major axis. A centre
-/// beyond an end has the depth of that end, and a line whose ends lie in one column (or row, along the major axis) has the
-/// depth of the nearer end.
+/// The depth along a line between two points, interpolated at the centres of its pixels along the major axis: x or y, whichever
+/// changes more. A centre beyond an end has the depth of that end. If both ends lie in one pixel, the line has the depth
+/// of the nearer end.
 ///
-/// Values are in 16.16 and wrap as a [`Gradient`](super::Gradient) does: n pixels from the smaller end, n at
-/// least 1, a value is off by less than `n·2⁻¹⁷` for the rounding of the step, and 2⁻¹³ for the reciprocal. Near depth 0 it
-/// may be negative by as much, and wraps.
+/// Values are in 16.16 and wrap as those of a [`Gradient`](super::Gradient) do. At n pixels from the smaller end, n at least 1,
+/// the error is less than `n·2⁻¹⁷` for the rounding of the step plus 2⁻¹³ for the reciprocal. Near depth 0 the value may be
+/// negative by as much, and wraps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineDepth {
+    /// Whether the major axis is y.
     tall: bool,
     /// The coordinates of the end pixels along the major axis.
     from: i32,
@@ -20,6 +21,7 @@ pub(crate) struct LineDepth {
     first: u32,
     second: u32,
     last: u32,
+    /// The change per pixel.
     step: u32,
 }
 
@@ -57,7 +59,7 @@ impl LineDepth {
         }
     }
 
-    /// The value at a pixel of the line, in 2⁻⁸ of the ends' unit, wrapping.
+    /// The depth at a pixel of the line in 16.16, wrapping.
     pub(crate) fn at(&self, x: i32, y: i32) -> u32 {
         let along = if self.tall { y } else { x };
         if along <= self.from {
@@ -72,7 +74,8 @@ impl LineDepth {
 
     /// The depth at a pixel of the line: 0 near … 65534 far.
     pub(crate) fn depth(&self, x: i32, y: i32) -> u16 {
-        // Off by 2¹⁴·2⁻¹⁷ + 2⁻¹³ at most: a negative value rounds to 0, and the farthest, 65534.46, stays below 65536.
+        // The error is at most 2¹⁴·2⁻¹⁷ + 2⁻¹³ steps, so a value below 0 rounds to 0, and the farthest, 65534.46, does not reach
+        // 65536 after the half is added.
         ((self.at(x, y).wrapping_add(1 << 15) >> 16) as u16).min(u16::MAX - 1)
     }
 }
@@ -92,8 +95,8 @@ mod tests {
         let (mut beyond, mut largest) = (i128::MIN, 0);
         for i in 0..400_000 {
             let (reach, start) = [(300, 700), (3000, 90), (130_000, 700), (1 << 22, 1 << 21)][i % 4];
-            let mut place = || (below(reach) - start) as i32;
-            let mut point = || ScreenPoint::from_subpixels(place(), place()).unwrap();
+            let mut coordinate = || (below(reach) - start) as i32;
+            let mut point = || ScreenPoint::from_subpixels(coordinate(), coordinate()).unwrap();
             let (a, b) = (point(), point());
             // Any depths; depths near both limits; and one near each limit.
             let (za, zb) = match i / 4 % 4 {

@@ -1,11 +1,11 @@
 //! Where pixels lie in a row-major buffer.
 
-/// The layout of a row-major buffer of pixels. Indices of pixels outside the buffer wrap.
+/// The layout of a row-major buffer of pixels. The index of a pixel outside the buffer may wrap, or be that of another pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PixelLayout {
-    /// The distance from a pixel to the pixel below.
+    /// The number of pixels in a row: the index of the pixel below is larger by this.
     pub(crate) stride: usize,
-    /// The index of pixel (0, 0), wrapped if that lies outside.
+    /// The index of pixel (0, 0), wrapped if that pixel is outside the buffer.
     pub(crate) origin: usize,
 }
 

@@ -1,13 +1,14 @@
-//! Storage that a target lends to the fast paths of triangles.
+//! Scratch memory for the rows of one triangle, which targets with memory provide to the fast paths.
 
 use super::PixelLayout;
 
-/// The layout of a target's pixels, and storage for the row ends of one triangle on a Cortex-M0, whose fast path computes
-/// them beforehand; other cores store nothing. Pixels in memory keep one, because clearing it for each triangle costs
-/// time.
+/// The layout of a target's pixels and, on a Cortex-M0, storage for the row ends of one triangle, which its fast path computes
+/// before it fills the first row. Other cores have no storage. A target with memory owns one scratch for all triangles, because
+/// clearing it for each triangle takes time.
 #[derive(Debug)]
 pub(crate) struct RowScratch {
     pub(crate) layout: PixelLayout,
+    /// The left and right end of each row, as buffer indices.
     #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
     pub(crate) ends: [[usize; 2]; RowScratch::ROWS],
 }
@@ -26,7 +27,7 @@ impl RowScratch {
         }
     }
 
-    /// Scratch for spans, with the layout in which a pixel's index is its column.
+    /// Scratch for spans: a layout with stride 0, in which the index of a pixel is its column.
     #[inline(always)]
     pub(crate) fn of_columns() -> Self {
         Self::new(PixelLayout::new(0, 0, 0))

@@ -14,12 +14,12 @@ pub struct Scissor {
 }
 
 impl Scissor {
-    /// A scissor in pixels. Its limits are clamped to ±32768, as no pixel beyond is ever drawn.
+    /// A scissor in pixels. Its bounds are clamped to ±32768: no pixel beyond is ever drawn.
     pub fn new(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }.clamped()
     }
 
-    /// The scissor with its limits clamped to ±32768.
+    /// The scissor with its bounds clamped to ±32768.
     pub(crate) fn clamped(&self) -> Self {
         let clamped = |v: i32| v.clamp(-32_768, 32_768);
         Self {
@@ -30,13 +30,14 @@ impl Scissor {
         }
     }
 
-    /// A scissor whose limits lie inside the guard band already, or which is about to be intersected with one that does.
+    /// A scissor with these bounds. The caller knows that they lie inside the guard band, or intersects the result with a scissor
+    /// that does.
     #[inline(always)]
     pub(crate) const fn unclamped(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }
     }
 
-    /// All pixels that 3D geometry can reach: the viewport of 2D drawing, which has no other.
+    /// All pixels inside the guard band: the viewport of 2D drawing, which has no camera.
     pub(crate) const GUARD_BAND: Self =
         Self { left: -GUARD_BAND, top: -GUARD_BAND, right: GUARD_BAND, bottom: GUARD_BAND };
 
@@ -46,7 +47,7 @@ impl Scissor {
     pub(crate) const UNION_IDENTITY: Self =
         Self { left: i32::MAX, top: i32::MAX, right: i32::MIN, bottom: i32::MIN };
 
-    /// The pixels whose centres lie in a triangle's bounding box: the triangle covers no others.
+    /// The pixels whose centres lie in a triangle's bounding box. The triangle covers no pixel outside.
     #[inline(always)]
     pub(crate) fn bounding_box([a, b, c]: &[ScreenPoint; 3]) -> Self {
         let first = |p: i32| (p + 127) >> 8; // ⌈p − ½⌉
@@ -58,7 +59,7 @@ impl Scissor {
         }
     }
 
-    /// The bounding box of two rectangles. An empty rectangle counts with its limits; only
+    /// The smallest rectangle that contains both. The bounds of an empty rectangle are included, too; only
     /// [`UNION_IDENTITY`](Self::UNION_IDENTITY) adds nothing.
     #[inline(always)]
     pub(crate) fn union(&self, other: &Self) -> Self {
@@ -70,7 +71,7 @@ impl Scissor {
         }
     }
 
-    /// The pixels of both rectangles. An empty result keeps limits that may lie anywhere.
+    /// The pixels that lie in both rectangles. If there are none, the result is empty, with arbitrary bounds.
     #[inline(always)]
     pub(crate) fn intersection(&self, other: &Self) -> Self {
         Self {
@@ -81,8 +82,8 @@ impl Scissor {
         }
     }
 
-    /// The pixels of both rectangles, [`EMPTY`](Self::EMPTY) if there is none: the result lies inside the guard band if
-    /// `other` does, whatever the limits of `self`.
+    /// The pixels that lie in both rectangles, [`EMPTY`](Self::EMPTY) if there are none. The result lies inside the guard band if
+    /// `other` does, whatever the bounds of `self`.
     pub(crate) fn clipped_to(&self, other: &Self) -> Self {
         let both = self.intersection(other);
         if both.is_empty() {

@@ -3,8 +3,8 @@
 /// The guard band: 3D geometry is clipped at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;
 
-/// A point on the screen in 24.8: sub-pixels of 1/256 pixel, x right, y down, pixel (i, j) covers
-/// [256·i, 256·i + 256) × [256·j, 256·j + 256). Inside the guard band, its border included.
+/// A point on the screen in 24.8: x to the right and y downwards, in sub-pixels of 1/256 pixel. Pixel (i, j) covers
+/// [256·i, 256·i + 256) × [256·j, 256·j + 256). All points lie inside the guard band or on its border.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenPoint {
@@ -15,7 +15,7 @@ pub struct ScreenPoint {
 impl ScreenPoint {
     pub(crate) const ORIGIN: Self = Self { x: 0, y: 0 };
 
-    /// A point for 2D drawing, in 1/256 pixel, exact; `None` beyond ±8192 pixels.
+    /// The point with these coordinates in 1/256 pixel, for 2D drawing; `None` beyond ±8192 pixels.
     pub const fn from_subpixels(x: i32, y: i32) -> Option<Self> {
         const LIMIT: i32 = GUARD_BAND * 256;
         // The sign bit is set if any difference is negative or wraps: one test for four comparisons.
@@ -57,7 +57,7 @@ impl ScreenPoint {
     }
 }
 
-/// A pixel's column and row, −32768 … 32767: the end of a line.
+/// A pixel by its column and row, −32768 … 32767, such as an end of a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pixel {

@@ -7,9 +7,9 @@ impl Gradient {
     /// The half that rounds light in 8.24 when its lower 24 bits are dropped.
     pub(crate) const LIGHT_BIAS: u32 = 1 << 23;
 
-    /// The gradient of light in 8.10 at the corners, 0 … 255 · 2¹⁰, and in 8.24 at pixels, including the half that rounds:
-    /// the upper 8 bits at a pixel are the index of its colour in the table, rounded to nearest after an error of less
-    /// than 2⁻⁹.
+    /// The gradient of light, given at the corners in 8.10, 0 … 255 · 2¹⁰. Its values at pixels are in 8.24 and include the half
+    /// that rounds: their upper 8 bits are the index of the pixel's colour in the table, rounded to nearest after an error of
+    /// less than 2⁻⁹.
     ///
     /// Within 128 pixels most triangles keep 10 bits of fraction, so that 32 bits are enough, and are off by
     /// `((w + h)·½ + 35)·2⁻¹⁸`. All others have 16 bits of fraction and the error of [`GradientSetup::through`],
@@ -24,7 +24,7 @@ impl Gradient {
         .add_bias(Self::LIGHT_BIAS)
     }
 
-    /// The gradient of values 2⁶ times as large.
+    /// Converts a gradient of light with 18 bits of fraction to the 24 bits of 8.24: values and steps times 2⁶.
     #[inline(always)]
     pub(crate) fn times_64(self) -> Self {
         Self { origin: self.origin << 6, right: self.right << 6, down: self.down << 6 }
@@ -67,7 +67,7 @@ mod tests {
                 1 => 255 << 10,
                 _ => random.within(255 << 10).abs(),
             });
-            let plane = Gradient::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
+            let gradient = Gradient::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
             let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
                 i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
             };
@@ -76,10 +76,10 @@ mod tests {
                     let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
                     let [u, v, w] = lights.map(i128::from);
                     let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
-                    let whole = cross(a, b, c);
-                    // No value leaves 0 … 2³², so the half can be subtracted again.
-                    let light = i128::from(plane.at(x, span.y)) - (1 << 23);
-                    worst = worst.max((light * whole - (exact << 14)).abs() / whole.abs() + 1);
+                    let total = cross(a, b, c);
+                    // No value leaves 0 … 2³² − 1, so the rounding half can be subtracted again.
+                    let light = i128::from(gradient.at(x, span.y)) - (1 << 23);
+                    worst = worst.max((light * total - (exact << 14)).abs() / total.abs() + 1);
                 }
                 Ok(())
             });
@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn light_over_a_triangle_stays_within_the_bound() {
         let random = &mut Random(7);
-        // Below 64 pixels light has 18 bits, units of 2⁶; larger triangles have 24 bits.
+        // Below 64 pixels light has 18 bits of fraction, in units of 2⁶; larger triangles have 24 bits.
         let small = [600, 4_000, 16_000].map(|reach| worst(random, reach, 600, 30_000));
         let large = [65_000, 300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
         let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());

@@ -12,13 +12,15 @@ pub fn area([a, b, c]: &[ScreenPoint; 3]) -> i64 {
     determinant((b.x - a.x, b.y - a.y), (c.x - a.x, c.y - a.y))
 }
 
-/// A triangle that is about to be filled, as a custom [`SpanShader`](crate::SpanShader) sees it.
+/// A triangle that is about to be filled, with corners in 24.8, as a custom [`SpanShader`](crate::SpanShader) sees it.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle<'v> {
+    /// In any order.
     pub(crate) corners: [ScreenPoint; 3],
     /// The [`area()`] of the corners; not zero.
     pub(crate) area: i64,
+    /// The pixels that may be filled. It bounds the distance over which gradients must be accurate.
     pub(crate) viewport: &'v Scissor,
 }
 
@@ -48,7 +50,7 @@ impl<'v> Triangle<'v> {
 pub(crate) fn sort_by_y<P: Borrow<ScreenPoint>>(corners: [P; 3], area: i64) -> ([P; 3], bool) {
     let [mut a, mut b, mut c] = corners;
     let is_above = |p: &P, q: &P| p.borrow().y < q.borrow().y;
-    // If a–b–c runs counter-clockwise with y up, a on top and c at the bottom, then b lies to the left of a–c. Each
+    // If a, b, c run counter-clockwise with y up, a on top and c at the bottom, then b lies to the left of the edge a–c. Each
     // exchange of two corners reverses the orientation.
     let mut orientation = (area >> 32) as i32;
     if is_above(&b, &a) {

@@ -6,7 +6,7 @@ use crate::space::{Model, World};
 /// A node of a transform hierarchy: its local transform, to its parent or, for a root, to the world, and its world transform, which
 /// [`Hierarchy::update`] computes.
 ///
-/// A node holds no mesh: the caller draws any number of meshes with its world transform.
+/// A node has no mesh: the caller draws any number of meshes with its world transform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Node {
@@ -110,7 +110,8 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// Computes all world transforms, parent's world · local, in order. Each level adds the rounding error of [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
+    /// Computes the world transform of every node, parent's world · local, in the order of the list. Each level adds the rounding error
+    /// of [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
     pub fn update(&mut self) {
         for i in 0..self.nodes.len() {
             let (before, rest) = self.nodes.split_at_mut(i); // i < len: never panics

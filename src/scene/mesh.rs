@@ -37,7 +37,7 @@ pub struct Mesh<'a, V = i16> {
     planes: &'a [i16],
     vertex_normals: &'a [[i16; 3]],
     exponent: i8,
-    /// The left shift that brings the largest coordinate to the top of 32 bits.
+    /// The left shift that brings the mesh's largest coordinate to the top of 32 bits.
     justify: u8,
 }
 
@@ -291,8 +291,8 @@ impl<'a> Mesh<'a, i16> {
     }
 }
 
-/// Half the signed distance n·v of the plane through vertex v with normal n, rounded to nearest, where the largest justified coordinate is
-/// 1. For unit normals at most √3·2¹⁴; saturates for longer ones.
+/// The signed distance of the plane through a vertex from the origin, n·v for the vertex v and the normal n in 2⁻¹⁵, in 2⁻¹⁴ of the
+/// power of two that bounds the mesh's coordinates, rounded to nearest. At most √3·2¹⁴ for unit normals; saturates for longer ones.
 const fn plane_distance([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
     let shift = justify as u32 & 31;
     // Justified: 2³¹ each, times 2¹⁵.

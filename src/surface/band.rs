@@ -1,4 +1,4 @@
-//! A frame drawn in bands: through a strip of memory in place of a framebuffer.
+//! A frame drawn in bands, through a strip of memory that is shorter than the frame.
 
 use super::pixel_format::{copy_pixels, fill_pixels, get_pixel, row_bytes, set_pixel, PixelFormat};
 use super::pixels::Pixels;
@@ -11,8 +11,8 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A frame, or any rectangle of the display, drawn and sent band by band from top to bottom, through one strip of memory or two
-/// in turn.
+/// A frame, or any rectangle of the display, drawn and sent in bands from top to bottom. All bands use one strip of memory, or two
+/// by turns, so that one is sent while the next is drawn.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -88,12 +88,11 @@ impl<C: PixelFormat> Frame<C> {
         row_bytes::<C>(width).saturating_mul(rows as usize)
     }
 
-    /// The next band, filled with the background: as many whole rows as the strip holds and the frame still has. Bytes left over
-    /// are not used. `None` after the last band, and for a frame without pixels. A depth strip needs a number for each pixel of
-    /// the band.
+    /// The next band, filled with the background. It has as many rows as fit in the strip, or as the frame has left. `None` after
+    /// the last band, and for a frame without pixels. A depth buffer for the band needs one `u16` per pixel of the band.
     ///
-    /// Each call continues below the last band, whether that was sent or not. To start again make a new `Frame`, or clone one
-    /// beforehand.
+    /// Each call continues below the band before, whether that was sent or not. To start again, make a new `Frame`, or clone one
+    /// before the first band.
     ///
     /// # Errors
     ///
@@ -120,10 +119,10 @@ impl<C: PixelFormat> Frame<C> {
     }
 }
 
-/// Some rows of a frame in memory: a DrawTarget in the frame's coordinates, so that everything that draws on the display, 3D or
-/// not, draws on a band. Pixels outside the band are left out.
+/// Some rows of a frame in memory: a DrawTarget with the coordinates of the frame, so that code that draws on the display, 3D or
+/// not, also draws on a band. Pixels outside the band are ignored.
 ///
-/// Memory holds the bytes that the display takes: see [`PixelFormat`]. [`Frame`] has an example.
+/// The memory has the bytes that the display takes: see [`PixelFormat`]. [`Frame`] has an example.
 #[derive(Debug)]
 pub struct Band<'s, C> {
     area: Rectangle,
@@ -138,12 +137,13 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         self.area
     }
 
-    /// The pixels as the display takes them, row by row: for DMA, after the display was told the [`area`](Self::area).
+    /// The pixels as the display takes them, row by row, for example for DMA. Set the display's window to the [`area`](Self::area)
+    /// first.
     pub const fn bytes(&self) -> &[u8] {
         self.bytes
     }
 
-    /// The band's pixels as the fastest target, for colors of `N` whole bytes.
+    /// The band's pixels as the fastest target, for colours of `N` whole bytes.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -165,13 +165,14 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         Pixels::unchecked(cells, self.area)
     }
 
-    /// The [`bytes`](Self::bytes) without the band: for transfers that own their buffer. They end with the band's last row, so
-    /// a strip that is passed around this way keeps its length only if the frame's height is a multiple of the strip's rows.
+    /// Converts the band into its [`bytes`](Self::bytes), for transfers that own their buffer. They end with the band's last row: a
+    /// strip that comes back from such a transfer is shorter after the last band, unless the frame's height is a multiple of the
+    /// strip's rows.
     pub fn into_bytes(self) -> &'s mut [u8] {
         self.bytes
     }
 
-    /// The colors of the [`area`](Self::area)'s pixels, row by row, decoded from the strip's bytes.
+    /// The colours of the [`area`](Self::area)'s pixels, row by row, decoded from the strip's bytes.
     pub fn colors(&self) -> impl Iterator<Item = C> + '_ {
         let Size { width, height } = self.area.size;
         if C::BITS >= 8 {
@@ -189,18 +190,18 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         }
     }
 
-    /// Sends the band to the display: one `fill_contiguous`.
+    /// Sends the band to the display by one `fill_contiguous`.
     ///
     /// # Errors
     ///
-    /// The display's own. The band has not changed, and can be sent again.
+    /// The error of the display. The band is unchanged and can be sent again.
     pub fn send<D: DrawTarget<Color = C>>(&self, display: &mut D) -> Result<(), D::Error> {
         display.fill_contiguous(&self.area, self.colors())
     }
 
     fn fill(&mut self, color: C) {
         if C::BITS < 8 {
-            // With the unused bits at the end of each row.
+            // All bits, the unused ones at the end of each row included.
             let pixels = (8 / C::BITS.max(1)) as usize;
             fill_pixels(self.bytes, 0, self.bytes.len().saturating_mul(pixels), color);
         } else {
@@ -209,14 +210,14 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         }
     }
 
-    /// The column and row, counted from the band's first pixel, where a rectangle begins, if it lies in the band.
+    /// The first column and row of a rectangle, counted from the band's first pixel; `None` unless all of it lies in the band.
     #[inline(always)]
     fn position(
         &self,
         &Rectangle { top_left: Point { x, y }, size: Size { width, height } }: &Rectangle,
     ) -> Option<(u32, u32)> {
         let Rectangle { top_left, size } = self.area;
-        // A pixel to the left or above becomes far too large.
+        // The subtraction wraps: a pixel to the left or above gets a column or row beyond any size.
         let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
         let fits = |low: u32, extent: u32, all: u32| low <= all && extent <= all - low;
         (fits(column, width, size.width) && fits(row, height, size.height)).then_some((column, row))
@@ -246,7 +247,8 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         self.fill_rows((columns.start, rows.start), part, color);
     }
 
-    /// Bytes with a row, and the index of the row's first pixel in them: for whole bytes the strip, else the row by itself.
+    /// Bytes that contain a row, and the index of the row's first pixel in them: the strip for formats of 8 bits and more, the row
+    /// alone for smaller ones.
     #[inline(always)]
     fn row(&mut self, row: u32) -> (&mut [u8], usize) {
         let row = row as usize;
@@ -262,7 +264,7 @@ impl<'s, C: PixelFormat> Band<'s, C> {
     #[inline(always)]
     fn set(&mut self, Point { x, y }: Point, color: C) {
         let Rectangle { top_left, size } = self.area;
-        // A pixel to the left or above becomes far too large.
+        // The subtraction wraps: a pixel to the left or above gets a column or row beyond any size.
         let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
         if column < size.width && row < size.height {
             let (bytes, start) = self.row(row);
@@ -274,14 +276,14 @@ impl<'s, C: PixelFormat> Band<'s, C> {
 /// The intersection of two ranges of pixels, counted from the start of the second.
 #[inline(never)]
 fn intersection(low: i32, extent: u32, origin: i32, all: u32) -> Range<u32> {
-    // A pixel before the origin counts as the origin, so that the difference lies in 0 … 2³² − 1.
+    // Positions before the origin are moved to it, so that the difference is 0 … 2³² − 1.
     let from_origin = |at: i32| (at.max(origin).wrapping_sub(origin) as u32).min(all);
     from_origin(low)..from_origin(low.saturating_add_unsigned(extent))
 }
 
-/// The colors of a band, row by row.
+/// The colours of a band, row by row.
 struct BandColors<'b, C> {
-    /// The row of the next pixel and all rows below it.
+    /// The bytes of the row of the next pixel and of all rows below it.
     bytes: &'b [u8],
     stride: usize,
     width: usize,
@@ -345,7 +347,7 @@ impl<C: PixelFormat> DrawTarget for Band<'_, C> {
             copy_pixels(bytes, from, from.wrapping_add(area.size.width as usize), colors);
             return Ok(());
         }
-        // No colors are taken for rows below the band.
+        // The iterator is not advanced for rows below the band.
         let (top, bottom) =
             (area.top_left.y, self.area.top_left.y.saturating_add_unsigned(self.area.size.height));
         if area.size.width == 0 || bottom <= top {
@@ -368,7 +370,7 @@ impl<C: PixelFormat> DrawTarget for Band<'_, C> {
     }
 }
 
-// Colors and pixels are not printed: a color need not implement `Format`, and a strip is kilobytes.
+// Colours and pixels are not printed: a colour need not implement `Format`, and a strip is kilobytes.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for Frame<C> {
     fn format(&self, f: defmt::Formatter<'_>) {

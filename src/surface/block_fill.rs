@@ -2,12 +2,12 @@
 //!
 //! - **Plain twin**: [`slice::fill`].
 //! - **Domain**: every slice; these functions never decline.
-//! - **Gain**: two 16-bit pixels for one 32-bit store. [`fill_words`] takes a third of the time of the `memset` that LLVM
+//! - **Gain**: one 32-bit store for two 16-bit pixels. [`fill_words`] takes a third of the time of the `memset` that LLVM
 //!   would call on a Cortex-M.
 //! - **Test**: `block_fill::tests`, bit for bit against [`slice::fill`].
 //!
-//! They lie here and not in [`crate::fast`] because they know nothing of triangles: the plain memory, pictures and the depth
-//! buffer are cleared with them. `--cfg pinhole_plain` replaces each by [`slice::fill`].
+//! The functions are here and not in [`crate::fast`] because they are not about triangles: plain paths use them too, to clear
+//! pictures and the depth buffer. `--cfg pinhole_plain` replaces each by [`slice::fill`]. A *cell* is one stored pixel.
 
 use crate::math::cores::CORTEX_M0;
 use core::hint::black_box;
@@ -29,8 +29,8 @@ pub(crate) fn fill<Cell: Copy>(run: &mut [Cell], cell: Cell) {
 
 /// Fills a run with a [`pair`]: 32 cells at a time in long runs, then eight, then the remainder without a loop.
 ///
-/// `may_be_long` is a constant at each call. Where runs are short, eight cells ahead of the loop take the place of the loop over
-/// 32, so that the compiler keeps a single address for the run while a caller steps through rows.
+/// `may_be_long` is a constant at each call. If it is `false`, eight cells before the loop replace the loop over 32 cells: then the
+/// compiler needs a single address for the run while the caller steps through rows.
 #[inline(always)]
 pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_be_long: bool) {
     let [cell, _] = pair;
@@ -74,7 +74,7 @@ pub(super) fn clear<Cell: Copy>(cells: &mut [Cell], cell: Cell) {
     fill(cells, cell);
 }
 
-/// Fills words in blocks of 64, which become stores of several words.
+/// Fills a slice of words in blocks of 64, which LLVM stores by instructions for several words.
 ///
 /// `black_box` keeps LLVM from turning the loop into a call of `memset`, which takes up to three times as long on a Cortex-M.
 pub(super) fn fill_words(words: &mut [u32], word: u32) {
@@ -83,7 +83,7 @@ pub(super) fn fill_words(words: &mut [u32], word: u32) {
     }
     let (blocks, rest) = words.as_chunks_mut::<64>();
     if CORTEX_M0 {
-        // Copied from a block whose words the compiler does not know to be equal: one `stm` stores four registers.
+        // The compiler does not know that the words of this block are equal, so it copies four at a time, by one `stm`.
         let source = black_box([word; 16]);
         for block in blocks {
             block.as_chunks_mut().0.iter_mut().for_each(|words| *words = source);

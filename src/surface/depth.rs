@@ -8,10 +8,10 @@ use bytemuck::pod_align_to_mut;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The depth of the nearest face drawn so far, for the pixels of a rectangle of the target: 2 bytes a pixel, in a buffer that
-/// the caller provides.
+/// A depth buffer: for each pixel of a rectangle of the target, the depth of the nearest face drawn so far. It takes 2 bytes per
+/// pixel, in a caller-provided buffer.
 ///
-/// A depth is linear on the screen, from 0 near to 65534 far; 65535 stands for a pixel where nothing was drawn.
+/// Depth is linear on the screen, from 0 near to 65534 far; 65535 marks a pixel where nothing was drawn.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -33,13 +33,13 @@ pub struct DepthBuffer<'a> {
     values: &'a mut [u16],
 }
 
-/// A buffer has fewer numbers than the area has pixels.
+/// A buffer for depths has fewer elements than the area has pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DepthBufferError {
-    /// Numbers that the depth buffer needs: one for each pixel of the area.
+    /// Elements that the depth buffer needs: one for each pixel of the area.
     pub needed: u64,
-    /// Numbers in the buffer.
+    /// Elements in the buffer.
     pub given: usize,
 }
 
@@ -59,11 +59,11 @@ impl<'a> DepthBuffer<'a> {
     /// The depth of a pixel where nothing was drawn.
     pub const NOTHING: u16 = u16::MAX;
 
-    /// A depth buffer for the pixels of `area`, row by row in the first numbers of `storage`, which it clears.
+    /// A depth buffer for the pixels of `area`, row by row in the first elements of `storage`, which it clears.
     ///
     /// # Errors
     ///
-    /// [`DepthBufferError`] when the storage has fewer numbers than the area has pixels.
+    /// [`DepthBufferError`] when the storage has fewer elements than the area has pixels.
     pub fn new(area: Rectangle, storage: &'a mut [u16]) -> Result<Self, DepthBufferError> {
         let needed = u64::from(area.size.width) * u64::from(area.size.height);
         let given = storage.len();
@@ -74,7 +74,7 @@ impl<'a> DepthBuffer<'a> {
         Ok(buffer)
     }
 
-    /// Sets every depth to [`NOTHING`](Self::NOTHING), before each frame but the first.
+    /// Sets every depth to [`NOTHING`](Self::NOTHING). Call it before each frame but the first.
     pub fn clear(&mut self) {
         let (before, words, after) = pod_align_to_mut::<u16, u32>(self.values);
         before.fill(Self::NOTHING);
@@ -117,7 +117,7 @@ impl<'a> DepthBuffer<'a> {
         Some(start..start.wrapping_add(width))
     }
 
-    /// All depths, row by row, to be changed.
+    /// All depths, row by row, mutable.
     #[inline(always)]
     pub(crate) fn values_mut(&mut self) -> &mut [u16] {
         self.values
@@ -127,23 +127,23 @@ impl<'a> DepthBuffer<'a> {
     #[inline(always)]
     pub(crate) fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [u16]> {
         let Rectangle { top_left, size } = self.area;
-        // Nothing wraps for a pixel of the area.
+        // No operation wraps for a pixel of the area.
         let row = (y.wrapping_sub(top_left.y) as usize).wrapping_mul(size.width as usize);
         let from = row.wrapping_add(x.wrapping_sub(top_left.x) as usize);
         self.values.get_mut(from..from.wrapping_add(width as usize))
     }
 
-    /// The depth test: of a span's pixels, those that are nearer than the depth buffer take their depth there, and `visible` is
-    /// called for each run of them. The span is one row and lies in the area.
+    /// The depth test: stores the depth of those pixels of a span that are nearer than the depth buffer, and calls `visible` for
+    /// each run of them. The span has one row and lies in the area.
     #[inline(always)]
     pub(crate) fn test<E>(
         &mut self,
         span: Span,
-        plane: &Gradient,
+        gradient: &Gradient,
         mut visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
         let Some(row) = self.row(span.x, span.y, span.width) else { return Ok(()) };
-        let (mut z, step) = (plane.at(span.x, span.y), plane.step());
+        let (mut z, step) = (gradient.at(span.x, span.y), gradient.step());
         let mut is_nearer = |stored: &mut u16| {
             let depth = (z >> 16) as u16;
             z = z.wrapping_add(step);
@@ -156,7 +156,8 @@ impl<'a> DepthBuffer<'a> {
         };
         let end = span.x + span.width;
         let mut pixels = row.iter_mut();
-        // `any` stops after the first pixel that is nearer, `all` after the first that is not.
+        // `any` stops after the first pixel that is nearer, `all` after the first that is not, so `pixels.len()` gives both ends of
+        // the run.
         while pixels.any(&mut is_nearer) {
             let first = end - 1 - pixels.len() as i32;
             let to_the_end = pixels.all(&mut is_nearer);
@@ -166,8 +167,8 @@ impl<'a> DepthBuffer<'a> {
         Ok(())
     }
 
-    /// Calls `visible` for each run of those pixels of a line's span that `is_seen`. It gets a pixel's column and row and its
-    /// depth in the buffer, which it may change. The span lies in the area.
+    /// Calls `visible` for each run of pixels of a line's span for which `is_seen` returns `true`. `is_seen` gets a pixel's column,
+    /// its row, and its depth in the buffer, which it may change. The span lies in the area.
     pub(crate) fn along<E>(
         &mut self,
         span: Span,
@@ -202,7 +203,7 @@ impl<'a> DepthBuffer<'a> {
     }
 }
 
-/// A depth buffer as one target sees it.
+/// A depth buffer, and whether its rows are laid out like those of the target's memory.
 #[derive(Debug)]
 pub(crate) struct DepthTarget<'d, 'b> {
     pub(crate) buffer: &'d mut DepthBuffer<'b>,
@@ -212,7 +213,7 @@ pub(crate) struct DepthTarget<'d, 'b> {
 }
 
 impl<'d, 'b> DepthTarget<'d, 'b> {
-    /// Compares the two layouts: once a draw call, not for each triangle.
+    /// Compares the layouts of depth buffer and target: once per draw call, not for each triangle.
     #[inline(always)]
     pub(crate) fn new<T: Target>(buffer: &'d mut DepthBuffer<'b>, target: &mut T) -> Self {
         let Rectangle { top_left, size } = buffer.area;
@@ -235,14 +236,14 @@ mod tests {
     use super::*;
     use embedded_graphics_core::geometry::{Point, Size};
 
-    /// The visible runs of a line's span keep the span's place across the line and its thickness of 1, whether the span
-    /// runs along a row or a column.
+    /// The visible runs of a line's span lie in the row or column of the span and are one pixel thick, for spans along a row and
+    /// along a column.
     #[test]
     fn runs_of_a_line_are_parts_of_its_span() {
         let mut values = [0; 8 * 8];
         let area = Rectangle::new(Point::new(10, 20), Size::new(8, 8));
         let mut depth = DepthBuffer::new(area, &mut values).unwrap();
-        // Of six pixels the second and the fifth are hidden: runs of 1, 2 and 1 pixels.
+        // The second and the fifth of six pixels are hidden: runs of 1, 2 and 1 pixels.
         let mut runs = |span: Span| {
             let mut found = heapless::Vec::<Span, 6>::new();
             let mut seen = 0;

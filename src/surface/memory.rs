@@ -1,4 +1,4 @@
-//! Pixels in memory: cells row by row, without gaps, and the plain ways to write to them.
+//! Pixels in memory, row by row without gaps, and plain functions that write to them. A *cell* is one stored pixel.
 
 use super::block_fill::fill;
 use super::picture_error::PictureError;
@@ -6,15 +6,15 @@ use super::{drawable, inside};
 use crate::raster::{PixelLayout, RowScratch, Scissor, Span};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// What holds the cells of a [`Target`](crate::Target): a mutable slice, or nothing.
+/// The storage of a [`Target`](crate::Target)'s pixels: a mutable slice with one cell per pixel, or `[Color; 0]` for a target without
+/// memory.
 ///
-/// The pipeline asks at compile time whether there are cells at all, so a target without memory pays nothing for the code that
-/// draws into memory.
+/// The type tells the compiler whether there is memory, so a target without it links no code that draws into memory.
 pub trait PixelStore {
-    /// What is stored for one pixel: the color itself, an integer, or the bytes that the display takes.
+    /// The stored form of one pixel: the colour itself, an integer, or the bytes that the display takes.
     type Cell: Copy;
 
-    /// Whether pixels can be read back: a shader that blends needs the color that is there.
+    /// Whether pixels can be read back, which a shader that blends needs.
     const READABLE: bool;
 
     /// All cells, row by row.
@@ -31,7 +31,7 @@ impl<Cell: Copy> PixelStore for &mut [Cell] {
     }
 }
 
-/// No memory: the store of a target that takes spans and keeps them to itself, such as a display driver.
+/// No memory: the store of a target that takes spans and whose pixels cannot be accessed, such as a display driver.
 impl<Cell: Copy> PixelStore for [Cell; 0] {
     type Cell = Cell;
     const READABLE: bool = false;
@@ -48,7 +48,7 @@ impl<Cell: Copy> PixelStore for [Cell; 0] {
 /// [`Pixels`](crate::Pixels). `Target` has an example.
 #[derive(Debug)]
 pub struct Memory<S> {
-    /// The part of the area that 2D drawing can reach, computed once and not for each triangle.
+    /// The part of the area with coordinates in the range of 2D drawing, ±32768; computed once, not for each triangle.
     drawable: Scissor,
     rows: PixelRows<S>,
 }
@@ -102,8 +102,8 @@ impl<S: PixelStore> Memory<S> {
         Ok(Self::unchecked(store, area))
     }
 
-    /// As [`new`](Self::new), for callers that have checked the number of cells. With too few of them the pixels that have no
-    /// cell are not drawn.
+    /// [`new`](Self::new) for callers that have checked the number of cells. If there are too few, pixels without a cell are not
+    /// drawn.
     #[inline(always)]
     pub(super) fn unchecked(store: S, area: Rectangle) -> Self {
         let Rectangle { top_left, size } = area;
@@ -111,7 +111,7 @@ impl<S: PixelStore> Memory<S> {
         Self { drawable: drawable(&area), rows: PixelRows { area, store, scratch: RowScratch::new(layout) } }
     }
 
-    /// The part of the area that 2D drawing can reach.
+    /// The part of the area with coordinates in the range of 2D drawing, ±32768.
     #[inline(always)]
     pub(crate) const fn drawable(&self) -> &Scissor {
         &self.drawable
@@ -122,7 +122,7 @@ impl<S: PixelStore> Memory<S> {
     #[inline(always)]
     pub fn row(&mut self, x: i32, y: i32, width: i32) -> Option<&mut [S::Cell]> {
         let Rectangle { top_left, size } = self.rows.area;
-        // Wrapped differences: far too large to the left and above.
+        // The subtraction wraps: a pixel to the left of or above the area gets a column or row beyond any size.
         let (column, row) = (x.wrapping_sub(top_left.x) as u32, y.wrapping_sub(top_left.y) as u32);
         let fits =
             row < size.height && column <= size.width && width as u32 <= size.width.wrapping_sub(column);
@@ -130,7 +130,7 @@ impl<S: PixelStore> Memory<S> {
         self.rows.store.cells().get_mut(from..from.wrapping_add(width as usize)).filter(|_| fits)
     }
 
-    /// Sets the pixels of a span to one cell; pixels outside the [`area`](Self::area) are left out.
+    /// Sets the pixels of a span to one stored pixel; pixels outside the [`area`](Self::area) are ignored.
     #[inline(always)]
     pub fn fill(&mut self, span: Span, cell: S::Cell) {
         let Span { x, y, width, height } = span;
@@ -144,8 +144,8 @@ impl<S: PixelStore> Memory<S> {
         }
     }
 
-    /// Sets the pixels of a row's span to cells of their own, as long as there are any. A span that does not lie in the
-    /// [`area`](Self::area) is not drawn.
+    /// Sets the pixels of a span of one row from left to right, until the span or the iterator ends. A span that does not lie
+    /// entirely in the [`area`](Self::area) is not drawn.
     #[inline(always)]
     pub fn fill_run(&mut self, span: Span, cells: impl Iterator<Item = S::Cell>) {
         if let Some(run) = self.row(span.x, span.y, span.width) {

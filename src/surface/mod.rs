@@ -1,5 +1,5 @@
-//! What is drawn to: an `embedded-graphics` DrawTarget, or pixels in memory; and what goes with it: the depth buffer, bands and
-//! the rectangles that a new frame has to send.
+//! Targets: any `embedded-graphics` DrawTarget, or pixels in memory. Also the depth buffer, frames drawn in bands, and dirty
+//! regions: the rectangles that a new frame has to send.
 
 mod band;
 pub(crate) mod block_fill;
@@ -30,7 +30,7 @@ use crate::raster::Scissor;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The part of a target's area that 2D drawing can reach: pixels with 16-bit coordinates.
+/// The part of a target's area in the range of 2D drawing: pixels with 16-bit coordinates.
 pub(crate) fn drawable(area: &Rectangle) -> Scissor {
     inside(area).clamped()
 }
@@ -42,7 +42,7 @@ pub(crate) fn rectangle(area: &Scissor) -> Rectangle {
     Rectangle::new(Point::new(columns.start, rows.start), size)
 }
 
-/// The pixels of a rectangle, of any size: to be intersected with a viewport, or made [`drawable`].
+/// A rectangle as a scissor, with bounds of any size: callers intersect it with a viewport, or take its [`drawable`] part.
 pub(crate) fn inside(area: &Rectangle) -> Scissor {
     let Rectangle { top_left: Point { x, y }, size } = *area;
     let (right, bottom) = (x.saturating_add_unsigned(size.width), y.saturating_add_unsigned(size.height));

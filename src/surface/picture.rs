@@ -11,8 +11,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A whole picture in a buffer that the caller provides, one color for each pixel, row by row: a DrawTarget, and by
-/// [`pixels`](Self::pixels) the fastest [`Target`](crate::Target).
+/// A picture in a caller-provided buffer, one colour per pixel, row by row. It is a DrawTarget; its [`pixels`](Self::pixels) are the
+/// fastest [`Target`](crate::Target).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
@@ -31,11 +31,11 @@ pub struct Picture<'a, C> {
 }
 
 impl<'a, C: PixelColor> Picture<'a, C> {
-    /// A picture of `size` in the first colors of `buffer`, whose top left pixel is the origin.
+    /// A picture of `size` in the first elements of `buffer`. Its top left pixel is (0, 0).
     ///
     /// # Errors
     ///
-    /// [`PictureError`] when there are fewer colors than pixels.
+    /// [`PictureError`] when the buffer has fewer elements than the picture has pixels.
     pub fn new(buffer: &'a mut [C], size: Size) -> Result<Self, PictureError> {
         let needed = u64::from(size.width) * u64::from(size.height);
         let error = PictureError { needed, given: buffer.len() };
@@ -52,7 +52,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
     /// Fills the part of a rectangle that lies in the picture.
     #[inline(never)]
     fn fill_part(&mut self, area: &Rectangle, color: C) {
-        // Not by `Rectangle::intersection`, whose sums overflow.
+        // `Rectangle::intersection` would overflow for large rectangles.
         let both = inside(area).clipped_to(&inside(&self.area));
         let (columns, rows) = (both.columns(), both.rows());
         let width = columns.end.wrapping_sub(columns.start);
@@ -68,7 +68,7 @@ impl<'a, C: PixelColor> Picture<'a, C> {
         }
     }
 
-    /// The colors, row by row.
+    /// The colours of all pixels, row by row.
     pub const fn colors(&self) -> &[C] {
         self.cells
     }
@@ -87,7 +87,7 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         let Size { width, height } = self.area.size;
         for Pixel(Point { x, y }, color) in pixels {
-            // A negative coordinate becomes far too large.
+            // A negative coordinate wraps to one beyond any size.
             if (x as u32) < width && (y as u32) < height {
                 let at = (y as usize).wrapping_mul(width as usize).wrapping_add(x as usize);
                 if let Some(pixel) = self.cells.get_mut(at) {
@@ -102,7 +102,7 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
         let (Point { x, y }, Size { width, height }) = (area.top_left, area.size);
         let Size { width: columns, height: rows } = self.area.size;
-        // A negative coordinate becomes far too large. Most rectangles are a span of a triangle that lies in the picture.
+        // A negative coordinate wraps to one beyond any size. Most rectangles are a span of a triangle that lies in the picture.
         if height == 1 && (y as u32) < rows && (x as u32) <= columns && width <= columns - x as u32 {
             self.fill_row(x, y, width, color);
         } else {
@@ -117,7 +117,7 @@ impl<C: PixelColor> DrawTarget for Picture<'_, C> {
     }
 }
 
-// The colors are not printed: they need not implement `Format`.
+// The colours are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C> defmt::Format for Picture<'_, C> {
     fn format(&self, f: defmt::Formatter<'_>) {

@@ -1,4 +1,4 @@
-//! Pixels as bits, in the order in which displays take them, and rows of them.
+//! Pixels as bits, in the order in which displays take them, and functions that write and read rows of them.
 
 use super::stored_pixel::StoredPixel;
 use core::hint::black_box;
@@ -8,7 +8,7 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888, RgbColor,
 };
 
-/// A color as a display takes it: the most significant bit first; several pixels to a byte where they fit, the leftmost in the
+/// A colour as a display takes it: the most significant bit first; several pixels to a byte where they fit, the leftmost in the
 /// upper bits; each row begins with a new byte.
 ///
 /// ```
@@ -22,14 +22,14 @@ pub trait PixelFormat: PixelColor {
     /// Bits per pixel: 1, 2, 4, 8, 16, 24 or 32. A band of any other number does not compile.
     const BITS: u32;
 
-    /// The color's bits, in the lowest [`BITS`](Self::BITS) bits; higher ones are ignored.
+    /// The colour's bits, in the lowest [`BITS`](Self::BITS) bits; higher ones are ignored.
     fn encode(self) -> u32;
 
-    /// The color of which [`encode`](Self::encode) gives these bits.
+    /// The colour with these bits: the inverse of [`encode`](Self::encode).
     fn decode(bits: u32) -> Self;
 }
 
-/// Colors of whole bytes are stored as their bytes, the most significant first.
+/// Stores colours of 8, 16 and 24 bits as bytes, the most significant first.
 macro_rules! stored_as_bytes {
     ($($bytes:literal: $($color:ty),*;)*) => {$($(
         impl StoredPixel<[u8; $bytes]> for $color {
@@ -55,7 +55,7 @@ stored_as_bytes! {
     3: Rgb666, Bgr666, Rgb888, Bgr888;
 }
 
-/// Colors of 16 bits are stored as a number in the core's own byte order.
+/// Stores colours of 16 bits as an integer in the core's own byte order.
 macro_rules! stored_as_number {
     ($($color:ty),*) => {$(
         impl StoredPixel<u16> for $color {
@@ -105,7 +105,7 @@ wire_raw! {
     Bgr888: RawU24, 24;
 }
 
-/// Display controllers take an 18-bit color as three bytes, each with six bits at its upper end, the first channel first.
+/// Display controllers take an 18-bit colour as three bytes: red, green, blue, each in the upper six bits of its byte.
 impl PixelFormat for Rgb666 {
     const BITS: u32 = 24;
 
@@ -152,7 +152,7 @@ pub(super) const fn row_bytes<C: PixelFormat>(width: u32) -> usize {
     }
 }
 
-/// Sets pixels `from..to` of a row, in which they lie, to one color.
+/// Sets pixels `from..to` of a row, in which they lie, to one colour.
 #[inline(always)]
 pub(super) fn fill_pixels<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, color: C) {
     let bits = color.encode();
@@ -166,7 +166,7 @@ pub(super) fn fill_pixels<C: PixelFormat>(row: &mut [u8], from: usize, to: usize
     }
 }
 
-/// Sets pixels of `N` bytes. `word` is as many whole pixels as fit in one store: `M` bytes.
+/// Sets pixels `from..to` of `N` bytes each. `word` has `M` bytes: as many pixels as one store writes.
 #[inline(always)]
 fn fill_bytes<const N: usize, const M: usize>(
     row: &mut [u8],
@@ -229,11 +229,11 @@ const fn per_byte<C: PixelFormat>() -> u32 {
     }
 }
 
-/// Sets pixels of fewer than 8 bits: whole bytes at once, and parts of the first and the last byte.
+/// Sets pixels `from..to` of fewer than 8 bits each: parts of the first and the last byte, and the bytes between.
 #[inline(never)]
 fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32) {
     let per_byte = per_byte::<C>() as usize;
-    // Times the pixel's bits: a byte full of it.
+    // A factor that repeats the pixel's bits through a byte.
     let ones = match C::BITS {
         1 => 0xff,
         2 => 0x55,
@@ -253,8 +253,8 @@ fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32
     }
     put(first, from_on(from));
     put(last, !from_on(to));
-    if let Some(whole) = row.get_mut(first + 1..last) {
-        whole.fill(pattern);
+    if let Some(bytes) = row.get_mut(first + 1..last) {
+        bytes.fill(pattern);
     }
 }
 
@@ -282,7 +282,7 @@ fn set_bytes<const N: usize>(row: &mut [u8], x: usize, bytes: [u8; N]) {
     }
 }
 
-/// Sets pixels `from..to` of a row to colors from left to right, until either ends.
+/// Sets pixels `from..to` of a row to colours from left to right, until either ends.
 #[inline(always)]
 pub(super) fn copy_pixels<C: PixelFormat>(
     row: &mut [u8],
@@ -317,7 +317,7 @@ fn copy_bytes<const N: usize>(row: &mut [u8], from: usize, to: usize, colors: im
     }
 }
 
-/// The color of pixel `x` of a row, if the row has it.
+/// The colour of pixel `x` of a row, if the row has it.
 #[inline(always)]
 pub(super) fn get_pixel<C: PixelFormat>(row: &[u8], x: usize) -> Option<C> {
     let bytes = |n: usize| {
@@ -370,12 +370,12 @@ mod tests {
             assert!(size == 32 || color.encode() < 1 << size, "{color:?}");
             for from in 0..=WIDTH {
                 for to in from..=WIDTH {
-                    // The row holds neither all zeros nor all ones beforehand.
+                    // Before the call the row is neither all zeros nor all ones.
                     let mut filled = [0xa5; 3 * WIDTH + 1];
                     let mut copied = filled;
                     let mut wanted: Bits = core::array::from_fn(|bit| 0xa5 >> (7 - bit % 8) & 1 == 1);
                     let mut wanted_copy = wanted;
-                    // Where the colors end: before the run does, but for short runs.
+                    // The iterator of colours ends before the run does, except for short runs.
                     let end = to - (to - from) / 3;
                     for x in from..to {
                         put(&mut wanted, x, size, color.encode());

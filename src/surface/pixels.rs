@@ -1,4 +1,4 @@
-//! A slice of memory as a target.
+//! Pixels in a borrowed slice, as a target.
 
 use super::memory::Memory;
 use super::picture_error::PictureError;
@@ -9,10 +9,10 @@ use core::convert::Infallible;
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Pixels in a slice of memory, the fastest [`Target`]: of a [`Picture`](crate::Picture), of a [`Band`](crate::Band), or of a
-/// framebuffer that something else owns, made by [`new`](Self::new).
+/// Pixels in a borrowed slice, the fastest [`Target`]. [`Picture::pixels`](crate::Picture::pixels) and
+/// [`Band::pixels`](crate::Band::pixels) make one, and [`new`](Self::new) makes one of any other framebuffer.
 ///
-/// `C` is the color, `Cell` is what memory holds for a pixel: see [`StoredPixel`].
+/// `C` is the colour type, `Cell` the stored form of one pixel: see [`StoredPixel`].
 #[derive(Debug)]
 pub struct Pixels<'a, C, Cell = C> {
     memory: Memory<&'a mut [Cell]>,
@@ -20,7 +20,7 @@ pub struct Pixels<'a, C, Cell = C> {
 }
 
 impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
-    /// The pixels of `area`, row by row, in the first cells of a slice. A framebuffer of numbers:
+    /// The pixels of `area`, row by row, in the first cells of a slice. A framebuffer of integers:
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -48,7 +48,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
 }
 
 impl<'a, C, Cell: Copy> Pixels<'a, C, Cell> {
-    /// As [`new`](Self::new), for callers that have checked the number of cells.
+    /// [`new`](Self::new) for callers that have checked the number of cells.
     #[inline(always)]
     pub(super) fn unchecked(cells: &'a mut [Cell], area: Rectangle) -> Self {
         Self { memory: Memory::unchecked(cells, area), color: PhantomData }
@@ -82,7 +82,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Target for Pixels<'a, C, Cell> {
     }
 }
 
-// The color is not printed: it need not implement `Format`.
+// The colour is not printed: it need not implement `Format`.
 #[cfg(feature = "defmt")]
 impl<C, Cell> defmt::Format for Pixels<'_, C, Cell> {
     fn format(&self, f: defmt::Formatter<'_>) {

@@ -1,4 +1,4 @@
-//! What pixels are drawn into.
+//! The trait of everything that can be drawn into.
 
 use super::memory::{Memory, PixelStore};
 use super::stored_pixel::StoredPixel;
@@ -7,13 +7,13 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// What is drawn into: any `embedded-graphics` DrawTarget, [`Pixels`](crate::Pixels) in memory in a fraction of the
-/// instructions, or a type of your own. The picture is the same.
+/// A drawing target: any `embedded-graphics` DrawTarget, [`Pixels`](crate::Pixels) in memory, which take a fraction of the
+/// instructions, or your own type. All get the same picture.
 ///
-/// A DrawTarget gets a `fill_solid` or a `fill_contiguous` for every run of pixels.
+/// Every DrawTarget implements this trait; it gets a `fill_solid` or a `fill_contiguous` for every run of pixels.
 ///
-/// A type that is no DrawTarget implements this trait: either it takes spans, and has `[Self::Color; 0]` for
-/// [`Store`](Self::Store); or its pixels lie in [`Memory`], which it hands out:
+/// Your own type implements the trait in one of two forms. A target that takes spans has `[Self::Color; 0]` for
+/// [`Store`](Self::Store). A target whose pixels lie in [`Memory`] returns that from [`memory`](Self::memory):
 ///
 /// ```
 /// use core::convert::Infallible;
@@ -57,36 +57,36 @@ use embedded_graphics_core::primitives::Rectangle;
 /// # Ok::<(), PictureError>(())
 /// ```
 pub trait Target {
-    /// The color of a pixel.
+    /// The colour of a pixel.
     type Color: StoredPixel<<Self::Store as PixelStore>::Cell>;
 
-    /// What drawing can fail with.
+    /// The error of drawing.
     type Error;
 
-    /// What holds the pixels: a slice, or `[Self::Color; 0]` where they do not lie in memory.
+    /// The storage of the pixels: a slice, or `[Self::Color; 0]` if they do not lie in memory.
     type Store: PixelStore;
 
     /// The rectangle that can be drawn to.
     fn area(&self) -> Rectangle;
 
-    /// Sets the pixels of a span, which lies in the [`area`](Self::area), to one color.
+    /// Sets the pixels of a span, which lies in the [`area`](Self::area), to one colour.
     ///
     /// # Errors
     ///
-    /// The target's own.
+    /// The error of the target.
     fn fill(&mut self, span: Span, color: Self::Color) -> Result<(), Self::Error>;
 
-    /// Sets the pixels of a row's span, which lies in the [`area`](Self::area), to these colors from left to right. There are
-    /// at least `span.width` colors.
+    /// Sets the pixels of a span of one row, which lies in the [`area`](Self::area), to these colours from left to right. There
+    /// are at least `span.width` colours.
     ///
     /// # Errors
     ///
-    /// The target's own.
+    /// The error of the target.
     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Self::Color>) -> Result<(), Self::Error>;
 
-    /// The memory that holds the pixels of the [`area`](Self::area), if they lie in memory. Most drawing then writes to it, and
-    /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only for what no fast path takes. Colors are converted
-    /// by [`StoredPixel`], so both ways must store the same cells.
+    /// The memory of the [`area`](Self::area)'s pixels, if they lie in memory. Fast paths then write to it directly;
+    /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only where no fast path applies. Fast paths convert colours
+    /// by [`StoredPixel`], so `fill` and `fill_run` must store colours in that form, too.
     #[inline(always)]
     fn memory(&mut self) -> Option<&mut Memory<Self::Store>> {
         None

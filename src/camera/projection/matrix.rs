@@ -9,7 +9,7 @@ fn sum(a: &[f64; 4], s: f64, b: &[f64; 4], t: f64) -> [f64; 4] {
 }
 
 impl Projection {
-    /// From a row-major matrix, view to clip space, for column vectors: visible points must have w > 0 and −w ≤ x, y, z ≤ w, with the near
+    /// The projection of a row-major matrix for column vectors, from view to clip space: visible points must have w > 0 and −w ≤ x, y, z ≤ w, with the near
     /// plane at z = −w. A positive factor of the whole matrix changes nothing.
     ///
     /// The rows x, y, w and (z + w)/2 are stored: each row's coefficients are rounded to 30 bits of its

@@ -1,4 +1,4 @@
-//! View to clip space: the shape of the view volume.
+//! Projections: from view space to clip space, for view volumes of all shapes.
 
 mod error;
 mod matrix;

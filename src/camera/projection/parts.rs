@@ -30,7 +30,7 @@ pub(super) const fn offset(n: i64, d: u64) -> Option<i64> {
     }
 }
 
-/// A row with one coefficient, of the x, y or z axis, and a constant.
+/// A row with a coefficient for one axis, x, y or z, and a constant; the other coefficients are 0.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(super) const fn row(axis: usize, (mantissa, exponent): (i64, i32), offset: i64) -> Row {
     let linear = match axis {
@@ -41,7 +41,7 @@ pub(super) const fn row(axis: usize, (mantissa, exponent): (i64, i32), offset: i
     Row::new(&linear, exponent, offset)
 }
 
-/// `high − low` in 2⁻¹⁶; `None` unless positive.
+/// `high − low` in 2⁻¹⁶; `None` if it is not positive.
 pub(super) const fn extent(low: Scalar, high: Scalar) -> Option<u64> {
     let extent = high.to_bits() as i64 - low.to_bits() as i64; // 33 bits
     match extent > 0 {

@@ -23,7 +23,7 @@ use crate::space::View;
 /// Foley et al., *Computer Graphics*, 2nd ed., section 6.4.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlanarProjection {
-    /// x, y, z, w over view coordinates.
+    /// x, y, z, w as linear forms of view coordinates.
     rows: [Row; 4],
 }
 
@@ -40,7 +40,7 @@ const fn axis(i: usize) -> Row {
 }
 
 impl PlanarProjection {
-    /// The centre of projection at the origin, the plane at z = d:
+    /// The projection from a centre at the origin onto the plane z = d:
     ///
     /// ```text
     ///     | 1 0 0   0 |
@@ -58,7 +58,7 @@ impl PlanarProjection {
         Ok(Self { rows: [X, Y, Z, by(d, 0)?] })
     }
 
-    /// The origin in the plane, the centre of projection at z = −d:
+    /// The projection from a centre at (0, 0, −d) onto the plane z = 0, which contains the origin:
     ///
     /// ```text
     ///     | 1 0 0   0 |
@@ -76,7 +76,7 @@ impl PlanarProjection {
         Ok(Self { rows: [X, Y, Row::ZERO, by(d, 1 << 32)?] })
     }
 
-    /// The centre of projection at infinity, the plane through the origin:
+    /// The parallel projection along z onto the plane z = 0, the limit for a centre at infinity:
     ///
     /// ```text
     ///     | 1 0 0 0 |
@@ -88,7 +88,7 @@ impl PlanarProjection {
         Self { rows: [X, Y, Row::ZERO, UNIT] }
     }
 
-    /// The plane z = z_p, and the centre of projection at `distance` from (0, 0, z_p) in
+    /// The projection onto the plane z = z_p from a centre at `distance` from (0, 0, z_p) in
     /// `direction` (any length; (dx, dy, dz) is its unit vector, Q the distance):
     ///
     /// ```text
@@ -152,8 +152,8 @@ impl PlanarProjection {
 
     /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and saturated. Rounded coefficients add at most 2⁻²⁸/(w·dz) of the
     /// largest coordinate of point, plane and image; dz is 1 except in [`general`](Self::general). `None` if
-    /// the ray is parallel to the plane (w rounds to 0). A point behind the centre of projection has an image too, upside down, as the matrix
-    /// gives it.
+    /// the ray is parallel to the plane (w rounds to 0). A point behind the centre of projection has an image, too, upside down, as the
+    /// textbook's matrix has it.
     pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let ([x, y, z, w], _) = homogeneous(&self.rows, &p);
@@ -223,7 +223,7 @@ impl Projection {
             let sum = i64::from(low.to_bits()) + i64::from(high.to_bits());
             let (a, b) = (ratio(2 << 16, extent), ratio(-sum, extent));
             let row = image.linear_combination(a, w, b);
-            // Each term by itself too: a saturated one may cancel with the other.
+            // Each term is tested, not only the sum: a saturated term may cancel with the other one.
             if [row, image.times(a), w.times(b)].iter().any(|row| row.offset.abs() >= SATURATED) {
                 return Err(ProjectionError::WindowTooSmall);
             }

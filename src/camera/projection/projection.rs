@@ -23,7 +23,7 @@ use crate::space::View;
 /// ARCHITECTURE.md, "Numbers".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Projection {
-    /// x, y, d, w over view coordinates.
+    /// x, y, d, w as linear forms of view coordinates.
     pub(super) rows: [Row; 4],
 }
 

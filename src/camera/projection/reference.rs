@@ -34,8 +34,8 @@ use crate::space::{Canonical, View};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReferenceVolume {
-    /// Canonical x, y, z over view coordinates; for a perspective times the distance of its back plane, so that constants keep their bits
-    /// for distant back planes too.
+    /// Canonical x, y, z as linear forms of view coordinates; for a perspective times the distance of its back plane, so that constants
+    /// lose no bits if that is far away.
     rows: [Row; 3],
     kind: Kind,
 }
@@ -52,8 +52,8 @@ enum Kind {
 }
 
 impl ReferenceVolume {
-    /// The centre of projection is the PRP, which lies in front of the view plane (n > 0);
-    /// `front` and `back` are places on the n axis, back < front < PRP.
+    /// A perspective volume. The centre of projection is the PRP, which lies in front of the view plane (n > 0);
+    /// `front` and `back` are positions on the n axis, back < front < PRP.
     ///
     /// # Errors
     ///
@@ -82,8 +82,8 @@ impl ReferenceVolume {
         Ok(Self { rows: [x, y, z], kind })
     }
 
-    /// Projectors along the direction from the PRP to the window's centre; orthographic where that
-    /// is the n axis, oblique otherwise. `front` and `back` are places on the n axis, back < front.
+    /// A volume of parallel projection. Projectors run along the direction from the PRP to the window's centre; orthographic where that
+    /// is the n axis, oblique otherwise. `front` and `back` are positions on the n axis, back < front.
     ///
     /// # Errors
     ///
@@ -104,7 +104,7 @@ impl ReferenceVolume {
         Ok(Self { rows: [x, y, z], kind: Kind::Parallel })
     }
 
-    /// A view point in the canonical volume's coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and
+    /// A point of view space in the canonical volume's coordinates, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and
     /// saturated. Rounded coefficients add at most 2⁻²⁷ of the largest coefficient times the largest coordinate (or of the
     /// constant, where that is larger) and 2⁻³¹.
     pub fn normalise(&self, p: Point3<View>) -> Point3<Canonical> {

@@ -23,7 +23,7 @@ pub(super) fn normalised(v: i32) -> (i32, u32) {
     (v << shift, shift)
 }
 
-/// [`normalised`] for numbers that most often lie near 2³⁰.
+/// [`normalised`], fastest for numbers near 2³⁰.
 #[inline(always)]
 pub(super) fn normalised_near_2_30(v: i32) -> (i32, u32) {
     if !COUNTS_LEADING_ZEROS {

@@ -3,7 +3,7 @@
 use super::bits::{max, shift_to_fit};
 use crate::math::hints::keep_rolled;
 
-/// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Wants `n < 2·d`, `0 < d < 2⁶²`
+/// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Requires `n < 2·d`, `0 < d < 2⁶²`
 /// and `bits ≤ 62`; a zero divisor gives all ones.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {

@@ -51,7 +51,7 @@ pub(crate) fn reciprocal_of_positive(v: i32) -> Reciprocal {
     reciprocal_of_normalised(normalised(v))
 }
 
-/// [`reciprocal`] for `v ≥ 1` that is most often near 2³⁰, where it is fastest.
+/// [`reciprocal`] for `v ≥ 1`; fastest for v near 2³⁰, the common case.
 #[inline(always)]
 pub(crate) fn reciprocal_of_large(v: i32) -> Reciprocal {
     reciprocal_of_normalised(normalised_near_2_30(v))

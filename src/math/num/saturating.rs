@@ -15,7 +15,7 @@ pub(crate) const fn add(a: i64, b: i64) -> i64 {
     }
 }
 
-/// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶². Wants |m| ≤ 2³⁰ and |t| ≤ 2⁶².
+/// `m · 2^exponent · t`, rounded to nearest, saturating at ±2⁶²; for |m| ≤ 2³⁰ and |t| ≤ 2⁶².
 pub(crate) const fn mul_translation(m: i32, exponent: i32, t: i64) -> i64 {
     add(Accumulator::ZERO.plus(m, t).scaled(exponent), 0)
 }

@@ -1,32 +1,35 @@
-//! A cover: a list of few rectangles that contain every rectangle that was added, and take few bytes to send. The functions take a
-//! `VecView`, so that one copy of each serves all capacities.
+//! A cover: a short list of rectangles that together contain every rectangle that was added, chosen so that few bytes are sent.
+//! Functions take a `VecView`, so that one copy of each serves lists of all capacities.
 
 use super::cells::Cells;
 use core::hint::black_box;
 use heapless::VecView;
 
-/// The number of bytes that it takes to send cells. It saturates: 2³¹ bytes and more count as equal.
+/// Computes how many bytes it takes to send rectangles of cells. Sums saturate: 2³¹ bytes and more count as equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TransferBytes {
+    /// Bits of one cell.
     pub(super) cell_bits: i32,
+    /// Bytes of commands per rectangle.
     pub(super) window: i32,
 }
 
 impl TransferBytes {
-    /// The bytes of one window. A row of cells ends with a whole byte.
+    /// The bytes of one rectangle with its commands. Each row of cells is rounded up to bytes.
     #[inline(never)] // called once a pair: size matters more than time
     pub(super) fn of(&self, cells: &Cells) -> i32 {
         let row = i32::from(cells.width()).saturating_mul(self.cell_bits).saturating_add(7) >> 3;
         row.saturating_mul(i32::from(cells.height())).saturating_add(self.window)
     }
 
-    /// The bytes of all these windows.
+    /// The bytes of several rectangles.
     #[inline(never)] // called once a pair: size matters more than time
     pub(super) fn sum(&self, all: &[Cells]) -> i32 {
         all.iter().fold(0, |sum: i32, cells| sum.saturating_add(self.of(cells)))
     }
 
-    /// How many more bytes it takes to send both in one rectangle than to send them apart, with or without their overlap.
+    /// The bytes added by sending both as one rectangle instead of separately; negative if merging saves bytes. Separately means
+    /// as two rectangles or, if that takes fewer bytes, as one of them and the part of the other outside it.
     #[inline(never)] // called once a pair: size matters more than time
     fn merge_loss(&self, a: Cells, b: Cells) -> i32 {
         let apart = self.sum(&[a, b]).min(self.with_rest(a, b)).min(self.with_rest(b, a));
@@ -39,19 +42,19 @@ impl TransferBytes {
     }
 }
 
-/// Adds `cells` to a list. It is merged with another rectangle as long as that saves bytes. When the list is full, the two
-/// rectangles whose merging loses least are merged.
+/// Adds the rectangle `cells` to a list. It is merged with rectangles of the list as long as that adds no bytes. When the list is
+/// full, the two rectangles whose merging adds the fewest bytes are merged.
 #[inline(never)] // called once a mark: size matters more than time
 pub(super) fn add(list: &mut VecView<Cells>, cells: Cells, bytes: &TransferBytes) {
     let mut open = cells;
-    // Each iteration leaves one rectangle fewer, counting the open one.
+    // This ends: each iteration merges two rectangles, of the list or the open one, into one.
     loop {
         let best = cheapest_merge(list, open, bytes);
         let gains = best.is_some_and(|(_, loss)| loss <= 0);
         if !gains && list.push(open).is_ok() {
             return;
         }
-        // `None` only for a list without capacity, which no `DirtyRegions` has.
+        // `None` only for a list of capacity 0, which no `DirtyRegions` has.
         let Some((mut partner, loss)) = best else { return };
         if let Some((a, b)) = if gains { None } else { cheapest_pair(list, loss, bytes) } {
             remove(list, a);
@@ -63,7 +66,7 @@ pub(super) fn add(list: &mut VecView<Cells>, cells: Cells, bytes: &TransferBytes
     }
 }
 
-/// The rectangle in the list whose merging with `cells` loses least, and the loss.
+/// The rectangle in the list whose merging with `cells` adds the fewest bytes, and how many.
 #[inline(never)] // called once a mark: size matters more than time
 fn cheapest_merge(list: &[Cells], cells: Cells, bytes: &TransferBytes) -> Option<(Cells, i32)> {
     let mut best = None;
@@ -76,7 +79,7 @@ fn cheapest_merge(list: &[Cells], cells: Cells, bytes: &TransferBytes) -> Option
     best
 }
 
-/// The two rectangles in the list whose merging loses least, if that is less than `limit`.
+/// The two rectangles in the list whose merging adds the fewest bytes, if these are fewer than `limit`.
 fn cheapest_pair(list: &[Cells], mut limit: i32, bytes: &TransferBytes) -> Option<(Cells, Cells)> {
     let (mut best, mut rest) = (None, list);
     while let Some((&a, others)) = rest.split_first() {
@@ -88,14 +91,14 @@ fn cheapest_pair(list: &[Cells], mut limit: i32, bytes: &TransferBytes) -> Optio
     best
 }
 
-/// Removes a rectangle, and its equals: cuts may leave two equal rectangles, which count as one.
+/// Removes a rectangle and all equal ones: `simplify` may leave two equal rectangles, which count as one.
 #[inline(never)] // called once a mark: size matters more than time
 fn remove(list: &mut VecView<Cells>, cells: Cells) {
     list.retain(|other| *other != cells);
 }
 
-/// Cuts overlaps out of the list, as long as a cut saves more than the windows of its pieces take and there is room for them. Then
-/// replaces all rectangles by the one that encloses them, if that takes no more bytes.
+/// Removes overlaps: cuts one rectangle out of another and replaces that by up to four, as long as this saves bytes and the list has
+/// room. Then replaces all rectangles by the one that encloses them, if that takes no more bytes.
 #[inline(never)] // called once a frame: size matters more than time
 pub(super) fn simplify(list: &mut VecView<Cells>, bytes: &TransferBytes) {
     // This ends: each iteration leaves a list that takes fewer bytes.
@@ -116,7 +119,7 @@ pub(super) fn simplify(list: &mut VecView<Cells>, bytes: &TransferBytes) {
     }
 }
 
-/// The cut that saves most bytes: a rectangle, and the other one that is cut out of it.
+/// The cut that saves the most bytes: a rectangle, and the one to be cut out of it.
 fn best_cut(list: &VecView<Cells>, bytes: &TransferBytes) -> Option<(Cells, Cells)> {
     let room = list.capacity().saturating_sub(list.len()).saturating_add(1);
     let (mut best, mut most) = (None, 1);
@@ -132,7 +135,7 @@ fn best_cut(list: &VecView<Cells>, bytes: &TransferBytes) -> Option<(Cells, Cell
     best
 }
 
-/// Removes and returns the rectangle that begins highest, and of several such the leftmost.
+/// Removes and returns the topmost rectangle, the leftmost of several that begin in one row.
 #[inline(never)] // called once a window: size matters more than time
 pub(super) fn take_first(list: &mut VecView<Cells>) -> Option<Cells> {
     let mut first: Option<Cells> = None;

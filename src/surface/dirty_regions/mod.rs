@@ -10,7 +10,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
-/// How many bytes a target takes for a rectangle of pixels, which decides whether two rectangles are sent as one.
+/// How many bytes it takes to send a rectangle of pixels. By this [`DirtyRegions`] decides whether to send two rectangles as one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TransferCost {
@@ -24,9 +24,9 @@ impl TransferCost {
     /// each, and `write_memory_start` (MIPI Alliance, *Specification for Display Command Set*).
     pub const MIPI_DCS: u16 = 11;
 
-    /// The cost of pixels of `pixel_bits` (see [`PixelFormat::BITS`](crate::PixelFormat::BITS); more than 256 count as 256), and
-    /// of `window_bytes` of commands before the first pixel of each rectangle. A row of pixels is rounded up to whole bytes, and
-    /// with [steps](DirtyRegions::with_steps) to whole steps. 2³¹ bytes and more count as equal.
+    /// The cost for `pixel_bits` per pixel (see [`PixelFormat::BITS`](crate::PixelFormat::BITS); more than 256 count as 256) and
+    /// `window_bytes` of commands before the first pixel of each rectangle. A row of pixels is rounded up to bytes, and to
+    /// [steps](DirtyRegions::with_steps) if there are any. 2³¹ bytes and more count as equal.
     pub const fn new(pixel_bits: u32, window_bytes: u16) -> Self {
         let pixel_bits = if pixel_bits < 256 { pixel_bits as u16 } else { 256 };
         Self { pixel_bits, window_bytes }
@@ -34,16 +34,18 @@ impl TransferCost {
 }
 
 /// The rectangles of a target that a new frame changes: those drawn in the last frame, which have to be erased, and those drawn in
-/// this frame. Integers only; 16 bytes per rectangle.
+/// this frame. It takes 16 bytes of memory per rectangle, and computes with integers only.
 ///
-/// For every frame, [`mark`](Self::mark) what is drawn, then [`take`](Self::take) the rectangles and draw each of them again with
-/// its background. Nothing changes outside them. Marks are merged where the rectangle around both takes no more bytes than the two
-/// apart. An object at rest need not be marked. When it starts to move, mark its old and its new rectangle, because its last mark
-/// was taken; in the frame after it stops it is sent once more.
+/// In every frame, first [`mark`](Self::mark) the rectangle of each object that is drawn. Then [`take`](Self::take) the dirty
+/// rectangles and draw the background and the objects in each of them. Pixels outside do not change. Two marks are merged where the
+/// rectangle around both takes no more bytes to send than the two separately.
 ///
-/// `N` is the largest number of rectangles that are marked in a frame, and of those that are taken. For each moving object two are
-/// enough for its old and its new rectangle; a third saves sending the corners that lie in neither. More marks are never lost: the
-/// two whose merging loses least are merged.
+/// An object at rest need not be marked. When it starts to move, mark both its old and its new rectangle. In the frame after it
+/// stops its rectangle is sent once more.
+///
+/// `N` is the largest number of rectangles that are stored per frame, and the largest number returned by `take`. A moving object
+/// needs two, its old and its new rectangle; with a third, the corners of the enclosing rectangle that lie in neither are not sent.
+/// No mark is lost when `N` is too small: the two rectangles whose merging adds the fewest bytes are merged.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
@@ -95,13 +97,14 @@ pub struct DirtyRegions<const N: usize> {
     cost: TransferCost,
     columns: NonZeroU16,
     rows: NonZeroU16,
+    /// The marks of the last frame and of this one.
     last: Vec<Cells, N>,
     now: Vec<Cells, N>,
-    /// Whether the target may show anything, so that all of it is dirty.
+    /// Whether all of the area is dirty, because it is not known what the target shows.
     all: bool,
 }
 
-/// The largest width and height of an area.
+/// The largest width and height of an area, in pixels.
 const LARGEST: u32 = u16::MAX as u32;
 
 const fn step(n: u16) -> NonZeroU16 {
@@ -120,8 +123,8 @@ const fn at_most_largest(extent: u32) -> u32 {
 }
 
 impl<const N: usize> DirtyRegions<N> {
-    /// No marks yet, for the pixels of `area`. The first frame is all of the area. Pixels beyond 65535 × 65535 are never sent. The
-    /// value has to live as long as the target's picture: as a variable of the program, or a static.
+    /// Dirty regions of the pixels of `area`, without marks. In the first frame all of the area is dirty. Pixels beyond 65535 × 65535
+    /// are never sent. Use one value for all frames, for example in a static: it remembers the marks of the last frame.
     ///
     /// `DirtyRegions<0>` does not compile.
     pub const fn new(area: Rectangle, cost: TransferCost) -> Self {
@@ -140,8 +143,8 @@ impl<const N: usize> DirtyRegions<N> {
 
     /// Rounds rectangles outward to multiples of `columns` and `rows` (0 counts as 1), from the area's top left corner, for
     /// controllers that address several pixels at once: 2 columns where a byte holds two pixels of Gray4, 8 rows where a byte holds
-    /// a column of eight (SSD1306). Where the area is not a multiple, the last rectangles end with it. The next frame is all of the
-    /// area.
+    /// a column of eight (SSD1306). If the area is not a multiple, rectangles at its right and bottom border end with it. Marks are
+    /// dropped, and in the next frame all of the area is dirty.
     #[must_use]
     pub const fn with_steps(self, columns: u16, rows: u16) -> Self {
         let mut anew = Self::new(self.area, self.cost);
@@ -163,17 +166,17 @@ impl<const N: usize> DirtyRegions<N> {
         }
     }
 
-    /// Marks all of the area for the next frame: because the target may show anything, as after a reset or an error.
+    /// Makes all of the area dirty in the next frame, for example after a reset or an error, when the display may show anything.
     pub fn invalidate(&mut self) {
         self.all = true;
     }
 
-    /// Ends the frame: the rectangles that contain all marks of the last frame and of this one, from top to bottom, and from left to
-    /// right where they begin in one row. They lie in the area; none is empty.
+    /// Ends the frame and returns the dirty rectangles: they contain all marks of the last frame and of this one. They are in order
+    /// from top to bottom, and from left to right where they begin in one row. All lie in the area; none is empty.
     ///
-    /// They take no more bytes than one rectangle around all marks, and as long as the marks of two frames are at most `N`, no more
-    /// than all marks by themselves. They overlap only where a cut saves fewer bytes than another window takes, or where there is no
-    /// room for more rectangles.
+    /// They take no more bytes to send than one rectangle around all marks and, if the marks of two frames are at most `N`, no more
+    /// than all marks separately. They overlap only where cutting the overlap out would take more bytes of commands than it saves, or
+    /// when the list of `N` rectangles is full.
     #[inline(never)] // its lists are gone when it returns
     pub fn take(&mut self) -> Vec<Rectangle, N> {
         let bytes = self.transfer_bytes();
@@ -202,7 +205,7 @@ impl<const N: usize> DirtyRegions<N> {
 
     /// The cells that a rectangle touches.
     fn cells(&self, rectangle: &Rectangle) -> Option<Cells> {
-        // Along one axis. Differences have up to 35 bits until they are clamped to the area.
+        // First and last cell along one axis. Differences have up to 35 bits before they are clamped to the area.
         let along = |low: i32, extent: u32, start: i32, length: u32, step: NonZeroU16| {
             let from = i64::from(low) - i64::from(start);
             let inside = |v: i64| v.clamp(0, length.min(LARGEST).into()) as u32;
@@ -227,7 +230,7 @@ impl<const N: usize> DirtyRegions<N> {
         let (x, width) = along(cells.left, cells.right, self.area.size.width, self.columns);
         let (y, height) = along(cells.top, cells.bottom, self.area.size.height, self.rows);
         let Point { x: left, y: top } = self.area.top_left;
-        // Saturates only for an area that leaves i32, where no target shows anything.
+        // Saturates only for an area with pixels beyond the range of `i32`, which no target has.
         let corner = Point::new(left.saturating_add_unsigned(x), top.saturating_add_unsigned(y));
         Rectangle::new(corner, Size::new(width, height))
     }
@@ -270,7 +273,7 @@ mod tests {
         dirty.take()
     }
 
-    /// 5 pixels of 16 bits take fewer bytes than a window's 11, 6 take more.
+    /// A gap of 5 pixels of 16 bits takes 10 bytes, fewer than the 11 bytes of commands of a second rectangle; a gap of 6 takes more.
     #[test]
     fn two_marks_are_merged_where_that_takes_no_more_bytes() {
         assert_eq!(taken::<8>(16, &[at(0, 0, 9, 5), at(10, 0, 9, 5)]), [at(0, 0, 19, 5)]);
