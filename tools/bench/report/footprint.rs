@@ -35,9 +35,9 @@ pub(crate) struct Image {
 /// What the stack of all of them is to come down to on the M3 at level 3, the program's own frames included.
 pub(crate) const STACK: u64 = 1792;
 
-const DITHER: Part = Part("shade/dither.rs", None);
-const FLAT: &[Part] = &[Part("shade/gouraud.rs", None), DITHER];
-const NO_DEPTH: &[Part] = &[Part("raster/depth.rs", None), Part("output/depth.rs", None), FLAT[0], DITHER];
+const DITHER: Part = Part("shading/dither.rs", None);
+const FLAT: &[Part] = &[Part("shading/gouraud.rs", None), DITHER];
+const NO_DEPTH: &[Part] = &[Part("raster/depth.rs", None), Part("surface/depth.rs", None), FLAT[0], DITHER];
 const NO_FACES: &[Part] = &[
     NO_DEPTH[0],
     NO_DEPTH[1],
@@ -46,8 +46,8 @@ const NO_FACES: &[Part] = &[
     Part("fast/edge20.rs", None),
     Part("fast/small_triangle.rs", None),
     Part("fast/bresenham_triangle.rs", None),
-    Part("raster/stretch.rs", None),
-    Part("shade/", None),
+    Part("raster/trapezoid.rs", None),
+    Part("shading/", None),
 ];
 
 pub(crate) const IMAGES: &[Image] = &[
