@@ -35,3 +35,31 @@ impl CornerValues {
         self.inverse_w
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverse_w_is_proportional_to_the_reciprocal_of_w() {
+        for w in [[1, 2, 4], [7, 7, 7], [1 << 20, 3, 1000], [i32::MAX, 1 << 30, 12_345], [5, 1 << 24, 5]] {
+            let values = CornerValues::new([1, 2, 3], w);
+            assert_eq!(values.depths(), [1, 2, 3]);
+            let inverse = values.inverse_w();
+            let least = f64::from(*w.iter().min().unwrap());
+            let most = f64::from(*inverse.iter().max().unwrap());
+            assert!((2.0_f64.powi(30)..2.0_f64.powi(31)).contains(&most), "{inverse:?}");
+            for (own, w) in inverse.map(f64::from).into_iter().zip(w.map(f64::from)) {
+                // Each is within 2⁻²⁹ of itself and 1, and so is the largest.
+                let exact = most * least / w;
+                assert!((own - exact).abs() <= 1.0 + exact * 2.0_f64.powi(-28), "{w}: {own} for {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn w_that_is_not_positive_counts_as_the_least() {
+        let values = CornerValues::new([0; 3], [0, -5, 1]);
+        assert_eq!(values.inverse_w(), CornerValues::new([0; 3], [1; 3]).inverse_w());
+    }
+}

@@ -7,8 +7,16 @@ mod example {
     pub(crate) mod shaders;
 }
 
+use core::convert::Infallible;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::prelude::Point;
+use embedded_graphics::primitives::Rectangle;
 use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, SKY, TILES, WALL_COLOR};
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Camera, DepthBuffer, Mesh, MeshInstance, Painter, Picture, Projection, Scalar, ScreenVertex,
+    SpanShader, Target, Window,
+};
 
 type V = [f64; 3];
 
@@ -136,4 +144,65 @@ fn a_checkerboard_a_fog_and_glass_made_outside_the_crate_are_those_of_rays() {
     assert!(compared * 100 > pixels.len() * 97, "{compared} of {}", pixels.len());
     assert!(met.iter().all(|&count| count > 3_000), "{met:?}");
     assert!(worst > 0.6, "{worst}");
+}
+
+/// The shader decides whether depths and 1/w are computed: every draw call gives it the same.
+#[test]
+fn a_shader_gets_depth_and_w_whichever_call_draws_it() {
+    let area = Rectangle::new(Point::zero(), SIZE);
+    let count = (SIZE.width * SIZE.height) as usize;
+    let model = Affine::<Model, World>::identity();
+    let (view, projection, viewport) = scene::camera().expect("a camera");
+    let oblique = {
+        let near_far = NEAR_FAR.map(Scalar::from_num);
+        let [half, left, right] = [0.4_f32, -0.9, 0.5].map(Scalar::from_num);
+        let window = Window { left, right, bottom: -half, top: half };
+        Projection::frustum(window, near_far[0], near_far[1]).expect("a frustum")
+    };
+    for projection in [projection, oblique] {
+        let camera = Camera::new(&view, &projection, &viewport);
+        for (quad, wall) in [(&scene::FLOOR, false), (&scene::WALL, true)] {
+            let mesh = Mesh::new(quad, 0, &scene::QUAD).expect("a quad");
+            let instance = camera.place(&mesh, &model);
+            let draw = |way: usize| {
+                let mut pixels = vec![SKY; count];
+                let mut picture = Picture::new(&mut pixels, SIZE).expect("as many pixels");
+                if wall {
+                    draw(way, &instance, area, scene::fog, &mut picture.pixels());
+                } else {
+                    draw(way, &instance, area, scene::board, &mut picture.pixels());
+                }
+                pixels
+            };
+            let expected = draw(0);
+            assert!(expected.iter().filter(|&&color| color != SKY).count() > 2_000);
+            for way in 1..5 {
+                assert!(draw(way) == expected, "way {way}");
+            }
+        }
+    }
+}
+
+/// Draws at once, with depth, by planes, by a painter or from bins.
+fn draw<S: SpanShader<Rgb888>, T: Target<Color = Rgb888, Error = Infallible>>(
+    way: usize,
+    instance: &MeshInstance<'_>,
+    area: Rectangle,
+    shade: impl FnMut(usize) -> S,
+    target: &mut T,
+) {
+    let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4], [0; 3]);
+    let mut depths = vec![0; (area.size.width * area.size.height) as usize];
+    let mut depth = DepthBuffer::new(area, &mut depths).expect("as many depths");
+    let Ok(()) = match way {
+        0 => instance.depth_tested(shade, &mut cache, &mut depth, target).map(|_| ()),
+        1 => instance.solid(shade, &mut cache, target).map(|_| ()),
+        2 => instance.cull_by_planes().solid(shade, &mut cache, target).map(|_| ()),
+        3 => {
+            let mut painter = Painter::<S, 32, 16>::new();
+            painter.add(instance, shade).expect("room");
+            painter.draw(target).map(|_| ())
+        }
+        _ => instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room").solid(shade, target),
+    };
 }
