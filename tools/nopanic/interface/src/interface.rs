@@ -64,7 +64,7 @@ fn methods<'j>(json: &'j Value, of: &'j Value) -> impl Iterator<Item = (String, 
     })
 }
 
-/// The name of a type as symbols have it; `None` for a type parameter.
+/// The name of a type as symbols have it; `None` for a type parameter, and for references, arrays and slices.
 fn type_name(json: &Value, of: &Value) -> Result<Option<String>> {
     let (kind, inner) = of.as_object().and_then(|of| of.iter().next()).ok_or("a type")?;
     Ok(match kind.as_str() {
@@ -76,6 +76,8 @@ fn type_name(json: &Value, of: &Value) -> Result<Option<String>> {
             }
         }
         "generic" => None,
+        // Of elements of any type, in this library.
+        "borrowed_ref" | "array" | "slice" => None,
         "primitive" => Some(inner.as_str().ok_or("a primitive type's name")?.to_string()),
         "tuple" if inner.as_array().is_some_and(Vec::is_empty) => Some("()".to_string()),
         _ => return Err(format!("a kind of type that this program does not know: {kind}").into()),

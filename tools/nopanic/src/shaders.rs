@@ -1,0 +1,109 @@
+//! A shader of one's own that asks for everything a shader may ask for, drawn by every call, into memory of one's own.
+
+use crate::any;
+use core::hint::black_box;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::primitives::Rectangle;
+use pinhole::clip::Barycentric;
+use pinhole::raster::{Gradient, Span, Triangle};
+use pinhole::{
+    CornerValues, DepthBuffer, Memory, MeshInstance, Painter, PainterError, PictureError, Pixels,
+    ScreenVertex, Shader, SpanShader, Statistics, StoredPixel,
+};
+
+/// Depths, 1/w and the weights of each corner, and the pixels that are there.
+#[derive(Clone, Copy)]
+struct Everything {
+    corners: [[i32; 3]; 3],
+    values: [[i32; 3]; 2],
+    color: Rgb565,
+}
+
+impl Shader for Everything {
+    type Varying = Barycentric;
+    const NEEDS_DEPTH: bool = true;
+    const NEEDS_W: bool = true;
+
+    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+        Self { corners: corners.map(Barycentric::weights), ..*self }
+    }
+
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        let color = self.color.with_corners(corners); // a colour asks for nothing: the default
+        Self { values: [corners.depths(), corners.inverse_w()], color, ..*self }
+    }
+}
+
+impl SpanShader<Rgb565> for Everything {
+    type Setup = ([Gradient; 2], Rgb565);
+    const READS_PIXELS: bool = true;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
+        black_box(self.corners);
+        (self.values.map(|values| triangle.gradient(values.map(|value| value as u32))), self.color)
+    }
+
+    fn span((gradients, color): &Self::Setup, span: Span) -> impl Iterator<Item = Rgb565> {
+        black_box(gradients.map(|gradient| gradient.at(span.x, span.y)));
+        core::iter::repeat(*color)
+    }
+
+    fn span_over(
+        setup: &Self::Setup,
+        span: Span,
+        stored: impl Iterator<Item = Rgb565>,
+    ) -> impl Iterator<Item = Rgb565> {
+        black_box(Self::span(setup, span).next());
+        Rgb565::span_over(&setup.1, span, stored) // a colour does not look: the default
+    }
+}
+
+fn shader() -> Everything {
+    Everything {
+        corners: [[any(); 3]; 3],
+        values: [[any(); 3]; 2],
+        color: Rgb565::load([any() as u8, any() as u8]),
+    }
+}
+
+fn area() -> Rectangle {
+    Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32))
+}
+
+#[unsafe(no_mangle)]
+fn entry_shader_of_own(
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 4], PictureError> {
+    let mut target = Pixels::<Rgb565, u16>::new(cells, area())?;
+    let Ok(solid) = instance.solid(|_| shader(), cache, &mut target);
+    let Ok(culled) = instance.cull_by_planes().solid(|_| shader(), cache, &mut target);
+    let [mut tested, mut kept] = [Statistics::default(); 2];
+    if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
+        let Ok(statistics) = instance.depth_tested(|_| shader(), cache, &mut depth, &mut target);
+        tested = statistics;
+        kept = instance.cull_by_planes().depth_only(cache, &mut depth);
+    }
+    Ok([solid, culled, tested, kept])
+}
+
+#[unsafe(no_mangle)]
+fn entry_painter_by_planes(
+    painter: &mut Painter<Everything, 20, 20>,
+    instance: &MeshInstance<'_>,
+) -> Result<(), PainterError> {
+    painter.add_culled_by_planes(&instance.cull_by_planes(), |_| shader())
+}
+
+#[unsafe(no_mangle)]
+fn entry_memory_of_own(cells: &mut [u16]) -> Result<Rectangle, PictureError> {
+    let mut memory = Memory::new(cells, area())?;
+    let span = Span { x: any(), y: any(), width: any(), height: any() };
+    memory.fill(span, any() as u16);
+    memory.fill_run(span, core::iter::repeat(any() as u16));
+    black_box(memory.row(any(), any(), any()).map(|row| row.len()));
+    Ok(memory.area())
+}
