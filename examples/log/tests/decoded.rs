@@ -46,14 +46,14 @@ const TYPES: [&str; 27] = [
     "128x64+8+0",
     "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back",
     "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back, \
-     by planes",
+     culled by planes",
     "mesh of 4 vertices, 2 faces, 2 edges in Size { width: 128, height: 64 } at Point { x: 0, y: 0 }, cull Back, \
-     3 corners kept",
+     3 vertices cached",
     "faces within Scissor { left: 61, top: 29, right: 67, bottom: 35 }: \
      Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
     "edges within Scissor { left: 60, top: 28, right: 68, bottom: 36 }: \
      Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
-    "painter of 4/8 corners, 2/4 faces: \
+    "painter of 4/8 vertices, 2/4 faces: \
      Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
     "painter's order of 2 faces: Statistics { drawn: 2, culled: 0, clipped: 0, outside: 0, degenerate: 0 }",
     "Some(band of Size { width: 128, height: 8 } at Point { x: 0, y: 0 })",
