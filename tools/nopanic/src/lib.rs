@@ -15,6 +15,7 @@ mod canvas;
 mod draw;
 #[cfg(not(feature = "provoke"))]
 mod set_up;
+#[cfg(not(feature = "provoke"))]
 mod shaders;
 #[cfg(not(feature = "provoke"))]
 mod targets;
