@@ -145,7 +145,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     ///
     /// # Errors
     ///
-    /// Those of [`bin_faces`](Self::bin_faces).
+    /// The errors of [`bin_faces`](Self::bin_faces), for the same reasons.
     pub fn bin_faces_with_depth(
         &self,
         cache: &'a mut [ScreenVertex],

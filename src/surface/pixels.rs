@@ -32,7 +32,7 @@ impl<'a, C: StoredPixel<Cell>, Cell: Copy> Pixels<'a, C, Cell> {
     /// let Ok(()) = fill_triangle(corners, Rgb565::RED, &mut Pixels::new(&mut framebuffer, area)?);
     /// assert_eq!((framebuffer[31], framebuffer[32 * 24 - 1]), (0xf800, 0));
     ///
-    /// // The same numbers with the high byte first, for a display that is sent bytes.
+    /// // Cells of two bytes, the high byte first: what a display takes over SPI.
     /// let cells: &mut [[u8; 2]] = bytemuck::cast_slice_mut(&mut framebuffer);
     /// let Ok(()) = fill_triangle(corners, Rgb565::RED, &mut Pixels::new(cells, area)?);
     /// assert_eq!(framebuffer[31].to_ne_bytes(), [0xf8, 0x00]);
