@@ -111,8 +111,8 @@ fn draw(
         *colour = Flat::lit(water::colour(height), level);
     }
 
-    let placed = camera.place(&mesh, &model);
-    let projected = placed.transform_depth(&mut memory.corners);
+    let instance = camera.place(&mesh, &model);
+    let projected = instance.transform_depth(&mut memory.corners);
     let mut faces = projected.bin_faces(&mut memory.faces)?;
     let mut grid = projected.bin_edges(&mut memory.edges)?;
     let mut frame = Frame::new(display.bounding_box(), Rgb332::from_channels([1, 1, 1]));

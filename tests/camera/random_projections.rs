@@ -254,7 +254,7 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
         let (view, exact_viewport) = (c.view.exact(), Viewport::new(x0, y0, 480, 320));
         let mesh = Mesh::new(&c.vertices, c.exponent, &[]).expect("a mesh");
         let (model, exact_model) = (c.model.library(), c.model.exact());
-        let placed = camera.place(&mesh, &model);
+        let instance = camera.place(&mesh, &model);
         let half_extent = 32767.0 * f64::from(c.exponent).exp2();
         let mut check = |at: V3, extent: f64, got: Option<(i32, i32, u16)>, door: &str| {
             let scale = match c.picture.projectors {
@@ -328,7 +328,7 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
         };
         for (i, &v) in c.vertices.iter().enumerate() {
             let at = view.apply_placed(&exact_model, chain::vertex(v, c.exponent));
-            let got = placed.project(i).map(|(p, depth)| (p.x(), p.y(), depth));
+            let got = instance.project(i).map(|(p, depth)| (p.x(), p.y(), depth));
             check(at, half_extent, got, "place");
         }
         // The point in world coordinates, which has its own rounding.

@@ -99,8 +99,8 @@ fn a_mesh_moved_far_away_and_back_is_in_place() {
         let vertices = [[-1, -1, -241], [1, 1, -239], [0, 0, -240]];
         let vertices = vertices.map(|v: [i32; 3]| v.map(|c| scalar(c * 128 * ONE)));
         let mesh = Mesh::from_fixed(&vertices, &[]).expect("a mesh");
-        let placed = camera.place(&mesh, &Affine::from_matrix(&model).expect("a model"));
-        let found = [0, 1, 2].map(|i| placed.project(i).map(|(p, _)| (p.x(), p.y())));
+        let instance = camera.place(&mesh, &Affine::from_matrix(&model).expect("a model"));
+        let found = [0, 1, 2].map(|i| instance.project(i).map(|(p, _)| (p.x(), p.y())));
         assert_eq!(found, [Some((0, 0)), Some((4096, 4096)), Some((2048, 2048))], "{factor}");
     }
 }

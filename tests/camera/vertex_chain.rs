@@ -220,12 +220,12 @@ fn random_case(rng: &mut Rng, class: Class) -> Option<Case> {
     let turned = model.exact();
     let first = turned.apply(positions[0]);
     model.0.push(Step::Move(bits(core::array::from_fn(|i| at[i] - first[i]))?));
-    let placed = model.exact();
-    if positions.iter().any(|&p| placed.apply(p).iter().any(|c| c.abs() > WORLD)) {
+    let exact_model = model.exact();
+    if positions.iter().any(|&p| exact_model.apply(p).iter().any(|c| c.abs() > WORLD)) {
         return None;
     }
     let largest = positions.iter().flatten().fold(0.0f64, |a, &c| a.max(c.abs()));
-    let scale = (0..3).map(|j| length(core::array::from_fn(|i| placed.m[i][j]))).fold(0.0f64, f64::max);
+    let scale = (0..3).map(|j| length(core::array::from_fn(|i| exact_model.m[i][j]))).fold(0.0f64, f64::max);
     Some(Case { camera, model, exponent, vertices, fixed, half_extent: largest * scale })
 }
 

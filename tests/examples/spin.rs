@@ -29,10 +29,10 @@ fn solid_frames() -> impl Iterator<Item = (Canvas<Rgb888>, Canvas<Rgb888>)> {
     let mut painter = Box::new(Painter::<Rgb888, 1024, 1024>::new());
     (0..FRAMES / 2).map(move |frame| {
         let turntable = Turntable::new(&teapot, &inside, SIZE).unwrap();
-        let placed = turntable.place(&Turntable::model(frame, FRAMES));
+        let instance = turntable.place(&Turntable::model(frame, FRAMES));
         let mut painted = Canvas::new(SIZE, depth::NOTHING);
-        scene::paint(&mut painter, &placed, depth::face_colour, &mut painted).unwrap();
-        (painted, depth::nearest_faces(&placed, SIZE).unwrap())
+        scene::paint(&mut painter, &instance, depth::face_colour, &mut painted).unwrap();
+        (painted, depth::nearest_faces(&instance, SIZE).unwrap())
     })
 }
 

@@ -94,14 +94,14 @@ fn oracle_wireframe(scene: &(CameraBits, ModelBits)) -> String {
 fn draw(scene: &(CameraBits, ModelBits), way: &str) -> String {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
     let (camera, model) = (scene.0.library(), scene.1.library());
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
     match way {
-        "wireframe" => wireframe(&placed, &mut target).expect("no error"),
-        "solid" => solid(&placed, &mut target).expect("no error"),
+        "wireframe" => wireframe(&instance, &mut target).expect("no error"),
+        "solid" => solid(&instance, &mut target).expect("no error"),
         _ => {
             let mut painter = Painter::<Shader, 8, 12>::new();
-            painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
+            painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
             painter.draw(&mut target).expect("no error")
         }
     };

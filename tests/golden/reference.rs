@@ -277,9 +277,9 @@ fn s4_worked_set_ups_agree_with_the_definition_at_240() {
     let mesh = Mesh::new(&CUBE, 0, &[]).expect("a mesh");
     for s in &SET_UPS {
         let camera = s.camera(240);
-        let placed = camera.place(&mesh, &Affine::identity());
+        let instance = camera.place(&mesh, &Affine::identity());
         for (k, want) in s.exact(240).into_iter().enumerate() {
-            let (got, _) = placed.project(k).expect("in the picture");
+            let (got, _) = instance.project(k).expect("in the picture");
             let (x, y) = (f64::from(got.x()) / 256.0, f64::from(got.y()) / 256.0);
             assert!(
                 (x - want.0).abs().max((y - want.1).abs()) <= 1.0 / 256.0,

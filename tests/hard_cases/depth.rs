@@ -59,9 +59,9 @@ fn draw(
     let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
     let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
     let model = Affine::<Model, World>::identity();
-    let placed = camera.library().place(&mesh, &model).with_cull(Cull::None);
+    let instance = camera.library().place(&mesh, &model).with_cull(Cull::None);
     let mut corners = vec![ScreenVertex::default(); vertices.len()];
-    let Ok(_) = placed.depth_tested(|face| Face(face as i32), &mut corners, &mut depth, &mut picture);
+    let Ok(_) = instance.depth_tested(|face| Face(face as i32), &mut corners, &mut depth, &mut picture);
     (picture.0, storage)
 }
 
@@ -163,8 +163,8 @@ fn d2_slivers_never_leave_their_corners_depths() {
         let c: [f64; 3] = core::array::from_fn(|i| a[i] + t * (b[i] - a[i]) + beside[i]);
         let vertices = [a, b, c].map(|p| p.map(|c| c.round() as i16));
         let mesh = Mesh::new(&vertices, -10, &[[0, 1, 2]]).expect("a mesh");
-        let placed = camera.library().place(&mesh, &Affine::<Model, World>::identity());
-        let corners = [0, 1, 2].map(|i| placed.project(i).zip(placed.project_unsnapped(i)));
+        let instance = camera.library().place(&mesh, &Affine::<Model, World>::identity());
+        let corners = [0, 1, 2].map(|i| instance.project(i).zip(instance.project_unsnapped(i)));
         let [Some(a), Some(b), Some(c)] = corners else { continue };
         let [a, b, c] = [a, b, c].map(|((p, _), fine)| ((i64::from(p.x()), i64::from(p.y())), fine[2]));
         // Nearer than the last half step before far, where depths end.
@@ -242,12 +242,12 @@ fn d3_only_pixels_of_the_depth_buffer_are_drawn() {
     let faces = [[0, 1, 2], [3, 4, 5]];
     let (ids, whole) = draw(&camera, &vertices, -10, &faces);
     let mesh = Mesh::new(&vertices, -10, &faces).expect("a mesh");
-    let placed = camera.library().place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
+    let instance = camera.library().place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
     for (x, y, width, height) in [(0, 0, SIZE.0, 8), (-5, 30, 40, 1), (90, 70, 1000, 1000), (20, 20, 0, 5)] {
         let mut picture = Picture(vec![-1; ids.len()]);
         let mut storage = vec![7; (width * height) as usize];
         let mut depth = DepthBuffer::new(rectangle(x, y, width, height), &mut storage).expect("storage");
-        let Ok(_) = placed.depth_tested(|face| Face(face as i32), &mut [], &mut depth, &mut picture);
+        let Ok(_) = instance.depth_tested(|face| Face(face as i32), &mut [], &mut depth, &mut picture);
         for (place, (&id, &deep)) in ids.iter().zip(&whole).enumerate() {
             let at = Point::new((place % SIZE.0 as usize) as i32, (place / SIZE.0 as usize) as i32);
             let held = depth.at(at);

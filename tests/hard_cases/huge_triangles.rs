@@ -135,13 +135,13 @@ fn a5_faces_beyond_the_guard_band_are_cut_there() {
             (covered, background) = (covered + t.covered, background + t.background);
         }
         let mesh = Mesh::new(&vertices, -3, &[]).expect("a mesh");
-        let (library, placed) = (camera.library(), model.library());
+        let (library, model_map) = (camera.library(), model.library());
         for (i, &v) in vertices.iter().enumerate() {
             let exact = camera.exact();
             let (x, y) = exact.screen(exact.clip(&model.exact(), vertex(v, -3)));
             if x.abs().max(y.abs()) > 8193.0 {
                 cut += 1;
-                assert_eq!(library.place(&mesh, &placed).project(i), None, "({x}, {y})");
+                assert_eq!(library.place(&mesh, &model_map).project(i), None, "({x}, {y})");
             }
         }
     }

@@ -251,10 +251,10 @@ fn b7_the_first_line_draws_the_pixel_of_a_joint() {
         let vertices = path.map(|(x, y)| [2 * x + 1, -(2 * y + 1), 0]);
         let mesh =
             Mesh::new(&vertices, -1, &[]).and_then(|m| m.with_edges(&[[0, 1], [1, 2]])).expect("a mesh");
-        let placed = library.place(&mesh, &model);
+        let instance = library.place(&mesh, &model);
         let (mut once, mut each) = (Recorder::<Shader>::sized(32, 32), Recorder::<Shader>::sized(32, 32));
-        placed.polyline(Shader(1), &mut once).expect("no error");
-        placed.wireframe(Shader(1), &mut [], &mut each).expect("no error");
+        instance.polyline(Shader(1), &mut once).expect("no error");
+        instance.wireframe(Shader(1), &mut [], &mut each).expect("no error");
         let [a, joint, b] = path.map(|(x, y)| (i64::from(x), i64::from(y)));
         let area = Area::new(0, 0, 32, 32);
         for (x, y) in area.pixels() {

@@ -178,9 +178,11 @@ fn c1_triangles_across_the_near_plane_cover_what_rays_meet() {
             -chain::fx(near) - size * rng.real(-0.7, 0.7),
         ]);
         let model = ModelBits(vec![Step::Move(shift.expect("in range"))]);
-        let placed = model.exact();
-        let front =
-            vertices.iter().filter(|&&v| placed.apply(vertex(v, exponent))[2] < -chain::fx(near)).count();
+        let exact_model = model.exact();
+        let front = vertices
+            .iter()
+            .filter(|&&v| exact_model.apply(vertex(v, exponent))[2] < -chain::fx(near))
+            .count();
         crossing += usize::from(front == 1 || front == 2);
         let faces = [[0, 1, 2], [0, 2, 1]];
         let t = compare(&c, false, &model, &vertices, exponent, &faces[k % 2..=k % 2], TOLERANCE);
@@ -339,14 +341,14 @@ fn c4_everything_behind_is_empty() {
         let model = ModelBits(vec![Step::Move([0, 0, z * ONE])]).library();
         let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).and_then(|m| m.with_edges(&CUBE_EDGES)).expect("a mesh");
         let library = c.library();
-        let placed = library.place(&mesh, &model);
+        let instance = library.place(&mesh, &model);
         let mut target = Recorder::sized(40, 30);
-        let s = solid(&placed, &mut target).expect("no error");
-        let w = wireframe(&placed, &mut target).expect("no error");
+        let s = solid(&instance, &mut target).expect("no error");
+        let w = wireframe(&instance, &mut target).expect("no error");
         assert!(target.calls.is_empty());
         assert_eq!((s.drawn, w.drawn), (0, 0));
         for v in 0..8 {
-            assert!(placed.project(v).is_none());
+            assert!(instance.project(v).is_none());
         }
     }
 }

@@ -183,10 +183,10 @@ fn e1_a_scene_at_20000_is_the_scene_at_the_origin() {
             let (mut faces, mut edges) =
                 (Recorder::<Shader>::sized(48, 32), Recorder::<Shader>::sized(48, 32));
             let (library, model) = (c.library(), model.library());
-            let placed = library.place(&mesh, &model);
-            solid(&placed, &mut faces).expect("no error");
-            wireframe(&placed, &mut edges).expect("no error");
-            let points: Vec<_> = (0..8).map(|v| placed.project(v)).collect();
+            let instance = library.place(&mesh, &model);
+            solid(&instance, &mut faces).expect("no error");
+            wireframe(&instance, &mut edges).expect("no error");
+            let points: Vec<_> = (0..8).map(|v| instance.project(v)).collect();
             (tally.covered, faces.calls, edges.calls, points)
         };
         let (near, away) = (draw([0; 3]), draw(far));
@@ -222,7 +222,7 @@ fn e2_any_vertex_is_exact_or_hidden_for_any_camera() {
         let mesh = Mesh::new(&vertices, 0, &[]).expect("a mesh");
         let model = ModelBits::default();
         let placed_model = model.library();
-        let placed = library.place(&mesh, &placed_model);
+        let instance = library.place(&mesh, &placed_model);
         for (i, &v) in vertices.iter().enumerate() {
             let world = vertex(v, 0);
             let view = exact.view.apply(world);
@@ -234,7 +234,7 @@ fn e2_any_vertex_is_exact_or_hidden_for_any_camera() {
             if !(0.0..480.0).contains(&x) || !(0.0..320.0).contains(&y) {
                 continue;
             }
-            let (p, _) = placed.project(i).expect("on the screen");
+            let (p, _) = instance.project(i).expect("on the screen");
             let error = (f64::from(p.x()) / 256.0 - x).abs().max((f64::from(p.y()) / 256.0 - y).abs());
             worst = worst.max(error);
             assert!(error <= 1.0 / 256.0, "{error} px off: {c:?} {v:?}");

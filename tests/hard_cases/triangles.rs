@@ -71,7 +71,7 @@ fn a0_vertices_are_snapped_to_24_8_after_the_divide() {
         let z = rng.int(300, 30_000);
         let vertices = [(); 16].map(|()| [rng.int(-z, z), rng.int(-z, z), -z].map(|v| v as i16));
         let mesh = Mesh::new(&vertices, -10, &[]).expect("a mesh");
-        let placed = library.place(&mesh, &placed_model);
+        let instance = library.place(&mesh, &placed_model);
         for (i, &v) in vertices.iter().enumerate() {
             let (x, y) = exact.screen(exact.clip(&model.exact(), vertex(v, -10)));
             // The chain is within a few 10⁻³ sub-pixels; closer to a tie it may go either way.
@@ -79,7 +79,7 @@ fn a0_vertices_are_snapped_to_24_8_after_the_divide() {
             if tie(x) || tie(y) {
                 continue;
             }
-            let (p, _) = placed.project(i).expect("in the guard band");
+            let (p, _) = instance.project(i).expect("in the guard band");
             assert_eq!((i64::from(p.x()), i64::from(p.y())), chain::snap((x, y)), "{v:?}");
             compared += 1;
         }
@@ -277,10 +277,10 @@ fn a7_the_snap_rounds_to_nearest_on_both_sides_of_zero() {
         let vertices: Vec<_> =
             offsets.iter().map(|&v| [scalar(v as i32), scalar(-v as i32), scalar(0)]).collect();
         let mesh = Mesh::from_fixed(&vertices, &[]).expect("a mesh");
-        let placed = camera.place(&mesh, &model);
+        let instance = camera.place(&mesh, &model);
         let mut largest = 0;
         for (i, &v) in offsets.iter().enumerate() {
-            let (p, _) = placed.project(i).expect("on the screen");
+            let (p, _) = instance.project(i).expect("on the screen");
             let (x, y) = (i64::from(p.x()), i64::from(p.y()));
             // An exact tie may go down, because the reciprocal of w is rounded down before.
             let right = |c: i64| c == nearest(v) || (v.rem_euclid(256) == 128 && c == nearest(v) - 1);

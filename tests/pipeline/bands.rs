@@ -24,10 +24,14 @@ fn colour(face: usize) -> Gray8 {
 }
 
 /// Draws the cube in bands of `rows` rows and sends them to a display.
-fn draw(placed: &MeshInstance<'_>, rows: u32, display: &mut Recorder<Gray8>) -> Result<Statistics, Refused> {
-    let (mut corners, mut records) = ([ScreenVertex::EMPTY; 8], [0; 13]);
+fn draw(
+    instance: &MeshInstance<'_>,
+    rows: u32,
+    display: &mut Recorder<Gray8>,
+) -> Result<Statistics, Refused> {
+    let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 13]);
     let area = display.bounding_box();
-    let mut faces = placed.transform_depth(&mut corners).bin_faces(&mut records).expect("room");
+    let mut faces = instance.transform_depth(&mut corners).bin_faces(&mut bin_storage).expect("room");
     let mut frame = Frame::new(area, Gray8::BLACK);
     let pixels = Frame::<Gray8>::strip_bytes(area.size.width, rows);
     let (mut strip, mut storage) = (vec![0; pixels], vec![0; pixels]);
@@ -43,12 +47,12 @@ fn luma(display: &Recorder<Gray8>) -> Vec<u8> {
     display.bounding_box().points().map(|p| display.colour(p.x, p.y).map_or(0, |c| c.luma())).collect()
 }
 
-fn whole(placed: &MeshInstance<'_>, area: (i32, i32, u32, u32)) -> Vec<u8> {
+fn whole(instance: &MeshInstance<'_>, area: (i32, i32, u32, u32)) -> Vec<u8> {
     let area = rectangle(area.0, area.1, area.2, area.3);
     let mut display = Recorder::new(area);
     let mut storage = vec![0; (area.size.width * area.size.height) as usize];
     let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-    placed.depth_tested(colour, &mut [ScreenVertex::EMPTY; 8], &mut depth, &mut display).expect("no error");
+    instance.depth_tested(colour, &mut [ScreenVertex::EMPTY; 8], &mut depth, &mut display).expect("no error");
     luma(&display)
 }
 
@@ -81,17 +85,17 @@ fn a_depth_strip_too_short_says_what_it_needs() {
 
 #[test]
 fn without_records_nothing_is_drawn_and_the_error_names_the_need() {
-    cube((0, 0, 64, 64), |placed| {
+    cube((0, 0, 64, 64), |instance| {
         let mut corners = [ScreenVertex::EMPTY; 8];
-        let projected = placed.transform(&mut corners);
+        let projected = instance.transform(&mut corners);
         // Three sides of the cube are visible: six faces, and one number for every 16 of the mesh's twelve.
-        let (mut records, mut enough) = ([], [0; 7]);
-        let error = projected.bin_faces(&mut records).map(|_| ()).expect_err("no room");
+        let (mut bin_storage, mut enough) = ([], [0; 7]);
+        let error = projected.bin_faces(&mut bin_storage).map(|_| ()).expect_err("no room");
         assert_eq!(error, BinError::Storage { needed: 7, given: 0 });
         assert!(error.to_string().contains('7'));
         assert_eq!(projected.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
         // A vertex cache is optional: without it each vertex is computed where a face needs it.
-        let none = placed.transform(&mut []);
+        let none = instance.transform(&mut []);
         assert_eq!(none.bin_faces(&mut enough).expect("room").statistics().drawn, 6);
     });
 }
@@ -102,12 +106,12 @@ fn more_faces_than_records_can_count_are_refused() {
     let mesh = Mesh::new(&CUBE, 0, &faces).expect("a mesh");
     let camera = cube_camera((0, 0, 8, 8)).library();
     let model = ModelBits(vec![]).library();
-    let mut records = vec![0; 80_000];
-    let placed = camera.place(&mesh, &model);
-    let error = placed.transform(&mut []).bin_faces(&mut records).map(|_| ()).expect_err("too many");
+    let mut bin_storage = vec![0; 80_000];
+    let instance = camera.place(&mesh, &model);
+    let error = instance.transform(&mut []).bin_faces(&mut bin_storage).map(|_| ()).expect_err("too many");
     assert_eq!(error, BinError::TooMany { items: 65_536 });
     let mesh = Mesh::new(&CUBE, 0, &faces[1..]).expect("a mesh");
-    assert!(camera.place(&mesh, &model).transform(&mut []).bin_faces(&mut records).is_ok());
+    assert!(camera.place(&mesh, &model).transform(&mut []).bin_faces(&mut bin_storage).is_ok());
 }
 
 #[test]
@@ -115,13 +119,13 @@ fn a_viewport_beside_the_target_draws_background_and_one_larger_a_crop() {
     for viewport in
         [(100, 0, 64, 64), (0, -64, 64, 64), (-30, 20, 64, 64), (-20, -20, 104, 104), (5, 5, 9, 9)]
     {
-        cube(viewport, |placed| {
+        cube(viewport, |instance| {
             let area = (0, 0, 64, 64);
             for rows in [1, 5, 64] {
                 let mut display = Recorder::sized(64, 64);
-                let statistics = draw(placed, rows, &mut display).expect("no error");
+                let statistics = draw(instance, rows, &mut display).expect("no error");
                 assert_eq!(statistics.drawn, 6);
-                assert!(luma(&display) == whole(placed, area), "{viewport:?}, {rows} rows");
+                assert!(luma(&display) == whole(instance, area), "{viewport:?}, {rows} rows");
                 assert_eq!((display.outside, display.pixels.len()), (0, 64 * 64));
                 let seen = luma(&display).iter().any(|&luma| luma != 0);
                 assert_eq!(seen, !matches!(viewport, (100, ..) | (0, -64, ..)));
@@ -135,15 +139,16 @@ fn a_viewport_beside_the_target_draws_background_and_one_larger_a_crop() {
 #[test]
 fn a_band_beside_the_viewport_changes_nothing() {
     for viewport in [(0, -64, 64, 64), (0, -32, 64, 64)] {
-        cube(viewport, |placed| {
-            let (mut corners, mut records) = ([ScreenVertex::EMPTY; 8], [0; 13]);
-            let mut faces = placed.transform(&mut corners).bin_faces(&mut records).expect("room");
-            let (mut edge_corners, mut edge_records) = ([ScreenVertex::EMPTY; 8], [0; 20]);
-            let mut edges = placed.transform(&mut edge_corners).bin_edges(&mut edge_records).expect("room");
+        cube(viewport, |instance| {
+            let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 13]);
+            let mut faces = instance.transform(&mut corners).bin_faces(&mut bin_storage).expect("room");
+            let (mut edge_corners, mut edge_bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 20]);
+            let mut edges =
+                instance.transform(&mut edge_corners).bin_edges(&mut edge_bin_storage).expect("room");
             let area = rectangle(viewport.0, viewport.1, viewport.2, viewport.3);
             let (mut at_once, mut banded) = (Recorder::new(area), Recorder::new(area));
-            placed.solid(colour, &mut [], &mut at_once).expect("no error");
-            placed.wireframe(Gray8::WHITE, &mut [], &mut at_once).expect("no error");
+            instance.solid(colour, &mut [], &mut at_once).expect("no error");
+            instance.wireframe(Gray8::WHITE, &mut [], &mut at_once).expect("no error");
             for row in (0..64).step_by(4) {
                 let mut band = Recorder::new(rectangle(0, viewport.1 + row, 64, 4));
                 faces.solid(colour, &mut band).expect("no error");
@@ -169,14 +174,14 @@ fn a_band_beside_the_viewport_changes_nothing() {
 /// The error of the display is returned at the band where it failed, and the next frame is right.
 #[test]
 fn a_display_error_in_mid_frame_is_returned() {
-    cube((0, 0, 64, 64), |placed| {
+    cube((0, 0, 64, 64), |instance| {
         for after in 0..8 {
             let mut display = Recorder::failing(64, 64, after);
-            assert_eq!(draw(placed, 8, &mut display), Err(Refused(after)));
+            assert_eq!(draw(instance, 8, &mut display), Err(Refused(after)));
             assert_eq!(display.calls.len(), after + 1);
             display.fails_at = None;
-            draw(placed, 8, &mut display).expect("a display that works again");
-            assert!(luma(&display) == whole(placed, (0, 0, 64, 64)), "after {after} bands");
+            draw(instance, 8, &mut display).expect("a display that works again");
+            assert!(luma(&display) == whole(instance, (0, 0, 64, 64)), "after {after} bands");
         }
     });
 }
@@ -184,12 +189,12 @@ fn a_display_error_in_mid_frame_is_returned() {
 /// After a target failed in mid-band the binned faces are complete and can be drawn again.
 #[test]
 fn a_band_that_fails_can_be_drawn_again() {
-    cube((0, 0, 64, 64), |placed| {
-        let (mut corners, mut records) = ([ScreenVertex::EMPTY; 8], [0; 7]);
-        let projected = placed.transform(&mut corners);
-        let mut faces = projected.bin_faces(&mut records).expect("room");
+    cube((0, 0, 64, 64), |instance| {
+        let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; 8], [0; 7]);
+        let projected = instance.transform(&mut corners);
+        let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
         let mut good = Recorder::sized(64, 64);
-        placed.solid(colour, &mut [], &mut good).expect("no error");
+        instance.solid(colour, &mut [], &mut good).expect("no error");
         for after in [0, 1, 20] {
             let mut bad = Recorder::failing(64, 64, after);
             assert_eq!(faces.solid(colour, &mut bad), Err(Refused(after)));
@@ -203,9 +208,9 @@ fn a_band_that_fails_can_be_drawn_again() {
 /// A band is sent by one call, whatever it contains.
 #[test]
 fn a_band_is_sent_in_one_piece() {
-    cube((0, 0, 60, 60), |placed| {
+    cube((0, 0, 60, 60), |instance| {
         let mut display = Recorder::sized(60, 60);
-        draw(placed, 8, &mut display).expect("no error");
+        draw(instance, 8, &mut display).expect("no error");
         let calls: Vec<_> = (0..8)
             .map(|i| {
                 let rows = if i == 7 { 4 } else { 8 };
@@ -235,12 +240,12 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     let camera = cube_camera((0, 0, 96, 64)).library();
     let model = ModelBits(vec![Step::Move([0, 0, ONE])]).library();
     let mesh = Mesh::new(&vertices, -13, &faces).expect("a mesh");
-    let placed = camera.place(&mesh, &model).with_cull(Cull::None);
+    let instance = camera.place(&mesh, &model).with_cull(Cull::None);
     let area = rectangle(0, 0, 96, 64);
     let shade = |face: usize| Gray8::new((face * 7 % 251) as u8 + 1);
     let (mut reference, mut storage) = (Recorder::new(area), vec![0; 96 * 64]);
     let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-    placed.depth_tested(shade, &mut [], &mut depth, &mut reference).expect("no error");
+    instance.depth_tested(shade, &mut [], &mut depth, &mut reference).expect("no error");
 
     // In chunks: geometry again for every band, storage for two rows of posts.
     let chunk_faces: Vec<[u16; 3]> = (0..255).flat_map(|x| quad(x, 0)).collect();
@@ -265,9 +270,9 @@ fn a_mesh_larger_than_the_storage_streams_in_chunks() {
     assert!(picture == luma(&reference));
 
     // Binned once, with a cache of 300 vertices: the others are computed where a face needs them.
-    let mut records = vec![0; faces.len() + faces.len().div_ceil(16)];
-    let projected = placed.transform_depth(&mut corners[..300]);
-    let mut recorded = projected.bin_faces(&mut records).expect("room");
+    let mut bin_storage = vec![0; faces.len() + faces.len().div_ceil(16)];
+    let projected = instance.transform_depth(&mut corners[..300]);
+    let mut recorded = projected.bin_faces(&mut bin_storage).expect("room");
     let (mut frame, mut picture) = (Frame::new(area, Gray8::BLACK), Vec::<u8>::new());
     while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
         let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
@@ -286,12 +291,12 @@ fn a_room_seen_from_inside_in_bands_is_complete() {
     let mut camera = cube_camera((0, 0, 64, 64));
     camera.view =
         bridge::pair::ViewBits::LookAlong([0, ONE / 2, ONE], [ONE / 3, -ONE / 5, -ONE], [0, ONE, 0]);
-    let placed = camera.library().place(&mesh, &ModelBits(vec![]).library());
+    let instance = camera.library().place(&mesh, &ModelBits(vec![]).library());
     for rows in [1, 3, 16, 64] {
         let mut display = Recorder::sized(64, 64);
-        let statistics = draw(&placed, rows, &mut display).expect("no error");
+        let statistics = draw(&instance, rows, &mut display).expect("no error");
         assert!(statistics.clipped > 0);
         let picture = luma(&display);
-        assert!(picture == whole(&placed, (0, 0, 64, 64)) && picture.iter().all(|&luma| luma != 0));
+        assert!(picture == whole(&instance, (0, 0, 64, 64)) && picture.iter().all(|&luma| luma != 0));
     }
 }

@@ -55,9 +55,9 @@ fn once(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent:
     let (_, _, width, height) = camera.viewport;
     let mesh = Mesh::new(vertices, exponent, faces).expect("a mesh");
     let (library, model_library) = (camera.library(), model.library());
-    let placed = library.place(&mesh, &model_library);
+    let instance = library.place(&mesh, &model_library);
     let mut target = Recorder::sized(width, height);
-    let statistics = solid(&placed, &mut target).expect("no error");
+    let statistics = solid(&instance, &mut target).expect("no error");
     for (x, y) in Area::new(0, 0, width.into(), height.into()).pixels() {
         assert_eq!(
             target.count(x as i32, y as i32),
@@ -67,13 +67,13 @@ fn once(camera: &CameraBits, model: &ModelBits, vertices: &[[i16; 3]], exponent:
         );
     }
     let mut painter = Painter::<Shader, 800, 800>::new();
-    painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
+    painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
     let mut painted = Recorder::sized(width, height);
     assert_eq!(painter.draw(&mut painted), Ok(statistics));
     assert!(painted.pixels == target.pixels, "the painter draws another picture");
     // All faces face the eye: culling removes none.
     let mut both = Recorder::sized(width, height);
-    solid(&placed.with_cull(Cull::None), &mut both).expect("no error");
+    solid(&instance.with_cull(Cull::None), &mut both).expect("no error");
     assert!(
         both.pixels == target.pixels,
         "faces turned over: {camera:?} {model:?} {vertices:?}·2^{exponent}"

@@ -46,12 +46,12 @@ fn draw(
     Drawing { calls: target.calls, depths, statistics, faces: faces.into_inner() }
 }
 
-fn plain<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, depth: bool) -> Drawing {
-    let mut cache = vec![ScreenVertex::EMPTY; placed.mesh().vertices().len()];
+fn plain<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V>, depth: bool) -> Drawing {
+    let mut cache = vec![ScreenVertex::EMPTY; instance.mesh().vertices().len()];
     draw(depth, |shade, depth, target| {
         match depth {
-            Some(depth) => placed.depth_tested(shade, &mut cache, depth, target),
-            None => placed.solid(shade, &mut cache, target),
+            Some(depth) => instance.depth_tested(shade, &mut cache, depth, target),
+            None => instance.solid(shade, &mut cache, target),
         }
         .unwrap()
     })
@@ -59,14 +59,14 @@ fn plain<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, depth: bool) -> D
 
 /// `cache` is the vertex cache, filled with the vertices of another picture.
 fn by_planes<V: pinhole::Coordinate>(
-    placed: &MeshInstance<'_, V>,
+    instance: &MeshInstance<'_, V>,
     depth: bool,
     cache: &mut [ScreenVertex],
 ) -> Drawing {
     draw(depth, |shade, depth, target| {
         match depth {
-            Some(depth) => placed.cull_by_planes().depth_tested(shade, cache, depth, target),
-            None => placed.cull_by_planes().solid(shade, cache, target),
+            Some(depth) => instance.cull_by_planes().depth_tested(shade, cache, depth, target),
+            None => instance.cull_by_planes().solid(shade, cache, target),
         }
         .unwrap()
     })
@@ -74,13 +74,13 @@ fn by_planes<V: pinhole::Coordinate>(
 
 /// Draws in bands of 7 rows; returns the pixels and the faces whose shader was asked for.
 fn in_bands<V: pinhole::Coordinate>(
-    placed: &MeshInstance<'_, V>,
+    instance: &MeshInstance<'_, V>,
     depth: bool,
     planes: bool,
     corners: &mut [ScreenVertex],
 ) -> (Vec<Call<Shader>>, Statistics) {
-    let count = placed.mesh().faces().len();
-    let mut records = vec![0; count + count.div_ceil(16)];
+    let count = instance.mesh().faces().len();
+    let mut bin_storage = vec![0; count + count.div_ceil(16)];
     let mut calls = Vec::new();
     let rows = (0..HEIGHT as i32)
         .step_by(7)
@@ -89,10 +89,10 @@ fn in_bands<V: pinhole::Coordinate>(
     let statistics = if depth {
         let transformed;
         let mut faces = if planes {
-            placed.cull_by_planes().bin_faces_with_depth(corners, &mut records).unwrap()
+            instance.cull_by_planes().bin_faces_with_depth(corners, &mut bin_storage).unwrap()
         } else {
-            transformed = placed.transform_depth(corners);
-            transformed.bin_faces(&mut records).unwrap()
+            transformed = instance.transform_depth(corners);
+            transformed.bin_faces(&mut bin_storage).unwrap()
         };
         for mut band in rows {
             let mut depths = vec![0; WIDTH as usize * 7];
@@ -104,10 +104,10 @@ fn in_bands<V: pinhole::Coordinate>(
     } else {
         let transformed;
         let mut faces = if planes {
-            placed.cull_by_planes().bin_faces(corners, &mut records).unwrap()
+            instance.cull_by_planes().bin_faces(corners, &mut bin_storage).unwrap()
         } else {
-            transformed = placed.transform(corners);
-            transformed.bin_faces(&mut records).unwrap()
+            transformed = instance.transform(corners);
+            transformed.bin_faces(&mut bin_storage).unwrap()
         };
         for mut band in rows {
             faces.solid(shade, &mut band).unwrap();
@@ -128,27 +128,27 @@ struct Tally {
 }
 
 /// Twice the area before corners are snapped, in 2⁻⁶⁴ pixels; positive for front faces.
-fn exact_area<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, face: [u16; 3]) -> Option<i128> {
-    let [a, b, c] = face.map(|index| placed.project_unsnapped(index.into()).map(|p| p.map(i128::from)));
+fn exact_area<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V>, face: [u16; 3]) -> Option<i128> {
+    let [a, b, c] = face.map(|index| instance.project_unsnapped(index.into()).map(|p| p.map(i128::from)));
     let (a, b, c) = (a?, b?, c?);
     Some((c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]))
 }
 
-fn compare<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, tally: &mut Tally) {
-    let (count, faces) = (placed.mesh().vertices().len(), placed.mesh().faces().len() as u32);
+fn compare<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V>, tally: &mut Tally) {
+    let (count, faces) = (instance.mesh().vertices().len(), instance.mesh().faces().len() as u32);
     // Vertices of a mesh with another model matrix.
     let mut stale = vec![ScreenVertex::EMPTY; count + 3];
-    let _ = placed.solid(|_| Shader(0), &mut stale, &mut Recorder::sized(9, 9));
+    let _ = instance.solid(|_| Shader(0), &mut stale, &mut Recorder::sized(9, 9));
     stale.rotate_right(5);
     for depth in [false, true] {
-        let expected = plain(placed, depth);
+        let expected = plain(instance, depth);
         for length in [0, count / 2, count, count + 3] {
-            let found = by_planes(placed, depth, &mut stale.clone()[..length]);
+            let found = by_planes(instance, depth, &mut stale.clone()[..length]);
             let (e, f) = (expected.statistics, found.statistics);
             let missing: Vec<u16> =
                 expected.faces.iter().copied().filter(|face| !found.faces.contains(face)).collect();
             for &face in &missing {
-                let area = exact_area(placed, placed.mesh().faces()[usize::from(face)]);
+                let area = exact_area(instance, instance.mesh().faces()[usize::from(face)]);
                 assert!(area.is_some_and(|area| area < 0), "face {face} is not turned away: {area:?}");
             }
             tally.turned += missing.len();
@@ -167,10 +167,10 @@ fn compare<V: pinhole::Coordinate>(placed: &MeshInstance<'_, V>, tally: &mut Tal
             assert!(found.calls == expected.calls, "other spans");
             assert!(found.depths == expected.depths, "other depths");
         }
-        let whole = by_planes(placed, depth, &mut stale.clone()).statistics;
-        let (expected_calls, _) = in_bands(placed, depth, false, &mut stale.clone());
+        let whole = by_planes(instance, depth, &mut stale.clone()).statistics;
+        let (expected_calls, _) = in_bands(instance, depth, false, &mut stale.clone());
         for length in [count / 2, count + 3] {
-            let (calls, statistics) = in_bands(placed, depth, true, &mut stale.clone()[..length]);
+            let (calls, statistics) = in_bands(instance, depth, true, &mut stale.clone()[..length]);
             assert!(calls == expected_calls, "other spans in bands");
             assert_eq!(statistics, whole);
         }
@@ -244,9 +244,9 @@ fn a_mesh_without_planes_is_not_culled_by_planes() {
     assert_eq!((mesh.planes(), replaced), (&[][..], mesh));
     for i in 0..24 {
         let camera = camera(&mut rng, [5.0, 17.0, 300.0][i % 3], false).library();
-        let placed = camera.place(&mesh, &ModelBits::random_rotation(&mut rng).library());
+        let instance = camera.place(&mesh, &ModelBits::random_rotation(&mut rng).library());
         let mut corners = vec![ScreenVertex::EMPTY; 400];
-        let (expected, found) = (plain(&placed, true), by_planes(&placed, true, &mut corners));
+        let (expected, found) = (plain(&instance, true), by_planes(&instance, true, &mut corners));
         assert_eq!(found.statistics, expected.statistics);
         assert_eq!(found.faces, expected.faces);
         assert!(found.calls == expected.calls && found.depths == expected.depths);

@@ -82,15 +82,15 @@ fn r9_faces_are_the_exact_coverage_of_their_corners() {
             for face in &scene.faces {
                 let one = [*face];
                 let mesh = Mesh::new(&scene.vertices, EXPONENT, &one).expect("a mesh");
-                let placed = camera.place(&mesh, &model).with_cull(cull);
-                let corners = face.map(|i| placed.project(usize::from(i)));
+                let instance = camera.place(&mesh, &model).with_cull(cull);
+                let corners = face.map(|i| instance.project(usize::from(i)));
                 let [Some((a, _)), Some((b, _)), Some((c, _))] = corners else {
                     continue;
                 };
                 whole += 1;
                 let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
                 let mut cache = [ScreenVertex::default(); 12];
-                let s = placed.solid(|_| Shader(1), &mut cache, &mut target).expect("no error");
+                let s = instance.solid(|_| Shader(1), &mut cache, &mut target).expect("no error");
                 let t = [at(a), at(b), at(c)];
                 // Front is counter-clockwise with y up: the edge function is negative with y down.
                 let area = coverage::edge(t[0], t[1], t[2]);
@@ -133,12 +133,12 @@ fn l1_edges_are_the_exact_lines_between_their_ends() {
             let one = [*edge];
             let mesh =
                 Mesh::new(&scene.vertices, EXPONENT, &[]).and_then(|m| m.with_edges(&one)).expect("a mesh");
-            let placed = camera.place(&mesh, &model);
-            let [Some((a, _)), Some((b, _))] = edge.map(|i| placed.project(usize::from(i))) else {
+            let instance = camera.place(&mesh, &model);
+            let [Some((a, _)), Some((b, _))] = edge.map(|i| instance.project(usize::from(i))) else {
                 continue;
             };
             let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-            placed.wireframe(Shader(1), &mut [], &mut target).expect("no error");
+            instance.wireframe(Shader(1), &mut [], &mut target).expect("no error");
             let pixel = |p: ScreenPoint| {
                 let (x, y) = at(p);
                 (x.div_euclid(256), y.div_euclid(256))
@@ -214,14 +214,14 @@ fn a_shorter_cache_draws_the_same_picture() {
     for _ in 0..400 {
         let scene = scene(&mut rng);
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), scene.mesh());
-        let placed = camera.place(&mesh, &model);
+        let instance = camera.place(&mesh, &model);
         let draw = |length: usize| {
             let mut cache = vec![ScreenVertex::default(); length];
             let mut solid = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-            let s = placed.solid(|face| Shader(face as u16), &mut cache, &mut solid).expect("no error");
+            let s = instance.solid(|face| Shader(face as u16), &mut cache, &mut solid).expect("no error");
             // Vertices of another scene in the cache do no harm.
             let mut lines = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-            let w = placed.wireframe(Shader(9), &mut cache, &mut lines).expect("no error");
+            let w = instance.wireframe(Shader(9), &mut cache, &mut lines).expect("no error");
             (solid.calls, lines.calls, s, w)
         };
         let whole = draw(scene.vertices.len());
@@ -241,10 +241,10 @@ fn every_primitive_is_counted_exactly_once() {
             scene.camera.view = random_view(&mut rng);
         }
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), scene.mesh());
-        let placed = camera.place(&mesh, &model);
+        let instance = camera.place(&mesh, &model);
         let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
         let mut shaded = 0;
-        let s = placed
+        let s = instance
             .solid(
                 |_| {
                     shaded += 1;
@@ -257,11 +257,11 @@ fn every_primitive_is_counted_exactly_once() {
         assert_eq!(total(s) as usize, scene.faces.len());
         assert_eq!(shaded, s.drawn, "shade is asked once for each face drawn");
         assert!(s.clipped <= s.drawn);
-        let w = placed.wireframe(Shader(0), &mut [], &mut target).expect("no error");
+        let w = instance.wireframe(Shader(0), &mut [], &mut target).expect("no error");
         assert_eq!(total(w) as usize, scene.edges.len());
         assert_eq!((w.culled, w.degenerate), (0, 0));
         let mut painter = Painter::<Shader, 200, 100>::new();
-        painter.add(&placed, |_| Shader(0)).expect("enough room");
+        painter.add(&instance, |_| Shader(0)).expect("enough room");
         assert_eq!(painter.draw(&mut target), Ok(s));
         for (sum, n) in all.iter_mut().zip([s.drawn, s.culled, s.clipped, s.outside, s.degenerate]) {
             *sum += n;
@@ -286,11 +286,11 @@ fn clipped_counts_what_was_cut_and_nothing_else() {
         let vertices = [[0, 0, -3], [x, -1, -3], [0, 2, -3]];
         let mesh =
             Mesh::new(&vertices, 0, &[[0, 1, 2]]).and_then(|m| m.with_edges(&[[0, 1]])).expect("a mesh");
-        let placed = camera.place(&mesh, &model);
-        assert_eq!(placed.project(1).is_none(), clipped == 1, "{x}");
+        let instance = camera.place(&mesh, &model);
+        assert_eq!(instance.project(1).is_none(), clipped == 1, "{x}");
         let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
-        let faces = placed.solid(|_| Shader(0), &mut [], &mut target).expect("no error");
-        let edges = placed.wireframe(Shader(0), &mut [], &mut target).expect("no error");
+        let faces = instance.solid(|_| Shader(0), &mut [], &mut target).expect("no error");
+        let edges = instance.wireframe(Shader(0), &mut [], &mut target).expect("no error");
         assert_eq!((faces.drawn, faces.clipped), (1, clipped), "a face with a corner at {x}");
         assert_eq!((edges.drawn, edges.clipped), (1, clipped), "an edge with an end at {x}");
     }
@@ -316,9 +316,9 @@ fn project_of_a_missing_vertex_is_none() {
     let mut rng = Rng::new(0xF5);
     let scene = scene(&mut rng);
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), scene.mesh());
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     for index in [scene.vertices.len(), 65_536, usize::MAX] {
-        assert!(placed.project(index).is_none());
+        assert!(instance.project(index).is_none());
     }
 }
 

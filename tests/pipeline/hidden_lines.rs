@@ -115,12 +115,12 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
         .and_then(|m| m.with_edge_faces(&beside))
         .expect("a mesh");
     let (library, model) = (camera.library(), model.library());
-    let placed = library.place(&mesh, &model);
+    let instance = library.place(&mesh, &model);
     // Drawn: one bit a pixel, 16 rows at a time.
     let mut corners = vec![ScreenVertex::EMPTY; solid.vertices.len()];
-    let projected = placed.transform_depth(&mut corners);
-    let (mut records, mut more) = (vec![0; 2 * solid.faces.len()], vec![0; 2 * solid.edges.len()]);
-    let mut faces = projected.bin_faces(&mut records).expect("room");
+    let projected = instance.transform_depth(&mut corners);
+    let (mut bin_storage, mut more) = (vec![0; 2 * solid.faces.len()], vec![0; 2 * solid.edges.len()]);
+    let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
     let mut edges = projected.bin_edges(&mut more).expect("room");
     let area = bridge::rectangle(0, 0, WIDTH, HEIGHT);
     let mut frame = Frame::new(area, BinaryColor::Off);
@@ -138,7 +138,7 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
     let vertices: Vec<Vertex> = (0..solid.vertices.len())
         .map(|i| {
             let ((point, _), exact) =
-                (placed.project(i).expect("in view"), placed.project_unsnapped(i).expect("in view"));
+                (instance.project(i).expect("in view"), instance.project_unsnapped(i).expect("in view"));
             [f64::from(point.x()) / 256.0, f64::from(point.y()) / 256.0, exact[2] as f64 / 4_294_967_296.0]
         })
         .collect();
@@ -255,12 +255,12 @@ fn an_edge_without_faces_stays_so_in_large_meshes() {
             .and_then(|m| m.with_edges(&edges))
             .and_then(|m| m.with_edge_faces(&beside))
             .expect("a mesh");
-        let placed = camera.place(&mesh, &model);
+        let instance = camera.place(&mesh, &model);
         let mut storage = vec![0; 64 * 64];
         let mut depth = DepthBuffer::new(bridge::rectangle(0, 0, 64, 64), &mut storage).expect("storage");
-        placed.depth_only(&mut [], &mut depth);
+        instance.depth_only(&mut [], &mut depth);
         let mut target = Recorder::<BinaryColor>::sized(64, 64);
-        let statistics = placed.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target);
+        let statistics = instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target);
         assert_eq!(statistics.expect("no error").drawn, 1);
         assert!(target.pixels.is_empty(), "{count} faces: {} pixels", target.pixels.len());
     }
@@ -305,13 +305,13 @@ fn hidden_lines_draw_the_edges_of_clipped_faces() {
         for (edge, pair) in solid.edges.iter().zip(&solid.edge_faces()) {
             let (edges, beside) = ([*edge], [*pair]);
             let mesh = whole.with_edges(&edges).and_then(|m| m.with_edge_faces(&beside)).expect("an edge");
-            let placed = camera.place(&mesh, &model);
+            let instance = camera.place(&mesh, &model);
             let mut storage = vec![0; (SIDE * SIDE) as usize];
             let mut own = DepthBuffer::new(area, &mut storage).expect("storage");
             let mut line = Recorder::<BinaryColor>::sized(SIDE, SIDE);
-            placed.wireframe_depth_tested(BinaryColor::On, &mut [], &mut own, &mut line).expect("no error");
+            instance.wireframe_depth_tested(BinaryColor::On, &mut [], &mut own, &mut line).expect("no error");
             let mut target = Recorder::<BinaryColor>::sized(SIDE, SIDE);
-            placed.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target).expect("no error");
+            instance.hidden_line(BinaryColor::On, &mut [], &mut depth, &mut target).expect("no error");
             assert_eq!(depth.values(), held, "depth is looked at only");
             for &(x, y) in line.pixels.keys() {
                 let at = (y * SIDE as i32 + x) as usize;

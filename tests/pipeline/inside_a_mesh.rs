@@ -72,8 +72,8 @@ fn counts(camera: &CameraBits, model: &ModelBits, body: &Body) -> (Recorder<Shad
     let draw = |faces: &[[u16; 3]], cull: Cull| {
         let mesh = Mesh::new(&body.vertices, body.exponent, faces).expect("a mesh");
         let mut target = Recorder::sized(WIDTH, HEIGHT);
-        let placed = camera.library().place(&mesh, &model.library()).with_cull(cull);
-        placed
+        let instance = camera.library().place(&mesh, &model.library()).with_cull(cull);
+        instance
             .solid(|f| Shader(f as u16), &mut [ScreenVertex::default(); 16], &mut target)
             .expect("no error");
         target

@@ -92,34 +92,34 @@ fn wild_model(rng: &mut Rng) -> ModelBits {
 
 fn draw_every_way<V: Coordinate>(
     rng: &mut Rng,
-    placed: MeshInstance<'_, V>,
+    instance: MeshInstance<'_, V>,
     viewport: (i32, i32, u32, u32),
 ) -> u32 {
-    let placed = placed.with_cull([Cull::Back, Cull::None][rng.below(2)]);
+    let instance = instance.with_cull([Cull::Back, Cull::None][rng.below(2)]);
     for v in 0..7 {
-        let _ = placed.project(v);
+        let _ = instance.project(v);
     }
     let mut target = Recorder::sized(20, 15);
     let mut cache = [ScreenVertex::default(); 6];
     let cache = &mut cache[..rng.below(7)];
-    placed.solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
-    placed.cull_by_planes().solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
+    instance.solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
+    instance.cull_by_planes().solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
     let mut depths = [0; 20 * 15];
     let mut depth = DepthBuffer::new(target.bounding_box(), &mut depths).expect("as large as the target");
-    placed
+    instance
         .cull_by_planes()
         .depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target)
         .expect("no error");
-    placed.depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target).expect("no error");
-    placed.depth_only(cache, &mut depth);
-    placed.wireframe(Shader(1), cache, &mut target).expect("no error");
-    placed.wireframe_depth_tested(Shader(1), cache, &mut depth, &mut target).expect("no error");
-    placed.hidden_line(Shader(1), cache, &mut depth, &mut target).expect("no error");
-    placed.points(Shader(1), &mut target).expect("no error");
-    placed.polyline(Shader(1), &mut target).expect("no error");
-    let (mut records, mut more) = ([0; 6], [0; 6]); // of five, and one for every 16
-    let transformed = placed.transform_depth(cache);
-    let mut faces = transformed.bin_faces(&mut records).expect("room");
+    instance.depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target).expect("no error");
+    instance.depth_only(cache, &mut depth);
+    instance.wireframe(Shader(1), cache, &mut target).expect("no error");
+    instance.wireframe_depth_tested(Shader(1), cache, &mut depth, &mut target).expect("no error");
+    instance.hidden_line(Shader(1), cache, &mut depth, &mut target).expect("no error");
+    instance.points(Shader(1), &mut target).expect("no error");
+    instance.polyline(Shader(1), &mut target).expect("no error");
+    let (mut bin_storage, mut more) = ([0; 6], [0; 6]); // of five, and one for every 16
+    let transformed = instance.transform_depth(cache);
+    let mut faces = transformed.bin_faces(&mut bin_storage).expect("room");
     let mut edges = transformed.bin_edges(&mut more).expect("room");
     faces.solid(|face| Shader(face as u16), &mut target).expect("no error");
     faces.depth_tested(|face| Shader(face as u16), &mut depth, &mut target).expect("no error");
@@ -127,8 +127,8 @@ fn draw_every_way<V: Coordinate>(
     edges.depth_tested(Shader(1), &mut depth, &mut target).expect("no error");
     edges.hidden_line(Shader(1), &mut depth, &mut target).expect("no error");
     let mut painter = Painter::<Shader, 30, 16>::new();
-    let _ = painter.add(&placed, |_| Shader(2));
-    let _ = painter.add(&placed, |_| Shader(3));
+    let _ = painter.add(&instance, |_| Shader(2));
+    let _ = painter.add(&instance, |_| Shader(3));
     painter.draw(&mut target).expect("no error");
     assert_eq!(target.outside, 0);
     let (x, y, width, height) = viewport;

@@ -61,19 +61,19 @@ fn a_painter_can_draw_again_after_a_target_failed() {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
     let model = ModelBits::default().library();
     let camera = camera.library();
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     let mut painter = Painter::<Shader, 64, 64>::new();
-    painter.add(&placed, |_| Shader(1)).expect("enough room");
+    painter.add(&instance, |_| Shader(1)).expect("enough room");
     let mut whole = Recorder::sized(40, 30);
     let statistics = painter.draw(&mut whole).expect("no error");
     for n in 0..whole.calls.len() {
         painter.clear();
-        painter.add(&placed, |_| Shader(1)).expect("enough room");
+        painter.add(&instance, |_| Shader(1)).expect("enough room");
         let mut target = Recorder::failing(40, 30, n);
         assert_eq!(painter.draw(&mut target).err(), Some(Refused(n)));
     }
     painter.clear();
-    painter.add(&placed, |_| Shader(1)).expect("enough room");
+    painter.add(&instance, |_| Shader(1)).expect("enough room");
     let mut target = Recorder::sized(40, 30);
     assert_eq!(painter.draw(&mut target), Ok(statistics));
     assert_eq!(target.calls, whole.calls);
@@ -185,19 +185,19 @@ impl Target for Spans<'_> {
 fn cubes<T: Target<Color = Rgb565>>(target: &mut T) {
     let mesh = Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a mesh");
     let (model, camera) = (ModelBits::default().library(), camera((0, 0, 40, 30)).library());
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     let table = ShadeTable::new(Rgb888::CSS_GOLD);
     let smooth = |face| table.lit([10 * face as u16, 200, 256]);
     let solid = |face| Rgb565::new(face as u8 + 1, 9, 9);
-    let _ = placed.solid(solid, &mut [], target);
+    let _ = instance.solid(solid, &mut [], target);
     let _ =
-        placed.solid(|face| Gouraud::lit(Rgb888::CSS_CORAL, [10 * face as u16, 200, 256]), &mut [], target);
+        instance.solid(|face| Gouraud::lit(Rgb888::CSS_CORAL, [10 * face as u16, 200, 256]), &mut [], target);
     let mut depths = [0; 40 * 30];
     let mut depth = DepthBuffer::new(target.area(), &mut depths).expect("as many numbers");
-    let _ = placed.depth_tested(solid, &mut [], &mut depth, target);
+    let _ = instance.depth_tested(solid, &mut [], &mut depth, target);
     depth.clear();
-    let _ = placed.depth_tested(smooth, &mut [], &mut depth, target);
-    let _ = placed.wireframe(Rgb565::CSS_WHITE, &mut [], target);
+    let _ = instance.depth_tested(smooth, &mut [], &mut depth, target);
+    let _ = instance.wireframe(Rgb565::CSS_WHITE, &mut [], target);
 }
 
 #[test]

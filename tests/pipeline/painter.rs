@@ -98,21 +98,21 @@ fn faces_of_one_mesh_are_sorted_too() {
 fn a_full_painter_names_the_parameter_and_value_to_raise() {
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
     let (camera, model) = (camera(), ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library());
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     let mut painter = Painter::<Shader, 7, 9>::new();
     for _ in 0..2 {
-        painter.add(&placed, |_| Shader(0)).expect("enough room");
+        painter.add(&instance, |_| Shader(0)).expect("enough room");
     }
     assert!(matches!(
-        painter.add(&placed, |_| Shader(0)),
+        painter.add(&instance, |_| Shader(0)),
         Err(PainterError::Vertices { needed: 9, capacity: 7 })
     ));
     let mut painter = Painter::<Shader, 9, 2>::new();
     for _ in 0..2 {
-        painter.add(&placed, |_| Shader(0)).expect("enough room");
+        painter.add(&instance, |_| Shader(0)).expect("enough room");
     }
     assert!(matches!(
-        painter.add(&placed, |_| Shader(1)),
+        painter.add(&instance, |_| Shader(1)),
         Err(PainterError::Faces { needed: 3, capacity: 2 })
     ));
     // The faces added before are drawn.
@@ -122,7 +122,7 @@ fn a_full_painter_names_the_parameter_and_value_to_raise() {
     // With exactly that capacity the mesh fits.
     let mut painter = Painter::<Shader, 9, 3>::new();
     for _ in 0..3 {
-        painter.add(&placed, |_| Shader(0)).expect("enough room");
+        painter.add(&instance, |_| Shader(0)).expect("enough room");
     }
 }
 
@@ -180,10 +180,10 @@ fn painter_sorts_faces_added_later() {
 fn drawing_empties_the_painter_even_if_the_target_fails() {
     let mesh = Mesh::new(&VERTICES, 0, &FACE).expect("a mesh");
     let (camera, model) = (camera(), ModelBits(vec![Step::Move([0, 0, -5 * ONE])]).library());
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     let mut painter = Painter::<Shader, 3, 1>::new();
     for fails in [None, Some(0), Some(3)] {
-        painter.add(&placed, |_| Shader(0)).expect("enough room");
+        painter.add(&instance, |_| Shader(0)).expect("enough room");
         let mut target = Recorder::sized(16, 16);
         target.fails_at = fails;
         assert_eq!(painter.draw(&mut target).is_err(), fails.is_some());
@@ -211,15 +211,15 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
             .collect();
         let faces: Vec<[u16; 3]> = (0..20).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         let mesh = Mesh::new(&vertices, -4, &faces).expect("a mesh");
-        let placed = camera.place(&mesh, &model).with_cull(pinhole::Cull::None);
+        let instance = camera.place(&mesh, &model).with_cull(pinhole::Cull::None);
         let mut painter = Painter::<Shader, 60, 20>::new();
-        painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
+        painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
         let mut target = Recorder::sized(16, 16);
         painter.draw(&mut target).expect("no error");
         let sum = |face: u16| -> Option<u32> {
             faces[usize::from(face)]
                 .iter()
-                .map(|&v| placed.project(usize::from(v)).map(|(_, depth)| u32::from(depth)))
+                .map(|&v| instance.project(usize::from(v)).map(|(_, depth)| u32::from(depth)))
                 .sum()
         };
         for pair in order(&target.calls).windows(2) {

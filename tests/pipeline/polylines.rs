@@ -34,9 +34,12 @@ fn draw(
     let mut target = Recorder::sized(SIZE, SIZE);
     let placed_model = model.library();
     let library = camera.library();
-    let placed = library.place(&mesh, &placed_model);
-    let statistics =
-        if points { placed.points(Shader(1), &mut target) } else { placed.polyline(Shader(1), &mut target) };
+    let instance = library.place(&mesh, &placed_model);
+    let statistics = if points {
+        instance.points(Shader(1), &mut target)
+    } else {
+        instance.polyline(Shader(1), &mut target)
+    };
     assert_eq!(target.outside, 0);
     (target, statistics.expect("no error"))
 }

@@ -467,9 +467,9 @@ fn s5_triangles_inside_the_volume_are_not_clipped() {
         let found = library.visibility(&mesh.bounding_sphere(), &model);
         tally.count(found);
         if found != Visibility::Partly {
-            let placed = library.place(&mesh, &model).with_cull(Cull::None);
+            let instance = library.place(&mesh, &model).with_cull(Cull::None);
             let mut target = Recorder::<Shader>::sized(320, 200);
-            let drawn = placed.solid(|_| Shader(1), &mut [], &mut target).expect("no error");
+            let drawn = instance.solid(|_| Shader(1), &mut [], &mut target).expect("no error");
             match found {
                 Visibility::Inside => {
                     assert_eq!((drawn.clipped, drawn.outside), (0, 0), "{camera:?} {world:?}")

@@ -55,29 +55,29 @@ fn mesh(scene: &Scene) -> Mesh<'_> {
 /// In one piece onto a target that is not the library's; what is not drawn is background.
 fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
-    let (placed, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
+    let (instance, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
     let mut target = Recorder::new(area);
     let statistics = match way {
-        Way::Solid(cull) => placed.with_cull(cull).solid(colour, &mut corners, &mut target),
+        Way::Solid(cull) => instance.with_cull(cull).solid(colour, &mut corners, &mut target),
         Way::Depth(cull) => {
             let mut storage = vec![0; (area.size.width * area.size.height) as usize];
             let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-            placed.with_cull(cull).depth_tested(colour, &mut corners, &mut depth, &mut target)
+            instance.with_cull(cull).depth_tested(colour, &mut corners, &mut depth, &mut target)
         }
-        Way::Wireframe => placed.wireframe(LINE, &mut corners, &mut target),
+        Way::Wireframe => instance.wireframe(LINE, &mut corners, &mut target),
         Way::DepthLines | Way::HiddenLines => {
             let mut storage = vec![0; (area.size.width * area.size.height) as usize];
             let mut depth = DepthBuffer::new(area, &mut storage).expect("storage");
-            placed.depth_only(&mut corners, &mut depth);
+            instance.depth_only(&mut corners, &mut depth);
             if matches!(way, Way::HiddenLines) {
-                placed.hidden_line(LINE, &mut corners, &mut depth, &mut target)
+                instance.hidden_line(LINE, &mut corners, &mut depth, &mut target)
             } else {
-                placed.wireframe_depth_tested(LINE, &mut corners, &mut depth, &mut target)
+                instance.wireframe_depth_tested(LINE, &mut corners, &mut depth, &mut target)
             }
         }
         Way::Painter => {
             let mut painter = Painter::<Gray8, 128, 64>::new();
-            painter.add(&placed, colour).expect("room");
+            painter.add(&instance, colour).expect("room");
             painter.draw(&mut target)
         }
     };
@@ -153,28 +153,30 @@ fn record<R>(
     then: impl FnOnce(&mut Recorded<'_>) -> R,
 ) -> R {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
-    let (placed, mut records, mut more) = (camera.place(&mesh, &model), [0; 9], [0; 9]);
-    let placed = match way {
-        Way::Solid(cull) | Way::Depth(cull) => placed.with_cull(cull),
-        _ => placed,
+    let (instance, mut bin_storage, mut more) = (camera.place(&mesh, &model), [0; 9], [0; 9]);
+    let instance = match way {
+        Way::Solid(cull) | Way::Depth(cull) => instance.with_cull(cull),
+        _ => instance,
     };
     let mut recorded = match way {
-        Way::Solid(_) => Recorded::Solid(placed.transform(corners).bin_faces(&mut records).expect("room")),
+        Way::Solid(_) => {
+            Recorded::Solid(instance.transform(corners).bin_faces(&mut bin_storage).expect("room"))
+        }
         Way::Depth(_) => {
-            Recorded::Depth(placed.transform_depth(corners).bin_faces(&mut records).expect("room"))
+            Recorded::Depth(instance.transform_depth(corners).bin_faces(&mut bin_storage).expect("room"))
         }
         Way::Wireframe => {
-            Recorded::Wireframe(placed.transform(corners).bin_edges(&mut records).expect("room"))
+            Recorded::Wireframe(instance.transform(corners).bin_edges(&mut bin_storage).expect("room"))
         }
         Way::DepthLines | Way::HiddenLines => {
-            let projected = placed.transform_depth(corners);
-            let faces = projected.bin_faces(&mut records).expect("room");
+            let projected = instance.transform_depth(corners);
+            let faces = projected.bin_faces(&mut bin_storage).expect("room");
             let edges = projected.bin_edges(&mut more).expect("room");
             Recorded::Lines(Box::new((faces, edges, matches!(way, Way::HiddenLines))))
         }
         Way::Painter => {
             let mut painter = Box::new(Painter::new());
-            painter.add(&placed, colour).expect("room");
+            painter.add(&instance, colour).expect("room");
             Recorded::Painter(painter)
         }
     };
@@ -253,10 +255,10 @@ proptest! {
     #[test]
     fn bin_storage_that_is_too_small_names_the_size_it_needs(scene in scene(), given in 0usize..10) {
         let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(&scene));
-        let (placed, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
-        let transformed = placed.transform(&mut corners);
-        let mut records = vec![0; given];
-        let (faces, edges) = (transformed.bin_faces(&mut records).map(|_| ()), transformed.bin_edges(&mut vec![0; given]).map(|_| ()));
+        let (instance, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
+        let transformed = instance.transform(&mut corners);
+        let mut bin_storage = vec![0; given];
+        let (faces, edges) = (transformed.bin_faces(&mut bin_storage).map(|_| ()), transformed.bin_edges(&mut vec![0; given]).map(|_| ()));
         for error in [faces, edges].into_iter().filter_map(Result::err) {
             let BinError::Storage { needed, given: said } = error else { panic!("{error}") };
             prop_assert!(said == given && needed > given && needed <= 9, "{error}");
@@ -276,10 +278,10 @@ proptest! {
         let mut corners = [ScreenVertex::EMPTY; 16];
         let mut whole = Recorder::new(area);
         camera.place(&mesh, &model).solid(gray, &mut corners, &mut whole).expect("no error");
-        let (mut records, mut display) = ([0; 9], Recorder::new(area));
-        let placed = camera.place(&mesh, &model);
-        let projected = placed.transform(&mut corners);
-        let mut faces = projected.bin_faces(&mut records).expect("room");
+        let (mut bin_storage, mut display) = ([0; 9], Recorder::new(area));
+        let instance = camera.place(&mesh, &model);
+        let projected = instance.transform(&mut corners);
+        let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
         let mut frame = Frame::new(area, Gray4::BLACK);
         let mut strip = vec![0; Frame::<Gray4>::strip_bytes(WIDTH - 1, height)];
         while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {

@@ -29,15 +29,15 @@ fn mesh(scene: &Scene) -> Mesh<'_> {
 /// Draws a scene with a vertex cache of `length` entries.
 fn draw(scene: &Scene, way: Way, cache: usize, target: &mut Recorder<Shader>) -> Statistics {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     let mut cache = vec![ScreenVertex::default(); cache];
     let shader = |face: usize| Shader(face as u16);
     match way {
-        Way::Solid(cull) => placed.with_cull(cull).solid(shader, &mut cache, target),
-        Way::Wireframe => placed.wireframe(Shader(9), &mut cache, target),
+        Way::Solid(cull) => instance.with_cull(cull).solid(shader, &mut cache, target),
+        Way::Wireframe => instance.wireframe(Shader(9), &mut cache, target),
         Way::Painter => {
             let mut painter = Painter::<Shader, 128, 64>::new();
-            painter.add(&placed, shader).expect("enough room");
+            painter.add(&instance, shader).expect("enough room");
             painter.draw(target)
         }
     }
@@ -60,8 +60,10 @@ fn whole() -> Rectangle {
 /// The snapped vertices, where they have an image.
 fn points(scene: &Scene) -> Vec<Option<(i64, i64)>> {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
-    let placed = camera.place(&mesh, &model);
-    (0..scene.vertices.len()).map(|v| placed.project(v).map(|(p, _)| (p.x().into(), p.y().into()))).collect()
+    let instance = camera.place(&mesh, &model);
+    (0..scene.vertices.len())
+        .map(|v| instance.project(v).map(|(p, _)| (p.x().into(), p.y().into())))
+        .collect()
 }
 
 proptest! {

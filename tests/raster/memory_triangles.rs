@@ -132,10 +132,10 @@ fn tested<I: SpanShader<Rgb565>>(
     let mut corners = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
     let mut picture = Picture::new(&mut pixels, SIZE).expect("enough memory");
     let mut depth = DepthBuffer::new(area, &mut held).expect("enough memory");
-    let placed = camera.place(mesh, &model).with_cull(Cull::None);
+    let instance = camera.place(mesh, &model).with_cull(Cull::None);
     let Ok(_) = match fast {
-        true => placed.depth_tested(shade, &mut corners, &mut depth, &mut picture.pixels()),
-        false => placed.depth_tested(shade, &mut corners, &mut depth, &mut picture),
+        true => instance.depth_tested(shade, &mut corners, &mut depth, &mut picture.pixels()),
+        false => instance.depth_tested(shade, &mut corners, &mut depth, &mut picture),
     };
     (pixels, held)
 }

@@ -67,17 +67,17 @@ impl Scene {
     fn check<C: Colour, I: SpanShader<C>>(&self, shader: impl Fn(usize) -> I) {
         let (camera, background) = (self.camera(), C::decode(0));
         let mesh = Mesh::new(&self.vertices, -6, &self.faces).expect("a mesh");
-        let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
         let pixels = (self.frame.size.width * self.frame.size.height) as usize;
-        let (mut corners, mut records) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
+        let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
 
         let [mut solid, mut nearer, mut painted] = [0; 3].map(|_| Picture::<C>::new(self.frame));
-        let Ok(_) = placed.solid(&shader, &mut corners, &mut solid);
+        let Ok(_) = instance.solid(&shader, &mut corners, &mut solid);
         let mut storage = vec![0; pixels];
         let mut depth = DepthBuffer::new(self.frame, &mut storage).expect("storage");
-        let Ok(_) = placed.depth_tested(&shader, &mut corners, &mut depth, &mut nearer);
+        let Ok(_) = instance.depth_tested(&shader, &mut corners, &mut depth, &mut nearer);
         let mut painter = Box::new(Painter::<I, 200, 80>::new());
-        painter.add(&placed, &shader).expect("room");
+        painter.add(&instance, &shader).expect("room");
         let order = painter.order();
         let Ok(()) = order.draw(&mut painted);
 
@@ -98,14 +98,14 @@ impl Scene {
                 let Ok(()) = order.draw(band);
             });
             assert!(bands == painted.before(background), "{name}: painter, {rows} rows");
-            let projected = placed.transform(&mut corners);
-            let mut faces = projected.bin_faces(&mut records).expect("room");
+            let projected = instance.transform(&mut corners);
+            let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
             let bands = banded(rows, &mut |band| {
                 let Ok(()) = faces.solid(&shader, band);
             });
             assert!(bands == solid.before(background), "{name}: {rows} rows");
-            let projected = placed.transform_depth(&mut corners);
-            let mut faces = projected.bin_faces(&mut records).expect("room");
+            let projected = instance.transform_depth(&mut corners);
+            let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
             let bands = banded(rows, &mut |band| {
                 let mut storage = vec![0; pixels];
                 let mut depth = DepthBuffer::new(band.area(), &mut storage).expect("storage");
@@ -140,11 +140,11 @@ fn bands_of_every_height_add_up_to_the_full_picture() {
 fn through_pixels<C: Colour + StoredPixel<[u8; N]>, const N: usize>(scene: &Scene) {
     let camera = scene.camera();
     let mesh = Mesh::new(&scene.vertices, -6, &scene.faces).expect("a mesh");
-    let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+    let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
     let pixels = (scene.frame.size.width * scene.frame.size.height) as usize;
-    let (mut corners, mut records) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
-    let projected = placed.transform_depth(&mut corners);
-    let mut faces = projected.bin_faces(&mut records).expect("room");
+    let (mut corners, mut bin_storage) = ([ScreenVertex::EMPTY; VERTICES], [0; FACES + 1]);
+    let projected = instance.transform_depth(&mut corners);
+    let mut faces = projected.bin_faces(&mut bin_storage).expect("room");
     for rows in [1, 7, scene.frame.size.height] {
         let [one, other] = [false, true].map(|fast| {
             let mut frame = Frame::new(scene.frame, C::decode(0));

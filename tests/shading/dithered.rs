@@ -39,11 +39,11 @@ fn smooth<C: Colour>(cases: usize) {
         };
         let vertices = random_triangle(&mut rng).map(vertex);
         let mesh = mesh(&vertices);
-        let placed = camera.place(&mesh, &Affine::identity());
-        let t = corners(&placed).expect("in the guard band");
+        let instance = camera.place(&mesh, &Affine::identity());
+        let t = corners(&instance).expect("in the guard band");
         let picture = match of_one_colour {
-            true => draw::<C, _>(&placed, lit(colours).dithered()),
-            false => draw::<C, _>(&placed, gouraud(colours).dithered()),
+            true => draw::<C, _>(&instance, lit(colours).dithered()),
+            false => draw::<C, _>(&instance, gouraud(colours).dithered()),
         };
         for (p, colour) in picture.drawn() {
             let exact = C::DEPTHS.over(t, colours, centre(p.x.into(), p.y.into()));

@@ -24,10 +24,10 @@ fn check<C: Colour, I: SpanShader<C>>(
 ) {
     let (camera, vertices) = (flat_camera(), t.map(vertex));
     let mesh = mesh(&vertices);
-    let placed = camera.place(&mesh, &Affine::identity());
-    let Some(t) = corners(&placed) else { panic!("{t:?} is in the guard band") };
-    let picture = draw::<C, _>(&placed, shader(colours));
-    let plain = draw::<C, _>(&placed, C::decode(0));
+    let instance = camera.place(&mesh, &Affine::identity());
+    let Some(t) = corners(&instance) else { panic!("{t:?} is in the guard band") };
+    let picture = draw::<C, _>(&instance, shader(colours));
+    let plain = draw::<C, _>(&instance, C::decode(0));
     assert_eq!(picture.drawn().count(), plain.drawn().count());
     for (p, colour) in picture.drawn() {
         let exact = C::DEPTHS.over(t, colours, centre(p.x.into(), p.y.into()));
@@ -63,9 +63,9 @@ fn even<C: Colour>(rng: &mut Rng) {
     let (camera, colour) = (flat_camera(), random_colour(rng));
     let vertices = random_triangle(rng).map(vertex);
     let mesh = mesh(&vertices);
-    let placed = camera.place(&mesh, &Affine::identity());
-    let whole = draw::<C, _>(&placed, flat(colour));
-    assert_eq!(draw::<C, _>(&placed, gouraud([colour; 3])), whole, "{vertices:?} {colour:?}");
+    let instance = camera.place(&mesh, &Affine::identity());
+    let whole = draw::<C, _>(&instance, flat(colour));
+    assert_eq!(draw::<C, _>(&instance, gouraud([colour; 3])), whole, "{vertices:?} {colour:?}");
     for (_, drawn) in whole.drawn() {
         for (level, exact) in drawn.levels().into_iter().zip(C::DEPTHS.levels(colour)) {
             assert!(distance(level, exact) <= 0.5 + 1.0 / 65536.0, "{colour:?}");
@@ -86,8 +86,8 @@ fn nearest<C: Channels + From<Rgb888> + core::fmt::Debug>(colour: Rgb888) {
     let vertices = [(0, 0), (0, 9000), (9000, 0)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
     let mut target = Recorder::<C>::sized(64, 48);
-    let placed = camera.place(&mesh, &Affine::identity());
-    placed.solid(|_| Flat::from(colour), &mut [], &mut target).expect("no error");
+    let instance = camera.place(&mesh, &Affine::identity());
+    instance.solid(|_| Flat::from(colour), &mut [], &mut target).expect("no error");
     assert!(target.pixels.len() > 500);
     assert!(
         target.pixels.values().all(|&(drawn, _)| drawn == C::from(colour)),
@@ -119,11 +119,11 @@ fn flat_colors_are_the_nearest_of_every_color_type() {
 fn one_draw_call_fills_a_whole_span() {
     let vertices = [(100, 100), (9000, 3000), (2000, 11_000)].map(vertex);
     let (camera, mesh) = (flat_camera(), mesh(&vertices));
-    let placed = camera.place(&mesh, &Affine::identity()).with_cull(pinhole::Cull::None);
+    let instance = camera.place(&mesh, &Affine::identity()).with_cull(pinhole::Cull::None);
     let shader = Gouraud::lit(Rgb888::new(200, 100, 50), [0, 256, 100]);
     let (mut smooth, mut plain) = (Recorder::<Rgb565>::sized(64, 48), Recorder::<Rgb565>::sized(64, 48));
-    placed.solid(|_| shader, &mut [], &mut smooth).expect("no error");
-    placed.solid(|_| Rgb565::new(0, 0, 0), &mut [], &mut plain).expect("no error");
+    instance.solid(|_| shader, &mut [], &mut smooth).expect("no error");
+    instance.solid(|_| Rgb565::new(0, 0, 0), &mut [], &mut plain).expect("no error");
     let spans = |calls: &[Call<Rgb565>]| -> Vec<_> {
         calls
             .iter()

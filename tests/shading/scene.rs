@@ -201,8 +201,8 @@ pub(crate) fn vertex((x, y): P) -> [Scalar; 3] {
 }
 
 /// The screen positions of the corners of face 0, which the library computes.
-pub(crate) fn corners(placed: &MeshInstance<'_, Scalar>) -> Option<[P; 3]> {
-    let at = |i: usize| placed.project(i).map(|(p, _)| (i64::from(p.x()), i64::from(p.y())));
+pub(crate) fn corners(instance: &MeshInstance<'_, Scalar>) -> Option<[P; 3]> {
+    let at = |i: usize| instance.project(i).map(|(p, _)| (i64::from(p.x()), i64::from(p.y())));
     Some([at(0)?, at(1)?, at(2)?])
 }
 
@@ -210,9 +210,12 @@ pub(crate) fn mesh<'a>(vertices: &'a [[Scalar; 3]; 3]) -> Mesh<'a, Scalar> {
     Mesh::from_fixed(vertices, &[[0, 1, 2]]).expect("a mesh")
 }
 
-pub(crate) fn draw<C: Colour, I: SpanShader<C>>(placed: &MeshInstance<'_, Scalar>, shader: I) -> Picture<C> {
+pub(crate) fn draw<C: Colour, I: SpanShader<C>>(
+    instance: &MeshInstance<'_, Scalar>,
+    shader: I,
+) -> Picture<C> {
     let mut picture = Picture::new(screen());
-    let Ok(_) = placed.with_cull(pinhole::Cull::None).solid(|_| shader, &mut [], &mut picture);
+    let Ok(_) = instance.with_cull(pinhole::Cull::None).solid(|_| shader, &mut [], &mut picture);
     picture
 }
 

@@ -35,9 +35,9 @@ fn light_selects_the_nearest_table_entry() {
         let (t, lights): ([P; 3], _) = (random_triangle(&mut rng), random_lights(&mut rng));
         let vertices = t.map(vertex);
         let mesh = mesh(&vertices);
-        let placed = camera.place(&mesh, &Affine::identity());
-        let Some(t) = corners(&placed) else { panic!("{t:?} is in the guard band") };
-        let picture = draw::<Rgb888, _>(&placed, table.lit(lights.map(|light| light.level)));
+        let instance = camera.place(&mesh, &Affine::identity());
+        let Some(t) = corners(&instance) else { panic!("{t:?} is in the guard band") };
+        let picture = draw::<Rgb888, _>(&instance, table.lit(lights.map(|light| light.level)));
         for (p, colour) in picture.drawn() {
             let exact = NUMBERS.over(t, lights.map(white), centre(p.x.into(), p.y.into()));
             let [number, ..] = colour.levels()[..] else { panic!("three channels") };
@@ -59,10 +59,10 @@ fn random<C: Colour>(cases: usize) {
         let (t, lights): ([P; 3], _) = (random_triangle(&mut rng), random_lights(&mut rng));
         let vertices = t.map(vertex);
         let mesh = mesh(&vertices);
-        let placed = camera.place(&mesh, &Affine::identity());
-        let Some(t) = corners(&placed) else { panic!("{t:?} is in the guard band") };
-        let picture = draw::<C, _>(&placed, shaded(lights));
-        assert_eq!(picture.drawn().count(), draw::<C, _>(&placed, C::decode(0)).drawn().count());
+        let instance = camera.place(&mesh, &Affine::identity());
+        let Some(t) = corners(&instance) else { panic!("{t:?} is in the guard band") };
+        let picture = draw::<C, _>(&instance, shaded(lights));
+        assert_eq!(picture.drawn().count(), draw::<C, _>(&instance, C::decode(0)).drawn().count());
         for (p, colour) in picture.drawn() {
             let exact = C::DEPTHS.over(t, lights, centre(p.x.into(), p.y.into()));
             for ((level, exact), max) in colour.levels().into_iter().zip(exact).zip(C::DEPTHS.0) {
@@ -109,9 +109,9 @@ fn full_light_and_no_light_select_the_last_and_the_first_entry() {
     for _ in 0..3000 {
         let vertices = random_triangle(&mut rng).map(vertex);
         let mesh = mesh(&vertices);
-        let placed = camera.place(&mesh, &Affine::identity());
+        let instance = camera.place(&mesh, &Affine::identity());
         for (levels, number) in [([256, 257, u16::MAX], 255), ([0; 3], 0)] {
-            let picture = draw::<Rgb888, _>(&placed, table.lit(levels));
+            let picture = draw::<Rgb888, _>(&instance, table.lit(levels));
             assert!(picture.drawn().all(|(_, c)| c == table.colors()[number]), "{vertices:?} {levels:?}");
         }
     }
@@ -128,19 +128,19 @@ fn memory_targets_and_depth_tests_draw_the_colors_of_any_target() {
         let (lights, black) = (random_lights(&mut rng), Rgb565::new(0, 0, 0));
         let vertices = random_triangle(&mut rng).map(vertex);
         let mesh = mesh(&vertices);
-        let placed = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
         let shader = shaded::<Rgb565>(lights);
-        let wanted = draw::<Rgb565, _>(&placed, shader);
+        let wanted = draw::<Rgb565, _>(&instance, shader);
         drawn += wanted.drawn().count();
         let wanted = wanted.before(black);
         let mut pixels = [black; 64 * 48];
         let Ok(_) =
-            placed.solid(|_| shader, &mut [], &mut Picture::new(&mut pixels, size).expect("room").pixels());
+            instance.solid(|_| shader, &mut [], &mut Picture::new(&mut pixels, size).expect("room").pixels());
         assert!(pixels[..] == wanted[..], "{vertices:?} {lights:?}");
         let (mut pixels, mut depths) = ([black; 64 * 48], [0; 64 * 48]);
         let mut depth = DepthBuffer::new(area, &mut depths).expect("room");
         let mut picture = Picture::new(&mut pixels, size).expect("room");
-        let Ok(_) = placed.depth_tested(|_| shader, &mut [], &mut depth, &mut picture.pixels());
+        let Ok(_) = instance.depth_tested(|_| shader, &mut [], &mut depth, &mut picture.pixels());
         assert!(pixels[..] == wanted[..], "with depth: {vertices:?} {lights:?}");
     }
     assert!(drawn > 300_000, "{drawn}");

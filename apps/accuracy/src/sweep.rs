@@ -55,10 +55,10 @@ fn seen<V: Coordinate>(
     mesh: &Mesh<'_, V>,
     model: &Affine<Model, World>,
 ) -> Vec<Option<Seen>> {
-    let placed = camera.place(mesh, model);
+    let instance = camera.place(mesh, model);
     let vertex = |i| {
-        let before = placed.project_unsnapped(i)?.map(|v| v as f64 / 4_294_967_296.0);
-        let (p, depth) = placed.project(i)?;
+        let before = instance.project_unsnapped(i)?.map(|v| v as f64 / 4_294_967_296.0);
+        let (p, depth) = instance.project(i)?;
         Some(Seen { before, after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)] })
     };
     (0..VERTICES).map(vertex).collect()
@@ -106,12 +106,12 @@ pub(crate) fn sweep(population: &Population) -> Result<Sweep, String> {
                 continue;
             }
             let Some(at) = population.target(&mut rng, &bits, &exact) else { continue };
-            let mut one = |seen: Option<Seen>, placed: &chain::Affine, p: V3, half_extent: f64| {
-                let view = exact.view.apply_placed(placed, p);
+            let mut one = |seen: Option<Seen>, model: &chain::Affine, p: V3, half_extent: f64| {
+                let view = exact.view.apply_placed(model, p);
                 let ratio = half_extent / -view[2];
                 let (near, far) = (bits.projection.near(), bits.projection.far());
                 let deep = -view[2] >= near * (1.0 + 1e-3) && -view[2] <= far * (1.0 - 1e-3);
-                if !deep || ratio > design.2 .1 || !population.inside(placed.apply(p)) {
+                if !deep || ratio > design.2 .1 || !population.inside(model.apply(p)) {
                     return Ok(());
                 }
                 let clip = chain::mul4(&exact.projection, [view[0], view[1], view[2], 1.0]);
@@ -144,14 +144,14 @@ pub(crate) fn sweep(population: &Population) -> Result<Sweep, String> {
                 continue;
             }
             let Some(o) = population.object(&mut rng, design, &exact.view, at) else { continue };
-            let placed = o.model.exact();
+            let exact_model = o.model.exact();
             let all = object(&camera, design.0, &o).map_err(|e| e.to_string())?;
             for (i, seen) in all.into_iter().enumerate() {
                 let p = match design.0 {
                     Design::Fixed => chain::fx3(o.fixed[i]),
                     _ => chain::vertex(o.short[i], o.exponent),
                 };
-                one(seen, &placed, p, o.half_extent)?;
+                one(seen, &exact_model, p, o.half_extent)?;
             }
         }
     }

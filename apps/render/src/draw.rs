@@ -48,8 +48,8 @@ pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, Strin
         let mesh = Mesh::from_fixed(&vertices, &part.faces).map_err(|e| e.to_string())?;
         let mut corners = vec![ScreenVertex::EMPTY; vertices.len()];
         let id = |face: usize| Seen((part.first + face) as u32);
-        let placed = camera.place(&mesh, &quantised.model).with_cull(cull);
-        let Ok(drawn) = placed.depth_tested(id, &mut corners, &mut depth, &mut ids);
+        let instance = camera.place(&mesh, &quantised.model).with_cull(cull);
+        let Ok(drawn) = instance.depth_tested(id, &mut corners, &mut depth, &mut ids);
         statistics = statistics.and(drawn);
     }
     Ok(Solid { ids, depth: storage, statistics })

@@ -115,18 +115,18 @@ pub fn paint<C: Colour>(
         })
         .collect::<Result<Vec<_>, _>>()
         .map_err(|e| e.to_string())?;
-    let placed: Vec<MeshInstance<'_, Scalar>> =
+    let instances: Vec<MeshInstance<'_, Scalar>> =
         meshes.iter().map(|mesh| camera.place(mesh, &quantised.model).with_cull(cull)).collect();
     let mut corners: Vec<_> = vertices.iter().map(|v| vec![ScreenVertex::EMPTY; v.len()]).collect();
-    let records = |count: usize| vec![0; count + count.div_ceil(16)];
-    let mut face_records: Vec<_> = meshes.iter().map(|mesh| records(mesh.faces().len())).collect();
-    let mut edge_records: Vec<_> = meshes.iter().map(|mesh| records(mesh.edges().len())).collect();
+    let bin_storage = |count: usize| vec![0; count + count.div_ceil(16)];
+    let mut face_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.faces().len())).collect();
+    let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.edges().len())).collect();
     let out = Out { size: Size::new(scene.width, scene.height), style, rows, send };
 
     if style.mode == Mode::Wireframe {
         // Lines without depth test: no far plane may clip them.
-        let transformed: Vec<_> = placed.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
-        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
+        let transformed: Vec<_> = instances.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
+        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
         return out.bands(statistics, &plan(bounds), |band, _| {
             for edges in &mut edges {
                 let Ok(()) = edges.draw(style.colour.into(), band);
@@ -134,15 +134,15 @@ pub fn paint<C: Colour>(
         });
     }
 
-    let transformed: Vec<_> = placed.iter().zip(&mut corners).map(|(p, c)| p.transform_depth(c)).collect();
+    let transformed: Vec<_> = instances.iter().zip(&mut corners).map(|(p, c)| p.transform_depth(c)).collect();
     let mut faces = transformed
         .iter()
-        .zip(&mut face_records)
-        .map(|(transformed, records)| transformed.bin_faces(records))
+        .zip(&mut face_bin_storage)
+        .map(|(transformed, bin_storage)| transformed.bin_faces(bin_storage))
         .collect::<Result<Vec<_>, _>>()
         .map_err(|e| e.to_string())?;
     if style.mode == Mode::HiddenLine {
-        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_records)?;
+        let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
         return out.bands(statistics, &plan(bounds), |band, depth| {
             // Any part may hide any other.
             faces.iter_mut().for_each(|faces| faces.depth_only(depth));
@@ -175,9 +175,12 @@ pub fn paint<C: Colour>(
 /// Draws the edges of all parts. Their visibility is decided once for all bands. Returns statistics and the area drawn.
 fn edges<'a, const DEPTH: bool>(
     transformed: &[TransformedMesh<'a, Scalar, DEPTH>],
-    records: &'a mut [Vec<u16>],
+    bin_storage: &'a mut [Vec<u16>],
 ) -> Result<(Vec<BinnedEdges<'a, Scalar, DEPTH>>, Statistics, Rectangle), String> {
-    let edges = transformed.iter().zip(records).map(|(transformed, records)| transformed.bin_edges(records));
+    let edges = transformed
+        .iter()
+        .zip(bin_storage)
+        .map(|(transformed, bin_storage)| transformed.bin_edges(bin_storage));
     let edges = edges.collect::<Result<Vec<_>, _>>().map_err(|e| e.to_string())?;
     let statistics = edges.iter().map(BinnedEdges::statistics).fold(Statistics::default(), Statistics::and);
     let bounds = around(edges.iter().map(BinnedEdges::bounds));

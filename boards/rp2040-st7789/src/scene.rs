@@ -57,10 +57,10 @@ const CAMERA: Camera = {
 };
 
 pub struct Scene {
-    placed: MeshInstance<'static>,
+    instance: MeshInstance<'static>,
     corners: [ScreenVertex; VERTICES.len()],
     /// One for each face, and one for every 16 of them.
-    records: [u16; FACES.len() + 1],
+    bin_storage: [u16; FACES.len() + 1],
 }
 
 /// The cube of a frame, as far as it is drawn.
@@ -72,17 +72,17 @@ pub struct Turned<'a> {
 
 impl Scene {
     pub fn new() -> Self {
-        let placed = CAMERA.place(&CUBE, &Affine::identity());
-        Self { placed, corners: [ScreenVertex::EMPTY; VERTICES.len()], records: [0; FACES.len() + 1] }
+        let instance = CAMERA.place(&CUBE, &Affine::identity());
+        Self { instance, corners: [ScreenVertex::EMPTY; VERTICES.len()], bin_storage: [0; FACES.len() + 1] }
     }
 
     /// A frame: vertices are transformed and faces sorted out, once.
     pub fn turned(&mut self, turn: Angle) -> Turned<'_> {
         let model = Affine::rotation_y(turn);
-        self.placed = CAMERA.place(&CUBE, &model);
+        self.instance = CAMERA.place(&CUBE, &model);
         Turned {
             frame: Frame::new(SCREEN, Rgb565::BLACK),
-            faces: self.placed.transform(&mut self.corners).bin_faces(&mut self.records).unwrap(),
+            faces: self.instance.transform(&mut self.corners).bin_faces(&mut self.bin_storage).unwrap(),
             light: Lambert::new(&model, Vector3::from_ints(2, 3, 4), 40).unwrap(),
         }
     }

@@ -37,10 +37,10 @@ pub(crate) fn caption(frame: u32) -> &'static str {
 /// transformed vertices, bins and light levels. Every object has its own. It is zero at first, so it takes no flash.
 pub(crate) struct Scratch {
     stage: Stage,
-    teapot: ([ScreenVertex; TEAPOT_VERTICES], [u16; records(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
-    balls: [([ScreenVertex; BALL_CORNERS], [u16; records(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
-    rings: [([ScreenVertex; RING_CORNERS], [u16; records(RING_CORNERS)]); 2],
-    ship: ([ScreenVertex; 8], [u16; records(12)], [u16; records(17)]),
+    teapot: ([ScreenVertex; TEAPOT_VERTICES], [u16; bin_storage_len(TEAPOT_FACES)], [u16; TEAPOT_VERTICES]),
+    balls: [([ScreenVertex; BALL_CORNERS], [u16; bin_storage_len(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
+    rings: [([ScreenVertex; RING_CORNERS], [u16; bin_storage_len(RING_CORNERS)]); 2],
+    ship: ([ScreenVertex; 8], [u16; bin_storage_len(12)], [u16; bin_storage_len(17)]),
 }
 
 /// The largest number of objects in a scene. Each takes 176 bytes, which are not on the stack.
@@ -61,7 +61,7 @@ pub(crate) const SOLAR_SYSTEM: SolarSystem = [
 ];
 
 /// Length of the bin storage: an entry per face or edge, and one for every 16 of them.
-const fn records(count: usize) -> usize {
+const fn bin_storage_len(count: usize) -> usize {
     count + count.div_ceil(16)
 }
 
@@ -71,12 +71,16 @@ impl Scratch {
             stage: Vec::new(),
             teapot: (
                 [ScreenVertex::EMPTY; TEAPOT_VERTICES],
-                [0; records(TEAPOT_FACES)],
+                [0; bin_storage_len(TEAPOT_FACES)],
                 [0; TEAPOT_VERTICES],
             ),
-            balls: [([ScreenVertex::EMPTY; BALL_CORNERS], [0; records(BALL_COUNT)], [0; BALL_CORNERS]); 3],
-            rings: [([ScreenVertex::EMPTY; RING_CORNERS], [0; records(RING_CORNERS)]); 2],
-            ship: ([ScreenVertex::EMPTY; 8], [0; records(12)], [0; records(17)]),
+            balls: [(
+                [ScreenVertex::EMPTY; BALL_CORNERS],
+                [0; bin_storage_len(BALL_COUNT)],
+                [0; BALL_CORNERS],
+            ); 3],
+            rings: [([ScreenVertex::EMPTY; RING_CORNERS], [0; bin_storage_len(RING_CORNERS)]); 2],
+            ship: ([ScreenVertex::EMPTY; 8], [0; bin_storage_len(12)], [0; bin_storage_len(17)]),
         }
     }
 
@@ -104,9 +108,9 @@ impl Scratch {
 
     #[inline(never)]
     fn wireframe<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let (corners, _, records) = &mut self.ship;
+        let (corners, _, bin_storage) = &mut self.ship;
         let instance = place_ship(&mut self.stage, &turning(step));
-        let mut edges = edges(&instance.transform(corners), records);
+        let mut edges = edges(&instance.transform(corners), bin_storage);
         screen.mark(edges.bounds());
         screen.show(SCENES[0], |band, _| {
             let Ok(()) = edges.draw(Gray4::WHITE, band);
@@ -115,10 +119,10 @@ impl Scratch {
 
     #[inline(never)]
     fn hidden_line<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let (corners, face_records, edge_records) = &mut self.ship;
+        let (corners, face_bin_storage, edge_bin_storage) = &mut self.ship;
         let transformed = place_ship(&mut self.stage, &turning(step)).transform_depth(corners);
-        let mut faces = faces(&transformed, face_records);
-        let mut edges = edges(&transformed, edge_records);
+        let mut faces = faces(&transformed, face_bin_storage);
+        let mut edges = edges(&transformed, edge_bin_storage);
         screen.mark(edges.bounds());
         screen.show(SCENES[1], |band, depth| {
             faces.depth_only(depth);
@@ -128,11 +132,11 @@ impl Scratch {
 
     #[inline(never)]
     fn flat<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let (corners, records, _) = &mut self.ship;
+        let (corners, bin_storage, _) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
         let instance = place_ship(&mut self.stage, &model);
-        let mut faces = faces(&instance.transform_depth(corners), records);
+        let mut faces = faces(&instance.transform_depth(corners), bin_storage);
         screen.mark(faces.bounds());
         screen.show(SCENES[2], |band, depth| {
             let Ok(()) = faces.depth_tested(|face| ship_colour(&light, face), depth, band);
@@ -141,12 +145,12 @@ impl Scratch {
 
     #[inline(never)]
     fn gouraud<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let (corners, records, levels) = &mut self.teapot;
+        let (corners, bin_storage, levels) = &mut self.teapot;
         let turn = Affine::<Model, Model>::rotation_y(Angle::degrees(22 * step - 30));
         let model = turn.then(&Affine::translation(Vector3::from_ints(1, 0, 0)));
         light(&model, FROM_ABOVE).levels(TEAPOT.vertex_normals(), levels);
         let instance = place_one(&mut self.stage, &TEAPOT, &model, [0, 14, 38], 27);
-        let mut faces = faces(&instance.transform_depth(corners), records);
+        let mut faces = faces(&instance.transform_depth(corners), bin_storage);
         screen.mark(faces.bounds());
         screen.show(SCENES[3], |band, depth| {
             let shader = |face| Gouraud::lit(Rgb888::WHITE, TEAPOT.corners_of(face, levels)).dithered();
@@ -198,12 +202,12 @@ impl Scratch {
         place(&mut self.stage, &[(&BALL, &planet), (&SHIP, &model)], [0, 0, 60], 36);
         let [ball, small] = self.stage.as_slice() else { return Ok(()) };
 
-        let [(corners, records, levels), ..] = &mut self.balls;
+        let [(corners, bin_storage, levels), ..] = &mut self.balls;
         light(&planet, Vector3::from_ints(-4, 2, -1)).levels(BALL.vertex_normals(), levels);
-        let mut ground = faces(&ball.transform_depth(corners), records);
-        let (corners, records, _) = &mut self.ship;
+        let mut ground = faces(&ball.transform_depth(corners), bin_storage);
+        let (corners, bin_storage, _) = &mut self.ship;
         let sun = light(&model, Vector3::from_ints(-2, 4, 5));
-        let mut ship = faces(&small.transform_depth(corners), records);
+        let mut ship = faces(&small.transform_depth(corners), bin_storage);
         screen.mark(ship.bounds());
         screen.show(SCENES[5], |band, depth| {
             for (i, &(x, y)) in STARS.iter().enumerate() {
@@ -219,13 +223,13 @@ impl Scratch {
     /// Labels at vertices of a solid.
     #[inline(never)]
     fn labels<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let (corners, face_records, edge_records) = &mut self.ship;
+        let (corners, face_bin_storage, edge_bin_storage) = &mut self.ship;
         let model = turning(step);
         let light = light(&model, FROM_ABOVE);
         let instance = place_ship(&mut self.stage, &model);
         let transformed = instance.transform_depth(corners);
-        let mut faces = faces(&transformed, face_records);
-        let mut edges = edges(&transformed, edge_records);
+        let mut faces = faces(&transformed, face_bin_storage);
+        let mut edges = edges(&transformed, edge_bin_storage);
         let style = MonoTextStyle::new(&FONT_5X8, Gray4::WHITE);
         let names = [(NOSE, "nose"), (LEFT_TIP, "port"), (RIGHT_TIP, "starboard")];
         let names = names.map(|(vertex, name)| {
@@ -278,17 +282,17 @@ const STARS: [(i32, i32); 12] = [
 #[inline(never)]
 fn faces<'a, const DEPTH: bool>(
     transformed: &TransformedMesh<'a, i16, DEPTH>,
-    records: &'a mut [u16],
+    bin_storage: &'a mut [u16],
 ) -> BinnedFaces<'a, i16, DEPTH> {
-    transformed.bin_faces(records).expect("records for all faces")
+    transformed.bin_faces(bin_storage).expect("storage for all faces")
 }
 
 #[inline(never)]
 fn edges<'a, const DEPTH: bool>(
     transformed: &TransformedMesh<'a, i16, DEPTH>,
-    records: &'a mut [u16],
+    bin_storage: &'a mut [u16],
 ) -> BinnedEdges<'a, i16, DEPTH> {
-    transformed.bin_edges(records).expect("records for all edges")
+    transformed.bin_edges(bin_storage).expect("storage for all edges")
 }
 
 /// Turns the joints of the solar system; the shapes keep their sizes.

@@ -37,10 +37,13 @@ fn strips(
 }
 
 /// An error for too little memory names a size that suffices.
-fn record<'a, T>(records: &'a mut [u16], mut with: impl FnMut(&'a mut [u16]) -> Result<T, BinError>) -> T {
+fn record<'a, T>(
+    bin_storage: &'a mut [u16],
+    mut with: impl FnMut(&'a mut [u16]) -> Result<T, BinError>,
+) -> T {
     match with(&mut []) {
         Ok(recorded) => recorded,
-        Err(BinError::Storage { needed, given: 0 }) => match with(&mut records[..needed]) {
+        Err(BinError::Storage { needed, given: 0 }) => match with(&mut bin_storage[..needed]) {
             Ok(recorded) => recorded,
             Err(error) => panic!("{needed} are not enough: {error}"),
         },
@@ -62,34 +65,37 @@ pub(crate) fn check(scene: &Scene) {
     let whole = |draw: &mut dyn FnMut(&mut DepthBuffer<'_>, &mut Recorder<Shader>)| {
         strips(area, area.size.height, draw)
     };
-    scene.with_placed(&scene.faces, &scene.edges, |placed| {
+    scene.with_instance(&scene.faces, &scene.edges, |instance| {
         let mut corners = vec![ScreenVertex::EMPTY; scene.cache];
-        let mut records = [[0; 64]; 4]; // more than a scene has
-        let [first, second, third, fourth] = &mut records;
+        let mut bin_storage = [[0; 64]; 4]; // more than a scene has
+        let [first, second, third, fourth] = &mut bin_storage;
         let cache = &mut vec![ScreenVertex::EMPTY; scene.vertices.len()];
 
-        let projected = placed.transform(&mut corners);
-        let mut faces: BinnedFaces<'_> = record(first, |records| projected.bin_faces(records));
-        let mut edges: BinnedEdges<'_> = record(second, |records| projected.bin_edges(records));
-        let solid = whole(&mut |_, target| placed.solid(shader, cache, target).map(drop).unwrap());
+        let projected = instance.transform(&mut corners);
+        let mut faces: BinnedFaces<'_> = record(first, |bin_storage| projected.bin_faces(bin_storage));
+        let mut edges: BinnedEdges<'_> = record(second, |bin_storage| projected.bin_edges(bin_storage));
+        let solid = whole(&mut |_, target| instance.solid(shader, cache, target).map(drop).unwrap());
         assert!(solid == strips(area, height, |_, target| faces.solid(shader, target).unwrap()), "{scene:?}");
-        let lines = whole(&mut |_, target| placed.wireframe(Shader(7), cache, target).map(drop).unwrap());
+        let lines = whole(&mut |_, target| instance.wireframe(Shader(7), cache, target).map(drop).unwrap());
         assert!(
             lines == strips(area, height, |_, target| edges.draw(Shader(7), target).unwrap()),
             "{scene:?}"
         );
 
         let mut corners = vec![ScreenVertex::EMPTY; scene.cache];
-        let projected = placed.transform_depth(&mut corners);
-        let mut faces: BinnedFaces<'_, i16, true> = record(third, |records| projected.bin_faces(records));
-        let mut edges: BinnedEdges<'_, i16, true> = record(fourth, |records| projected.bin_edges(records));
-        let tested =
-            whole(&mut |depth, target| placed.depth_tested(shader, cache, depth, target).map(drop).unwrap());
+        let projected = instance.transform_depth(&mut corners);
+        let mut faces: BinnedFaces<'_, i16, true> =
+            record(third, |bin_storage| projected.bin_faces(bin_storage));
+        let mut edges: BinnedEdges<'_, i16, true> =
+            record(fourth, |bin_storage| projected.bin_edges(bin_storage));
+        let tested = whole(&mut |depth, target| {
+            instance.depth_tested(shader, cache, depth, target).map(drop).unwrap()
+        });
         let banded = strips(area, height, |depth, target| faces.depth_tested(shader, depth, target).unwrap());
         assert!(tested == banded, "depth: {scene:?}");
         let hidden = whole(&mut |depth, target| {
-            placed.depth_only(cache, depth);
-            placed.hidden_line(Shader(7), cache, depth, target).unwrap();
+            instance.depth_only(cache, depth);
+            instance.hidden_line(Shader(7), cache, depth, target).unwrap();
         });
         let banded = strips(area, height, |depth, target| {
             faces.depth_only(depth);
@@ -97,8 +103,8 @@ pub(crate) fn check(scene: &Scene) {
         });
         assert!(hidden == banded, "hidden lines: {scene:?}");
         let nearer = whole(&mut |depth, target| {
-            placed.depth_only(cache, depth);
-            placed.wireframe_depth_tested(Shader(7), cache, depth, target).unwrap();
+            instance.depth_only(cache, depth);
+            instance.wireframe_depth_tested(Shader(7), cache, depth, target).unwrap();
         });
         let banded = strips(area, height, |depth, target| {
             faces.depth_only(depth);

@@ -66,9 +66,9 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     if !(tolerance < 0.25 && depth < 0.01 && sine(scene) > 0.02) {
         return;
     }
-    let cut = scene.with_placed(&[face], &[], |placed| {
-        let whole = face.iter().all(|&i| placed.project(i.into()).is_some());
-        (!whole).then(|| draw(scene, |target| placed.solid(|_| Shader(1), &mut [], target)))
+    let cut = scene.with_instance(&[face], &[], |instance| {
+        let whole = face.iter().all(|&i| instance.project(i.into()).is_some());
+        (!whole).then(|| draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target)))
     });
     let Some(drawing) = cut else { return };
     let points: Vec<V3> = (0..scene.vertices.len() as u16).map(|i| scene.model_point(i)).collect();

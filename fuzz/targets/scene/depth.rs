@@ -22,9 +22,11 @@ fn drawn(scene: &Scene, faces: &[[u16; 3]]) -> Vec<((i32, i32), u16, u16)> {
     }
     let mut storage = vec![0; area.width() * area.height()];
     let mut depth = DepthBuffer::new(bounds, &mut storage).expect("storage for all pixels");
-    let drawing = scene.with_placed(faces, &[], |placed| {
+    let drawing = scene.with_instance(faces, &[], |instance| {
         let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
-        draw(scene, |target| placed.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target))
+        draw(scene, |target| {
+            instance.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target)
+        })
     });
     sums_up(drawing.statistics, faces.len());
     let seen: Vec<_> = drawing
@@ -61,8 +63,8 @@ pub(crate) fn check(scene: &Scene) {
 
 /// Whole faces that end before the far plane, against the plane in rationals.
 fn plane(scene: &Scene, face: [u16; 3], pixels: &[((i32, i32), u16, u16)]) {
-    let corners = scene.with_placed(&[face], &[], |placed| {
-        face.map(|i| placed.project(i.into()).zip(placed.project_unsnapped(i.into())))
+    let corners = scene.with_instance(&[face], &[], |instance| {
+        face.map(|i| instance.project(i.into()).zip(instance.project_unsnapped(i.into())))
     });
     let [Some(a), Some(b), Some(c)] = corners else { return };
     let place = |p: ScreenPoint| (i64::from(p.x()), i64::from(p.y()));

@@ -8,7 +8,7 @@ use pinhole::{Mesh, MeshInstance, ScreenVertex};
 use std::cell::RefCell;
 
 /// Drawn with and without, and the faces that each drew.
-fn both(scene: &Scene, placed: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] {
+fn both(scene: &Scene, instance: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] {
     [false, true].map(|by_planes| {
         let faces = RefCell::new(Vec::new());
         let shade = |face| {
@@ -17,20 +17,20 @@ fn both(scene: &Scene, placed: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] 
         };
         let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
         let drawing = draw(scene, |target| match by_planes {
-            true => placed.cull_by_planes().solid(shade, &mut cache, target),
-            false => placed.solid(shade, &mut cache, target),
+            true => instance.cull_by_planes().solid(shade, &mut cache, target),
+            false => instance.solid(shade, &mut cache, target),
         });
-        sums_up(drawing.statistics, placed.mesh().faces().len());
+        sums_up(drawing.statistics, instance.mesh().faces().len());
         (drawing, faces.into_inner())
     })
 }
 
 /// Whether a face is a front face before its corners are rounded to sub-pixels, by more than the error of screen positions can
 /// make of an edge-on face. `None` if a corner has no screen position, or numbers leave their range.
-fn is_front(scene: &Scene, placed: &MeshInstance<'_>, face: [u16; 3]) -> Option<bool> {
+fn is_front(scene: &Scene, instance: &MeshInstance<'_>, face: [u16; 3]) -> Option<bool> {
     let (error, _) = before_rounding(scene, face)?;
     let place = |index: u16| {
-        let place = placed.project_unsnapped(index.into())?;
+        let place = instance.project_unsnapped(index.into())?;
         place[..2].iter().all(|c| c.unsigned_abs() < 1 << 44).then(|| place.map(i128::from))
     };
     let [a, b, c] = face.map(place);
@@ -43,8 +43,8 @@ fn is_front(scene: &Scene, placed: &MeshInstance<'_>, face: [u16; 3]) -> Option<
 }
 
 pub(crate) fn check(scene: &Scene) {
-    scene.with_placed(&scene.faces, &[], |placed| {
-        let [(plain, _), (by_planes, _)] = both(scene, placed);
+    scene.with_instance(&scene.faces, &[], |instance| {
+        let [(plain, _), (by_planes, _)] = both(scene, instance);
         assert_eq!(by_planes.statistics, plain.statistics, "without planes: {scene:?}");
         assert!(by_planes.target.calls == plain.target.calls, "without planes: {scene:?}");
     });
@@ -54,12 +54,12 @@ pub(crate) fn check(scene: &Scene) {
     let planes: Vec<i16> = (0..normals.len()).map(|face| mesh.face_plane(face)).collect();
     let mesh = mesh.with_planes(&planes).expect("one for each face");
     let camera = scene.camera.library().with_far_clip(scene.far_clip);
-    let placed = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
-    let [(_, plain), (_, by_planes)] = both(scene, &placed);
+    let instance = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
+    let [(_, plain), (_, by_planes)] = both(scene, &instance);
     for &face in plain.iter().filter(|face| !by_planes.contains(face)) {
         // Cut faces, and faces that reach so far out that screen positions saturate, have no area to compare.
         assert_ne!(
-            is_front(scene, &placed, scene.faces[face]),
+            is_front(scene, &instance, scene.faces[face]),
             Some(true),
             "face {face} is left out: {scene:?}"
         );

@@ -186,7 +186,7 @@ impl Scene {
         Area { right: common.right.max(common.left), bottom: common.bottom.max(common.top), ..common }
     }
 
-    pub(crate) fn with_placed<R>(
+    pub(crate) fn with_instance<R>(
         &self,
         faces: &[[u16; 3]],
         edges: &[[u16; 2]],

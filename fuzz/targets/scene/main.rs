@@ -51,11 +51,11 @@ fn sums_up(s: Statistics, handed_in: usize) {
     assert!(s.clipped <= s.drawn, "{s:?}");
 }
 
-fn check(scene: &Scene, placed: &MeshInstance<'_>) {
+fn check(scene: &Scene, instance: &MeshInstance<'_>) {
     // Another scene's corners in the cache do no harm.
     let stale = {
         let mut corners = vec![ScreenVertex::default(); scene.vertices.len() + 1];
-        let _ = placed.solid(|_| Shader(0), &mut corners, &mut Recorder::sized(1, 1));
+        let _ = instance.solid(|_| Shader(0), &mut corners, &mut Recorder::sized(1, 1));
         corners
     };
     let mut asked = 0;
@@ -67,7 +67,7 @@ fn check(scene: &Scene, placed: &MeshInstance<'_>) {
                 *asked += 1;
                 Shader(face as u16)
             };
-            placed.solid(shade, &mut cache, target)
+            instance.solid(shade, &mut cache, target)
         })
     };
     let faces = solid(scene.cache, &mut asked);
@@ -80,7 +80,7 @@ fn check(scene: &Scene, placed: &MeshInstance<'_>) {
     let wireframe = |length: usize| {
         let mut cache = stale.clone();
         cache.truncate(length);
-        draw(scene, |target| placed.wireframe(Shader(7), &mut cache, target))
+        draw(scene, |target| instance.wireframe(Shader(7), &mut cache, target))
     };
     let edges = wireframe(scene.cache);
     sums_up(edges.statistics, scene.edges.len());
@@ -92,24 +92,24 @@ fn check(scene: &Scene, placed: &MeshInstance<'_>) {
     // The painter draws the same faces, in its own order: each pixel as often.
     let painted = draw(scene, |target| {
         let mut painter = Painter::<Shader, 100, 40>::new();
-        painter.add(placed, |face| Shader(face as u16)).expect("enough room");
+        painter.add(instance, |face| Shader(face as u16)).expect("enough room");
         painter.draw(target)
     });
     assert_eq!(painted.statistics, faces.statistics);
     let count = |d: &Drawing| d.target.pixels.iter().map(|(&p, &(_, n))| (p, n)).collect::<Vec<_>>();
     assert_eq!(count(&painted), count(&faces), "painter and mesh order cover differently: {scene:?}");
 
-    let points = draw(scene, |target| placed.points(Shader(3), target));
+    let points = draw(scene, |target| instance.points(Shader(3), target));
     sums_up(points.statistics, scene.vertices.len());
-    let polyline = draw(scene, |target| placed.polyline(Shader(4), target));
+    let polyline = draw(scene, |target| instance.polyline(Shader(4), target));
     sums_up(polyline.statistics, scene.vertices.len().saturating_sub(1));
-    whole::points(scene, placed, &points.target);
-    whole::polyline(scene, placed, &polyline);
+    whole::points(scene, instance, &points.target);
+    whole::polyline(scene, instance, &polyline);
 }
 
 fuzz_target!(|data: &[u8]| {
     let Some(scene) = Scene::read(data) else { return };
-    scene.with_placed(&scene.faces, &scene.edges, |placed| check(&scene, placed));
+    scene.with_instance(&scene.faces, &scene.edges, |instance| check(&scene, instance));
     depth::check(&scene);
     bands::check(&scene);
     facing::check(&scene);

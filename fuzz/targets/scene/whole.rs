@@ -30,12 +30,12 @@ fn once(mut pixels: Vec<P>) -> Vec<(P, u32)> {
 }
 
 pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
-    scene.with_placed(&[face], &[], |placed| {
-        let [Some((a, _)), Some((b, _)), Some((c, _))] = face.map(|i| placed.project(i.into())) else {
+    scene.with_instance(&[face], &[], |instance| {
+        let [Some((a, _)), Some((b, _)), Some((c, _))] = face.map(|i| instance.project(i.into())) else {
             return;
         };
         let t = [a, b, c].map(sub_pixels);
-        let drawing = draw(scene, |target| placed.solid(|_| Shader(1), &mut [], target));
+        let drawing = draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target));
         let s = drawing.statistics;
         // Front is counter-clockwise with y up: the edge function is negative with y down.
         let area = coverage::edge(t[0], t[1], t[2]);
@@ -64,25 +64,25 @@ fn line_in(a: P, b: P, area: Area) -> Vec<P> {
 }
 
 pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
-    scene.with_placed(&[], &[edge], |placed| {
-        let drawing = draw(scene, |target| placed.wireframe(Shader(1), &mut [], target));
-        let turned = scene.with_placed(&[], &[[edge[1], edge[0]]], |placed| {
-            draw(scene, |target| placed.wireframe(Shader(1), &mut [], target))
+    scene.with_instance(&[], &[edge], |instance| {
+        let drawing = draw(scene, |target| instance.wireframe(Shader(1), &mut [], target));
+        let turned = scene.with_instance(&[], &[[edge[1], edge[0]]], |instance| {
+            draw(scene, |target| instance.wireframe(Shader(1), &mut [], target))
         });
         // L3, cut or not.
         assert_eq!(turned.statistics, drawing.statistics, "{edge:?}: {scene:?}");
         assert_eq!(drawn(&turned.target), drawn(&drawing.target), "{edge:?}: {scene:?}");
-        let [Some((a, _)), Some((b, _))] = edge.map(|i| placed.project(i.into())) else { return };
+        let [Some((a, _)), Some((b, _))] = edge.map(|i| instance.project(i.into())) else { return };
         assert_eq!((drawing.statistics.drawn, drawing.statistics.clipped), (1, 0), "{edge:?}: {scene:?}");
         let wanted = once(line_in(pixel(a), pixel(b), scene.area()));
         assert_eq!(drawn(&drawing.target), wanted, "{a:?} {b:?}: {scene:?}");
     });
 }
 
-pub(crate) fn points(scene: &Scene, placed: &MeshInstance<'_>, target: &Recorder<Shader>) {
+pub(crate) fn points(scene: &Scene, instance: &MeshInstance<'_>, target: &Recorder<Shader>) {
     let mut wanted = BTreeMap::new();
     for i in 0..scene.vertices.len() {
-        if let Some((p, _)) = placed.project(i) {
+        if let Some((p, _)) = instance.project(i) {
             let (x, y) = pixel(p);
             if scene.area().contains(x, y) {
                 *wanted.entry((x, y)).or_insert(0) += 1;
@@ -93,9 +93,9 @@ pub(crate) fn points(scene: &Scene, placed: &MeshInstance<'_>, target: &Recorder
 }
 
 /// If all vertices have a screen position: the union of the exact lines.
-pub(crate) fn polyline(scene: &Scene, placed: &MeshInstance<'_>, drawing: &Drawing) {
+pub(crate) fn polyline(scene: &Scene, instance: &MeshInstance<'_>, drawing: &Drawing) {
     let images: Vec<P> =
-        (0..scene.vertices.len()).filter_map(|i| placed.project(i)).map(|(p, _)| pixel(p)).collect();
+        (0..scene.vertices.len()).filter_map(|i| instance.project(i)).map(|(p, _)| pixel(p)).collect();
     if images.len() < scene.vertices.len() {
         return;
     }

@@ -214,10 +214,10 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
     let extent = largest * f64::from(exponent).exp2() * stretch;
     let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
     let model_ours = model.library();
-    let placed = set_up.camera.place(&mesh, &model_ours);
+    let instance = set_up.camera.place(&mesh, &model_ours);
     let found = set_up.camera.visibility(&mesh.bounding_sphere(), &model_ours);
     for (i, &v) in vertices.iter().enumerate() {
-        let got = placed.project(i);
+        let got = instance.project(i);
         // The documented world.
         if extent > 32_767.0
             || !apart

@@ -8,7 +8,7 @@ use pinhole::{DepthBuffer, Frame, Lambert, ScreenVertex};
 
 /// Sizes for the largest scene: its vertices, and its visible faces with a bit for each face of the mesh.
 const CORNERS: usize = 2892;
-const RECORDS: usize = 1800 + 5780_usize.div_ceil(16);
+const BIN_STORAGE: usize = 1800 + 5780_usize.div_ceil(16);
 
 /// Bytes of the colour strip, for bands of `rows` rows.
 pub const fn bytes(rows: u32) -> usize {
@@ -22,7 +22,7 @@ pub const fn pixels(rows: u32) -> usize {
 /// Buffers that the caller provides for a frame in bands. The strips' lengths determine the rows of a band.
 pub struct Storage<'s> {
     pub corners: &'s mut [ScreenVertex],
-    pub records: &'s mut [u16],
+    pub bin_storage: &'s mut [u16],
     pub strip: &'s mut [u8],
     pub depth: &'s mut [u16],
 }
@@ -30,7 +30,7 @@ pub struct Storage<'s> {
 /// Storage for the largest scene and bands of any height.
 pub struct Memory {
     corners: [ScreenVertex; CORNERS],
-    records: [u16; RECORDS],
+    bin_storage: [u16; BIN_STORAGE],
     strip: [u8; bytes(SIZE)],
     depth: [u16; pixels(SIZE)],
 }
@@ -38,16 +38,16 @@ pub struct Memory {
 impl Memory {
     pub const NEW: Self = Self {
         corners: [ScreenVertex::EMPTY; CORNERS],
-        records: [0; RECORDS],
+        bin_storage: [0; BIN_STORAGE],
         strip: [0; bytes(SIZE)],
         depth: [0; pixels(SIZE)],
     };
 
     /// Buffers for bands of `rows` rows.
     pub fn rows(&mut self, rows: u32) -> Option<Storage<'_>> {
-        let Self { corners, records, strip, depth } = self;
+        let Self { corners, bin_storage, strip, depth } = self;
         let (strip, depth) = (strip.get_mut(..bytes(rows))?, depth.get_mut(..pixels(rows))?);
-        Some(Storage { corners, records, strip, depth })
+        Some(Storage { corners, bin_storage, strip, depth })
     }
 }
 
@@ -73,12 +73,12 @@ pub fn empty_depth(Storage { strip, depth, .. }: Storage<'_>, display: &mut Disp
 pub fn wireframe(
     scene: &Scene,
     _: &Lambert,
-    Storage { corners, records, strip, .. }: Storage<'_>,
+    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
     display: &mut Display,
 ) -> Option<()> {
-    let placed = scene.place();
-    let projected = placed.transform(corners);
-    let mut edges = projected.bin_edges(records).ok()?;
+    let instance = scene.place();
+    let projected = instance.transform(corners);
+    let mut edges = projected.bin_edges(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let Ok(()) = edges.draw(LINE, &mut band.pixels());
@@ -91,12 +91,12 @@ pub fn wireframe(
 pub fn solid(
     scene: &Scene,
     light: &Lambert,
-    Storage { corners, records, strip, .. }: Storage<'_>,
+    Storage { corners, bin_storage, strip, .. }: Storage<'_>,
     display: &mut Display,
 ) -> Option<()> {
-    let placed = scene.place();
-    let projected = placed.transform(corners);
-    let mut faces = projected.bin_faces(records).ok()?;
+    let instance = scene.place();
+    let projected = instance.transform(corners);
+    let mut faces = projected.bin_faces(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let Ok(()) = faces.solid(scene.shade(light), &mut band.pixels());
@@ -109,12 +109,12 @@ pub fn solid(
 pub fn depth(
     scene: &Scene,
     light: &Lambert,
-    Storage { corners, records, strip, depth }: Storage<'_>,
+    Storage { corners, bin_storage, strip, depth }: Storage<'_>,
     display: &mut Display,
 ) -> Option<()> {
-    let placed = scene.place();
-    let projected = placed.transform_depth(corners);
-    let mut faces = projected.bin_faces(records).ok()?;
+    let instance = scene.place();
+    let projected = instance.transform_depth(corners);
+    let mut faces = projected.bin_faces(bin_storage).ok()?;
     let mut frame = Frame::new(area(), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;

@@ -43,17 +43,17 @@ macro_rules! depth_in_bands {
         $crate::image!(
             cube,
             corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
-            records: [u16; $crate::image::RECORDS] = [0; $crate::image::RECORDS],
+            bin_storage: [u16; $crate::image::BIN_STORAGE] = [0; $crate::image::BIN_STORAGE],
             strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
             storage: [u16; $crate::bands::pixels($crate::image::ROWS)] = [0; $crate::bands::pixels($crate::image::ROWS)],
             {
                 let scene = $crate::image::Turntable::new();
-                let placed = scene.place(cube);
+                let instance = scene.place(cube);
                 let $light = scene.light();
                 let $light = $light.as_ref()?;
-                let mut $faces = placed.transform_depth(corners).bin_faces(records);
+                let mut $faces = instance.transform_depth(corners).bin_faces(bin_storage);
                 let $faces = $faces.as_mut().ok()?;
-                let $mesh = placed.mesh();
+                let $mesh = instance.mesh();
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut $band) = frame.next_band(strip).ok()? {
                     let mut $depth = pinhole::DepthBuffer::new($band.area(), storage).ok()?;
@@ -66,25 +66,25 @@ macro_rules! depth_in_bands {
     };
 }
 
-/// [`image!`] of lit faces in bands, into the bands' pixels: `$record` records the faces.
+/// [`image!`] of lit faces in bands, into the bands' pixels: `$bin` bins the faces.
 #[macro_export]
 macro_rules! solid_in_bands {
-    (|$placed:ident, $corners:ident, $records:ident| $record:expr) => {
+    (|$instance:ident, $corners:ident, $bin_storage:ident| $bin:expr) => {
         $crate::image!(
             cube,
             $corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
-            $records: [u16; $crate::image::RECORDS] = [0; $crate::image::RECORDS],
+            $bin_storage: [u16; $crate::image::BIN_STORAGE] = [0; $crate::image::BIN_STORAGE],
             strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
             {
                 let scene = $crate::image::Turntable::new();
-                let $placed = scene.place(cube);
+                let $instance = scene.place(cube);
                 let light = scene.light();
                 let light = light.as_ref()?;
-                let mut faces = $record;
+                let mut faces = $bin;
                 let faces = faces.as_mut().ok()?;
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut band) = frame.next_band(strip).ok()? {
-                    let Ok(()) = faces.solid($crate::scene::flat($placed.mesh(), light), &mut band.pixels());
+                    let Ok(()) = faces.solid($crate::scene::flat($instance.mesh(), light), &mut band.pixels());
                     band.send(&mut $crate::image::Sink).ok()?;
                 }
                 Some(())
@@ -121,7 +121,7 @@ const _: () = {
 
 /// The cube's vertices, and its faces or edges with a word of bits.
 pub const CORNERS: usize = 8;
-pub const RECORDS: usize = 12 + 1;
+pub const BIN_STORAGE: usize = 12 + 1;
 
 /// Rows of a band.
 pub const ROWS: u32 = 8;
@@ -172,14 +172,14 @@ impl Default for Turntable {
 /// [`Scene`](crate::scene::Scene)'s.
 #[cfg(not(target_os = "none"))]
 pub fn cut() -> Option<Vec<[u32; 2]>> {
-    let cut = |placed: MeshInstance<'_>| {
+    let cut = |instance: MeshInstance<'_>| {
         let is_cut = |face: usize| {
-            let corners = placed.mesh().faces().get(face).copied().unwrap_or_default();
-            corners.iter().any(|&corner| placed.project(corner.into()).is_none())
+            let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
+            corners.iter().any(|&corner| instance.project(corner.into()).is_none())
         };
         let mut screen = Screen(Default::default());
         let own_colour = |face: usize| Rgb565::from(RawU16::new(face as u16));
-        let Ok(_) = placed.solid(own_colour, &mut [ScreenVertex::EMPTY; CORNERS], &mut screen);
+        let Ok(_) = instance.solid(own_colour, &mut [ScreenVertex::EMPTY; CORNERS], &mut screen);
         screen.0.into_iter().filter(|&face| is_cut(face.into())).count() as u32
     };
     cubes()

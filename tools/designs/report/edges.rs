@@ -54,9 +54,9 @@ pub(crate) fn measure() -> Result<Vec<Edges>> {
 }
 
 fn library<V: Coordinate>(case: &Case, mesh: &Mesh<'_, V>, shift: Option<&mut f64>) -> Result<()> {
-    let placed = case.camera.place(mesh, &case.model);
+    let instance = case.camera.place(mesh, &case.model);
     let corners: Option<Vec<_>> = (0..VERTICES.len())
-        .map(|index| placed.project(index).map(|(p, _)| (p.x().into(), p.y().into())))
+        .map(|index| instance.project(index).map(|(p, _)| (p.x().into(), p.y().into())))
         .collect();
     let exact: Vec<_> = VERTICES.iter().map(|v| image(&case.object, v.relative(&case.object))).collect();
     if let Some(shift) = shift {

@@ -141,11 +141,11 @@ fn library<V: Coordinate>(
     vertices: &[[i16; 3]],
     raw: &mut Raw,
 ) -> Result<()> {
-    let placed: MeshInstance<'_, V> = case.camera.place(mesh, &case.model);
+    let instance: MeshInstance<'_, V> = case.camera.place(mesh, &case.model);
     for (index, v) in vertices.iter().enumerate() {
         let [cx, cy] = case.object.centre;
         let [x, y, _] = case.object.image(v.relative(&case.object));
-        let (Some([bx, by, _]), Some((p, _))) = (placed.project_unsnapped(index), placed.project(index))
+        let (Some([bx, by, _]), Some((p, _))) = (instance.project_unsnapped(index), instance.project(index))
         else {
             return Err(format!("the library has no place for {v:?}").into());
         };

@@ -63,11 +63,11 @@ impl Counter<'_> {
     #[inline(never)]
     fn library<L: Library>(&mut self) -> Option<()> {
         let clock = &mut self.clock;
-        let counted = before_torus::<L, _>(|placed, corners| {
+        let counted = before_torus::<L, _>(|instance, corners| {
             let instructions = clock.count(&mut || {
-                black_box(black_box(placed).transform(black_box(&mut *corners)));
+                black_box(black_box(instance).transform(black_box(&mut *corners)));
             })?;
-            let places = (0..COUNT).map(|index| match placed.project(index) {
+            let places = (0..COUNT).map(|index| match instance.project(index) {
                 Some((p, _)) => ScreenVertex { x: p.x(), y: p.y() },
                 None => ScreenVertex::EMPTY,
             });

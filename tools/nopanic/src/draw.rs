@@ -27,7 +27,7 @@ struct Scene<'a, C> {
     colours: &'a [(C, [i16; 3])],
     corners: &'a mut [ScreenVertex],
     depth: &'a mut [u16],
-    records: &'a mut [u16],
+    bin_storage: &'a mut [u16],
     strip: &'a mut [u8],
     painter: Painter<C, 100, 100>,
 }
@@ -35,10 +35,10 @@ struct Scene<'a, C> {
 fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut D) {
     let cull = if any() == 0 { Cull::None } else { Cull::Back };
     let (mesh, wide_mesh) = (scene.mesh, scene.wide_mesh);
-    let placed = scene.camera.place(&mesh, &scene.model).with_cull(cull);
-    draw_placed(scene, &placed, target);
-    let placed = scene.camera.place(&wide_mesh, &scene.model).with_cull(cull);
-    draw_placed(scene, &placed, target);
+    let instance = scene.camera.place(&mesh, &scene.model).with_cull(cull);
+    draw_instance(scene, &instance, target);
+    let instance = scene.camera.place(&wide_mesh, &scene.model).with_cull(cull);
+    draw_instance(scene, &instance, target);
     match any() {
         0 => scene.painter.clear(),
         _ => report(scene.painter.draw(target)),
@@ -52,7 +52,7 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::PixelFormat>>(
     target: &mut D,
 ) {
     let mesh = scene.mesh;
-    let placed = scene.camera.place(&mesh, &scene.model);
+    let instance = scene.camera.place(&mesh, &scene.model);
     scene.light.levels(scene.mesh.vertex_normals(), levels);
     let (mesh, colour) = (scene.mesh, || Rgb888::new(any() as u8, any() as u8, any() as u8));
     let smooth = |face| Gouraud::lit(colour(), mesh.corners_of(face, levels));
@@ -60,58 +60,58 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::PixelFormat>>(
     let flat = || Flat::lit(colour(), any() as u16);
     // One shader per function: so the calls with one shader can be inlined.
     match any() {
-        0 => fill_all(scene, &placed, smooth, target),
-        1 => fill_all(scene, &placed, |_| ends().dithered(), target),
-        2 => fill_all(scene, &placed, |_| flat(), target),
-        3 => fill_all(scene, &placed, |_| flat().dithered(), target),
+        0 => fill_all(scene, &instance, smooth, target),
+        1 => fill_all(scene, &instance, |_| ends().dithered(), target),
+        2 => fill_all(scene, &instance, |_| flat(), target),
+        3 => fill_all(scene, &instance, |_| flat().dithered(), target),
         4 => {
             let table = ShadeTable::new(colour());
-            fill_all(scene, &placed, |face| table.lit(mesh.corners_of(face, levels)), target);
+            fill_all(scene, &instance, |face| table.lit(mesh.corners_of(face, levels)), target);
         }
-        _ => draw_edges(scene, &placed, target),
+        _ => draw_edges(scene, &instance, target),
     }
 }
 
 fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>(
     scene: &mut Scene<'_, D::Color>,
-    placed: &MeshInstance<'_>,
+    instance: &MeshInstance<'_>,
     shade: impl Fn(usize) -> I,
     target: &mut D,
 ) {
-    let Scene { colours, corners, depth, records, strip, .. } = scene;
+    let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(background, _)) = colours.first() else { return };
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
-    report(placed.solid(&shade, corners, target));
-    report(placed.cull_by_planes().solid(&shade, corners, target));
+    report(instance.solid(&shade, corners, target));
+    report(instance.cull_by_planes().solid(&shade, corners, target));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
-        report(placed.depth_tested(&shade, corners, &mut depth, target));
-        report(placed.cull_by_planes().depth_tested(&shade, corners, &mut depth, target));
+        report(instance.depth_tested(&shade, corners, &mut depth, target));
+        report(instance.cull_by_planes().depth_tested(&shade, corners, &mut depth, target));
     }
     let mut painter = Painter::<I, 20, 20>::new();
-    report(painter.add(placed, &shade));
+    report(painter.add(instance, &shade));
     let mut frame = Frame::new(area, background);
     let order = painter.order();
     match frame.next_band(strip) {
         Ok(Some(mut band)) => {
             report(order.draw(&mut band));
-            let projected = placed.transform(corners);
-            match projected.bin_faces(records) {
+            let projected = instance.transform(corners);
+            match projected.bin_faces(bin_storage) {
                 Ok(mut faces) => report(faces.solid(&shade, &mut band)),
                 error => report(error.map(|_| ())),
             }
-            match placed.cull_by_planes().bin_faces(corners, records) {
+            match instance.cull_by_planes().bin_faces(corners, bin_storage) {
                 Ok(mut faces) => report(faces.solid(&shade, &mut band)),
                 error => report(error.map(|_| ())),
             }
             match (
-                placed.cull_by_planes().bin_faces_with_depth(corners, records),
+                instance.cull_by_planes().bin_faces_with_depth(corners, bin_storage),
                 DepthBuffer::new(band.area(), depth),
             ) {
                 (Ok(mut faces), Ok(mut depth)) => report(faces.depth_tested(&shade, &mut depth, &mut band)),
                 _ => drop(black_box(Some(0))),
             }
-            let projected = placed.transform_depth(corners);
-            match (projected.bin_faces(records), DepthBuffer::new(band.area(), depth)) {
+            let projected = instance.transform_depth(corners);
+            match (projected.bin_faces(bin_storage), DepthBuffer::new(band.area(), depth)) {
                 (Ok(mut faces), Ok(mut depth)) => {
                     report(faces.depth_tested(&shade, &mut depth, &mut band));
                     black_box((faces.bounds(), faces.statistics()));
@@ -128,31 +128,32 @@ fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>
 /// Lines, and what else may come, in a band.
 fn draw_edges<D: DrawTarget<Color: pinhole::PixelFormat>>(
     scene: &mut Scene<'_, D::Color>,
-    placed: &MeshInstance<'_>,
+    instance: &MeshInstance<'_>,
     target: &mut D,
 ) {
-    let Scene { colours, corners, depth, records, strip, .. } = scene;
+    let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(colour, _)) = colours.first() else { return };
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
-        black_box(placed.depth_only(corners, &mut depth));
-        report(placed.hidden_line(colour, corners, &mut depth, target));
-        report(placed.wireframe_depth_tested(colour, corners, &mut depth, target));
+        black_box(instance.depth_only(corners, &mut depth));
+        report(instance.hidden_line(colour, corners, &mut depth, target));
+        report(instance.wireframe_depth_tested(colour, corners, &mut depth, target));
     }
     let Ok(Some(mut band)) = Frame::new(area, colour).next_band(strip) else { return };
-    let projected = placed.transform(corners);
-    match projected.bin_edges(records) {
+    let projected = instance.transform(corners);
+    match projected.bin_edges(bin_storage) {
         Ok(mut edges) => {
             report(edges.draw(colour, &mut band));
             black_box((edges.bounds(), edges.statistics()));
         }
         error => report(error.map(|_| ())),
     }
-    let projected = placed.transform_depth(corners);
-    if let (Ok(mut faces), Ok(mut depth)) = (projected.bin_faces(records), DepthBuffer::new(area, depth)) {
+    let projected = instance.transform_depth(corners);
+    if let (Ok(mut faces), Ok(mut depth)) = (projected.bin_faces(bin_storage), DepthBuffer::new(area, depth))
+    {
         faces.depth_only(&mut depth);
     }
-    match (projected.bin_edges(records), DepthBuffer::new(band.area(), depth)) {
+    match (projected.bin_edges(bin_storage), DepthBuffer::new(band.area(), depth)) {
         (Ok(mut edges), Ok(mut depth)) => {
             report(edges.hidden_line(colour, &mut depth, &mut band));
             report(edges.depth_tested(colour, &mut depth, &mut band));
@@ -167,9 +168,9 @@ fn draw_edges<D: DrawTarget<Color: pinhole::PixelFormat>>(
     report(band.send(target));
 }
 
-fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
+fn draw_instance<D: DrawTarget<Color: Dim>, V: Coordinate>(
     scene: &mut Scene<'_, D::Color>,
-    placed: &MeshInstance<'_, V>,
+    instance: &MeshInstance<'_, V>,
     target: &mut D,
 ) {
     let Scene { light, colours, corners, depth, painter, .. } = scene;
@@ -178,24 +179,24 @@ fn draw_placed<D: DrawTarget<Color: Dim>, V: Coordinate>(
         let (colour, normal) = colours.get(face).copied().unwrap_or((wire, [0; 3]));
         colour.dim(light.level(normal))
     };
-    report(placed.project(any() as usize).ok_or(()));
-    report(placed.wireframe(wire, corners, target));
-    report(placed.solid(&mut shade, corners, target));
-    report(placed.cull_by_planes().solid(&mut shade, corners, target));
-    report(painter.add(placed, &mut shade));
+    report(instance.project(any() as usize).ok_or(()));
+    report(instance.wireframe(wire, corners, target));
+    report(instance.solid(&mut shade, corners, target));
+    report(instance.cull_by_planes().solid(&mut shade, corners, target));
+    report(painter.add(instance, &mut shade));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     match DepthBuffer::new(area, depth) {
         Ok(mut depth) => {
-            report(placed.depth_tested(&mut shade, corners, &mut depth, target));
-            report(placed.cull_by_planes().depth_tested(&mut shade, corners, &mut depth, target));
+            report(instance.depth_tested(&mut shade, corners, &mut depth, target));
+            report(instance.cull_by_planes().depth_tested(&mut shade, corners, &mut depth, target));
             report(depth.at(Point::new(any(), any())).ok_or(()));
             depth.clear();
         }
         error => report(error.map(|_| ())),
     }
-    report(placed.project_unsnapped(any() as usize).ok_or(()));
-    report(placed.points(wire, target));
-    report(placed.polyline(wire, target));
+    report(instance.project_unsnapped(any() as usize).ok_or(()));
+    report(instance.points(wire, target));
+    report(instance.polyline(wire, target));
 }
 
 /// A result is looked at, or computing it might be left out.
@@ -248,7 +249,7 @@ entries! {
 /// Pixels in memory, of a picture and of a band: one colour per face, and shaders that vary.
 fn draw_pixels<T: Target<Color = Rgb565>>(
     scene: &mut Scene<'_, Rgb565>,
-    placed: &MeshInstance<'_>,
+    instance: &MeshInstance<'_>,
     target: &mut T,
 ) {
     let Scene { light, corners, depth, .. } = scene;
@@ -256,18 +257,18 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     let smooth = |_| Gouraud::new([Rgb888::new(any() as u8, 0, 0); 3]);
     let table = ShadeTable::new(Rgb888::new(any() as u8, 0, 0));
     let shaded = |_| table.lit([any() as u16, any() as u16, any() as u16]);
-    report(placed.wireframe(Rgb565::new(1, 2, 3), corners, target));
-    report(placed.solid(shade, corners, target));
-    report(placed.solid(smooth, corners, target));
-    report(placed.solid(shaded, corners, target));
-    report(placed.cull_by_planes().solid(shade, corners, target));
+    report(instance.wireframe(Rgb565::new(1, 2, 3), corners, target));
+    report(instance.solid(shade, corners, target));
+    report(instance.solid(smooth, corners, target));
+    report(instance.solid(shaded, corners, target));
+    report(instance.cull_by_planes().solid(shade, corners, target));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
-        report(placed.depth_tested(shade, corners, &mut depth, target));
-        report(placed.depth_tested(smooth, corners, &mut depth, target));
-        report(placed.depth_tested(shaded, corners, &mut depth, target));
-        report(placed.cull_by_planes().depth_tested(smooth, corners, &mut depth, target));
-        report(placed.hidden_line(Rgb565::new(3, 2, 1), corners, &mut depth, target));
+        report(instance.depth_tested(shade, corners, &mut depth, target));
+        report(instance.depth_tested(smooth, corners, &mut depth, target));
+        report(instance.depth_tested(shaded, corners, &mut depth, target));
+        report(instance.cull_by_planes().depth_tested(smooth, corners, &mut depth, target));
+        report(instance.hidden_line(Rgb565::new(3, 2, 1), corners, &mut depth, target));
     }
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
         report(fill_triangle([corner, ScreenPoint::default(), corner], shade(any() as usize), target));
@@ -284,8 +285,8 @@ fn entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memor
             draw(scene, &mut picture);
             report(picture.fill_solid(&picture.bounding_box(), Rgb565::new(1, 1, 1)));
             report(picture.clear(Rgb565::new(1, 1, 1)));
-            let placed = scene.camera.place(mesh, &scene.model);
-            draw_pixels(scene, &placed, &mut picture.pixels());
+            let instance = scene.camera.place(mesh, &scene.model);
+            draw_pixels(scene, &instance, &mut picture.pixels());
             black_box(picture.colors());
         }
         error => report(error.map(|_| ())),
@@ -296,8 +297,8 @@ fn entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memor
 fn entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) {
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     let Ok(Some(mut band)) = Frame::new(area, Rgb565::new(0, 1, 0)).next_band(strip) else { return };
-    let placed = scene.camera.place(mesh, &scene.model);
-    draw_pixels(scene, &placed, &mut band.pixels());
+    let instance = scene.camera.place(mesh, &scene.model);
+    draw_pixels(scene, &instance, &mut band.pixels());
 }
 
 fn span(span: Span) -> Result<(), i32> {

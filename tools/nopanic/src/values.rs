@@ -70,7 +70,7 @@ entries! {
     entry_nodes(local: Affine<Model, Model>) -> [Node; 2] { [Node::root(local), Node::child(any() as u16, local)] }
     entry_node<'n>(node: &'n Node) -> (&'n Affine<Model, Model>, &'n Affine<Model, World>) { (node.local(), node.world()) }
     entry_hierarchy_node<'h>(hierarchy: &'h Hierarchy<'_>) -> (Option<&'h Affine<Model, World>>, &'h [Node]) { (hierarchy.world(any() as usize), hierarchy.nodes()) }
-    entry_placed_mesh<'p>(placed: &'p MeshInstance<'_>) -> &'p Mesh<'p> { placed.mesh() }
+    entry_instance_mesh<'p>(instance: &'p MeshInstance<'_>) -> &'p Mesh<'p> { instance.mesh() }
 
     entry_band_bytes<'b>(band: &'b Band<'_, Rgb565>) -> &'b [u8] { band.bytes() }
     entry_frame_area(frame: &Frame<Rgb565>) -> Rectangle { frame.area() }

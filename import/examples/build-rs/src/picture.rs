@@ -20,9 +20,9 @@ pub(crate) fn draw<D: DrawTarget<Color = Gray8>>(display: &mut D) -> Result<(), 
     let light = Lambert::new(&model, Vector3::from_ints(2, 4, 1), 40).expect("a direction");
 
     let mut corners = [ScreenVertex::EMPTY; BLOCK.vertices().len()];
-    let mut records = [0; FACES + FACES.div_ceil(16)];
-    let placed = Camera::new(&view, &lens, &viewport).place(&BLOCK, &model);
-    let mut faces = placed.transform(&mut corners).bin_faces(&mut records).expect("room for the faces");
+    let mut bin_storage = [0; FACES + FACES.div_ceil(16)];
+    let instance = Camera::new(&view, &lens, &viewport).place(&BLOCK, &model);
+    let mut faces = instance.transform(&mut corners).bin_faces(&mut bin_storage).expect("room for the faces");
     let level = |face: usize| BLOCK.normals().get(face).map_or(0, |&normal| light.level(normal));
     faces.solid(|face| Gray8::new((level(face) * 255 / 256) as u8), display).map(|_| ())
 }

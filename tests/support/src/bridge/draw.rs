@@ -44,16 +44,16 @@ pub const CUBE_EDGES: [[u16; 2]; 12] =
 
 /// Front faces in mesh order; face k in Shader(k).
 pub fn solid<V: Coordinate>(
-    placed: &MeshInstance<'_, V>,
+    instance: &MeshInstance<'_, V>,
     target: &mut Recorder<Shader>,
 ) -> Result<Statistics, Refused> {
     let mut cache = [ScreenVertex::default(); 64];
-    placed.solid(|face| Shader(face as u16), &mut cache, target)
+    instance.solid(|face| Shader(face as u16), &mut cache, target)
 }
 
-pub fn wireframe(placed: &MeshInstance<'_>, target: &mut Recorder<Shader>) -> Result<Statistics, Refused> {
+pub fn wireframe(instance: &MeshInstance<'_>, target: &mut Recorder<Shader>) -> Result<Statistics, Refused> {
     let mut cache = [ScreenVertex::default(); 64];
-    placed.wireframe(Shader(7), &mut cache, target)
+    instance.wireframe(Shader(7), &mut cache, target)
 }
 
 /// At a turned cube, from above and before it.
@@ -86,21 +86,21 @@ pub fn turned_cube(
     let model = ModelBits(vec![Step::Y(1 << 29), Step::X(1 << 28)]).library();
     let (x, y, width, height) = camera.viewport;
     let camera = camera.library();
-    let placed = camera.place(&mesh, &model);
+    let instance = camera.place(&mesh, &model);
     let mut cache = [ScreenVertex::default(); 8];
     match way {
-        Way::Wireframe => placed.wireframe(Shader(7), &mut cache, target),
-        Way::Solid => placed.solid(|face| Shader(face as u16), &mut cache, target),
+        Way::Wireframe => instance.wireframe(Shader(7), &mut cache, target),
+        Way::Solid => instance.solid(|face| Shader(face as u16), &mut cache, target),
         Way::Painter => {
             let mut painter = Painter::<Shader, 64, 64>::new();
-            painter.add(&placed, |face| Shader(face as u16)).expect("enough room");
+            painter.add(&instance, |face| Shader(face as u16)).expect("enough room");
             painter.draw(target)
         }
         Way::Depth => {
             let mut storage = vec![0; (width * height) as usize];
             let area = super::rectangle(x, y, width, height);
             let mut depth = DepthBuffer::new(area, &mut storage).expect("storage for all pixels");
-            placed.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target)
+            instance.depth_tested(|face| Shader(face as u16), &mut cache, &mut depth, target)
         }
     }
 }

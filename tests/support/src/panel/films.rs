@@ -54,7 +54,7 @@ pub const FRAMES: u32 = 72;
 
 /// An object of a frame.
 pub struct Thing {
-    placed: MeshInstance<'static>,
+    instance: MeshInstance<'static>,
     light: Lambert,
     colour: Rgb888,
     pub moves: bool,
@@ -80,7 +80,7 @@ impl Film {
             Err(_) => panic!(),
         };
         let thing = |model: Affine<Model, World>, colour, moves| Thing {
-            placed: camera.place(MESH, &model),
+            instance: camera.place(MESH, &model),
             light: {
                 let (x, y, z) = LIGHT;
                 let towards = Vector3::from_f32(x, y, z).expect("in range");
@@ -122,7 +122,7 @@ impl Thing {
 
     /// Draws the object at once, onto any target.
     pub fn draw<D: DrawTarget<Color: Dim + From<Rgb888>>>(&self, target: &mut D) -> Result<(), D::Error> {
-        self.placed.solid(|face| self.colour::<D::Color>(face), &mut [], target).map(|_| ())
+        self.instance.solid(|face| self.colour::<D::Color>(face), &mut [], target).map(|_| ())
     }
 }
 
@@ -142,8 +142,8 @@ pub struct Recorded<'a> {
 impl Memory {
     pub fn record<'a>(&'a mut self, things: &'a [Thing]) -> Vec<Recorded<'a>> {
         self.0.resize(things.len(), ([ScreenVertex::EMPTY; VERTICES.len()], [0; FACES.len() + 1]));
-        let record = |(thing, (corners, records)): (&'a Thing, &'a mut Store)| {
-            let faces = thing.placed.transform(corners).bin_faces(records).expect("room for all faces");
+        let record = |(thing, (corners, bin_storage)): (&'a Thing, &'a mut Store)| {
+            let faces = thing.instance.transform(corners).bin_faces(bin_storage).expect("room for all faces");
             Recorded { thing, faces }
         };
         things.iter().zip(&mut self.0).map(record).collect()

@@ -10,9 +10,9 @@ use pinhole::{DepthBuffer, ScreenVertex};
 image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
     let scene = Turntable::new();
     let light = scene.light()?;
-    let placed = scene.place(cube);
+    let instance = scene.place(cube);
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
     let mut depth = DepthBuffer::new(area, storage).ok()?;
-    placed.depth_tested(scene::flat(placed.mesh(), &light), corners, &mut depth, &mut Sink).ok()?;
+    instance.depth_tested(scene::flat(instance.mesh(), &light), corners, &mut depth, &mut Sink).ok()?;
     Some(())
 });

@@ -1,7 +1,7 @@
 //! All ways to draw, in bands; a camera made at run time; dirty rectangles.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::{bytes, pixels};
-use bench::image::{Sink, Turntable, CORNERS, RECORDS, ROWS};
+use bench::image::{Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
 use bench::scene::Model;
 use bench::{image, scene};
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -14,15 +14,15 @@ type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
 
 /// An object with its light, which live as long as the frame.
 struct Object {
-    placed: MeshInstance<'static>,
+    instance: MeshInstance<'static>,
     light: Lambert,
 }
 
 /// Buffers that the caller provides for a frame.
 struct Buffers {
     corners: [ScreenVertex; CORNERS],
-    records: [u16; RECORDS],
-    edge_records: [u16; RECORDS + 8],
+    bin_storage: [u16; BIN_STORAGE],
+    edge_bin_storage: [u16; BIN_STORAGE + 8],
     strip: [u8; bytes(ROWS)],
     storage: [u16; pixels(ROWS)],
 }
@@ -30,8 +30,8 @@ struct Buffers {
 impl Buffers {
     const EMPTY: Self = Self {
         corners: [ScreenVertex::EMPTY; CORNERS],
-        records: [0; RECORDS],
-        edge_records: [0; RECORDS + 8],
+        bin_storage: [0; BIN_STORAGE],
+        edge_bin_storage: [0; BIN_STORAGE + 8],
         strip: [0; bytes(ROWS)],
         storage: [0; pixels(ROWS)],
     };
@@ -43,8 +43,8 @@ impl Buffers {
 fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
     let camera = cube.camera();
     objects.clear();
-    let placed = camera.as_ref()?.place(&cube.mesh, &cube.turned());
-    objects.push(Object { placed, light: Turntable::new().light()? }).ok()
+    let instance = camera.as_ref()?.place(&cube.mesh, &cube.turned());
+    objects.push(Object { instance, light: Turntable::new().light()? }).ok()
 }
 
 /// Records the cube for painter's order, before another camera.
@@ -57,17 +57,17 @@ fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<
 /// Draws dithered faces with hidden lines, then in all other ways.
 #[inline(never)]
 fn draw(
-    Object { placed, light }: &Object,
+    Object { instance, light }: &Object,
     painter: &mut Order,
     dirty: &mut DirtyRegions<2>,
     buffers: &mut Buffers,
 ) -> Option<()> {
-    let Buffers { corners, records, edge_records, strip, storage } = buffers;
-    let projected = placed.transform_depth(corners);
-    let mut faces = projected.bin_faces(records);
-    let mut edges = projected.bin_edges(edge_records);
+    let Buffers { corners, bin_storage, edge_bin_storage, strip, storage } = buffers;
+    let projected = instance.transform_depth(corners);
+    let mut faces = projected.bin_faces(bin_storage);
+    let mut edges = projected.bin_edges(edge_bin_storage);
     let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
-    let (mesh, order) = (placed.mesh(), painter.order());
+    let (mesh, order) = (instance.mesh(), painter.order());
     dirty.mark(faces.bounds());
     for &area in &dirty.take() {
         let mut frame = Frame::new(area, scene::BACKGROUND);
@@ -84,7 +84,7 @@ fn draw(
             band.send(&mut Sink).ok()?;
         }
     }
-    placed.points(scene::LINE, &mut Sink).ok()?;
+    instance.points(scene::LINE, &mut Sink).ok()?;
     Some(())
 }
 

@@ -15,9 +15,9 @@ image!(
     {
         let scene = Turntable::new();
         let light = scene.light()?;
-        let placed = scene.place(cube);
+        let instance = scene.place(cube);
         let mut picture = Picture::new(memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
-        let Ok(_) = placed.solid(scene::flat(placed.mesh(), &light), corners, &mut picture.pixels());
+        let Ok(_) = instance.solid(scene::flat(instance.mesh(), &light), corners, &mut picture.pixels());
         black_box(picture.colors());
         Some(())
     }

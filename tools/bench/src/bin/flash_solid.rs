@@ -7,7 +7,7 @@ use pinhole::ScreenVertex;
 image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], {
     let scene = Turntable::new();
     let light = scene.light()?;
-    let placed = scene.place(cube);
-    placed.solid(scene::flat(placed.mesh(), &light), corners, &mut Sink).ok()?;
+    let instance = scene.place(cube);
+    instance.solid(scene::flat(instance.mesh(), &light), corners, &mut Sink).ok()?;
     Some(())
 });

@@ -8,18 +8,18 @@ use pinhole::ScreenVertex;
 const S4: bool = position(env!("CARGO_BIN_NAME"), &["ram_s3", "ram_s4"]) == 1;
 const VERTICES: usize = if S4 { 2892 } else { 500 };
 /// Visible faces, with some to spare, and a bit for each face of the mesh.
-const RECORDS: usize = if S4 { 1750 + 5780_usize.div_ceil(16) } else { 480 + 1000_usize.div_ceil(16) };
+const BIN_STORAGE: usize = if S4 { 1750 + 5780_usize.div_ceil(16) } else { 480 + 1000_usize.div_ceil(16) };
 
 firmware!(
     corners: [ScreenVertex; VERTICES] = [ScreenVertex::EMPTY; VERTICES],
-    records: [u16; RECORDS] = [0; RECORDS],
+    bin_storage: [u16; BIN_STORAGE] = [0; BIN_STORAGE],
     strip: [u8; bytes(8)] = [0; bytes(8)],
     depth: [u16; pixels(8)] = [0; pixels(8)],
     {
         let (name, model) = if S4 { ("S4", &scene::ICO) } else { ("S3", &scene::TORUS) };
         measure::once(name, model, &mut |scene, light, display| {
-            let (corners, records) = (&mut *corners, &mut *records);
-            bands::depth(scene, light, Storage { corners, records, strip, depth }, display)
+            let (corners, bin_storage) = (&mut *corners, &mut *bin_storage);
+            bands::depth(scene, light, Storage { corners, bin_storage, strip, depth }, display)
         })
     }
 );

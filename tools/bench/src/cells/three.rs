@@ -27,9 +27,9 @@ const fn without(model: &Model) -> Model {
 pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
     let scene = Scene::new(&scene::CUBE)?;
     let Plain { frame, corners } = memory;
-    let placed = scene.place();
+    let instance = scene.place();
     count(frame, &mut |picture| {
-        let Ok(statistics) = black_box(&placed).wireframe(black_box(LINE), corners, &mut picture.pixels());
+        let Ok(statistics) = black_box(&instance).wireframe(black_box(LINE), corners, &mut picture.pixels());
         black_box(statistics);
         Some(())
     })
@@ -82,13 +82,13 @@ fn flat<const PLANES: bool, const N: usize>(
     Plain { frame, corners }: &mut Plain<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
-    let (light, placed) = (scene.light()?, scene.place());
+    let (light, instance) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
-        let (placed, light) = black_box((&placed, &light));
-        let (shade, mut pixels) = (scene::flat(placed.mesh(), light), picture.pixels());
+        let (instance, light) = black_box((&instance, &light));
+        let (shade, mut pixels) = (scene::flat(instance.mesh(), light), picture.pixels());
         let Ok(statistics) = match PLANES {
-            true => placed.cull_by_planes().solid(shade, corners, &mut pixels),
-            false => placed.solid(shade, corners, &mut pixels),
+            true => instance.cull_by_planes().solid(shade, corners, &mut pixels),
+            false => instance.solid(shade, corners, &mut pixels),
         };
         black_box(statistics);
         Some(())
@@ -101,14 +101,14 @@ fn flat_z<const PLANES: bool, const N: usize>(
     Deep { frame, depth, corners }: &mut Deep<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
-    let (light, placed) = (scene.light()?, scene.place());
+    let (light, instance) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
-        let (placed, light) = black_box((&placed, &light));
+        let (instance, light) = black_box((&instance, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let (shade, mut pixels) = (scene::flat(placed.mesh(), light), picture.pixels());
+        let (shade, mut pixels) = (scene::flat(instance.mesh(), light), picture.pixels());
         let Ok(statistics) = match PLANES {
-            true => placed.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
-            false => placed.depth_tested(shade, corners, &mut depth, &mut pixels),
+            true => instance.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
+            false => instance.depth_tested(shade, corners, &mut depth, &mut pixels),
         };
         black_box(statistics);
         Some(())
@@ -131,17 +131,17 @@ fn smooth_z<const PLANES: bool>(
 ) -> Option<Counted> {
     let Deep { frame, depth, corners } = deep;
     let scene = Scene::new(model)?;
-    let (light, placed) = (scene.light()?, scene.place());
+    let (light, instance) = (scene.light()?, scene.place());
     let white = ShadeTable::new(Rgb888::WHITE);
     count(frame, &mut |picture| {
-        let (placed, light, white) = black_box((&placed, &light, &white));
+        let (instance, light, white) = black_box((&instance, &light, &white));
         light.levels(black_box(&TORUS_NORMALS), levels);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let (shade, mut pixels) =
-            (|face| white.lit(placed.mesh().corners_of(face, levels)), picture.pixels());
+            (|face| white.lit(instance.mesh().corners_of(face, levels)), picture.pixels());
         let Ok(statistics) = match PLANES {
-            true => placed.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
-            false => placed.depth_tested(shade, corners, &mut depth, &mut pixels),
+            true => instance.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
+            false => instance.depth_tested(shade, corners, &mut depth, &mut pixels),
         };
         black_box(statistics);
         Some(())

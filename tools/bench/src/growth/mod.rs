@@ -25,7 +25,7 @@ use pinhole::{BinnedFaces, Cull, DepthBuffer, Frame, Lambert, Mesh, MeshInstance
 const PIXELS: usize = 480 * 320;
 /// Of the largest mesh: its vertices; its faces, with one for every 16.
 const CORNERS: usize = 10_000;
-const RECORDS: usize = 20_000 + 20_000 / 16;
+const BIN_STORAGE: usize = 20_000 + 20_000 / 16;
 /// Of the highest band.
 const STRIP: usize = Frame::<Rgb565>::strip_bytes(480, 48);
 
@@ -33,7 +33,7 @@ pub struct Memory {
     pixels: [Rgb565; PIXELS],
     depth: [u16; PIXELS],
     corners: [ScreenVertex; CORNERS],
-    records: [u16; RECORDS],
+    bin_storage: [u16; BIN_STORAGE],
     strip: [u8; STRIP],
 }
 
@@ -42,7 +42,7 @@ impl Memory {
         pixels: [BACKGROUND; PIXELS],
         depth: [0; PIXELS],
         corners: [ScreenVertex::EMPTY; CORNERS],
-        records: [0; RECORDS],
+        bin_storage: [0; BIN_STORAGE],
         strip: [0; STRIP],
     };
 }
@@ -117,97 +117,97 @@ impl Case {
     /// The instructions of a whole frame, its clears too.
     pub fn count(&self, way: Way, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
         let scene = self.scene()?;
-        let (placed, light) = (scene.place().with_cull(self.cull), scene.light()?);
-        let (placed, light, size) = black_box((&placed, &light, Size::new(self.size[0], self.size[1])));
+        let (instance, light) = (scene.place().with_cull(self.cull), scene.light()?);
+        let (instance, light, size) = black_box((&instance, &light, Size::new(self.size[0], self.size[1])));
         let mut good = None;
         let instructions = clock.count(&mut || {
             good = match way {
-                Way::Lines => lines(placed, size, memory),
-                Way::Faces => faces(placed, light, size, memory),
-                Way::Depth => depth(placed, light, size, memory),
-                Way::PlaneCulled => facing(placed, light, size, memory),
-                Way::FacingDepth => facing_depth(placed, light, size, memory),
-                Way::Bands(rows) => bands(placed, light, size, rows, memory),
-                Way::FacingBands(rows) => facing_bands(placed, light, size, rows, memory),
+                Way::Lines => lines(instance, size, memory),
+                Way::Faces => faces(instance, light, size, memory),
+                Way::Depth => depth(instance, light, size, memory),
+                Way::PlaneCulled => facing(instance, light, size, memory),
+                Way::FacingDepth => facing_depth(instance, light, size, memory),
+                Way::Bands(rows) => bands(instance, light, size, rows, memory),
+                Way::FacingBands(rows) => facing_bands(instance, light, size, rows, memory),
             }
         })?;
         good.map(|()| instructions)
     }
 }
 
-fn lines(placed: &MeshInstance<'_>, size: Size, memory: &mut Memory) -> Option<()> {
+fn lines(instance: &MeshInstance<'_>, size: Size, memory: &mut Memory) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
-    let Ok(statistics) = placed.wireframe(LINE, &mut memory.corners, &mut picture.pixels());
+    let Ok(statistics) = instance.wireframe(LINE, &mut memory.corners, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn faces(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn faces(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
-    let shade = flat(placed.mesh(), light);
-    let Ok(statistics) = placed.solid(shade, &mut memory.corners, &mut picture.pixels());
+    let shade = flat(instance.mesh(), light);
+    let Ok(statistics) = instance.solid(shade, &mut memory.corners, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn depth(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn depth(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let Memory { pixels, depth, corners, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-    let shade = flat(placed.mesh(), light);
-    let Ok(statistics) = placed.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+    let shade = flat(instance.mesh(), light);
+    let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn facing(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn facing(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
-    let shade = flat(placed.mesh(), light);
-    let Ok(statistics) = placed.cull_by_planes().solid(shade, &mut memory.corners, &mut picture.pixels());
+    let shade = flat(instance.mesh(), light);
+    let Ok(statistics) = instance.cull_by_planes().solid(shade, &mut memory.corners, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn facing_depth(placed: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn facing_depth(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
     let Memory { pixels, depth, corners, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-    let shade = flat(placed.mesh(), light);
+    let shade = flat(instance.mesh(), light);
     let Ok(statistics) =
-        placed.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        instance.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
 fn bands(
-    placed: &MeshInstance<'_>,
+    instance: &MeshInstance<'_>,
     light: &Lambert,
     size: Size,
     rows: u32,
     memory: &mut Memory,
 ) -> Option<()> {
-    let Memory { depth, corners, records, strip, .. } = memory;
-    let projected = placed.transform_depth(corners);
-    let faces = projected.bin_faces(records).ok()?;
-    in_bands(faces, placed, light, size, strip_of(strip, size, rows)?, depth)
+    let Memory { depth, corners, bin_storage, strip, .. } = memory;
+    let projected = instance.transform_depth(corners);
+    let faces = projected.bin_faces(bin_storage).ok()?;
+    in_bands(faces, instance, light, size, strip_of(strip, size, rows)?, depth)
 }
 
 fn facing_bands(
-    placed: &MeshInstance<'_>,
+    instance: &MeshInstance<'_>,
     light: &Lambert,
     size: Size,
     rows: u32,
     memory: &mut Memory,
 ) -> Option<()> {
-    let Memory { depth, corners, records, strip, .. } = memory;
-    let facing = placed.cull_by_planes();
-    let faces = facing.bin_faces_with_depth(corners, records).ok()?;
-    in_bands(faces, placed, light, size, strip_of(strip, size, rows)?, depth)
+    let Memory { depth, corners, bin_storage, strip, .. } = memory;
+    let facing = instance.cull_by_planes();
+    let faces = facing.bin_faces_with_depth(corners, bin_storage).ok()?;
+    in_bands(faces, instance, light, size, strip_of(strip, size, rows)?, depth)
 }
 
 /// For bands of so many rows.
@@ -217,7 +217,7 @@ fn strip_of(strip: &mut [u8], size: Size, rows: u32) -> Option<&mut [u8]> {
 
 fn in_bands(
     mut faces: BinnedFaces<'_, i16, true>,
-    placed: &MeshInstance<'_>,
+    instance: &MeshInstance<'_>,
     light: &Lambert,
     size: Size,
     strip: &mut [u8],
@@ -226,7 +226,7 @@ fn in_bands(
     let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.depth_tested(flat(placed.mesh(), light), &mut depth, &mut band.pixels());
+        let Ok(()) = faces.depth_tested(flat(instance.mesh(), light), &mut depth, &mut band.pixels());
         black_box(band.bytes());
     }
     black_box(faces.statistics());

@@ -144,14 +144,14 @@ fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
 impl Case {
     pub fn work(&self, way: Way) -> Option<Work> {
         let scene = self.scene()?;
-        let placed = scene.place().with_cull(self.cull);
-        let mesh = placed.mesh();
+        let instance = scene.place().with_cull(self.cull);
+        let mesh = instance.mesh();
         let [width, height] = self.size;
         let mut watch = Watch::new(Size::new(width, height));
         let work = Work { vertices: mesh.vertices().len() as u32, area: width * height, ..Work::default() };
         if way == Way::Lines {
-            let Ok(statistics) = placed.wireframe(LINE, &mut [], &mut watch);
-            let (large, clipped) = self.edges(&placed);
+            let Ok(statistics) = instance.wireframe(LINE, &mut [], &mut watch);
+            let (large, clipped) = self.edges(&instance);
             let (faces, drawn) = (mesh.edges().len() as u32, statistics.drawn);
             let cut = statistics.clipped;
             return Some(Work { faces, drawn, large, clipped, cut, pixels: watch.pixels, ..work });
@@ -163,18 +163,19 @@ impl Case {
             BACKGROUND
         };
         let Ok(statistics) = match way.asks_planes() {
-            true => placed.cull_by_planes().solid(shade, &mut [], &mut watch),
-            false => placed.solid(shade, &mut [], &mut watch),
+            true => instance.cull_by_planes().solid(shade, &mut [], &mut watch),
+            false => instance.solid(shade, &mut [], &mut watch),
         };
-        let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&placed, face)).collect();
+        let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&instance, face)).collect();
         let of = |kind| kinds.iter().filter(|&&of| of == kind).count() as u32;
         let (clipped, cut) = match way.asks_planes() {
             // Back faces are culled before.
             true => (of(Kind::Cut) + statistics.outside, statistics.clipped),
             false => {
                 let all = 0..mesh.faces().len();
-                let clipped = all.filter(|&face| self.kind(&placed, face) == Kind::Cut).count() as u32;
-                let (both, mut watch) = (placed.with_cull(Cull::None), Watch::new(Size::new(width, height)));
+                let clipped = all.filter(|&face| self.kind(&instance, face) == Kind::Cut).count() as u32;
+                let (both, mut watch) =
+                    (instance.with_cull(Cull::None), Watch::new(Size::new(width, height)));
                 let Ok(statistics) = both.solid(|_| BACKGROUND, &mut [], &mut watch);
                 (clipped, statistics.clipped)
             }
@@ -201,11 +202,11 @@ impl Case {
     }
 
     /// The number of edges that cross the border of the picture, and of edges with an end that must be clipped.
-    fn edges(&self, placed: &MeshInstance<'_>) -> (u32, u32) {
+    fn edges(&self, instance: &MeshInstance<'_>) -> (u32, u32) {
         let (mut across, mut clipped) = (0, 0);
         let [width, height] = self.size.map(|side| (side as i32) << 8);
-        for edge in placed.mesh().edges() {
-            match edge.map(|vertex| placed.project(vertex.into())) {
+        for edge in instance.mesh().edges() {
+            match edge.map(|vertex| instance.project(vertex.into())) {
                 [Some((a, _)), Some((b, _))] => {
                     let lies = [(width, [a.x(), b.x()]), (height, [a.y(), b.y()])].map(Lies::new);
                     across += u32::from(lies.contains(&Lies::Across) && !lies.contains(&Lies::Beside));
@@ -216,9 +217,9 @@ impl Case {
         (across, clipped)
     }
 
-    fn kind(&self, placed: &MeshInstance<'_>, face: usize) -> Kind {
-        let corners = placed.mesh().faces().get(face).copied().unwrap_or_default();
-        let [Some(a), Some(b), Some(c)] = corners.map(|vertex| placed.project(vertex.into())) else {
+    fn kind(&self, instance: &MeshInstance<'_>, face: usize) -> Kind {
+        let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
+        let [Some(a), Some(b), Some(c)] = corners.map(|vertex| instance.project(vertex.into())) else {
             return Kind::Cut;
         };
         let (x, y) = ([a, b, c].map(|(point, _)| point.x()), [a, b, c].map(|(point, _)| point.y()));
@@ -236,9 +237,9 @@ impl Case {
         let all = self.what.mesh()?;
         let alone = Mesh::new(all.vertices(), all.exponent(), all.faces().get(face..=face)?).ok()?;
         let scene = self.scene_of(alone)?;
-        let placed = scene.place().with_cull(self.cull);
-        let (transformed, mut records) = (placed.transform(&mut []), [0; 2]);
-        let bounds = transformed.bin_faces(&mut records).ok()?.bounds();
+        let instance = scene.place().with_cull(self.cull);
+        let (transformed, mut bin_storage) = (instance.transform(&mut []), [0; 2]);
+        let bounds = transformed.bin_faces(&mut bin_storage).ok()?.bounds();
         let (top, height) = (bounds.top_left.y as u32, bounds.size.height);
         Some(if height == 0 { 0 } else { (top + height - 1) / rows - top / rows + 1 })
     }

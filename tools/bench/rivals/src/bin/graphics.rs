@@ -28,16 +28,16 @@ fn tell(cell: &str, Counted { instructions, drawn, .. }: Counted) {
 #[inline(never)]
 fn cube(frame: &mut Frame, clock: &mut Clock) -> Option<Counted> {
     let scene = Scene::new(&CUBE)?;
-    let placed = scene.place();
+    let instance = scene.place();
     count_by(clock, frame, &mut |picture| {
-        let placed = black_box(&placed);
+        let instance = black_box(&instance);
         let mut points = [Point::zero(); VERTICES];
         for (index, point) in points.iter_mut().enumerate() {
-            let pixel = placed.project(index)?.0.pixel();
+            let pixel = instance.project(index)?.0.pixel();
             *point = Point::new(pixel.x.into(), pixel.y.into());
         }
         let stroke = PrimitiveStyle::with_stroke(black_box(LINE), 1);
-        for &[from, to] in placed.mesh().edges() {
+        for &[from, to] in instance.mesh().edges() {
             let line = Line::new(*points.get(usize::from(from))?, *points.get(usize::from(to))?);
             let Ok(()) = line.into_styled(stroke).draw(picture);
         }
