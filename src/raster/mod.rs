@@ -45,6 +45,8 @@ pub(crate) mod gradient_setup;
 mod line;
 mod line_depth;
 mod pixel_layout;
+#[cfg(test)]
+pub(crate) mod random_triangles;
 mod row_scratch;
 mod scissor;
 mod screen;

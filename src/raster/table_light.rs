@@ -35,55 +35,24 @@ impl Gradient {
 mod tests {
     use super::*;
     use crate::math::random::Random;
-    use crate::raster::{area, triangle, Scissor, ScreenPoint};
+    use crate::raster::random_triangles::each_random_triangle;
 
     /// The largest distance of a covered pixel's light from the exact light, in 2⁻²⁴, rounded up.
     fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
-        let (mut worst, side) = (0, i64::from(viewport) * 256);
-        let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
-        for case in 0..cases {
-            let middle = [0; 2].map(|_| i64::from(random.within(side)));
-            let mut corner = || {
-                middle.map(|m| {
-                    // Every fourth triangle as large as `reach` allows.
-                    let end = (2 * random.below(2) - 1) * reach;
-                    let away = if case % 4 == 1 { end } else { i64::from(random.within(reach)) };
-                    (m + away + i64::from(random.within(1))).clamp(-1 << 21, 1 << 21)
-                })
-            };
-            let (a, b, mut c) = (corner(), corner(), corner());
-            if case % 4 == 0 {
-                // A sliver.
-                let k = i64::from(random.within(256)).abs();
-                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(random.within(1)));
-                c = c.map(|v| v.clamp(-1 << 21, 1 << 21));
-            }
-            let points = [a, b, c].map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap());
-            if area(&points) == 0 {
-                continue;
-            }
+        let mut worst = 0;
+        each_random_triangle(random, reach, viewport, cases, |random, triangle| {
             let lights = [0; 3].map(|_| match random.within(2) {
                 0 => 0,
                 1 => 255 << 10,
                 _ => random.within(255 << 10).abs(),
             });
-            let gradient = Gradient::of_light(&Triangle::new(points, area(&points), &scissor), &lights);
-            let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
-                i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
-            };
-            let Ok::<(), core::convert::Infallible>(()) = triangle(points, &scissor, |span| {
-                for x in [span.x, span.x + span.width - 1] {
-                    let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
-                    let [u, v, w] = lights.map(i128::from);
-                    let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
-                    let total = cross(a, b, c);
-                    // No value leaves 0 … 2³² − 1, so the rounding half can be subtracted again.
-                    let light = i128::from(gradient.at(x, span.y)) - (1 << 23);
-                    worst = worst.max((light * total - (exact << 14)).abs() / total.abs() + 1);
-                }
-                Ok(())
+            let gradient = Gradient::of_light(&triangle.set_up(), &lights);
+            triangle.each_row_end(lights, |x, y, exact, total| {
+                // No value leaves 0 … 2³² − 1, so the rounding half can be subtracted again.
+                let light = i128::from(gradient.at(x, y)) - (1 << 23);
+                worst = worst.max((light * total - (exact << 14)).abs() / total.abs() + 1);
             });
-        }
+        });
         worst
     }
 

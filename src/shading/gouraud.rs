@@ -150,60 +150,29 @@ impl<C: Channels, R: Rounding> Iterator for SpanColors<C, R> {
 mod tests {
     use super::*;
     use crate::math::random::Random;
-    use crate::raster::{area, triangle, Scissor, ScreenPoint};
+    use crate::raster::random_triangles::each_random_triangle;
     use embedded_graphics_core::pixelcolor::Gray8;
 
     /// The largest distance of a covered pixel's level from the exact one, in 2⁻²⁴, rounded up.
     fn worst(random: &mut Random, reach: i64, viewport: i32, cases: u32) -> i128 {
-        let (mut worst, side) = (0, i64::from(viewport) * 256);
-        let scissor = Scissor::new(-viewport, -viewport, viewport, viewport);
-        for case in 0..cases {
-            let middle = [0; 2].map(|_| i64::from(random.within(side)));
-            let mut corner = || {
-                middle.map(|m| {
-                    // Every fourth triangle is as large as it can be.
-                    let end = (2 * random.below(2) - 1) * reach;
-                    let away = if case % 4 == 1 { end } else { i64::from(random.within(reach)) };
-                    (m + away + i64::from(random.within(1))).clamp(-1 << 21, 1 << 21)
-                })
-            };
-            let (a, b, mut c) = (corner(), corner(), corner());
-            if case % 4 == 0 {
-                // As thin as it can be.
-                let k = i64::from(random.within(256)).abs();
-                c = [0, 1].map(|i| a[i] + (((b[i] - a[i]) * k) >> 8) + i64::from(random.within(1)));
-                c = c.map(|v| v.clamp(-1 << 21, 1 << 21));
-            }
-            let points = [a, b, c].map(|[x, y]| ScreenPoint::from_subpixels(x as i32, y as i32).unwrap());
-            if area(&points) == 0 {
-                continue;
-            }
+        let mut worst = 0;
+        each_random_triangle(random, reach, viewport, cases, |random, triangle| {
+            // In 2⁻⁸ levels: 255 of them are 65280.
             let colors = [0; 3].map(|_| match random.within(2) {
                 0 => 0,
                 1 => 65_280,
-                _ => random.within(65_280).unsigned_abs() as u16,
+                _ => random.within(65_280).abs(),
             });
-            let face = Gouraud(colors.map(|c| Flat([c; 3])));
-            let ramps = face.gradients::<Gray8>(&Triangle::new(points, area(&points), &scissor));
-            let cross = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
-                i128::from((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
-            };
-            let Ok::<(), core::convert::Infallible>(()) = triangle(points, &scissor, |span| {
-                for x in [span.x, span.x + span.width - 1] {
-                    let p = [x, span.y].map(|v| i64::from(v) * 256 + 128);
-                    let [u, v, w] = colors.map(i128::from);
-                    // In 2⁻⁸ levels: 255 of them are 65280.
-                    let exact = u * cross(p, b, c) + v * cross(a, p, c) + w * cross(a, b, p);
-                    let whole = cross(a, b, c);
-                    let [level, ..] = ramps.gradients.map(|gradient| i128::from(gradient.at(x, span.y)));
-                    // The difference modulo 2³², as levels wrap.
-                    let turn = whole.abs() << 32;
-                    let off = (level * whole - (exact << 16)).rem_euclid(turn);
-                    worst = worst.max(off.min(turn - off) / whole.abs() + 1);
-                }
-                Ok(())
+            let face = Gouraud(colors.map(|c| Flat([c as u16; 3])));
+            let ramps = face.gradients::<Gray8>(&triangle.set_up());
+            triangle.each_row_end(colors, |x, y, exact, total| {
+                let [level, ..] = ramps.gradients.map(|gradient| i128::from(gradient.at(x, y)));
+                // The difference modulo 2³², as levels wrap.
+                let turn = total.abs() << 32;
+                let off = (level * total - (exact << 16)).rem_euclid(turn);
+                worst = worst.max(off.min(turn - off) / total.abs() + 1);
             });
-        }
+        });
         worst
     }
 
