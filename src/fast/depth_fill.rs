@@ -12,9 +12,9 @@
 
 use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
 use crate::math::cores::CORTEX_M0;
+use crate::math::hints::{keep_rolled, opaque};
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowScratch, Scissor, Trapezoid};
 use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
-use core::hint::black_box;
 
 /// What the pixels of a triangle are set to where they are nearer than the depth buffer.
 pub(crate) trait DepthFill<Cell>: Copy {
@@ -230,7 +230,7 @@ fn fill_row<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], first: u32, step: 
 /// one; on an M3 it would be 7 % more (`tools/bench/report/floors.md`).
 #[inline(always)]
 fn fill_few<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], first: u32, step: u32, cell: Cell) {
-    let mut z = black_box(first); // else LLVM multiplies for each pixel instead of adding
+    let mut z = opaque(first); // else LLVM multiplies for each pixel instead of adding
     for i in 0..BLOCK - 1 {
         let (Some(pixel), Some(stored)) = (run.get_mut(i), depths.get_mut(i)) else { return };
         put_nearer(pixel, stored, z, cell);
@@ -247,7 +247,7 @@ fn fill_each<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, step:
     for (pixel, stored) in run.iter_mut().zip(depths) {
         put_nearer(pixel, stored, z, cell);
         z = z.wrapping_add(step);
-        black_box(()); // not unrolled
+        keep_rolled();
     }
     z
 }
@@ -268,10 +268,10 @@ fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, ste
                 z = z.wrapping_add(step);
             }
         } else {
-            // `black_box`: the depths are loaded again, because the branch above needs the registers.
-            z = fill_each(pixels, black_box(depths), z, step, cell);
+            // `opaque`: the depths are loaded again, because the branch above needs the registers.
+            z = fill_each(pixels, opaque(depths), z, step, cell);
         }
-        black_box(()); // not unrolled
+        keep_rolled();
     }
     fill_each(rest, depth_rest, z, step, cell);
 }

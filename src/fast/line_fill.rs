@@ -11,11 +11,11 @@
 //! fractional bits, whose carry is the step to the next column. A flat line is drawn with Bresenham's error term.
 
 use super::memory_of;
+use crate::math::hints::{keep_branch, keep_rolled};
 use crate::math::num::{mul_high, reciprocal};
 use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
 use crate::surface::block_fill::{fill_pairs, pair};
 use crate::surface::{StoredPixel, Target};
-use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// Draws a line, unless the target's pixels do not lie in memory. The scissor lies in the target.
@@ -144,19 +144,19 @@ fn flat<Cell: Copy>(
             let carries;
             (error, carries) = error.overflowing_add(along);
             if carries {
-                black_box(()); // a branch, not a conditional sum
+                keep_branch(); // not a conditional sum
                 error = error.wrapping_sub(back);
                 at = at.wrapping_add(down);
             }
             at = at.wrapping_add(1);
-            black_box(()); // not unrolled
+            keep_rolled();
         }
     }
     if let Some(run) = cells.get_mut(at.wrapping_add(low)..pixel_index(end.0, end.1, stride).wrapping_add(1))
     {
         for pixel in run {
             *pixel = cell;
-            black_box(()); // not unrolled: a few pixels
+            keep_rolled(); // a few pixels
         }
     }
 }
@@ -218,7 +218,7 @@ fn steep<Cell: Copy>(
     while let Some(pixel) = cells.get_mut((at >> 32) as usize) {
         *pixel = cell;
         at = at.wrapping_add(step);
-        black_box(()); // not unrolled
+        keep_rolled();
     }
 }
 

@@ -10,9 +10,9 @@
 
 use super::depth_fill::put_nearer;
 use super::{depth_gradient, each_span, memory_of};
+use crate::math::hints::keep_rolled;
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
 use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
-use core::hint::black_box;
 
 /// Fills a triangle with the colours that `span_colors` gives for each span, unless the target's pixels do not lie in memory.
 #[inline(always)]
@@ -80,7 +80,7 @@ fn fill_nearer<S: PixelStore, R: Iterator<Item = S::Cell>>(
             for ((pixel, stored), cell) in cells.iter_mut().zip(depths).zip(span_cells(span)) {
                 put_nearer(pixel, stored, z, cell);
                 z = z.wrapping_add(step);
-                black_box(()); // not unrolled
+                keep_rolled();
             }
         }
     });

@@ -11,10 +11,10 @@
 use super::edge20::{Divisor, Edge20, TwoDivisions};
 use super::rows::{RowOrigin, Rows};
 use crate::math::hints::keep_rolled;
+use crate::math::hints::opaque;
 use crate::raster::edge::{base_column, first_row};
 use crate::raster::triangle::sort_by_y;
 use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Trapezoid, Triangle};
-use core::hint::black_box;
 use core::marker::PhantomData;
 
 /// A triangle of few rows as two trapezoids, above and below its middle corner. Set-up is short enough to be inlined into
@@ -96,7 +96,7 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
     #[inline(always)]
     pub(crate) fn each_span(mut self, _: &mut RowScratch, mut draw: impl FnMut(Span)) {
         // The opaque count keeps one copy of `draw`: code size counts here.
-        for _ in 0..black_box(2) {
+        for _ in 0..opaque(2) {
             let mut trapezoid = self.trapezoid();
             while let Some(span) = trapezoid.span() {
                 draw(span);
@@ -133,7 +133,7 @@ impl<D: Divisor, const CLIP_ROWS: bool> Rows for SmallTriangle<D, CLIP_ROWS> {
         let RowOrigin { x, y, .. } = self.start(scratch.layout);
         let mut start = scratch.layout.at(x, y);
         // Few triangles are clipped, so code size counts: an opaque count keeps one copy of the loop.
-        for _ in 0..if CLIP_ROWS { black_box(2) } else { 2 } {
+        for _ in 0..if CLIP_ROWS { opaque(2) } else { 2 } {
             keep_rolled();
             start = self.trapezoid().each(start, scratch.layout.stride, &mut row);
         }
@@ -150,7 +150,7 @@ impl LowSpans {
     pub(crate) fn new(mut low: SmallTriangle<TwoDivisions, true>, _: RowScratch) -> Self {
         let mut trapezoids = [NO_ROWS; 2];
         // The opaque count keeps the loop rolled: code size counts here.
-        for trapezoid in trapezoids.iter_mut().take(black_box(2)) {
+        for trapezoid in trapezoids.iter_mut().take(opaque(2)) {
             *trapezoid = low.trapezoid();
         }
         Self(trapezoids)

@@ -9,10 +9,10 @@
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use super::{depth_and_light_gradients, RowOrigin};
 use crate::math::cores::CORTEX_M0;
+use crate::math::hints::{keep_branch, keep_rolled, opaque};
 use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
 use crate::surface::{DepthTarget, StoredPixel, Target};
-use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory, and the depth buffer is laid
@@ -120,11 +120,11 @@ impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
 #[inline(always)]
 fn part_of<T>(all: &mut [T], from: usize, width: usize) -> Option<&mut [T]> {
     if CORTEX_M0 {
-        // `black_box` keeps LLVM from merging the two checks into arithmetic, which takes five more instructions per slice.
+        // `keep_branch` keeps LLVM from merging the two checks into arithmetic, which takes five more instructions per slice.
         let part = all.get_mut(from..)?;
-        black_box(());
+        keep_branch();
         let part = part.get_mut(..width)?;
-        black_box(());
+        keep_branch();
         return Some(part);
     }
     all.get_mut(from..from.wrapping_add(width)) // a sum that wraps is below `from`
@@ -150,7 +150,7 @@ impl<C: PixelColor> Steps<'_, C> {
                 *pixel = TableShader::look_up(self.colors, light).stored();
             }
             (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
-            black_box(()); // not unrolled, except for fewer than eight pixels
+            keep_rolled(); // except for fewer than eight pixels
         }
         (z, light)
     }
@@ -173,10 +173,10 @@ impl<C: PixelColor> Steps<'_, C> {
                     (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
                 }
             } else {
-                // `black_box`: the depths are loaded again, because the branch above needs the registers.
-                (z, light) = self.fill_each(pixels, black_box(depths), z, light);
+                // `opaque`: the depths are loaded again, because the branch above needs the registers.
+                (z, light) = self.fill_each(pixels, opaque(depths), z, light);
             }
-            black_box(()); // not unrolled
+            keep_rolled();
         }
         self.fill_each(rest, depth_rest, z, light);
     }

@@ -40,7 +40,6 @@ pub(crate) const fn keep_branch() {
 
 /// Returns `value` so that the compiler no longer knows it. The call site says why: to keep a constant in a register, to load a value
 /// again where a register is needed more, or to prevent a call of `memset`.
-#[allow(dead_code)] // until every `black_box` outside of this module has moved
 #[inline(always)]
 pub(crate) const fn opaque<T>(value: T) -> T {
     black_box(value)

@@ -5,8 +5,8 @@
 //! the bins that begin above its end: it sets a bit for each of their primitives. The bit stays set until the primitive ends.
 //! Bits are visited in ascending order, so primitives are drawn in the order of the mesh, whatever the bands.
 
+use crate::math::hints::keep_rolled;
 use crate::raster::Scissor;
-use core::hint::black_box;
 use core::ops::Range;
 
 /// The number of bins. With 240 rows, each bin has four.
@@ -165,7 +165,7 @@ impl<'s> Bins<'s> {
             }
         }
         for &item in self.order.get(begun..self.activated).unwrap_or_default() {
-            black_box(()); // keeps the loop as short as it is
+            keep_rolled();
             if let Some(bits) = self.active.get_mut(usize::from(item / 16)) {
                 *bits |= 1 << (item % 16);
             }
@@ -224,7 +224,7 @@ impl BinSort<'_, '_> {
         *order = core::mem::take(order).get_mut(..*activated).unwrap_or_default();
         let mut sum = 0u16;
         for end in &mut self.ends {
-            black_box(()); // keeps the loop as short as it is
+            keep_rolled();
             let count = core::mem::replace(end, sum);
             sum = sum.wrapping_add(count); // all counted primitives, in the end
         }

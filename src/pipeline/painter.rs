@@ -10,12 +10,12 @@ use super::statistics::Statistics;
 use super::vertex_cache::{transform_all, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::math::hints::keep_rolled;
+use crate::math::hints::opaque;
 use crate::math::Coordinate;
 use crate::raster::{self, Scissor, ScreenPoint, Triangle};
 use crate::shading::{Shader, SpanShader};
 use crate::surface::Target;
 use core::convert::Infallible;
-use core::hint::black_box;
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
@@ -345,8 +345,8 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
             face.next = if i + 1 < count { (i + 1) as u16 } else { NONE };
         }
         let mut first = if count == 0 { NONE } else { 0 };
-        for digit in 0..black_box(4u32) {
-            // `black_box` prevents unrolling: four copies of the loop would be no faster.
+        for digit in 0..opaque(4u32) {
+            // `opaque` prevents unrolling: four copies of the loop would be no faster.
             let shift = (4 * digit) & 15;
             // The list of each digit: its first face and its last face.
             let mut lists = [(NONE, NONE); 16];

@@ -6,9 +6,9 @@
 use super::instance::MeshInstance;
 use crate::camera::{ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::math::hints::keep_rolled;
+use crate::math::hints::opaque;
 use crate::math::Coordinate;
 use crate::raster::{self, ScreenPoint};
-use core::hint::black_box;
 
 /// A vertex cache, as the face loop sees it.
 pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
@@ -142,9 +142,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
         let far = DEPTH || instance.vertex_transform.clips_at_far();
         transform_all::<V, DEPTH>(&instance.vertex_transform, far, instance.mesh.vertices(), cache);
-        // With depth, `black_box` hides the length of the cache: comparing with a register takes one instruction, with many
+        // With depth, `opaque` hides the length of the cache: comparing with a register takes one instruction, with many
         // constants two. Without depth no register is left for the length, and the constant is better.
-        let cache: &[ScreenVertex] = if DEPTH { black_box(cache) } else { cache };
+        let cache: &[ScreenVertex] = if DEPTH { opaque(cache) } else { cache };
         Self::with_cache(instance, DEPTH, cache)
     }
 
@@ -208,7 +208,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     fn reload_corners(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
         if DEPTH {
             // With depth, culling needs the registers of the corners: load the corners again.
-            return Some(self.cached(black_box(face))?.map(|corner| *corner));
+            return Some(self.cached(opaque(face))?.map(|corner| *corner));
         }
         Some(corners)
     }
@@ -265,8 +265,8 @@ impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
     pub(super) fn new(instance: &'a MeshInstance<'a, V>, far: bool, cache: &'c mut [ScreenVertex]) -> Self {
         let count = instance.mesh.vertices().len().min(cache.len());
         let cache = cache.get_mut(..count).unwrap_or_default();
-        // `black_box` hides that the value is zero: LLVM would call `memset`, which is slower.
-        let empty = black_box(ScreenVertex::EMPTY);
+        // `opaque` hides that the value is zero: LLVM would call `memset`, which is slower.
+        let empty = opaque(ScreenVertex::EMPTY);
         for vertex in cache.iter_mut() {
             *vertex = empty;
         }
@@ -342,12 +342,12 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     cache: &mut [ScreenVertex],
 ) {
     let by_d = vertex_transform.needs_d(DEPTH, far);
-    // `black_box` hides the transform, so that LLVM does not load its fields into registers before the loop: Arm has too few
+    // `opaque` hides the transform, so that LLVM does not load its fields into registers before the loop: Arm has too few
     // registers, and the fields would be spilled. Inside the loop LLVM loads them in pairs. RISC-V has twice as many registers
     // and no paired loads. On a Cortex-M0, the loop with depth keeps so much in memory that spilled fields cost nothing.
     #[cfg(target_arch = "arm")]
     let vertex_transform = match !crate::math::cores::CORTEX_M0 || !DEPTH {
-        true => black_box(vertex_transform),
+        true => opaque(vertex_transform),
         false => vertex_transform,
     };
     for (packed, vertex) in pairs(cache, vertices) {

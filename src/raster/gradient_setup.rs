@@ -19,8 +19,8 @@
 //! | steeper, or beyond 512 px | 64-bit products | long division, 87 steps |
 
 use super::{Gradient, ScreenPoint, Triangle};
+use crate::math::hints::keep_rolled;
 use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive};
-use core::hint::black_box;
 
 /// The part of gradient set-up that all values over one triangle share: the reciprocal of its area.
 ///
@@ -389,7 +389,7 @@ fn divide_long(v: i64, area: u64) -> i64 {
     let mut digits = v.unsigned_abs() << 17;
     let (mut quotient, mut remainder) = (0u64, 0u64);
     for _ in 0..87 {
-        black_box(()); // not unrolled: code size counts here
+        keep_rolled(); // code size counts here
         remainder = (remainder << 1) | (digits >> 63); // remainder < 2·area
         (digits, quotient) = (digits << 1, quotient << 1);
         if remainder >= area {

@@ -8,8 +8,8 @@
 //! built-in clipping*, 1995.)
 
 use super::{Pixel, Scissor, Span};
+use crate::math::hints::keep_rolled;
 use crate::math::num::divide;
-use core::hint::black_box;
 
 /// Calls `span` for each run of pixels along the major axis of the line from `a` to `b`, both included, inside the scissor:
 /// rules L1 to L3. A horizontal or vertical line is a single span.
@@ -184,7 +184,7 @@ impl Iterator for LineSpans {
         while error <= 0 && step < last {
             error += along;
             step += 1;
-            black_box(()); // not unrolled: runs are short
+            keep_rolled(); // runs are short
         }
         let (count, minor_step) = (step - first + 1, self.minor_step);
         (self.step, self.minor_step, self.error) = (step + 1, minor_step + 1, error + self.aside);

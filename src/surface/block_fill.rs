@@ -10,15 +10,15 @@
 //! pictures and the depth buffer. `--cfg pinhole_plain` replaces each by [`slice::fill`]. A *cell* is one stored pixel.
 
 use crate::math::cores::CORTEX_M0;
-use core::hint::black_box;
+use crate::math::hints::{keep_rolled, opaque};
 
 /// A run of at least this many cells is filled 32 cells at a time.
 pub(crate) const LONG: i32 = 64;
 
-/// The value twice, behind `black_box`, so that LLVM keeps both copies in one register and stores two 16-bit cells at once.
+/// The value twice, behind `opaque`, so that LLVM keeps both copies in one register and stores two 16-bit cells at once.
 #[inline(always)]
 pub(crate) fn pair<Cell: Copy>(cell: Cell) -> [Cell; 2] {
-    black_box([cell; 2])
+    opaque([cell; 2])
 }
 
 /// Fills a run of any length with one value.
@@ -42,7 +42,7 @@ pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_
             let (blocks, rest) = run.split_at_mut(run.len() & !31);
             for block in blocks.chunks_exact_mut(32) {
                 block.chunks_exact_mut(2).for_each(|cells| cells.copy_from_slice(&pair));
-                black_box(()); // not unrolled
+                keep_rolled();
             }
             run = rest;
         }
@@ -54,7 +54,7 @@ pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_
         while let [a, b, c, d, e, f, g, h, rest @ ..] = run {
             [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [pair; 4];
             run = rest;
-            black_box(()); // not unrolled
+            keep_rolled();
         }
     }
     match run {
@@ -76,7 +76,7 @@ pub(super) fn clear<Cell: Copy>(cells: &mut [Cell], cell: Cell) {
 
 /// Fills a slice of words in blocks of 64, which LLVM stores by instructions for several words.
 ///
-/// `black_box` keeps LLVM from turning the loop into a call of `memset`, which takes up to three times as long on a Cortex-M.
+/// `opaque` keeps LLVM from turning the loop into a call of `memset`, which takes up to three times as long on a Cortex-M.
 pub(super) fn fill_words(words: &mut [u32], word: u32) {
     if cfg!(pinhole_plain) {
         return words.fill(word);
@@ -84,13 +84,13 @@ pub(super) fn fill_words(words: &mut [u32], word: u32) {
     let (blocks, rest) = words.as_chunks_mut::<64>();
     if CORTEX_M0 {
         // The compiler does not know that the words of this block are equal, so it copies four at a time, by one `stm`.
-        let source = black_box([word; 16]);
+        let source = opaque([word; 16]);
         for block in blocks {
             block.as_chunks_mut().0.iter_mut().for_each(|words| *words = source);
-            black_box(()); // not unrolled
+            keep_rolled();
         }
     } else {
-        blocks.iter_mut().for_each(|block| block.fill(black_box(word)));
+        blocks.iter_mut().for_each(|block| block.fill(opaque(word)));
     }
     rest.fill(word);
 }

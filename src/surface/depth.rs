@@ -3,6 +3,7 @@
 use super::block_fill::fill_words;
 use super::inside;
 use super::target::Target;
+use crate::math::hints::keep_rolled;
 use crate::raster::{Gradient, Scissor, Span};
 use bytemuck::pod_align_to_mut;
 use embedded_graphics_core::geometry::Point;
@@ -148,7 +149,7 @@ impl<'a> DepthBuffer<'a> {
             let depth = (z >> 16) as u16;
             z = z.wrapping_add(step);
             let is_nearer = depth < *stored;
-            core::hint::black_box(()); // not unrolled: it would not be faster
+            keep_rolled(); // it would not be faster
             if is_nearer {
                 *stored = depth;
             }

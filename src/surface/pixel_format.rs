@@ -1,7 +1,7 @@
 //! Pixels as bits, in the order in which displays take them, and functions that write and read rows of them.
 
 use super::stored_pixel::StoredPixel;
-use core::hint::black_box;
+use crate::math::hints::keep_rolled;
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
@@ -181,7 +181,7 @@ fn fill_bytes<const N: usize, const M: usize>(
     }
 }
 
-/// Repeats a pixel: eight pixels at a time, and 32 in long runs, such as a whole band. `black_box` keeps LLVM from unrolling the
+/// Repeats a pixel: eight pixels at a time, and 32 in long runs, such as a whole band. `keep_rolled` keeps LLVM from unrolling the
 /// loops, which costs short runs more than it saves.
 ///
 /// With `--cfg pinhole_plain` pixel by pixel, to the same bytes, as `rows_are_the_bits_of_their_pixels` tests.
@@ -198,18 +198,18 @@ fn fill_blocks<const N: usize, const M: usize>(mut run: &mut [u8], pixel: [u8; N
             for eight in [a, b, c, d] {
                 eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, word));
             }
-            black_box(());
+            keep_rolled();
         }
         run = rest;
     }
     let (few, eights) = run.split_at_mut(run.len() % (8 * N));
     for bytes in few.chunks_exact_mut(N) {
         put(bytes, pixel);
-        black_box(());
+        keep_rolled();
     }
     for eight in eights.chunks_exact_mut(8 * N) {
         eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, word));
-        black_box(());
+        keep_rolled();
     }
 }
 

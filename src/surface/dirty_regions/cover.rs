@@ -2,7 +2,7 @@
 //! Functions take a `VecView`, so that one copy of each serves lists of all capacities.
 
 use super::cells::Cells;
-use core::hint::black_box;
+use crate::math::hints::keep_rolled;
 use heapless::VecView;
 
 /// Computes how many bytes it takes to send rectangles of cells. Sums saturate: 2³¹ bytes and more count as equal.
@@ -110,7 +110,7 @@ pub(super) fn simplify(list: &mut VecView<Cells>, bytes: &TransferBytes) {
     }
     let Some(&first) = list.first() else { return };
     let all = list.iter().fold(first, |all, cells| {
-        black_box(()); // not unrolled, as in `take_first`
+        keep_rolled(); // as in `take_first`
         all.union(*cells)
     });
     if bytes.of(&all) <= bytes.sum(list) {
@@ -140,7 +140,7 @@ fn best_cut(list: &VecView<Cells>, bytes: &TransferBytes) -> Option<(Cells, Cell
 pub(super) fn take_first(list: &mut VecView<Cells>) -> Option<Cells> {
     let mut first: Option<Cells> = None;
     for &cells in list.iter() {
-        black_box(()); // not unrolled: LLVM would copy the body
+        keep_rolled(); // LLVM would copy the body
         if first.is_none_or(|first| (cells.top, cells.left) < (first.top, first.left)) {
             first = Some(cells);
         }
