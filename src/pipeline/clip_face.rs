@@ -1,6 +1,6 @@
 //! Clipping in clip space: the slow path for points, edges and faces with a vertex that is not on the screen.
 
-use super::face_triangles::{FaceTriangles, Fan, Polygon};
+use super::face_triangles::{FaceTriangles, Fan};
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{DepthOf, UnpackedVertex, VertexTransform};
@@ -161,7 +161,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
             false
         } else {
             varyings.begin();
-            let Polygon { slots, order } = &mut fan.polygon;
+            let (slots, order) = fan.polygon.parts();
             self.clipper(face, slots, Some(varyings)).face(order)
         };
         fan.begin(self.instance.cull, cut)

@@ -11,25 +11,37 @@ use crate::shading::Shader;
 
 /// A clipped face: a convex polygon on the screen.
 pub(super) struct Polygon {
-    /// Corners: in clip space during clipping, then on the screen as x, y, depth and clip space's w.
-    pub(super) slots: [ClipCoords; CLIP_SLOTS],
+    /// Corners: in clip space during clipping, then on the screen as x, y, depth and clip space's w. `None` until the first face
+    /// needs them: clearing them takes 170 instructions, for each band.
+    slots: Option<[ClipCoords; CLIP_SLOTS]>,
     /// The slots of the polygon's corners, in order.
-    pub(super) order: SlotOrder,
+    order: SlotOrder,
 }
 
 impl Polygon {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self { slots: [ClipCoords::ZERO; CLIP_SLOTS], order: SlotOrder::new() }
+        Self { slots: None, order: SlotOrder::new() }
+    }
+
+    /// The slots, and the order in which they are the polygon's corners.
+    pub(super) fn parts(&mut self) -> (&mut [ClipCoords], &mut SlotOrder) {
+        (self.slots.get_or_insert([ClipCoords::ZERO; CLIP_SLOTS]), &mut self.order)
+    }
+
+    /// The corner in a slot; `None` for a slot that does not exist.
+    fn corner(&self, slot: usize) -> Option<&ClipCoords> {
+        self.slots.as_ref()?.get(slot)
     }
 
     /// Sets a face with all corners on the screen.
     pub(super) fn set_face(&mut self, corners: &[UnpackedVertex; 3]) {
-        for (slot, corner) in self.slots.iter_mut().zip(corners) {
+        let (slots, order) = self.parts();
+        for (slot, corner) in slots.iter_mut().zip(corners) {
             *slot = corner.to_clip_slot();
         }
-        self.order.clear();
-        let _ = self.order.extend_from_slice(&[0, 1, 2]); // there is room
+        order.clear();
+        let _ = order.extend_from_slice(&[0, 1, 2]); // there is room
     }
 
     /// The bounding box of the polygon's pixels.
@@ -37,7 +49,7 @@ impl Polygon {
         let mut bounds = Scissor::UNION_IDENTITY;
         for &slot in &self.order {
             keep_rolled();
-            if let Some(corner) = self.slots.get(usize::from(slot)) {
+            if let Some(corner) = self.corner(usize::from(slot)) {
                 bounds =
                     bounds.union(&Scissor::bounding_box(&[UnpackedVertex::from_clip_slot(corner).point; 3]));
             }
@@ -170,7 +182,7 @@ impl<'v> Fan<'v> {
 
     /// Clip space's w at the corners of the current triangle, for a clipped face.
     pub(super) fn clip_w(&self) -> [i32; 3] {
-        self.slots().map(|slot| match self.polygon.slots.get(slot) {
+        self.slots().map(|slot| match self.polygon.corner(slot) {
             Some(ClipCoords { xydw: [.., w] }) => *w,
             None => 1, // the fan's slots exist
         })
@@ -212,7 +224,7 @@ impl<'v> Fan<'v> {
         let mut i = 0;
         while let Some(vertex) = corners.get_mut(i) {
             let corner = if i == 0 { 0 } else { at + i };
-            *vertex = UnpackedVertex::from_clip_slot(self.polygon.slots.get(self.slot(corner))?);
+            *vertex = UnpackedVertex::from_clip_slot(self.polygon.corner(self.slot(corner))?);
             i = opaque_next(i);
         }
         self.at += 1; // at most clip::CORNERS
