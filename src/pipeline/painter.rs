@@ -338,13 +338,12 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// Programming*, vol. 3, 2nd ed., section 5.2.5.)
     #[inline(never)] // its arrays leave the stack when it returns
     fn sort(&mut self) -> u16 {
-        let count = self.faces.len();
         for (i, face) in self.faces.iter_mut().enumerate() {
             keep_rolled();
-            // Fewer than 65536 faces: see `add`.
-            face.next = if i + 1 < count { (i + 1) as u16 } else { NONE };
+            // At most 65535 faces: see `add`. No face follows the last one, so its link ends the list.
+            face.next = (i + 1) as u16;
         }
-        let mut first = if count == 0 { NONE } else { 0 };
+        let mut first = 0;
         for digit in 0..opaque(4u32) {
             // `opaque` prevents unrolling: four copies of the loop would be no faster.
             let shift = (4 * digit) & 15;
