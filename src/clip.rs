@@ -1,8 +1,8 @@
 //! Clipping of lines and polygons against planes in homogeneous coordinates, before the perspective divide.
 //!
-//! The pipeline clips against the near plane, the guard band and, on request, the far plane; the rasteriser's scissor does the rest. For
-//! callers who need clipped geometry, [`line()`] and [`triangle`] clip against all six planes of the view volume and interpolate
-//! attributes.
+//! The pipeline clips against the near plane, the guard band and, on request, the far plane; the rasteriser's scissor does the
+//! rest. For callers who need clipped geometry, [`line()`] and [`triangle`] clip against all six planes of the view volume and
+//! interpolate attributes.
 //!
 //! ```
 //! use pinhole::{clip, space::View, Point3, Projection, Scalar, Window};
@@ -25,18 +25,18 @@ use heapless::Vec;
 /// The most corners of a triangle clipped against six planes: 3 + 6.
 pub const CORNERS: usize = 9;
 
-/// Slots for a polygon's corners while it is clipped by one plane: it has at most `CORNERS − 1` corners before, and two are added
-/// before any is removed.
+/// Slots for a polygon's corners while it is clipped by one plane: it has at most `CORNERS − 1` corners before, and two are
+/// added before any is removed.
 pub(crate) const CLIP_SLOTS: usize = CORNERS + 1;
 
 /// The corners of a polygon, in order, by slot number.
 pub(crate) type SlotOrder = Vec<u8, CORNERS>;
 
-/// What the clipper needs of its corners, which it knows by slot number: their distances from clip planes, and points between two of
-/// them. Corners may be anything that varies linearly along an edge.
+/// What the clipper needs of its corners, which it knows by slot number: their distances from clip planes, and points between
+/// two of them. Corners may be anything that varies linearly along an edge.
 pub(crate) trait ClipCorners {
-    /// The signed distance of the corner in slot `at` from a plane, negative outside. The distances of the two ends of an intersected edge
-    /// differ by less than 2⁶².
+    /// The signed distance of the corner in slot `at` from a plane, negative outside. The distances of the two ends of an
+    /// intersected edge differ by less than 2⁶².
     fn distance(&self, plane: usize, at: usize) -> i64;
 
     /// Stores the point at parameter `t`·2⁻³¹ from corner `inside` to corner `outside` in slot `at`, which may be one of theirs.
@@ -54,8 +54,8 @@ impl ClipCoords {
     /// The initial value of free slots.
     pub(crate) const ZERO: Self = Self { xydw: [0; 4] };
 
-    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two: coordinate by
-    /// coordinate, each read before it is written.
+    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two:
+    /// coordinate by coordinate, each read before it is written.
     pub(crate) fn put(slots: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
         let mut i = 0;
         let number = |slots: &[Self], slot: usize, i: usize| slots.get(slot)?.xydw.get(i).copied();
@@ -67,8 +67,8 @@ impl ClipCoords {
     }
 }
 
-/// A varying: a per-corner value that is linear in space, such as a colour or a texture coordinate, and is interpolated when a face is
-/// clipped. Custom [`Shader`](crate::Shader)s name one; most use [`Barycentric`].
+/// A varying: a per-corner value that is linear in space, such as a colour or a texture coordinate, and is interpolated when a
+/// face is clipped. Custom [`Shader`](crate::Shader)s name one; most use [`Barycentric`].
 ///
 /// ```
 /// use pinhole::clip::{Barycentric, Varying};
@@ -90,15 +90,15 @@ impl Varying for () {
     fn towards(&self, (): &(), _: i64) {}
 }
 
-/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each clip plane rounds the first two to
-/// nearest; the third is 1 minus their sum, so its error is up to twice as large.
+/// Barycentric coordinates of a point of a face, in 2⁻³⁰: linear in space, not on the screen. Each clip plane rounds the first
+/// two to nearest; the third is 1 minus their sum, so its error is up to twice as large.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Barycentric([i32; 2]);
 
 impl Barycentric {
-    /// One weight per corner of the face; their sum is 2³⁰. The first two are 0 … 2³⁰. The third is −6 … 2³⁰ + 6, because each of six
-    /// clip planes may add an error of 1.
+    /// One weight per corner of the face; their sum is 2³⁰. The first two are 0 … 2³⁰. The third is −6 … 2³⁰ + 6, because each
+    /// of six clip planes may add an error of 1.
     pub const fn weights(self) -> [i32; 3] {
         let [a, b] = self.0;
         [a, b, (1 << 30) - a - b] // a, b: 0 … 2³⁰
@@ -118,8 +118,9 @@ impl Varying for Barycentric {
     }
 }
 
-/// Stores the intersection of an edge with a plane in slot `at`. It is computed from the inside end, so that both faces at an edge get the
-/// same point. The parameter has 31 bits and each coordinate is rounded to nearest: within one unit plus 2⁻³¹ of the edge's extent.
+/// Stores the intersection of an edge with a plane in slot `at`. It is computed from the inside end, so that both faces at an
+/// edge get the same point. The parameter has 31 bits and each coordinate is rounded to nearest: within one unit plus 2⁻³¹ of
+/// the edge's extent.
 #[inline(never)] // rare path: code size counts, speed does not
 fn intersect_edge(corners: &mut impl ClipCorners, plane: usize, at: usize, inside: usize, outside: usize) {
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
@@ -134,9 +135,9 @@ fn is_outside(corners: &impl ClipCorners, plane: usize, at: usize) -> u32 {
     (corners.distance(plane, at) < 0).into()
 }
 
-/// Clips the line from corner 0 to corner 1 against all planes. Returns whether it was clipped, or `None` if nothing is left: Cohen–Sutherland
-/// in homogeneous coordinates. (Newman and Sproull, *Principles of
-/// Interactive Computer Graphics*, 2nd ed., section 5.1.)
+/// Clips the line from corner 0 to corner 1 against all planes. Returns whether it was clipped, or `None` if nothing is left:
+/// Cohen–Sutherland in homogeneous coordinates. (Newman and Sproull, *Principles of Interactive Computer Graphics*, 2nd ed.,
+/// section 5.1.)
 pub(crate) fn clip_line(corners: &mut impl ClipCorners, planes: usize) -> Option<bool> {
     let (mut crosses, mut cuts, mut plane) = (false, false, 0);
     loop {
@@ -162,8 +163,8 @@ pub(crate) fn clip_line(corners: &mut impl ClipCorners, planes: usize) -> Option
     }
 }
 
-/// Appends a corner. A convex polygon gains at most one corner per plane, so there is room; should rounding make it concave, excess corners
-/// are dropped.
+/// Appends a corner. A convex polygon gains at most one corner per plane, so there is room; should rounding make it concave,
+/// excess corners are dropped.
 fn push_corner(polygon: &mut SlotOrder, corner: u8) {
     let _ = polygon.push(corner); // one of `CLIP_SLOTS`
 }
@@ -174,8 +175,8 @@ fn outside_mask(corners: &impl ClipCorners, polygon: &[u8], plane: usize) -> u32
     polygon.iter().fold(0, |bits, &at| bits | is_outside(corners, plane, at.into()) << (at & 31))
 }
 
-/// Clips the triangle of corners 0, 1 and 2 against all planes, into `polygon`, which has fewer than three corners if nothing is left. Returns
-/// whether it was clipped. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
+/// Clips the triangle of corners 0, 1 and 2 against all planes, into `polygon`, which has fewer than three corners if nothing
+/// is left. Returns whether it was clipped. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
 pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, planes: usize, polygon: &mut SlotOrder) -> bool {
     polygon.clear();
     (0..3).for_each(|corner| push_corner(polygon, corner));
@@ -225,8 +226,9 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, planes: usize, polyg
 pub struct ClipVertex<const A: usize> {
     /// The position.
     pub point: ClipPoint,
-    /// The attributes, in any unit, in the full range of `i32`. They are interpolated linearly in clip space, hence linearly in space, with a parameter of
-    /// 31 bits, and rounded to nearest: within 1 of the exact value if the two ends differ by less than 2³¹.
+    /// The attributes, in any unit, in the full range of `i32`. They are interpolated linearly in clip space, hence linearly in
+    /// space, with a parameter of 31 bits, and rounded to nearest: within 1 of the exact value if the two ends differ by less
+    /// than 2³¹.
     pub attributes: [i32; A],
 }
 
@@ -275,11 +277,10 @@ impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
     }
 }
 
-/// Clips a line against the view volume −w ≤ x, y, z ≤ w; `None` if it is outside. New ends are within 2⁻²⁷ of the larger end's coordinates
-/// or, if the line is nearly parallel to a plane, within eight times the displacement that an error of 2⁻³⁰ in its ends causes. Exchanging
-/// the ends gives the same points.
-/// (Cohen–Sutherland in homogeneous coordinates: Foley et al., *Computer Graphics*, 2nd ed.,
-/// section 6.5.4.)
+/// Clips a line against the view volume −w ≤ x, y, z ≤ w; `None` if it is outside. New ends are within 2⁻²⁷ of the larger end's
+/// coordinates or, if the line is nearly parallel to a plane, within eight times the displacement that an error of 2⁻³⁰ in its
+/// ends causes. Exchanging the ends gives the same points. (Cohen–Sutherland in homogeneous coordinates: Foley et al.,
+/// *Computer Graphics*, 2nd ed., section 6.5.4.)
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     let exponent = a.exponent().max(b.exponent());
     let mut ends = [a, b].map(|p| AlignedVertex::new(&p, exponent, []));
@@ -288,10 +289,10 @@ pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     inside.then_some((a, b))
 }
 
-/// Clips a triangle against the view volume −w ≤ x, y, z ≤ w: the result is a convex polygon of up to nine vertices in the triangle's
-/// order, empty if the triangle is outside. New vertices are within 2⁻²⁷ of the largest vertex's coordinates, except on edges nearly
-/// parallel to a plane. Triangles that share an edge get the same new vertices on it.
-/// (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
+/// Clips a triangle against the view volume −w ≤ x, y, z ≤ w: the result is a convex polygon of up to nine vertices in the
+/// triangle's order, empty if the triangle is outside. New vertices are within 2⁻²⁷ of the largest vertex's coordinates, except
+/// on edges nearly parallel to a plane. Triangles that share an edge get the same new vertices on it. (Sutherland and Hodgman,
+/// *Reentrant polygon clipping*, 1974.)
 ///
 /// ```
 /// use pinhole::{clip::{self, ClipVertex}, space::View, Point3, Projection, Scalar, Window};

@@ -51,8 +51,8 @@
 /// A coordinate space of the pipeline. Sealed: no other type can implement it.
 pub trait Space: sealed::Sealed {}
 
-/// A space in which a scene is set up: [`Model`] or [`World`]. [`Affine`](crate::Affine) maps between these; each later space is reached by
-/// one function.
+/// A space in which a scene is set up: [`Model`] or [`World`]. [`Affine`](crate::Affine) maps between these; each later space
+/// is reached by one function.
 pub trait SceneSpace: Space {}
 
 /// Model space: the coordinates of a mesh.

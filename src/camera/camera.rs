@@ -10,8 +10,8 @@ use crate::raster::GUARD_BAND;
 
 use embedded_graphics_core::primitives::Rectangle;
 
-/// View transform, projection and viewport, composed into one 4 × 4 matrix. [`place`](Self::place) combines it with a mesh and its
-/// model transform; [`MeshInstance::project`](crate::MeshInstance::project) documents the error of projected vertices.
+/// View transform, projection and viewport, composed into one 4 × 4 matrix. [`place`](Self::place) combines it with a mesh and
+/// its model transform; [`MeshInstance::project`](crate::MeshInstance::project) documents the error of projected vertices.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -97,8 +97,8 @@ impl Camera {
         }
     }
 
-    /// Whether the far plane clips; by default it does not, and points beyond it are drawn with the largest depth, 65534. Drawing
-    /// with a depth buffer always clips at the far plane.
+    /// Whether the far plane clips; by default it does not, and points beyond it are drawn with the largest depth, 65534.
+    /// Drawing with a depth buffer always clips at the far plane.
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};

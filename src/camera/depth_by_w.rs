@@ -17,8 +17,9 @@ pub(crate) struct DepthByW {
 }
 
 impl DepthByW {
-    /// `None` for parallel projections, whose w is constant; for matrices whose rows d and w are not parallel to z; for perspectives whose
-    /// far plane is nearer than 4/3 of the near distance; and for those whose centre of projection is far from the origin of view space.
+    /// `None` for parallel projections, whose w is constant; for matrices whose rows d and w are not parallel to z; for
+    /// perspectives whose far plane is nearer than 4/3 of the near distance; and for those whose centre of projection is far
+    /// from the origin of view space.
     pub(crate) const fn new(d: &Row, w: &Row) -> Option<Self> {
         let ([0, 0, along], [0, 0, away]) = (d.linear, w.linear) else { return None };
         if away == 0 {

@@ -1,5 +1,5 @@
-//! The camera: its position and orientation ([`ViewTransform`]), its view volume ([`Projection`]) and the rectangle of the target
-//! that shows it ([`Viewport`]).
+//! The camera: its position and orientation ([`ViewTransform`]), its view volume ([`Projection`]) and the rectangle of the
+//! target that shows it ([`Viewport`]).
 
 #[allow(clippy::module_inception)] // the type has the folder's name
 mod camera;

@@ -59,9 +59,9 @@ pub struct VanishingPoint {
 }
 
 impl Camera {
-    /// Projects a world point: its screen position, within 1/256 px, and its depth, 0 near to 65534 far, within 1 if far is at least twice
-    /// near. Points outside of the viewport are projected too. [`MeshInstance::project`](crate::MeshInstance::project) has the same error
-    /// bounds.
+    /// Projects a world point: its screen position, within 1/256 px, and its depth, 0 near to 65534 far, within 1 if far is at
+    /// least twice near. Points outside of the viewport are projected too.
+    /// [`MeshInstance::project`](crate::MeshInstance::project) has the same error bounds.
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
@@ -108,13 +108,13 @@ impl Camera {
         Ok((vertex.point, vertex.step()))
     }
 
-    /// The world point that [`project`](Self::project)s to this screen position and depth. `None` if it is outside of ±32768 world units,
-    /// or if the camera matrix is nearly singular (a determinant of 0 in 45 bits).
+    /// The world point that [`project`](Self::project)s to this screen position and depth. `None` if it is outside of ±32768
+    /// world units, or if the camera matrix is nearly singular (a determinant of 0 in 45 bits).
     ///
-    /// Error: the size of half a sub-pixel and half a step of depth at that point, and 2⁻¹⁷ world units; for a pair that `project`
-    /// returned, the error of `project` is added. This holds for fields of view up to 150° and rows of
-    /// [`ViewTransform::from_matrix`](crate::ViewTransform::from_matrix) that are orthonormal to 2⁻²⁹; a larger error
-    /// of the rows moves the point by that fraction of its distance.
+    /// Error: the size of half a sub-pixel and half a step of depth at that point, and 2⁻¹⁷ world units; for a pair that
+    /// `project` returned, the error of `project` is added. This holds for fields of view up to 150° and rows of
+    /// [`ViewTransform::from_matrix`](crate::ViewTransform::from_matrix) that are orthonormal to 2⁻²⁹; a larger error of the
+    /// rows moves the point by that fraction of its distance.
     pub fn unproject(&self, at: ScreenPoint, depth: u16) -> Option<Point3<World>> {
         let [across, down] = self.planes_through(at);
         let [_, _, d, w] = &self.rows;
@@ -123,11 +123,12 @@ impl Camera {
         self.world_point(meet([&across, &down, &behind])?)
     }
 
-    /// The half-line whose points project to `at`: for picking. `None` if its start is outside of ±32768 world units, or if the camera
-    /// matrix is nearly singular.
+    /// The half-line whose points project to `at`: for picking. `None` if its start is outside of ±32768 world units, or if the
+    /// camera matrix is nearly singular.
     ///
-    /// Every point visible at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the half-line; for a position that `project`
-    /// returned, the error of `project` is added. This holds for the cameras that [`unproject`](Self::unproject) names.
+    /// Every point visible at `at` lies within 2⁻¹⁵ world units and 2⁻²⁷ of its distance from the half-line; for a position
+    /// that `project` returned, the error of `project` is added. This holds for the cameras that [`unproject`](Self::unproject)
+    /// names.
     pub fn ray(&self, at: ScreenPoint) -> Option<Ray> {
         let [across, down] = self.planes_through(at);
         let origin = self.world_point(meet([&across, &down, &self.rows[2]])?)?;

@@ -4,12 +4,12 @@ use super::VertexTransform;
 use crate::math::num::{bits_of, mul_wide, scale, shift_to_fit};
 use crate::math::unit::cross_exact;
 
-/// The eye point in an object's coordinates, homogeneous (x : y : z : w), where the largest justified coordinate counts as 1. Under a
-/// parallel projection w is 0, and xyz is the direction of projection.
+/// The eye point in an object's coordinates, homogeneous (x : y : z : w), where the largest justified coordinate counts as 1.
+/// Under a parallel projection w is 0, and xyz is the direction of projection.
 ///
-/// For a face in the plane n·v = p, the sign of `n·xyz − p·w` decides whether it is front-facing (negative) or back-facing (positive).
-/// Without a reflection the eye of a front-facing face is on the side to which n points; a reflection reverses both, the faces'
-/// orientation and this sign.
+/// For a face in the plane n·v = p, the sign of `n·xyz − p·w` decides whether it is front-facing (negative) or back-facing
+/// (positive). Without a reflection the eye of a front-facing face is on the side to which n points; a reflection reverses
+/// both, the faces' orientation and this sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PlaneEye {
     xyz: [i32; 3],
@@ -23,17 +23,19 @@ impl PlaneEye {
     /// The four numbers are at most 2^BITS in magnitude.
     const BITS: i32 = 13;
 
-    /// The error bound of each of the four numbers, in 1/1000: half a unit from rounding, and the bits that [`new`](Self::new) drops.
+    /// The error bound of each of the four numbers, in 1/1000: half a unit from rounding, and the bits that [`new`](Self::new)
+    /// drops.
     const ERROR: i32 = 515;
 
-    /// The error bound of [`behind`](Self::behind), for normals of unit length with components within 2⁻¹⁵. Let v be a vertex with
-    /// components |vᵢ| ≤ 1:
+    /// The error bound of [`behind`](Self::behind), for normals of unit length with components within 2⁻¹⁵. Let v be a vertex
+    /// with components |vᵢ| ≤ 1:
     ///
     /// * a normal's components sum to at most √3·2¹⁵ + 3, and so does n·v: multiplied by the errors of xyz and of w;
     /// * the normal's error is multiplied by xyz − v·w, at most 2^(BITS + 1) in each of three components;
     /// * the plane's error, a half, is multiplied by 2w.
     ///
-    /// One unit is added for the bits that the first product drops and for what the eye's numbers may exceed 2^BITS by, times six.
+    /// One unit is added for the bits that the first product drops and for what the eye's numbers may exceed 2^BITS by, times
+    /// six.
     const MARGIN: i32 = 2 * 56_759 * Self::ERROR / 1000 + 6 * (1 << Self::BITS) + (1 << Self::BITS) + 1;
 
     /// At the eye the three forms x, y and w of a vertex are 0: by Cramer's rule with the forms'
@@ -65,8 +67,8 @@ impl PlaneEye {
         Self { xyz: [x, y, z], w }
     }
 
-    /// Positive or zero only if a face with the plane n·v/2 = `plane` is certainly back-facing: its distance less the error bound, in
-    /// 2⁻¹⁵ times a factor common to all faces of an object.
+    /// Positive or zero only if a face with the plane n·v/2 = `plane` is certainly back-facing: its distance less the error
+    /// bound, in 2⁻¹⁵ times a factor common to all faces of an object.
     #[inline(always)]
     pub(crate) fn behind(self, [a, b, c]: [i16; 3], plane: i16) -> i32 {
         let ([x, y, z], twice) = (self.xyz, 2 * self.w);

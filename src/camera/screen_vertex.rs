@@ -7,15 +7,16 @@ use crate::raster::ScreenPoint;
 /// A projected vertex, packed into 8 bytes: screen position in 1/256 pixel and, for drawing with a depth buffer, depth in 16.8.
 /// Caller-provided buffers of screen vertices serve as vertex caches.
 ///
-/// It has room for positions within 1024 pixels of the viewport's centre. A vertex farther out is stored as [`EMPTY`](Self::EMPTY), like one
-/// that must be clipped, and is projected again, in wide arithmetic, for each face that uses it.
+/// It has room for positions within 1024 pixels of the viewport's centre. A vertex farther out is stored as
+/// [`EMPTY`](Self::EMPTY), like one that must be clipped, and is projected again, in wide arithmetic, for each face that uses
+/// it.
 // Two layouts: with depth, and without, which takes fewer instructions per face. The caller knows which one it stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ScreenVertex {
-    /// Half sub-pixels right of the viewport's centre, biased by 2¹⁹ + 1, so positive and rounded when the lowest bit is dropped.
-    /// Without depth: shifted right by one, 19 bits. With depth: all 20 bits on top, below them the upper 12 bits of depth. 0 marks
-    /// a vertex without a position.
+    /// Half sub-pixels right of the viewport's centre, biased by 2¹⁹ + 1, so positive and rounded when the lowest bit is
+    /// dropped. Without depth: shifted right by one, 19 bits. With depth: all 20 bits on top, below them the upper 12 bits of
+    /// depth. 0 marks a vertex without a position.
     right: u32,
     /// Half sub-pixels below the viewport's centre, in the layout of `right`, with the lower 12 bits of depth.
     down: u32,
@@ -59,8 +60,9 @@ impl ScreenVertex {
     /// A vertex without a position, to initialise arrays. All bits are zero, so a `static` array of them takes no flash.
     pub const EMPTY: Self = Self { right: 0, down: 0 };
 
-    /// Packs a position, given in half sub-pixels from the viewport's centre and rounded to sub-pixels with ties up, and a depth in
-    /// 16.8 of 24 bits. Returns [`EMPTY`](Self::EMPTY) for a position out of range, and possibly for one at the end of the range.
+    /// Packs a position, given in half sub-pixels from the viewport's centre and rounded to sub-pixels with ties up, and a
+    /// depth in 16.8 of 24 bits. Returns [`EMPTY`](Self::EMPTY) for a position out of range, and possibly for one at the end of
+    /// the range.
     #[inline(always)]
     pub(crate) fn new<const DEPTH: bool>(right: i32, down: i32, bias: i32, depth: i32) -> Self {
         debug_assert!(depth >> 24 == 0);
@@ -82,8 +84,8 @@ impl ScreenVertex {
         self.right != 0
     }
 
-    /// The position in sub-pixels, relative to an origin that all vertices of a viewport share: only differences have a meaning. The
-    /// viewport's centre is at [`CENTRE`](Self::CENTRE).
+    /// The position in sub-pixels, relative to an origin that all vertices of a viewport share: only differences have a
+    /// meaning. The viewport's centre is at [`CENTRE`](Self::CENTRE).
     #[inline(always)]
     pub(crate) fn offset<const DEPTH: bool>(self) -> ScreenPoint {
         let position = |v: u32| (if DEPTH { v >> 13 } else { v }) as i32; // 19 bits

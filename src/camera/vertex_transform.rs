@@ -1,7 +1,8 @@
 //! The vertex stage: model coordinates to the screen, in integers.
 //!
-//! Once per object, model, view and projection transforms are composed into four linear forms, after subtraction of the eye. Once per
-//! vertex: three or four forms, one reciprocal, two or three products. ARCHITECTURE.md, "Numbers", has the error budget.
+//! Once per object, model, view and projection transforms are composed into four linear forms, after subtraction of the eye.
+//! Once per vertex: three or four forms, one reciprocal, two or three products. ARCHITECTURE.md, "Numbers", has the error
+//! budget.
 
 use super::camera::Screen;
 use super::{Camera, ScreenVertex, UnpackedVertex};
@@ -19,8 +20,8 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// The vertex transform of one object under one camera: model coordinates to clip space and to the screen.
 ///
-/// Clip coordinates are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for w. Only differences of
-/// exponents are stored.
+/// Clip coordinates are `integer · 2^exponent` with one exponent `e_xy` for x and y, one for d and one for w. Only differences
+/// of exponents are stored.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // fields of the vertex loop first: loads of a Cortex-M0 have offsets up to 124 bytes
 pub(crate) struct VertexTransform {
@@ -29,8 +30,8 @@ pub(crate) struct VertexTransform {
     y: LinearForm,
     /// The power of two that shifts a mesh's largest coordinate to the top of its word: coordinates are *justified* by it.
     justify_factor: i32,
-    /// The least w for which 32-bit arithmetic suffices. If w alone decides the near test, a vertex with this w is also certainly
-    /// beyond the near plane.
+    /// The least w for which 32-bit arithmetic suffices. If w alone decides the near test, a vertex with this w is also
+    /// certainly beyond the near plane.
     min_w: i32,
     /// The right shift from `x·R/2³²` to half sub-pixels, where R is the reciprocal of w shifted to 31 bits.
     right: i32,
@@ -53,8 +54,8 @@ pub(crate) struct VertexTransform {
 }
 
 impl VertexTransform {
-    /// Composes `model` and `camera` for a mesh whose coordinates are vertex · 2^`exponent`. `justify` is the left shift that brings its
-    /// largest coordinate to the top of 32 bits, `narrow` whether coordinates have 16 bits.
+    /// Composes `model` and `camera` for a mesh whose coordinates are vertex · 2^`exponent`. `justify` is the left shift that
+    /// brings its largest coordinate to the top of 32 bits, `narrow` whether coordinates have 16 bits.
     #[inline(never)] // set-up: code size counts, speed does not
     pub(crate) fn new(
         camera: &Camera,
@@ -72,7 +73,8 @@ impl VertexTransform {
             i = opaque_next(i);
         }
         view.exponent = matrix_product(&camera.axes, 0, m, m_exponent, &mut view.linear);
-        // Step 2: view to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow windows,
+        // Step 2: view to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow
+        // windows,
         //   distant objects) it prevents saturation. In 2⁻³² an object extends three coefficients times 2^(31 + unit) around `offset`.
         let unit = exponent - justify as i32;
         let largest = magnitude(view.linear.as_flattened());
@@ -187,9 +189,9 @@ impl VertexTransform {
         self.by_d || far && !depth
     }
 
-    /// Projects a vertex to the screen. Returns [`ScreenVertex::EMPTY`] if it must be clipped (before the near plane or too close to
-    /// it to tell, outside the guard band, beyond a far plane that clips), is out of the packed range, or so near to the eye that 32 bits
-    /// do not suffice. `by_d` is the result of [`needs_d`](Self::needs_d).
+    /// Projects a vertex to the screen. Returns [`ScreenVertex::EMPTY`] if it must be clipped (before the near plane or too
+    /// close to it to tell, outside the guard band, beyond a far plane that clips), is out of the packed range, or so near to
+    /// the eye that 32 bits do not suffice. `by_d` is the result of [`needs_d`](Self::needs_d).
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
@@ -208,8 +210,8 @@ impl VertexTransform {
         let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
         let d_at_vertex = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
         let is_cut = |d| d < 0 || (DEPTH || far) && self.may_be_beyond_far(d, w);
-        // Cores with enough registers evaluate all forms first, which frees the registers of v; LLVM does not move them across the
-        // branch below. A Cortex-M0 evaluates each form where it is used, so that it tests `by_d` once.
+        // Cores with enough registers evaluate all forms first, which frees the registers of v; LLVM does not move them across
+        // the branch below. A Cortex-M0 evaluates each form where it is used, so that it tests `by_d` once.
         let early = (!CORTEX_M0).then(|| (forms(), d_at_vertex()));
         if early.is_some_and(|(_, d)| by_d && is_cut(d)) {
             return ScreenVertex::EMPTY;
@@ -267,8 +269,9 @@ impl VertexTransform {
         }
     }
 
-    /// Projects any point that the clipper did not remove, in 64-bit arithmetic. Where [`project`](Self::project) applies it gives
-    /// equal bits (test `the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller needs it.
+    /// Projects any point that the clipper did not remove, in 64-bit arithmetic. Where [`project`](Self::project) applies it
+    /// gives equal bits (test `the_packed_and_the_wide_path_give_the_same_bits`). `depth` computes the depth, if the caller
+    /// needs it.
     pub(crate) fn project_wide(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
@@ -297,8 +300,8 @@ impl VertexTransform {
         // At most 2⁶² + 2⁶².
     }
 
-    /// [`project_wide`](Self::project_wide) without the snap to sub-pixels and without clamping: x and y in 2⁻³² px, depth in 2⁻³² steps. For error
-    /// measurement.
+    /// [`project_wide`](Self::project_wide) without the snap to sub-pixels and without clamping: x and y in 2⁻³² px, depth in
+    /// 2⁻³² steps. For error measurement.
     pub(crate) fn unsnapped(&self, h: &ClipCoords) -> [i64; 3] {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
@@ -310,9 +313,9 @@ impl VertexTransform {
         [along(x, cx), along(y, cy), (self.depth_wide(d, r) >> 11) - (4 << 21)]
     }
 
-    /// The signed distance from a clip plane, negative outside, scaled by a positive factor per plane. Planes in order: near, then left,
-    /// right, top and bottom of the guard band, then far. Plane 5 (far): below 2⁶², and at most 2⁴⁷ inside if d is not negative; all
-    /// other planes: at most 2⁵⁴.
+    /// The signed distance from a clip plane, negative outside, scaled by a positive factor per plane. Planes in order: near,
+    /// then left, right, top and bottom of the guard band, then far. Plane 5 (far): below 2⁶², and at most 2⁴⁷ inside if d is
+    /// not negative; all other planes: at most 2⁵⁴.
     #[inline(never)] // rare path: code size counts, speed does not
     pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
         let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
@@ -344,8 +347,8 @@ impl VertexTransform {
 /// The type of [`VertexTransform::depth`]: passed as a value, so that images without depth link no code for it.
 pub(crate) type DepthOf = fn(&VertexTransform, i32, Reciprocal) -> i32;
 
-/// A depth in 16.8, eight depth steps before the far plane: the errors of d and w are smaller, so all vertices up to this depth lie
-/// before it.
+/// A depth in 16.8, eight depth steps before the far plane: the errors of d and w are smaller, so all vertices up to this depth
+/// lie before it.
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
 /// `v · mantissa · 2^shift`, rounded to nearest, plus `more`, clamped to the guard band; for shift < 0 and |more| < 2²⁴.

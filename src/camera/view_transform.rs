@@ -46,8 +46,8 @@ pub enum ViewTransformError {
     ZeroDirection,
     /// The view up vector (VUP) has length zero: give a vector that is not parallel to the gaze, such as (0, 1, 0).
     ZeroUp,
-    /// The VPN does not fit the axonometric view: all three components must be non-zero, all different in size for a trimetric view, and
-    /// `side` and `up` different in size for a dimetric one.
+    /// The VPN does not fit the axonometric view: all three components must be non-zero, all different in size for a trimetric
+    /// view, and `side` and `up` different in size for a dimetric one.
     NotAxonometric,
     /// The matrix is not a rotation followed by a translation.
     NotRigid,
@@ -57,8 +57,9 @@ pub enum ViewTransformError {
     ParallelUp,
 }
 
-/// The side of an object that a multiview orthographic drawing shows. In the picture up is −z for the top view, +z for the bottom view,
-/// and +y for all other views. (Foley et al., *Computer Graphics*, 2nd ed., section 6.1.2: front, top and side elevations.)
+/// The side of an object that a multiview orthographic drawing shows. In the picture up is −z for the top view, +z for the
+/// bottom view, and +y for all other views. (Foley et al., *Computer Graphics*, 2nd ed., section 6.1.2: front, top and side
+/// elevations.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
@@ -97,8 +98,8 @@ impl ViewTransform {
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::ZeroDirection`] if the target is the eye, [`ZeroUp`](ViewTransformError::ZeroUp) if `up` has length zero, and
-    /// [`ParallelUp`](ViewTransformError::ParallelUp) if `up` is parallel to the gaze to within 2⁻¹² rad.
+    /// [`ViewTransformError::ZeroDirection`] if the target is the eye, [`ZeroUp`](ViewTransformError::ZeroUp) if `up` has
+    /// length zero, and [`ParallelUp`](ViewTransformError::ParallelUp) if `up` is parallel to the gaze to within 2⁻¹² rad.
     pub const fn look_at(
         eye: Point3<World>,
         target: Point3<World>,
@@ -149,8 +150,8 @@ impl ViewTransform {
         Self::from_axes(vrp, &to_i64(vpn), vup)
     }
 
-    /// One of the six principal views of multiview drawings, with the view reference point `vrp`: under an orthographic projection faces
-    /// parallel to the view plane keep their shape and scale. Exact.
+    /// One of the six principal views of multiview drawings, with the view reference point `vrp`: under an orthographic
+    /// projection faces parallel to the view plane keep their shape and scale. Exact.
     pub const fn multiview(vrp: Point3<World>, side: Side) -> Self {
         const P: i32 = 1 << 30;
         // u, v, n; n points from the object to the viewer.
@@ -211,8 +212,8 @@ impl ViewTransform {
         Self::from_reference(vrp, Vector3::new(side, up, side), Vector3::from_ints(0, 1, 0))
     }
 
-    /// A trimetric view, y up: a VPN of three non-zero components of different sizes. An orthographic projection foreshortens each axis
-    /// differently, axis i by √(1 − (VPNᵢ/|VPN|)²).
+    /// A trimetric view, y up: a VPN of three non-zero components of different sizes. An orthographic projection foreshortens
+    /// each axis differently, axis i by √(1 − (VPNᵢ/|VPN|)²).
     ///
     /// # Errors
     ///
@@ -227,14 +228,15 @@ impl ViewTransform {
         Self::from_reference(vrp, vpn, Vector3::from_ints(0, 1, 0))
     }
 
-    /// From a rigid row-major matrix for column vectors. The rows of its rotation become u, v, n, rounded to 2⁻³⁰. The eye is the point that
-    /// the given matrix maps to the origin, rounded to 2⁻³² world units, so points near the eye stay accurate far from the world's origin.
+    /// From a rigid row-major matrix for column vectors. The rows of its rotation become u, v, n, rounded to 2⁻³⁰. The eye is
+    /// the point that the given matrix maps to the origin, rounded to 2⁻³² world units, so points near the eye stay accurate
+    /// far from the world's origin.
     ///
     /// # Errors
     ///
-    /// [`ViewTransformError::NotRigid`] if the last row is not (0, 0, 0, 1), a number is not finite, the rows are left-handed, or, as given
-    /// or as rounded, a row's squared length differs from 1 or the dot product of two rows from 0 by more than 4·10⁻⁶: six
-    /// correct decimals suffice. [`ViewTransformError::EyeOutside`] if the eye is beyond ±32768 world units.
+    /// [`ViewTransformError::NotRigid`] if the last row is not (0, 0, 0, 1), a number is not finite, the rows are left-handed,
+    /// or, as given or as rounded, a row's squared length differs from 1 or the dot product of two rows from 0 by more than
+    /// 4·10⁻⁶: six correct decimals suffice. [`ViewTransformError::EyeOutside`] if the eye is beyond ±32768 world units.
     ///
     /// ```
     /// use pinhole::{Point3, ViewTransform, ViewTransformError};
@@ -325,8 +327,8 @@ impl ViewTransform {
         self.rotation_rows().map(|row| row.apply(&self.eye.map(|c| -c)))
     }
 
-    /// A world point in view coordinates, rounded to 2⁻¹⁶ and saturated: within ½ + 2⁻¹⁷ of a step of 2⁻¹⁶, given the stored rows and
-    /// eye.
+    /// A world point in view coordinates, rounded to 2⁻¹⁶ and saturated: within ½ + 2⁻¹⁷ of a step of 2⁻¹⁶, given the stored
+    /// rows and eye.
     pub fn apply(&self, p: Point3<World>) -> Point3<View> {
         let p = p.bits();
         let relative = |i: usize| add(i64::from(p[i]) << 16, -self.eye[i]);
@@ -386,8 +388,8 @@ fn cross_f64(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 mod tests {
     use super::is_rigid;
 
-    /// A difference equal to the tolerance is refused. `from_matrix` rounds to 2⁻³⁰ and tests again, so only `is_rigid` itself shows
-    /// this.
+    /// A difference equal to the tolerance is refused. `from_matrix` rounds to 2⁻³⁰ and tests again, so only `is_rigid` itself
+    /// shows this.
     #[test]
     fn axes_as_skew_as_the_tolerance_are_not_rigid() {
         let skewed = |by: f64| is_rigid(&[[1.0, 0.0, 0.0], [by, 1.0, 0.0], [0.0, 0.0, 1.0]]);

@@ -7,9 +7,11 @@ use crate::space::Ndc;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The rectangle of the target, in pixels, that shows the picture. It may extend beyond the target: only pixels inside both are drawn.
+/// The rectangle of the target, in pixels, that shows the picture. It may extend beyond the target: only pixels inside both are
+/// drawn.
 ///
-/// NDC −1 and +1 map to its outer borders, not to pixel centres; y is negated, because screen y grows downwards: `x = x₀ + (x + 1)·W/2`, `y = y₀ + (1 − y)·H/2`.
+/// NDC −1 and +1 map to its outer borders, not to pixel centres; y is negated, because screen y grows downwards:
+/// `x = x₀ + (x + 1)·W/2`, `y = y₀ + (1 − y)·H/2`.
 ///
 /// ```
 /// use embedded_graphics::geometry::{Point, Size};
@@ -52,8 +54,8 @@ impl Viewport {
     ///
     /// # Errors
     ///
-    /// [`ViewportError::Empty`] if width or height is zero, [`OutsideGuardBand`](ViewportError::OutsideGuardBand) if the viewport extends
-    /// beyond ±8192 pixels.
+    /// [`ViewportError::Empty`] if width or height is zero, [`OutsideGuardBand`](ViewportError::OutsideGuardBand) if the
+    /// viewport extends beyond ±8192 pixels.
     pub const fn new(top_left: Point, size: Size) -> Result<Self, ViewportError> {
         if size.width == 0 || size.height == 0 {
             return Err(ViewportError::Empty);
@@ -67,7 +69,8 @@ impl Viewport {
         Ok(Self { area: Rectangle::new(top_left, size) })
     }
 
-    /// Width and height in pixels; also serves as the aspect ratio for [`Projection::perspective`](crate::Projection::perspective).
+    /// Width and height in pixels; also serves as the aspect ratio for
+    /// [`Projection::perspective`](crate::Projection::perspective).
     pub const fn size(&self) -> Size {
         self.area.size
     }

@@ -18,14 +18,14 @@ pub enum Visibility {
 }
 
 impl Camera {
-    /// Tests a bounding sphere, placed by `model`, against the six planes of the view volume. `Outside` and `Inside` are certain: the
-    /// margin is less than 2⁻²⁰ of the sphere's size and distance, and at the far plane of a perspective 2⁻²⁸·far/near of that distance
-    /// more.
+    /// Tests a bounding sphere, placed by `model`, against the six planes of the view volume. `Outside` and `Inside` are
+    /// certain: the margin is less than 2⁻²⁰ of the sphere's size and distance, and at the far plane of a perspective
+    /// 2⁻²⁸·far/near of that distance more.
     ///
-    /// An object that is `Outside` need not be drawn: only vertices within 1/512 pixel of the border could show, rounded to 1/256 pixel. An
-    /// object that is `Inside` is not clipped. The far plane counts even if the camera does not [clip there](Self::with_far_clip); then
-    /// objects beyond it would be drawn without a depth buffer, and culling them changes the picture. A sphere of radius
-    /// `Scalar::MAX`, too large to represent, is `Partly` visible.
+    /// An object that is `Outside` need not be drawn: only vertices within 1/512 pixel of the border could show, rounded to
+    /// 1/256 pixel. An object that is `Inside` is not clipped. The far plane counts even if the camera does not [clip
+    /// there](Self::with_far_clip); then objects beyond it would be drawn without a depth buffer, and culling them changes the
+    /// picture. A sphere of radius `Scalar::MAX`, too large to represent, is `Partly` visible.
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
@@ -90,8 +90,8 @@ impl Camera {
             let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
             mul_translation((length >> 1) as i32 + 1, row.exponent - 29 - shift, v)
         };
-        // The error of rounded coefficients grows with the distance from the eye. At the far plane w and d nearly cancel, so their
-        // errors are added.
+        // The error of rounded coefficients grows with the distance from the eye. At the far plane w and d nearly cancel, so
+        // their errors are added.
         let of_rows = add(times_length(w, all, 28), 16);
         for plane in &planes {
             if plane.overflow(away) > 0 {

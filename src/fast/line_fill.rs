@@ -118,8 +118,8 @@ fn down(stride: usize, up: bool) -> usize {
 }
 
 /// Draws a line that runs more to the right than down or up, pixel by pixel. `error` is the error term of
-/// [`raster::line`](crate::raster::line()) at the first pixel, less 2m + 1, for the minor extent m: the line goes to its next row
-/// where adding 2m makes it 0 or more.
+/// [`raster::line`](crate::raster::line()) at the first pixel, less 2m + 1, for the minor extent m: the line goes to its next
+/// row where adding 2m makes it 0 or more.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn flat<Cell: Copy>(
@@ -214,7 +214,8 @@ fn steep<Cell: Copy>(
     let slope = slope(setup);
     let mut at = fixed(start.wrapping_sub(low), slope.wrapping_mul(first).wrapping_add(HALF));
     let step = fixed(down(stride, setup.up), slope);
-    // After the last pixel the index is beyond the end of the slice; moving upwards it wraps below 0, which is beyond the end, too.
+    // After the last pixel the index is beyond the end of the slice; moving upwards it wraps below 0, which is beyond the end,
+    // too.
     while let Some(pixel) = cells.get_mut((at >> 32) as usize) {
         *pixel = cell;
         at = at.wrapping_add(step);
@@ -256,8 +257,8 @@ fn slope(&LineSetup { rise, length, .. }: &LineSetup) -> u32 {
     (high.max(0) as u32) << 3
 }
 
-/// Draws the part of a line that lies in the scissor span by span, like the plain path: for steep lines for which [`steep`] is not
-/// exact.
+/// Draws the part of a line that lies in the scissor span by span, like the plain path: for steep lines for which [`steep`] is
+/// not exact.
 #[cold]
 #[inline(never)]
 fn by_runs<Cell: Copy>(

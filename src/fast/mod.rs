@@ -1,8 +1,8 @@
 //! Fast paths: each computes the same bits as a plain path, for some inputs or some cores.
 //!
-//! A fast path is attached by one call, which may decline: then the plain path runs. The header of its file names the plain twin,
-//! the domain (the inputs that it takes), the gain, and the test that compares both bit for bit. `--cfg pinhole_plain` makes all
-//! of them decline; scene S3 then takes twice the time. Scenes S1 to S8 are the benchmarks of `docs/speed.md`.
+//! A fast path is attached by one call, which may decline: then the plain path runs. The header of its file names the plain
+//! twin, the domain (the inputs that it takes), the gain, and the test that compares both bit for bit. `--cfg pinhole_plain`
+//! makes all of them decline; scene S3 then takes twice the time. Scenes S1 to S8 are the benchmarks of `docs/speed.md`.
 //!
 //! # Triangles
 //!

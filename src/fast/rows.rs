@@ -1,7 +1,7 @@
 //! Rows of triangles in a buffer of pixels: the trait through which the fills use the triangle tiers.
 //!
-//! This file has no fast path of its own, so it has no plain twin, gain or test: see `small_triangle.rs` and `bresenham_triangle.rs`, whose
-//! triangles implement the trait.
+//! This file has no fast path of its own, so it has no plain twin, gain or test: see `small_triangle.rs` and
+//! `bresenham_triangle.rs`, whose triangles implement the trait.
 
 use crate::raster::{Gradient, PixelLayout, RowScratch};
 
@@ -16,8 +16,8 @@ pub(crate) trait Rows: Sized {
     /// The origin that row ends are counted from, in a buffer with this layout.
     fn start(&self, layout: PixelLayout) -> RowOrigin;
 
-    /// Calls `row` for each row with a base index, the left end and the right end, both counted from the base index. The left end
-    /// is included, the right end excluded; a row is empty if right ≤ left.
+    /// Calls `row` for each row with a base index, the left end and the right end, both counted from the base index. The left
+    /// end is included, the right end excluded; a row is empty if right ≤ left.
     fn each(self, scratch: &mut RowScratch, row: impl FnMut(usize, i32, i32));
 }
 

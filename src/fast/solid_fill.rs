@@ -41,8 +41,8 @@ pub(crate) fn triangle_2d<T: Target>(
     true
 }
 
-/// Fills a triangle of the [`Small`] tier; passes all others to [`fill_low`]. `pair` is the stored pixel twice, as two arguments:
-/// LLVM does not know that they are equal, so it stores two 16-bit pixels from one register.
+/// Fills a triangle of the [`Small`] tier; passes all others to [`fill_low`]. `pair` is the stored pixel twice, as two
+/// arguments: LLVM does not know that they are equal, so it stores two 16-bit pixels from one register.
 #[inline(never)] // its loop needs all registers
 fn fill_small<S: PixelStore>(
     memory: &mut PixelRows<S>,

@@ -95,8 +95,8 @@ impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
         Some((run, depths, z, light))
     }
 
-    /// Fills a row of fewer than [`BLOCK`] pixels. What it needs is in memory behind `self`, so the call passes few arguments and
-    /// its loop has all registers.
+    /// Fills a row of fewer than [`BLOCK`] pixels. What it needs is in memory behind `self`, so the call passes few arguments
+    /// and its loop has all registers.
     #[inline(never)]
     fn short(&mut self, from: usize, left: i32, width: usize) {
         let steps = Steps { ..self.steps };

@@ -24,8 +24,8 @@ pub(crate) fn depth_gradient(triangle: &Triangle<'_>, depths: &[i32; 3]) -> Grad
     }
 }
 
-/// The gradients of depth and light, with the bits of `Gradient::of_depth` and `Gradient::of_light`. Each is stored as soon as it
-/// is computed, which frees the registers for the other.
+/// The gradients of depth and light, with the bits of `Gradient::of_depth` and `Gradient::of_light`. Each is stored as soon as
+/// it is computed, which frees the registers for the other.
 #[inline(never)]
 pub(crate) fn depth_and_light_gradients(
     triangle: &Triangle<'_>,

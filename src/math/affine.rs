@@ -23,8 +23,8 @@ use core::marker::PhantomData;
 /// ±2³⁰. Rebuild transforms from angles every frame instead of accumulating them: then nothing drifts. (A million
 /// turns of 0.1°, accumulated in one matrix, stretch a model by 0.037 % and leave it 0.057° behind.)
 ///
-/// `==` compares the stored numbers: two values of one map that were computed differently may differ. To allow for rounding, compare
-/// the results of [`to_matrix`](Self::to_matrix).
+/// `==` compares the stored numbers: two values of one map that were computed differently may differ. To allow for rounding,
+/// compare the results of [`to_matrix`](Self::to_matrix).
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Vector3};
@@ -160,8 +160,8 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         Self { offset: [add(at[0], -x), add(at[1], -y), add(at[2], -z)], ..turned }
     }
 
-    /// The map from a coordinate frame with these axes and this origin to `B`: the matrix with columns a, b, c, o. Exact where the
-    /// axes' components span no more than 30 bits, otherwise within 2⁻³⁰ of the largest coefficient.
+    /// The map from a coordinate frame with these axes and this origin to `B`: the matrix with columns a, b, c, o. Exact where
+    /// the axes' components span no more than 30 bits, otherwise within 2⁻³⁰ of the largest coefficient.
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Point3, Vector3};

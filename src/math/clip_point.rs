@@ -49,8 +49,8 @@ impl ClipPoint {
         self.exponent
     }
 
-    /// The perspective divide (x/w, y/w, z/w), rounded to the nearest 2⁻¹⁶ (ties away from zero) and saturated. `None` if w ≤ 0: the
-    /// point lies in the eye plane or behind it.
+    /// The perspective divide (x/w, y/w, z/w), rounded to the nearest 2⁻¹⁶ (ties away from zero) and saturated. `None` if w ≤
+    /// 0: the point lies in the eye plane or behind it.
     pub fn ndc(&self) -> Option<Point3<Ndc>> {
         if self.w <= 0 {
             return None;

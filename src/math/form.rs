@@ -10,8 +10,8 @@ pub(crate) struct ClipCoords {
     pub(crate) xydw: [i32; 4],
 }
 
-/// A type of vertex coordinates: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`], ±32768 in steps of 2⁻¹⁶. Sealed: no other
-/// type can implement it.
+/// A type of vertex coordinates: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`], ±32768 in steps of 2⁻¹⁶. Sealed: no
+/// other type can implement it.
 pub trait Coordinate: Copy + sealed::Sealed {
     /// The coordinate times a power of two.
     #[doc(hidden)]
@@ -55,8 +55,8 @@ pub(crate) struct WideForm {
 
 #[allow(dead_code)] // where `cores` does not choose it, only tests use it
 impl WideForm {
-    /// The factor that justifies coordinates: 2^`shift`, where a left shift by `shift` brings the largest coordinate to the top of
-    /// 32 bits.
+    /// The factor that justifies coordinates: 2^`shift`, where a left shift by `shift` brings the largest coordinate to the top
+    /// of 32 bits.
     pub(crate) const fn justify(shift: u32, _narrow: bool) -> i32 {
         1 << (shift & 31)
     }
@@ -80,8 +80,8 @@ impl WideForm {
     }
 }
 
-/// Adds the rounding half to an offset in 2⁻³² and clears the 17 bits that a [`HalfwordForm`](super::halfword::HalfwordForm) has no
-/// room for, so that both forms give the same bits.
+/// Adds the rounding half to an offset in 2⁻³² and clears the 17 bits that a [`HalfwordForm`](super::halfword::HalfwordForm)
+/// has no room for, so that both forms give the same bits.
 pub(super) fn truncated(offset: i64) -> i64 {
     offset.wrapping_add(1 << 31) >> 17 << 17
 }

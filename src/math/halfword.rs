@@ -73,8 +73,8 @@ pub(super) fn normalised_by_bits(mut v: i32) -> (i32, u32) {
 /// A linear form for 16-bit coordinates on a Cortex-M0, whose products have 32 bits, and on RV32, where a 64-bit sum takes four
 /// instructions. Twin: [`WideForm`](super::form::WideForm).
 ///
-/// Coefficients are split as `high·2¹⁵ + low`, both signed 16-bit, so that each product and the sum of the three low products fit
-/// 32 bits. Nothing is dropped before the one rounding, so the result has the bits of the wide form.
+/// Coefficients are split as `high·2¹⁵ + low`, both signed 16-bit, so that each product and the sum of the three low products
+/// fit 32 bits. Nothing is dropped before the one rounding, so the result has the bits of the wide form.
 #[allow(dead_code)] // where `cores` does not choose it, only tests use it
 #[derive(Clone, Copy, Debug)]
 #[repr(C)] // in the order in which they are loaded

@@ -17,8 +17,8 @@
 
 use core::hint::black_box;
 
-/// Keeps a loop rolled when its body calls it: LLVM unrolls four times and more, which costs flash on every core, and time where unrolled
-/// code runs out of registers. Used in set-up code and short loops.
+/// Keeps a loop rolled when its body calls it: LLVM unrolls four times and more, which costs flash on every core, and time
+/// where unrolled code runs out of registers. Used in set-up code and short loops.
 #[inline(always)]
 pub(crate) const fn keep_rolled() {
     black_box(());
@@ -38,8 +38,8 @@ pub(crate) const fn keep_branch() {
     black_box(());
 }
 
-/// Returns `value` so that the compiler no longer knows it. The call site says why: to keep a constant in a register, to load a value
-/// again where a register is needed more, or to prevent a call of `memset`.
+/// Returns `value` so that the compiler no longer knows it. The call site says why: to keep a constant in a register, to load a
+/// value again where a register is needed more, or to prevent a call of `memset`.
 #[inline(always)]
 pub(crate) const fn opaque<T>(value: T) -> T {
     black_box(value)

@@ -5,8 +5,8 @@ use super::num::{
     add, bits_of, magnitude, max, mul_translation, row_times, scale, shift_to_fit, Accumulator,
 };
 
-/// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a constant in 2⁻³². The constant has its own
-/// precision, so that points far from the origin stay exact.
+/// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a constant in 2⁻³². The constant has
+/// its own precision, so that points far from the origin stay exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
     /// Each at most 2³⁰ in absolute value.
@@ -17,8 +17,8 @@ pub(crate) struct Row {
     pub(crate) offset: i64,
 }
 
-/// Scales sums of products to 30 bits with one exponent, which it returns. Rounded to nearest: each coefficient is within 2⁻³⁰ of
-/// the block's largest (2⁻³¹ just below a power of two).
+/// Scales sums of products to 30 bits with one exponent, which it returns. Rounded to nearest: each coefficient is within 2⁻³⁰
+/// of the block's largest (2⁻³¹ just below a power of two).
 #[inline(never)] // set-up: code size counts, speed does not; slices keep the loops rolled
 pub(crate) const fn block_scaled(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
@@ -69,8 +69,8 @@ pub(crate) fn evaluate(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i
     add(offset, sum.scaled(exponent - 30))
 }
 
-/// Homogeneous coordinates of a point in 2⁻³²: in units of 2^(shift − 32), and the shift, which is 0 where no coordinate can exceed
-/// 2⁶¹. None saturates.
+/// Homogeneous coordinates of a point in 2⁻³²: in units of 2^(shift − 32), and the shift, which is 0 where no coordinate can
+/// exceed 2⁶¹. None saturates.
 pub(crate) fn homogeneous<const N: usize>(rows: &[Row; N], p: &[i64; 3]) -> ([i64; N], i32) {
     let reach = shift_to_fit(bits_of(p), 0);
     let shift = rows.iter().fold(0, |shift, row| max(shift, row.overflow(reach)));

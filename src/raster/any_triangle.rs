@@ -48,8 +48,8 @@ impl AnyTriangle {
         self.row >= self.end
     }
 
-    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. The caller provides
-    /// the memory, because a trapezoid is too large to be returned in registers.
+    /// Writes the next trapezoid, which has at least one row, to `trapezoid`; returns `false` if none is left. The caller
+    /// provides the memory, because a trapezoid is too large to be returned in registers.
     #[inline(never)]
     pub(crate) fn trapezoid(&mut self, trapezoid: &mut Trapezoid<Edge32>) -> bool {
         if self.is_empty() {

@@ -29,8 +29,8 @@ pub(crate) fn first_row(p: &ScreenPoint) -> i32 {
 
 /// An edge of a triangle, evaluated row by row from top to bottom (DDA).
 pub(crate) trait EdgeWalker {
-    /// The column where the span ends in the present row; advances to the next row. An edge has one such column, which is the first
-    /// pixel of the span if it is a left edge, and the pixel after the last one if it is a right edge.
+    /// The column where the span ends in the present row; advances to the next row. An edge has one such column, which is the
+    /// first pixel of the span if it is a left edge, and the pixel after the last one if it is a right edge.
     fn next(&mut self) -> i32;
 }
 
@@ -53,7 +53,8 @@ pub(crate) fn numerator((xr, yr): (i32, i32), dx: i32, dy: i32) -> i32 {
     (xr * dy + yr * dx + 255) >> 8 // two products of at most 255·2²²: below 2³¹
 }
 
-/// The quotient ⌊n / d⌋ and the remainder, by repeated subtraction. For small quotients: it takes one step per unit of the quotient.
+/// The quotient ⌊n / d⌋ and the remainder, by repeated subtraction. For small quotients: it takes one step per unit of the
+/// quotient.
 #[inline(always)]
 pub(crate) fn divide_by_subtraction(n: i32, d: i32) -> (i32, i32) {
     let (mut quotient, mut remainder) = (0, n);

@@ -4,8 +4,8 @@
 /// column and per row. It is evaluated at the centres of the pixels that the triangle covers. Values have 24 bits at the corners
 /// and 32 bits at pixels, in units of 2⁻⁸ of the corners' unit. [`SpanShader`](crate::SpanShader) has an example.
 ///
-/// The value at a covered pixel lies between the values of the corners, so arithmetic modulo 2³² is enough: all sums wrap, and no
-/// gradient is too steep.
+/// The value at a covered pixel lies between the values of the corners, so arithmetic modulo 2³² is enough: all sums wrap, and
+/// no gradient is too steep.
 #[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Gradient {

@@ -25,8 +25,8 @@ use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive
 /// The part of gradient set-up that all values over one triangle share: the reciprocal of its area.
 ///
 /// Per pixel, in 2⁻⁸ of the corners' unit, a gradient changes by `v · 2¹⁶ / den`, where v is the numerator for x or y. This is
-/// computed as `v·2ᵏ · mantissa >> (shift + k)`. Differences of values are scaled by 2ᵏ, so that numerators have 31 bits and only
-/// the upper word of the product counts.
+/// computed as `v·2ᵏ · mantissa >> (shift + k)`. Differences of values are scaled by 2ᵏ, so that numerators have 31 bits and
+/// only the upper word of the product counts.
 pub(crate) struct GradientSetup<'t> {
     pub(crate) triangle: &'t Triangle<'t>,
     /// The reciprocal of the area with its sign turned: 2¹⁶/den = mantissa · 2^−shift.
@@ -266,8 +266,9 @@ impl<'t> GradientSetup<'t> {
         Some(Slope::new(a, (value << 8).wrapping_add(at), right, down))
     }
 
-    /// The gradient if it is steep. It is computed relative to an anchor, because the error grows with the distance from there: the
-    /// pixel of the viewport that is nearest to the first corner. The viewport is that of the frame, so all bands get equal bits.
+    /// The gradient if it is steep. It is computed relative to an anchor, because the error grows with the distance from there:
+    /// the pixel of the viewport that is nearest to the first corner. The viewport is that of the frame, so all bands get equal
+    /// bits.
     #[cold]
     #[inline(never)]
     fn steep(&self, values: &[i32; 3], &Numerators { x, minus_y, k }: &Numerators) -> Gradient {

@@ -114,8 +114,8 @@ impl LineSetup {
         Self { first, last, ..*self }
     }
 
-    /// The number of minor steps that the line has made at a major step, k(i), and the remainder of its division. The length must
-    /// not be 0.
+    /// The number of minor steps that the line has made at a major step, k(i), and the remainder of its division. The length
+    /// must not be 0.
     #[inline(never)] // only clipped lines call it: code size counts
     pub(crate) fn aside(&self, step: i32) -> (i32, i32) {
         // k = ⌈(2mi − L)/2L⌉ = ⌊(2mi + L − 1)/2L⌋ ≤ m < 2¹⁶.

@@ -30,8 +30,8 @@ impl Scissor {
         }
     }
 
-    /// A scissor with these bounds. The caller knows that they lie inside the guard band, or intersects the result with a scissor
-    /// that does.
+    /// A scissor with these bounds. The caller knows that they lie inside the guard band, or intersects the result with a
+    /// scissor that does.
     #[inline(always)]
     pub(crate) const fn unclamped(left: i32, top: i32, right: i32, bottom: i32) -> Self {
         Self { left, top, right, bottom }
@@ -82,8 +82,8 @@ impl Scissor {
         }
     }
 
-    /// The pixels that lie in both rectangles, [`EMPTY`](Self::EMPTY) if there are none. The result lies inside the guard band if
-    /// `other` does, whatever the bounds of `self`.
+    /// The pixels that lie in both rectangles, [`EMPTY`](Self::EMPTY) if there are none. The result lies inside the guard band
+    /// if `other` does, whatever the bounds of `self`.
     pub(crate) fn clipped_to(&self, other: &Self) -> Self {
         let both = self.intersection(other);
         if both.is_empty() {

@@ -24,8 +24,8 @@ impl<E: EdgeWalker> Trapezoid<E> {
         (left.next(), right.next())
     }
 
-    /// Calls `row` for each row with a base index and the row's ends, counted from it. `start` is the first row's base index, and
-    /// each row adds `stride`; returns the base index of the row below the last one.
+    /// Calls `row` for each row with a base index and the row's ends, counted from it. `start` is the first row's base index,
+    /// and each row adds `stride`; returns the base index of the row below the last one.
     #[inline(always)]
     pub(crate) fn each(
         mut self,
@@ -67,8 +67,8 @@ impl Trapezoid<Edge32> {
         is_rectangle.then(|| (left.column(), width.wrapping_mul(self.rows)))
     }
 
-    /// Clips the trapezoid to columns `left` up to but excluding `right`: an edge outside of them becomes vertical at the border,
-    /// and the trapezoid ends above the row where an edge crosses a border.
+    /// Clips the trapezoid to columns `left` up to but excluding `right`: an edge outside of them becomes vertical at the
+    /// border, and the trapezoid ends above the row where an edge crosses a border.
     #[inline(always)]
     pub(crate) fn clip_columns(&mut self, left: i32, right: i32) {
         let Self { rows, edges: [left_edge, right_edge], .. } = self;
@@ -77,9 +77,9 @@ impl Trapezoid<Edge32> {
     }
 }
 
-/// Clips an edge at column `limit` and returns for how many of the next `rows` rows the result holds: the edge is unchanged if it
-/// stays inside the limit in these rows, and vertical at the limit if it stays outside. `right`: whether outside is to the right
-/// of the limit.
+/// Clips an edge at column `limit` and returns for how many of the next `rows` rows the result holds: the edge is unchanged if
+/// it stays inside the limit in these rows, and vertical at the limit if it stays outside. `right`: whether outside is to the
+/// right of the limit.
 #[inline(never)] // one copy for both edges: code size counts here, few triangles are clipped
 fn clip_edge(edge: &mut Edge32, limit: i32, mut rows: i32, right: bool) -> i32 {
     let outside = |row: i32| {

@@ -3,8 +3,8 @@
 use crate::math::Affine;
 use crate::space::{Model, World};
 
-/// A node of a transform hierarchy: its local transform, to its parent or, for a root, to the world, and its world transform, which
-/// [`Hierarchy::update`] computes.
+/// A node of a transform hierarchy: its local transform, to its parent or, for a root, to the world, and its world transform,
+/// which [`Hierarchy::update`] computes.
 ///
 /// A node has no mesh: the caller draws any number of meshes with its world transform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,8 +37,8 @@ impl Node {
     }
 }
 
-/// A transform hierarchy over a caller-provided list of nodes. Parents come before their children, so one forward pass updates all world
-/// transforms, without recursion or other memory. Only the first 65536 nodes can be parents.
+/// A transform hierarchy over a caller-provided list of nodes. Parents come before their children, so one forward pass updates
+/// all world transforms, without recursion or other memory. Only the first 65536 nodes can be parents.
 ///
 /// ```
 /// use pinhole::{space::Model, Affine, Angle, Hierarchy, HierarchyError, Node, Point3, Vector3};
@@ -99,7 +99,8 @@ impl<'a> Hierarchy<'a> {
         Ok(hierarchy)
     }
 
-    /// Sets a node's local transform; [`update`](Self::update) then moves it and its descendants. Returns whether the index exists.
+    /// Sets a node's local transform; [`update`](Self::update) then moves it and its descendants. Returns whether the index
+    /// exists.
     pub fn set_local(&mut self, node: usize, local: Affine<Model, Model>) -> bool {
         match self.nodes.get_mut(node) {
             Some(node) => {
@@ -110,8 +111,8 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// Computes the world transform of every node, parent's world · local, in the order of the list. Each level adds the rounding error
-    /// of [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
+    /// Computes the world transform of every node, parent's world · local, in the order of the list. Each level adds the
+    /// rounding error of [`Affine::then`]: coefficients within 2⁻³⁰ of the largest, translations within 2⁻³³.
     pub fn update(&mut self) {
         for i in 0..self.nodes.len() {
             let (before, rest) = self.nodes.split_at_mut(i); // i < len: never panics

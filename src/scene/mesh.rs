@@ -5,10 +5,10 @@ use crate::math::{Coordinate, Point3, Scalar, Sphere};
 
 /// A triangle mesh over borrowed data, checked once when it is made. Made in a `const`, it lives in flash.
 ///
-/// Vertices are `i16` with a power-of-two unit, model coordinate = vertex · 2^exponent: 6 bytes
-/// each, and 16-bit products on a Cortex-M0. Meshes that need more range have [`Scalar`] vertices
-/// ([`Mesh::from_fixed`]). Faces are counter-clockwise seen from outside; a mesh without faces is a list of points, for plots and tool
-/// paths. Wireframes need edges, lighting needs normals.
+/// Vertices are `i16` with a power-of-two unit, model coordinate = vertex · 2^exponent: 6 bytes each, and 16-bit products on a
+/// Cortex-M0. Meshes that need more range have [`Scalar`] vertices ([`Mesh::from_fixed`]). Faces are counter-clockwise seen
+/// from outside; a mesh without faces is a list of points, for plots and tool paths. Wireframes need edges, lighting needs
+/// normals.
 ///
 /// ```
 /// use pinhole::{Mesh, MeshError};
@@ -137,8 +137,9 @@ impl core::fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-/// The two faces adjacent to each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`]. Call it in a `const` for small meshes, at run
-/// time for large ones: time grows with edges × (edges + faces). Faces from index 65535 on are ignored, as a `u16` cannot address them.
+/// The two faces adjacent to each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`]. Call it in a `const` for small
+/// meshes, at run time for large ones: time grows with edges × (edges + faces). Faces from index 65535 on are ignored, as a
+/// `u16` cannot address them.
 ///
 /// An edge of more than two faces is listed once for every two of them: each occurrence gets the next two faces.
 ///
@@ -213,12 +214,13 @@ const fn justify(magnitude: u32) -> u8 {
 }
 
 impl<'a> Mesh<'a, i16> {
-    /// A mesh of vertices in units of 2^`exponent`, exact, and faces, counter-clockwise from outside. All indices are checked, at compile
-    /// time in a `const`.
+    /// A mesh of vertices in units of 2^`exponent`, exact, and faces, counter-clockwise from outside. All indices are checked,
+    /// at compile time in a `const`.
     ///
     /// # Errors
     ///
-    /// [`MeshError`] if a face uses a vertex index out of range, there are more than 65536 vertices, or the exponent is not −32 … 15.
+    /// [`MeshError`] if a face uses a vertex index out of range, there are more than 65536 vertices, or the exponent is not −32
+    /// … 15.
     pub const fn new(
         vertices: &'a [[i16; 3]],
         exponent: i8,
@@ -250,9 +252,9 @@ impl<'a> Mesh<'a, i16> {
         })
     }
 
-    /// The plane of each face, for [`with_planes`](Mesh::with_planes): the signed distance of the face from the origin along its normal. `N` is
-    /// the number of faces. In units of 2⁻¹⁴ of the power of two that bounds the mesh's coordinates, rounded to nearest. Best called in
-    /// a `const`. 0 for faces without a normal and indices out of range.
+    /// The plane of each face, for [`with_planes`](Mesh::with_planes): the signed distance of the face from the origin along
+    /// its normal. `N` is the number of faces. In units of 2⁻¹⁴ of the power of two that bounds the mesh's coordinates, rounded
+    /// to nearest. Best called in a `const`. 0 for faces without a normal and indices out of range.
     ///
     /// ```
     /// use pinhole::Mesh;
@@ -291,8 +293,9 @@ impl<'a> Mesh<'a, i16> {
     }
 }
 
-/// The signed distance of the plane through a vertex from the origin, n·v for the vertex v and the normal n in 2⁻¹⁵, in 2⁻¹⁴ of the
-/// power of two that bounds the mesh's coordinates, rounded to nearest. At most √3·2¹⁴ for unit normals; saturates for longer ones.
+/// The signed distance of the plane through a vertex from the origin, n·v for the vertex v and the normal n in 2⁻¹⁵, in 2⁻¹⁴ of
+/// the power of two that bounds the mesh's coordinates, rounded to nearest. At most √3·2¹⁴ for unit normals; saturates for
+/// longer ones.
 const fn plane_distance([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
     let shift = justify as u32 & 31;
     // Justified: 2³¹ each, times 2¹⁵.
@@ -314,8 +317,8 @@ const fn magnitude_bits(v: i32) -> u32 {
 }
 
 impl<'a> Mesh<'a, Scalar> {
-    /// A mesh of vertices in [`Scalar`]s, ±32768 in steps of 2⁻¹⁶, and faces. It takes twice the memory of `i16` vertices, and 64-bit
-    /// products on a Cortex-M0.
+    /// A mesh of vertices in [`Scalar`]s, ±32768 in steps of 2⁻¹⁶, and faces. It takes twice the memory of `i16` vertices, and
+    /// 64-bit products on a Cortex-M0.
     ///
     /// # Errors
     ///
@@ -367,8 +370,8 @@ impl<'a> Mesh<'a, Scalar> {
 }
 
 impl<'a, V> Mesh<'a, V> {
-    /// Adds the edges that a wireframe draws, each listed once, as two vertex indices in any order. Removes edge faces that were added before,
-    /// because they belong to other edges.
+    /// Adds the edges that a wireframe draws, each listed once, as two vertex indices in any order. Removes edge faces that
+    /// were added before, because they belong to other edges.
     ///
     /// # Errors
     ///
@@ -389,8 +392,8 @@ impl<'a, V> Mesh<'a, V> {
     /// The face index that stands for "no face" in lists of edge faces: a border.
     pub const NO_FACE: u16 = u16::MAX;
 
-    /// Adds the two faces adjacent to each edge, for hidden-line drawing: [`edge_faces`] finds them. An edge of more than two faces is listed
-    /// once for every two of them.
+    /// Adds the two faces adjacent to each edge, for hidden-line drawing: [`edge_faces`] finds them. An edge of more than two
+    /// faces is listed once for every two of them.
     ///
     /// # Errors
     ///
@@ -423,13 +426,13 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { normals, planes: &[], ..self })
     }
 
-    /// Adds the plane of each face, for [`MeshInstance::cull_by_planes`](crate::MeshInstance::cull_by_planes): its signed distance from the
-    /// origin along the normal, which [`face_planes`](Mesh::face_planes) computes. Call [`with_normals`](Self::with_normals) first: planes
-    /// refer to those normals.
+    /// Adds the plane of each face, for [`MeshInstance::cull_by_planes`](crate::MeshInstance::cull_by_planes): its signed
+    /// distance from the origin along the normal, which [`face_planes`](Mesh::face_planes) computes. Call
+    /// [`with_normals`](Self::with_normals) first: planes refer to those normals.
     ///
-    /// Normals then decide which faces are culled. They must be the geometric normals of the rounded vertices, of unit length, each component
-    /// within 2⁻¹⁵; with other normals, such as smoothed ones, visible faces are culled. A face with normal [0, 0, 0] is never culled by its
-    /// plane.
+    /// Normals then decide which faces are culled. They must be the geometric normals of the rounded vertices, of unit length,
+    /// each component within 2⁻¹⁵; with other normals, such as smoothed ones, visible faces are culled. A face with normal [0,
+    /// 0, 0] is never culled by its plane.
     ///
     /// # Errors
     ///
@@ -445,9 +448,9 @@ impl<'a, V> Mesh<'a, V> {
         Ok(Self { planes, ..self })
     }
 
-    /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the faces
-    /// approximate, or the mean of the normals of the faces around the vertex. For smooth
-    /// shading: see [`Lambert::levels`](crate::Lambert::levels).
+    /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the
+    /// faces approximate, or the mean of the normals of the faces around the vertex. For smooth shading: see
+    /// [`Lambert::levels`](crate::Lambert::levels).
     ///
     /// ```
     /// use pinhole::{Mesh, MeshError};
@@ -517,8 +520,8 @@ impl<'a, V> Mesh<'a, V> {
         self.vertex_normals
     }
 
-    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex. Missing entries are
-    /// `T::default()`.
+    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex. Missing
+    /// entries are `T::default()`.
     ///
     /// ```
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;
@@ -537,9 +540,9 @@ impl<'a, V> Mesh<'a, V> {
 }
 
 impl<V: Coordinate> Mesh<'_, V> {
-    /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the smallest possible,
-    /// rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit [`Scalar`]. For
-    /// [`Camera::visibility`](crate::Camera::visibility): compute it once per mesh.
+    /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the
+    /// smallest possible, rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit
+    /// [`Scalar`]. For [`Camera::visibility`](crate::Camera::visibility): compute it once per mesh.
     pub fn bounding_sphere(&self) -> Sphere {
         let justify = self.justify();
         // In 2^unit world units.

@@ -10,11 +10,11 @@ use core::marker::PhantomData;
 /// *An optimum method for two-level rendition of continuous-tone pictures*, 1973; Foley et al., *Computer Graphics*, 2nd ed.,
 /// section 13.1.2.)
 ///
-/// **The pattern** depends only on the pixel's coordinates in the frame. So it does not move with objects, and it continues across
-/// bands and edges. Its thresholds are 1/128, 3/128 … 127/128.
+/// **The pattern** depends only on the pixel's coordinates in the frame. So it does not move with objects, and it continues
+/// across bands and edges. Its thresholds are 1/128, 3/128 … 127/128.
 ///
-/// **Error.** The mean over any 8 × 8 pixels is within 1/128 + 2⁻¹⁶ level of the colour, in every channel. Colours that the target can
-/// show exactly, such as black and white, are not dithered.
+/// **Error.** The mean over any 8 × 8 pixels is within 1/128 + 2⁻¹⁶ level of the colour, in every channel. Colours that the
+/// target can show exactly, such as black and white, are not dithered.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb888}, prelude::*};

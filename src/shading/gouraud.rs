@@ -9,8 +9,8 @@ use core::marker::PhantomData;
 /// screen. (Gouraud, *Continuous shading of curved surfaces*, 1971; Foley et al., *Computer Graphics*, 2nd ed., section
 /// 16.2.4.)
 ///
-/// **Error.** Each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest level of the target: off by at
-/// most ½ + 2⁻⁹ level, for any triangle in the guard band, however fast its colour changes.
+/// **Error.** Each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest level of the target: off
+/// by at most ½ + 2⁻⁹ level, for any triangle in the guard band, however fast its colour changes.
 ///
 /// **Clipped faces.** If the near plane, the far plane or the guard band clips a face, the colours at the new corners are
 /// interpolated in space and rounded to 1/256 of a step of `Rgb888`, which adds at most 2⁻⁹ level to the error. On each

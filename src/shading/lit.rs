@@ -11,8 +11,8 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 /// linearly on the screen. It is faster than [`Gouraud::new`] with three dimmed colours, as it sets up one gradient instead of
 /// three. [`Gouraud::lit`] makes it.
 ///
-/// **Error.** As for [`Gouraud`], each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest level of
-/// the target: off by at most ½ + 2⁻⁹ level.
+/// **Error.** As for [`Gouraud`], each channel of a pixel is the exact value at the pixel's centre, rounded to the nearest
+/// level of the target: off by at most ½ + 2⁻⁹ level.
 ///
 /// **Clipped faces** are treated as by [`Gouraud`]. The light at new corners is rounded to 2⁻²² of full light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -11,8 +11,8 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::Pixel;
 
-/// A frame, or any rectangle of the display, drawn and sent in bands from top to bottom. All bands use one strip of memory, or two
-/// by turns, so that one is sent while the next is drawn.
+/// A frame, or any rectangle of the display, drawn and sent in bands from top to bottom. All bands use one strip of memory, or
+/// two by turns, so that one is sent while the next is drawn.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -88,8 +88,8 @@ impl<C: PixelFormat> Frame<C> {
         row_bytes::<C>(width).saturating_mul(rows as usize)
     }
 
-    /// The next band, filled with the background. It has as many rows as fit in the strip, or as the frame has left. `None` after
-    /// the last band, and for a frame without pixels. A depth buffer for the band needs one `u16` per pixel of the band.
+    /// The next band, filled with the background. It has as many rows as fit in the strip, or as the frame has left. `None`
+    /// after the last band, and for a frame without pixels. A depth buffer for the band needs one `u16` per pixel of the band.
     ///
     /// Each call continues below the band before, whether that was sent or not. To start again, make a new `Frame`, or clone one
     /// before the first band.
@@ -137,8 +137,8 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         self.area
     }
 
-    /// The pixels as the display takes them, row by row, for example for DMA. Set the display's window to the [`area`](Self::area)
-    /// first.
+    /// The pixels as the display takes them, row by row, for example for DMA. Set the display's window to the
+    /// [`area`](Self::area) first.
     pub const fn bytes(&self) -> &[u8] {
         self.bytes
     }
@@ -165,9 +165,9 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         Pixels::unchecked(cells, self.area)
     }
 
-    /// Converts the band into its [`bytes`](Self::bytes), for transfers that own their buffer. They end with the band's last row: a
-    /// strip that comes back from such a transfer is shorter after the last band, unless the frame's height is a multiple of the
-    /// strip's rows.
+    /// Converts the band into its [`bytes`](Self::bytes), for transfers that own their buffer. They end with the band's last
+    /// row: a strip that comes back from such a transfer is shorter after the last band, unless the frame's height is a
+    /// multiple of the strip's rows.
     pub fn into_bytes(self) -> &'s mut [u8] {
         self.bytes
     }
@@ -247,8 +247,8 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         self.fill_rows((columns.start, rows.start), part, color);
     }
 
-    /// Bytes that contain a row, and the index of the row's first pixel in them: the strip for formats of 8 bits and more, the row
-    /// alone for smaller ones.
+    /// Bytes that contain a row, and the index of the row's first pixel in them: the strip for formats of 8 bits and more, the
+    /// row alone for smaller ones.
     #[inline(always)]
     fn row(&mut self, row: u32) -> (&mut [u8], usize) {
         let row = row as usize;

@@ -29,8 +29,8 @@ pub(crate) fn fill<Cell: Copy>(run: &mut [Cell], cell: Cell) {
 
 /// Fills a run with a [`pair`]: 32 cells at a time in long runs, then eight, then the remainder without a loop.
 ///
-/// `may_be_long` is a constant at each call. If it is `false`, eight cells before the loop replace the loop over 32 cells: then the
-/// compiler needs a single address for the run while the caller steps through rows.
+/// `may_be_long` is a constant at each call. If it is `false`, eight cells before the loop replace the loop over 32 cells: then
+/// the compiler needs a single address for the run while the caller steps through rows.
 #[inline(always)]
 pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_be_long: bool) {
     let [cell, _] = pair;

@@ -157,8 +157,8 @@ impl<'a> DepthBuffer<'a> {
         };
         let end = span.x + span.width;
         let mut pixels = row.iter_mut();
-        // `any` stops after the first pixel that is nearer, `all` after the first that is not, so `pixels.len()` gives both ends of
-        // the run.
+        // `any` stops after the first pixel that is nearer, `all` after the first that is not, so `pixels.len()` gives both
+        // ends of the run.
         while pixels.any(&mut is_nearer) {
             let first = end - 1 - pixels.len() as i32;
             let to_the_end = pixels.all(&mut is_nearer);
@@ -168,8 +168,8 @@ impl<'a> DepthBuffer<'a> {
         Ok(())
     }
 
-    /// Calls `visible` for each run of pixels of a line's span for which `is_seen` returns `true`. `is_seen` gets a pixel's column,
-    /// its row, and its depth in the buffer, which it may change. The span lies in the area.
+    /// Calls `visible` for each run of pixels of a line's span for which `is_seen` returns `true`. `is_seen` gets a pixel's
+    /// column, its row, and its depth in the buffer, which it may change. The span lies in the area.
     pub(crate) fn along<E>(
         &mut self,
         span: Span,

@@ -6,8 +6,8 @@ use super::{drawable, inside};
 use crate::raster::{PixelLayout, RowScratch, Scissor, Span};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// The storage of a [`Target`](crate::Target)'s pixels: a mutable slice with one cell per pixel, or `[Color; 0]` for a target without
-/// memory.
+/// The storage of a [`Target`](crate::Target)'s pixels: a mutable slice with one cell per pixel, or `[Color; 0]` for a target
+/// without memory.
 ///
 /// The type tells the compiler whether there is memory, so a target without it links no code that draws into memory.
 pub trait PixelStore {

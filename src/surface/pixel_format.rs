@@ -181,8 +181,8 @@ fn fill_bytes<const N: usize, const M: usize>(
     }
 }
 
-/// Repeats a pixel: eight pixels at a time, and 32 in long runs, such as a whole band. `keep_rolled` keeps LLVM from unrolling the
-/// loops, which costs short runs more than it saves.
+/// Repeats a pixel: eight pixels at a time, and 32 in long runs, such as a whole band. `keep_rolled` keeps LLVM from unrolling
+/// the loops, which costs short runs more than it saves.
 ///
 /// With `--cfg pinhole_plain` pixel by pixel, to the same bytes, as `rows_are_the_bits_of_their_pixels` tests.
 #[inline(never)] // its loops need the registers of the loops that draw
@@ -344,7 +344,8 @@ mod tests {
     use super::*;
     use embedded_graphics_core::pixelcolor::GrayColor;
 
-    /// Long enough for a partly covered byte at both ends and two whole bytes between. Test rows have one byte more than it needs.
+    /// Long enough for a partly covered byte at both ends and two whole bytes between. Test rows have one byte more than it
+    /// needs.
     const WIDTH: usize = 33;
 
     /// The bits of a row, the most significant bit of each byte first.

@@ -85,8 +85,8 @@ pub trait Target {
     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Self::Color>) -> Result<(), Self::Error>;
 
     /// The memory of the [`area`](Self::area)'s pixels, if they lie in memory. Fast paths then write to it directly;
-    /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only where no fast path applies. Fast paths convert colours
-    /// by [`StoredPixel`], so `fill` and `fill_run` must store colours in that form, too.
+    /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only where no fast path applies. Fast paths convert
+    /// colours by [`StoredPixel`], so `fill` and `fill_run` must store colours in that form, too.
     #[inline(always)]
     fn memory(&mut self) -> Option<&mut Memory<Self::Store>> {
         None

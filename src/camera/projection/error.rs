@@ -8,13 +8,13 @@ pub enum ProjectionError {
     FieldOfView,
     /// The aspect ratio has a width or height of zero: pass the viewport's size, or a ratio such as 4 × 3.
     EmptyAspect,
-    /// The near plane of a perspective is not in front of the centre of projection: near must be > 0, front nearer to the view plane than
-    /// the PRP.
+    /// The near plane of a perspective is not in front of the centre of projection: near must be > 0, front nearer to the view
+    /// plane than the PRP.
     NearNotPositive,
     /// The far plane is not beyond the near plane, or the back plane not behind the front plane.
     NearNotBeforeFar,
-    /// Near and far are too close for depth: near·far/(far − near) must be below 2³⁰ for a perspective, near/(far − near) for a parallel
-    /// projection and a [`ReferenceVolume`](crate::ReferenceVolume). Move the planes apart.
+    /// Near and far are too close for depth: near·far/(far − near) must be below 2³⁰ for a perspective, near/(far − near) for a
+    /// parallel projection and a [`ReferenceVolume`](crate::ReferenceVolume). Move the planes apart.
     NearTooCloseToFar,
     /// The window is empty: it needs left < right and bottom < top.
     EmptyWindow,

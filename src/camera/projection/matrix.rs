@@ -9,8 +9,8 @@ fn sum(a: &[f64; 4], s: f64, b: &[f64; 4], t: f64) -> [f64; 4] {
 }
 
 impl Projection {
-    /// The projection of a row-major matrix for column vectors, from view to clip space: visible points must have w > 0 and −w ≤ x, y, z ≤ w, with the near
-    /// plane at z = −w. A positive factor of the whole matrix changes nothing.
+    /// The projection of a row-major matrix for column vectors, from view to clip space: visible points must have w > 0 and −w
+    /// ≤ x, y, z ≤ w, with the near plane at z = −w. A positive factor of the whole matrix changes nothing.
     ///
     /// The rows x, y, w and (z + w)/2 are stored: each row's coefficients are rounded to 30 bits of its
     /// largest, and its constant to the larger of 2⁻⁴² of the matrix's largest coefficient and 2⁻⁵⁸ of its largest constant.

@@ -5,8 +5,8 @@ use super::{Projection, ProjectionError, Window};
 use crate::math::{Angle, Row, Scalar};
 
 impl Projection {
-    /// An oblique projection onto the plane z = 0: a unit along −z appears as `factor` units in the direction `angle`, measured from the x
-    /// axis towards y:
+    /// An oblique projection onto the plane z = 0: a unit along −z appears as `factor` units in the direction `angle`, measured
+    /// from the x axis towards y:
     ///
     /// ```text
     ///     x_p = x − factor·cos(angle)·z,   y_p = y − factor·sin(angle)·z

@@ -3,8 +3,8 @@
 use crate::math::num::{fraction, scale, shift_to_fit, SATURATED};
 use crate::math::{Row, Scalar};
 
-/// `n / d` as `mantissa · 2^exponent` with a mantissa of 30 bits (or 2³⁰ itself), rounded to nearest: relative error 2⁻³⁰. Requires
-/// `0 < d < 2⁶³`.
+/// `n / d` as `mantissa · 2^exponent` with a mantissa of 30 bits (or 2³⁰ itself), rounded to nearest: relative error 2⁻³⁰.
+/// Requires `0 < d < 2⁶³`.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(in crate::camera) const fn ratio(n: i64, d: u64) -> (i64, i32) {
     if n == 0 {

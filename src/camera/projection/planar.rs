@@ -98,9 +98,9 @@ impl PlanarProjection {
     ///     | 0  0  −1/(Q·dz)      1 + z_p/(Q·dz)      |
     /// ```
     ///
-    /// All other constructors are special cases. A negative `distance` puts the centre on the other side of the plane. `None` is an infinite
-    /// distance: a parallel projection along `direction`, orthographic or oblique. (Foley et al.,
-    /// section 6.4, equation 6.17.)
+    /// All other constructors are special cases. A negative `distance` puts the centre on the other side of the plane. `None`
+    /// is an infinite distance: a parallel projection along `direction`, orthographic or oblique. (Foley et al., section 6.4,
+    /// equation 6.17.)
     ///
     /// # Errors
     ///
@@ -150,10 +150,10 @@ impl PlanarProjection {
         Ok(Self { rows })
     }
 
-    /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and saturated. Rounded coefficients add at most 2⁻²⁸/(w·dz) of the
-    /// largest coordinate of point, plane and image; dz is 1 except in [`general`](Self::general). `None` if
-    /// the ray is parallel to the plane (w rounds to 0). A point behind the centre of projection has an image, too, upside down, as the
-    /// textbook's matrix has it.
+    /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and saturated. Rounded coefficients add at most
+    /// 2⁻²⁸/(w·dz) of the largest coordinate of point, plane and image; dz is 1 except in [`general`](Self::general). `None` if
+    /// the ray is parallel to the plane (w rounds to 0). A point behind the centre of projection has an image, too, upside
+    /// down, as the textbook's matrix has it.
     pub fn apply(&self, p: Point3<View>) -> Option<Point3<View>> {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let ([x, y, z, w], _) = homogeneous(&self.rows, &p);
@@ -184,8 +184,8 @@ fn by(d: Scalar, offset: i64) -> Result<Row, ProjectionError> {
 }
 
 impl Projection {
-    /// A planar projection seen through a `window` of its plane, with depth between the planes z = −near and z = −far (distances along −z,
-    /// near < far).
+    /// A planar projection seen through a `window` of its plane, with depth between the planes z = −near and z = −far
+    /// (distances along −z, near < far).
     ///
     /// The camera looks along −z. If the centre of projection lies at smaller z than the volume (as with d > 0),
     /// the far plane is the one closer to it and the picture is mirrored, as the matrix says.

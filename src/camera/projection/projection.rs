@@ -17,10 +17,10 @@ use crate::space::View;
 /// | cavalier, cabinet | VPN along an axis | [`oblique`](Self::oblique), factor 1 and ½ |
 /// | one-, two-, three-point | VPN with one, two, three components | any perspective |
 ///
-/// Visible points have −w ≤ x, y, z ≤ w; the near plane is z = −w, the far plane z = +w. The matrix
-/// stores `d = (z + w)/2` in place of z: d is 0 on the near plane and w on the far plane, so the near test is the sign of d, and d/w is
-/// the depth. Coefficients have 30 bits; each constructor states their error or keeps vertices within the error budget of
-/// ARCHITECTURE.md, "Numbers".
+/// Visible points have −w ≤ x, y, z ≤ w; the near plane is z = −w, the far plane z = +w. The matrix stores `d = (z + w)/2` in
+/// place of z: d is 0 on the near plane and w on the far plane, so the near test is the sign of d, and d/w is the depth.
+/// Coefficients have 30 bits; each constructor states their error or keeps vertices within the error budget of ARCHITECTURE.md,
+/// "Numbers".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Projection {
     /// x, y, d, w as linear forms of view coordinates.
@@ -28,8 +28,8 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// The clip coordinates of a view-space point. Given the stored matrix, each of x, y, z, w is within 2⁻³⁰ of the largest of them plus
-    /// 2⁻²⁹ units; if products exceed 2²⁹ and cancel, 2⁻⁵⁹ of them is added.
+    /// The clip coordinates of a view-space point. Given the stored matrix, each of x, y, z, w is within 2⁻³⁰ of the largest of
+    /// them plus 2⁻²⁹ units; if products exceed 2²⁹ and cancel, 2⁻⁵⁹ of them is added.
     pub fn apply(&self, p: Point3<View>) -> ClipPoint {
         let p = p.bits().map(|c| i64::from(c) << 16);
         let ([x, y, d, w], shift) = homogeneous(&self.rows, &p);

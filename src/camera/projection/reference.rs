@@ -34,8 +34,8 @@ use crate::space::{Canonical, View};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReferenceVolume {
-    /// Canonical x, y, z as linear forms of view coordinates; for a perspective times the distance of its back plane, so that constants
-    /// lose no bits if that is far away.
+    /// Canonical x, y, z as linear forms of view coordinates; for a perspective times the distance of its back plane, so that
+    /// constants lose no bits if that is far away.
     rows: [Row; 3],
     kind: Kind,
 }
@@ -82,8 +82,8 @@ impl ReferenceVolume {
         Ok(Self { rows: [x, y, z], kind })
     }
 
-    /// A volume of parallel projection. Projectors run along the direction from the PRP to the window's centre; orthographic where that
-    /// is the n axis, oblique otherwise. `front` and `back` are positions on the n axis, back < front.
+    /// A volume of parallel projection. Projectors run along the direction from the PRP to the window's centre; orthographic
+    /// where that is the n axis, oblique otherwise. `front` and `back` are positions on the n axis, back < front.
     ///
     /// # Errors
     ///
@@ -155,8 +155,8 @@ fn sides(
     Ok([form(0, px, window.left, window.right)?, form(1, py, window.bottom, window.top)?])
 }
 
-/// `axis + n·(centre − p)/pn − centre`, which is 0 on the volume's centre line and a translation in the view plane; and the window's
-/// extent.
+/// `axis + n·(centre − p)/pn − centre`, which is 0 on the volume's centre line and a translation in the view plane; and the
+/// window's extent.
 fn sheared(axis: usize, p: i64, pn: i64, low: Scalar, high: Scalar) -> Result<(Row, u64), ProjectionError> {
     let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
     let sum = i64::from(low.to_bits()) + i64::from(high.to_bits()); // twice the centre

@@ -7,8 +7,8 @@ use crate::math::{Angle, Row, Scalar};
 use embedded_graphics_core::geometry::Size;
 
 impl Projection {
-    /// The symmetric perspective with a vertical field of view of `fov_y`. `aspect` is width : height as any pair, usually the viewport's
-    /// size; `near` and `far` are distances from the eye in world units.
+    /// The symmetric perspective with a vertical field of view of `fov_y`. `aspect` is width : height as any pair, usually the
+    /// viewport's size; `near` and `far` are distances from the eye in world units.
     ///
     /// ```text
     ///     | cot(fov/2)·h/w  0           0             0           |
@@ -126,8 +126,8 @@ impl Projection {
         Ok(Self { rows: [*x, *y, d, w] })
     }
 
-    /// The orthographic projection of a box in view space: size does not change with distance. `near` and `far` are distances along −z in
-    /// world units, and may be negative (behind the eye).
+    /// The orthographic projection of a box in view space: size does not change with distance. `near` and `far` are distances
+    /// along −z in world units, and may be negative (behind the eye).
     ///
     /// ```text
     ///     | 2/(r−l)  0        0         −(r+l)/(r−l) |

@@ -2,9 +2,9 @@
 
 use crate::math::Scalar;
 
-/// The rectangle of the view plane that the viewport shows, in world units along the axes of view space: on the near plane for a
-/// [frustum](crate::Projection::frustum), on any plane z = const for a parallel projection. (Foley et al., *Computer Graphics*, 2nd ed.,
-/// section 6.2; OpenGL: `left`, `right`, `bottom`, `top` of `glFrustum`.)
+/// The rectangle of the view plane that the viewport shows, in world units along the axes of view space: on the near plane for
+/// a [frustum](crate::Projection::frustum), on any plane z = const for a parallel projection. (Foley et al., *Computer
+/// Graphics*, 2nd ed., section 6.2; OpenGL: `left`, `right`, `bottom`, `top` of `glFrustum`.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Window {
     /// Smallest x.

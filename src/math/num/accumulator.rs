@@ -23,8 +23,8 @@ impl Accumulator {
         Self { high: self.high + m * (t >> 32) + (low >> 32), low: low as u32 }
     }
 
-    /// The sum times 2^exponent, rounded to nearest. Where the exact value is beyond ±(2⁶³ − 2³²), the result is not exact, but also
-    /// beyond that bound.
+    /// The sum times 2^exponent, rounded to nearest. Where the exact value is beyond ±(2⁶³ − 2³²), the result is not exact, but
+    /// also beyond that bound.
     #[inline(always)]
     pub(crate) const fn scaled(self, exponent: i32) -> i64 {
         let (down, up) = (min(exponent, 0), max(exponent, 0));

@@ -33,8 +33,8 @@ impl Cells {
         }
     }
 
-    /// The cells outside `hole`, as at most four rectangles: the rows above the hole, the cells to its left and right, and the rows
-    /// below it. If the hole does not overlap the rectangle, the result is the rectangle.
+    /// The cells outside `hole`, as at most four rectangles: the rows above the hole, the cells to its left and right, and the
+    /// rows below it. If the hole does not overlap the rectangle, the result is the rectangle.
     #[inline(never)] // called once a pair: size matters more than time
     pub(super) fn without(self, hole: Self) -> heapless::Vec<Self, 4> {
         let Self { left, top, right, bottom } = self;

@@ -42,8 +42,8 @@ impl TransferBytes {
     }
 }
 
-/// Adds the rectangle `cells` to a list. It is merged with rectangles of the list as long as that adds no bytes. When the list is
-/// full, the two rectangles whose merging adds the fewest bytes are merged.
+/// Adds the rectangle `cells` to a list. It is merged with rectangles of the list as long as that adds no bytes. When the list
+/// is full, the two rectangles whose merging adds the fewest bytes are merged.
 #[inline(never)] // called once a mark: size matters more than time
 pub(super) fn add(list: &mut VecView<Cells>, cells: Cells, bytes: &TransferBytes) {
     let mut open = cells;
@@ -97,8 +97,8 @@ fn remove(list: &mut VecView<Cells>, cells: Cells) {
     list.retain(|other| *other != cells);
 }
 
-/// Removes overlaps: cuts one rectangle out of another and replaces that by up to four, as long as this saves bytes and the list has
-/// room. Then replaces all rectangles by the one that encloses them, if that takes no more bytes.
+/// Removes overlaps: cuts one rectangle out of another and replaces that by up to four, as long as this saves bytes and the
+/// list has room. Then replaces all rectangles by the one that encloses them, if that takes no more bytes.
 #[inline(never)] // called once a frame: size matters more than time
 pub(super) fn simplify(list: &mut VecView<Cells>, bytes: &TransferBytes) {
     // This ends: each iteration leaves a list that takes fewer bytes.

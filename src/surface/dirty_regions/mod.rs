@@ -10,7 +10,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
-/// How many bytes it takes to send a rectangle of pixels. By this [`DirtyRegions`] decides whether to send two rectangles as one.
+/// How many bytes it takes to send a rectangle of pixels. By this [`DirtyRegions`] decides whether to send two rectangles as
+/// one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TransferCost {
@@ -19,9 +20,9 @@ pub struct TransferCost {
 }
 
 impl TransferCost {
-    /// The command bytes of one window for controllers with the MIPI Display Command Set (such as ST7789, ILI9341 and GC9A01) on a
-    /// bus of 8 bits: `set_column_address` and `set_page_address` with four bytes
-    /// each, and `write_memory_start` (MIPI Alliance, *Specification for Display Command Set*).
+    /// The command bytes of one window for controllers with the MIPI Display Command Set (such as ST7789, ILI9341 and GC9A01)
+    /// on a bus of 8 bits: `set_column_address` and `set_page_address` with four bytes each, and `write_memory_start` (MIPI
+    /// Alliance, *Specification for Display Command Set*).
     pub const MIPI_DCS: u16 = 11;
 
     /// The cost for `pixel_bits` per pixel (see [`PixelFormat::BITS`](crate::PixelFormat::BITS); more than 256 count as 256) and
@@ -33,19 +34,19 @@ impl TransferCost {
     }
 }
 
-/// The rectangles of a target that a new frame changes: those drawn in the last frame, which have to be erased, and those drawn in
-/// this frame. It takes 16 bytes of memory per rectangle, and computes with integers only.
+/// The rectangles of a target that a new frame changes: those drawn in the last frame, which have to be erased, and those drawn
+/// in this frame. It takes 16 bytes of memory per rectangle, and computes with integers only.
 ///
 /// In every frame, first [`mark`](Self::mark) the rectangle of each object that is drawn. Then [`take`](Self::take) the dirty
-/// rectangles and draw the background and the objects in each of them. Pixels outside do not change. Two marks are merged where the
-/// rectangle around both takes no more bytes to send than the two separately.
+/// rectangles and draw the background and the objects in each of them. Pixels outside do not change. Two marks are merged where
+/// the rectangle around both takes no more bytes to send than the two separately.
 ///
 /// An object at rest need not be marked. When it starts to move, mark both its old and its new rectangle. In the frame after it
 /// stops its rectangle is sent once more.
 ///
-/// `N` is the largest number of rectangles that are stored per frame, and the largest number returned by `take`. A moving object
-/// needs two, its old and its new rectangle; with a third, the corners of the enclosing rectangle that lie in neither are not sent.
-/// No mark is lost when `N` is too small: the two rectangles whose merging adds the fewest bytes are merged.
+/// `N` is the largest number of rectangles that are stored per frame, and the largest number returned by `take`. A moving
+/// object needs two, its old and its new rectangle; with a third, the corners of the enclosing rectangle that lie in neither
+/// are not sent. No mark is lost when `N` is too small: the two rectangles whose merging adds the fewest bytes are merged.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
@@ -123,8 +124,8 @@ const fn at_most_largest(extent: u32) -> u32 {
 }
 
 impl<const N: usize> DirtyRegions<N> {
-    /// Dirty regions of the pixels of `area`, without marks. In the first frame all of the area is dirty. Pixels beyond 65535 × 65535
-    /// are never sent. Use one value for all frames, for example in a static: it remembers the marks of the last frame.
+    /// Dirty regions of the pixels of `area`, without marks. In the first frame all of the area is dirty. Pixels beyond 65535 ×
+    /// 65535 are never sent. Use one value for all frames, for example in a static: it remembers the marks of the last frame.
     ///
     /// `DirtyRegions<0>` does not compile.
     pub const fn new(area: Rectangle, cost: TransferCost) -> Self {
@@ -142,9 +143,9 @@ impl<const N: usize> DirtyRegions<N> {
     }
 
     /// Rounds rectangles outward to multiples of `columns` and `rows` (0 counts as 1), from the area's top left corner, for
-    /// controllers that address several pixels at once: 2 columns where a byte holds two pixels of Gray4, 8 rows where a byte holds
-    /// a column of eight (SSD1306). If the area is not a multiple, rectangles at its right and bottom border end with it. Marks are
-    /// dropped, and in the next frame all of the area is dirty.
+    /// controllers that address several pixels at once: 2 columns where a byte holds two pixels of Gray4, 8 rows where a byte
+    /// holds a column of eight (SSD1306). If the area is not a multiple, rectangles at its right and bottom border end with it.
+    /// Marks are dropped, and in the next frame all of the area is dirty.
     #[must_use]
     pub const fn with_steps(self, columns: u16, rows: u16) -> Self {
         let mut anew = Self::new(self.area, self.cost);
@@ -171,12 +172,12 @@ impl<const N: usize> DirtyRegions<N> {
         self.all = true;
     }
 
-    /// Ends the frame and returns the dirty rectangles: they contain all marks of the last frame and of this one. They are in order
-    /// from top to bottom, and from left to right where they begin in one row. All lie in the area; none is empty.
+    /// Ends the frame and returns the dirty rectangles: they contain all marks of the last frame and of this one. They are in
+    /// order from top to bottom, and from left to right where they begin in one row. All lie in the area; none is empty.
     ///
-    /// They take no more bytes to send than one rectangle around all marks and, if the marks of two frames are at most `N`, no more
-    /// than all marks separately. They overlap only where cutting the overlap out would take more bytes of commands than it saves, or
-    /// when the list of `N` rectangles is full.
+    /// They take no more bytes to send than one rectangle around all marks and, if the marks of two frames are at most `N`, no
+    /// more than all marks separately. They overlap only where cutting the overlap out would take more bytes of commands than
+    /// it saves, or when the list of `N` rectangles is full.
     #[inline(never)] // its lists are gone when it returns
     pub fn take(&mut self) -> Vec<Rectangle, N> {
         let bytes = self.transfer_bytes();
@@ -273,7 +274,8 @@ mod tests {
         dirty.take()
     }
 
-    /// A gap of 5 pixels of 16 bits takes 10 bytes, fewer than the 11 bytes of commands of a second rectangle; a gap of 6 takes more.
+    /// A gap of 5 pixels of 16 bits takes 10 bytes, fewer than the 11 bytes of commands of a second rectangle; a gap of 6 takes
+    /// more.
     #[test]
     fn two_marks_are_merged_where_that_takes_no_more_bytes() {
         assert_eq!(taken::<8>(16, &[at(0, 0, 9, 5), at(10, 0, 9, 5)]), [at(0, 0, 19, 5)]);
