@@ -4,8 +4,8 @@ use super::projection::ratio;
 use crate::math::num::{add, mul_translation, scale};
 use crate::math::Row;
 
-/// Depth as a function of w. If the rows d and w are parallel, so that `d = A·w − B`, then depth is `d/w = A − B/w`, and w alone
-/// decides the near test: the vertex loop need not evaluate d.
+/// Depth as a function of w. If the rows d and w are parallel but for their offsets, then `d = A·w − B` and depth is
+/// `d/w = A − B/w`: w alone decides the near test, and the vertex loop need not evaluate d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct DepthByW {
     /// A in 2⁻²⁷: ½ … 4.

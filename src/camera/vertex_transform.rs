@@ -259,7 +259,7 @@ impl VertexTransform {
         self.distance(5, &self.clip(*vertex)) < 0
     }
 
-    /// Unpacks a vertex that has a position, with its depth if `DEPTH`.
+    /// Unpacks a vertex that [is on the screen](ScreenVertex::is_on_screen); its depth is 0 without `DEPTH`.
     #[inline(always)]
     pub(crate) fn unpack<const DEPTH: bool>(&self, corner: ScreenVertex) -> UnpackedVertex {
         let ([x, y], [cx, cy], offset) = (self.screen.centre, ScreenVertex::CENTRE, corner.offset::<DEPTH>());
@@ -358,7 +358,8 @@ fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
     (scale(mul_wide(v, mantissa), shift) + i64::from(more)).clamp(-REACH, REACH) as i32
 }
 
-/// The least exponent for which the row over all justified coordinates fits 32-bit integers.
+/// The least exponent e for which the value of the row at every justified coordinate, in units of 2^e, and its coefficients fit
+/// 32-bit integers. A justified coordinate is in units of 2^unit.
 fn min_exponent(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
     let [a, b, c] = row.linear.map(i32::unsigned_abs);

@@ -54,7 +54,7 @@ impl<const CLIP_ROWS: bool> BresenhamTriangle<CLIP_ROWS> {
         Some(Self { top: top.max(scissor.top), first, end })
     }
 
-    /// Calls `draw` with the span of each row that covers a pixel.
+    /// Calls `draw` with the span of each row in which the triangle covers a pixel.
     #[inline(always)]
     pub(crate) fn each_span(self, scratch: &mut RowScratch, mut draw: impl FnMut(Span)) {
         let mut y = self.top;
@@ -199,7 +199,7 @@ fn divide(n: i32, d: i32) -> (i32, i32) {
     }
 }
 
-/// The spans of a triangle of few rows, with the scratch that stores them.
+/// The spans of a triangle of at most 31 rows, with the [`RowScratch`] that holds the ends of its rows.
 pub(crate) struct LowSpans {
     columns: RowScratch,
     /// The next row, and where its ends are stored.
@@ -220,7 +220,7 @@ impl LowSpans {
         self.next >= self.end
     }
 
-    /// The span of the next row that covers a pixel.
+    /// The span of the next row in which the triangle covers a pixel.
     pub(crate) fn span(&mut self) -> Option<Span> {
         while !self.is_empty() {
             let &[left, right] = self.columns.ends.get(self.next)?;

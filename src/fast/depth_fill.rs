@@ -24,8 +24,8 @@ pub(crate) trait DepthFill<Cell>: Copy {
     /// Sets up the gradients for a triangle.
     fn set_up(self, triangle: &DepthTriangle<'_>) -> Self::Gradients;
 
-    /// Prepares the filling of rows of `cells` and their `depths` from the row of `start` on. Called once per triangle on a
-    /// Cortex-M0, whose row ends have a [shear](RowOrigin::shear), and once per trapezoid on other cores.
+    /// Prepares to fill rows of `cells` and `depths`, whose ends are counted from `start` on. Called once per triangle on a
+    /// Cortex-M0, where the row ends have a [shear](RowOrigin::shear), and once per trapezoid on other cores.
     fn rows<'a>(
         self,
         gradients: &'a mut Self::Gradients,

@@ -20,8 +20,8 @@ pub(crate) struct Edge20 {
 impl Edge20 {
     pub(crate) const ZERO: Self = Self { value: 0, step: 0 };
 
-    /// The edge from `p` down to `q` at p's first row, which lies above q's. Columns are counted from the column that lies
-    /// `from` columns to the left of p's.
+    /// The edge from `p` down to `q`, at the [first row](crate::raster::edge::first_row) of `p`, which must lie above that of
+    /// `q`. Columns are counted from `from` columns to the left of p's [base column](crate::raster::edge::base_column).
     #[inline(always)]
     pub(crate) fn new<D: Divisor>(p: &ScreenPoint, q: &ScreenPoint, from: i32) -> Self {
         let (dx, dy) = (q.x - p.x, q.y - p.y); // |dx| < D::WIDTH, 0 < dy < D::HEIGHT
@@ -123,7 +123,7 @@ mod tests {
         assert!(within.contains(&behind), "{m} {dx} / {dy}, row {row}: {behind}");
     }
 
-    /// `less`: whether the divisor promises a value of S less one unit of the last place, not only a value below T.
+    /// Asserts that the edges of a divisor stay within a unit of [`assert_behind`] in all rows of random edges, with its `less`.
     fn assert_steps_of<D: Divisor>(less: bool) {
         let random = &mut Random(9);
         let heights = [40, 300, 4095, 4096, i64::from(D::HEIGHT) - 1];

@@ -29,7 +29,7 @@ pub(crate) trait Rows: Sized {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RowOrigin {
     pub(crate) x: i32,
-    /// The first row.
+    /// The first row that is filled, in the target's coordinates.
     pub(crate) y: i32,
     pub(crate) shear: usize,
 }

@@ -14,7 +14,8 @@ use crate::math::hints::keep_rolled;
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
 use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 
-/// Fills a triangle with the colours that `span_colors` gives for each span, unless the target's pixels do not lie in memory.
+/// Fills a triangle with the colours that `span_colors` gives for each span, if the target's pixels lie in memory; otherwise
+/// draws nothing and returns `false`.
 #[inline(always)]
 pub(crate) fn triangle<T: Target, R: Iterator<Item = T::Color>>(
     triangle: &Triangle<'_>,

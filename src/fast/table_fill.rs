@@ -106,7 +106,7 @@ impl<C: StoredPixel<Cell>, Cell> TableRows<'_, C, Cell> {
         }
     }
 
-    /// Fills a row of [`BLOCK`] pixels or more.
+    /// Fills [`BLOCK`] pixels or more of a row: `width` from index `from` in the memory, which is column `left`.
     #[inline(never)]
     fn long(&mut self, from: usize, left: i32, width: usize) {
         let steps = Steps { ..self.steps };

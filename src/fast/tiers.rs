@@ -11,11 +11,12 @@ mod with_division {
     pub(crate) use crate::fast::small_triangle::LowSpans;
     use crate::fast::small_triangle::SmallTriangle;
 
-    /// Triangles within 32 × 30 pixels inside the scissor: most triangles of a mesh.
+    /// Triangles of at most 32 × 30 pixels that lie inside the scissor: most triangles of a mesh.
     pub(crate) type Small = SmallTriangle<OneDivision, false>;
-    /// Triangles within 32 rows inside the scissor.
+    /// Triangles of at most 32 rows that lie inside the scissor.
     pub(crate) type Inside = SmallTriangle<TwoDivisions, false>;
-    /// Triangles within 32 rows between the scissor's columns.
+    /// Triangles of at most 32 rows that lie between the left and right border of the scissor, but may begin above it or end
+    /// below it.
     pub(crate) type Low = SmallTriangle<TwoDivisions, true>;
 }
 
@@ -24,10 +25,11 @@ mod without_division {
     use crate::fast::bresenham_triangle::BresenhamTriangle;
     pub(crate) use crate::fast::bresenham_triangle::LowSpans;
 
-    /// Triangles within 31 rows inside the scissor.
+    /// Triangles of at most 31 rows that lie inside the scissor.
     pub(crate) type Small = BresenhamTriangle<false>;
-    /// Triangles within 31 rows inside the scissor.
+    /// Triangles of at most 31 rows that lie inside the scissor.
     pub(crate) type Inside = BresenhamTriangle<false>;
-    /// Triangles within 31 rows between the scissor's columns.
+    /// Triangles of at most 31 rows that lie between the left and right border of the scissor, but may begin above it or end
+    /// below it.
     pub(crate) type Low = BresenhamTriangle<true>;
 }

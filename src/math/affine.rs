@@ -221,14 +221,13 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
 
     /// The inverse, `p = M⁻¹·p′`, from the cofactors.
     ///
-    /// The error relative to the inverse's largest coefficient is at most 2⁻²⁸ times the ratio
-    /// of the transform's largest stretch to its smallest; the translation, given the coefficients, is
-    /// within 2⁻³³.
+    /// The error relative to the inverse's largest coefficient is at most 2⁻²⁸ times the ratio of the transform's largest
+    /// stretch to its smallest. The translation is within 2⁻³³ of the one that the inverse's coefficients, as they are, ask for.
     ///
     /// # Errors
     ///
-    /// [`InverseError::Singular`] if the axes lie nearly in a plane: the determinant over the product of the rows' lengths is
-    /// below about 2⁻²⁴ (2⁻²⁵ … 2⁻²³).
+    /// [`InverseError::Singular`] if the rows of the linear part lie nearly in a plane: the magnitude of the determinant,
+    /// divided by the product of the rows' lengths, is below a limit between 2⁻²⁵ and 2⁻²³.
     ///
     /// ```
     /// use pinhole::{space::{Model, World}, Affine, Angle, InverseError, Point3, Scalar, Vector3};

@@ -16,7 +16,7 @@ impl Random {
         i64::from(self.bits() >> 1) % n
     }
 
-    /// A number in −n … n, for n below 2³⁰.
+    /// A pseudo-random number in −n … n, for n in 0 … 2³⁰ − 1.
     pub(crate) fn within(&mut self, n: i64) -> i32 {
         (self.below(2 * n + 1) - n) as i32
     }

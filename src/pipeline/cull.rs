@@ -14,7 +14,7 @@ pub enum Cull {
 /// Which way a face or a polygon is turned.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Facing {
-    /// Towards the viewer, or drawn whichever way it is turned.
+    /// The face is turned towards the viewer, or back faces are not culled.
     Front,
     /// Without area: it covers no pixel.
     EdgeOn,

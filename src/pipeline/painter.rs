@@ -449,7 +449,8 @@ impl<S: Shader, const FACES: usize> Recorder<'_, S, FACES> {
         statistics
     }
 
-    /// Stores the corners of a clipped face's triangle if there is room, and counts them in any case.
+    /// Stores the corners of a clipped face's triangle as three vertices of the painter, if there is room. Returns the indices
+    /// that they have, or would have: they count in any case.
     #[cold]
     #[inline(never)]
     fn own_vertices(&mut self, corners: &[ScreenPoint; 3]) -> [usize; 3] {

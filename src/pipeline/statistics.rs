@@ -40,7 +40,7 @@ impl Outcome {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Statistics {
-    /// Passed to the rasteriser.
+    /// Faces, edges or points passed to the rasteriser, whole or clipped.
     pub drawn: u32,
     /// Back faces.
     pub culled: u32,
@@ -92,9 +92,9 @@ impl Statistics {
         Self { culled: rest, ..self }
     }
 
-    /// Counts the result of clipping an edge and returns the edge's ends. `edge` is the ends on the screen and whether clipping
-    /// shortened the edge, or `None` if clipping left nothing of it. Drawn edges are not counted here, but by
-    /// [`with_the_rest_drawn`](Self::with_the_rest_drawn).
+    /// Counts an edge that clipping removed or shortened, and returns its ends on the screen. `edge`: the ends, and whether
+    /// clipping shortened the edge; `None` if nothing is left of it. [`with_the_rest_drawn`](Self::with_the_rest_drawn) counts
+    /// the drawn edges.
     #[inline(always)]
     pub(super) fn count_edge<T>(&mut self, edge: Option<(T, bool)>) -> Option<T> {
         let Some((ends, cut)) = edge else {

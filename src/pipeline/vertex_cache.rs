@@ -137,8 +137,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
 }
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
-    /// Transforms as many vertices as fit into the cache. With depth, the far plane clips even if the camera does not clip
-    /// there.
+    /// Transforms as many vertices as fit into the cache; the others are transformed when a face needs them. With `DEPTH`, for
+    /// drawing with a depth buffer, faces are clipped at the far plane even if the camera does not clip there.
     pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
         let far = DEPTH || instance.vertex_transform.clips_at_far();
         transform_all::<V, DEPTH>(&instance.vertex_transform, far, instance.mesh.vertices(), cache);
@@ -148,7 +148,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         Self::with_cache(instance, DEPTH, cache)
     }
 
-    /// A view of a cache that already holds screen vertices. `far`: the far plane clips even if the camera does not clip there.
+    /// A view of a cache that already holds screen vertices. `far`: whether faces are clipped at the far plane.
     #[inline(always)]
     pub(super) fn with_cache(
         instance: &'a MeshInstance<'_, V>,

@@ -74,7 +74,7 @@ impl AnyTriangle {
         self.row += trapezoid.rows;
     }
 
-    /// Sets up each edge whose row in `until` is reached.
+    /// Where the next row is the one in `until`, sets up the short or the long edge from there on.
     #[inline(never)]
     fn set_up_edges(&mut self) {
         let Self { row, corners: [a, b, c], until: [short_until, long_until], .. } = *self;

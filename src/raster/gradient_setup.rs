@@ -225,9 +225,10 @@ impl<'t> GradientSetup<'t> {
         Some(Slope::new(a, value as i32, right as i32, down as i32).gradient())
     }
 
-    /// Whether a triangle within 32 pixels is in the domain of [`through_tiny`](Self::through_tiny), given the values'
-    /// differences: its area is not thin, |den| ≥ 32·(E + 1), and values are less than 2¹⁹ − 4 apart, so that a quarter of a
-    /// difference is less than 2¹⁷ and 32 bits are enough.
+    /// Whether a triangle of at most 32 × 32 pixels is in the domain of [`through_tiny`](Self::through_tiny), given the
+    /// differences of the values at its corners, in their own unit. It must not be thin: |den| ≥ 32·(E + 1), with twice the
+    /// area as den and the largest difference of the corners' coordinates as E, in sub-pixels. And the values must be less than
+    /// 2¹⁹ − 4 apart: a quarter of a difference is then less than 2¹⁷, and 32 bits are enough.
     #[inline(always)]
     pub(crate) fn is_near(&self, dz1: i32, dz2: i32) -> bool {
         let bits = magnitude(dz1) | magnitude(dz2);

@@ -44,7 +44,7 @@ pub fn line<E>(
 /// Set-up of a line. It starts at its smaller end, the one with the smaller x, and has one pixel per step along its major axis;
 /// the pixels of steps `first` to `last` are drawn.
 pub(crate) struct LineSetup {
-    /// The smaller end.
+    /// The smaller end, in pixels.
     pub(crate) x: i32,
     pub(crate) y: i32,
     /// Whether the major axis is y, and whether y decreases along the line.
@@ -53,7 +53,7 @@ pub(crate) struct LineSetup {
     /// The major and the minor extent: `length` ≥ `rise` ≥ 0, both below 2¹⁶.
     pub(crate) length: i32,
     pub(crate) rise: i32,
-    /// The larger end.
+    /// The larger end, in pixels.
     pub(crate) end: (i32, i32),
     /// The steps to draw; none if `first > last`.
     pub(crate) first: i32,
@@ -136,7 +136,7 @@ fn invert(odd: i32, length: i32, rise: i32) -> i32 {
 
 /// The spans of a line inside a scissor, from its smaller end on: one per run of pixels along the major axis.
 pub(crate) struct LineSpans {
-    /// The smaller end.
+    /// The smaller end, in pixels.
     x: i32,
     y: i32,
     /// Whether the major axis is y, and whether y decreases along the line.

@@ -27,7 +27,7 @@ impl ScreenPoint {
         Some(Self { x, y })
     }
 
-    /// The point, clamped to the guard band.
+    /// The point (x, y), in sub-pixels, clamped to the guard band.
     pub(crate) fn clamped(x: i32, y: i32) -> Self {
         const LIMIT: i32 = GUARD_BAND * 256;
         Self { x: x.clamp(-LIMIT, LIMIT), y: y.clamp(-LIMIT, LIMIT) }

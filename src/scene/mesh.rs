@@ -61,19 +61,19 @@ pub enum MeshError {
     FaceIndex {
         /// The face's index.
         face: usize,
-        /// The vertex index that it uses.
+        /// The vertex index that the face uses.
         index: u16,
     },
     /// An edge uses a vertex index that is out of range.
     EdgeIndex {
         /// The edge's index.
         edge: usize,
-        /// The vertex index that it uses.
+        /// The vertex index that the edge uses.
         index: u16,
     },
     /// An edge lacks its pair of adjacent faces, or a face index is neither in range nor [`Mesh::NO_FACE`](Mesh::NO_FACE).
     EdgeFaces {
-        /// The edge's index or, if the lists differ in length, the length of the given list.
+        /// The edge's index or, if there is not one pair of faces per edge, the number of pairs.
         edge: usize,
     },
     /// The number of face normals differs from the number of faces.
@@ -97,7 +97,7 @@ pub enum MeshError {
         /// How many normals were given.
         normals: usize,
     },
-    /// The exponent is not −32 … 15: choose another unit.
+    /// The exponent of the vertices' unit is outside of −32 … 15: choose another unit.
     Exponent {
         /// The given exponent.
         exponent: i8,
@@ -141,7 +141,8 @@ impl core::error::Error for MeshError {}
 /// meshes, at run time for large ones: time grows with edges × (edges + faces). Faces from index 65535 on are ignored, as a
 /// `u16` cannot address them.
 ///
-/// An edge of more than two faces is listed once for every two of them: each occurrence gets the next two faces.
+/// An edge between more than two faces must occur in `edges` once for every two of them, three faces twice: the first
+/// occurrence gets the first two faces, the second one the next.
 ///
 /// ```
 /// use pinhole::{edge_faces, Mesh};
@@ -189,7 +190,8 @@ const fn faces_beside([p, q]: [u16; 2], faces: &[[u16; 3]], mut skip: usize) -> 
     [first, second]
 }
 
-/// Checks the number of vertices and the faces' indices. Written without iterators, which a `const fn` cannot use.
+/// Checks that there are at most 65536 vertices and that all faces use indices of these. Written without iterators, which a
+/// `const fn` cannot use.
 const fn check_indices(vertices: usize, faces: &[[u16; 3]]) -> Result<(), MeshError> {
     if vertices > 65_536 {
         return Err(MeshError::TooManyVertices { vertices });

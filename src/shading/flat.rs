@@ -19,7 +19,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 pub struct Flat(pub(super) [u16; 3]);
 
 impl Flat {
-    /// `colour` times `level`/256, exact; levels above 256 count as 256.
+    /// `color` times `level`/256, exact with its 8 fractional bits; levels above 256 count as 256.
     pub fn lit(color: Rgb888, level: u16) -> Self {
         // ≤ 255·256.
         Self([color.r(), color.g(), color.b()].map(|channel| u16::from(channel) * level.min(256)))

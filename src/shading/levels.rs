@@ -48,7 +48,7 @@ pub(super) fn weighted_mean(values: [i32; 3], weights: [i32; 3], full: i32) -> i
     ((sum + (1 << 29)) >> 30).clamp(0, full.into()) as i32
 }
 
-/// A level from [`levels`], aligned to the top of 32 bits: with all [`fraction_bits`].
+/// A level from [`levels`] with 8 fractional bits more, [`fraction_bits`] in all: the integer part takes the upper bits.
 #[inline(always)]
 pub(super) fn align(level: i32) -> u32 {
     (level as u32) << 8 // < 2²⁴ and not negative

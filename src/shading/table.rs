@@ -56,7 +56,7 @@ impl<C> ShadeTable<C> {
         &self.0
     }
 
-    /// The shader of a face with this light at each corner, 0 … 256 (more counts as 256).
+    /// The shader of a face with a level of light at each corner: 0 … 256 (more counts as 256).
     #[inline(always)]
     pub fn lit(&self, mut levels: [u16; 3]) -> TableShader<'_, C> {
         let [a, b, c] = levels;

@@ -208,8 +208,8 @@ impl<'a> DepthBuffer<'a> {
 #[derive(Debug)]
 pub(crate) struct DepthTarget<'d, 'b> {
     pub(crate) buffer: &'d mut DepthBuffer<'b>,
-    /// Whether the depth of a pixel has the index of the pixel's cell in the target's memory: both begin with the same pixel
-    /// and have rows of the same width. Either may have more rows.
+    /// Whether a pixel has the same index in the depth buffer as in the target's memory: the two begin with the same pixel and
+    /// have rows of the same width. Either may have more rows.
     pub(crate) is_aligned: bool,
 }
 

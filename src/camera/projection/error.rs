@@ -8,8 +8,8 @@ pub enum ProjectionError {
     FieldOfView,
     /// The aspect ratio has a width or height of zero: pass the viewport's size, or a ratio such as 4 × 3.
     EmptyAspect,
-    /// The near plane of a perspective is not in front of the centre of projection: near must be > 0, front nearer to the view
-    /// plane than the PRP.
+    /// The near plane of a perspective is not in front of the centre of projection. `near` must be > 0; the front plane of a
+    /// reference volume must lie on the view plane's side of the projection reference point.
     NearNotPositive,
     /// The far plane is not beyond the near plane, or the back plane not behind the front plane.
     NearNotBeforeFar,

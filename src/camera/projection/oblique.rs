@@ -12,11 +12,10 @@ impl Projection {
     ///     x_p = x − factor·cos(angle)·z,   y_p = y − factor·sin(angle)·z
     /// ```
     ///
-    /// A factor of 1 is the **cavalier** projection, ½ the **cabinet** projection, 0 the
-    /// orthographic one. Coefficients of x and y are within 2⁻²⁹·(1 + |factor|) of the row's largest.
-    /// Usual angles are 30° and 45°. The window lies in the plane z = 0; near
-    /// and far are distances along −z and may be negative.
-    /// (Foley et al., *Computer Graphics*, 2nd ed., section 6.1.2.)
+    /// A factor of 1 is the **cavalier** projection, ½ the **cabinet** projection, 0 the orthographic one. Usual angles are 30°
+    /// and 45°. The coefficients of the rows x and y have an error of at most 2⁻²⁹·(1 + |factor|) times the row's largest
+    /// coefficient. The window lies in the plane z = 0; near and far are distances along −z and may be negative. (Foley et al.,
+    /// *Computer Graphics*, 2nd ed., section 6.1.2.)
     ///
     /// ```
     /// use pinhole::{Angle, Projection, ProjectionError, Scalar, Window};

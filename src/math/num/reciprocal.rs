@@ -24,7 +24,7 @@ const RECIPROCAL: [u8; 256] = [
     8, 7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0,
 ];
 
-/// A positive number's reciprocal: `1/v = mantissa · 2^(shift − 61)`.
+/// The reciprocal of a positive integer v: `1/v ≈ mantissa · 2^(shift − 61)`, with the error of the function that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Reciprocal {
     /// 2³⁰ … 2³¹ − 1.

@@ -10,7 +10,7 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// The rectangle between these borders; `None` when it would be empty.
+    /// The cells of columns `left..right` and rows `top..bottom`; `None` if there is none.
     pub(super) fn new(left: u16, top: u16, right: u16, bottom: u16) -> Option<Self> {
         (left < right && top < bottom).then_some(Self { left, top, right, bottom })
     }

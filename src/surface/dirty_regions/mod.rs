@@ -172,12 +172,13 @@ impl<const N: usize> DirtyRegions<N> {
         self.all = true;
     }
 
-    /// Ends the frame and returns the dirty rectangles: they contain all marks of the last frame and of this one. They are in
-    /// order from top to bottom, and from left to right where they begin in one row. All lie in the area; none is empty.
+    /// Ends the frame and returns the dirty rectangles: they contain all [marked](Self::mark) rectangles of the frame before
+    /// and of the one that ends. They are in order from top to bottom, and from left to right where they begin in the same row.
+    /// All lie in the area that the regions were made for; none is empty.
     ///
-    /// They take no more bytes to send than one rectangle around all marks and, if the marks of two frames are at most `N`, no
-    /// more than all marks separately. They overlap only where cutting the overlap out would take more bytes of commands than
-    /// it saves, or when the list of `N` rectangles is full.
+    /// They take no more bytes to send than one rectangle around all marked ones and, if the two frames have at most `N` marked
+    /// rectangles together, no more than these one by one. They overlap only where cutting the overlap out would take more bytes
+    /// of commands than it saves, or when the list of `N` rectangles is full.
     #[inline(never)] // its lists are gone when it returns
     pub fn take(&mut self) -> Vec<Rectangle, N> {
         let bytes = self.transfer_bytes();
