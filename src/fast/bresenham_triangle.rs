@@ -30,7 +30,7 @@ use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Triangl
 pub(crate) struct BresenhamTriangle<const CLIP_ROWS: bool> {
     /// The first row.
     top: i32,
-    /// Where the ends of the first row and of the row below the last one are stored.
+    /// The entries of the [`RowScratch`] that hold the ends of the rows: the first one, and the one after the last.
     first: usize,
     end: usize,
 }

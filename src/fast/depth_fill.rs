@@ -45,8 +45,8 @@ pub(crate) trait RowFill {
     fn row(&mut self, start: usize, left: i32, right: i32);
 }
 
-/// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory, and the depth buffer is laid
-/// out as they are.
+/// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,

@@ -9,7 +9,8 @@
 use crate::raster::edge::{distances_to_centre, numerator, EdgeWalker};
 use crate::raster::ScreenPoint;
 
-/// An edge in 12.20. The value wraps in rows that the edge does not meet.
+/// An edge: the column at which it crosses a row of pixel centres, and the change from row to row, in 12.20. The value wraps in
+/// rows that the edge does not meet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Edge20 {
     value: i32,
@@ -45,18 +46,19 @@ impl EdgeWalker for Edge20 {
     }
 }
 
-/// Computes the value and step of an [`Edge20`], rounded down far enough (`raster/edge.rs`).
+/// Computes the value and step of an [`Edge20`], rounded down far enough: `raster/edge.rs` says how far, and what S and T are.
 pub(crate) trait Divisor {
     /// The corners of a triangle are less than this far apart, in sub-pixels.
     const WIDTH: i32;
     const HEIGHT: i32;
 
-    /// The value and the step of an edge: m / dy less at least one unit, where `first` is xr and yr, and dx / dy. An edge that
-    /// meets no row of pixel centres may have dy ≤ 0; its result is not used.
+    /// The value and the step of an edge: m / dy less at least one unit of the last place, and dx / dy. m is the
+    /// [`numerator`](crate::raster::edge::numerator) for `first`, the [distances](distances_to_centre) of the upper end to a
+    /// pixel centre. An edge that meets no row of pixel centres may have dy ≤ 0; its result is not used.
     fn divide(first: (i32, i32), dx: i32, dy: i32) -> (i32, i32);
 }
 
-/// One 32-bit division for the value and one for the step, for triangles within 32 × 30 pixels.
+/// One 32-bit division for the value and one for the step, for triangles of at most 32 × 30 pixels.
 ///
 /// The value is `m/dy` in 2⁻¹⁷, truncated, less one unit: below `m/dy` by less than two units. The step is rounded
 /// down to a multiple of 2⁻¹⁸. So the edge falls behind T by less than 2⁻¹⁶ at first and 2⁻¹⁸ in each of the
@@ -81,7 +83,7 @@ impl Divisor for OneDivision {
     }
 }
 
-/// Two 32-bit divisions for the value and two for the step, whole pixels first, for triangles within 2040 × 32 pixels:
+/// Two 32-bit divisions for the value and two for the step, whole pixels first, for triangles of at most 2040 × 32 pixels:
 /// |n| ≤ 2¹⁹. Value and step are rounded down to multiples of 2⁻¹⁸: S falls behind T by at most 2⁻¹⁸ at first and in each of
 /// the 31 rows that may follow, 2⁻¹³ in all, which is less than 1/dy.
 pub(crate) struct TwoDivisions;

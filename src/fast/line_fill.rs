@@ -18,7 +18,8 @@ use crate::surface::block_fill::{fill_pairs, pair};
 use crate::surface::{StoredPixel, Target};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// Draws a line, unless the target's pixels do not lie in memory. The scissor lies in the target.
+/// Draws a line inside the scissor, which lies in the target, if the target's pixels lie in memory; otherwise draws nothing and
+/// returns `false`.
 #[inline(always)]
 pub(crate) fn line_into_memory<T: Target>(
     from: Pixel,
@@ -195,7 +196,8 @@ fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32,
     }
 }
 
-/// Draws a line that runs more down or up than to the right. `first` is the step of the first pixel.
+/// Draws a line that runs more down or up than to the right. `first` is the number of rows between the start of the line and its
+/// first pixel in the scissor.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))] // a Cortex-M0 has registers for a loop, not for the rest
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
 fn steep<Cell: Copy>(
@@ -223,7 +225,7 @@ fn steep<Cell: Copy>(
     }
 }
 
-/// A number in 32.32.
+/// The number `integer` + `fraction`·2⁻³², in 32.32.
 #[inline(always)]
 fn fixed(integer: usize, fraction: u32) -> u64 {
     (integer as u64) << 32 | u64::from(fraction)

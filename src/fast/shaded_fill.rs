@@ -45,8 +45,8 @@ fn fill<S: PixelStore, R: Iterator<Item = S::Cell>>(
     });
 }
 
-/// [`triangle`] for the pixels that are nearer than the depth buffer; declines where the rows of the depth buffer are not laid
-/// out like those of the memory.
+/// [`triangle`] for the pixels that are nearer than the depth buffer; declines too if the depth buffer does not
+/// [have the layout of the memory](DepthTarget::is_aligned).
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target, R: Iterator<Item = T::Color>>(
     triangle: &DepthTriangle<'_>,

@@ -17,7 +17,7 @@ use crate::raster::triangle::sort_by_y;
 use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Trapezoid, Triangle};
 use core::marker::PhantomData;
 
-/// A triangle of few rows as two trapezoids, above and below its middle corner. Set-up is short enough to be inlined into
+/// A triangle of at most 32 rows as two trapezoids, above and below its middle corner. Set-up is short enough to be inlined into
 /// the loops that fill memory. `CLIP_ROWS`: rows may lie above and below the scissor.
 pub(crate) struct SmallTriangle<D, const CLIP_ROWS: bool> {
     /// The corners from top to bottom: the ends of the two short edges. After the upper trapezoid the two lower corners.
@@ -25,7 +25,7 @@ pub(crate) struct SmallTriangle<D, const CLIP_ROWS: bool> {
     /// The next row, and the edge from the top to the bottom corner in that row.
     row: i32,
     long: Edge20,
-    /// The column that edges count from.
+    /// The column that the columns of edges are counted from.
     column: i32,
     middle_is_left: bool,
     /// The scissor's rows, for `CLIP_ROWS`.
@@ -140,7 +140,7 @@ impl<D: Divisor, const CLIP_ROWS: bool> Rows for SmallTriangle<D, CLIP_ROWS> {
     }
 }
 
-/// The spans of a triangle of few rows: the rest of the upper trapezoid, and the lower one.
+/// The spans of a triangle of at most 32 rows: the rest of the upper trapezoid, and the lower one.
 pub(crate) struct LowSpans([Trapezoid<Edge20>; 2]);
 
 const NO_ROWS: Trapezoid<Edge20> = Trapezoid { x: 0, y: 0, rows: 0, edges: [Edge20::ZERO; 2] };
@@ -161,7 +161,7 @@ impl LowSpans {
         trapezoids.iter().all(|trapezoid| trapezoid.rows <= 0)
     }
 
-    /// The span of the next row that covers a pixel.
+    /// The span of the next row in which the triangle covers a pixel.
     #[inline(always)]
     pub(crate) fn span(&mut self) -> Option<Span> {
         let Self([upper, lower]) = self;

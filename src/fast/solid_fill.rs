@@ -14,7 +14,7 @@ use crate::raster::{AnyTriangle, PixelLayout, Scissor, ScreenPoint, Trapezoid, T
 use crate::surface::block_fill::{fill_pairs, LONG};
 use crate::surface::{PixelRows, PixelStore, StoredPixel, Target};
 
-/// Fills a triangle, unless the target's pixels do not lie in memory.
+/// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`.
 #[inline(always)]
 pub(crate) fn triangle<T: Target>(
     triangle: &Triangle<'_>,

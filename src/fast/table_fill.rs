@@ -15,8 +15,8 @@ use crate::shading::TableShader;
 use crate::surface::{DepthTarget, StoredPixel, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
-/// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory, and the depth buffer is laid
-/// out as they are.
+/// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,

@@ -51,7 +51,7 @@ pub(crate) fn depth_and_light_gradients(
     gradients
 }
 
-/// [`GradientSetup::through_tiny`] in 32 bits, for set-up of a triangle within 32 pixels.
+/// [`GradientSetup::through_tiny`] in 32 bits, for set-up of a triangle of at most 32 × 32 pixels.
 #[inline(always)]
 fn through_tiny(setup: &GradientSetup<'_>, values: &[i32; 3]) -> Option<Gradient> {
     let (dz1, dz2) = differences(values);

@@ -117,7 +117,7 @@ impl<'t, C> TableShader<'t, C> {
 }
 
 impl<C: PixelColor> TableShader<'_, C> {
-    /// The colour for a value of [`Gradient::of_light`].
+    /// The colour for a value of [`Gradient::of_light`](crate::raster::Gradient::of_light).
     #[inline(always)]
     pub(crate) fn look_up(colors: &[C; 256], light: u32) -> C {
         let [index, ..] = light.to_be_bytes();
