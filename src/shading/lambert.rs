@@ -146,3 +146,33 @@ fn is_conformal([x, y, z]: &[[i32; 3]; 3]) -> bool {
         && near(dot(x, z), 0)
         && near(dot(y, z), 0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rotations_of_any_size_are_conformal_and_stretch_and_shear_are_not() {
+        const ONE: i32 = 1 << 29;
+        for one in [ONE, ONE / 3, 1 << 12] {
+            let turned = [[0, one, 0], [0, 0, one], [one, 0, 0]];
+            assert!(is_conformal(&turned));
+            // 3-4-5.
+            assert!(is_conformal(&[
+                [one / 5 * 3, one / 5 * 4, 0],
+                [-(one / 5 * 4), one / 5 * 3, 0],
+                [0, 0, one / 5 * 5]
+            ]));
+            for i in 0..3 {
+                // Row i has its number in column i + 1. Stretch by 2⁻¹² changes squares by 2⁻¹¹, by 2⁻⁹ by 2⁻⁸.
+                for (part, conformal) in [(one >> 12, true), (one >> 9, false), (-(one >> 9), false)] {
+                    let (mut stretched, mut sheared) = (turned, turned);
+                    stretched[i][(i + 1) % 3] += part;
+                    sheared[i][i] += part;
+                    assert_eq!(is_conformal(&stretched), conformal, "{stretched:?}");
+                    assert_eq!(is_conformal(&sheared), conformal, "{sheared:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,5 +1,5 @@
 //! Meshes drawn by every pipeline: solid, depth-tested, in painter's order, as wireframes and in bands; culled, clipped and
-//! seen from inside.
+//! seen from inside; and the messages of all errors.
 
 mod bands;
 mod clipped_faces;
@@ -8,6 +8,7 @@ mod documented_ranges;
 mod drawing;
 mod hidden_lines;
 mod inside_a_mesh;
+mod messages;
 mod no_panic;
 mod nothing_outside;
 mod painter;
