@@ -10,8 +10,7 @@
 
 use super::edge20::{Divisor, Edge20, TwoDivisions};
 use super::rows::{RowOrigin, Rows};
-use crate::math::hints::keep_rolled;
-use crate::math::hints::opaque;
+use crate::math::hints::{keep_rolled, opaque};
 use crate::raster::edge::{base_column, first_row};
 use crate::raster::triangle::sort_by_y;
 use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Trapezoid, Triangle};

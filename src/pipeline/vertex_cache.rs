@@ -5,8 +5,7 @@
 
 use super::instance::MeshInstance;
 use crate::camera::{ScreenVertex, UnpackedVertex, VertexTransform};
-use crate::math::hints::keep_rolled;
-use crate::math::hints::opaque;
+use crate::math::hints::{keep_rolled, opaque};
 use crate::math::Coordinate;
 use crate::raster::{self, ScreenPoint};
 
