@@ -98,10 +98,7 @@ fn shapes() -> Result<String> {
         let (k, vertices) = quantised(&vertices)?;
         let normals = normals(&vertices, &faces);
         let planes = planes(&vertices, k, &faces, &normals)?;
-        // Each edge once.
-        let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let edges: std::collections::BTreeSet<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-        let edges: Vec<_> = edges.into_iter().collect();
+        let edges = edges_of(&faces);
         writeln!(
             text,
             "pub(super) static {name}: Shape = Shape {{ exponent: -{k}, vertices: &{vertices:?}, faces: &{faces:?},"
@@ -111,18 +108,28 @@ fn shapes() -> Result<String> {
     Ok(text)
 }
 
-/// The torus's normals at its vertices, and what is 2D.
+/// Each edge once.
+fn edges_of(faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
+    let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let edges: std::collections::BTreeSet<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.into_iter().collect()
+}
+
+/// The torus's normals at its vertices and its edges, and what is 2D.
 fn lists(scenes: &Value) -> Result<String> {
     let normals = list(&scenes["models"]["torus"]["vertices"], triple)?.into_iter().map(torus_normal);
     let normals: Vec<[i16; 3]> = normals.map(|normal| normal.map(unit)).collect::<Result<_>>()?;
+    let edges = edges_of(&list(&scenes["models"]["torus"]["faces"], indices::<3>)?);
     let lines = list(&scenes["lines"], integers::<4>)?;
     let triangles = list(&scenes["tris2d"], integers::<7>)?;
     let corners: Vec<_> = triangles.iter().map(|t| &t[..6]).collect();
     let colours: Vec<_> = triangles.iter().map(|t| t[6]).collect();
     let screen = integers::<6>(&scenes["full_screen_triangle"])?;
-    let (normal_count, line_count, triangle_count) = (normals.len(), lines.len(), triangles.len());
+    let [normal_count, edge_count, line_count, triangle_count] =
+        [normals.len(), edges.len(), lines.len(), triangles.len()];
     Ok(format!(
         "pub static TORUS_NORMALS: [[i16; 3]; {normal_count}] = {normals:?};\n\
+         pub static TORUS_EDGES: [[u16; 2]; {edge_count}] = {edges:?};\n\
          pub static LINES: [[i16; 4]; {line_count}] = {lines:?};\n\
          pub static TRIANGLES: [[i16; 6]; {triangle_count}] = {corners:?};\n\
          pub static COLOURS: [u16; {triangle_count}] = {colours:?};\n\

@@ -1,16 +1,38 @@
 //! The cells of the table: each scene on each core, from a firmware of its own, and whether its picture is the host's.
 
 use crate::core::{Core, CORES};
+use crate::cross::Build;
 use crate::side_by_side::side_by_side;
 use crate::{elf, Result};
-use bench::cells::{Known, CELLS, NO_PLANES};
+use bench::cells::{Known, CELLS, NO_PLANES, USER_CELLS};
 use std::collections::BTreeMap;
 use std::fmt;
+
+/// Opt-levels: for speed, and for size. The name of a variant at the latter ends with [`SMALL_SUFFIX`].
+pub(crate) const FAST: &str = "3";
+pub(crate) const SMALL: &str = "s";
+const SMALL_SUFFIX: &str = "-s";
+
+/// The cells that are measured at opt-level s too where no variant is named: one for each way to draw.
+const MAIN: [(&str, &str); 10] = [
+    ("S1", "plain"),
+    ("S2", "z"),
+    ("S3", "plain"),
+    ("S3", "z"),
+    ("S6", "dt"),
+    ("S8", "z"),
+    ("C1", "plain"),
+    ("C1", "z"),
+    ("T1", "plain"),
+    ("F50", "z"),
+];
 
 /// One line of the table.
 pub(crate) struct Cell {
     pub(crate) scene: &'static str,
     pub(crate) variant: &'static str,
+    /// [`FAST`] or [`SMALL`].
+    pub(crate) level: &'static str,
     pub(crate) core: Core,
     pub(crate) instructions: u64,
     /// In bytes: code and constants, more than a firmware has that draws nothing.
@@ -24,50 +46,73 @@ pub(crate) struct Cell {
 
 impl fmt::Display for Cell {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { scene, variant, core, instructions, flash, ram, stack, crc } = self;
-        let core = core.name;
+        let Self { scene, variant, level, core, instructions, flash, ram, stack, crc } = self;
+        let (variant, core) = (named(variant, level), core.name);
         write!(f, "{scene},{variant},{core},{instructions},{flash},{ram},{stack},{crc:08x}")
     }
 }
 
-/// The scenes, variants and cores that the command line names. A kind of which it names none is not limited.
+fn all() -> impl Iterator<Item = &'static Known> {
+    CELLS.iter().chain(USER_CELLS)
+}
+
+/// A variant at an opt-level.
+fn named(variant: &str, level: &str) -> String {
+    match level {
+        SMALL => format!("{variant}{SMALL_SUFFIX}"),
+        _ => variant.into(),
+    }
+}
+
+/// The scenes, variants and cores that the command line names. A kind of which it names none is not limited, but that
+/// only the [`MAIN`] cells are measured at opt-level s.
 #[derive(Default)]
 pub(crate) struct Choice {
-    names: Vec<String>,
+    scenes: Vec<String>,
+    variants: Vec<String>,
+    cores: Vec<String>,
 }
 
 impl Choice {
     /// `Err` lists the known names, if one of `names` is unknown.
     pub(crate) fn new(names: Vec<String>) -> Result<Self> {
-        let known = |name: &&String| Self::all().iter().flatten().any(|known| known == *name);
-        match names.iter().find(|name| !known(name)) {
-            Some(name) => {
-                Err(format!("no scene, variant or core is called {name}: {:?}", Self::all()).into())
-            }
-            None => Ok(Self { names }),
-        }
-    }
-
-    fn all() -> [Vec<&'static str>; 3] {
-        let unique = |mut names: Vec<&'static str>| {
+        let unique = |name: fn(&Known) -> &'static str| {
+            let mut names: Vec<&str> = all().map(name).collect();
             names.sort();
             names.dedup();
             names
         };
-        [
-            unique(CELLS.iter().map(|cell| cell.0).collect()),
-            unique(CELLS.iter().map(|cell| cell.1).collect()),
-            CORES.map(|core| core.name).to_vec(),
-        ]
+        let (scenes, variants) = (unique(|cell| cell.0), unique(|cell| cell.1));
+        let cores = CORES.map(|core| core.name);
+        let mut choice = Self::default();
+        for name in names {
+            let variant = name.strip_suffix(SMALL_SUFFIX).unwrap_or(&name);
+            if scenes.contains(&name.as_str()) {
+                choice.scenes.push(name);
+            } else if cores.contains(&name.as_str()) {
+                choice.cores.push(name);
+            } else if variants.contains(&variant) {
+                choice.variants.push(name);
+            } else {
+                return Err(format!(
+                    "no scene, variant or core is called {name}: {scenes:?}, {variants:?} and with {SMALL_SUFFIX}, {cores:?}"
+                )
+                .into());
+            }
+        }
+        Ok(choice)
     }
 
-    fn has(&self, name: &str) -> bool {
-        let all = Self::all();
-        let kind = all.iter().find(|kind| kind.contains(&name));
-        let mut asked =
-            self.names.iter().filter(|asked| kind.is_some_and(|kind| kind.contains(&asked.as_str())));
-        let mut asked = asked.by_ref().peekable();
-        asked.peek().is_none() || asked.any(|asked| asked == name)
+    fn has(&self, scene: &str, variant: &str, level: &'static str) -> bool {
+        (self.scenes.is_empty() || self.scenes.iter().any(|name| name == scene))
+            && match self.variants.is_empty() {
+                true => level == FAST || MAIN.contains(&(scene, variant)),
+                false => self.variants.contains(&named(variant, level)),
+            }
+    }
+
+    fn has_core(&self, core: Core) -> bool {
+        self.cores.is_empty() || self.cores.iter().any(|name| name == core.name)
     }
 }
 
@@ -77,20 +122,19 @@ pub(crate) fn bin(scene: &str, variant: &str) -> String {
     if variant == "plain" {
         format!("cell_{scene}")
     } else {
-        format!("cell_{scene}_{variant}")
+        format!("cell_{scene}_{}", variant.replace('-', "_"))
     }
 }
 
 /// Measures the chosen cells, core by core, and hands each to `each`.
 pub(crate) fn measure(choice: &Choice, failures: &mut Vec<String>, mut each: impl FnMut(Cell)) -> Result<()> {
-    let chosen: Vec<Known> = CELLS
-        .iter()
-        .copied()
-        .filter(|(scene, variant, _)| choice.has(scene) && choice.has(variant))
-        .collect();
     let mut pictures = Pictures::new();
-    for core in CORES.into_iter().filter(|core| choice.has(core.name)) {
-        on(core, &chosen, bin, &mut pictures, failures)?.into_iter().for_each(&mut each);
+    for core in CORES.into_iter().filter(|&core| choice.has_core(core)) {
+        for level in [FAST, SMALL] {
+            let chosen = |(scene, variant, _): &Known| choice.has(scene, variant, level);
+            let chosen: Vec<Known> = all().copied().filter(chosen).collect();
+            on(core, level, &chosen, bin, &mut pictures, failures)?.into_iter().for_each(&mut each);
+        }
     }
     Ok(())
 }
@@ -101,7 +145,7 @@ pub(crate) fn measure_without_planes(failures: &mut Vec<String>) -> Result<Vec<C
     let no_planes = |scene: &str, variant: &str| bin(scene, variant) + "_no_planes";
     let (mut pictures, mut cells) = (Pictures::new(), Vec::new());
     for core in CORES.into_iter().filter(|core| core.name != "RV32") {
-        cells.extend(on(core, NO_PLANES, no_planes, &mut pictures, failures)?);
+        cells.extend(on(core, FAST, NO_PLANES, no_planes, &mut pictures, failures)?);
     }
     cells.iter().for_each(|cell| eprintln!("without planes: {cell}"));
     Ok(cells)
@@ -110,18 +154,23 @@ pub(crate) fn measure_without_planes(failures: &mut Vec<String>) -> Result<Vec<C
 /// Checksums of the host's pictures, by scene and variant.
 type Pictures = BTreeMap<(&'static str, &'static str), Option<u32>>;
 
-/// Builds and runs `these` cells on one core.
+/// Builds and runs `these` cells on one core, at one opt-level.
 fn on(
     core: Core,
+    level: &'static str,
     these: &[Known],
     bin: fn(&str, &str) -> String,
     pictures: &mut Pictures,
     failures: &mut Vec<String>,
 ) -> Result<Vec<Cell>> {
+    if these.is_empty() {
+        return Ok(Vec::new());
+    }
+    let build = Build { level, ..core.build() };
     let bins = these.iter().map(|(scene, variant, _)| bin(scene, variant)).chain(["cell_empty".into()]);
-    core.build().cargo("build", &bins.map(|bin| format!("--bin={bin}")).collect::<Vec<_>>())?;
-    let empty = elf::sizes(&core.build().image("cell_empty"))?.flash;
-    let image = |scene, variant| core.build().image(&bin(scene, variant));
+    build.cargo("build", &bins.map(|bin| format!("--bin={bin}")).collect::<Vec<_>>())?;
+    let empty = elf::sizes(&build.image("cell_empty"))?.flash;
+    let image = |scene, variant| build.image(&bin(scene, variant));
     let printed = side_by_side(these, |(scene, variant, _)| core.run(&image(scene, variant)))?;
     let mut cells = Vec::new();
     for (&(scene, variant, on_host), printed) in these.iter().zip(printed) {
@@ -133,6 +182,7 @@ fn on(
         let cell = Cell {
             scene,
             variant,
+            level,
             core,
             instructions: instructions.parse()?,
             flash: flash.saturating_sub(empty),

@@ -7,7 +7,7 @@ use crate::{cross, targets, Result};
 use std::fmt::Write;
 
 const BASELINE: &str = "tools/bench/baseline.txt";
-const GUARDED: [&str; 5] = ["S1", "S2", "S3", "M0", "M3"];
+const GUARDED: [&str; 7] = ["S1", "S2", "S3", "plain", "z", "M0", "M3"];
 /// Percent that a cell may take more.
 const MORE: f64 = 2.0;
 

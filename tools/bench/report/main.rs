@@ -43,7 +43,7 @@ const M3: &str = "thumbv7m-none-eabi";
 const USAGE: &str = "\
 tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footprint ...]
 tools/bench/run guard [--rebase]
-tools/bench/run cells [S1 ... S8] [plain | z] [M0 | M3 | M4F | RV32]
+tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run floats IMAGE...";
 
 /// The task that the command line names.

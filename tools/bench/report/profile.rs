@@ -7,6 +7,7 @@ use crate::provenance::{self, Frame};
 use crate::side_by_side::side_by_side;
 use crate::stages::{Stage, STAGES};
 use crate::{cross, elf, trace, Result};
+use bench::cells::CELLS;
 use std::path::Path;
 
 /// A cell, and its instructions by [`STAGES`].
@@ -36,9 +37,10 @@ impl Profile {
 
 /// Of all cells on the cores that have targets.
 pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Profile>> {
-    let cores = ["M0", "M3", "M4F"].map(String::from).to_vec();
+    let mut names: Vec<String> = ["plain", "z", "M0", "M3", "M4F"].map(String::from).to_vec();
+    names.extend(CELLS.iter().map(|cell| cell.0.to_string()));
     let mut cells = Vec::new();
-    cells::measure(&Choice::new(cores)?, failures, |cell| cells.push(cell))?;
+    cells::measure(&Choice::new(names)?, failures, |cell| cells.push(cell))?;
     let stages = side_by_side(&cells, |cell| {
         stages(cell.core, &cell.core.build().image(&cells::bin(cell.scene, cell.variant)))
     })?;

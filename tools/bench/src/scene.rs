@@ -121,7 +121,7 @@ fn turned(axes: [[i32; 3]; 3]) -> Affine<ModelSpace, World> {
 
 /// Of an eye that looks at the origin, in 2⁻¹⁶. In a function of its own: what it is made of is off the stack when it returns.
 #[inline(never)]
-fn camera(eye: [i32; 3], size: Size) -> Option<Camera> {
+pub(crate) fn camera(eye: [i32; 3], size: Size) -> Option<Camera> {
     let [x, y, z] = eye.map(Scalar::from_bits);
     let (origin, up) = (Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     let viewing = ViewTransform::look_at(Point3::new(x, y, z), origin, up).ok()?;

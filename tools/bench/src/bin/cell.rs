@@ -1,6 +1,7 @@
 //! The cells of `docs/speed.md`, a firmware each: the name of the image that is built chooses one of the list.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::cells::{self, Counted, Deep, Frame, Plain, Smooth, CUBE, ICO, TORUS};
+use bench::cells::{Strip16, Strip16Deep, Strip8, Strip8Deep};
 use bench::position;
 
 /// A firmware of the list, by its number there.
@@ -48,6 +49,42 @@ cells! {
     // S8: the torus, smooth, with depth.
     "cell_s8_z": Smooth<TORUS>, cells::s8_z;
     "cell_s8_z_no_planes": Smooth<TORUS>, cells::s8_z_no_planes;
+    // S3's edges.
+    "cell_s3_wire": Plain<TORUS>, cells::s3_wire;
+    // C1 and C2: the torus from near by.
+    "cell_c1": Plain<TORUS>, cells::c1;
+    "cell_c1_z": Deep<TORUS>, cells::c1_z;
+    "cell_c1_wire": Plain<TORUS>, cells::c1_wire;
+    "cell_c1_planes": Plain<TORUS>, cells::c1_planes;
+    "cell_c1_planes_z": Deep<TORUS>, cells::c1_planes_z;
+    "cell_c2": Plain<TORUS>, cells::c2;
+    "cell_c2_z": Deep<TORUS>, cells::c2_z;
+    "cell_c2_wire": Plain<TORUS>, cells::c2_wire;
+    "cell_c2_planes": Plain<TORUS>, cells::c2_planes;
+    "cell_c2_planes_z": Deep<TORUS>, cells::c2_planes_z;
+    // T1: the turning cube. F50: fifty cubes before a moving camera.
+    "cell_t1": Plain<CUBE>, cells::t1;
+    "cell_f50": Plain<CUBE>, cells::f50;
+    "cell_f50_z": Deep<CUBE>, cells::f50_z;
+    "cell_f50_wire": Plain<CUBE>, cells::f50_wire;
+    // Into a DrawTarget of the firmware's own.
+    "cell_s1_dt": Plain<CUBE>, cells::s1_dt;
+    "cell_s2_dt": Plain<CUBE>, cells::s2_dt;
+    "cell_s2_dt_z": Deep<CUBE>, cells::s2_dt_z;
+    "cell_s3_dt": Plain<TORUS>, cells::s3_dt;
+    "cell_s3_dt_z": Deep<TORUS>, cells::s3_dt_z;
+    "cell_s3_dt_wire": Plain<TORUS>, cells::s3_dt_wire;
+    "cell_s5_dt": Frame, cells::s5_dt;
+    "cell_s6_dt": Frame, cells::s6_dt;
+    "cell_s7_dt": Frame, cells::s7_dt;
+    "cell_s8_dt_z": Smooth<TORUS>, cells::s8_dt_z;
+    // S3 in one piece with the clear of the picture, and in bands.
+    "cell_s3_full": Plain<TORUS>, cells::s3_full;
+    "cell_s3_full_z": Deep<TORUS>, cells::s3_full_z;
+    "cell_s3_bands8": Strip8, cells::s3_bands;
+    "cell_s3_bands8_z": Strip8Deep, cells::s3_bands_z;
+    "cell_s3_bands16": Strip16, cells::s3_bands;
+    "cell_s3_bands16_z": Strip16Deep, cells::s3_bands_z;
 }
 
 type Chosen = Image<{ position(env!("CARGO_BIN_NAME"), NAMES) }>;

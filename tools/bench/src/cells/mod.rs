@@ -1,14 +1,26 @@
 //! The cells of `docs/speed.md`: scenes drawn at once into memory, each by a firmware of its own with no more memory than
 //! the scene takes.
 
+mod banded;
+mod close;
+mod draw_target;
 mod memory;
+mod moving;
+mod screen;
 mod three;
 mod two;
 
+pub use banded::{s3_bands, s3_bands_z, s3_full, s3_full_z, Strip16, Strip16Deep, Strip8, Strip8Deep};
+pub use close::{c1, c1_planes, c1_planes_z, c1_wire, c1_z, c2, c2_planes, c2_planes_z, c2_wire, c2_z};
+pub use draw_target::{s1_dt, s2_dt, s2_dt_z, s3_dt, s3_dt_wire, s3_dt_z, s5_dt, s6_dt, s7_dt, s8_dt_z};
 pub use memory::{Deep, Frame, Plain, Smooth};
 #[cfg(not(target_os = "none"))]
+pub use moving::f50_in_view;
+pub use moving::{f50, f50_wire, f50_z, t1};
+pub use screen::Screen;
+#[cfg(not(target_os = "none"))]
 pub use three::placed;
-pub use three::{s1, s2, s2_z, s3, s3_z, s4, s4_z, s8_z};
+pub use three::{s1, s2, s2_z, s3, s3_wire, s3_z, s4, s4_z, s8_z};
 pub use three::{s3_no_planes, s3_z_no_planes, s4_no_planes, s4_z_no_planes, s8_z_no_planes};
 pub use two::{s5, s6, s7};
 
@@ -59,6 +71,46 @@ pub const CELLS: &[Known] = &[
     ("S6", "plain", || s6(&mut boxed(Frame::NEW))),
     ("S7", "plain", || s7(&mut boxed(Frame::NEW))),
     ("S8", "z", || s8_z(&mut boxed(Smooth::NEW))),
+];
+
+/// Cells of what users draw: near objects, moving ones, all edges of a mesh, into a DrawTarget of their own, in bands.
+#[cfg(not(target_os = "none"))]
+pub const USER_CELLS: &[Known] = &[
+    ("S3", "wire", || s3_wire(&mut boxed(Plain::NEW))),
+    // From near by, by planes too.
+    ("C1", "plain", || c1(&mut boxed(Plain::NEW))),
+    ("C1", "z", || c1_z(&mut boxed(Deep::NEW))),
+    ("C1", "wire", || c1_wire(&mut boxed(Plain::NEW))),
+    ("C1", "planes", || c1_planes(&mut boxed(Plain::NEW))),
+    ("C1", "planes-z", || c1_planes_z(&mut boxed(Deep::NEW))),
+    ("C2", "plain", || c2(&mut boxed(Plain::NEW))),
+    ("C2", "z", || c2_z(&mut boxed(Deep::NEW))),
+    ("C2", "wire", || c2_wire(&mut boxed(Plain::NEW))),
+    ("C2", "planes", || c2_planes(&mut boxed(Plain::NEW))),
+    ("C2", "planes-z", || c2_planes_z(&mut boxed(Deep::NEW))),
+    // Objects that are placed in each frame.
+    ("T1", "plain", || t1(&mut boxed(Plain::NEW))),
+    ("F50", "plain", || f50(&mut boxed(Plain::NEW))),
+    ("F50", "z", || f50_z(&mut boxed(Deep::NEW))),
+    ("F50", "wire", || f50_wire(&mut boxed(Plain::NEW))),
+    // Into a DrawTarget of the firmware's own.
+    ("S1", "dt", || s1_dt(&mut boxed(Plain::NEW))),
+    ("S2", "dt", || s2_dt(&mut boxed(Plain::NEW))),
+    ("S2", "dt-z", || s2_dt_z(&mut boxed(Deep::NEW))),
+    ("S3", "dt", || s3_dt(&mut boxed(Plain::NEW))),
+    ("S3", "dt-z", || s3_dt_z(&mut boxed(Deep::NEW))),
+    ("S3", "dt-wire", || s3_dt_wire(&mut boxed(Plain::NEW))),
+    ("S5", "dt", || s5_dt(&mut boxed(Frame::NEW))),
+    ("S6", "dt", || s6_dt(&mut boxed(Frame::NEW))),
+    ("S7", "dt", || s7_dt(&mut boxed(Frame::NEW))),
+    ("S8", "dt-z", || s8_dt_z(&mut boxed(Smooth::NEW))),
+    // In one piece, the clear of the picture counted, and in bands.
+    ("S3", "full", || s3_full(&mut boxed(Plain::NEW))),
+    ("S3", "full-z", || s3_full_z(&mut boxed(Deep::NEW))),
+    ("S3", "bands8", || s3_bands(&mut boxed(Strip8::NEW))),
+    ("S3", "bands8-z", || s3_bands_z(&mut boxed(Strip8Deep::NEW))),
+    ("S3", "bands16", || s3_bands(&mut boxed(Strip16::NEW))),
+    ("S3", "bands16-z", || s3_bands_z(&mut boxed(Strip16Deep::NEW))),
 ];
 
 /// The cells with early culling by face planes, drawn without it; the table does not list them.
@@ -127,6 +179,24 @@ pub fn count_by(
     let Ok(()) = picture.clear(BACKGROUND);
     let mut good = None;
     let instructions = clock.count(&mut || good = draw(&mut picture))?;
+    let pixels = black_box(&frame.0);
+    let drawn = pixels.iter().filter(|&&pixel| pixel != BACKGROUND).count();
+    good.map(|()| Counted { instructions, crc: Checksum::of(pixels), drawn })
+}
+
+/// [`count`] on a DrawTarget that is not this library's.
+#[inline(never)]
+pub fn count_screen(
+    frame: &mut Frame,
+    draw: &mut dyn FnMut(&mut Screen<'_>) -> Option<()>,
+) -> Option<Counted> {
+    let mut clock = Clock::new()?;
+    let mut screen = Screen::new(&mut frame.0, black_box(Size::new(SIZE, SIZE)))?;
+    let Ok(()) = screen.clear(BACKGROUND);
+    draw(&mut screen)?;
+    let Ok(()) = screen.clear(BACKGROUND);
+    let mut good = None;
+    let instructions = clock.count(&mut || good = draw(&mut screen))?;
     let pixels = black_box(&frame.0);
     let drawn = pixels.iter().filter(|&&pixel| pixel != BACKGROUND).count();
     good.map(|()| Counted { instructions, crc: Checksum::of(pixels), drawn })

@@ -3,7 +3,7 @@
 //! without planes, to show their gain.
 
 use super::{count, Counted, Deep, Plain, Smooth, CUBE, ICO, TORUS};
-use crate::lists::TORUS_NORMALS;
+use crate::lists::{TORUS_EDGES, TORUS_NORMALS};
 use crate::scene::{self, area, Model, Scene, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
@@ -12,11 +12,14 @@ use pinhole::ScreenVertex;
 use pinhole::{DepthBuffer, Mesh, ShadeTable};
 
 /// The torus and the icosphere without planes, for a firmware that has no planes in its flash.
-static TORUS_WITHOUT: Model = without(&scene::TORUS);
+pub(super) static TORUS_WITHOUT: Model = without(&scene::TORUS);
 static ICO_WITHOUT: Model = without(&scene::ICO);
 
+/// The torus with its edges alone, for wireframes.
+pub(super) static TORUS_EDGED: Model = edged(&scene::TORUS, &TORUS_EDGES);
+
 /// At compile time.
-const fn without(model: &Model) -> Model {
+pub(super) const fn without(model: &Model) -> Model {
     let Model { mesh: with, axes, distance, reference } = model;
     let Ok(mesh) = Mesh::new(with.vertices(), with.exponent(), with.faces()) else { panic!("faces") };
     let Ok(mesh) = mesh.with_normals(with.normals()) else { panic!("normals") };
@@ -24,8 +27,26 @@ const fn without(model: &Model) -> Model {
     Model { mesh, axes: *axes, distance: *distance, reference: *reference }
 }
 
+/// At compile time: without normals and planes.
+const fn edged(model: &Model, edges: &'static [[u16; 2]]) -> Model {
+    let Model { mesh, axes, distance, reference } = model;
+    let Ok(mesh) = Mesh::new(mesh.vertices(), mesh.exponent(), mesh.faces()) else { panic!("faces") };
+    let Ok(mesh) = mesh.with_edges(edges) else { panic!("edges") };
+    Model { mesh, axes: *axes, distance: *distance, reference: *reference }
+}
+
 pub fn s1(memory: &mut Plain<CUBE>) -> Option<Counted> {
-    let scene = Scene::new(&scene::CUBE)?;
+    wire(&scene::CUBE, memory)
+}
+
+pub fn s3_wire(memory: &mut Plain<TORUS>) -> Option<Counted> {
+    wire(&TORUS_EDGED, memory)
+}
+
+/// All edges of a model.
+#[inline(always)]
+pub(super) fn wire<const N: usize>(model: &'static Model, memory: &mut Plain<N>) -> Option<Counted> {
+    let scene = Scene::new(model)?;
     let Plain { frame, corners } = memory;
     let instance = scene.place();
     count(frame, &mut |picture| {
@@ -77,7 +98,7 @@ pub fn s4_z_no_planes(memory: &mut Deep<ICO>) -> Option<Counted> {
 
 /// A light level for each face, culled by its plane or not.
 #[inline(always)]
-fn flat<const PLANES: bool, const N: usize>(
+pub(super) fn flat<const PLANES: bool, const N: usize>(
     model: &'static Model,
     Plain { frame, corners }: &mut Plain<N>,
 ) -> Option<Counted> {
@@ -96,7 +117,7 @@ fn flat<const PLANES: bool, const N: usize>(
 }
 
 #[inline(always)]
-fn flat_z<const PLANES: bool, const N: usize>(
+pub(super) fn flat_z<const PLANES: bool, const N: usize>(
     model: &'static Model,
     Deep { frame, depth, corners }: &mut Deep<N>,
 ) -> Option<Counted> {

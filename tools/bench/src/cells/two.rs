@@ -37,7 +37,7 @@ pub fn s7(frame: &mut Frame) -> Option<Counted> {
 }
 
 #[inline(always)]
-fn corners(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {
+pub(super) fn corners(&[ax, ay, bx, by, cx, cy]: &[i16; 6]) -> Option<[ScreenPoint; 3]> {
     let at = |x: i16, y: i16| ScreenPoint::from_subpixels(i32::from(x) << 8, i32::from(y) << 8);
     Some([at(ax, ay)?, at(bx, by)?, at(cx, cy)?])
 }
