@@ -12,6 +12,7 @@ pub mod clip;
 mod fast;
 mod math;
 mod pipeline;
+pub mod prelude;
 pub mod raster;
 mod scene;
 mod shading;

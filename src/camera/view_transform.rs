@@ -3,7 +3,7 @@
 use crate::math::float::{ldexp, to_fixed};
 use crate::math::num::{self, add};
 use crate::math::unit::{cross, cross_units, is_zero, normalise};
-use crate::math::{Point3, Row, Scalar, Vector3};
+use crate::math::{Angle, Point3, Row, Scalar, Vector3};
 use crate::space::{View, World};
 
 /// The rigid transform from world space to view space, `V = R · T(−eye)`:
@@ -135,6 +135,37 @@ impl ViewTransform {
     ) -> Result<Self, ViewTransformError> {
         let [x, y, z] = to_i64(gaze);
         Self::from_axes(eye, &[-x, -y, -z], up)
+    }
+
+    /// The view of a camera that orbits `target` at this distance, with y up: for a turntable, an encoder or a touch screen. At
+    /// `yaw` 0 and `pitch` 0 the eye is on the +z side of the target. A positive yaw moves it to the right, towards +x; a
+    /// positive pitch moves it up. Every angle is valid: at a pitch of a quarter turn the camera looks straight down, and beyond
+    /// that the picture is upside down. Coefficients are within 2⁻²⁸, the eye within 2⁻²⁸ of the distance.
+    ///
+    /// ```
+    /// use pinhole::{Angle, Point3, Scalar, ViewTransform};
+    /// let target = Point3::from_ints(1, 2, 3);
+    /// let from_the_right = ViewTransform::orbit(target, Scalar::from_num(5), Angle::QUARTER_TURN, Angle::ZERO);
+    /// assert_eq!(from_the_right.eye(), [6 << 32, 2 << 32, 3 << 32]);
+    /// assert_eq!(from_the_right.apply(target), Point3::from_ints(0, 0, -5));
+    /// ```
+    pub const fn orbit(target: Point3<World>, distance: Scalar, yaw: Angle, pitch: Angle) -> Self {
+        let ((sy, cy), (sp, cp)) = (yaw.sin_cos(), pitch.sin_cos());
+        // Units in 2⁻³⁰: their product is at most 2⁶⁰ before the shift.
+        const fn times(a: i32, b: i32) -> i32 {
+            num::scale(a as i64 * b as i64, -30) as i32
+        }
+        let n = [times(sy, cp), sp, times(cy, cp)];
+        let rows = [[cy, 0, -sy], [-times(sy, sp), cp, -times(cy, sp)], n];
+        // Distances in 2⁻¹⁶ times units in 2⁻³⁰, to 2⁻³²: at most 2⁴⁷ beside the target's 2⁴⁷.
+        let [x, y, z] = to_q32(target);
+        let d = distance.to_bits() as i64;
+        let eye = [
+            x + num::scale(d * n[0] as i64, -14),
+            y + num::scale(d * n[1] as i64, -14),
+            z + num::scale(d * n[2] as i64, -14),
+        ];
+        Self { rows, eye }
     }
 
     /// The view by view reference point (VRP), view plane normal (VPN, towards the viewer) and view up vector (VUP).

@@ -327,6 +327,45 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
         both
     }
 
+    /// This transform followed by a [rotation about the x axis](Self::rotation_x) of `B`.
+    ///
+    /// ```
+    /// use pinhole::{space::{Model, World}, Affine, Angle, Point3, Scalar, Vector3};
+    /// let quarter = Angle::QUARTER_TURN;
+    /// let place = Affine::identity().scale_by(Scalar::from_num(2)).rotate_z(quarter).translate(Vector3::from_ints(0, 0, -5));
+    /// assert_eq!(place.apply(Point3::<Model>::from_ints(1, 0, 0)), Point3::<World>::from_ints(0, 2, -5));
+    /// ```
+    #[must_use]
+    pub fn rotate_x(&self, angle: Angle) -> Self {
+        self.then(&Affine::rotation_x(angle))
+    }
+
+    /// This transform followed by a [rotation about the y axis](Self::rotation_y) of `B`.
+    #[must_use]
+    pub fn rotate_y(&self, angle: Angle) -> Self {
+        self.then(&Affine::rotation_y(angle))
+    }
+
+    /// This transform followed by a [rotation about the z axis](Self::rotation_z) of `B`.
+    #[must_use]
+    pub fn rotate_z(&self, angle: Angle) -> Self {
+        self.then(&Affine::rotation_z(angle))
+    }
+
+    /// This transform followed by a uniform [scale](Self::scale) about the origin of `B`.
+    #[must_use]
+    pub fn scale_by(&self, factor: Scalar) -> Self {
+        self.then(&Affine::scale(factor))
+    }
+
+    /// This transform followed by the translation by `t`: exact, but for translations that saturate at ±2³⁰.
+    #[must_use]
+    pub fn translate(&self, t: Vector3<B>) -> Self {
+        let [x, y, z] = t.bits().map(|c| i64::from(c) << 16); // 48 bits
+        let [a, b, c] = self.offset;
+        Self { offset: [add(a, x), add(b, y), add(c, z)], ..*self }
+    }
+
     /// The image of a point, rounded to 2⁻¹⁶ (within ½ + 2⁻¹⁷ of such a step) and saturated at the
     /// ends of [`Scalar`].
     pub fn apply(&self, p: Point3<A>) -> Point3<B> {
@@ -496,6 +535,28 @@ mod tests {
                 assert!(axes.is_near_singular(det, exponent), "{det} at exponent {exponent}");
             }
         }
+    }
+
+    /// A chain is the composition of its steps, bit for bit.
+    #[test]
+    fn chains_compose() {
+        let (angle, t, factor) =
+            (Angle::degrees(25), Vector3::from_ints(1, -2, 30_000), Scalar::from_num(1.25));
+        let base =
+            Affine::<Model, World>::rotation_y(Angle::degrees(70)).translate(Vector3::from_ints(5, 6, 7));
+        let steps = [
+            Affine::rotation_x(angle),
+            Affine::rotation_y(angle),
+            Affine::rotation_z(angle),
+            Affine::scale(factor),
+        ];
+        let chained =
+            [base.rotate_x(angle), base.rotate_y(angle), base.rotate_z(angle), base.scale_by(factor)];
+        for (step, chained) in steps.iter().zip(chained) {
+            assert_eq!(base.then(step), chained);
+        }
+        assert_eq!(base.translate(t).offset, base.then(&Affine::translation(t)).offset);
+        assert_eq!(base.translate(t).linear, base.linear);
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Binary angles and their sine and cosine.
 
-use super::num::{fraction, mul_high};
-use super::NumberError;
+use super::hints::keep_rolled;
+use super::num::{fraction, mul_high, shift_to_fit};
+use super::{NumberError, Scalar};
 
 /// An angle as a binary fraction of a turn: one turn is 2³², so sums wrap without error.
 ///
@@ -108,6 +109,81 @@ impl Angle {
     }
 }
 
+impl Angle {
+    /// The sine, rounded to the nearest 2⁻¹⁶: within 2⁻¹⁷ + 2⁻²⁹ of the exact value, and exact at the quarter turns.
+    ///
+    /// ```
+    /// use pinhole::{Angle, Scalar};
+    /// assert_eq!(Angle::degrees(30).sin(), Scalar::from_num(0.5));
+    /// assert_eq!(Angle::degrees(180).cos(), Scalar::from_num(-1));
+    /// ```
+    pub const fn sin(self) -> Scalar {
+        to_scalar(self.sin_cos().0)
+    }
+
+    /// The cosine, rounded to the nearest 2⁻¹⁶: within 2⁻¹⁷ + 2⁻²⁹ of the exact value, and exact at the quarter turns.
+    pub const fn cos(self) -> Scalar {
+        to_scalar(self.sin_cos().1)
+    }
+
+    /// The angle of the direction (x, y) from the x axis towards the y axis, within 8·2⁻³² turn; [`ZERO`](Self::ZERO) for
+    /// (0, 0). The argument `y` comes first, as in other libraries.
+    ///
+    /// ```
+    /// use pinhole::{Angle, Scalar};
+    /// let [zero, one, two] = [0, 1, 2].map(Scalar::from_num);
+    /// assert_eq!(Angle::atan2(two, zero), Angle::QUARTER_TURN);
+    /// assert_eq!(Angle::atan2(zero, -one), Angle::HALF_TURN);
+    /// let error = Angle::atan2(one, one) - Angle::degrees(45);
+    /// assert!(error.bits() as i32 <= 8 && error.bits() as i32 >= -8);
+    /// ```
+    ///
+    /// By CORDIC: the vector is turned by angles whose tangents are powers of two until it lies on the x axis. (Volder, *The
+    /// CORDIC trigonometric computing technique*, 1959.)
+    #[inline(never)] // set-up: code size counts, speed does not
+    pub const fn atan2(y: Scalar, x: Scalar) -> Self {
+        let (x, y) = (x.to_bits() as i64, y.to_bits() as i64);
+        // A vector on an axis has an exact answer. Others are turned by a whole number of quarter turns to x > 0, y ≥ 0.
+        let (quarter, x, y) = match (x, y) {
+            (0, 0) => return Self::ZERO,
+            (1.., 0..) => (0, x, y),
+            (..=0, 1..) => (1, y, -x),
+            (..0, ..=0) => (2, -x, -y),
+            _ => (3, -y, x),
+        };
+        let mut angle = (quarter as u32) << 30;
+        if y == 0 {
+            return Self(angle);
+        }
+        // The larger one has 60 bits, and each step grows the vector by at most √2; all of them together by 1.65: below 2⁶².
+        let up = -shift_to_fit((x | y) as u64, 60);
+        let (mut x, mut y, mut i) = (x << up, y << up, 0);
+        while i < ARCTANGENT.len() {
+            keep_rolled();
+            let (right, down) = (y >> i, x >> i); // i < 31
+            if y > 0 {
+                (x, y, angle) = (x + right, y - down, angle.wrapping_add(ARCTANGENT[i]));
+            } else {
+                (x, y, angle) = (x - right, y + down, angle.wrapping_sub(ARCTANGENT[i]));
+            }
+            i += 1;
+        }
+        Self(angle)
+    }
+}
+
+/// From 2⁻³⁰ to 2⁻¹⁶, rounded to nearest (ties up); for numbers within ±2³⁰.
+const fn to_scalar(v: i32) -> Scalar {
+    Scalar::from_bits((v + (1 << 13)) >> 14)
+}
+
+/// The angles whose tangents are 2⁰, 2⁻¹, 2⁻² …, in 2⁻³² turn, rounded to nearest.
+#[rustfmt::skip]
+const ARCTANGENT: [u32; 31] = [
+    536870912, 316933406, 167458907, 85004756, 42667331, 21354465, 10679838, 5340245, 2670163, 1335087, 667544,
+    333772, 166886, 83443, 41722, 20861, 10430, 5215, 2608, 1304, 652, 326, 163, 81, 41, 20, 10, 5, 3, 1, 1,
+];
+
 impl core::ops::Add for Angle {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -172,6 +248,37 @@ mod tests {
         let bound = (-29.5f64).exp2();
         assert!(worst <= bound && bound <= 2.0 * worst, "2^{}", worst.log2());
         assert!(circle <= (-28f64).exp2(), "2^{}", circle.log2());
+    }
+
+    /// Scalars of sine and cosine, and angles of directions, against f64.
+    #[test]
+    fn e7_scalars_and_directions_hold_their_bounds() {
+        let (mut worst, mut farthest) = (0_f64, 0_f64);
+        for bits in (0..u32::MAX - 70_001).step_by(70_001).chain((0..256).map(|k| k << 23)) {
+            let angle = Angle::from_bits(bits);
+            let exact = f64::from(bits) / 4_294_967_296.0 * core::f64::consts::TAU;
+            let of = |v: Scalar| f64::from(v.to_bits()) / 65_536.0;
+            worst =
+                worst.max((of(angle.sin()) - exact.sin()).abs()).max((of(angle.cos()) - exact.cos()).abs());
+            // Long and short vectors, down to a few steps.
+            for length in [2_147_000_000.0, 70_000.0, 40.0] {
+                let [x, y] = [exact.cos(), exact.sin()].map(|c| (c * length).round() as i32);
+                let found = Angle::atan2(Scalar::from_bits(y), Scalar::from_bits(x));
+                let exact = f64::from(y).atan2(f64::from(x)) / core::f64::consts::TAU * 4_294_967_296.0;
+                let off = f64::from(found.bits().wrapping_sub(exact.round() as i64 as u32) as i32);
+                farthest = farthest.max(off.abs());
+            }
+        }
+        let bound = (-17f64).exp2() + (-29f64).exp2();
+        assert!(worst <= bound && bound <= 2.0 * worst, "{worst}");
+        assert!((4.0..=8.0).contains(&farthest), "{farthest}");
+        let at = |y, x| Angle::atan2(Scalar::from_bits(y), Scalar::from_bits(x));
+        assert_eq!(at(0, 0), Angle::ZERO);
+        for far in [1, i32::MAX] {
+            assert_eq!([at(0, far), at(far, 0)], [Angle::ZERO, Angle::QUARTER_TURN]);
+            assert_eq!([at(0, -far), at(-far, 0)], [Angle::HALF_TURN, -Angle::QUARTER_TURN]);
+        }
+        assert_eq!([at(i32::MIN, 0), at(0, i32::MIN)], [-Angle::QUARTER_TURN, Angle::HALF_TURN]);
     }
 
     #[test]

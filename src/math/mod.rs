@@ -20,6 +20,7 @@ pub(crate) mod random;
 pub(crate) mod row;
 mod sphere;
 pub(crate) mod unit;
+mod vector;
 
 pub(crate) use affine::{matrix_product, to_scalar};
 pub use affine::{Affine, AxisError, InverseError, MatrixError};

@@ -1,5 +1,7 @@
 //! Points and pixels of the screen.
 
+use embedded_graphics_core::geometry::Point;
+
 /// The guard band: 3D geometry is clipped at this many pixels from the target's origin.
 pub const GUARD_BAND: i32 = 8192;
 
@@ -65,4 +67,38 @@ pub struct Pixel {
     pub x: i16,
     /// The row.
     pub y: i16,
+}
+
+/// The pixel that contains the point, as a point of `embedded-graphics`: for text and icons at a projected point.
+///
+/// ```
+/// use embedded_graphics::prelude::Point;
+/// use pinhole::raster::ScreenPoint;
+/// let corner = ScreenPoint::from_subpixels(10 * 256 + 255, -1).unwrap();
+/// assert_eq!(Point::from(corner) + Point::new(4, 0), Point::new(14, -1));
+/// ```
+impl From<ScreenPoint> for Point {
+    fn from(point: ScreenPoint) -> Self {
+        point.pixel().into()
+    }
+}
+
+/// The pixel as a point of `embedded-graphics`.
+impl From<Pixel> for Point {
+    fn from(Pixel { x, y }: Pixel) -> Self {
+        Self::new(x.into(), y.into())
+    }
+}
+
+/// The pixel at a point of `embedded-graphics`.
+///
+/// # Errors
+///
+/// If a coordinate is not in −32768 … 32767.
+impl TryFrom<Point> for Pixel {
+    type Error = core::num::TryFromIntError;
+
+    fn try_from(point: Point) -> Result<Self, Self::Error> {
+        Ok(Self { x: point.x.try_into()?, y: point.y.try_into()? })
+    }
 }
