@@ -14,15 +14,25 @@
 //! # Ok::<(), ViewportError>(())
 //! ```
 
+pub use crate::camera::{
+    Camera, PlanarProjection, ProjectError, Projection, ProjectionError, Ray, ReferenceVolume, ScreenVertex,
+    Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+};
+pub use crate::math::{
+    Affine, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMatrix, NumberError, Outcode,
+    Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
+};
+pub use crate::pipeline::{
+    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshInstance, Painter, PainterError,
+    PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
+};
+pub use crate::scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
+pub use crate::shading::{
+    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shader,
+    SpanShader, TableShader,
+};
 pub use crate::space::{Model, View, World};
-pub use crate::{
-    draw_line, edge_faces, fill_triangle, Affine, AxisError, Band, BandError, BinError, BinnedEdges,
-    BinnedFaces, Camera, Channels, ClipPoint, Coordinate, CornerValues, Cull, DepthBuffer, DepthBufferError,
-    Dim, DirtyRegions, Dithered, Flat, Frame, Gouraud, Hierarchy, HierarchyError, InverseError, Lambert,
-    LightError, Lit, MatrixError, Memory, Mesh, MeshError, MeshInstance, Node, NormalMatrix, NumberError,
-    Outcode, Painter, PainterError, PaintersOrder, Picture, PictureError, PixelFormat, PixelStore, Pixels,
-    PlanarProjection, PlaneCulled, Point3, ProjectError, Projection, ProjectionError, Quaternion,
-    QuaternionError, Ray, ReferenceVolume, Scalar, ScreenVertex, ShadeTable, Shader, Side, SpanShader,
-    Sphere, Statistics, StoredPixel, TableShader, Target, TransferCost, TransformedMesh, VanishingPoint,
-    Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+pub use crate::surface::{
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Memory, Picture, PictureError,
+    PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
 };

@@ -417,7 +417,43 @@ fn cross_f64(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::is_rigid;
+    use super::{is_rigid, ViewTransform};
+    use crate::math::{Angle, Point3, Scalar, Vector3};
+
+    /// An orbit against f64: rotations by pitch and yaw, and the eye at this distance; also at the poles, where `look_at` has no
+    /// answer.
+    #[test]
+    fn orbits_are_within_their_bound() {
+        let (target, distance) = (Point3::from_ints(100, -20, 7), 640.5);
+        for step in 0..400 {
+            let (yaw, pitch) = (Angle::turns(step * 7, 400), Angle::turns(step * 11 + 1, 44));
+            let view = ViewTransform::orbit(target, Scalar::from_num(distance), yaw, pitch);
+            let [yaw, pitch] =
+                [yaw, pitch].map(|a| f64::from(a.bits()) / 4_294_967_296.0 * core::f64::consts::TAU);
+            let ((sy, cy), (sp, cp)) = (yaw.sin_cos(), pitch.sin_cos());
+            let axes = [[cy, 0.0, -sy], [-sy * sp, cp, -cy * sp], [sy * cp, sp, cy * cp]];
+            for (row, exact) in view.rows.iter().flatten().zip(axes.as_flattened()) {
+                assert!((f64::from(*row) / 1_073_741_824.0 - exact).abs() <= (-28_f64).exp2());
+            }
+            for ((eye, from), n) in view.eye.iter().zip([100.0, -20.0, 7.0]).zip(axes[2]) {
+                let exact = from + distance * n;
+                assert!((*eye as f64 / 4_294_967_296.0 - exact).abs() <= distance * (-28_f64).exp2());
+            }
+        }
+        // Any distance and target: no overflow.
+        let farthest = Point3::new(Scalar::MIN, Scalar::MAX, Scalar::MIN);
+        for distance in [Scalar::MIN, Scalar::MAX, Scalar::ZERO] {
+            let eye = ViewTransform::orbit(farthest, distance, Angle::degrees(45), Angle::degrees(-35)).eye;
+            assert!(eye.iter().all(|c| c.unsigned_abs() <= 1 << 48), "{eye:?}");
+        }
+        let up = Vector3::from_ints(0, 1, 0);
+        let same = ViewTransform::look_at(Point3::from_ints(3, 0, 0), Point3::from_ints(0, 0, 0), up);
+        let origin = Point3::from_ints(0, 0, 0);
+        assert_eq!(
+            Ok(ViewTransform::orbit(origin, Scalar::from_num(3), Angle::QUARTER_TURN, Angle::ZERO)),
+            same
+        );
+    }
 
     /// A difference equal to the tolerance is refused. `from_matrix` rounds to 2⁻³⁰ and tests again, so only `is_rigid` itself
     /// shows this.

@@ -5,3 +5,4 @@ mod glossary;
 mod layering;
 mod links;
 mod package;
+mod preludes;

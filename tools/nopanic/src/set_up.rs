@@ -2,7 +2,7 @@
 
 use crate::any;
 use embedded_graphics_core::geometry::{Point, Size};
-use pinhole::raster::ScreenPoint;
+use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
     clip, Affine, Angle, AxisError, Camera, ClipPoint, Hierarchy, HierarchyError, InverseError, Lambert,
@@ -52,6 +52,29 @@ macro_rules! entries {
 
 entries! {
     entry_angle(a: Angle, b: Angle) -> (i32, i32) { (a + b - -Angle::turns(any(), any() as u32) + Angle::degrees(any())).sin_cos() }
+    entry_sin_cos(a: Angle) -> (Scalar, Scalar) { (a.sin(), a.cos()) }
+    entry_atan2(y: Scalar, x: Scalar) -> Angle { Angle::atan2(y, x) }
+    entry_vector_sums() -> (Vector3<World>, Vector3<World>, Vector3<World>) {
+        let mut moved = vector();
+        moved += vector();
+        moved -= vector();
+        (moved, vector() + vector() - vector(), -vector() * scalar())
+    }
+    entry_point_sums() -> (Point3<World>, Point3<World>, Vector3<World>) {
+        let mut moved = point();
+        moved += vector();
+        moved -= vector();
+        (moved, point() + vector() - vector(), point() - point())
+    }
+    entry_vector_products() -> (Scalar, Vector3<World>, Scalar) { (vector().dot(vector()), vector().cross(vector()), vector().length()) }
+    entry_lerp() -> (Point3<World>, Vector3<World>) { (point().lerp(point(), scalar()), vector().lerp(vector(), scalar())) }
+    entry_chain(a: &Affine<Model, World>, angle: Angle) -> Affine<Model, World> {
+        a.scale_by(scalar()).rotate_x(angle).rotate_y(angle).rotate_z(angle).translate(vector())
+    }
+    entry_orbit(yaw: Angle, pitch: Angle) -> ViewTransform { ViewTransform::orbit(point(), scalar(), yaw, pitch) }
+    entry_screen_points(at: ScreenPoint, pixel: Pixel, x: i32, y: i32) -> (Point, Point, Option<Pixel>) {
+        (at.into(), pixel.into(), Point::new(x, y).try_into().ok())
+    }
     entry_angle_f32(degrees: f32) -> Result<Angle, NumberError> { Angle::from_degrees_f32(degrees) }
     entry_point_f32(x: f32, y: f32, z: f32) -> Result<Point3<World>, NumberError> { Point3::from_f32(x, y, z) }
     entry_vector_f32(x: f32, y: f32, z: f32) -> Result<Vector3<World>, NumberError> { Vector3::from_f32(x, y, z) }

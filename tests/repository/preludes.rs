@@ -1,0 +1,42 @@
+//! `pinhole::prelude` has every name of the crate's root but `Angle`, and none of embedded-graphics' prelude.
+
+use std::collections::BTreeSet;
+
+/// What a program sees that imports both preludes.
+mod both {
+    #[allow(unused_imports)]
+    pub(super) use embedded_graphics::prelude::*;
+    #[allow(unused_imports)]
+    pub(super) use pinhole::prelude::*;
+}
+
+/// Uses each name: one that both preludes export is ambiguous, and does not compile.
+macro_rules! names {
+    ($($name:ident)*) => {
+        $(
+            #[allow(unused_imports)]
+            use both::$name as _;
+        )*
+        const NAMES: &[&str] = &[$(stringify!($name)),*];
+    };
+}
+
+names! {
+    Model View World
+    draw_line edge_faces fill_triangle Affine AxisError Band BandError BinError BinnedEdges BinnedFaces Camera Channels ClipPoint Coordinate CornerValues Cull DepthBuffer DepthBufferError Dim DirtyRegions Dithered Flat Frame Gouraud Hierarchy HierarchyError InverseError Lambert LightError Lit MatrixError Memory Mesh MeshError MeshInstance Node NormalMatrix NumberError Outcode Painter PainterError PaintersOrder Picture PictureError PixelFormat PixelStore Pixels PlanarProjection PlaneCulled Point3 ProjectError Projection ProjectionError Quaternion QuaternionError Ray ReferenceVolume Scalar ScreenVertex ShadeTable Shader Side SpanShader Sphere Statistics StoredPixel TableShader Target TransferCost TransformedMesh VanishingPoint Vector3 ViewTransform ViewTransformError Viewport ViewportError Visibility Window
+}
+
+fn exported(source: &str) -> BTreeSet<&str> {
+    let source = source.split("pub use ").skip(1).filter_map(|rest| rest.split(';').next());
+    let names = source.flat_map(|path| path.split(['{', '}', ',']).skip(1)).map(str::trim);
+    names.filter(|name| !name.is_empty()).collect()
+}
+
+#[test]
+fn both_preludes_can_be_imported() {
+    let mut root = exported(include_str!("../../src/lib.rs"));
+    root.remove("Angle");
+    root.extend(["Model", "View", "World"]);
+    assert_eq!(NAMES.iter().copied().collect::<BTreeSet<_>>(), root);
+    assert_eq!(exported(include_str!("../../src/prelude.rs")), root);
+}
