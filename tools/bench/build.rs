@@ -7,7 +7,7 @@ mod meshes;
 mod scenes;
 
 use pinhole::Mesh;
-use scenes::{indices, integers, list, normal, number, torus_normal, triple, Result};
+use scenes::{edges_of, indices, integers, list, normal, number, torus_normal, triple, Result};
 use serde_json::Value;
 use std::fmt::{Debug, Write};
 
@@ -106,13 +106,6 @@ fn shapes() -> Result<String> {
         writeln!(text, "normals: &{normals:?}, planes: &{planes:?}, edges: &{edges:?} }};")?;
     }
     Ok(text)
-}
-
-/// Each edge once.
-fn edges_of(faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
-    let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let edges: std::collections::BTreeSet<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    edges.into_iter().collect()
 }
 
 /// The torus's normals at its vertices and its edges, and what is 2D.

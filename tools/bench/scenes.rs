@@ -24,6 +24,13 @@ pub(crate) fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     n.map(|c| c / length)
 }
 
+/// All edges of the faces, each once.
+pub(crate) fn edges_of(faces: &[[u16; 3]]) -> Vec<[u16; 2]> {
+    let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let edges: std::collections::BTreeSet<_> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.into_iter().collect()
+}
+
 pub(crate) fn list<T>(value: &Value, item: fn(&Value) -> Result<T>) -> Result<Vec<T>> {
     value.as_array().ok_or("a list")?.iter().map(item).collect()
 }

@@ -14,7 +14,7 @@ pub(crate) const SMALL: &str = "s";
 const SMALL_SUFFIX: &str = "-s";
 
 /// The cells that are measured at opt-level s too where no variant is named: one for each way to draw.
-const MAIN: [(&str, &str); 10] = [
+pub(crate) const MAIN: [(&str, &str); 10] = [
     ("S1", "plain"),
     ("S2", "z"),
     ("S3", "plain"),
@@ -64,6 +64,14 @@ fn named(variant: &str, level: &str) -> String {
     }
 }
 
+/// The variant and opt-level of such a name.
+pub(crate) fn split(name: &str) -> (&str, &'static str) {
+    match name.strip_suffix(SMALL_SUFFIX) {
+        Some(variant) => (variant, SMALL),
+        None => (name, FAST),
+    }
+}
+
 /// The scenes, variants and cores that the command line names. A kind of which it names none is not limited, but that
 /// only the [`MAIN`] cells are measured at opt-level s.
 #[derive(Default)]
@@ -86,7 +94,7 @@ impl Choice {
         let cores = CORES.map(|core| core.name);
         let mut choice = Self::default();
         for name in names {
-            let variant = name.strip_suffix(SMALL_SUFFIX).unwrap_or(&name);
+            let (variant, _) = split(&name);
             if scenes.contains(&name.as_str()) {
                 choice.scenes.push(name);
             } else if cores.contains(&name.as_str()) {

@@ -28,6 +28,7 @@ mod speed_page;
 mod stages;
 mod targets;
 mod trace;
+mod user_page;
 
 use cells::Choice;
 use pages::{Page, PAGES};

@@ -63,7 +63,15 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
     let without = cells::measure_without_planes(failures)?;
     compare_pictures(&cells, &without, failures);
     let rivals = rivals::measure(failures)?;
-    let figures = Figures { cells: &cells, without: &without, targets: &targets, rivals: &rivals };
+    let (open, times) = (targets::open()?, targets::times()?);
+    let figures = Figures {
+        cells: &cells,
+        without: &without,
+        targets: &targets,
+        open: &open,
+        times: &times,
+        rivals: &rivals,
+    };
     Ok(speed_page::text(compiler, &figures))
 }
 

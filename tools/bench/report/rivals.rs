@@ -3,7 +3,7 @@
 use crate::core::{Core, CORES};
 use crate::cross::BENCH;
 use crate::Result;
-use bench::cells::CELLS;
+use bench::cells::{CELLS, USER_CELLS};
 
 /// Of one library.
 pub(crate) struct Rival {
@@ -42,7 +42,11 @@ pub(crate) fn measure(failures: &mut Vec<String>) -> Result<Vec<Rival>> {
 /// Whether a rival draws the same scene: as many pixels as we, but for 8 %: it rounds corners to pixels, and fills
 /// pixels on edges too that belong to no triangle here, which for S7's small ones makes 6 %.
 fn compare(name: &str, scene: &str, variant: &str, drawn: usize, failures: &mut Vec<String>) {
-    let ours = CELLS.iter().find(|cell| (cell.0, cell.1) == (scene, variant)).and_then(|cell| cell.2());
+    let ours = CELLS
+        .iter()
+        .chain(USER_CELLS)
+        .find(|cell| (cell.0, cell.1) == (scene, variant))
+        .and_then(|cell| cell.2());
     let ours = ours.map_or(0, |counted| counted.drawn);
     if ours.abs_diff(drawn) * 100 > ours * 8 {
         failures.push(format!("{name} draws {drawn} pixels of {scene},{variant}, where there are {ours}"));

@@ -1,10 +1,11 @@
 //! `docs/speed.md`.
 
-use crate::cells::Cell;
+use crate::cells::{Cell, FAST};
 use crate::grouped::grouped;
 use crate::page::BUILT;
 use crate::rivals::Rival;
-use crate::targets::Target;
+use crate::targets::{Open, Target, Times};
+use crate::user_page;
 use bench::cells::{data, planes, CELLS};
 use std::fmt::Write;
 
@@ -63,7 +64,8 @@ const CELLS_HEAD: &str = "
 ## The cells
 
 *Best rival* is the fastest of S3L (small3dlib), TGX (tgx) and 3DG (embedded-3dgfx 0.7.2) on that scene and core, each
-measured once, with the targets, on the same scenes and emulator; which versions of S3L and TGX these were was not noted.
+measured once, with the targets, on the same scenes and emulator; which versions of S3L and TGX these were was not noted. S8 of S3L was measured later,
+with a table of colours like ours.
 The lines and triangles of embedded-graphics itself, which need our projection in S1, stand
 [below](#rivals-in-the-same-run).
 *Of target* is below 1 where the target is beaten; *best rival / ours* is the best rival's instructions divided by ours.
@@ -75,9 +77,11 @@ The lines and triangles of embedded-graphics itself, which need our projection i
 const RIVALS: &str = "
 ## Rivals in the same run
 
-Published crates that build as they are: embedded-3dgfx 0.7.2 (3DG; features `row_width_240`, `depth-u16`, `lighting`) and the
-lines and filled triangles of embedded-graphics 0.8.2 (EG), at the same level of optimisation, into the same picture, counted
-by the same clock. Each draws the same scene, and the number of pixels differs by at most 8 %: both round corners to pixels and fill all edges. 3DG
+Published crates that build as they are: embedded-3dgfx 0.7.2 (3DG; features `row_width_240`, `lighting`; its depth has 32 bits, which takes
+fewer instructions than its 16) and the lines and filled triangles of embedded-graphics 0.8.2 (EG; the points of each line by one `draw_iter`), at the
+same level of optimisation, counted by the same clock. Each draws into this library's picture and into the DrawTarget of
+[`dt`](#any-drawtarget); the table has the smaller of both counts, for ours that of `Picture::pixels`. Each draws the same scene, and the number of
+pixels differs by at most 8 %: both round corners to pixels and fill all edges. 3DG
 records and executes (without depth: draws what it has recorded); S1 of EG are its lines between points that we project.
 *Then* is 3DG's figure from when the targets were set, measured by another program, which may have used 3DG differently.
 
@@ -120,26 +124,39 @@ pub(crate) struct Figures<'f> {
     /// The cells with early culling by face planes, measured without it.
     pub(crate) without: &'f [Cell],
     pub(crate) targets: &'f [Target],
+    pub(crate) open: &'f [Open],
+    pub(crate) times: &'f [Times],
     pub(crate) rivals: &'f [Rival],
 }
 
 impl Figures<'_> {
-    fn rival(&self, name: &str, of: &Target) -> Option<u64> {
-        let same =
-            |rival: &&Rival| (rival.name, rival.core.name) == (name, of.core) && rival.scene == of.scene;
-        self.rivals
-            .iter()
-            .filter(same)
-            .find(|rival| rival.variant == of.variant)
-            .map(|rival| rival.instructions)
+    pub(crate) fn rival(&self, name: &str, scene: &str, variant: &str, core: &str) -> Option<u64> {
+        let same = |rival: &&Rival| {
+            (rival.name, &*rival.scene, &*rival.variant, rival.core.name) == (name, scene, variant, core)
+        };
+        self.rivals.iter().find(same).map(|rival| rival.instructions)
     }
 
-    fn cell(&self, scene: &str, variant: &str, core: &str) -> Option<&Cell> {
-        named(self.cells, scene, variant, core)
+    /// At opt-level 3.
+    pub(crate) fn cell(&self, scene: &str, variant: &str, core: &str) -> Option<&Cell> {
+        self.at(scene, variant, FAST, core)
+    }
+
+    pub(crate) fn at(&self, scene: &str, variant: &str, level: &str, core: &str) -> Option<&Cell> {
+        named(self.cells, scene, variant, level, core)
+    }
+
+    pub(crate) fn open(&self, scene: &str, variant: &str, level: &str, core: &str) -> Option<&Open> {
+        let same = |of: &&Open| (of.scene, of.variant, of.level, of.core) == (scene, variant, level, core);
+        self.open.iter().find(same)
+    }
+
+    pub(crate) fn times(&self, scene: &str, variant: &str, core: &str) -> Option<&Times> {
+        self.times.iter().find(|of| (of.scene, of.variant, of.core) == (scene, variant, core))
     }
 
     fn without(&self, of: &Target) -> Option<&Cell> {
-        named(self.without, of.scene, of.variant, of.core)
+        named(self.without, of.scene, of.variant, FAST, of.core)
     }
 
     /// How many cells are at or below their target, and how many within 1.12 times of it; without planes, if so asked.
@@ -157,13 +174,17 @@ impl Figures<'_> {
     }
 }
 
-fn named<'c>(cells: &'c [Cell], scene: &str, variant: &str, core: &str) -> Option<&'c Cell> {
-    cells.iter().find(|cell| (cell.scene, cell.variant, cell.core.name) == (scene, variant, core))
+fn named<'c>(cells: &'c [Cell], scene: &str, variant: &str, level: &str, core: &str) -> Option<&'c Cell> {
+    let same = |cell: &&Cell| {
+        (cell.scene, cell.variant, cell.level, cell.core.name) == (scene, variant, level, core)
+    };
+    cells.iter().find(same)
 }
 
 pub(crate) fn text(compiler: &str, figures: &Figures<'_>) -> String {
     let mut text = format!("{HEAD}{BUILT}{compiler}.\n{COUNTED}");
     cells(&mut text, figures);
+    text += &user_page::text(figures);
     no_planes(&mut text, figures);
     rivals(&mut text, figures);
     text += RISCV;
@@ -257,7 +278,7 @@ fn rivals(text: &mut String, figures: &Figures<'_>) {
     for of in figures.targets {
         let Some(cell) = figures.cell(of.scene, of.variant, of.core) else { continue };
         let (ours, then) = (grouped(cell.instructions), grouped(of.gfx));
-        let rival = |name| match figures.rival(name, of) {
+        let rival = |name| match figures.rival(name, of.scene, of.variant, of.core) {
             Some(count) => [grouped(count), ratio(count, cell.instructions)],
             None => ["–", "–"].map(str::to_string),
         };
@@ -278,6 +299,6 @@ pub(crate) fn shown(variant: &str) -> &str {
     }
 }
 
-fn ratio(a: u64, b: u64) -> String {
+pub(crate) fn ratio(a: u64, b: u64) -> String {
     format!("{:.2}", a as f64 / b as f64)
 }

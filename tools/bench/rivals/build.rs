@@ -4,7 +4,7 @@
 #[allow(dead_code)] // shared
 mod scenes;
 
-use scenes::{indices, list, normal, number, torus_normal, triple, Result};
+use scenes::{edges_of, indices, list, normal, number, torus_normal, triple, Result};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -26,7 +26,10 @@ fn main() -> Result<()> {
 fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     let vertices = list(&model["vertices"], triple)?;
     let faces = list(&model["faces"], indices::<3>)?;
-    let edges = list(&model["edges"], indices::<2>)?;
+    let edges = match name {
+        "torus" => edges_of(&faces),
+        _ => list(&model["edges"], indices::<2>)?,
+    };
     let normals: Vec<[f64; 3]> =
         faces.iter().map(|&face| normal(face.map(|i| vertices[usize::from(i)]))).collect();
     let vertex_normals: Vec<[f64; 3]> = match name {

@@ -1,6 +1,8 @@
-//! The picture, with the size that embedded-3dgfx asks for.
+//! The memory that other libraries draw into: this library's picture, and the DrawTarget of the variant `dt`. Counted is
+//! the one that takes fewer instructions.
 
-use bench::cells::Picture;
+use bench::board::Clock;
+use bench::cells::{count_by, count_screen_by, Counted, Frame, Picture};
 use core::convert::Infallible;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, OriginDimensions, Size};
@@ -8,7 +10,22 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::Pixel;
 
-pub struct Framebuffer<'f, 'p>(pub &'f mut Picture<'p>);
+/// A frame, into any memory.
+pub trait Work {
+    fn draw<D>(&mut self, target: &mut D) -> Option<()>
+    where
+        D: DrawTarget<Color = Rgb565, Error = Infallible> + OriginDimensions;
+}
+
+/// Counts a frame in both memories, and returns the smaller count.
+pub fn count(clock: &mut Clock, frame: &mut Frame, work: &mut impl Work) -> Option<Counted> {
+    let picture = count_by(clock, frame, &mut |picture| work.draw(&mut Framebuffer(picture)))?;
+    let screen = count_screen_by(clock, frame, &mut |screen| work.draw(screen))?;
+    Some(if screen.instructions < picture.instructions { screen } else { picture })
+}
+
+/// The picture, with the size that embedded-3dgfx asks for.
+struct Framebuffer<'f, 'p>(&'f mut Picture<'p>);
 
 impl OriginDimensions for Framebuffer<'_, '_> {
     fn size(&self) -> Size {

@@ -185,12 +185,20 @@ pub fn count_by(
 }
 
 /// [`count`] on a DrawTarget that is not this library's.
-#[inline(never)]
 pub fn count_screen(
     frame: &mut Frame,
     draw: &mut dyn FnMut(&mut Screen<'_>) -> Option<()>,
 ) -> Option<Counted> {
-    let mut clock = Clock::new()?;
+    count_screen_by(&mut Clock::new()?, frame, draw)
+}
+
+/// [`count_screen`] with a given clock.
+#[inline(never)]
+pub fn count_screen_by(
+    clock: &mut Clock,
+    frame: &mut Frame,
+    draw: &mut dyn FnMut(&mut Screen<'_>) -> Option<()>,
+) -> Option<Counted> {
     let mut screen = Screen::new(&mut frame.0, black_box(Size::new(SIZE, SIZE)))?;
     let Ok(()) = screen.clear(BACKGROUND);
     draw(&mut screen)?;

@@ -20,11 +20,13 @@ impl<'p> Screen<'p> {
         Some(Self { pixels: pixels.get_mut(..count)?, size })
     }
 
-    /// Columns of a row, all inside the screen.
+    /// The rows of an area that lies inside the screen.
     #[inline(always)]
-    fn row(&mut self, y: i32, x: i32, width: u32) -> Option<&mut [Rgb565]> {
-        let from = y as usize * self.size.width as usize + x as usize;
-        self.pixels.get_mut(from..from + width as usize)
+    fn rows(&mut self, area: &Rectangle) -> impl Iterator<Item = &mut [Rgb565]> {
+        let (width, stride) = (area.size.width as usize, self.size.width as usize);
+        let from = area.top_left.y as usize * stride + area.top_left.x as usize;
+        let rows = self.pixels.get_mut(from..).unwrap_or_default().chunks_mut(stride);
+        rows.take(area.size.height as usize).filter_map(move |row| row.get_mut(..width))
     }
 }
 
@@ -61,8 +63,7 @@ impl DrawTarget for Screen<'_> {
             return self.draw_iter(area.points().zip(colors).map(|(point, color)| Pixel(point, color)));
         }
         let mut colors = colors.into_iter();
-        for y in inside.rows() {
-            let Some(row) = self.row(y, inside.top_left.x, inside.size.width) else { break };
+        for row in self.rows(area) {
             for (pixel, color) in row.iter_mut().zip(&mut colors) {
                 *pixel = color;
             }
@@ -72,9 +73,13 @@ impl DrawTarget for Screen<'_> {
 
     fn fill_solid(&mut self, area: &Rectangle, color: Rgb565) -> Result<(), Infallible> {
         let inside = area.intersection(&self.bounding_box());
-        for y in inside.rows() {
-            let Some(row) = self.row(y, inside.top_left.x, inside.size.width) else { break };
-            row.fill(color);
+        let (width, stride) = (inside.size.width as usize, self.size.width as usize);
+        let mut from = inside.top_left.y as usize * stride + inside.top_left.x as usize;
+        for _ in 0..inside.size.height {
+            if let Some(row) = self.pixels.get_mut(from..from + width) {
+                row.fill(color);
+            }
+            from += stride;
         }
         Ok(())
     }
