@@ -75,6 +75,24 @@ fn speed(lines: &mut Vec<String>) -> Result<(), String> {
             ["tools/bench/run cells", scene, if variant.is_empty() { "plain" } else { variant }, core];
         lines.push(format!("| {what} | {} | {others} | `{}` |", row.get("instructions")?, command.join(" ")));
     }
+    for (what, scene, variant, core) in [
+        ("– the torus cut by the near plane, flat, without planes; M4F", "C1", "", "M4F"),
+        ("– a cube that turns, wireframe, with the set-up of its transform; M4F", "T1", "", "M4F"),
+        ("– 1000 lines into any DrawTarget; M3", "S6", "dt", "M3"),
+    ] {
+        let row = page.row("As users draw", &[scene, variant, core])?;
+        let (once, best) = (row.get("once")?, row.after("once")?);
+        let mut others = vec![format!("{once} {best}")];
+        for name in ["3DG", "EG"] {
+            others.push(format!("{name} {}", row.get(name)?));
+        }
+        others.retain(|rival| !rival.ends_with('–'));
+        let (ours, others) = (row.get("instructions")?, others.join(", "));
+        let variant = if variant.is_empty() { "plain" } else { variant };
+        lines.push(format!(
+            "| {what} | {ours} | {others} | `tools/bench/run cells {scene} {variant} {core}` |"
+        ));
+    }
     Ok(())
 }
 

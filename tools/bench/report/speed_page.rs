@@ -80,8 +80,8 @@ const RIVALS: &str = "
 Published crates that build as they are: embedded-3dgfx 0.7.2 (3DG; features `row_width_240`, `lighting`; its depth has 32 bits, which takes
 fewer instructions than its 16) and the lines and filled triangles of embedded-graphics 0.8.2 (EG; the points of each line by one `draw_iter`), at the
 same level of optimisation, counted by the same clock. Each draws into this library's picture and into the DrawTarget of
-[`dt`](#any-drawtarget); the table has the smaller of both counts, for ours that of `Picture::pixels`. Each draws the same scene, and the number of
-pixels differs by at most 8 %: both round corners to pixels and fill all edges. 3DG
+[`dt`](#any-drawtarget), and the table has the smaller of both counts; ours is that of `Picture::pixels`, which rivals cannot use. Each
+draws the same scene, and the number of pixels differs by at most 8 %: both round corners to pixels and fill all edges. 3DG
 records and executes (without depth: draws what it has recorded); S1 of EG are its lines between points that we project.
 *Then* is 3DG's figure from when the targets were set, measured by another program, which may have used 3DG differently.
 
