@@ -11,11 +11,11 @@ use std::fmt::Write;
 const HEAD: &str = "
 ## As users draw
 
-In the scenes above all objects lie before the camera, their transforms are set up beforehand, and pixels go into memory. In these they
-do not. Everything that a table does not mention is as [above](#what-is-counted). *S* is the count at opt-level s. *Target* and
-*stretch* are for opt-level 3; nothing fails where a target is not reached yet. *Once* is the best of S3L and TGX, measured once
-by another program on the same scene and emulator; 3DG and EG are measured [in this run](#rivals-in-the-same-run). Where a
-rival has no figure it was not measured.
+The cells above are of objects that lie before the camera as a whole, whose transforms are set up beforehand, drawn in one piece into
+memory. Here the near plane cuts them, they move, or pixels go into a DrawTarget or a band. Everything that a table does not mention
+is as [above](#what-is-counted). *S* is the count at opt-level s. *Target* and *stretch* are for opt-level 3; nothing fails
+where a target is not reached yet. *Once* is the best of S3L and TGX, measured once by another program on the same scene
+and emulator; 3DG and EG are measured [in this run](#rivals-in-the-same-run). Where a rival has no figure it was not measured.
 ";
 
 const NEAR: &str = "

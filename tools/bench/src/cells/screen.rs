@@ -19,15 +19,6 @@ impl<'p> Screen<'p> {
         let count = size.width as usize * size.height as usize;
         Some(Self { pixels: pixels.get_mut(..count)?, size })
     }
-
-    /// The rows of an area that lies inside the screen.
-    #[inline(always)]
-    fn rows(&mut self, area: &Rectangle) -> impl Iterator<Item = &mut [Rgb565]> {
-        let (width, stride) = (area.size.width as usize, self.size.width as usize);
-        let from = area.top_left.y as usize * stride + area.top_left.x as usize;
-        let rows = self.pixels.get_mut(from..).unwrap_or_default().chunks_mut(stride);
-        rows.take(area.size.height as usize).filter_map(move |row| row.get_mut(..width))
-    }
 }
 
 impl OriginDimensions for Screen<'_> {
@@ -63,10 +54,15 @@ impl DrawTarget for Screen<'_> {
             return self.draw_iter(area.points().zip(colors).map(|(point, color)| Pixel(point, color)));
         }
         let mut colors = colors.into_iter();
-        for row in self.rows(area) {
-            for (pixel, color) in row.iter_mut().zip(&mut colors) {
-                *pixel = color;
+        let (width, stride) = (area.size.width as usize, self.size.width as usize);
+        let mut from = area.top_left.y as usize * stride + area.top_left.x as usize;
+        for _ in 0..area.size.height {
+            if let Some(row) = self.pixels.get_mut(from..from + width) {
+                for (pixel, color) in row.iter_mut().zip(&mut colors) {
+                    *pixel = color;
+                }
             }
+            from += stride;
         }
         Ok(())
     }
