@@ -5,8 +5,11 @@
 mod bands;
 mod bands_page;
 mod cells;
+mod chips;
 mod core;
 mod cross;
+mod cycles;
+mod cycles_page;
 mod elf;
 mod fit;
 mod footprint;
@@ -21,12 +24,14 @@ mod profile;
 mod profile_page;
 mod prototype;
 mod provenance;
+mod registers;
 mod rivals;
 mod scenes;
 mod side_by_side;
 mod speed_page;
 mod stages;
 mod targets;
+mod timing;
 mod trace;
 
 use cells::Choice;
@@ -44,6 +49,7 @@ const USAGE: &str = "\
 tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footprint ...]
 tools/bench/run guard [--rebase]
 tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
+tools/bench/run cycles [SCENE...] [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
 tools/bench/run floats IMAGE...";
 
 /// The task that the command line names.
@@ -56,6 +62,8 @@ enum Task {
     Guard { rebase: bool },
     /// Print cells.
     Cells(Choice),
+    /// Print cycles of cells.
+    Cycles(cycles::Asked),
     /// Look for routines for floating point in any images.
     Floats(Vec<String>),
 }
@@ -65,6 +73,7 @@ impl Task {
         let (first, rest) = arguments.split_first().map_or(("", arguments), |(first, rest)| (first, rest));
         Ok(match first {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
+            "cycles" => Self::Cycles(cycles::Asked::new(rest)?),
             "floats" => Self::Floats(rest.to_vec()),
             "guard" if rest.is_empty() => Self::Guard { rebase: false },
             "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
@@ -87,6 +96,7 @@ impl Task {
                     footprint::without_floats(image, Path::new(image), &mut failures)?;
                 }
             }
+            Self::Cycles(asked) => cycles::print(&asked, &mut failures)?,
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
         }
         Ok(failures)

@@ -5,8 +5,8 @@ use crate::cells::{self, Cell, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
 use crate::{
-    bands_page, footprint, footprint_page, growth, growth_page, profile, profile_page, rivals, scenes,
-    targets, Result, M3,
+    bands_page, chips, cycles, cycles_page, footprint, footprint_page, growth, growth_page, profile,
+    profile_page, rivals, scenes, targets, Result, M3,
 };
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -42,7 +42,10 @@ impl Page {
             Self::Profile => {
                 profile_page::text(compiler, &profile::measure(failures)?, &targets::targets()?)?
             }
-            Self::Growth => growth_page::text(compiler, &growth::measure()?),
+            Self::Growth => {
+                let per_instruction = cycles_page::per_instruction(chips::measured(failures)?);
+                growth_page::text(compiler, &growth::measure()?, &per_instruction)
+            }
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
             Self::Footprint => footprint_page::text(compiler, &footprint::measure(rebase, failures)?),
         })
@@ -64,7 +67,8 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
     compare_pictures(&cells, &without, failures);
     let rivals = rivals::measure(failures)?;
     let figures = Figures { cells: &cells, without: &without, targets: &targets, rivals: &rivals };
-    Ok(speed_page::text(compiler, &figures))
+    let cycles = cycles::time(&cells, &cycles::TIMED_CORES, failures)?;
+    Ok(speed_page::text(compiler, &figures) + &cycles_page::text(&cycles, chips::measured(failures)?))
 }
 
 /// By planes and without the picture is the same.

@@ -12,6 +12,7 @@ pub(crate) struct Provenance {
 }
 
 /// One function at an address; for the library, `file` is relative to `src`, such as `raster/line.rs`.
+#[derive(Clone)]
 pub(crate) struct Frame {
     pub(crate) file: String,
     pub(crate) function: String,
