@@ -120,9 +120,9 @@ fn of_image(
     trace::frame(core, image, &places, |block| {
         run.extend(block.iter().map(|at| Executed::at(*at as u32))); // code ends far below 2³²
     })?;
-    // The instruction behind the call of the frame; what follows a return is never next to it.
+    let (run, end) = trace::counted(&run, trace::clock_code(image, &places)?)?;
     let timed =
-        cores.into_iter().map(|core| (core, program.cycles(&run, 0, core.pipeline, None, None).cycles));
+        cores.into_iter().map(|core| (core, program.cycles(run, end, core.pipeline, None, None).cycles));
     Ok((run.len() as u64, timed.collect()))
 }
 

@@ -4,7 +4,7 @@
 use crate::core::Core;
 use crate::provenance::Frame;
 use crate::timing::program::{Conditions, Executed, Program, State};
-use crate::trace::{clock, filter, EARLIER};
+use crate::trace::{clock_code, counted, filter, EARLIER};
 use crate::{elf, provenance, Result};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -34,13 +34,12 @@ pub(crate) fn function(image: &Path, places: &[Vec<Frame>], name: &str) -> Resul
 
 /// Runs an image and records its first `count` frames.
 pub(crate) fn record(core: Core, image: &Path, places: &[Vec<Frame>], count: usize) -> Result<Frames> {
-    let clock = u32::try_from(clock(image, places)?)?;
+    let clock = clock_code(image, places)?;
     let mut command = core.emulate(image);
     command.args(LOG).args(filter(image, places)?);
     let mut qemu = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
     let mut lines = BufReader::with_capacity(1 << 20, qemu.stderr.take().ok_or("its log")?);
-    let mut recorder =
-        Recorder { program: Program::of(image)?, clock, state: State::default(), ..Recorder::default() };
+    let mut recorder = Recorder { program: Program::of(image)?, clock: clock.start, ..Recorder::default() };
     let mut line = Vec::new();
     while recorder.frames.len() < count {
         line.clear();
@@ -53,7 +52,14 @@ pub(crate) fn record(core: Core, image: &Path, places: &[Vec<Frame>], count: usi
     let _ = qemu.kill();
     qemu.wait()?;
     match recorder.frames.len() {
-        found if found == count => Ok(Frames { program: recorder.program, frames: recorder.frames }),
+        found if found == count => {
+            let frame = |run: Vec<Executed>| {
+                let (run, end) = counted(&run, clock.clone())?;
+                Ok(Recorded { run: run.to_vec(), end })
+            };
+            let frames = recorder.frames.into_iter().map(frame).collect::<Result<_>>()?;
+            Ok(Frames { program: recorder.program, frames })
+        }
         found => Err(format!("{}: {found} of {count} frames in QEMU's log", image.display()).into()),
     }
 }
@@ -69,10 +75,10 @@ struct Recorder {
     conditions: Conditions,
     /// How often the clock was called.
     calls: u32,
-    /// The instruction that called it for a frame, as long as that lasts.
-    call: Option<u32>,
+    /// Where it returns to from a frame, as long as that lasts.
+    back: Option<u32>,
     run: Vec<Executed>,
-    frames: Vec<Recorded>,
+    frames: Vec<Vec<Executed>>,
 }
 
 impl Recorder {
@@ -99,20 +105,20 @@ impl Recorder {
 
     fn execute(&mut self) {
         let at = self.state.registers[15];
-        if let Some(call) = self.call {
-            // The call takes two bytes or four.
-            if (call + 1..=call + 4).contains(&at) {
-                self.call = None;
-                self.frames.push(Recorded { run: std::mem::take(&mut self.run), end: at });
+        if let Some(back) = self.back {
+            if at == back {
+                self.back = None;
+                self.frames.push(std::mem::take(&mut self.run));
                 return;
             }
         } else if at == self.clock {
             self.calls += 1;
             if self.calls > EARLIER {
-                self.call = Some(self.before.registers[15]);
+                // The link register, without the bit that says Thumb.
+                self.back = Some(self.state.registers[14] & !1);
             }
         }
-        if self.call.is_some() {
+        if self.back.is_some() {
             let executed = self.program.record(&self.state, &mut self.conditions);
             self.run.push(executed);
         }

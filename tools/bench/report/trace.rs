@@ -3,6 +3,7 @@
 
 use crate::core::Core;
 use crate::provenance::{Frame, STEP};
+use crate::timing::program::Executed;
 use crate::{elf, Result};
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};
@@ -26,18 +27,33 @@ pub(crate) fn clock(image: &Path, places: &[Vec<Frame>]) -> Result<u64> {
     Ok(elf::sizes(image)?.code.start + STEP * at as u64)
 }
 
+/// The addresses of `Clock::count`.
+pub(crate) fn clock_code(image: &Path, places: &[Vec<Frame>]) -> Result<Range<u32>> {
+    let start = clock(image, places)?;
+    let at = ((start - elf::sizes(image)?.code.start) / STEP) as usize;
+    let name = |place: &Vec<Frame>| place.last().map(|frame| frame.function.clone());
+    let count = places[at..].iter().take_while(|place| name(place) == name(&places[at])).count();
+    Ok(u32::try_from(start)?..u32::try_from(start + STEP * count as u64)?)
+}
+
+/// What of a run of `Clock::count` is counted, and the address behind: what it calls by its only `BLX`, of two bytes.
+pub(crate) fn counted(run: &[Executed], clock: Range<u32>) -> Result<(&[Executed], u32)> {
+    let outside = |executed: &Executed| !clock.contains(&executed.at);
+    let start = run.iter().position(outside).filter(|start| *start > 0).ok_or("the clock counts nothing")?;
+    let end = run[start - 1].at + 2;
+    let length = run[start..].iter().position(|executed| executed.at == end);
+    Ok((&run[start..start + length.ok_or("a frame does not return to the clock")?], end))
+}
+
 /// Limits QEMU's log to the code that can run while the clock counts a frame: not what paints the stack or adds up a
 /// checksum, which takes most of the time of a run.
 pub(crate) fn filter(image: &Path, places: &[Vec<Frame>]) -> Result<[String; 2]> {
     let start = elf::sizes(image)?.code.start;
-    let mut ranges: Vec<Range<u64>> = Vec::new();
+    let (mut ranges, mut left_out): (Vec<Range<u64>>, bool) = (Vec::new(), false);
     for (at, place) in (start..).step_by(STEP as usize).zip(places) {
-        if place.iter().any(|frame| {
-            frame.file.ends_with("src/stack.rs")
-                || ["Checksum", "Clock::turns", "Clock>::turns"]
-                    .iter()
-                    .any(|name| frame.function.contains(name))
-        }) {
+        // The first of these may be what the call of a frame returns to.
+        let first = !std::mem::replace(&mut left_out, place.iter().any(is_elsewhere));
+        if left_out && !first {
             continue;
         }
         match ranges.last_mut() {
@@ -48,6 +64,12 @@ pub(crate) fn filter(image: &Path, places: &[Vec<Frame>]) -> Result<[String; 2]>
     let ranges: Vec<String> =
         ranges.iter().map(|range| format!("{:#x}..{:#x}", range.start, range.end - 1)).collect();
     Ok(["-dfilter".into(), ranges.join(",")])
+}
+
+/// Whether a function runs only outside of frames, and long.
+fn is_elsewhere(frame: &Frame) -> bool {
+    frame.file.ends_with("src/stack.rs")
+        || ["Checksum", "Clock::turns", "Clock>::turns"].iter().any(|name| frame.function.contains(name))
 }
 
 /// What the log has said so far.
