@@ -105,11 +105,13 @@ pub(crate) fn text(cells: &[CellCycles], frames: &[ChipFrame]) -> String {
     text
 }
 
-/// What is left of RAM for vertices, bins, variables and the stack.
-const REST: u32 = 6 << 10;
+/// RAM for vertices, bins, variables and the stack, and for code and mesh where they are in RAM: in bytes, enough for S3 with depth.
+const REST: u32 = 8 << 10;
+const CODE: u32 = 40 << 10;
 
 fn fits(frame: &ChipFrame, double: bool) -> bool {
-    buffers(frame, double) + REST <= frame.chip.ram
+    let code = if frame.chip.flash.is_none() { CODE } else { 0 };
+    buffers(frame, double) + REST + code <= frame.chip.ram
 }
 
 /// Frames per second without and with overlap, and what limits the latter, or the former if there is no RAM for two.
@@ -144,7 +146,7 @@ line and that of its core without. Multiply the error of the formula with that o
 
 /// Cycles per instruction of chips, and of their cores without wait states, for `docs/growth.md`.
 pub(crate) fn per_instruction(frames: &[ChipFrame]) -> String {
-    let mut text = PER_INSTRUCTION.to_string();
+    let (mut text, mut cores) = (PER_INSTRUCTION.to_string(), Vec::new());
     for chip in &CHIPS {
         let mut line = |name: &str, cycles: fn(&ChipFrame) -> u64| {
             let _ = write!(text, "| {name} |");
@@ -160,8 +162,8 @@ pub(crate) fn per_instruction(frames: &[ChipFrame]) -> String {
             }
             text.push('\n');
         };
-        // One line for each core: that of the chip with most of its code from flash.
-        if chip.flash.is_some() && chip.name != "nRF52840" {
+        if !cores.contains(&chip.core) {
+            cores.push(chip.core);
             line(&format!("{}, no wait states", chip.core), |frame| frame.ideal);
         }
         if chip.flash.is_some() {

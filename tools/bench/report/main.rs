@@ -33,6 +33,7 @@ mod stages;
 mod targets;
 mod timing;
 mod trace;
+mod validate;
 
 use cells::Choice;
 use pages::{Page, PAGES};
@@ -50,6 +51,7 @@ tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footpri
 tools/bench/run guard [--rebase]
 tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run cycles [SCENE...] [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
+tools/bench/run validate
 tools/bench/run floats IMAGE...";
 
 /// The task that the command line names.
@@ -64,6 +66,8 @@ enum Task {
     Cells(Choice),
     /// Print cycles of cells.
     Cycles(cycles::Asked),
+    /// Compare the timing tables with published cycles.
+    Validate,
     /// Look for routines for floating point in any images.
     Floats(Vec<String>),
 }
@@ -75,6 +79,7 @@ impl Task {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
             "cycles" => Self::Cycles(cycles::Asked::new(rest)?),
             "floats" => Self::Floats(rest.to_vec()),
+            "validate" if rest.is_empty() => Self::Validate,
             "guard" if rest.is_empty() => Self::Guard { rebase: false },
             "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
             "--check" => Self::Check { pages: named(rest)? },
@@ -97,6 +102,7 @@ impl Task {
                 }
             }
             Self::Cycles(asked) => cycles::print(&asked, &mut failures)?,
+            Self::Validate => validate::run(&mut failures)?,
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
         }
         Ok(failures)

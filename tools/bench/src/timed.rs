@@ -59,23 +59,36 @@ pub const IMAGES: [(&str, Option<u32>); 3] =
     [("timed_8", Some(8)), ("timed_16", Some(16)), ("timed_whole", None)];
 
 impl Timed {
-    /// Draws a frame and counts its instructions, then another for its checksum: both of them.
-    pub fn count(&self, rows: Option<u32>, memory: &mut Memory, clock: &mut Clock) -> Option<[u32; 2]> {
+    /// Sets the scene up and hands `draw` what draws a frame of it.
+    fn set_up<T>(
+        &self,
+        rows: Option<u32>,
+        memory: &mut Memory,
+        draw: impl FnOnce(&mut dyn FnMut(&mut Display)) -> T,
+    ) -> Option<T> {
         let scene = Scene::new(self.model)?;
         let light = scene.light()?;
-        let mut display = Display::default();
         let mut good = true;
-        let mut once = |display: &mut Display| {
+        let drawn = draw(&mut |display| {
             let (scene, light) = (black_box(&scene), black_box(&light));
             good &= match rows {
                 Some(rows) => self.in_bands(scene, light, rows, memory, display),
                 None => self.whole(scene, light, memory, display),
             }
             .is_some();
-        };
-        let instructions = clock.count(&mut || once(&mut display))?;
-        let crc = display.look(&mut once);
-        good.then_some([instructions, crc])
+        });
+        good.then_some(drawn)
+    }
+
+    /// The instructions of a frame.
+    pub fn count(&self, rows: Option<u32>, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
+        let mut display = Display::default();
+        self.set_up(rows, memory, |frame| clock.count(&mut || frame(&mut display)))?
+    }
+
+    /// The CRC-32 of its pixels.
+    pub fn checksum(&self, rows: Option<u32>, memory: &mut Memory) -> Option<u32> {
+        self.set_up(rows, memory, |frame| Display::default().look(frame))
     }
 
     fn in_bands(
@@ -120,11 +133,14 @@ impl Timed {
     }
 }
 
-/// Prints a line `instructions,crc` for each of [`TIMED`].
+/// Prints the instructions of each of [`TIMED`], a line each, then their checksums: what is counted comes first, so that who records
+/// it need not wait for the rest.
 pub fn print(rows: Option<u32>, memory: &mut Memory, clock: &mut Clock) -> Option<()> {
     for timed in &TIMED {
-        let [instructions, crc] = timed.count(rows, memory, clock)?;
-        println!("{instructions},{crc:08x}");
+        println!("{}", timed.count(rows, memory, clock)?);
+    }
+    for timed in &TIMED {
+        println!("{:08x}", timed.checksum(rows, memory)?);
     }
     Some(())
 }
