@@ -34,7 +34,7 @@ pub(crate) struct Chip {
 const NO_CACHE: FlashRules =
     FlashRules { wait: 0, line: 8, prefetch: true, lines: 0, ways: 0, data: DataCache::None };
 
-pub(crate) const CHIPS: [Chip; 7] = [
+pub(crate) static CHIPS: [Chip; 7] = [
     Chip {
         name: "RP2040, code in RAM",
         core: "M0+",

@@ -38,7 +38,8 @@ depth) cleared, everything drawn and sent: in bands, or *whole* from a picture i
 const CHIPS_TEXT: &str = "
 *Drawing* is the time of the core alone. *Waits* is the part of it that the core waits for flash, with caches that the frame before has
 filled. For each clock of the bus: frames per second if each band is sent before the next one is drawn / if DMA sends one strip (or picture)
-while the next one is drawn, and which of the two, *CPU* or *bus*, takes longer. The bus is taken to send without gaps, with 11 bytes of
+while the next one is drawn, and which of the two, *CPU* or *bus*, takes longer. Bands differ: where one takes long to draw, the bus
+idles, so that a frame may take longer than either alone. The bus is taken to send without gaps, with 11 bytes of
 commands a band; a driver that waits for every byte is much slower. A clock beyond the chip's own SPI stands in *italics*: it shows what
 a faster interface would give. – : two pictures do not fit in RAM; a chip with too little RAM for one has no line.
 
@@ -51,8 +52,8 @@ own pace come on top.
 |---|---|---|--:|--:|--:|--:|--:|
 ";
 
-/// The cells' cycles, and the frames per second of chips, for `docs/speed.md`.
-pub(crate) fn text(cells: &[CellCycles], frames: &[ChipFrame]) -> String {
+/// The cells' cycles, for `docs/speed.md`.
+pub(crate) fn cycles(cells: &[CellCycles]) -> String {
     let mut text = CYCLES.to_string();
     let mut rows: Vec<(&str, &str)> = cells.iter().map(|cell| (cell.scene, cell.variant)).collect();
     rows.sort();
@@ -68,7 +69,12 @@ pub(crate) fn text(cells: &[CellCycles], frames: &[ChipFrame]) -> String {
         }
         text.push('\n');
     }
-    text += CHIPS_HEAD;
+    text
+}
+
+/// The frames per second of chips, for `docs/speed.md`.
+pub(crate) fn frames_per_second(frames: &[ChipFrame]) -> String {
+    let mut text = CHIPS_HEAD.to_string();
     for chip in &CHIPS {
         let _ = writeln!(
             text,

@@ -46,9 +46,12 @@ pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
                 continue;
             }
             if flags & 4 != 0 && bytes > 0 {
-                sizes.code = from..from + bytes; // one section, of link.x
+                // One section, of link.x; what an assembler puts into another lies behind it.
                 let offset = word(at + 16)?;
-                sizes.code_offset = offset..offset + bytes as usize;
+                if sizes.code.is_empty() {
+                    (sizes.code.start, sizes.code_offset.start) = (from, offset);
+                }
+                (sizes.code.end, sizes.code_offset.end) = (from + bytes, offset + bytes as usize);
             }
             // Memory that starts empty takes no flash.
             sizes.flash += if allocated && !empty { bytes } else { 0 };

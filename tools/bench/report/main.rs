@@ -51,6 +51,7 @@ tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footpri
 tools/bench/run guard [--rebase]
 tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run cycles [SCENE...] [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
+tools/bench/run chips
 tools/bench/run validate
 tools/bench/run floats IMAGE...";
 
@@ -66,6 +67,8 @@ enum Task {
     Cells(Choice),
     /// Print cycles of cells.
     Cycles(cycles::Asked),
+    /// Print the tables of frames per second and of cycles per instruction.
+    Chips,
     /// Compare the timing tables with published cycles.
     Validate,
     /// Look for routines for floating point in any images.
@@ -79,6 +82,7 @@ impl Task {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
             "cycles" => Self::Cycles(cycles::Asked::new(rest)?),
             "floats" => Self::Floats(rest.to_vec()),
+            "chips" if rest.is_empty() => Self::Chips,
             "validate" if rest.is_empty() => Self::Validate,
             "guard" if rest.is_empty() => Self::Guard { rebase: false },
             "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
@@ -102,6 +106,14 @@ impl Task {
                 }
             }
             Self::Cycles(asked) => cycles::print(&asked, &mut failures)?,
+            Self::Chips => {
+                let frames = chips::measured(&mut failures)?;
+                println!(
+                    "{}{}",
+                    cycles_page::frames_per_second(frames),
+                    cycles_page::per_instruction(frames)
+                );
+            }
             Self::Validate => validate::run(&mut failures)?,
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
         }

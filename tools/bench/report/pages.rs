@@ -68,7 +68,8 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
     let rivals = rivals::measure(failures)?;
     let figures = Figures { cells: &cells, without: &without, targets: &targets, rivals: &rivals };
     let cycles = cycles::time(&cells, &cycles::TIMED_CORES, failures)?;
-    Ok(speed_page::text(compiler, &figures) + &cycles_page::text(&cycles, chips::measured(failures)?))
+    let frames = cycles_page::frames_per_second(chips::measured(failures)?);
+    Ok(speed_page::text(compiler, &figures) + &cycles_page::cycles(&cycles) + &frames)
 }
 
 /// By planes and without the picture is the same.
