@@ -9,16 +9,19 @@ use std::fmt::Write;
 const CYCLES: &str = "
 ## Cycles
 
-The cells once more, in cycles of a core whose memory answers without waiting, and in brackets the cycles per instruction. Every
-instruction of the frame is recorded and timed by the tables of Arm's manuals (M0: DDI 0432, M0+: DDI 0484, M3: DDI 0337, M4:
-DDI 0439). The M0+ runs the M0's images, the M4 and the M33 those of the M4F. `tools/bench/run cycles S3 M3` prints a line
-`scene,variant,core,instructions,cycles,cycles per instruction` for each.
+The cells in cycles, with cycles per instruction in brackets, for cores whose memory answers without wait states. Each instruction of the
+frame is recorded and timed by the tables of Arm's manuals (M0: DDI 0432, M0+: DDI 0484, M3: DDI 0337, M4: DDI 0439). The M0+ runs the
+images of the M0, the M4 and M33 run those of the M4F. `tools/bench/run cycles S3 M3` measures some cells and prints a line for each:
+`scene,variant,core,instructions,cycles,cycles per instruction`.
 
-Error, against published measurements of elliptic-curve and AES code on chips: M0 and M0+ within 1 %. M3 and M4: the chip takes 0 to 4 %
-more, 12 % at worst. The M33 has no published table; its rules are a guess, good for 15 %, and its own instructions (thumbv8m.main) are
-not used. M0 and M0+ are those with the multiplier of one cycle; one of 32 cycles is in none of the chips below. Not modelled:
-divisions and long products that end early on the M3 (taken: 7 cycles, 5 and 7), instructions in an IT block that are
-skipped (taken: their time), wait states, and anything else on the bus.
+**Error.** Compared with published measurements of cryptographic code on chips, M0 and M0+ are within 1 %; an M3 or M4 takes 0 to 4 % more
+cycles than stated here, 12 % at worst. `tools/bench/run validate` compares again with P-256 code on an nRF52840 (Lenngren's, by the crate
+p256-cm4): −2 to +1 %. The other code is in no package registry. Arm publishes no table for the M33: its rules are a guess with an
+error of 15 %, and an image built for thumbv8m.main would differ.
+
+**Not modelled.** Divisions and the M3's long products end early for small operands (taken: 7 cycles for a division, 5 for a product, 7 for one
+that adds). Skipped instructions of an IT block count as executed. A Cortex-M0 or M0+ with the small multiplier takes 32 cycles for a product
+in place of 1. Wait states and other users of the bus come on top: [below](#frames-per-second).
 
 | scene | | M0 | M0+ | M3 | M4 | M33 |
 |---|---|--:|--:|--:|--:|--:|
@@ -27,28 +30,28 @@ skipped (taken: their time), wait states, and anything else on the bus.
 const CHIPS_HEAD: &str = "
 ## Frames per second
 
-What a user gets on a display of 240 × 240 pixels of 16 bits. A frame: the object is placed before the camera, the picture (and the
-depth) cleared, everything drawn and sent: in bands, or *whole* from a picture in RAM. By `bin_faces` and `Band::pixels`, or by
-`Picture::pixels`, without planes, opt-level 3; camera and light are set up before. The scenes are those above.
+On a display of 240 × 240 pixels of 16 bits. In each frame the object is placed before the camera, the picture and the depth buffer are
+cleared, and the scene is drawn and sent: in bands (`bin_faces`, `Band::pixels`), or *whole* from a picture in RAM (`Picture::pixels`). The
+scenes are those above, without planes, at opt-level 3; camera and light are set up before. `tools/bench/run chips` prints these
+tables.
 
-| chip | core | clock, MHz | flash | SPI at most, MHz | RAM, KB | error of the drawing time |
+| chip | core | clock, MHz | flash | fastest SPI, MHz | RAM, KB | error of the drawing time |
 |---|---|--:|---|--:|--:|---|
 ";
 
 const CHIPS_TEXT: &str = "
-*Drawing* is the time of the core alone. *Waits* is the part of it that the core waits for flash, with caches that the frame before has
-filled. For each clock of the bus: frames per second if each band is sent before the next one is drawn / if DMA sends one strip (or picture)
-while the next one is drawn, and which of the two, *CPU* or *bus*, takes longer. Bands differ: where one takes long to draw, the bus
-idles, so that a frame may take longer than either alone. The bus is taken to send without gaps, with 11 bytes of
-commands a band; a driver that waits for every byte is much slower. A clock beyond the chip's own SPI stands in *italics*: it shows what
-a faster interface would give. – : two pictures do not fit in RAM; a chip with too little RAM for one has no line.
+*Drawing* is the time of the core, *waits* the part of it that is spent waiting for flash, with caches as the previous frame left them. The
+columns of the bus have frames per second: if each band is sent before the next is drawn / if DMA sends one strip or picture while
+the next is drawn; and which takes longer, drawing (*CPU*) or sending (*bus*). A band that takes long to draw lets the bus idle, so a
+frame in bands can take longer than both. A – means that RAM does not hold two pictures; where it does not hold one, there is no line. An
+SPI clock beyond the chip's own is in *italics*: a parallel interface can be as fast.
 
-Divide the drawing time by your clock if it is another, and take other wait states into account: the share of *waits* grows with
-them. Code that runs from RAM has none. DMA takes a cycle of the RAM for each transfer, at 40 MHz SPI one in 25 at
-125 MHz by bytes, half of that by halves; where core and DMA are in the same bank, the core waits for it. Interrupts, other tasks and the display's
-own pace come on top.
+**What comes on top.** The bus sends without gaps here, with 11 bytes of commands for each band; a driver that waits for each byte takes several times
+as long. For another clock, multiply the cycles without wait states ([growth.md](growth.md#cycles-per-instruction)) and add waits: they
+grow with the wait states. DMA takes one cycle of the RAM for each transfer: at 40 MHz SPI and 125 MHz that is one cycle in 25 by bytes, one in 50
+by half-words, and the core waits if it uses the same bank of RAM then. Interrupts and other tasks are not included.
 
-| chip | scene | sent | drawing, ms | waits | own SPI | 40 MHz | 62.5 MHz |
+| chip | scene | sent | drawing, ms | waits | fastest SPI | 40 MHz | 62.5 MHz |
 |---|---|---|--:|--:|--:|--:|--:|
 ";
 
@@ -142,9 +145,9 @@ fn named(timed: usize) -> String {
 const PER_INSTRUCTION: &str = "
 ## Cycles per instruction
 
-Of whole frames of S1 (lines), S2 and S3 in bands, clears included: the sum of cycles over that of instructions, by the tables and
-with the clocks, flash and errors that [speed.md](speed.md#frames-per-second) states. A chip with another clock has other wait states: between its
-line and that of its core without. Multiply the error of the formula with that of the chip.
+Measured on frames in bands, clears included: S1 for lines, S2 and S3 for faces. The clocks, wait states and errors of the chips are in
+[speed.md](speed.md#frames-per-second); the errors add to those of the formula. For a chip that is not listed, start from its core
+without wait states.
 
 | | lines | faces | faces with depth |
 |---|--:|--:|--:|

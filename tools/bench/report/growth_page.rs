@@ -27,7 +27,7 @@ Count what a frame has of each thing, and add up count × constant, from the col
     time         = instructions × cycles per instruction / clock  +  pixels sent × 16 / SPI clock
 
 With double-buffered DMA, drawing and sending overlap, so take the longer of the two. Cycles per instruction depend on core
-and flash: [a table](#cycles-per-instruction) has them. The counts are of
+and flash: take them from [the table below](#cycles-per-instruction). The counts are of
 one frame; `Statistics` tells how many faces were drawn. A constant marked *more* is added to what the face or edge costs
 anyway:
 
