@@ -7,6 +7,7 @@ use crate::side_by_side::side_by_side;
 use crate::timing::pipeline::Pipeline;
 use crate::timing::program::{Executed, Program};
 use crate::{provenance, trace, Result};
+use bench::cells::CELLS;
 use std::fmt;
 
 /// A core with a timing table, and whose images it runs.
@@ -29,7 +30,8 @@ pub(crate) const TIMED_CORES: [TimedCore; 5] = [
 /// A cell on a core, without wait states.
 pub(crate) struct CellCycles {
     pub(crate) scene: &'static str,
-    pub(crate) variant: &'static str,
+    /// With its opt-level.
+    pub(crate) variant: String,
     pub(crate) core: TimedCore,
     pub(crate) instructions: u64,
     pub(crate) cycles: u64,
@@ -72,20 +74,27 @@ impl Asked {
 pub(crate) fn print(asked: &Asked, failures: &mut Vec<String>) -> Result<()> {
     let mut cells = Vec::new();
     cells::measure(&asked.choice, failures, |cell| cells.push(cell))?;
-    for timed in time(&cells, &asked.cores, failures)? {
+    for timed in time(&cells.iter().collect::<Vec<_>>(), &asked.cores, failures)? {
         println!("{timed}");
     }
     Ok(())
 }
 
+/// The cells of the page: those that have targets, and some of what users draw.
+pub(crate) fn is_on_page(cell: &Cell) -> bool {
+    let some = ["C1", "T1", "F50"].contains(&cell.scene) && ["plain", "z"].contains(&cell.variant);
+    let target = CELLS.iter().any(|known| (known.0, known.1) == (cell.scene, cell.variant));
+    cell.level == cells::FAST && cell.core.name != "RV32" && (target || some)
+}
+
 /// The cycles of cells that have been built, on those of `cores` that run their images.
 pub(crate) fn time(
-    cells: &[Cell],
+    cells: &[&Cell],
     cores: &[TimedCore],
     failures: &mut Vec<String>,
 ) -> Result<Vec<CellCycles>> {
     let timed = side_by_side(cells, |cell| {
-        let image = cell.core.build().image(&cells::bin(cell.scene, cell.variant));
+        let image = cells::kept(cell);
         let cores = cores.iter().filter(|core| core.image == cell.core.name).copied();
         of_image(cell.core, &image, cores.collect())
     })?;
@@ -97,7 +106,7 @@ pub(crate) fn time(
         }
         all.extend(cycles.into_iter().map(|(core, cycles)| CellCycles {
             scene: cell.scene,
-            variant: cell.variant,
+            variant: cells::named(cell.variant, cell.level),
             core,
             instructions: cell.instructions,
             cycles,

@@ -58,13 +58,18 @@ by half-words, and the core waits if it uses the same bank of RAM then. Interrup
 /// The cells' cycles, for `docs/speed.md`.
 pub(crate) fn cycles(cells: &[CellCycles]) -> String {
     let mut text = CYCLES.to_string();
-    let mut rows: Vec<(&str, &str)> = cells.iter().map(|cell| (cell.scene, cell.variant)).collect();
-    rows.sort();
-    rows.dedup();
+    let mut rows: Vec<(&str, &str)> = Vec::new();
+    for cell in cells {
+        let row = (cell.scene, cell.variant.as_str());
+        if !rows.contains(&row) {
+            rows.push(row);
+        }
+    }
     for (scene, variant) in rows {
         let _ = write!(text, "| {scene} | {} |", crate::speed_page::shown(variant));
         for core in TIMED_CORES {
-            let same = |cell: &&CellCycles| (cell.scene, cell.variant, cell.core) == (scene, variant, core);
+            let same =
+                |cell: &&CellCycles| (cell.scene, cell.variant.as_str(), cell.core) == (scene, variant, core);
             let _ = match cells.iter().find(same) {
                 Some(cell) => write!(text, " {} ({:.2}) |", grouped(cell.cycles), cell.per_instruction()),
                 None => write!(text, " – |"),

@@ -67,7 +67,8 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
     compare_pictures(&cells, &without, failures);
     let rivals = rivals::measure(failures)?;
     let figures = Figures { cells: &cells, without: &without, targets: &targets, rivals: &rivals };
-    let cycles = cycles::time(&cells, &cycles::TIMED_CORES, failures)?;
+    let on_page: Vec<&Cell> = cells.iter().filter(|cell| cycles::is_on_page(cell)).collect();
+    let cycles = cycles::time(&on_page, &cycles::TIMED_CORES, failures)?;
     let frames = cycles_page::frames_per_second(chips::measured(failures)?);
     Ok(speed_page::text(compiler, &figures) + &cycles_page::cycles(&cycles) + &frames)
 }
