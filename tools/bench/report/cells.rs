@@ -7,6 +7,7 @@ use crate::{elf, Result};
 use bench::cells::{Known, CELLS, NO_PLANES, USER_CELLS};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::path::PathBuf;
 
 /// Opt-levels: for speed, and for size. The name of a variant at the latter ends with [`SMALL_SUFFIX`].
 pub(crate) const FAST: &str = "3";
@@ -57,7 +58,7 @@ fn all() -> impl Iterator<Item = &'static Known> {
 }
 
 /// A variant at an opt-level.
-fn named(variant: &str, level: &str) -> String {
+pub(crate) fn named(variant: &str, level: &str) -> String {
     match level {
         SMALL => format!("{variant}{SMALL_SUFFIX}"),
         _ => variant.into(),
@@ -134,6 +135,11 @@ pub(crate) fn bin(scene: &str, variant: &str) -> String {
     }
 }
 
+/// A copy of a cell's image, which is not replaced when the cell is built at another opt-level.
+pub(crate) fn kept(cell: &Cell) -> PathBuf {
+    cell.core.build().image(&bin(cell.scene, cell.variant)).with_extension(cell.level)
+}
+
 /// Measures the chosen cells, core by core, and hands each to `each`.
 pub(crate) fn measure(choice: &Choice, failures: &mut Vec<String>, mut each: impl FnMut(Cell)) -> Result<()> {
     let mut pictures = Pictures::new();
@@ -198,6 +204,7 @@ fn on(
             stack: stack.parse()?,
             crc: u32::from_str_radix(crc, 16)?,
         };
+        std::fs::copy(image(scene, variant), kept(&cell))?;
         let host = *pictures.entry((scene, variant)).or_insert_with(|| on_host().map(|counted| counted.crc));
         if host != Some(cell.crc) {
             failures.push(format!("{cell}: not the host's picture, which is {host:08x?}"));

@@ -12,6 +12,20 @@ pub(crate) struct Sizes {
     pub(crate) statics: u64,
     /// Where the instructions are.
     pub(crate) code: Range<u64>,
+    /// Where they are in the file.
+    code_offset: Range<usize>,
+}
+
+/// Where an image's code begins in its file.
+pub(crate) fn code_offset(image: &Path) -> Result<usize> {
+    Ok(sizes(image)?.code_offset.start)
+}
+
+/// The bytes of an image's code, from the address in [`Sizes`] on.
+pub(crate) fn code(image: &Path) -> Result<Vec<u8>> {
+    let at = sizes(image)?.code_offset;
+    let file = std::fs::read(image)?;
+    Ok(file.get(at).ok_or_else(|| format!("{}: its code is cut off", image.display()))?.to_vec())
 }
 
 pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
@@ -25,7 +39,7 @@ pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
     let header = || {
         let (table, size, count) = (word(32)?, half(46)?, half(48)?);
         let names = word(table + half(50)? * size + 16)?;
-        let mut sizes = Sizes { flash: 0, statics: 0, code: 0..0 };
+        let mut sizes = Sizes { flash: 0, statics: 0, code: 0..0, code_offset: 0..0 };
         for section in 0..count {
             let at = table + section * size;
             let (kind, flags) = (word(at + 4)?, word(at + 8)?);
@@ -37,7 +51,12 @@ pub(crate) fn sizes(image: &Path) -> Result<Sizes> {
                 continue;
             }
             if flags & 4 != 0 && bytes > 0 {
-                sizes.code = from..from + bytes; // one section, of link.x
+                // One section, of link.x; what an assembler puts into another lies behind it.
+                let offset = word(at + 16)?;
+                if sizes.code.is_empty() {
+                    (sizes.code.start, sizes.code_offset.start) = (from, offset);
+                }
+                (sizes.code.end, sizes.code_offset.end) = (from + bytes, offset + bytes as usize);
             }
             // Memory that starts empty takes no flash.
             sizes.flash += if allocated && !empty { bytes } else { 0 };

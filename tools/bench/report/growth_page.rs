@@ -27,7 +27,7 @@ Count what a frame has of each thing, and add up count × constant, from the col
     time         = instructions × cycles per instruction / clock  +  pixels sent × 16 / SPI clock
 
 With double-buffered DMA, drawing and sending overlap, so take the longer of the two. Cycles per instruction depend on core
-and flash: draw one frame of any scene on the board, count its cycles, and divide by what the formula says. The counts are of
+and flash: take them from [the table below](#cycles-per-instruction). The counts are of
 one frame; `Statistics` tells how many faces were drawn. A constant marked *more* is added to what the face or edge costs
 anyway:
 
@@ -76,7 +76,8 @@ faces fill a small picture or many pixels are drawn behind others: there the est
 
 ";
 
-pub(crate) fn text(compiler: &str, all: &[Growth]) -> String {
+/// `per_instruction`: the section on cycles.
+pub(crate) fn text(compiler: &str, all: &[Growth], per_instruction: &str) -> String {
     let mut text = format!("{HEAD}{BUILT}{compiler}.\n{FORMULA}");
     let root = rows_of_root(all);
     let _ = writeln!(text, "\n    rows  = {root:.2} · √(faces drawn × pixels of faces)");
@@ -88,6 +89,7 @@ pub(crate) fn text(compiler: &str, all: &[Growth]) -> String {
         let cores: Vec<&Growth> = all.iter().filter(|growth| growth.ways == ways).collect();
         constants(&mut text, title, &cores);
     }
+    text += per_instruction;
     checks(&mut text, all, root);
     fitted(&mut text, all);
     text

@@ -5,8 +5,11 @@
 mod bands;
 mod bands_page;
 mod cells;
+mod chips;
 mod core;
 mod cross;
+mod cycles;
+mod cycles_page;
 mod elf;
 mod fit;
 mod footprint;
@@ -21,14 +24,17 @@ mod profile;
 mod profile_page;
 mod prototype;
 mod provenance;
+mod registers;
 mod rivals;
 mod scenes;
 mod side_by_side;
 mod speed_page;
 mod stages;
 mod targets;
+mod timing;
 mod trace;
 mod user_page;
+mod validate;
 
 use cells::Choice;
 use pages::{Page, PAGES};
@@ -45,6 +51,9 @@ const USAGE: &str = "\
 tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footprint ...]
 tools/bench/run guard [--rebase]
 tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
+tools/bench/run cycles [SCENE...] [VARIANT...] [M0 | M0+ | M3 | M4 | M33]
+tools/bench/run chips
+tools/bench/run validate
 tools/bench/run floats IMAGE...";
 
 /// The task that the command line names.
@@ -57,6 +66,12 @@ enum Task {
     Guard { rebase: bool },
     /// Print cells.
     Cells(Choice),
+    /// Print cycles of cells.
+    Cycles(cycles::Asked),
+    /// Print the tables of frames per second and of cycles per instruction.
+    Chips,
+    /// Compare the timing tables with published cycles.
+    Validate,
     /// Look for routines for floating point in any images.
     Floats(Vec<String>),
 }
@@ -66,7 +81,10 @@ impl Task {
         let (first, rest) = arguments.split_first().map_or(("", arguments), |(first, rest)| (first, rest));
         Ok(match first {
             "cells" => Self::Cells(Choice::new(rest.to_vec())?),
+            "cycles" => Self::Cycles(cycles::Asked::new(rest)?),
             "floats" => Self::Floats(rest.to_vec()),
+            "chips" if rest.is_empty() => Self::Chips,
+            "validate" if rest.is_empty() => Self::Validate,
             "guard" if rest.is_empty() => Self::Guard { rebase: false },
             "guard" if rest == ["--rebase"] => Self::Guard { rebase: true },
             "--check" => Self::Check { pages: named(rest)? },
@@ -88,6 +106,16 @@ impl Task {
                     footprint::without_floats(image, Path::new(image), &mut failures)?;
                 }
             }
+            Self::Cycles(asked) => cycles::print(&asked, &mut failures)?,
+            Self::Chips => {
+                let frames = chips::measured(&mut failures)?;
+                println!(
+                    "{}{}",
+                    cycles_page::frames_per_second(frames),
+                    cycles_page::per_instruction(frames)
+                );
+            }
+            Self::Validate => validate::run(&mut failures)?,
             Self::Cells(choice) => cells::measure(&choice, &mut failures, |cell| println!("{cell}"))?,
         }
         Ok(failures)

@@ -5,8 +5,8 @@ use crate::cells::{self, Cell, Choice};
 use crate::cross::Build;
 use crate::speed_page::{self, Figures};
 use crate::{
-    bands_page, footprint, footprint_page, growth, growth_page, profile, profile_page, rivals, scenes,
-    targets, Result, M3,
+    bands_page, chips, cycles, cycles_page, footprint, footprint_page, growth, growth_page, profile,
+    profile_page, rivals, scenes, targets, Result, M3,
 };
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -42,7 +42,10 @@ impl Page {
             Self::Profile => {
                 profile_page::text(compiler, &profile::measure(failures)?, &targets::targets()?)?
             }
-            Self::Growth => growth_page::text(compiler, &growth::measure()?),
+            Self::Growth => {
+                let per_instruction = cycles_page::per_instruction(chips::measured(failures)?);
+                growth_page::text(compiler, &growth::measure()?, &per_instruction)
+            }
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
             Self::Footprint => footprint_page::text(compiler, &footprint::measure(rebase, failures)?),
         })
@@ -72,7 +75,10 @@ fn speed(compiler: &str, failures: &mut Vec<String>) -> Result<String> {
         times: &times,
         rivals: &rivals,
     };
-    Ok(speed_page::text(compiler, &figures))
+    let on_page: Vec<&Cell> = cells.iter().filter(|cell| cycles::is_on_page(cell)).collect();
+    let cycles = cycles::time(&on_page, &cycles::TIMED_CORES, failures)?;
+    let frames = cycles_page::frames_per_second(chips::measured(failures)?);
+    Ok(speed_page::text(compiler, &figures) + &cycles_page::cycles(&cycles) + &frames)
 }
 
 /// By planes and without the picture is the same.

@@ -84,11 +84,11 @@ impl Place {
 }
 
 /// An address without a file in the debug information counts for the address before it in the same function.
-fn by_place(places: Vec<Vec<Frame>>) -> Vec<Place> {
+fn by_place(places: &[Vec<Frame>]) -> Vec<Place> {
     let mut before = (String::new(), Place::Any);
-    let known = places.into_iter().map(|place| {
+    let known = places.iter().map(|place| {
         let function = place.last().map(|frame| frame.function.clone()).unwrap_or_default();
-        let known = match Place::of(&ours(place)) {
+        let known = match Place::of(&ours(place.clone())) {
             Place::Any if function == before.0 => before.1,
             known => known,
         };
@@ -100,11 +100,12 @@ fn by_place(places: Vec<Vec<Frame>>) -> Vec<Place> {
 
 fn stages(core: Core, image: &Path) -> Result<[u64; STAGES.len()]> {
     let places = provenance::frames(image)?;
-    let (clock, code) = (trace::clock(image, &places)?, elf::sizes(image)?.code);
-    let (places, mut stages, mut running) = (by_place(places), [0; STAGES.len()], None);
-    trace::frame(core, image, clock, |block| {
+    let code = elf::sizes(image)?.code;
+    let (mut stages, mut running) = ([0; STAGES.len()], None);
+    let of_stages = by_place(&places);
+    trace::frame(core, image, &places, |block| {
         for at in block {
-            running = match places.get((at.wrapping_sub(code.start) / provenance::STEP) as usize) {
+            running = match of_stages.get((at.wrapping_sub(code.start) / provenance::STEP) as usize) {
                 Some(Place::Of(stage)) => Some(*stage),
                 Some(Place::Clock) => None,
                 Some(Place::Any) | None => running,

@@ -12,6 +12,7 @@ pub(crate) struct Provenance {
 }
 
 /// One function at an address; for the library, `file` is relative to `src`, such as `raster/line.rs`.
+#[derive(Clone)]
 pub(crate) struct Frame {
     pub(crate) file: String,
     pub(crate) function: String,
@@ -52,11 +53,20 @@ pub(crate) fn frames(image: &Path) -> Result<Vec<Vec<Frame>>> {
         let lines: Vec<&str> = answer.lines().collect();
         let frame = |pair: &[&str]| {
             let file = pair.get(1)?.split(':').next()?.to_string();
-            Some(Frame { file, function: pair[0].to_string() })
+            Some(Frame { file, function: without_hash(pair[0]).to_string() })
         };
         lines.chunks(2).filter_map(frame).collect()
     });
     Ok(places.collect())
+}
+
+/// A function's name without the `::h` and sixteen digits that some compilers put behind it.
+fn without_hash(name: &str) -> &str {
+    let is_hash = |hash: &str| hash.len() == 16 && hash.bytes().all(|byte| byte.is_ascii_hexdigit());
+    match name.rsplit_once("::h") {
+        Some((name, hash)) if is_hash(hash) => name,
+        _ => name,
+    }
 }
 
 impl Provenance {

@@ -38,7 +38,7 @@ faces use is never transformed. Figures for these meshes without planes are [bel
 [profile.md](profile.md) shows where the instructions of a frame go, stage by stage; with [growth.md](growth.md) you can estimate
 your own scene.
 
-Instructions are not cycles: the cycles per instruction depend on the core and its flash. Instructions are counted
+Instructions are not cycles: see [cycles](#cycles) and [frames per second](#frames-per-second) below. Instructions are counted
 by the clock of the emulator (QEMU), which advances by a fixed time per instruction, and is compared with a loop of known length
 in every run; RV32 has its own instruction counter. The counts are equal in every run. Every picture equals that of the
 program on the host, compared by checksum.

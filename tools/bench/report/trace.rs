@@ -3,18 +3,20 @@
 
 use crate::core::Core;
 use crate::provenance::{Frame, STEP};
+use crate::timing::program::Executed;
 use crate::{elf, Result};
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};
+use std::ops::Range;
 use std::path::Path;
 use std::process::Stdio;
 
 /// QEMU translates a block once, and logs its instructions then (`in_asm`); after that it says each time that it enters one
-/// (`exec`), if blocks are not chained.
-const LOG: [&str; 2] = ["-d", "exec,nochain,in_asm"];
+/// (`exec`), if blocks are not chained. A log that is named as a file is written line by line, a plain stderr word by word.
+const LOG: [&str; 4] = ["-d", "exec,nochain,in_asm", "-D", "/dev/stderr"];
 
 /// `Clock::count` is called so often before it counts the frame: `Clock::new` does that.
-const EARLIER: u32 = 3;
+pub(crate) const EARLIER: u32 = 3;
 
 /// Where `Clock::count` begins, given what stands at every [`STEP`] of the code.
 pub(crate) fn clock(image: &Path, places: &[Vec<Frame>]) -> Result<u64> {
@@ -23,6 +25,51 @@ pub(crate) fn clock(image: &Path, places: &[Vec<Frame>]) -> Result<u64> {
     };
     let at = places.iter().position(counts).ok_or("no Clock::count")?;
     Ok(elf::sizes(image)?.code.start + STEP * at as u64)
+}
+
+/// The addresses of `Clock::count`.
+pub(crate) fn clock_code(image: &Path, places: &[Vec<Frame>]) -> Result<Range<u32>> {
+    let start = clock(image, places)?;
+    let at = ((start - elf::sizes(image)?.code.start) / STEP) as usize;
+    let name = |place: &Vec<Frame>| place.last().map(|frame| frame.function.clone());
+    let count = places[at..].iter().take_while(|place| name(place) == name(&places[at])).count();
+    Ok(u32::try_from(start)?..u32::try_from(start + STEP * count as u64)?)
+}
+
+/// What of a run of `Clock::count` is counted, and the address behind: what it calls by its only `BLX`, of two bytes.
+pub(crate) fn counted(run: &[Executed], clock: Range<u32>) -> Result<(&[Executed], u32)> {
+    let outside = |executed: &Executed| !clock.contains(&executed.at);
+    let start = run.iter().position(outside).filter(|start| *start > 0).ok_or("the clock counts nothing")?;
+    let end = run[start - 1].at + 2;
+    let length = run[start..].iter().position(|executed| executed.at == end);
+    Ok((&run[start..start + length.ok_or("a frame does not return to the clock")?], end))
+}
+
+/// Limits QEMU's log to the code that can run while the clock counts a frame: not what paints the stack or adds up a
+/// checksum, which takes most of the time of a run.
+pub(crate) fn filter(image: &Path, places: &[Vec<Frame>]) -> Result<[String; 2]> {
+    let start = elf::sizes(image)?.code.start;
+    let (mut ranges, mut left_out): (Vec<Range<u64>>, bool) = (Vec::new(), false);
+    for (at, place) in (start..).step_by(STEP as usize).zip(places) {
+        // The first of these may be what the call of a frame returns to.
+        let first = !std::mem::replace(&mut left_out, place.iter().any(is_elsewhere));
+        if left_out && !first {
+            continue;
+        }
+        match ranges.last_mut() {
+            Some(last) if last.end == at => last.end = at + STEP,
+            _ => ranges.push(at..at + STEP),
+        }
+    }
+    let ranges: Vec<String> =
+        ranges.iter().map(|range| format!("{:#x}..{:#x}", range.start, range.end - 1)).collect();
+    Ok(["-dfilter".into(), ranges.join(",")])
+}
+
+/// Whether a function runs only outside of frames, and long.
+fn is_elsewhere(frame: &Frame) -> bool {
+    frame.file.ends_with("src/stack.rs")
+        || ["Checksum", "Clock::turns", "Clock>::turns"].iter().any(|name| frame.function.contains(name))
 }
 
 /// What the log has said so far.
@@ -42,8 +89,16 @@ struct Log {
 }
 
 /// Hands `each` the addresses of the instructions, block by block, in their order.
-pub(crate) fn frame(core: Core, image: &Path, clock: u64, mut each: impl FnMut(&[u64])) -> Result<()> {
-    let mut qemu = core.emulate(image).args(LOG).stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
+pub(crate) fn frame(
+    core: Core,
+    image: &Path,
+    places: &[Vec<Frame>],
+    mut each: impl FnMut(&[u64]),
+) -> Result<()> {
+    let clock = clock(image, places)?;
+    let mut command = core.emulate(image);
+    command.args(LOG).args(filter(image, places)?);
+    let mut qemu = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
     let mut lines = BufReader::with_capacity(1 << 20, qemu.stderr.take().ok_or("its log")?);
     let (mut line, mut log) = (Vec::new(), Log::default());
     let ended = loop {

@@ -13,6 +13,7 @@ pub mod measure;
 pub mod scene;
 pub mod stack;
 pub mod tally;
+pub mod timed;
 
 /// Where the name of an image stands among those of a source file: several images are built from one, and each chooses
 /// its part by its name when it is compiled. A name that is not there does not compile.
