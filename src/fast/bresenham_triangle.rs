@@ -220,6 +220,15 @@ impl LowSpans {
         self.next >= self.end
     }
 
+    /// Calls `draw` with each span, until it returns an error.
+    #[inline(always)]
+    pub(crate) fn try_each<E>(&mut self, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+        while let Some(span) = self.span() {
+            draw(span)?;
+        }
+        Ok(())
+    }
+
     /// The span of the next row in which the triangle covers a pixel.
     pub(crate) fn span(&mut self) -> Option<Span> {
         while !self.is_empty() {

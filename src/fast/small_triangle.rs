@@ -160,6 +160,17 @@ impl LowSpans {
         trapezoids.iter().all(|trapezoid| trapezoid.rows <= 0)
     }
 
+    /// Calls `draw` with each span, until it returns an error.
+    #[inline(always)]
+    pub(crate) fn try_each<E>(&self, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+        let Self(trapezoids) = self;
+        // The opaque count keeps one copy of `draw`: code size counts here.
+        for &trapezoid in trapezoids.iter().take(opaque(2)) {
+            trapezoid.try_each_span(&mut draw)?;
+        }
+        Ok(())
+    }
+
     /// The span of the next row in which the triangle covers a pixel.
     #[inline(always)]
     pub(crate) fn span(&mut self) -> Option<Span> {

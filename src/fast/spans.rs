@@ -37,6 +37,19 @@ pub(crate) fn each_span(triangle: &Triangle<'_>, scissor: &Scissor, draw: impl F
 }
 
 impl Spans {
+    /// Calls `draw` with each span, for loops that `draw` is to be inlined into.
+    ///
+    /// # Errors
+    ///
+    /// The first error of `draw`; no further span is computed.
+    #[inline(always)]
+    pub(crate) fn try_each<E>(&mut self, draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
+        match self {
+            Self::Low(low) => low.try_each(draw),
+            Self::Plain(plain) => plain.try_for_each(draw),
+        }
+    }
+
     /// Whether the triangle has no row inside the scissor; valid before the first span is taken.
     pub(crate) fn is_empty(&self) -> bool {
         match self {

@@ -9,7 +9,7 @@ use super::wireframe::each_edge;
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::fast;
 use crate::math::Coordinate;
-use crate::raster::{self, Gradient, LineDepth, Scissor, ScreenPoint};
+use crate::raster::{self, Gradient, LineDepth, Scissor, ScreenPoint, Span};
 use crate::scene::Mesh;
 use crate::surface::{DepthBuffer, Target};
 use heapless::Vec;
@@ -229,6 +229,12 @@ fn draw_visible<T: Target>(
             }
             is_visible
         };
-        depth.along(span, is_visible, |visible| target.fill(visible, color))
+        depth.along(span, is_visible, |visible| fill_run(target, visible, color))
     })
+}
+
+/// Fills a run of a line.
+#[inline(never)] // code size: `along` has several calls
+fn fill_run<T: Target>(target: &mut T, run: Span, color: T::Color) -> Result<(), T::Error> {
+    target.fill(run, color)
 }

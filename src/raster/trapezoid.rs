@@ -2,6 +2,7 @@
 
 use super::edge::{Edge32, EdgeWalker};
 use super::Span;
+use crate::math::hints::keep_rolled;
 
 /// Consecutive rows between two straight edges that lie inside the scissor's columns.
 #[derive(Clone, Copy, Debug, Default)]
@@ -40,6 +41,24 @@ impl<E: EdgeWalker> Trapezoid<E> {
             self.rows -= 1;
         }
         start
+    }
+
+    /// Calls `draw` with the span of each row that covers a pixel, until it returns an error.
+    #[inline(always)]
+    pub(crate) fn try_each_span<Error>(
+        mut self,
+        mut draw: impl FnMut(Span) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        while self.rows > 0 {
+            let (x, y, (left, right)) = (self.x, self.y, self.row());
+            self.y += 1;
+            self.rows -= 1;
+            if left < right {
+                draw(Span { x: x + left, y, width: right - left, height: 1 })?;
+            }
+            keep_rolled(); // a copy for each of several rows would not be faster
+        }
+        Ok(())
     }
 
     /// The span of the next row that covers a pixel; `None` if no row is left.

@@ -223,7 +223,7 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         (fits(column, width, size.width) && fits(row, height, size.height)).then_some((column, row))
     }
 
-    #[inline(always)]
+    #[inline(never)] // code size: a target's fill is inlined into several loops, and `pixels()` is the fast way to draw
     fn fill_run(&mut self, (column, row): (u32, u32), width: u32, color: C) {
         let (bytes, start) = self.row(row);
         let from = start.wrapping_add(column as usize);
