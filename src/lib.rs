@@ -37,6 +37,6 @@ pub use shading::{
     SpanShader, TableShader,
 };
 pub use surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Memory, Picture, PictureError,
-    PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
+    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
 };

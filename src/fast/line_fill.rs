@@ -10,9 +10,9 @@
 //! ends with the last pixel, and the bounds check of an index also ends the loop. An index is a fixed-point number with 32
 //! fractional bits, whose carry is the step to the next column. A flat line is drawn with Bresenham's error term.
 
+use super::line_slope::{slope, HALF, LONGEST};
 use super::memory_of;
 use crate::math::hints::{keep_branch, keep_rolled};
-use crate::math::num::{mul_high, reciprocal};
 use crate::raster::{pixel_index, LineSetup, LineSpans, Pixel, Scissor, Span};
 use crate::surface::block_fill::{fill_pairs, pair};
 use crate::surface::{StoredPixel, Target};
@@ -231,32 +231,11 @@ fn fixed(integer: usize, fraction: u32) -> u64 {
     (integer as u64) << 32 | u64::from(fraction)
 }
 
-/// Just below ½, in 2⁻³².
-///
-/// After i major steps a line has made ⌊(2mi + L − 1)/2L⌋ minor steps, for its minor extent m and its major extent L. The sum
-/// of i slopes and this constant is (2mi + L − 1)/2L plus 1/2L − 2⁻³², minus i times the error of the slope. Both have the same
-/// floor as long as their difference is at least 0 (then the floor is not too low) and below 1/2L (then it is not too high,
-/// because (2mi + L − 1)/2L is a multiple of 1/2L).
-const HALF: u32 = (1 << 31) - 1;
-
-/// The largest L with 48·L + 1 ≤ 2³²/2L: a slope is too small by less than 48 · 2⁻³².
-const LONGEST: i32 = 6688;
-
 /// Whether [`steep`] draws the line exactly. It needs at least two columns, so that the index after the last pixel leaves the
 /// slice, and at most 2¹⁵ columns and 2¹³ rows, so that indices have less than 32 bits.
 #[inline(always)]
 fn is_short(setup: &LineSetup, stride: usize) -> bool {
     setup.length <= LONGEST && (2..=0x8000).contains(&stride)
-}
-
-/// m/L in 2⁻³², too small by 0 to less than 48 units; 0 if m is 0. `0 ≤ m ≤ L`, `0 < L ≤ LONGEST`.
-#[inline(always)]
-fn slope(&LineSetup { rise, length, .. }: &LineSetup) -> u32 {
-    let r = reciprocal(length);
-    // m·2^shift ≤ L·2^shift < 2³¹, and the mantissa is 2⁶¹/(L·2^shift) within 2⁻²⁸: the high word is m/L in 2⁻²⁹, within
-    // 2 and rounded down. So 3 less is too small by 0 to 6 units, and below 2²⁹.
-    let high = mul_high(rise << r.shift, r.mantissa) - 3;
-    (high.max(0) as u32) << 3
 }
 
 /// Draws the part of a line that lies in the scissor span by span, like the plain path: for steep lines for which [`steep`] is

@@ -27,6 +27,8 @@ pub(crate) mod depth_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]
 mod edge20;
 pub(crate) mod line_fill;
+pub(crate) mod line_pixels;
+mod line_slope;
 mod rows;
 pub(crate) mod shaded_fill;
 #[cfg(any(test, not(all(target_arch = "arm", not(target_has_atomic = "32")))))]

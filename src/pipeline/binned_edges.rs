@@ -3,7 +3,7 @@
 use super::binned::Binned;
 use super::bins::{BinError, Bins};
 use super::draw_region::DrawRegion;
-use super::fill::line;
+use super::fill::line_in_band;
 use super::hidden_line::draw_nearer;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
@@ -116,7 +116,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         self.each(region, |_, _, [from, to]| {
-            line(band, from.point.pixel(), to.point.pixel(), &region.scissor, color)
+            line_in_band(band, from.point.pixel(), to.point.pixel(), &region.scissor, color)
         })
     }
 

@@ -4,7 +4,7 @@
 //! call before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for
 //! targets whose pixels do not lie in memory.
 
-use crate::fast::{self, depth_fill, line_fill, shaded_fill, solid_fill, table_fill};
+use crate::fast::{self, depth_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::{drawable, DepthTarget, PixelStore, StoredPixel, Target};
@@ -25,13 +25,24 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
         if solid_fill::triangle(triangle, color, scissor, target) {
             return Ok(());
         }
-        return fast::spans(triangle, scissor).try_for_each(|span| target.fill(span, color));
+        return fill_spans(triangle, color, scissor, target);
     }
     let setup = shader.set_up(triangle);
     if shaded_fill::triangle(triangle, scissor, target, |span| S::span(&setup, span)) {
         return Ok(());
     }
     fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
+}
+
+/// The plain path of [`fill`] for one colour.
+#[inline(never)] // its stack frame is gone when it returns
+fn fill_spans<T: Target>(
+    triangle: &Triangle<'_>,
+    color: T::Color,
+    scissor: &Scissor,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    fast::spans(triangle, scissor).try_each(|Span { x, y, width, .. }| fill_row(target, x, y, width, color))
 }
 
 /// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and
@@ -79,7 +90,16 @@ fn fill_spans_nearer<T: Target>(
         return Ok(()); // no pixel: the gradient is not set up
     }
     let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
-    spans.try_for_each(|span| depth.buffer.test(span, &gradient, |visible| target.fill(visible, color)))
+    // The spans of a triangle are one row high: stated for the target's code, which is inlined here.
+    spans.try_for_each(|span| {
+        depth.buffer.test(span, &gradient, |run| target.fill(Span { height: 1, ..run }, color))
+    })
+}
+
+/// Fills a span of one row.
+#[inline(always)]
+fn fill_row<T: Target>(target: &mut T, x: i32, y: i32, width: i32, color: T::Color) -> Result<(), T::Error> {
+    target.fill(Span { x, y, width, height: 1 }, color)
 }
 
 /// The plain path of [`fill_nearer`] for colours that vary.
@@ -156,6 +176,24 @@ fn blend_span<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span, 
 /// Draws a line inside the scissor, which lies in the target.
 #[inline(always)]
 pub(super) fn line<T: Target>(
+    target: &mut T,
+    from: Pixel,
+    to: Pixel,
+    scissor: &Scissor,
+    color: T::Color,
+) -> Result<(), T::Error> {
+    if line_fill::line_into_memory(from, to, scissor, color, target) {
+        return Ok(());
+    }
+    if let Some(result) = line_pixels::line_by_pixels(from, to, scissor, color, target) {
+        return result;
+    }
+    raster::line(from, to, scissor, |span| target.fill(span, color))
+}
+
+/// [`line`] for bands, which cut most lines: [`line_pixels`] would decline, so its code is not linked.
+#[inline(always)]
+pub(super) fn line_in_band<T: Target>(
     target: &mut T,
     from: Pixel,
     to: Pixel,

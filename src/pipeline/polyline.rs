@@ -1,7 +1,6 @@
 //! Points and polylines, for plots, tool paths and the anchors of labels.
 
 use super::draw_region::DrawRegion;
-use super::fill::line;
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
@@ -23,8 +22,10 @@ impl<V: Coordinate> MeshInstance<'_, V> {
             match self.project(index) {
                 Some((point, _)) => {
                     statistics.drawn += 1;
-                    let pixel = point.pixel();
-                    line(target, pixel, pixel, &scissor, color)?;
+                    let (x, y) = (i32::from(point.pixel().x), i32::from(point.pixel().y));
+                    if scissor.rows().contains(&y) && scissor.columns().contains(&x) {
+                        target.fill(Span { x, y, width: 1, height: 1 }, color)?;
+                    }
                 }
                 None => statistics.outside += 1,
             }

@@ -6,11 +6,20 @@ use crate::raster::Span;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
 
 /// A drawing target: any `embedded-graphics` DrawTarget, [`Pixels`](crate::Pixels) in memory, which take a fraction of the
 /// instructions, or your own type. All get the same picture.
 ///
-/// Every DrawTarget implements this trait; it gets a `fill_solid` or a `fill_contiguous` for every run of pixels.
+/// Every DrawTarget implements this trait. Of a face it gets a `fill_solid` or a `fill_contiguous` for every run of pixels. Of a
+/// line it gets
+/// - one `draw_iter`, if its error type has no value, like `Infallible`: it draws into memory, where a call costs more than a
+///   pixel. A line that is clipped, longer than 6688 pixels, or so flat that its runs have 16 pixels on average, is still one
+///   `fill_solid` per run;
+/// - one `fill_solid` per run of pixels, if it can fail: it drives a display, where a window costs more than a pixel. No other
+///   calls send fewer bytes.
+///
+/// [`LeastRun`](crate::LeastRun) changes the choice for a target.
 ///
 /// Your own type implements the trait in one of two forms. A target that takes spans has `[Self::Color; 0]` for
 /// [`Store`](Self::Store). A target whose pixels lie in [`Memory`] returns that from [`memory`](Self::memory):
@@ -84,6 +93,26 @@ pub trait Target {
     /// The error of the target.
     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = Self::Color>) -> Result<(), Self::Error>;
 
+    /// The least number of pixels in a run of a line for which one [`fill`](Self::fill) per run costs less than the line's pixels
+    /// in one call of [`draw_pixels`](Self::draw_pixels). With 1, the default, every line is one `fill` per run, and
+    /// `draw_pixels` is never called. The picture is equal with every value.
+    const LEAST_RUN: u16 = 1;
+
+    /// Sets pixels of a line, each once and all in the [`area`](Self::area), to their colours. The default fills each as a span.
+    ///
+    /// Pixels come in the order of a window: from top to bottom with one pixel per row, or from left to right with one per
+    /// column.
+    ///
+    /// # Errors
+    ///
+    /// The error of the target.
+    fn draw_pixels(&mut self, pixels: impl Iterator<Item = Pixel<Self::Color>>) -> Result<(), Self::Error> {
+        for Pixel(Point { x, y }, color) in pixels {
+            self.fill(Span { x, y, width: 1, height: 1 }, color)?;
+        }
+        Ok(())
+    }
+
     /// The memory of the [`area`](Self::area)'s pixels, if they lie in memory. Fast paths then write to it directly;
     /// [`fill`](Self::fill) and [`fill_run`](Self::fill_run) are called only where no fast path applies. Fast paths convert
     /// colours by [`StoredPixel`], so `fill` and `fill_run` must store colours in that form, too.
@@ -111,6 +140,23 @@ impl<D: DrawTarget> Target for D {
     fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = D::Color>) -> Result<(), D::Error> {
         self.fill_contiguous(&rectangle(span), colors.take(span.width as usize))
     }
+
+    const LEAST_RUN: u16 = if is_infallible::<D::Error>() { IN_MEMORY } else { 1 };
+
+    #[inline(always)]
+    fn draw_pixels(&mut self, pixels: impl Iterator<Item = Pixel<D::Color>>) -> Result<(), D::Error> {
+        self.draw_iter(pixels)
+    }
+}
+
+/// [`LEAST_RUN`](Target::LEAST_RUN) of a DrawTarget in memory: there a run takes 130 to 190 instructions and a pixel of
+/// `draw_iter` 14, on a Cortex-M3.
+const IN_MEMORY: u16 = 16;
+
+/// Whether an error type has no value. Then the compiler stores nothing to tell `Ok(())` from `Err`; a compiler that stored
+/// something would cost speed, but change no picture.
+const fn is_infallible<E>() -> bool {
+    size_of::<Result<(), E>>() == 0
 }
 
 /// A span as a rectangle of `embedded-graphics`.

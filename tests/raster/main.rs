@@ -6,4 +6,5 @@ mod lines;
 mod memory_lines;
 mod memory_triangles;
 mod random_shapes;
+mod target_lines;
 mod twins;

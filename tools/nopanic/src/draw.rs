@@ -13,8 +13,8 @@ use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim, DirtyRegions,
-    Flat, Frame, Gouraud, Lambert, Mesh, MeshInstance, Painter, Picture, Scalar, ScreenVertex, ShadeTable,
-    SpanShader, Target, TransferCost,
+    Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Painter, Picture, Scalar, ScreenVertex,
+    ShadeTable, SpanShader, Target, TransferCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -276,6 +276,8 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     let ends = [0; 2].map(|_| raster::Pixel { x: any() as i16, y: any() as i16 });
     let [from, to] = ends;
     report(draw_line(from, to, shade(1), target));
+    let pixels = ends.map(|raster::Pixel { x, y }| Pixel(Point::new(x.into(), y.into()), shade(1)));
+    report(target.draw_pixels(pixels.into_iter()));
 }
 
 #[unsafe(no_mangle)]
@@ -287,6 +289,7 @@ fn entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memor
             report(picture.clear(Rgb565::new(1, 1, 1)));
             let instance = scene.camera.place(mesh, &scene.model);
             draw_pixels(scene, &instance, &mut picture.pixels());
+            draw_pixels(scene, &instance, &mut LeastRun::<_, 3>(&mut Wire(Rgb565::new(1, 1, 1))));
             black_box(picture.colors());
         }
         error => report(error.map(|_| ())),

@@ -2,9 +2,11 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::image::{Sink, Turntable, CORNERS};
 use bench::{image, scene};
-use pinhole::ScreenVertex;
+use pinhole::{LeastRun, ScreenVertex};
 
 image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], {
-    Turntable::new().place(cube).wireframe(scene::LINE, corners, &mut Sink).ok()?;
+    // As a display takes lines: the image holds no code for those into memory.
+    let mut display = LeastRun::<_, 1>(&mut Sink);
+    Turntable::new().place(cube).wireframe(scene::LINE, corners, &mut display).ok()?;
     Some(())
 });

@@ -1,0 +1,61 @@
+//! A DrawTarget with a chosen way to take lines.
+
+use super::target::Target;
+use crate::raster::Span;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
+
+/// A DrawTarget whose [`LEAST_RUN`](Target::LEAST_RUN) is `PIXELS`, for targets whose error type says the wrong thing about
+/// the cost of lines. The picture is equal with every number.
+///
+/// - `LeastRun::<_, 1>`: a display driver whose error type has no value, because the microcontroller's SPI cannot fail, as on an
+///   RP2040. A line then sends one window per run of pixels. mipidsi without its feature `batch` would set a window for each
+///   pixel: up to 6 times the bytes.
+/// - `LeastRun::<_, 16>`: a driver that can fail, but draws into a framebuffer of its own, such as `ssd1306`'s buffered mode.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+/// use pinhole::{draw_line, raster::Pixel, LeastRun};
+/// let mut display = MockDisplay::new();
+/// let ends = [Pixel { x: 0, y: 0 }, Pixel { x: 5, y: 2 }];
+/// draw_line(ends[0], ends[1], BinaryColor::On, &mut LeastRun::<_, 1>(&mut display))?;
+/// display.assert_pattern(&["##    ", "  ##  ", "    ##"]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+#[derive(Debug)]
+pub struct LeastRun<'d, D, const PIXELS: u16>(pub &'d mut D);
+
+impl<D: DrawTarget, const PIXELS: u16> Target for LeastRun<'_, D, PIXELS> {
+    type Color = D::Color;
+    type Error = D::Error;
+    type Store = [D::Color; 0];
+
+    const LEAST_RUN: u16 = PIXELS;
+
+    fn area(&self) -> Rectangle {
+        self.0.bounding_box()
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, span: Span, color: D::Color) -> Result<(), D::Error> {
+        self.0.fill(span, color)
+    }
+
+    #[inline(always)]
+    fn fill_run(&mut self, span: Span, colors: impl Iterator<Item = D::Color>) -> Result<(), D::Error> {
+        self.0.fill_run(span, colors)
+    }
+
+    #[inline(always)]
+    fn draw_pixels(&mut self, pixels: impl Iterator<Item = Pixel<D::Color>>) -> Result<(), D::Error> {
+        self.0.draw_iter(pixels)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<D, const PIXELS: u16> defmt::Format for LeastRun<'_, D, PIXELS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "target with runs of {} pixels", PIXELS);
+    }
+}
