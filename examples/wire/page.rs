@@ -2,7 +2,7 @@
 
 use crate::grouped::grouped;
 use crate::panel::films::{Film, Memory, FRAMES};
-use crate::panel::measure::{film, pixel_bytes, reference, sum, Cost, Way, ROWS};
+use crate::panel::measure::{film, line_traffic, lines, pixel_bytes, reference, sum, Cost, Way, ROWS};
 use crate::panel::screen::{Kind, Screen};
 use crate::panel::ways::{in_bands, strip, Colour};
 use embedded_graphics::prelude::*;
@@ -48,6 +48,19 @@ each run of equal pixels a `fill_solid`. *Pixels* is a renderer that gives its d
 a time, mipidsi's feature `batch` would gather). Both flicker, as the display shows the cleared screen first.
 ";
 
+const LINES: &str = "\
+## Lines
+
+Lines from the middle of the panel to every eighth point of its border, drawn straight onto the display. Each run of a
+line as a `fill_solid` is what a target gets that can fail, such as this driver; no windows of other rectangles send fewer bytes,
+as a rectangle that lies in a line lies in one of its runs. One `draw_iter` a line is what a target in memory gets. mipidsi
+sets a window for each of its pixels (with its feature `batch` for each run, but none longer than 50 pixels in a row or 100
+in a column).
+
+| panel | a line is | bytes a line | windows a line |
+|---|---|---|---|
+";
+
 const CHANGED: &str = "\
 ## Dirty rectangles, and what changed
 
@@ -77,6 +90,10 @@ pub(crate) fn page() -> String {
         films_of::<ILI9341Rgb565>(&mut page, what, name);
         films_of::<ILI9341Rgb666>(&mut page, what, name);
     }
+    let _ = write!(page, "\n{LINES}");
+    lines_on::<ST7789>(&mut page);
+    lines_on::<ILI9341Rgb565>(&mut page);
+    lines_on::<ILI9341Rgb666>(&mut page);
     let _ = write!(page, "\n{}", CHANGED.replace("ROWS", &ROWS.to_string()));
     changed(&mut page);
     page
@@ -143,6 +160,17 @@ fn films_of<M: Kind<ColorFormat: Colour>>(page: &mut String, what: Film, name: &
             most(|cost| cost.windows),
             rates(bytes)
         );
+    }
+}
+
+fn lines_on<M: Kind<ColorFormat: Colour>>(page: &mut String) {
+    let count = lines(M::SIZE).len() as f64;
+    for (name, (bytes, windows)) in [
+        ("a `fill_solid` for each run", line_traffic::<M, 1>()),
+        ("one `draw_iter`", line_traffic::<M, { u16::MAX }>()),
+    ] {
+        let (bytes, windows) = (bytes as f64 / count, windows as f64 / count);
+        let _ = writeln!(page, "| {} | {name} | {bytes:.0} | {windows:.0} |", M::NAME);
     }
 }
 

@@ -8,12 +8,13 @@ use embedded_hal::spi::SpiDevice;
 use mipidsi::interface::{SpiError, SpiInterface};
 use mipidsi::models::{ILI9341Rgb565, ILI9341Rgb666, ST7789};
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
-use mipidsi::Builder;
-use pinhole::{Frame, PixelFormat};
+use mipidsi::{Builder, Display, NoResetPin};
+use pinhole::{Frame, PixelFormat, Target};
+use support::oracle::line;
 use support::panel::bus::{Failure, NoDelay, Panel};
 use support::panel::films::{Film, Memory, BACKGROUND, FRAMES};
-use support::panel::measure::{film, pixel_bytes, reference, sum, Way};
-use support::panel::screen::{Kind, Screen, StoredPixel};
+use support::panel::measure::{film, line_traffic, lines, pixel_bytes, reference, sum, Way};
+use support::panel::screen::{Bus, Kind, Screen, StoredPixel};
 use support::panel::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
 use support::panel::{Controller, Held};
 
@@ -112,6 +113,33 @@ fn drawing_directly_onto_the_panel_shows_the_same_picture() {
                 assert!(pixels < spans && spans < single, "{pixels}, {spans}, {single}");
             }
         }
+    }
+    for_every_panel!(test);
+}
+
+/// A window is a rectangle, and no rectangle contains pixels of two runs of a line and only pixels of the line: the runs lie in
+/// different rows, or different columns, and share no column or row. So a window for each run is the fewest bytes.
+#[test]
+fn a_line_sends_one_window_per_run() {
+    fn test<M: Kind<ColorFormat: Colour>>() {
+        let (mut pixels, mut runs) = (0, 0);
+        for ends in lines(M::SIZE) {
+            let [a, b] = ends.map(|pixel| (i64::from(pixel.x), i64::from(pixel.y)));
+            let line = line::pixels(a, b);
+            let is_step = |p: &[line::P]| p[0].0 != p[1].0 && p[0].1 != p[1].1;
+            pixels += line.len();
+            runs += 1 + line.windows(2).filter(|pair| is_step(pair)).count();
+        }
+        assert_eq!(<Display<Bus, M, NoResetPin> as Target>::LEAST_RUN, 1);
+        let size = M::ColorFormat::BITS as usize / 8;
+        let least = (runs * 11 + pixels * size, runs);
+        assert_eq!(line_traffic::<M, 1>(), least);
+        // The driver sets a window for each pixel of `draw_iter`, so this is what the default avoids.
+        let (bytes, windows) = line_traffic::<M, { u16::MAX }>();
+        assert!(
+            cfg!(pinhole_plain) || bytes * 2 > 3 * least.0 && windows * 2 > 3 * runs,
+            "{bytes} {windows} {least:?}"
+        );
     }
     for_every_panel!(test);
 }

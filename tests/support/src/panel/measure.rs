@@ -4,9 +4,10 @@ use super::films::{Film, Memory, Thing, BACKGROUND};
 use super::framebuffer::Framebuffer;
 use super::screen::{Kind, Screen, StoredPixel};
 use super::ways::{changes, dirty, in_bands, in_pixels, in_spans, strip, Colour};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::PixelFormat;
+use pinhole::{draw_line, raster, LeastRun, PixelFormat};
 
 /// A frame, drawn in memory at once.
 pub fn reference<C: Colour>(things: &[Thing], size: Size) -> Framebuffer<C> {
@@ -95,6 +96,31 @@ pub fn film<M: Kind<ColorFormat: Colour>>(film: Film, frames: u32, way: Way) -> 
     }
     assert_eq!(screen.panel.controller().cut_off, 0);
     costs
+}
+
+/// The ends of lines from the middle of a panel to every eighth point of its border: every direction.
+pub fn lines(size: Size) -> Vec<[raster::Pixel; 2]> {
+    let (width, height) = (size.width as i16, size.height as i16);
+    let across = (0..width).step_by(8).flat_map(|x| [(x, 0), (x, height - 1)]);
+    let down = (8..height - 1).step_by(8).flat_map(|y| [(0, y), (width - 1, y)]);
+    let middle = raster::Pixel { x: width / 2, y: height / 2 };
+    across.chain(down).map(|(x, y)| [middle, raster::Pixel { x, y }]).collect()
+}
+
+/// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::Target::LEAST_RUN). Asserts that the panel shows
+/// them.
+pub fn line_traffic<M: Kind<ColorFormat: Colour>, const LEAST_RUN: u16>() -> (usize, usize) {
+    let (mut screen, background, ink) = (Screen::<M>::new(), BACKGROUND.into(), Rgb888::WHITE.into());
+    let mut picture = Framebuffer::new(M::SIZE, background);
+    screen.display.clear(background).expect("a bus that works");
+    screen.count();
+    for [from, to] in lines(M::SIZE) {
+        draw_line(from, to, ink, &mut LeastRun::<_, LEAST_RUN>(&mut screen.display))
+            .expect("a bus that works");
+        let Ok(()) = draw_line(from, to, ink, &mut picture);
+    }
+    screen.assert_shows(&picture, "lines");
+    screen.count()
 }
 
 /// The sum over all frames.
