@@ -59,6 +59,7 @@ pub(crate) const IMAGES: &[Image] = &[
         without: NO_FACES,
     },
     Image { name: "wireframe", says: "wireframe", goal: Some(6 << 10), without: NO_FACES },
+    Image { name: "wireframe_pixels", says: "wireframe, into a DrawTarget in memory", goal: None, without: NO_FACES },
     Image { name: "wireframe_bands", says: "wireframe in bands", goal: None, without: NO_FACES },
     Image { name: "solid", says: "flat faces", goal: None, without: NO_DEPTH },
     Image { name: "picture", says: "flat faces, into a picture in memory", goal: None, without: NO_DEPTH },
