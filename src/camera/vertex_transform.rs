@@ -9,10 +9,10 @@ use super::{Camera, ScreenVertex, UnpackedVertex};
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::opaque_next;
 use crate::math::num::{
-    add, bits_of, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale, shift_to_fit,
-    Reciprocal,
+    add, bits_of, evaluate, magnitude, mul_high, mul_wide, reciprocal, reciprocal_of_large, scale,
+    scale_word, shift_to_fit, Reciprocal,
 };
-use crate::math::row::{self, RowBlock};
+use crate::math::row::RowBlock;
 use crate::math::{matrix_product, Affine, ClipCoords, Coordinate, LinearForm, Row};
 use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
@@ -67,9 +67,10 @@ impl VertexTransform {
         // Step 1: model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);
-        let (mut view, mut i) = (RowBlock { linear: [[0; 3]; 3], exponent: 0, offset: [0; 3] }, 0);
+        // Copies that are overwritten: zeros would be cleared by a library function.
+        let (mut view, mut i) = (RowBlock { linear: *m, exponent: m_exponent, offset: away }, 0);
         while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
-            *offset = row::evaluate(axis, 0, &away, 0);
+            *offset = evaluate(axis, 0, &away, 0);
             i = opaque_next(i);
         }
         view.exponent = matrix_product(&camera.axes, 0, m, m_exponent, &mut view.linear);
@@ -89,7 +90,8 @@ impl VertexTransform {
             i = opaque_next(i);
         }
         // Step 3: exponents from the range of each row over the object. A justified coordinate v stands for v·2^unit.
-        let (mut rows, mut reaches, mut i) = ([Row::ZERO; 4], [0; 4], 0);
+        let [first, ..] = camera.rows;
+        let (mut rows, mut reaches, mut i) = ([first; 4], [0; 4], 0); // a copy, not zeros, as above
         while let (Some(row), Some(reached), Some(own)) =
             (rows.get_mut(i), reaches.get_mut(i), camera.rows.get(i))
         {
@@ -362,7 +364,8 @@ fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
 /// 32-bit integers. A justified coordinate is in units of 2^unit.
 fn min_exponent(row: &Row, unit: i32) -> i32 {
     // In 2⁻³²: |Σ linear·v| ≤ Σ|linear| · 2^(exponent − 30) · 2^(unit + 31), |linear| ≤ 2³⁰.
-    let [a, b, c] = row.linear.map(i32::unsigned_abs);
+    let [a, b, c] = row.linear;
+    let (a, b, c) = (a.unsigned_abs(), b.unsigned_abs(), c.unsigned_abs());
     let sum = i64::from(a + b + c); // ≤ 3·2³⁰
     let linear = scale(sum, row.exponent + unit + 33) as u64; // < 2⁶³
     let bound = linear + row.offset.unsigned_abs(); // ≤ 2⁶³ + 2⁶²
@@ -377,10 +380,16 @@ fn min_exponent(row: &Row, unit: i32) -> i32 {
 }
 
 /// The row as integers over justified coordinates, in units of 2^exponent.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 fn vertex_form(row: &Row, unit: i32, exponent: i32) -> LinearForm {
     // |coefficient| < 2³⁰ and |offset| < 2⁶³ by `min_exponent`.
-    let linear = row.linear.map(|m| scale(i64::from(m), row.exponent + unit + 1 - exponent) as i32);
+    let down = exponent - (row.exponent + unit + 1);
+    let [mut a, mut b, mut c] = row.linear;
+    if down > 0 {
+        // Not `map`, which is a loop at opt-level "s".
+        (a, b, c) = (scale_word(a, down), scale_word(b, down), scale_word(c, down));
+    } // otherwise `down` is 0, or the coefficients are
+    let linear = [a, b, c];
     LinearForm::new(linear, scale(row.offset, -exponent))
 }
 

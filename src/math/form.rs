@@ -63,8 +63,8 @@ impl WideForm {
 
     pub(crate) const ZERO: Self = Self { offset: 0, doubled: [0; 3] };
 
-    pub(crate) fn new(linear: [i32; 3], offset: i64) -> Self {
-        Self { doubled: linear.map(|m| m << 1), offset: truncated(offset) }
+    pub(crate) fn new([a, b, c]: [i32; 3], offset: i64) -> Self {
+        Self { doubled: [a << 1, b << 1, c << 1], offset: truncated(offset) }
     }
 
     /// The coefficients, and the offset in units, rounded to nearest.

@@ -4,7 +4,7 @@
 //! bits; the tests below compare them on the host.
 
 use super::form::{dot_product, truncated};
-use super::hints::keep_rolled;
+use super::hints::{keep_rolled, opaque_next};
 
 /// `a · b`, exact, from four 16-bit products. Twin: [`mul_wide`](super::num::mul_wide), the compiler's 64-bit product.
 #[inline]
@@ -19,6 +19,53 @@ pub(super) const fn mul_wide_by_halves(a: i32, b: i32) -> i64 {
     let middle = (low >> 16) + (cross1 as u32 & 0xffff) + (cross2 as u32 & 0xffff);
     let high = ah * bh + (cross1 >> 16) + (cross2 >> 16) + (middle >> 16) as i32;
     ((high as i64) << 32) | ((middle << 16) | (low & 0xffff)) as i64
+}
+
+/// [`mul_wide_by_halves`], called. A 64-bit product in the library's function takes 37 instructions, this takes 24.
+#[inline(never)] // set-up: code size counts
+pub(super) const fn called_mul_wide(a: i32, b: i32) -> i64 {
+    mul_wide_by_halves(a, b)
+}
+
+/// Row `v` times matrix `m`, of which many coefficients are 0: these cost no product. Twin:
+/// [`row_times`](super::num::row_times).
+#[inline(never)] // set-up: code size counts
+pub(super) const fn row_times_by_halves(v: &[i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
+    let (mut sums, mut i) = ([0; 3], 0);
+    while i < 3 {
+        let (factor, row, mut j) = (v[i], &m[i], 0);
+        while j < 3 && factor != 0 {
+            if row[j] != 0 {
+                sums[j] += called_mul_wide(factor, row[j]);
+            }
+            j = opaque_next(j);
+        }
+        i = opaque_next(i);
+    }
+    sums
+}
+
+/// The number of bits of `v` up to its highest one: 0 for 0. Twin: [`shift_to_fit`](super::num::shift_to_fit) to 0 bits.
+#[inline(never)] // set-up: code size counts
+pub(super) const fn significant_bits_by_steps(v: u64) -> i32 {
+    let (mut word, mut bits) = match (v >> 32) as u32 {
+        0 => (v as u32, 0),
+        high => (high, 32),
+    };
+    if word >> 16 != 0 {
+        (word, bits) = (word >> 16, bits + 16);
+    }
+    if word >> 8 != 0 {
+        (word, bits) = (word >> 8, bits + 8);
+    }
+    if word >> 4 != 0 {
+        (word, bits) = (word >> 4, bits + 4);
+    }
+    while word != 0 {
+        keep_rolled();
+        (word, bits) = (word >> 1, bits + 1);
+    }
+    bits
 }
 
 /// The count of leading zeros, where no instruction counts them and the compiler would call a library function.
@@ -150,6 +197,9 @@ mod tests {
         let others = (0..100_000).map(|_| random(&mut state)).map(|r| r as u32 >> (r >> 59));
         for v in powers.chain([u32::MAX]).chain(others) {
             assert_eq!(leading_zeros_by_steps(v), v.leading_zeros() as i32, "{v}");
+            for wide in [u64::from(v), u64::from(v) << 32, u64::from(v) << 17 | 1] {
+                assert_eq!(significant_bits_by_steps(wide), 64 - wide.leading_zeros() as i32, "{wide}");
+            }
             if let Ok(v @ 1..) = i32::try_from(v) {
                 assert_eq!(normalised_by_steps(v), normalised_plainly(v), "{v}");
             }
@@ -169,6 +219,23 @@ mod tests {
             let r = random(&mut state);
             let (a, b) = ((r >> 32) as i32, r as i32);
             assert_eq!(mul_wide_by_halves(a, b), i64::from(a) * i64::from(b));
+        }
+    }
+
+    #[test]
+    fn a_row_times_a_matrix_by_halves_is_exact() {
+        let mut state = 2;
+        for _ in 0..100_000 {
+            let mut coefficient = || match random(&mut state) % 4 {
+                0 => 0,
+                1 => [1 << 30, -(1 << 30), 1, -1][random(&mut state) as usize % 4],
+                _ => (random(&mut state) as i32) >> 2,
+            };
+            let (v, m) =
+                ([0; 3].map(|_| coefficient()), [[0; 3]; 3].map(|row| row.map(|_: i32| coefficient())));
+            let sum = |j: usize| (0..3).map(|i| i64::from(v[i]) * i64::from(m[i][j])).sum::<i64>();
+            assert_eq!(row_times_by_halves(&v, &m), [sum(0), sum(1), sum(2)]);
+            assert_eq!(crate::math::num::row_times(&v, &m), [sum(0), sum(1), sum(2)]);
         }
     }
 

@@ -1,8 +1,8 @@
 //! Rows of matrices: linear forms with an exponent (block floating point).
 
-use super::hints::{keep_rolled, opaque_next};
+use super::hints::keep_rolled;
 use super::num::{
-    add, bits_of, magnitude, max, mul_translation, row_times, scale, shift_to_fit, Accumulator,
+    add, bits_of, evaluate, magnitude, max, mul_translation, row_times, scale, scale_to_word, shift_to_fit,
 };
 
 /// `linear · p · 2^(exponent − 30) + offset`: 30-bit coefficients with one exponent, and a constant in 2⁻³². The constant has
@@ -17,16 +17,16 @@ pub(crate) struct Row {
     pub(crate) offset: i64,
 }
 
-/// Scales sums of products to 30 bits with one exponent, which it returns. Rounded to nearest: each coefficient is within 2⁻³⁰
+/// Scales sums of products, each below 2⁶², to 30 bits with one exponent, which it returns. Rounded to nearest: each coefficient is within 2⁻³⁰
 /// of the block's largest (2⁻³¹ just below a power of two).
 #[inline(never)] // set-up: code size counts, speed does not; slices keep the loops rolled
 pub(crate) const fn block_scaled(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
-    let shift = shift_to_fit(bits, 30);
+    let shift = shift_to_fit(bits, 30); // −30 … 32
     let mut i = 0;
     while i < sums.len() && i < linear.len() {
         keep_rolled();
-        linear[i] = scale(sums[i], -shift) as i32; // 30 bits, or 2³⁰ itself when rounding carries
+        linear[i] = scale_to_word(sums[i], shift); // 30 bits, or 2³⁰ itself when rounding carries
         i += 1;
     }
     match bits {
@@ -57,18 +57,6 @@ pub(crate) fn transform_point(
     [evaluate(x, exponent, p, a), evaluate(y, exponent, p, b), evaluate(z, exponent, p, c)]
 }
 
-/// `linear · p · 2^(exponent − 30) + offset` for p and offset in 2⁻³²; the result is in 2⁻³² and saturates. The products
-/// are summed exactly, because they may be far larger than their sum.
-#[inline(never)] // set-up: code size counts, speed does not
-pub(crate) fn evaluate(linear: &[i32; 3], exponent: i32, p: &[i64; 3], offset: i64) -> i64 {
-    let (mut sum, mut i) = (Accumulator::ZERO, 0);
-    while let (Some(m), Some(c)) = (linear.get(i), p.get(i)) {
-        sum = sum.plus(*m, *c);
-        i = opaque_next(i);
-    }
-    add(offset, sum.scaled(exponent - 30))
-}
-
 /// Homogeneous coordinates of a point in 2⁻³²: in units of 2^(shift − 32), and the shift, which is 0 where no coordinate can
 /// exceed 2⁶¹. None saturates.
 pub(crate) fn homogeneous<const N: usize>(rows: &[Row; N], p: &[i64; 3]) -> ([i64; N], i32) {
@@ -82,18 +70,26 @@ impl Row {
 
     /// From coefficients `linear · 2^exponent`, each below 2⁶², and an offset in 2⁻³².
     pub(crate) const fn new(linear: &[i64; 3], exponent: i32, offset: i64) -> Self {
-        let mut row = Self { offset, ..Self::ZERO };
-        row.exponent = block_scaled(linear, exponent + 30, &mut row.linear);
-        row
+        let mut words = [0; 3];
+        let exponent = block_scaled(linear, exponent + 30, &mut words);
+        Self { linear: words, exponent, offset }
     }
 
     /// By how many bits the form, or one of its terms, may exceed 2⁶¹ (half of the saturation limit) over vectors of up to
-    /// `reach` bits.
+    /// `reach` bits; 0 if by none.
+    #[inline(always)]
     pub(crate) fn overflow(&self, reach: i32) -> i32 {
-        let bits = magnitude(&self.linear);
+        // In the common case the magnitude makes no difference: coefficients have at most 31 bits, 3 more than 28.
+        let common = self.exponent + reach <= 60 - 3;
+        self.overflow_of(if common { 0 } else { magnitude(&self.linear) }, reach)
+    }
+
+    /// [`overflow`](Self::overflow), given the magnitude of the coefficients.
+    #[inline(always)]
+    fn overflow_of(&self, bits: u32, reach: i32) -> i32 {
         // Three products.
         let linear = if bits == 0 { 0 } else { shift_to_fit(bits.into(), 28) + self.exponent + reach };
-        linear.max(shift_to_fit(self.offset.unsigned_abs(), 0)) - 60
+        (linear.max(shift_to_fit(self.offset.unsigned_abs(), 0)) - 60).max(0)
     }
 
     /// Evaluates the form at a point in 2⁻³²; the result is in 2⁻³² and saturates.
@@ -104,7 +100,9 @@ impl Row {
     /// Composes this form, scaled by 2^−`shift`, with `inner`: a row of the matrix product.
     pub(crate) fn compose(&self, inner: &RowBlock, shift: i32, into: &mut Self) {
         let own = self.exponent - shift;
-        into.offset = evaluate(&self.linear, own, &inner.offset, scale(self.offset, -shift));
+        // `shift` is rarely not 0.
+        let offset = if shift == 0 { self.offset } else { scale(self.offset, -shift) };
+        into.offset = evaluate(&self.linear, own, &inner.offset, offset);
         let sums = row_times(&self.linear, &inner.linear);
         into.exponent = block_scaled(&sums, own + inner.exponent - 30, &mut into.linear);
     }
@@ -126,5 +124,33 @@ impl Row {
         let sum = |i: usize| a_sums[i] + b_sums[i];
         let offset = |row: &Self, (m, e): (i64, i32)| mul_translation(m as i32, e, row.offset); // |m| ≤ 2³⁰
         Self::new(&[sum(0), sum(1), sum(2)], exponent, add(offset(self, a), offset(other, b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::mixed as random;
+
+    #[test]
+    fn a_row_that_does_not_overflow_is_known_without_its_magnitude() {
+        let (mut state, mut common) = (8, 0);
+        for _ in 0..200_000 {
+            let linear = [0; 3].map(|_| {
+                [1 << 30, -(1 << 30), 0, random(&mut state) as i32 >> 2][random(&mut state) as usize % 4]
+            });
+            let offset = match random(&mut state) % 2 {
+                0 => random(&mut state) as i64 >> (1 + random(&mut state) % 40),
+                _ => {
+                    ((1i64 << (57 + random(&mut state) % 5)) + random(&mut state) as i64 % 3)
+                        * [1, -1][random(&mut state) as usize % 2]
+                }
+            };
+            let row = Row { linear, exponent: (random(&mut state) % 61) as i32 - 30, offset };
+            let reach = (random(&mut state) % 64) as i32;
+            assert_eq!(row.overflow(reach), row.overflow_of(magnitude(&linear), reach), "{row:?} {reach}");
+            common += usize::from(row.overflow(reach) == 0);
+        }
+        assert!((20_000..180_000).contains(&common), "{common}");
     }
 }

@@ -1,7 +1,7 @@
 //! Normalised vectors, by block scaling: as accurate for tiny vectors as for huge ones.
 
 use super::hints::opaque_next;
-use super::num::{bits_of, fraction, scale, shift_to_fit, sqrt};
+use super::num::{bits_of, fraction, mul_called, scale, shift_to_fit, sqrt};
 
 /// Scales the three numbers by one power of two so that the largest has 31 bits: rounded to nearest, but
 /// never beyond `i32`. Zero stays zero.
@@ -26,7 +26,7 @@ const fn clamp_to_i32(v: i64) -> i32 {
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn normalise(v: &[i64; 3]) -> [i32; 3] {
     let [x, y, z] = block_scaled(v);
-    let square = (x as i64 * x as i64) as u64 + (y as i64 * y as i64) as u64 + (z as i64 * z as i64) as u64;
+    let square = mul_called(x, x) as u64 + mul_called(y, y) as u64 + mul_called(z, z) as u64;
     let length = sqrt(square); // of ≤ 3·2⁶²: 2³⁰ … 2³¹·⁸, or 0
     [unit_component(x, length), unit_component(y, length), unit_component(z, length)]
 }
@@ -65,7 +65,7 @@ pub(crate) const fn cross_units(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn cross_exact([a, b, c]: &[i32; 3], [x, y, z]: &[i32; 3]) -> [i64; 3] {
     const fn difference(a: i32, b: i32, c: i32, d: i32) -> i64 {
-        a as i64 * b as i64 - c as i64 * d as i64
+        mul_called(a, b) - mul_called(c, d)
     }
     [difference(*b, *z, *c, *y), difference(*c, *x, *a, *z), difference(*a, *y, *b, *x)]
 }

@@ -91,7 +91,7 @@ impl<S> Vector3<S> {
     /// ```
     pub fn dot(self, other: Self) -> Scalar {
         let ([a, b, c], [x, y, z]) = (self.bits(), other.bits().map(i64::from));
-        Scalar::from_bits(rounded(Accumulator::ZERO.plus(a, x).plus(b, y).plus(c, z)))
+        Scalar::from_bits(rounded(Accumulator::ZERO.plus(a, x).carried().plus(b, y).carried().plus(c, z)))
     }
 
     /// The cross product, right-handed: each coordinate exact, rounded to the nearest 2⁻¹⁶ (ties up), saturating at ±32768.
@@ -103,7 +103,8 @@ impl<S> Vector3<S> {
     /// ```
     pub fn cross(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.bits(), other.bits().map(i64::from));
-        let minus = |a: i32, b: i64, c: i32, d: i64| rounded(Accumulator::ZERO.plus(a, b).plus(c, -d));
+        let minus =
+            |a: i32, b: i64, c: i32, d: i64| rounded(Accumulator::ZERO.plus(a, b).carried().plus(c, -d));
         Self::from_bits([minus(b, z, c, y), minus(c, x, a, z), minus(a, y, b, x)])
     }
 
@@ -145,7 +146,7 @@ impl<S> Point3<S> {
 fn between([a, b, c]: [i32; 3], [x, y, z]: [i32; 3], t: Scalar) -> [i32; 3] {
     let at = |from: i32, to: i32| {
         let (from, to) = (i64::from(from), i64::from(to));
-        rounded(Accumulator::ZERO.plus(t.to_bits(), to - from).plus(1 << 16, from))
+        rounded(Accumulator::ZERO.plus(t.to_bits(), to - from).carried().plus(1 << 16, from))
         // a difference of 33 bits
     };
     [at(a, x), at(b, y), at(c, z)]

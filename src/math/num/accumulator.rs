@@ -1,15 +1,18 @@
 //! A sum of products, wider than 64 bits.
 
-use super::bits::{max, min};
+use super::bits::min;
+use super::product::mul_called;
 use super::scaling::scale;
+use crate::math::cores::CORTEX_M0;
 
 /// The exact sum of up to three products of a coefficient (at most 2³⁰ in absolute value) and a translation (at most 2⁶²), as
 /// high·2³² + low.
 #[derive(Clone, Copy)]
 pub(crate) struct Accumulator {
-    /// At most 3·2⁶⁰ in absolute value, and carries.
+    /// At most 3·(2⁶⁰ + 2³⁰) in absolute value.
     high: i64,
-    low: u32,
+    /// At most 3·2⁶¹ in absolute value.
+    low: i64,
 }
 
 impl Accumulator {
@@ -17,19 +20,41 @@ impl Accumulator {
 
     #[inline(always)]
     pub(crate) const fn plus(self, m: i32, t: i64) -> Self {
-        let m = m as i64;
-        // t in two words: m·upper ≤ 2⁶⁰, m·lower < 2⁶².
-        let low = self.low as i64 + m * (t as u32 as i64);
-        Self { high: self.high + m * (t >> 32) + (low >> 32), low: low as u32 }
+        if CORTEX_M0 && m == 0 {
+            return self; // a product is a call
+        }
+        // t in two signed words: |upper| ≤ 2³⁰ + 1, |lower| ≤ 2³¹.
+        let lower = t as i32;
+        let upper = (t >> 32) as i32 + (lower as u32 >> 31) as i32;
+        Self { high: self.high + mul_called(m, upper), low: self.low + mul_called(m, lower) }
+    }
+
+    /// The sum with its carry in the high word. After each product, it makes room for coefficients of 32 bits.
+    #[inline(always)]
+    pub(crate) const fn carried(self) -> Self {
+        Self { high: self.high + (self.low >> 32), low: self.low & 0xffff_ffff }
     }
 
     /// The sum times 2^exponent, rounded to nearest. Where the exact value is beyond ±(2⁶³ − 2³²), the result is not exact, but
     /// also beyond that bound.
     #[inline(always)]
     pub(crate) const fn scaled(self, exponent: i32) -> i64 {
-        let (down, up) = (min(exponent, 0), max(exponent, 0));
+        let (high, low) = (self.high + (self.low >> 32), self.low as u32);
+        let down = min(exponent, 0);
         // Shifted right by more than 32, the high word alone gives the rounding bit; at 32 the low word gives it.
-        scale(scale(self.high, 32 + down).saturating_add(scale(self.low as i64, down)), up)
+        let low = match down {
+            0 => low,
+            _ => {
+                let floor = low.unbounded_shr((-1 - down) as u32); // of twice the low word
+                floor - (floor >> 1) // half of it, rounded up
+            }
+        };
+        let sum = scale(high, 32 + down).saturating_add(low as i64);
+        if exponent > 0 {
+            scale(sum, exponent)
+        } else {
+            sum
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 //! Bit counts of numbers, and the shifts that follow from them.
 
 use crate::math::cores::{CORTEX_M0, COUNTS_LEADING_ZEROS};
-use crate::math::halfword::{leading_zeros_by_steps, normalised_by_bits, normalised_by_steps};
+use crate::math::halfword::{
+    leading_zeros_by_steps, normalised_by_bits, normalised_by_steps, significant_bits_by_steps,
+};
 use crate::math::hints::keep_rolled;
 
 /// The number of zero bits above the highest one of `v`: 32 for 0.
@@ -55,7 +57,15 @@ pub(crate) fn magnitude(linear: &[i32]) -> u32 {
 
 /// The right shift that brings the highest bit of `v` to bit `bits − 1`; negative for a left shift.
 pub(crate) const fn shift_to_fit(v: u64, bits: i32) -> i32 {
-    64 - v.leading_zeros() as i32 - bits
+    significant_bits(v) - bits
+}
+
+/// The number of bits of `v` up to its highest one: 0 for 0.
+const fn significant_bits(v: u64) -> i32 {
+    if CORTEX_M0 {
+        return significant_bits_by_steps(v);
+    }
+    64 - v.leading_zeros() as i32
 }
 
 /// The larger of two numbers: `Ord::max` is not `const`.

@@ -1,13 +1,22 @@
 //! Exact products of 32-bit numbers, and sums of three of them.
 
 use crate::math::cores::CORTEX_M0;
-use crate::math::halfword::mul_wide_by_halves;
+use crate::math::halfword::{called_mul_wide, mul_wide_by_halves, row_times_by_halves};
 
 /// `a · b`, exact.
 #[inline(always)]
 pub(crate) const fn mul_wide(a: i32, b: i32) -> i64 {
     if CORTEX_M0 {
         return mul_wide_by_halves(a, b);
+    }
+    a as i64 * b as i64
+}
+
+/// `a · b`, exact, for set-up: on a Cortex-M0 a call, so that code size does not grow with the number of products.
+#[inline(always)]
+pub(crate) const fn mul_called(a: i32, b: i32) -> i64 {
+    if CORTEX_M0 {
+        return called_mul_wide(a, b);
     }
     a as i64 * b as i64
 }
@@ -22,7 +31,7 @@ pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     let ([a, b, c], [x, y, z]) = (*a, *b);
-    a as i64 * x as i64 + b as i64 * y as i64 + c as i64 * z as i64
+    mul_called(a, x) + mul_called(b, y) + mul_called(c, z)
 }
 
 /// The transpose of a matrix.
@@ -33,6 +42,9 @@ pub(crate) const fn transposed([x, y, z]: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
 /// Row `v` times matrix `m`, coefficients of at most 2³⁰: sums of three products, below 2⁶².
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn row_times(v: &[i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
+    if CORTEX_M0 {
+        return row_times_by_halves(v, m);
+    }
     let ([a, b, c], [x, y, z]) = (*v, m);
     let (a, b, c) = (a as i64, b as i64, c as i64);
     [
