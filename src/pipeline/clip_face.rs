@@ -5,10 +5,10 @@ use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{DepthOf, UnpackedVertex, VertexTransform};
 use crate::clip::{self, ClipCorners, Varying, CLIP_SLOTS};
-use crate::math::hints::opaque_next;
+use crate::math::hints::{keep_rolled, opaque_next};
 use crate::math::{ClipCoords, Coordinate};
 
-/// Clips the vertices of a point, an edge or a face at the near and far planes and at the guard band.
+/// Clips the vertices of an edge or a face at the near and far planes and at the guard band.
 struct Clipper<'a> {
     vertex_transform: &'a VertexTransform,
     /// Whether the far plane clips.
@@ -50,6 +50,10 @@ impl ClipCorners for Clipper<'_> {
         self.slots.get(at).map_or(0, |point| self.vertex_transform.distance(plane, point))
     }
 
+    fn planes_outside(&self, at: usize) -> u32 {
+        self.slots.get(at).map_or(0, |point| self.vertex_transform.planes_outside(point, self.far))
+    }
+
     #[inline(never)]
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
         ClipCoords::put(self.slots, at, inside, outside, t);
@@ -60,21 +64,10 @@ impl ClipCorners for Clipper<'_> {
 }
 
 impl Clipper<'_> {
-    fn planes(&self) -> usize {
-        5 + usize::from(self.far)
-    }
-
-    /// The vertex in slot 0 on the screen, or `None` if it is clipped.
-    #[inline(never)]
-    fn point(self) -> Option<UnpackedVertex> {
-        (0..self.planes()).all(|plane| self.distance(plane, 0) >= 0).then(|| self.to_screen(0))
-    }
-
     /// The ends of an edge on the screen and whether clipping shortened it, or `None` if clipping leaves nothing.
     #[inline(never)]
     fn edge(mut self) -> Option<([UnpackedVertex; 2], bool)> {
-        let planes = self.planes();
-        let cut = clip::clip_line(&mut self, planes)?;
+        let cut = clip::clip_line(&mut self)?;
         Some(([self.to_screen(0), self.to_screen(1)], cut))
     }
 
@@ -82,8 +75,7 @@ impl Clipper<'_> {
     /// clipping removed a part of the face.
     #[inline(never)]
     fn face(mut self, order: &mut clip::SlotOrder) -> bool {
-        let planes = self.planes();
-        let cut = clip::clip_triangle(&mut self, planes, order);
+        let cut = clip::clip_triangle(&mut self, order);
         for &slot in order.iter() {
             let vertex = self.to_screen(slot.into());
             if let Some(corner) = self.slots.get_mut(usize::from(slot)) {
@@ -109,18 +101,64 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     ) -> Clipper<'c> {
         let vertex_transform = &self.instance.vertex_transform;
         to_clip_space(vertex_transform, self.instance.mesh.vertices(), indices, slots);
-        let depth: Option<DepthOf> = if DEPTH { Some(VertexTransform::depth) } else { None };
-        Clipper { vertex_transform, far: self.far, depth, slots, varyings }
+        Clipper { vertex_transform, far: self.far, depth: Self::depth(), slots, varyings }
+    }
+
+    fn depth() -> Option<DepthOf> {
+        if DEPTH {
+            Some(VertexTransform::depth)
+        } else {
+            None
+        }
+    }
+
+    /// The clip planes that vertices lie outside of: all of them (`[0]`) and any of them (`[1]`). A vertex before the near plane
+    /// may lie outside of others, too, that are not counted.
+    #[inline(never)] // one copy for faces, edges and points
+    fn planes_outside(&self, indices: &[u16]) -> [u32; 2] {
+        let mut planes = [u32::MAX, 0];
+        for &index in indices {
+            keep_rolled();
+            let own = self.vertex_planes(index);
+            planes = [planes[0] & own, planes[1] | own];
+        }
+        planes
+    }
+
+    #[inline(always)]
+    fn vertex_planes(&self, index: u16) -> u32 {
+        let vertex = self.screen_vertex(index);
+        if vertex.is_on_screen() {
+            return 0;
+        }
+        vertex.planes().unwrap_or_else(|| self.planes_of_unknown(index))
+    }
+
+    /// The planes of a vertex that a cache has neither on the screen nor with its planes.
+    #[cold]
+    #[inline(never)]
+    fn planes_of_unknown(&self, index: u16) -> u32 {
+        let vertex = self.instance.mesh.vertices().get(usize::from(index)); // `Mesh` has checked that there is one
+        let vertex =
+            vertex.map(|vertex| self.instance.vertex_transform.without_position(vertex, self.far));
+        vertex.and_then(|vertex| vertex.planes()).unwrap_or(0)
+    }
+
+    /// The position of a vertex that lies inside of all planes, also farther out than the cache can store.
+    #[inline(never)] // one copy for faces, edges and points
+    fn position(&self, index: u16) -> UnpackedVertex {
+        let (vertex, transform) = (self.screen_vertex(index), &self.instance.vertex_transform);
+        if vertex.is_on_screen() {
+            return transform.unpack::<DEPTH>(vertex);
+        }
+        let mut slot = [ClipCoords::ZERO];
+        to_clip_space(transform, self.instance.mesh.vertices(), &[index], &mut slot);
+        transform.project_wide(&slot[0], Self::depth())
     }
 
     /// A vertex on the screen, or `None` if it is clipped.
     pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
-        let vertex = self.screen_vertex(index);
-        if vertex.is_on_screen() {
-            return Some(self.instance.vertex_transform.unpack::<DEPTH>(vertex));
-        }
-        let mut slots = [ClipCoords::ZERO];
-        self.clipper(&[index], &mut slots, None).point()
+        (self.vertex_planes(index) == 0).then(|| self.position(index))
     }
 
     /// The ends of an edge on the screen, or `None` if clipping leaves nothing. Counts edges that are clipped or not drawn.
@@ -134,15 +172,25 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         }
     }
 
+    /// The slow path for an edge with an end that has no position. Most such edges have both ends outside of one plane.
     #[cold]
     #[inline(never)]
     fn clip_edge(&self, edge: [u16; 2]) -> Option<([UnpackedVertex; 2], bool)> {
+        match self.planes_outside(&edge) {
+            [0, 0] => Some((edge.map(|index| self.position(index)), false)),
+            [0, _] => self.cut_edge(edge),
+            _ => None,
+        }
+    }
+
+    #[inline(never)] // its stack frame is not set up for edges that are outside
+    fn cut_edge(&self, edge: [u16; 2]) -> Option<([UnpackedVertex; 2], bool)> {
         let mut slots = [ClipCoords::ZERO; 2];
         self.clipper(&edge, &mut slots, None).edge()
     }
 
-    /// The slow path for a face with an uncached vertex, or one that must be clipped. Returns what becomes of the face, with
-    /// its first triangle in `triangles` if it is drawn.
+    /// The slow path for a face with an uncached vertex, or one without a position. Returns what becomes of the face, with its
+    /// first triangle in `triangles` if it is drawn.
     #[inline(always)]
     pub(super) fn clip_face<K: Varying>(
         &self,
@@ -152,19 +200,28 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         self.clip_with(face, &mut triangles.fan, &mut triangles.varyings)
     }
 
+    /// Most faces that come here have all corners outside of one plane.
     #[cold]
     #[inline(never)] // one copy for all varyings
     fn clip_with(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) -> Outcome {
-        let corners = face.map(|index| self.screen_vertex(index));
-        let cut = if corners.iter().all(|corner| corner.is_on_screen()) {
-            fan.polygon.set_face(&self.unpack(corners));
-            false
+        let [all, any] = self.planes_outside(face);
+        if all != 0 {
+            return Outcome::Outside;
+        }
+        let cut = any != 0;
+        if cut {
+            self.cut_face(face, fan, varyings);
         } else {
-            varyings.begin();
-            let (slots, order) = fan.polygon.parts();
-            self.clipper(face, slots, Some(varyings)).face(order)
-        };
+            fan.polygon.set_face(&face.map(|index| self.position(index)));
+        }
         fan.begin(self.instance.cull, cut)
+    }
+
+    #[inline(never)] // its stack frame is not set up for faces that are outside
+    fn cut_face(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) {
+        varyings.begin();
+        let (slots, order) = fan.polygon.parts();
+        self.clipper(face, slots, Some(varyings)).face(order);
     }
 }
 
