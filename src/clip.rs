@@ -132,11 +132,9 @@ fn intersect_edge(corners: &mut impl ClipCorners, plane: usize, at: usize, insid
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
     let across = within - corners.distance(plane, outside);
-    let (within, across) = (within as u64, across as u64);
-    let t = if across >> 58 == 0 {
-        proper_fraction(within, across)
-    } else {
-        fraction(within, across, 31) as i32 // the far plane, before a vertex that is very far away
+    let t = match u32::try_from(across) {
+        Ok(across) => proper_fraction(within as u32, across), // always for the near plane
+        Err(_) => fraction(within as u64, across as u64, 31) as i32,
     };
     corners.put(at, inside, outside, t);
 }
@@ -276,8 +274,7 @@ impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
     }
 
     fn planes_outside(&self, at: usize) -> u32 {
-        (0..PLANES)
-            .fold(0, |planes, plane| planes | u32::from(self.distance(plane, at) < 0) << (plane & 31))
+        (0..PLANES).fold(0, |planes, plane| planes | u32::from(self.distance(plane, at) < 0) << (plane & 31))
     }
 
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {

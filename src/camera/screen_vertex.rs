@@ -32,9 +32,6 @@ pub(crate) struct UnpackedVertex {
 }
 
 impl UnpackedVertex {
-    /// The target's origin: an initial value.
-    pub(crate) const ORIGIN: Self = Self { point: ScreenPoint::ORIGIN, depth: 0 };
-
     /// Stored in the slot of a clip-space vertex, so that a polygon needs one buffer.
     pub(crate) fn to_clip_slot(self) -> ClipCoords {
         ClipCoords { xydw: [self.point.x(), self.point.y(), self.depth, 1] }
@@ -92,9 +89,10 @@ impl ScreenVertex {
         }
         Some(match DEPTH {
             // The lowest bit is below a sub-pixel: `offset` drops it.
-            true => {
-                Self { right: (right | 1) << 12 | depth as u32 >> 12, down: down << 12 | depth as u32 & 0xfff }
-            }
+            true => Self {
+                right: (right | 1) << 12 | depth as u32 >> 12,
+                down: down << 12 | depth as u32 & 0xfff,
+            },
             false => Self { right: right >> 1, down: down >> 1 },
         })
     }

@@ -248,8 +248,14 @@ impl VertexTransform {
         ScreenVertex::new::<DEPTH>(x, y, self.bias, depth)
     }
 
+    /// x/w and y/w in clip space are in units of 2^this sub-pixels: 7 … 21.
+    pub(crate) fn sub_pixels(&self) -> i32 {
+        self.xy_over_w + self.screen.unit
+    }
+
     /// Whether a vertex lies before the near plane.
-    pub(crate) fn is_before_near<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
+    #[inline(always)]
+    fn is_before_near<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
         self.d.at(vertex.map(|c| c.times(self.justify_factor)), V::NARROW) < 0
     }
 
@@ -443,7 +449,8 @@ mod tests {
             let plain = transform.project::<_, false>(&vertex, transform.needs_d(false, true), true);
             let deep = transform.project::<_, true>(&vertex, transform.needs_d(true, true), true);
             for (corner, depth) in [(plain, false), (deep, true)] {
-                let planes: u32 = (0..6).map(|plane| u32::from(transform.distance(plane, &h) < 0) << plane).sum();
+                let planes: u32 =
+                    (0..6).map(|plane| u32::from(transform.distance(plane, &h) < 0) << plane).sum();
                 assert_eq!(transform.planes_outside(&h, true), planes, "{vertex:?}");
                 assert_eq!(transform.planes_outside(&h, false), planes & 31, "{vertex:?}");
                 assert_eq!(transform.is_before_near(&vertex), planes & 1 != 0, "{vertex:?}");

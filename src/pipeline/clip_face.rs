@@ -1,12 +1,17 @@
 //! Clipping in clip space: the slow path for points, edges and faces with a vertex that is not on the screen.
 
+use super::cull::Cull;
 use super::face_triangles::{FaceTriangles, Fan};
 use super::statistics::{Outcome, Statistics};
 use super::vertex_cache::TransformedMesh;
-use crate::camera::{DepthOf, UnpackedVertex, VertexTransform};
+use crate::camera::{DepthOf, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::clip::{self, ClipCorners, Varying, CLIP_SLOTS};
+use crate::fast;
 use crate::math::hints::{keep_rolled, opaque_next};
 use crate::math::{ClipCoords, Coordinate};
+
+/// The bit of the near plane among the planes that a vertex lies outside of.
+const NEAR: u32 = 1;
 
 /// Clips the vertices of an edge or a face at the near and far planes and at the guard band.
 struct Clipper<'a> {
@@ -14,6 +19,8 @@ struct Clipper<'a> {
     /// Whether the far plane clips.
     far: bool,
     depth: Option<DepthOf>,
+    /// The vertices in slots 0, 1 and 2. One that is on the screen is never cut off, so it keeps its slot.
+    vertices: [ScreenVertex; 3],
     slots: &'a mut [ClipCoords],
     varyings: Option<&'a mut dyn ClipVaryings>,
 }
@@ -51,7 +58,10 @@ impl ClipCorners for Clipper<'_> {
     }
 
     fn planes_outside(&self, at: usize) -> u32 {
-        self.slots.get(at).map_or(0, |point| self.vertex_transform.planes_outside(point, self.far))
+        match (self.on_screen(at), self.slots.get(at)) {
+            (None, Some(point)) => self.vertex_transform.planes_outside(point, self.far),
+            _ => 0,
+        }
     }
 
     #[inline(never)]
@@ -71,10 +81,22 @@ impl Clipper<'_> {
         Some(([self.to_screen(0), self.to_screen(1)], cut))
     }
 
+    /// Whether a face that crosses the near plane is known to be a back face before it is cut.
+    fn is_back_face(&self) -> bool {
+        // A vertex that is not on the screen and not before the near plane lies far outside of the picture.
+        let far_aside = |at: usize, slot: &ClipCoords| slot.xydw[2] >= 0 && self.on_screen(at).is_none();
+        let mut corners = self.slots.iter().take(3).enumerate();
+        !corners.any(|(at, slot)| far_aside(at, slot))
+            && fast::is_back_face(self.slots, self.vertex_transform.sub_pixels())
+    }
+
     /// Clips a face: writes the slots of the polygon's corners to `order`, moves the corners to the screen, and returns whether
     /// clipping removed a part of the face.
     #[inline(never)]
     fn face(mut self, order: &mut clip::SlotOrder) -> bool {
+        if let Some(varyings) = &mut self.varyings {
+            varyings.begin();
+        }
         let cut = clip::clip_triangle(&mut self, order);
         for &slot in order.iter() {
             let vertex = self.to_screen(slot.into());
@@ -86,9 +108,21 @@ impl Clipper<'_> {
         cut
     }
 
+    /// The vertex in this slot, if it is on the screen.
+    #[inline(always)]
+    fn on_screen(&self, at: usize) -> Option<ScreenVertex> {
+        self.vertices.get(at).copied().filter(|vertex| vertex.is_on_screen())
+    }
+
     #[inline(never)]
     fn to_screen(&self, at: usize) -> UnpackedVertex {
-        self.vertex_transform.project_wide(self.slots.get(at).unwrap_or(&ClipCoords::ZERO), self.depth)
+        match (self.on_screen(at), self.depth) {
+            (Some(vertex), Some(_)) => self.vertex_transform.unpack::<true>(vertex),
+            (Some(vertex), None) => self.vertex_transform.unpack::<false>(vertex),
+            (None, depth) => {
+                self.vertex_transform.project_wide(self.slots.get(at).unwrap_or(&ClipCoords::ZERO), depth)
+            }
+        }
     }
 }
 
@@ -101,32 +135,19 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     ) -> Clipper<'c> {
         let vertex_transform = &self.instance.vertex_transform;
         to_clip_space(vertex_transform, self.instance.mesh.vertices(), indices, slots);
-        Clipper { vertex_transform, far: self.far, depth: Self::depth(), slots, varyings }
-    }
-
-    fn depth() -> Option<DepthOf> {
-        if DEPTH {
-            Some(VertexTransform::depth)
-        } else {
-            None
-        }
-    }
-
-    /// The clip planes that vertices lie outside of: all of them (`[0]`) and any of them (`[1]`). A vertex before the near plane
-    /// may lie outside of others, too, that are not counted.
-    #[inline(never)] // one copy for faces, edges and points
-    fn planes_outside(&self, indices: &[u16]) -> [u32; 2] {
-        let mut planes = [u32::MAX, 0];
-        for &index in indices {
+        let mut vertices = [ScreenVertex::EMPTY; 3];
+        for (vertex, &index) in vertices.iter_mut().zip(indices) {
             keep_rolled();
-            let own = self.vertex_planes(index);
-            planes = [planes[0] & own, planes[1] | own];
+            *vertex = self.screen_vertex(index);
         }
-        planes
+        let depth: Option<DepthOf> = if DEPTH { Some(VertexTransform::depth) } else { None };
+        Clipper { vertex_transform, far: self.far, depth, vertices, slots, varyings }
     }
 
-    #[inline(always)]
-    fn vertex_planes(&self, index: u16) -> u32 {
+    /// The clip planes that a vertex lies outside of, one bit each. A vertex before the near plane may lie outside of others, too,
+    /// whose bits are not set.
+    #[inline(never)] // rare: code size matters more than speed
+    fn planes_outside(&self, index: u16) -> u32 {
         let vertex = self.screen_vertex(index);
         if vertex.is_on_screen() {
             return 0;
@@ -139,26 +160,14 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     #[inline(never)]
     fn planes_of_unknown(&self, index: u16) -> u32 {
         let vertex = self.instance.mesh.vertices().get(usize::from(index)); // `Mesh` has checked that there is one
-        let vertex =
-            vertex.map(|vertex| self.instance.vertex_transform.without_position(vertex, self.far));
+        let vertex = vertex.map(|vertex| self.instance.vertex_transform.without_position(vertex, self.far));
         vertex.and_then(|vertex| vertex.planes()).unwrap_or(0)
-    }
-
-    /// The position of a vertex that lies inside of all planes, also farther out than the cache can store.
-    #[inline(never)] // one copy for faces, edges and points
-    fn position(&self, index: u16) -> UnpackedVertex {
-        let (vertex, transform) = (self.screen_vertex(index), &self.instance.vertex_transform);
-        if vertex.is_on_screen() {
-            return transform.unpack::<DEPTH>(vertex);
-        }
-        let mut slot = [ClipCoords::ZERO];
-        to_clip_space(transform, self.instance.mesh.vertices(), &[index], &mut slot);
-        transform.project_wide(&slot[0], Self::depth())
     }
 
     /// A vertex on the screen, or `None` if it is clipped.
     pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
-        (self.vertex_planes(index) == 0).then(|| self.position(index))
+        let mut slots = [ClipCoords::ZERO];
+        (self.planes_outside(index) == 0).then(|| self.clipper(&[index], &mut slots, None).to_screen(0))
     }
 
     /// The ends of an edge on the screen, or `None` if clipping leaves nothing. Counts edges that are clipped or not drawn.
@@ -175,12 +184,11 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// The slow path for an edge with an end that has no position. Most such edges have both ends outside of one plane.
     #[cold]
     #[inline(never)]
-    fn clip_edge(&self, edge: [u16; 2]) -> Option<([UnpackedVertex; 2], bool)> {
-        match self.planes_outside(&edge) {
-            [0, 0] => Some((edge.map(|index| self.position(index)), false)),
-            [0, _] => self.cut_edge(edge),
-            _ => None,
+    fn clip_edge(&self, [a, b]: [u16; 2]) -> Option<([UnpackedVertex; 2], bool)> {
+        if self.planes_outside(a) & self.planes_outside(b) != 0 {
+            return None;
         }
+        self.cut_edge([a, b])
     }
 
     #[inline(never)] // its stack frame is not set up for edges that are outside
@@ -204,24 +212,35 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     #[cold]
     #[inline(never)] // one copy for all varyings
     fn clip_with(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) -> Outcome {
-        let [all, any] = self.planes_outside(face);
-        if all != 0 {
+        let [a, b, c] = face.map(|index| self.planes_outside(index));
+        if a & b & c != 0 {
             return Outcome::Outside;
         }
-        let cut = any != 0;
-        if cut {
-            self.cut_face(face, fan, varyings);
-        } else {
-            fan.polygon.set_face(&face.map(|index| self.position(index)));
-        }
-        fan.begin(self.instance.cull, cut)
+        self.cut_face(face, a | b | c, fan, varyings)
     }
 
+    /// Clips a face at planes that it crosses, if any; `crossed`: the planes that a corner lies outside of.
     #[inline(never)] // its stack frame is not set up for faces that are outside
-    fn cut_face(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) {
-        varyings.begin();
-        let (slots, order) = fan.polygon.parts();
-        self.clipper(face, slots, Some(varyings)).face(order);
+    fn cut_face(
+        &self,
+        face: &[u16; 3],
+        crossed: u32,
+        fan: &mut Fan<'_>,
+        varyings: &mut dyn ClipVaryings,
+    ) -> Outcome {
+        let corners = face.map(|index| self.screen_vertex(index));
+        let cut = if corners.iter().all(|corner| corner.is_on_screen()) {
+            fan.polygon.set_face(&self.unpack(corners));
+            false
+        } else {
+            let (slots, order) = fan.polygon.parts();
+            let clipper = self.clipper(face, slots, Some(varyings));
+            if crossed == NEAR && self.instance.cull == Cull::Back && clipper.is_back_face() {
+                return Outcome::Culled;
+            }
+            clipper.face(order)
+        };
+        fan.begin(self.instance.cull, cut)
     }
 }
 
@@ -239,5 +258,66 @@ fn to_clip_space<V: Coordinate>(
             vertex_transform.clip_into(vertex, slot);
         }
         i = opaque_next(i);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::{Camera, Projection, ViewTransform, Viewport};
+    use crate::math::random::Random;
+    use crate::math::{Affine, Angle, Point3, Scalar, Vector3};
+    use crate::raster::Scissor;
+    use crate::scene::Mesh;
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    /// Random faces about the near plane, large and small, slender and edge-on ones among them: culled before they are cut or
+    /// after it, they are culled exactly if what clipping leaves of them is turned away after rounding.
+    #[test]
+    fn back_faces_are_known_before_they_are_cut() {
+        let number = Scalar::from_num::<f64>;
+        let viewport = Viewport::new(Point::new(-7, 3), Size::new(240, 180)).unwrap();
+        let (eye, near) = (1.2, 0.5);
+        let lens =
+            Projection::perspective(Angle::degrees(60), viewport.size(), number(near), number(20.0)).unwrap();
+        let at = Point3::new(Scalar::ZERO, Scalar::ZERO, number(eye));
+        let view =
+            ViewTransform::look_at(at, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0)).unwrap();
+        let camera = Camera::new(&view, &lens, &viewport);
+        let (mut random, mut cut, mut back, mut early) = (Random(17), 0, 0, 0);
+        for i in 0..400_000 {
+            let size = [0.8, 0.2, 0.05, 0.01, 0.002][i % 5];
+            let mut vector = |size: f64| [0; 3].map(|_| size * random.unit());
+            let mut about = vector(0.6);
+            about[2] = eye - near + vector(size)[2];
+            let mut points = [0; 3].map(|_| vector(size)).map(|v| [0, 1, 2].map(|k| about[k] + v[k]));
+            let small = vector([0.1, 0.01, 0.001][i / 5 % 3] * size);
+            let [a, b, _] = points;
+            match i / 15 % 4 {
+                0 => points[2] = [0, 1, 2].map(|k| (a[k] + b[k]) / 2.0 + small[k]), // slender
+                1 => points[2] = [0, 1, 2].map(|k| a[k] * 1.2 - [0.0, 0.0, eye][k] * 0.2 + small[k]), // edge-on
+                _ => {}
+            }
+            let vertices = points.map(|point| point.map(|c| (c * 16_384.0).round() as i16));
+            let mesh = Mesh::new(&vertices, -14, &[[0, 1, 2]]).unwrap();
+            let instance = camera.place(&mesh, &Affine::identity());
+            let both_sides = instance.with_cull(Cull::None);
+            let mut triangles = FaceTriangles::<()>::new(&Scissor::GUARD_BAND);
+            let face = [0, 1, 2];
+            let all = TransformedMesh::<_, true>::new(&both_sides, &mut []).clip_face(&face, &mut triangles);
+            if all != Outcome::Clipped {
+                continue;
+            }
+            cut += 1;
+            let expected = if triangles.fan.is_reversed() { Outcome::Culled } else { all };
+            let transformed = TransformedMesh::<_, true>::new(&instance, &mut []);
+            assert!(transformed.clip_face(&face, &mut triangles) == expected, "{vertices:?}");
+            let mut slots = [ClipCoords::ZERO; 3];
+            let is_early = transformed.clipper(&face, &mut slots, None).is_back_face();
+            back += u32::from(expected == Outcome::Culled);
+            early += u32::from(is_early);
+        }
+        assert!(cut > 100_000 && back > cut / 3, "{cut} {back}");
+        assert!(cfg!(pinhole_plain) || early > back / 5, "{early} of {back}");
     }
 }

@@ -379,7 +379,7 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     }
 }
 
-/// Stores the first vertex, which has no position, and those after it that lie before the near plane. Returns their number.
+/// Stores the first vertex, which has no position, and those after it that lie outside of the same planes. Returns their number.
 #[cold]
 #[inline(never)]
 fn run_without_position<V: Coordinate>(
@@ -388,16 +388,16 @@ fn run_without_position<V: Coordinate>(
     vertices: &[[V; 3]],
     cache: &mut [ScreenVertex],
 ) -> usize {
-    let mut count = 0;
+    let (mut count, mut first) = (0, ScreenVertex::EMPTY);
     for (packed, vertex) in cache.iter_mut().zip(vertices) {
         keep_rolled();
-        *packed = if vertex_transform.is_before_near(vertex) {
-            ScreenVertex::without_position(1)
-        } else if count == 0 {
-            vertex_transform.without_position(vertex, far)
-        } else {
-            break;
-        };
+        let stored = vertex_transform.without_position(vertex, far);
+        if count == 0 {
+            first = stored;
+        } else if stored != first || stored.planes() == Some(0) {
+            break; // it may have a position
+        }
+        *packed = stored;
         count += 1;
     }
     count
