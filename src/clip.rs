@@ -17,7 +17,7 @@
 //! # Ok::<(), pinhole::ProjectionError>(())
 //! ```
 
-use crate::math::hints::opaque_next;
+use crate::math::hints::{keep_rolled, opaque_next};
 use crate::math::num::{fraction, proper_fraction};
 use crate::math::{ClipCoords, ClipPoint};
 use heapless::Vec;
@@ -50,6 +50,7 @@ pub(crate) trait ClipCorners {
 }
 
 /// Linear interpolation `a + (b − a)·t·2⁻³¹`, rounded to nearest, for 0 ≤ t < 2³¹.
+#[inline(never)] // rare path: code size counts, speed does not
 fn lerp(a: i32, b: i32, t: i32) -> i32 {
     let difference = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
     let moved = (difference * i64::from(t) + (1 << 30)) >> 31;
@@ -60,15 +61,15 @@ impl ClipCoords {
     /// The initial value of free slots.
     pub(crate) const ZERO: Self = Self { xydw: [0; 4] };
 
-    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two:
-    /// coordinate by coordinate, each read before it is written.
+    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two.
     pub(crate) fn put(slots: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
-        let mut i = 0;
-        let number = |slots: &[Self], slot: usize, i: usize| slots.get(slot)?.xydw.get(i).copied();
-        while let (Some(a), Some(b)) = (number(slots, inside, i), number(slots, outside, i)) {
-            let Some(number) = slots.get_mut(at).and_then(|slot| slot.xydw.get_mut(i)) else { return };
-            *number = lerp(a, b, t);
-            i = opaque_next(i);
+        let (Some(&Self { xydw: a }), Some(&Self { xydw: b })) = (slots.get(inside), slots.get(outside))
+        else {
+            return;
+        };
+        if let Some(Self { xydw }) = slots.get_mut(at) {
+            let ([x, y, d, w], [p, q, r, s]) = (a, b);
+            *xydw = [lerp(x, p, t), lerp(y, q, t), lerp(d, r, t), lerp(w, s, t)];
         }
     }
 }
@@ -178,18 +179,19 @@ fn push_corner(polygon: &mut SlotOrder, corner: u8) {
 pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, polygon: &mut SlotOrder) -> bool {
     polygon.clear();
     // The planes that the corner in each slot lies outside of.
-    let mut outside = [0; CLIP_SLOTS];
+    let mut outside = [0u8; CLIP_SLOTS];
     let (mut all, mut any) = (u32::MAX, 0);
     for (at, planes) in outside.iter_mut().enumerate().take(3) {
+        keep_rolled();
         push_corner(polygon, at as u8);
-        *planes = corners.planes_outside(at);
-        (all, any) = (all & *planes, any | *planes);
+        let own = corners.planes_outside(at);
+        (all, any, *planes) = (all & own, any | own, own as u8); // six bits
     }
     if all != 0 {
         polygon.clear();
     }
     let crossed = any != 0;
-    let planes_of = |outside: &[u32], at: u8| outside.get(usize::from(at)).copied().unwrap_or(0);
+    let planes_of = |outside: &[u8], at: u8| u32::from(outside.get(usize::from(at)).copied().unwrap_or(0));
     let (mut taken, mut plane) = (0b111u32, 0); // occupied slots, one bit each
     while any >> plane != 0 && plane < PLANES {
         let is_beyond = |planes: u32| planes >> plane & 1 != 0;
@@ -207,8 +209,8 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, polygon: &mut SlotOr
                         intersect_edge(corners, plane, free, inside.into(), beyond.into());
                         push_corner(&mut clipped, free as u8);
                         // It lies in this plane, whatever its rounding.
-                        *planes = corners.planes_outside(free) & !(1 << plane);
-                        any |= *planes;
+                        let own = corners.planes_outside(free) & !(1 << plane);
+                        (any, *planes) = (any | own, own as u8);
                     }
                 }
                 if is_beyond(second) {

@@ -32,12 +32,13 @@ pub(crate) struct UnpackedVertex {
 }
 
 impl UnpackedVertex {
-    /// Stored in the slot of a clip-space vertex, so that a polygon needs one buffer.
-    pub(crate) fn to_clip_slot(self) -> ClipCoords {
-        ClipCoords { xydw: [self.point.x(), self.point.y(), self.depth, 1] }
+    /// Stores the vertex in the slot of its clip coordinates, so that a polygon needs one buffer. w stays.
+    pub(crate) fn store_in(self, slot: &mut ClipCoords) {
+        let [x, y, depth, _] = &mut slot.xydw;
+        (*x, *y, *depth) = (self.point.x(), self.point.y(), self.depth);
     }
 
-    /// Loads a vertex that [`to_clip_slot`](Self::to_clip_slot) stored.
+    /// Loads a vertex that [`store_in`](Self::store_in) stored.
     pub(crate) fn from_clip_slot(&ClipCoords { xydw: [x, y, depth, _] }: &ClipCoords) -> Self {
         Self { point: ScreenPoint::inside(x, y), depth }
     }
@@ -62,14 +63,22 @@ impl ScreenVertex {
     /// 19 bits there.
     const KNOWN: u32 = 1 << 31;
 
-    /// A vertex without a position that lies outside of these clip planes: one bit each, in the order of
-    /// [`VertexTransform::distance`](super::VertexTransform::distance). If the bit of the near plane is set, others may be
-    /// missing.
+    /// The bits of the six clip planes, in the order of [`VertexTransform::distance`](super::VertexTransform::distance).
+    pub(crate) const PLANES: u32 = 0x3f;
+
+    /// The bit of the near plane.
+    pub(crate) const NEAR: u32 = 1;
+
+    /// The bit of a vertex inside of all planes that lies out of the range of positions, or too close to the eye.
+    pub(crate) const ASIDE: u32 = 1 << 6;
+
+    /// A vertex without a position, and the planes that it lies outside of, or [`ASIDE`](Self::ASIDE). If the bit of the near
+    /// plane is set, other planes may be missing.
     pub(crate) const fn without_position(planes: u32) -> Self {
         Self { right: 0, down: Self::KNOWN | planes }
     }
 
-    /// The clip planes of a vertex that [`without_position`](Self::without_position) made; `None` for any other.
+    /// The planes of a vertex that [`without_position`](Self::without_position) made; `None` for any other.
     #[inline(always)]
     pub(crate) fn planes(self) -> Option<u32> {
         (!self.is_on_screen() && self.down & Self::KNOWN != 0).then_some(self.down & !Self::KNOWN)
@@ -101,6 +110,23 @@ impl ScreenVertex {
     #[inline(always)]
     pub(crate) fn is_on_screen(self) -> bool {
         self.right != 0
+    }
+
+    /// The planes of a vertex without a position, and a bit that is set if they are known; 0 on the screen. The bitwise AND of
+    /// several vertices tells by [`share_a_plane`](Self::share_a_plane) whether all of them lie outside of one plane.
+    #[inline(always)]
+    pub(crate) fn known_planes(self) -> u32 {
+        if self.is_on_screen() {
+            0
+        } else {
+            self.down
+        }
+    }
+
+    /// Whether vertices whose [`known_planes`](Self::known_planes) have this bitwise AND all lie outside of one plane.
+    #[inline(always)]
+    pub(crate) fn share_a_plane(all: u32) -> bool {
+        all & Self::KNOWN != 0 && all & Self::PLANES != 0
     }
 
     /// The position in sub-pixels, relative to an origin that all vertices of a viewport share: only differences have a

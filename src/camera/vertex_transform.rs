@@ -264,9 +264,12 @@ impl VertexTransform {
     #[cold]
     #[inline(never)]
     pub(crate) fn without_position<V: Coordinate>(&self, vertex: &[V; 3], far: bool) -> ScreenVertex {
-        ScreenVertex::without_position(match self.is_before_near(vertex) {
-            true => 1,
-            false => self.planes_outside(&self.clip(*vertex), far),
+        if self.is_before_near(vertex) {
+            return ScreenVertex::without_position(ScreenVertex::NEAR);
+        }
+        ScreenVertex::without_position(match self.planes_outside(&self.clip(*vertex), far) {
+            0 => ScreenVertex::ASIDE,
+            planes => planes,
         })
     }
 

@@ -31,14 +31,10 @@ pub(crate) fn is_back_face(slots: &[ClipCoords], sub_pixels: i32) -> bool {
     if cfg!(pinhole_plain) {
         return false;
     }
-    let (mut inside, mut outside) = (i32::MAX, 0);
-    for ClipCoords { xydw: [_, _, d, _] } in [a, b, c] {
-        if *d < 0 {
-            outside = outside.max(!*d);
-        } else {
-            inside = inside.min(*d);
-        }
-    }
+    // The least distance of a corner inside, and the largest of a corner outside, less 1: negative ones are large without sign.
+    let [p, q, r] = [a, b, c].map(|&ClipCoords { xydw: [_, _, d, _] }| d);
+    let inside = (p as u32).min(q as u32).min(r as u32);
+    let outside = !p.min(q).min(r) as u32;
     // 30 bits, so that differences have 31.
     let [a, b, c] = [a, b, c].map(|&ClipCoords { xydw: [x, y, _, w] }| [x >> 2, y >> 2, w >> 2]);
     let edge = |to: [i32; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];

@@ -10,9 +10,6 @@ use crate::fast;
 use crate::math::hints::{keep_rolled, opaque_next};
 use crate::math::{ClipCoords, Coordinate};
 
-/// The bit of the near plane among the planes that a vertex lies outside of.
-const NEAR: u32 = 1;
-
 /// Clips the vertices of an edge or a face at the near and far planes and at the guard band.
 struct Clipper<'a> {
     vertex_transform: &'a VertexTransform,
@@ -81,15 +78,6 @@ impl Clipper<'_> {
         Some(([self.to_screen(0), self.to_screen(1)], cut))
     }
 
-    /// Whether a face that crosses the near plane is known to be a back face before it is cut.
-    fn is_back_face(&self) -> bool {
-        // A vertex that is not on the screen and not before the near plane lies far outside of the picture.
-        let far_aside = |at: usize, slot: &ClipCoords| slot.xydw[2] >= 0 && self.on_screen(at).is_none();
-        let mut corners = self.slots.iter().take(3).enumerate();
-        !corners.any(|(at, slot)| far_aside(at, slot))
-            && fast::is_back_face(self.slots, self.vertex_transform.sub_pixels())
-    }
-
     /// Clips a face: writes the slots of the polygon's corners to `order`, moves the corners to the screen, and returns whether
     /// clipping removed a part of the face.
     #[inline(never)]
@@ -100,9 +88,8 @@ impl Clipper<'_> {
         let cut = clip::clip_triangle(&mut self, order);
         for &slot in order.iter() {
             let vertex = self.to_screen(slot.into());
-            if let Some(corner) = self.slots.get_mut(usize::from(slot)) {
-                let [.., w] = corner.xydw;
-                corner.xydw = [vertex.point.x(), vertex.point.y(), vertex.depth, w];
+            if let Some(slot) = self.slots.get_mut(usize::from(slot)) {
+                vertex.store_in(slot);
             }
         }
         cut
@@ -134,18 +121,18 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         varyings: Option<&'c mut dyn ClipVaryings>,
     ) -> Clipper<'c> {
         let vertex_transform = &self.instance.vertex_transform;
-        to_clip_space(vertex_transform, self.instance.mesh.vertices(), indices, slots);
-        let mut vertices = [ScreenVertex::EMPTY; 3];
-        for (vertex, &index) in vertices.iter_mut().zip(indices) {
-            keep_rolled();
-            *vertex = self.screen_vertex(index);
+        let vertex =
+            |i: usize| indices.get(i).map_or(ScreenVertex::EMPTY, |&index| self.screen_vertex(index));
+        let vertices = [vertex(0), vertex(1), vertex(2)];
+        // A face on the screen is not clipped.
+        if !vertices.iter().all(|vertex| vertex.is_on_screen()) {
+            to_clip_space(vertex_transform, self.instance.mesh.vertices(), indices, slots);
         }
         let depth: Option<DepthOf> = if DEPTH { Some(VertexTransform::depth) } else { None };
         Clipper { vertex_transform, far: self.far, depth, vertices, slots, varyings }
     }
 
-    /// The clip planes that a vertex lies outside of, one bit each. A vertex before the near plane may lie outside of others, too,
-    /// whose bits are not set.
+    /// The clip planes that a vertex lies outside of, as [`ScreenVertex::without_position`] has them; 0 on the screen.
     #[inline(never)] // rare: code size matters more than speed
     fn planes_outside(&self, index: u16) -> u32 {
         let vertex = self.screen_vertex(index);
@@ -166,8 +153,13 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
 
     /// A vertex on the screen, or `None` if it is clipped.
     pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
+        let vertex = self.screen_vertex(index);
+        if vertex.is_on_screen() {
+            return Some(self.instance.vertex_transform.unpack::<DEPTH>(vertex));
+        }
         let mut slots = [ClipCoords::ZERO];
-        (self.planes_outside(index) == 0).then(|| self.clipper(&[index], &mut slots, None).to_screen(0))
+        let is_inside = self.planes_outside(index) & ScreenVertex::PLANES == 0;
+        is_inside.then(|| self.clipper(&[index], &mut slots, None).to_screen(0))
     }
 
     /// The ends of an edge on the screen, or `None` if clipping leaves nothing. Counts edges that are clipped or not drawn.
@@ -185,7 +177,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     #[cold]
     #[inline(never)]
     fn clip_edge(&self, [a, b]: [u16; 2]) -> Option<([UnpackedVertex; 2], bool)> {
-        if self.planes_outside(a) & self.planes_outside(b) != 0 {
+        if ScreenVertex::share_a_plane(self.known_planes(a) & self.known_planes(b)) {
             return None;
         }
         self.cut_edge([a, b])
@@ -212,34 +204,35 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     #[cold]
     #[inline(never)] // one copy for all varyings
     fn clip_with(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) -> Outcome {
-        let [a, b, c] = face.map(|index| self.planes_outside(index));
-        if a & b & c != 0 {
+        let &[a, b, c] = face;
+        let all = self.known_planes(a) & self.known_planes(b) & self.known_planes(c);
+        if ScreenVertex::share_a_plane(all) {
             return Outcome::Outside;
         }
-        self.cut_face(face, a | b | c, fan, varyings)
+        self.cut_face(face, fan, varyings)
     }
 
-    /// Clips a face at planes that it crosses, if any; `crossed`: the planes that a corner lies outside of.
+    /// The planes of a cached vertex, for [`ScreenVertex::share_a_plane`].
+    #[inline(always)]
+    fn known_planes(&self, index: u16) -> u32 {
+        self.cached_vertex(index).map_or(0, |vertex| vertex.known_planes())
+    }
+
+    /// Clips a face at the planes that it crosses, if any.
     #[inline(never)] // its stack frame is not set up for faces that are outside
-    fn cut_face(
-        &self,
-        face: &[u16; 3],
-        crossed: u32,
-        fan: &mut Fan<'_>,
-        varyings: &mut dyn ClipVaryings,
-    ) -> Outcome {
-        let corners = face.map(|index| self.screen_vertex(index));
-        let cut = if corners.iter().all(|corner| corner.is_on_screen()) {
-            fan.polygon.set_face(&self.unpack(corners));
-            false
-        } else {
-            let (slots, order) = fan.polygon.parts();
-            let clipper = self.clipper(face, slots, Some(varyings));
-            if crossed == NEAR && self.instance.cull == Cull::Back && clipper.is_back_face() {
-                return Outcome::Culled;
-            }
-            clipper.face(order)
-        };
+    fn cut_face(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) -> Outcome {
+        let crossed = face.iter().fold(0, |planes, &index| {
+            keep_rolled();
+            planes | self.planes_outside(index)
+        });
+        let (slots, order) = fan.polygon.parts();
+        let clipper = self.clipper(face, slots, Some(varyings));
+        // The near plane alone, and no vertex aside.
+        let may_be_known = crossed == ScreenVertex::NEAR && self.instance.cull == Cull::Back;
+        if may_be_known && fast::is_back_face(clipper.slots, clipper.vertex_transform.sub_pixels()) {
+            return Outcome::Culled;
+        }
+        let cut = clipper.face(order);
         fan.begin(self.instance.cull, cut)
     }
 }
@@ -313,7 +306,8 @@ mod tests {
             let transformed = TransformedMesh::<_, true>::new(&instance, &mut []);
             assert!(transformed.clip_face(&face, &mut triangles) == expected, "{vertices:?}");
             let mut slots = [ClipCoords::ZERO; 3];
-            let is_early = transformed.clipper(&face, &mut slots, None).is_back_face();
+            let clipper = transformed.clipper(&face, &mut slots, None);
+            let is_early = fast::is_back_face(clipper.slots, clipper.vertex_transform.sub_pixels());
             back += u32::from(expected == Outcome::Culled);
             early += u32::from(is_early);
         }

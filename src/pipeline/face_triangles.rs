@@ -34,16 +34,6 @@ impl Polygon {
         self.slots.as_ref()?.get(slot)
     }
 
-    /// Sets a face with all corners on the screen.
-    pub(super) fn set_face(&mut self, corners: &[UnpackedVertex; 3]) {
-        let (slots, order) = self.parts();
-        for (slot, corner) in slots.iter_mut().zip(corners) {
-            *slot = corner.to_clip_slot();
-        }
-        order.clear();
-        let _ = order.extend_from_slice(&[0, 1, 2]); // there is room
-    }
-
     /// The bounding box of the polygon's pixels.
     fn bounds(&self) -> Scissor {
         let mut bounds = Scissor::UNION_IDENTITY;

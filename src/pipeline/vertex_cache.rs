@@ -172,6 +172,12 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         }
     }
 
+    /// A vertex, if the cache holds it.
+    #[inline(always)]
+    pub(super) fn cached_vertex(&self, index: u16) -> Option<ScreenVertex> {
+        self.cache.get(usize::from(index)).copied()
+    }
+
     #[cold]
     #[inline(never)]
     fn uncached(&self, index: u16) -> ScreenVertex {
@@ -368,39 +374,23 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     vertices: &[[V; 3]],
     cache: &mut [ScreenVertex],
 ) {
-    let mut done = 0;
-    while let (Some(vertices), Some(cache)) = (vertices.get(done..), cache.get_mut(done..)) {
-        let run = transform_run::<V, DEPTH>(vertex_transform, far, vertices, cache);
-        let (Some(vertices), Some(cache)) = (vertices.get(run..), cache.get_mut(run..)) else { return };
-        if vertices.is_empty() || cache.is_empty() {
-            return;
+    // `is_near`: the vertex before lies before the near plane; so does the next one, probably.
+    let (mut done, mut is_near) = (0, false);
+    loop {
+        if !is_near {
+            let (vertices, cache) = (vertices.get(done..), cache.get_mut(done..));
+            let (vertices, cache) = (vertices.unwrap_or_default(), cache.unwrap_or_default());
+            done += transform_run::<V, DEPTH>(vertex_transform, far, vertices, cache);
         }
-        done += run + run_without_position(vertex_transform, far, vertices, cache);
-    }
-}
-
-/// Stores the first vertex, which has no position, and those after it that lie outside of the same planes. Returns their number.
-#[cold]
-#[inline(never)]
-fn run_without_position<V: Coordinate>(
-    vertex_transform: &VertexTransform,
-    far: bool,
-    vertices: &[[V; 3]],
-    cache: &mut [ScreenVertex],
-) -> usize {
-    let (mut count, mut first) = (0, ScreenVertex::EMPTY);
-    for (packed, vertex) in cache.iter_mut().zip(vertices) {
-        keep_rolled();
+        let (Some(vertex), Some(packed)) = (vertices.get(done), cache.get_mut(done)) else { return };
         let stored = vertex_transform.without_position(vertex, far);
-        if count == 0 {
-            first = stored;
-        } else if stored != first || stored.planes() == Some(0) {
-            break; // it may have a position
+        let was_near = is_near;
+        is_near = stored.planes() == Some(ScreenVertex::NEAR);
+        if is_near || !was_near {
+            *packed = stored;
+            done += 1; // not beyond the slices
         }
-        *packed = stored;
-        count += 1;
     }
-    count
 }
 
 /// The vertex loop: transforms vertices up to the first that has no position, and returns their number. `far`: the far plane
