@@ -123,6 +123,11 @@ impl ScreenVertex {
         }
     }
 
+    /// Whether vertices whose [`known_planes`](Self::known_planes) have this bitwise OR lie on the screen or before the near plane.
+    pub(crate) fn is_near_alone(any: u32) -> bool {
+        any == Self::KNOWN | Self::NEAR
+    }
+
     /// Whether vertices whose [`known_planes`](Self::known_planes) have this bitwise AND all lie outside of one plane.
     #[inline(always)]
     pub(crate) fn share_a_plane(all: u32) -> bool {

@@ -155,11 +155,7 @@ impl VertexTransform {
     #[inline(never)]
     pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], slot: &mut ClipCoords) {
         let v = vertex.map(|c| c.times(self.justify_factor));
-        let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
-        while let (Some(value), Some(form)) = (slot.xydw.get_mut(i), forms.get(i)) {
-            *value = form.at(v, V::NARROW);
-            i = opaque_next(i);
-        }
+        slot.xydw = [&self.x, &self.y, &self.d, &self.w].map(|form| form.at(v, V::NARROW));
     }
 
     /// The vertex in clip space.
@@ -284,7 +280,8 @@ impl VertexTransform {
         let is_inside_guard_band = w > 0 && reach < w.unsigned_abs();
         let mut outside = u32::from(d < 0);
         let mut plane = if is_inside_guard_band { 5 } else { 1 };
-        while plane < 5 + usize::from(far) {
+        let planes = if far && self.may_be_beyond_far(d, w) { 6 } else { 5 };
+        while plane < planes {
             outside |= u32::from(self.distance(plane, h) < 0) << (plane & 31);
             plane = opaque_next(plane);
         }

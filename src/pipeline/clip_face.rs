@@ -7,7 +7,7 @@ use super::vertex_cache::TransformedMesh;
 use crate::camera::{DepthOf, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::clip::{self, ClipCorners, Varying, CLIP_SLOTS};
 use crate::fast;
-use crate::math::hints::{keep_rolled, opaque_next};
+use crate::math::hints::opaque_next;
 use crate::math::{ClipCoords, Coordinate};
 
 /// Clips the vertices of an edge or a face at the near and far planes and at the guard band.
@@ -132,25 +132,6 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         Clipper { vertex_transform, far: self.far, depth, vertices, slots, varyings }
     }
 
-    /// The clip planes that a vertex lies outside of, as [`ScreenVertex::without_position`] has them; 0 on the screen.
-    #[inline(never)] // rare: code size matters more than speed
-    fn planes_outside(&self, index: u16) -> u32 {
-        let vertex = self.screen_vertex(index);
-        if vertex.is_on_screen() {
-            return 0;
-        }
-        vertex.planes().unwrap_or_else(|| self.planes_of_unknown(index))
-    }
-
-    /// The planes of a vertex that a cache has neither on the screen nor with its planes.
-    #[cold]
-    #[inline(never)]
-    fn planes_of_unknown(&self, index: u16) -> u32 {
-        let vertex = self.instance.mesh.vertices().get(usize::from(index)); // `Mesh` has checked that there is one
-        let vertex = vertex.map(|vertex| self.instance.vertex_transform.without_position(vertex, self.far));
-        vertex.and_then(|vertex| vertex.planes()).unwrap_or(0)
-    }
-
     /// A vertex on the screen, or `None` if it is clipped.
     pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
         let vertex = self.screen_vertex(index);
@@ -158,8 +139,8 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
             return Some(self.instance.vertex_transform.unpack::<DEPTH>(vertex));
         }
         let mut slots = [ClipCoords::ZERO];
-        let is_inside = self.planes_outside(index) & ScreenVertex::PLANES == 0;
-        is_inside.then(|| self.clipper(&[index], &mut slots, None).to_screen(0))
+        let clipper = self.clipper(&[index], &mut slots, None);
+        (clipper.planes_outside(0) == 0).then(|| clipper.to_screen(0))
     }
 
     /// The ends of an edge on the screen, or `None` if clipping leaves nothing. Counts edges that are clipped or not drawn.
@@ -221,14 +202,10 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// Clips a face at the planes that it crosses, if any.
     #[inline(never)] // its stack frame is not set up for faces that are outside
     fn cut_face(&self, face: &[u16; 3], fan: &mut Fan<'_>, varyings: &mut dyn ClipVaryings) -> Outcome {
-        let crossed = face.iter().fold(0, |planes, &index| {
-            keep_rolled();
-            planes | self.planes_outside(index)
-        });
         let (slots, order) = fan.polygon.parts();
         let clipper = self.clipper(face, slots, Some(varyings));
-        // The near plane alone, and no vertex aside.
-        let may_be_known = crossed == ScreenVertex::NEAR && self.instance.cull == Cull::Back;
+        let [a, b, c] = clipper.vertices.map(|vertex| vertex.known_planes());
+        let may_be_known = ScreenVertex::is_near_alone(a | b | c) && self.instance.cull == Cull::Back;
         if may_be_known && fast::is_back_face(clipper.slots, clipper.vertex_transform.sub_pixels()) {
             return Outcome::Culled;
         }
