@@ -205,6 +205,9 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         let (slots, order) = fan.polygon.parts();
         let clipper = self.clipper(face, slots, Some(varyings));
         let [a, b, c] = clipper.vertices.map(|vertex| vertex.known_planes());
+        if ScreenVertex::share_a_plane(a & b & c) {
+            return Outcome::Outside; // of vertices that are not cached
+        }
         let may_be_known = ScreenVertex::is_near_alone(a | b | c) && self.instance.cull == Cull::Back;
         if may_be_known && fast::is_back_face(clipper.slots, clipper.vertex_transform.sub_pixels()) {
             return Outcome::Culled;
