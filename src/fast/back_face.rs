@@ -5,7 +5,8 @@
 //! - **Domain**: only the near plane cuts the face, its other corners are on the screen, and its side is beyond doubt: it is not
 //!   nearly edge-on, two of its edges reach over 4 pixels, and its corners behind the near plane are at most 8 times as far from
 //!   that plane as those before it. What clipping leaves of such a face is no sliver that rounding could turn over.
-//! - **Gain**: scene C1 takes 9 % fewer instructions on an M4F, C2 10 %.
+//! - **Gain**: in scene C1, 50 of the 88 faces that cross the near plane are not cut; cutting one takes about 1500 instructions
+//!   on an M4F, this test 180. Not measured alone.
 //! - **Test**: `back_faces_are_known_before_they_are_cut` in `pipeline/clip_face.rs`.
 //!
 //! The side of a face is the sign of the determinant of its corners' x, y and w, also where w is negative (Olano and Greer,
