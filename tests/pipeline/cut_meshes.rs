@@ -224,5 +224,5 @@ fn meshes_that_are_cut_are_equal_in_every_way_of_drawing() {
         let counted = every_way(&mut rng, &instance, &turned);
         (clipped, outside) = (clipped + counted[0], outside + counted[1]);
     }
-    assert!(clipped > 1000 && outside > 5000, "{clipped} {outside}");
+    assert!(clipped > 1000 && outside > 3000, "{clipped} {outside}");
 }
