@@ -17,10 +17,13 @@
 //! # Ok::<(), pinhole::ProjectionError>(())
 //! ```
 
-use crate::math::hints::opaque_next;
-use crate::math::num::fraction;
+use crate::math::hints::{keep_rolled, opaque_next};
+use crate::math::num::{fraction, proper_fraction};
 use crate::math::{ClipCoords, ClipPoint};
 use heapless::Vec;
+
+/// The most clip planes.
+const PLANES: usize = 6;
 
 /// The most corners of a triangle clipped against six planes: 3 + 6.
 pub const CORNERS: usize = 9;
@@ -39,11 +42,15 @@ pub(crate) trait ClipCorners {
     /// intersected edge differ by less than 2⁶².
     fn distance(&self, plane: usize, at: usize) -> i64;
 
+    /// The planes that the corner in slot `at` lies outside of, one bit each.
+    fn planes_outside(&self, at: usize) -> u32;
+
     /// Stores the point at parameter `t`·2⁻³¹ from corner `inside` to corner `outside` in slot `at`, which may be one of theirs.
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32);
 }
 
 /// Linear interpolation `a + (b − a)·t·2⁻³¹`, rounded to nearest, for 0 ≤ t < 2³¹.
+#[inline(never)] // rare path: code size counts, speed does not
 fn lerp(a: i32, b: i32, t: i32) -> i32 {
     let difference = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
     let moved = (difference * i64::from(t) + (1 << 30)) >> 31;
@@ -54,15 +61,15 @@ impl ClipCoords {
     /// The initial value of free slots.
     pub(crate) const ZERO: Self = Self { xydw: [0; 4] };
 
-    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two:
-    /// coordinate by coordinate, each read before it is written.
+    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two.
     pub(crate) fn put(slots: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
-        let mut i = 0;
-        let number = |slots: &[Self], slot: usize, i: usize| slots.get(slot)?.xydw.get(i).copied();
-        while let (Some(a), Some(b)) = (number(slots, inside, i), number(slots, outside, i)) {
-            let Some(number) = slots.get_mut(at).and_then(|slot| slot.xydw.get_mut(i)) else { return };
-            *number = lerp(a, b, t);
-            i = opaque_next(i);
+        let (Some(&Self { xydw: a }), Some(&Self { xydw: b })) = (slots.get(inside), slots.get(outside))
+        else {
+            return;
+        };
+        if let Some(Self { xydw }) = slots.get_mut(at) {
+            let ([x, y, d, w], [p, q, r, s]) = (a, b);
+            *xydw = [lerp(x, p, t), lerp(y, q, t), lerp(d, r, t), lerp(w, s, t)];
         }
     }
 }
@@ -126,41 +133,39 @@ fn intersect_edge(corners: &mut impl ClipCorners, plane: usize, at: usize, insid
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
     let within = corners.distance(plane, inside);
     let across = within - corners.distance(plane, outside);
-    let t = fraction(within as u64, across as u64, 31) as i32;
+    let t = match u32::try_from(across) {
+        Ok(across) => proper_fraction(within as u32, across), // always for the near plane
+        Err(_) => fraction(within as u64, across as u64, 31) as i32,
+    };
     corners.put(at, inside, outside, t);
-}
-
-/// Returns 1 if a corner lies outside of a plane, otherwise 0.
-fn is_outside(corners: &impl ClipCorners, plane: usize, at: usize) -> u32 {
-    (corners.distance(plane, at) < 0).into()
 }
 
 /// Clips the line from corner 0 to corner 1 against all planes. Returns whether it was clipped, or `None` if nothing is left:
 /// Cohen–Sutherland in homogeneous coordinates. (Newman and Sproull, *Principles of Interactive Computer Graphics*, 2nd ed.,
 /// section 5.1.)
-pub(crate) fn clip_line(corners: &mut impl ClipCorners, planes: usize) -> Option<bool> {
-    let (mut crosses, mut cuts, mut plane) = (false, false, 0);
-    loop {
-        if plane >= planes {
-            // Intersections are computed only once no plane has both ends outside.
-            if cuts || !crosses {
-                return Some(crosses);
-            }
-            (cuts, plane) = (true, 0);
-        }
-        match is_outside(corners, plane, 0) | is_outside(corners, plane, 1) << 1 {
-            0 => {}
-            3 => return None,
-            sides => {
-                crosses = true;
-                if cuts {
-                    let (inside, outside) = (2 - sides as usize, sides as usize - 1);
-                    intersect_edge(corners, plane, outside, inside, outside);
+pub(crate) fn clip_line(corners: &mut impl ClipCorners) -> Option<bool> {
+    let mut outside = [corners.planes_outside(0), corners.planes_outside(1)];
+    let (both, any) = (outside[0] & outside[1], outside[0] | outside[1]);
+    if both != 0 {
+        return None;
+    }
+    let mut plane = 0;
+    while plane < PLANES && any != 0 {
+        match outside.map(|planes| planes >> plane & 1) {
+            [0, 0] => {}
+            [1, 1] => return None,
+            [first, _] => {
+                let (inside, cut) = if first == 0 { (0, 1) } else { (1, 0) };
+                intersect_edge(corners, plane, cut, inside, cut);
+                // A new end may be rounded to the outside of a plane that is still to come.
+                if let Some(planes) = outside.get_mut(cut) {
+                    *planes = corners.planes_outside(cut);
                 }
             }
         }
         plane = opaque_next(plane);
     }
+    Some(any != 0)
 }
 
 /// Appends a corner. A convex polygon gains at most one corner per plane, so there is room; should rounding make it concave,
@@ -169,52 +174,55 @@ fn push_corner(polygon: &mut SlotOrder, corner: u8) {
     let _ = polygon.push(corner); // one of `CLIP_SLOTS`
 }
 
-/// The corners of a polygon that lie outside of a plane: one bit per slot.
-#[inline(never)] // rare path: code size counts, speed does not
-fn outside_mask(corners: &impl ClipCorners, polygon: &[u8], plane: usize) -> u32 {
-    polygon.iter().fold(0, |bits, &at| bits | is_outside(corners, plane, at.into()) << (at & 31))
-}
-
 /// Clips the triangle of corners 0, 1 and 2 against all planes, into `polygon`, which has fewer than three corners if nothing
 /// is left. Returns whether it was clipped. (Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.)
-pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, planes: usize, polygon: &mut SlotOrder) -> bool {
+pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, polygon: &mut SlotOrder) -> bool {
     polygon.clear();
-    (0..3).for_each(|corner| push_corner(polygon, corner));
-    let mut taken = 0b111u32; // occupied slots, one bit each
-    let mut crossed = false;
-    // Intersections are computed only once no plane has the whole triangle outside.
-    let mut plane = 0;
-    while plane < planes {
-        let beyond = outside_mask(corners, polygon, plane);
-        crossed |= beyond != 0;
-        if beyond == taken {
-            polygon.clear();
-            return true;
-        }
-        plane = opaque_next(plane);
+    // The planes that the corner in each slot lies outside of.
+    let mut outside = [0u8; CLIP_SLOTS];
+    let (mut all, mut any) = (u32::MAX, 0);
+    for (at, planes) in outside.iter_mut().enumerate().take(3) {
+        keep_rolled();
+        push_corner(polygon, at as u8);
+        let own = corners.planes_outside(at);
+        (all, any, *planes) = (all & own, any | own, own as u8); // six bits
     }
-    let mut plane = if crossed { 0 } else { planes };
-    while plane < planes {
-        let beyond = outside_mask(corners, polygon, plane);
-        let is_beyond = |at: u8| beyond >> (at & 31) & 1 != 0;
+    if all != 0 {
+        polygon.clear();
+    }
+    let crossed = any != 0;
+    let planes_of = |outside: &[u8], at: u8| u32::from(outside.get(usize::from(at)).copied().unwrap_or(0));
+    let (mut taken, mut plane) = (0b111u32, 0); // occupied slots, one bit each
+    while any >> plane != 0 && plane < PLANES {
+        let is_beyond = |planes: u32| planes >> plane & 1 != 0;
         let Some(&(mut from)) = polygon.last() else { break };
-        let mut clipped = SlotOrder::new();
-        for &to in polygon.iter() {
-            if is_beyond(from) != is_beyond(to) {
-                let free = taken.trailing_ones() as usize;
-                if free < CLIP_SLOTS {
-                    taken |= 1 << free;
-                    let (inside, outside) = if is_beyond(to) { (from, to) } else { (to, from) };
-                    intersect_edge(corners, plane, free, inside.into(), outside.into());
-                    push_corner(&mut clipped, free as u8);
+        if is_beyond(any) {
+            let (mut clipped, mut removed) = (SlotOrder::new(), 0);
+            any = 0;
+            for &to in polygon.iter() {
+                let [first, second] = [from, to].map(|at| planes_of(&outside, at));
+                if is_beyond(first) != is_beyond(second) {
+                    let free = taken.trailing_ones() as usize;
+                    if let Some(planes) = outside.get_mut(free) {
+                        taken |= 1 << (free & 31);
+                        let (inside, beyond) = if is_beyond(second) { (from, to) } else { (to, from) };
+                        intersect_edge(corners, plane, free, inside.into(), beyond.into());
+                        push_corner(&mut clipped, free as u8);
+                        // It lies in this plane, whatever its rounding.
+                        let own = corners.planes_outside(free) & !(1 << plane);
+                        (any, *planes) = (any | own, own as u8);
+                    }
                 }
+                if is_beyond(second) {
+                    removed |= 1 << (to & 31);
+                } else {
+                    push_corner(&mut clipped, to);
+                    any |= second;
+                }
+                from = to;
             }
-            if !is_beyond(to) {
-                push_corner(&mut clipped, to);
-            }
-            from = to;
+            (*polygon, taken) = (clipped, taken & !removed);
         }
-        (*polygon, taken) = (clipped, taken & !beyond);
         plane = opaque_next(plane);
     }
     crossed
@@ -267,6 +275,10 @@ impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
         }
     }
 
+    fn planes_outside(&self, at: usize) -> u32 {
+        (0..PLANES).fold(0, |planes, plane| planes | u32::from(self.distance(plane, at) < 0) << (plane & 31))
+    }
+
     fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
         if let (Some(a), Some(b)) = (self.get(inside), self.get(outside)) {
             let point = a.towards(b, t);
@@ -284,7 +296,7 @@ impl<const A: usize, const N: usize> ClipCorners for [AlignedVertex<A>; N] {
 pub fn line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> {
     let exponent = a.exponent().max(b.exponent());
     let mut ends = [a, b].map(|p| AlignedVertex::new(&p, exponent, []));
-    let inside = clip_line(&mut ends, 6).is_some();
+    let inside = clip_line(&mut ends).is_some();
     let [a, b] = ends.map(|p| ClipPoint::from_units(p.xyzw, exponent));
     inside.then_some((a, b))
 }
@@ -318,7 +330,7 @@ pub fn triangle<const A: usize>(corners: [ClipVertex<A>; 3]) -> Vec<ClipVertex<A
     (slots[1], slots[2]) = (b, c);
     let mut result = Vec::new();
     let mut polygon = SlotOrder::new();
-    clip_triangle(&mut slots, 6, &mut polygon);
+    clip_triangle(&mut slots, &mut polygon);
     if polygon.len() < 3 {
         return result;
     }

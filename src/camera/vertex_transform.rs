@@ -157,11 +157,7 @@ impl VertexTransform {
     #[inline(never)]
     pub(crate) fn clip_into<V: Coordinate>(&self, vertex: [V; 3], slot: &mut ClipCoords) {
         let v = vertex.map(|c| c.times(self.justify_factor));
-        let (forms, mut i) = ([&self.x, &self.y, &self.d, &self.w], 0);
-        while let (Some(value), Some(form)) = (slot.xydw.get_mut(i), forms.get(i)) {
-            *value = form.at(v, V::NARROW);
-            i = opaque_next(i);
-        }
+        slot.xydw = [&self.x, &self.y, &self.d, &self.w].map(|form| form.at(v, V::NARROW));
     }
 
     /// The vertex in clip space.
@@ -191,9 +187,10 @@ impl VertexTransform {
         self.by_d || far && !depth
     }
 
-    /// Projects a vertex to the screen. Returns [`ScreenVertex::EMPTY`] if it must be clipped (before the near plane or too
-    /// close to it to tell, outside the guard band, beyond a far plane that clips), is out of the packed range, or so near to
-    /// the eye that 32 bits do not suffice. `by_d` is the result of [`needs_d`](Self::needs_d).
+    /// Projects a vertex to the screen. Returns `None` if it must be clipped (before the near plane or too close to it to tell,
+    /// outside the guard band, beyond a far plane that clips), is out of the packed range, or so near to the eye that 32 bits
+    /// do not suffice: [`without_position`](Self::without_position) is for these. `by_d` is the result of
+    /// [`needs_d`](Self::needs_d).
     ///
     /// With 1/w = R·2^(n − 61): `x/w · 2^(e + unit) = ⌊x·R/2³²⌋ · 2^(n − 29 + e + unit)`, a right
     /// shift by `28 − e − unit − n ≥ 0` to halves, rounded to nearest with ties up.
@@ -203,11 +200,11 @@ impl VertexTransform {
         vertex: &[V; 3],
         by_d: bool,
         far: bool,
-    ) -> ScreenVertex {
+    ) -> Option<ScreenVertex> {
         let v = vertex.map(|c| c.times(self.justify_factor));
         let w = self.w.at(v, V::NARROW);
         if w < self.min_w {
-            return ScreenVertex::EMPTY;
+            return None;
         }
         let forms = || [self.x.at(v, V::NARROW), self.y.at(v, V::NARROW)];
         let d_at_vertex = || if by_d { self.d.at(v, V::NARROW) } else { 0 };
@@ -216,7 +213,7 @@ impl VertexTransform {
         // the branch below. A Cortex-M0 evaluates each form where it is used, so that it tests `by_d` once.
         let early = (!CORTEX_M0).then(|| (forms(), d_at_vertex()));
         if early.is_some_and(|(_, d)| by_d && is_cut(d)) {
-            return ScreenVertex::EMPTY;
+            return None;
         }
         let r = reciprocal_of_large(w);
         let n = r.shift as i32;
@@ -229,7 +226,7 @@ impl VertexTransform {
         if by_d {
             let d = early.map_or_else(d_at_vertex, |(_, d)| d);
             if early.is_none() && is_cut(d) {
-                return ScreenVertex::EMPTY;
+                return None;
             }
             if DEPTH {
                 let d = d << ((n + self.d_over_w) & 31) >> 2; // up to w: 31 bits
@@ -242,11 +239,55 @@ impl VertexTransform {
         let [x, y] = early.map_or_else(|| over_w(forms()), |(positions, _)| positions);
         if DEPTH && depth > SURELY_BEFORE_FAR {
             if far && self.is_beyond_far(vertex) {
-                return ScreenVertex::EMPTY;
+                return None;
             }
             depth = depth.min(FARTHEST);
         }
         ScreenVertex::new::<DEPTH>(x, y, self.bias, depth)
+    }
+
+    /// x/w and y/w in clip space are in units of 2^this sub-pixels: 7 … 21.
+    pub(crate) fn sub_pixels(&self) -> i32 {
+        self.xy_over_w + self.screen.unit
+    }
+
+    /// Whether a vertex lies before the near plane.
+    #[inline(always)]
+    fn is_before_near<V: Coordinate>(&self, vertex: &[V; 3]) -> bool {
+        self.d.at(vertex.map(|c| c.times(self.justify_factor)), V::NARROW) < 0
+    }
+
+    /// A vertex that [`project`](Self::project) gives no position, with the clip planes that it lies outside of: only the near
+    /// plane if it lies before that, otherwise all of them. `far`: whether the far plane clips.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn without_position<V: Coordinate>(&self, vertex: &[V; 3], far: bool) -> ScreenVertex {
+        if self.is_before_near(vertex) {
+            return ScreenVertex::without_position(ScreenVertex::NEAR);
+        }
+        ScreenVertex::without_position(match self.planes_outside(&self.clip(*vertex), far) {
+            0 => ScreenVertex::ASIDE,
+            planes => planes,
+        })
+    }
+
+    /// The clip planes that a point lies outside of: bit i is set if its [`distance`](Self::distance) from plane i is negative.
+    /// `far`: whether the far plane clips.
+    #[inline(never)] // rare path: code size counts, speed does not
+    pub(crate) fn planes_outside(&self, h: &ClipCoords, far: bool) -> u32 {
+        let [x, y, d, w] = h.xydw;
+        // Most points lie inside the guard band, far from its border: `|x/w| < 2^room` follows from ⌊|x| / 2^down⌋ < w.
+        let down = (self.screen.room - self.xy_over_w) & 31; // 0 … 14
+        let reach = (x.unsigned_abs() >> down).max(y.unsigned_abs() >> down);
+        let is_inside_guard_band = w > 0 && reach < w.unsigned_abs();
+        let mut outside = u32::from(d < 0);
+        let mut plane = if is_inside_guard_band { 5 } else { 1 };
+        let planes = if far && self.may_be_beyond_far(d, w) { 6 } else { 5 };
+        while plane < planes {
+            outside |= u32::from(self.distance(plane, h) < 0) << (plane & 31);
+            plane = opaque_next(plane);
+        }
+        outside
     }
 
     /// Whether w − d may be negative. d is stored times 65535/65536.
@@ -417,8 +458,13 @@ mod tests {
             let plain = transform.project::<_, false>(&vertex, transform.needs_d(false, true), true);
             let deep = transform.project::<_, true>(&vertex, transform.needs_d(true, true), true);
             for (corner, depth) in [(plain, false), (deep, true)] {
-                if corner.is_on_screen() {
-                    assert!((0..6).all(|plane| transform.distance(plane, &h) >= 0), "{vertex:?}");
+                let planes: u32 =
+                    (0..6).map(|plane| u32::from(transform.distance(plane, &h) < 0) << plane).sum();
+                assert_eq!(transform.planes_outside(&h, true), planes, "{vertex:?}");
+                assert_eq!(transform.planes_outside(&h, false), planes & 31, "{vertex:?}");
+                assert_eq!(transform.is_before_near(&vertex), planes & 1 != 0, "{vertex:?}");
+                if let Some(corner) = corner.filter(|corner| corner.is_on_screen()) {
+                    assert_eq!(planes, 0, "{vertex:?}");
                     let (packed, wide) = (
                         if depth {
                             transform.unpack::<true>(corner)
@@ -440,8 +486,8 @@ mod tests {
     fn depth_error(transform: &VertexTransform, vertex: [i16; 3]) -> Option<f64> {
         let corner = transform.project::<_, true>(&vertex, transform.needs_d(true, true), true);
         let h = transform.clip(vertex);
-        let depth = corner.depth();
-        if !corner.is_on_screen() || depth == FARTHEST {
+        let depth = corner?.depth();
+        if depth == FARTHEST {
             return None;
         }
         // All over w, in 2⁻²⁷: `d·2^d_over_w`, and `origin + depth_scale·2^(2 − scale_down)` where depth_scale is 2⁻²⁷ · 2^29.

@@ -21,6 +21,7 @@
 #![cfg_attr(pinhole_plain, allow(dead_code))]
 
 mod attach;
+mod back_face;
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 pub(crate) mod bresenham_triangle;
 pub(crate) mod depth_fill;
@@ -40,6 +41,7 @@ mod tiers;
 mod tiny_gradient;
 
 use attach::memory_of;
+pub(crate) use back_face::is_back_face;
 pub(crate) use rows::{RowOrigin, Rows};
 pub(crate) use spans::{each_span, spans};
 pub(crate) use tiers::{Inside, Low, LowSpans, Small};

@@ -4,7 +4,7 @@ use super::cull::{Cull, Facing};
 use super::statistics::Outcome;
 use crate::camera::UnpackedVertex;
 use crate::clip::{SlotOrder, Varying, CLIP_SLOTS};
-use crate::math::hints::{keep_rolled, opaque_next};
+use crate::math::hints::keep_rolled;
 use crate::math::ClipCoords;
 use crate::raster::{self, DepthTriangle, Scissor};
 use crate::shading::Shader;
@@ -32,16 +32,6 @@ impl Polygon {
     /// The corner in a slot; `None` for a slot that does not exist.
     fn corner(&self, slot: usize) -> Option<&ClipCoords> {
         self.slots.as_ref()?.get(slot)
-    }
-
-    /// Sets a face with all corners on the screen.
-    pub(super) fn set_face(&mut self, corners: &[UnpackedVertex; 3]) {
-        let (slots, order) = self.parts();
-        for (slot, corner) in slots.iter_mut().zip(corners) {
-            *slot = corner.to_clip_slot();
-        }
-        order.clear();
-        let _ = order.extend_from_slice(&[0, 1, 2]); // there is room
     }
 
     /// The bounding box of the polygon's pixels.
@@ -131,12 +121,15 @@ impl<'v> Fan<'v> {
     /// clipping removed a part of the face.
     #[inline(never)] // rare: code size matters more than speed
     pub(super) fn begin(&mut self, cull: Cull, cut: bool) -> Outcome {
-        (self.is_cut, self.reversed, self.at) = (cut, false, 0);
-        let (mut area, mut corners) = (0, [UnpackedVertex::ORIGIN; 3]);
-        while let Some(part) = self.step(&mut corners) {
-            area += part; // < 7·2⁴⁵
+        (self.is_cut, self.reversed) = (cut, false);
+        let (mut area, mut count) = (0, 0u8);
+        if let (Some(first), Some(mut last)) = (self.corner(0), self.corner(1)) {
+            while let Some(next) = self.corner(usize::from(count) + 2) {
+                area += raster::area(&[first.point, last.point, next.point]); // < 7·2⁴⁵
+                (last, count) = (next, count + 1); // at most clip::CORNERS
+            }
         }
-        let outcome = match (self.at, cull.facing(area)) {
+        let outcome = match (count, cull.facing(area)) {
             (0, _) => Outcome::Outside,
             (_, Facing::EdgeOn) => Outcome::Degenerate,
             (_, Facing::Away) => Outcome::Culled,
@@ -145,7 +138,7 @@ impl<'v> Fan<'v> {
         };
         // The triangles of a cut face are made counter-clockwise.
         self.reversed = cut && area < 0;
-        (self.at, self.end) = (0, if outcome.is_drawn() { self.at } else { 0 });
+        (self.at, self.end) = (0, if outcome.is_drawn() { count } else { 0 });
         if outcome.is_drawn() {
             self.step_on(); // an area that is not zero has a triangle
         }
@@ -169,11 +162,16 @@ impl<'v> Fan<'v> {
     #[cold]
     #[inline(never)]
     fn step_on(&mut self) -> bool {
-        let mut corners = [UnpackedVertex::ORIGIN; 3];
         while self.at < self.end {
-            let Some(area) = self.step(&mut corners) else { break };
+            let at = usize::from(self.at);
+            let (Some(a), Some(b), Some(c)) = (self.corner(0), self.corner(at + 1), self.corner(at + 2))
+            else {
+                break;
+            };
+            self.at += 1; // at most clip::CORNERS
+            let area = raster::area(&[a.point, b.point, c.point]);
             if area > 0 || !self.is_cut {
-                set_triangle::<true>(&mut self.triangle, &corners, area);
+                set_triangle::<true>(&mut self.triangle, &[a, b, c], area);
                 return true;
             }
         }
@@ -186,6 +184,12 @@ impl<'v> Fan<'v> {
             Some(ClipCoords { xydw: [.., w] }) => *w,
             None => 1, // the fan's slots exist
         })
+    }
+
+    /// Whether the clipped face is seen from behind.
+    #[cfg(test)]
+    pub(super) fn is_reversed(&self) -> bool {
+        self.reversed
     }
 
     /// The bounding box of the face's pixels.
@@ -217,18 +221,10 @@ impl<'v> Fan<'v> {
         order.get(corner).map_or(CLIP_SLOTS, |&slot| slot.into()) // beyond the polygon: no slot
     }
 
-    /// The corners of the fan's next triangle and its area, if there is one.
+    /// A corner of the polygon, if there is one.
     #[inline(never)] // rare: code size matters more than speed
-    fn step(&mut self, corners: &mut [UnpackedVertex; 3]) -> Option<i64> {
-        let at = usize::from(self.at);
-        let mut i = 0;
-        while let Some(vertex) = corners.get_mut(i) {
-            let corner = if i == 0 { 0 } else { at + i };
-            *vertex = UnpackedVertex::from_clip_slot(self.polygon.corner(self.slot(corner))?);
-            i = opaque_next(i);
-        }
-        self.at += 1; // at most clip::CORNERS
-        Some(raster::area(&corners.map(|corner| corner.point)))
+    fn corner(&self, corner: usize) -> Option<UnpackedVertex> {
+        self.polygon.corner(self.slot(corner)).map(UnpackedVertex::from_clip_slot)
     }
 }
 

@@ -69,7 +69,7 @@ pub(super) fn each_face<
                     .set_unclipped::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
             }
             None => {
-                let outcome = cache.view().clip_face(face, &mut triangles);
+                let outcome = cache.view_with_corners(face).clip_face(face, &mut triangles);
                 statistics.count(outcome);
                 if !outcome.is_drawn() {
                     return Ok(true);

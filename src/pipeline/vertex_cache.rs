@@ -25,6 +25,12 @@ pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
 
     /// A read-only view of the cache.
     fn view(&self) -> TransformedMesh<'_, V, DEPTH>;
+
+    /// A read-only view of the cache, which has all corners of this face as far as it has room for them.
+    #[inline(always)]
+    fn view_with_corners(&mut self, _face: &[u16; 3]) -> TransformedMesh<'_, V, DEPTH> {
+        self.view()
+    }
 }
 
 /// A mesh instance with its vertices transformed to the screen, each once, for drawing in bands: the next step is
@@ -166,6 +172,12 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         }
     }
 
+    /// A vertex, if the cache holds it.
+    #[inline(always)]
+    pub(super) fn cached_vertex(&self, index: u16) -> Option<ScreenVertex> {
+        self.cache.get(usize::from(index)).copied()
+    }
+
     #[cold]
     #[inline(never)]
     fn uncached(&self, index: u16) -> ScreenVertex {
@@ -282,12 +294,25 @@ impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
     fn vertex(&mut self, index: u16) -> Option<ScreenVertex> {
         let vertex = self.cache.get_mut(usize::from(index))?;
         if !vertex.is_on_screen() {
+            if vertex.planes().is_some() {
+                return None;
+            }
             transform_one::<V, DEPTH>(self.instance, self.far, index, vertex);
             if !vertex.is_on_screen() {
                 return None;
             }
         }
         Some(*vertex)
+    }
+
+    /// Transforms the corners of a face that are not transformed yet.
+    #[cold]
+    #[inline(never)]
+    fn transform_corners(&mut self, face: &[u16; 3]) {
+        for &index in face {
+            keep_rolled();
+            let _ = self.vertex(index);
+        }
     }
 }
 
@@ -311,6 +336,12 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
     fn view(&self) -> TransformedMesh<'_, V, DEPTH> {
         TransformedMesh::with_cache(self.instance, self.far, self.cache)
     }
+
+    #[inline(always)]
+    fn view_with_corners(&mut self, face: &[u16; 3]) -> TransformedMesh<'_, V, DEPTH> {
+        self.transform_corners(face);
+        self.view()
+    }
 }
 
 /// Twice the signed area of a face with these corners, positive if they are counter-clockwise with y up.
@@ -328,11 +359,14 @@ fn transform_one<V: Coordinate, const DEPTH: bool>(
 ) {
     let MeshInstance { vertex_transform, mesh, .. } = instance;
     if let Some(vertex) = mesh.vertices().get(usize::from(index)) {
-        *to = vertex_transform.project::<V, DEPTH>(vertex, vertex_transform.needs_d(DEPTH, far), far);
+        *to = match vertex_transform.project::<V, DEPTH>(vertex, vertex_transform.needs_d(DEPTH, far), far) {
+            Some(vertex) => vertex,
+            None => vertex_transform.without_position(vertex, far),
+        };
     }
 }
 
-/// The vertex loop. `far`: the far plane clips.
+/// Transforms as many vertices as fit into the cache. `far`: the far plane clips.
 #[inline(never)] // one copy, for cached and uncached vertices
 pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     vertex_transform: &VertexTransform,
@@ -340,6 +374,35 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     vertices: &[[V; 3]],
     cache: &mut [ScreenVertex],
 ) {
+    // `is_near`: the vertex before lies before the near plane; so does the next one, probably.
+    let (mut done, mut is_near) = (0, false);
+    loop {
+        if !is_near {
+            let (vertices, cache) = (vertices.get(done..), cache.get_mut(done..));
+            let (vertices, cache) = (vertices.unwrap_or_default(), cache.unwrap_or_default());
+            done += transform_run::<V, DEPTH>(vertex_transform, far, vertices, cache);
+        }
+        let (Some(vertex), Some(packed)) = (vertices.get(done), cache.get_mut(done)) else { return };
+        let stored = vertex_transform.without_position(vertex, far);
+        let was_near = is_near;
+        is_near = stored.planes() == Some(ScreenVertex::NEAR);
+        if is_near || !was_near {
+            *packed = stored;
+            done += 1; // not beyond the slices
+        }
+    }
+}
+
+/// The vertex loop: transforms vertices up to the first that has no position, and returns their number. `far`: the far plane
+/// clips. It ends there because a call inside the loop would take registers from it.
+#[inline(never)] // the transform gets all registers
+fn transform_run<V: Coordinate, const DEPTH: bool>(
+    vertex_transform: &VertexTransform,
+    far: bool,
+    vertices: &[[V; 3]],
+    cache: &mut [ScreenVertex],
+) -> usize {
+    let count = vertices.len().min(cache.len());
     let by_d = vertex_transform.needs_d(DEPTH, far);
     // `opaque` hides the transform, so that LLVM does not load its fields into registers before the loop: Arm has too few
     // registers, and the fields would be spilled. Inside the loop LLVM loads them in pairs. RISC-V has twice as many registers
@@ -349,16 +412,24 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
         true => opaque(vertex_transform),
         false => vertex_transform,
     };
-    for (packed, vertex) in pairs(cache, vertices) {
+    let mut pairs = pairs(cache, vertices);
+    while let Some((packed, vertex)) = pairs.next() {
         keep_rolled();
-        *packed = vertex_transform.project::<V, DEPTH>(vertex, by_d, far);
+        match vertex_transform.project::<V, DEPTH>(vertex, by_d, far) {
+            Some(vertex) => *packed = vertex,
+            None => return count.wrapping_sub(pairs.len() + 1), // not below 0
+        }
     }
+    count
 }
 
 /// The vertices and their cache entries in pairs, as many as both slices have.
 #[cfg(not(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32")))]
 #[inline(always)]
-fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item = (&'a mut A, &'a B)> {
+fn pairs<'a, A, B>(
+    cache: &'a mut [A],
+    vertices: &'a [B],
+) -> impl ExactSizeIterator<Item = (&'a mut A, &'a B)> {
     cache.iter_mut().zip(vertices)
 }
 
@@ -366,16 +437,48 @@ fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item 
 /// advances two slices: LLVM replaces an index by pointers only in innermost loops, and this loop contains another.
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
-fn pairs<'a, A, B>(cache: &'a mut [A], vertices: &'a [B]) -> impl Iterator<Item = (&'a mut A, &'a B)> {
+fn pairs<'a, A, B>(
+    cache: &'a mut [A],
+    vertices: &'a [B],
+) -> impl ExactSizeIterator<Item = (&'a mut A, &'a B)> {
     let count = cache.len().min(vertices.len());
-    let mut cache = cache.get_mut(..count).unwrap_or_default();
-    let mut vertices = vertices.get(..count).unwrap_or_default();
-    core::iter::from_fn(move || {
+    Pairs {
+        cache: cache.get_mut(..count).unwrap_or_default(),
+        vertices: vertices.get(..count).unwrap_or_default(),
+    }
+}
+
+/// Two slices of equal length.
+#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+struct Pairs<'a, A, B> {
+    cache: &'a mut [A],
+    vertices: &'a [B],
+}
+
+#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+impl<'a, A, B> Iterator for Pairs<'a, A, B> {
+    type Item = (&'a mut A, &'a B);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Self::Item> {
         let (packed, vertex);
-        (packed, cache) = core::mem::take(&mut cache).split_first_mut()?;
-        (vertex, vertices) = vertices.split_first()?;
+        (packed, self.cache) = core::mem::take(&mut self.cache).split_first_mut()?;
+        (vertex, self.vertices) = self.vertices.split_first()?;
         Some((packed, vertex))
-    })
+    }
+
+    #[inline(always)]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (self.vertices.len(), Some(self.vertices.len()))
+    }
+}
+
+#[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
+impl<A, B> ExactSizeIterator for Pairs<'_, A, B> {
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.vertices.len()
+    }
 }
 
 #[cfg(feature = "defmt")]

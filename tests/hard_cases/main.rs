@@ -22,7 +22,7 @@
 //! | C2 a vertex on near | `near_plane::c2_*` | exact coverage of the snapped triangle |
 //! | C3 w down to nothing | `near_plane::c3_*`; `tests/camera/vertex_chain.rs` | one ray per pixel |
 //! | C4 all behind | `near_plane::c4_*` | empty |
-//! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/inside_a_mesh.rs`, `tests/pipeline/clipped_faces.rs` | one ray per pixel; each pixel once |
+//! | C5 inside a mesh | `near_plane::c5_*`; `tests/pipeline/inside_a_mesh.rs`, `tests/pipeline/clipped_faces.rs`, `tests/pipeline/cut_meshes.rs` | one ray per pixel; each pixel once; all ways of drawing |
 //! | C6 far off screen, the shared cut, larger than the screen | `near_plane::c6_*`; `tests/camera/vertex_chain.rs` | one ray per pixel; the f64 chain |
 //! | D1 the threshold of z-fighting | `depth::d1_*` | f64, all that is two steps apart |
 //! | D2 slivers and extrapolation | `depth::d2_*`; `d2_*` in `src/raster/depth.rs` | the plane in rationals |

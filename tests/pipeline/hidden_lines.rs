@@ -166,8 +166,8 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
         seen: seen.len() as u32,
         missed: seen.iter().filter(|p| !is_drawn(p)).count() as u32,
         drawn: drawn.len() as u32,
-        behind: drawn.iter().filter(|(_, &(behind, _))| behind > 2.0).count() as u32,
-        behind_centre: drawn.iter().filter(|(_, &(_, centre))| centre > 2.0).count() as u32,
+        behind: drawn.iter().filter(|(_, (behind, _))| *behind > 2.0).count() as u32,
+        behind_centre: drawn.iter().filter(|(_, (_, centre))| *centre > 2.0).count() as u32,
     }
 }
 

@@ -4,6 +4,7 @@
 mod bands;
 mod clipped_faces;
 mod culling_by_planes;
+mod cut_meshes;
 mod documented_ranges;
 mod drawing;
 mod hidden_lines;

@@ -244,7 +244,7 @@ proptest! {
             let bounds = record(&scene, way, &mut corners, |recorded| recorded.bounds());
             let Some(bounds) = bounds else { continue };
             prop_assert_eq!(bounds.intersection(&area), bounds);
-            for (at, _) in whole.iter().enumerate().filter(|(_, &pixel)| pixel != BACKGROUND.luma()) {
+            for (at, _) in whole.iter().enumerate().filter(|(_, pixel)| **pixel != BACKGROUND.luma()) {
                 let pixel = Point::new((at % WIDTH as usize) as i32, (at / WIDTH as usize) as i32);
                 prop_assert!(bounds.contains(pixel), "{way:?} {pixel}");
             }

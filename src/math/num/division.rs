@@ -1,6 +1,8 @@
 //! Long division, for set-up: no library call, no panic.
 
-use super::bits::{max, shift_to_fit};
+use super::bits::{leading_zeros, max, shift_to_fit};
+use super::product::mul_wide;
+use super::reciprocal::reciprocal_of_normalised;
 use crate::math::hints::keep_rolled;
 
 /// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Requires `n < 2·d`, `0 < d < 2⁶²`
@@ -17,6 +19,29 @@ pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
         quotient = quotient << 1 | !smaller as u64;
         rest <<= 1; // rest < d < 2⁶²
         left -= 1;
+    }
+    quotient
+}
+
+/// `⌊n · 2³¹ / d⌋` for `n < d`, by a reciprocal and a few corrections: without a loop over the quotient's bits.
+#[inline(never)] // rare path: code size counts, speed does not
+pub(crate) fn proper_fraction(n: u32, d: u32) -> i32 {
+    // The upper 31 bits: the reciprocal's argument is 2³⁰ … 2³¹ − 1.
+    let zeros = leading_zeros(d) & 31;
+    let upper = |v: u32| (v << zeros >> 1) as i32;
+    let r = reciprocal_of_normalised((upper(d), 0));
+    // `r` is 2⁶¹ over those bits within 2⁻²⁹ of itself, which is 4 units of the quotient; the bits dropped from n and d are 2 each,
+    // and the shift is 1. So the quotient is off by at most 7.
+    let mut quotient = (mul_wide(upper(n), r.mantissa) >> 30) as i32; // below 2³¹ + 7: may wrap, and is corrected
+                                                                      // Both products are below 2⁶³ + 2³⁶; |rest| < 8·2³².
+    let mut rest = (u64::from(n) << 31).wrapping_sub(u64::from(d) * u64::from(quotient as u32)) as i64;
+    while rest < 0 {
+        keep_rolled();
+        (rest, quotient) = (rest + i64::from(d), quotient.wrapping_sub(1));
+    }
+    while rest >= i64::from(d) {
+        keep_rolled();
+        (rest, quotient) = (rest - i64::from(d), quotient.wrapping_add(1));
     }
     quotient
 }
@@ -46,6 +71,11 @@ mod tests {
                 let d = (random(&mut state) >> 3).max(2);
                 let n = n % (2 * d);
                 assert_eq!(u128::from(fraction(n, d, 40)), (u128::from(n) << 40) / u128::from(d));
+                let d = (d as u32 >> (k / 2)).max(1);
+                for n in [n as u32 % d, d - 1, d / 2, 0] {
+                    let exact = (u64::from(n) << 31) / u64::from(d);
+                    assert_eq!(proper_fraction(n, d) as u64, exact, "{n} / {d}");
+                }
             }
         }
     }

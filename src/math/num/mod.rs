@@ -13,7 +13,7 @@ pub(crate) use super::cores::CORTEX_M0;
 pub(crate) use super::hints::keep_rolled;
 pub(crate) use accumulator::Accumulator;
 pub(crate) use bits::{bits_of, leading_zeros, magnitude, max, min, shift_to_fit};
-pub(crate) use division::{divide, fraction};
+pub(crate) use division::{divide, fraction, proper_fraction};
 pub(crate) use product::{dot, mul_called, mul_high, mul_wide, row_times, transposed};
 pub(crate) use reciprocal::{reciprocal, reciprocal_of_large, reciprocal_of_positive, Reciprocal};
 pub(crate) use saturating::{add, evaluate, mul_translation, SATURATED};

@@ -59,7 +59,7 @@ pub(crate) fn reciprocal_of_large(v: i32) -> Reciprocal {
 
 /// The reciprocal of m in 2⁻³⁰, 2³⁰ … 2³¹ − 1, with the shift that normalised it.
 #[inline(always)]
-fn reciprocal_of_normalised((m, shift): (i32, u32)) -> Reciprocal {
+pub(super) fn reciprocal_of_normalised((m, shift): (i32, u32)) -> Reciprocal {
     let index = (m >> 22) as usize & 0xff;
     // The mask keeps the index inside the table; `get` says so without a panic path.
     let r = 256 + i32::from(RECIPROCAL.get(index).copied().unwrap_or(0)); // in 2⁻⁹
