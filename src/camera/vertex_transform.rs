@@ -13,6 +13,7 @@ use crate::math::num::{
     Reciprocal,
 };
 use crate::math::row::{self, RowBlock};
+use crate::math::unrolled::{map2, map3};
 use crate::math::{matrix_product, Affine, ClipCoords, Coordinate, LinearForm, Row};
 use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
@@ -202,7 +203,7 @@ impl VertexTransform {
         by_d: bool,
         far: bool,
     ) -> ScreenVertex {
-        let v = vertex.map(|c| c.times(self.justify_factor));
+        let v = map3(*vertex, |c| c.times(self.justify_factor));
         let w = self.w.at(v, V::NARROW);
         if w < self.min_w {
             return ScreenVertex::EMPTY;
@@ -220,7 +221,7 @@ impl VertexTransform {
         let n = r.shift as i32;
         let over_w = |forms: [i32; 2]| {
             let right = (self.right - n) & 31;
-            forms.map(|v| mul_high(v, r.mantissa) >> right)
+            map2(forms, |v| mul_high(v, r.mantissa) >> right)
         };
         let early = early.map(|(forms, d)| (over_w(forms), d));
         let mut depth = 0;

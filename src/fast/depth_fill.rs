@@ -13,7 +13,9 @@
 use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_rolled, opaque};
+use crate::math::unrolled::each8;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowScratch, Scissor, Trapezoid};
+use crate::surface::block_fill::fill_eight;
 use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 
 /// What the pixels of a triangle are set to where they are nearer than the depth buffer.
@@ -262,11 +264,11 @@ fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, ste
         (run.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
     for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
         if is_clear(depths) {
-            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = pair);
-            for stored in depths {
+            fill_eight(pixels, pair);
+            each8(depths, |stored| {
                 *stored = (z >> 16) as u16;
                 z = z.wrapping_add(step);
-            }
+            });
         } else {
             // `opaque`: the depths are loaded again, because the branch above needs the registers.
             z = fill_each(pixels, opaque(depths), z, step, cell);
@@ -279,12 +281,13 @@ fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, ste
 /// Whether the depth buffer is clear at all of these pixels.
 #[inline(always)]
 pub(super) fn is_clear(depths: &[u16; BLOCK]) -> bool {
+    let &[a, b, c, d, e, f, g, h] = depths;
     if CORTEX_M0 {
-        return depths.iter().fold(u16::MAX, |all, &depth| all & depth) == u16::MAX;
+        return a & b & c & d & e & f & g & h == u16::MAX;
     }
     // In pairs, so that each is loaded as one word.
-    let pairs = depths.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
-    pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX
+    let pair = |low: u16, high: u16| u32::from(low) | u32::from(high) << 16;
+    pair(a, b) & pair(c, d) & pair(e, f) & pair(g, h) == u32::MAX
 }
 
 /// The depth test for one pixel: sets `pixel` and its `stored` depth if `z`, in 16.16, is nearer.

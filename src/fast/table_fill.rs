@@ -10,6 +10,7 @@ use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, 
 use super::{depth_and_light_gradients, RowOrigin};
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_branch, keep_rolled, opaque};
+use crate::math::unrolled::zip8;
 use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
 use crate::surface::{DepthTarget, StoredPixel, Target};
@@ -50,10 +51,10 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
         Self: 'a,
     {
         let (cells, depths) = same_length(cells, depths);
-        *gradients = gradients.map(|gradient| gradient.sheared(shear));
-        let [depth, light] = &*gradients;
+        let [depth, light] = gradients;
+        (*depth, *light) = (depth.sheared(shear), light.sheared(shear));
         let steps = Steps { colors: self.colors(), depth: depth.step(), light: light.step() };
-        TableRows { steps, cells, depths, gradients, z: depth.at(x, y), light: light.at(x, y) }
+        TableRows { steps, cells, depths, z: depth.at(x, y), light: light.at(x, y), gradients }
     }
 }
 
@@ -167,11 +168,11 @@ impl<C: PixelColor> Steps<'_, C> {
             (run.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
         for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
             if is_clear(depths) {
-                for (pixel, stored) in pixels.iter_mut().zip(depths) {
+                zip8(pixels, depths, |pixel, stored| {
                     *stored = (z >> 16) as u16;
                     *pixel = TableShader::look_up(self.colors, light).stored();
                     (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
-                }
+                });
             } else {
                 // `opaque`: the depths are loaded again, because the branch above needs the registers.
                 (z, light) = self.fill_each(pixels, opaque(depths), z, light);

@@ -12,6 +12,7 @@ use super::statistics::Statistics;
 use super::vertex_cache::{BinnedVertices, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::clip::Varying;
+use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::shading::SpanShader;
@@ -52,7 +53,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         let Some(face) = self.instance.mesh.faces().get(index) else { return 0 };
         match self.on_screen(face) {
             Some(corners) => {
-                Scissor::bounding_box(&self.unpack(corners).map(|corner| corner.point)).rows().start
+                Scissor::bounding_box(&map3(self.unpack(corners), |corner| corner.point)).rows().start
             }
             None => self.first_row_of_clipped(face),
         }

@@ -16,6 +16,7 @@ use super::vertex_cache::{area, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::clip::Varying;
 use crate::fast;
+use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::shading::{CornerValues, Shader, SpanShader};
@@ -66,7 +67,7 @@ pub(super) fn each_face<
                 let transform = &instance.vertex_transform;
                 triangles
                     .fan
-                    .set_unclipped::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
+                    .set_unclipped::<DEPTH>(&map3(corners, |corner| transform.unpack::<DEPTH>(corner)), area);
             }
             None => {
                 let outcome = cache.view().clip_face(face, &mut triangles);
