@@ -207,13 +207,29 @@ impl<Cell: Copy> RowFill for SolidRows<'_, Cell> {
         let first = z.wrapping_add(step.wrapping_mul(left as u32));
         // If the row ends before it begins, the difference wraps to more than any slice has.
         let width = right.wrapping_sub(left) as usize;
-        if let (Some(run), Some(depths)) = (cells.get_mut(from..), depths.get_mut(from..)) {
-            if let (Some(run), Some(depths)) = (run.get_mut(..width), depths.get_mut(..width)) {
-                fill_row(run, depths, first, *step, *pair);
-            }
+        if let Some((run, depths)) = part(cells, depths, from, width) {
+            fill_row(run, depths, first, *step, *pair);
         }
         *z = z.wrapping_add(*down);
     }
+}
+
+/// `width` cells and depths from index `from` on, if there are as many. Both slices have equal lengths.
+///
+/// One check after the other: at opt-level "s" LLVM makes of checks in pairs a selection between a pointer and null, and then
+/// recomputes the lengths from pointers for each row.
+#[inline(always)]
+fn part<'r, Cell>(
+    cells: &'r mut [Cell],
+    depths: &'r mut [u16],
+    from: usize,
+    width: usize,
+) -> Option<(&'r mut [Cell], &'r mut [u16])> {
+    let cells = cells.get_mut(from..)?;
+    let cells = cells.get_mut(..width)?;
+    let depths = depths.get_mut(from..)?;
+    let depths = depths.get_mut(..width)?;
+    Some((cells, depths))
 }
 
 #[inline(always)]
