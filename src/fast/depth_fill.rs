@@ -286,12 +286,24 @@ fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, ste
                 z = z.wrapping_add(step);
             });
         } else {
-            // `opaque`: the depths are loaded again, because the branch above needs the registers.
-            z = fill_each(pixels, opaque(depths), z, step, cell);
+            fill_mixed(pixels, depths, z, step, cell);
+            z = z.wrapping_add(step.wrapping_mul(BLOCK as u32));
         }
         keep_rolled();
     }
     fill_each(rest, depth_rest, z, step, cell);
+}
+
+/// Fills a block where the depth buffer is not clear everywhere.
+#[inline(never)] // the loop over clear blocks gets all registers
+fn fill_mixed<Cell: Copy>(
+    pixels: &mut [Cell; BLOCK],
+    depths: &mut [u16; BLOCK],
+    z: u32,
+    step: u32,
+    cell: Cell,
+) {
+    fill_each(pixels, depths, z, step, cell);
 }
 
 /// Whether the depth buffer is clear at all of these pixels.

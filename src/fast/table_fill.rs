@@ -9,7 +9,7 @@
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use super::{depth_and_light_gradients, RowOrigin};
 use crate::math::cores::CORTEX_M0;
-use crate::math::hints::{keep_branch, keep_rolled, opaque};
+use crate::math::hints::{keep_branch, keep_rolled};
 use crate::math::unrolled::zip8;
 use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
@@ -156,6 +156,15 @@ impl<C: PixelColor> Steps<'_, C> {
         (z, light)
     }
 
+    /// Fills a block where the depth buffer is not clear everywhere.
+    #[inline(never)] // the loop over clear blocks gets all registers
+    fn fill_mixed<Cell>(&self, pixels: &mut [Cell; BLOCK], depths: &mut [u16; BLOCK], z: u32, light: u32)
+    where
+        C: StoredPixel<Cell>,
+    {
+        self.fill_each(pixels, depths, z, light);
+    }
+
     /// Fills a long run, eight pixels at once where the depth buffer is still clear, the common case.
     #[inline(always)]
     fn fill_blocks<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32)
@@ -174,8 +183,9 @@ impl<C: PixelColor> Steps<'_, C> {
                     (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
                 });
             } else {
-                // `opaque`: the depths are loaded again, because the branch above needs the registers.
-                (z, light) = self.fill_each(pixels, opaque(depths), z, light);
+                self.fill_mixed(pixels, depths, z, light);
+                z = z.wrapping_add(self.depth.wrapping_mul(BLOCK as u32));
+                light = light.wrapping_add(self.light.wrapping_mul(BLOCK as u32));
             }
             keep_rolled();
         }
