@@ -40,7 +40,7 @@ pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_
     if run.len() >= 8 {
         if may_be_long && run.len() >= LONG as usize {
             let (blocks, rest) = run.split_at_mut(run.len() & !31);
-            for block in blocks.as_chunks_mut::<32>().0 {
+            for block in blocks.chunks_exact_mut(32) {
                 if let [a, b, c, d] = block.as_chunks_mut::<8>().0 {
                     fill_eight(a, pair);
                     fill_eight(b, pair);
@@ -52,10 +52,11 @@ pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_
             run = rest;
         }
         if !may_be_long && run.len() >= 16 {
-            if let [a, b, c, d, e, f, g, h, rest @ ..] = run {
+            let (eight, rest) = run.split_at_mut(8);
+            if let [a, b, c, d, e, f, g, h] = eight {
                 [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [pair; 4];
-                run = rest;
             }
+            run = rest;
         }
         while let [a, b, c, d, e, f, g, h, rest @ ..] = run {
             [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [pair; 4];
