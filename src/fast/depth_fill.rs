@@ -48,17 +48,19 @@ pub(crate) trait RowFill {
 }
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
-/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`.
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the caller knows that
+/// the triangle has rows outside the scissor, so the [`Small`] tier is not tried.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,
     color: T::Color,
     scissor: &Scissor,
+    is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
     let cell: <T::Store as PixelStore>::Cell = color.stored();
-    fill_nearer(triangle, [cell; 2], scissor, depth, target)
+    fill_nearer(triangle, [cell; 2], scissor, is_clipped, depth, target)
 }
 
 /// [`triangle_nearer`] with any [`DepthFill`] in place of one colour.
@@ -67,11 +69,15 @@ pub(super) fn fill_nearer<T: Target, F: DepthFill<<T::Store as PixelStore>::Cell
     triangle: &DepthTriangle<'_>,
     fill: F,
     scissor: &Scissor,
+    is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-    fill_small(memory, triangle, scissor, depth.buffer, fill);
+    match is_clipped {
+        true => fill_low(memory, triangle, scissor, depth.buffer, fill),
+        false => fill_small(memory, triangle, scissor, depth.buffer, fill),
+    }
     true
 }
 

@@ -30,6 +30,8 @@ pub(crate) struct SmallTriangle<D, const CLIP_ROWS: bool> {
     /// The scissor's rows, for `CLIP_ROWS`.
     top: i32,
     bottom: i32,
+    /// How many trapezoids are left that may have rows inside the scissor.
+    trapezoids: usize,
     /// Chooses the [`Divisor`].
     divisor: PhantomData<D>,
 }
@@ -56,7 +58,7 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
             return None;
         }
         let (row, column, long) = (first_row(a), base_column(a), Edge20::new::<D>(a, c, 0));
-        Some(Self {
+        let mut triangle = Self {
             ends,
             row,
             long,
@@ -64,8 +66,27 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
             middle_is_left,
             top: scissor.top,
             bottom: scissor.bottom,
+            trapezoids: 2,
             divisor: PhantomData,
-        })
+        };
+        if CLIP_ROWS {
+            triangle.drop_trapezoid();
+        }
+        Some(triangle)
+    }
+
+    /// Drops a trapezoid that has no row inside the scissor, before its edges are set up: half of the trapezoids of a band do not
+    /// lie in it.
+    #[inline(always)]
+    fn drop_trapezoid(&mut self) {
+        let [_, middle, last] = self.ends;
+        let end = first_row(&middle);
+        if end <= self.top {
+            self.long.advance(end - self.row);
+            (self.ends, self.row, self.trapezoids) = ([middle, last, last], end, 1);
+        } else if end >= self.bottom {
+            self.trapezoids = 1;
+        }
     }
 
     /// The upper trapezoid, then the lower one; each may have no rows.
@@ -86,7 +107,9 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
             let above = (self.top - y).clamp(0, rows.max(0));
             trapezoid.y += above;
             trapezoid.rows = end.min(self.bottom) - trapezoid.y;
-            trapezoid.edges.iter_mut().for_each(|edge| edge.advance(above));
+            let [left, right] = &mut trapezoid.edges;
+            left.advance(above);
+            right.advance(above);
         }
         trapezoid
     }
@@ -131,8 +154,8 @@ impl<D: Divisor, const CLIP_ROWS: bool> Rows for SmallTriangle<D, CLIP_ROWS> {
         // The lower trapezoid begins where the upper one ends.
         let RowOrigin { x, y, .. } = self.start(scratch.layout);
         let mut start = scratch.layout.at(x, y);
-        // Few triangles are clipped, so code size counts: an opaque count keeps one copy of the loop.
-        for _ in 0..if CLIP_ROWS { opaque(2) } else { 2 } {
+        // Few triangles are clipped, so code size counts: a count that the compiler does not know keeps one copy of the loop.
+        for _ in 0..if CLIP_ROWS { self.trapezoids } else { 2 } {
             keep_rolled();
             start = self.trapezoid().each(start, scratch.layout.stride, &mut row);
         }

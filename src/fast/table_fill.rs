@@ -17,16 +17,18 @@ use crate::surface::{DepthTarget, StoredPixel, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
-/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`.
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the caller knows that
+/// the triangle has rows outside the scissor.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,
     shader: &TableShader<'_, T::Color>,
     scissor: &Scissor,
+    is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
-    fill_nearer(triangle, shader, scissor, depth, target)
+    fill_nearer(triangle, shader, scissor, is_clipped, depth, target)
 }
 
 impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {

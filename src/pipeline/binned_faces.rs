@@ -229,10 +229,10 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         band: &mut T,
     ) -> Result<(), T::Error> {
         let instance = self.0.transformed.instance;
-        self.each(region, |index, face, triangles| {
+        self.each(region, |index, face, triangles, is_clipped| {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-                fill(&triangle.triangle, shader, &region.scissor, band)
+                fill(&triangle.triangle, shader, &region.scissor, is_clipped, band)
             })
         })
     }
@@ -255,12 +255,13 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         self.0.advance_to_band(band, depth, TransformedMesh::first_row)
     }
 
-    /// Calls `draw` for each face that lies in the band of the last [`advance_to_band`](Self::advance_to_band).
+    /// Calls `draw` for each face that lies in the band of the last [`advance_to_band`](Self::advance_to_band), and says whether
+    /// the face also has rows outside the band.
     #[inline(always)]
     fn each<K: Varying, E>(
         &mut self,
         region: &DrawRegion,
-        mut draw: impl FnMut(usize, &[u16; 3], &mut FaceTriangles<'_, K>) -> Result<(), E>,
+        mut draw: impl FnMut(usize, &[u16; 3], &mut FaceTriangles<'_, K>, bool) -> Result<(), E>,
     ) -> Result<(), E> {
         let rows = region.scissor.rows();
         if region.scissor.is_empty() {
@@ -271,7 +272,8 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
             let bounds = triangles.fan.bounds().rows();
             if bounds.start < rows.end && bounds.end > rows.start {
-                draw(index, face, triangles)?;
+                let is_clipped = bounds.start < rows.start || bounds.end > rows.end;
+                draw(index, face, triangles, is_clipped)?;
             }
             Ok(bounds.end <= rows.end)
         })?;
@@ -308,10 +310,10 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
     ) -> Result<(), T::Error> {
         let instance = self.0.transformed.instance;
         let mut depth = DepthTarget::new(depth, band);
-        self.each(region, |index, face, triangles| {
+        self.each(region, |index, face, triangles, is_clipped| {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-                fill_nearer(triangle, shader, &region.scissor, &mut depth, band)
+                fill_nearer(triangle, shader, &region.scissor, is_clipped, &mut depth, band)
             })
         })
     }
@@ -326,7 +328,7 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
 
     #[inline(never)] // its stack frame does not exist while the bins advance
     fn store_depth(&mut self, region: &DrawRegion, depth: &mut DepthBuffer<'_>) {
-        let Ok(()) = self.each(region, |_, _, triangles| {
+        let Ok(()) = self.each(region, |_, _, triangles, _| {
             store_depth(triangles, &region.scissor, depth);
             Ok::<(), Infallible>(())
         });

@@ -120,7 +120,9 @@ impl<'s> Bins<'s> {
     /// The first error of `draw`.
     #[inline(always)]
     pub(super) fn band<E>(&mut self, mut draw: impl FnMut(usize) -> Result<bool, E>) -> Result<(), E> {
-        for (word, bits) in self.active.iter_mut().enumerate() {
+        let mut words = self.active.iter_mut().enumerate();
+        // A loop of its own skips words without an active primitive: most words of a band.
+        while let Some((word, bits)) = words.find(|(_, bits)| **bits != 0) {
             let mut remaining = *bits;
             while remaining != 0 {
                 let lowest = remaining & remaining.wrapping_neg();

@@ -146,7 +146,7 @@ pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>, 
     each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
         let shader = shade(index);
         draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-            fill(&triangle.triangle, shader, &region.scissor, target)
+            fill(&triangle.triangle, shader, &region.scissor, false, target)
         })?;
         Ok(true)
     })
@@ -167,7 +167,7 @@ pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::C
     each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
         let shader = shade(index);
         draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-            fill_nearer(triangle, shader, &region.scissor, &mut depth, target)
+            fill_nearer(triangle, shader, &region.scissor, false, &mut depth, target)
         })?;
         Ok(true)
     })

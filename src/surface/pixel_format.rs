@@ -1,7 +1,9 @@
 //! Pixels as bits, in the order in which displays take them, and functions that write and read rows of them.
 
+use super::block_fill::fill_words;
 use super::stored_pixel::StoredPixel;
 use crate::math::hints::keep_rolled;
+use bytemuck::pod_align_to_mut;
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
@@ -191,6 +193,9 @@ fn fill_blocks<const N: usize, const M: usize>(mut run: &mut [u8], pixel: [u8; N
         return run.chunks_exact_mut(N).for_each(|bytes| put(bytes, pixel));
     }
     if run.len() >= 64 * N {
+        if let Ok(word) = <[u8; 4]>::try_from(&word[..]) {
+            return fill_aligned(run, word);
+        }
         let (rest, blocks) = run.split_at_mut(run.len() % (32 * N));
         for block in blocks.chunks_exact_mut(32 * N) {
             let (a, b) = block.split_at_mut(16 * N);
@@ -211,6 +216,16 @@ fn fill_blocks<const N: usize, const M: usize>(mut run: &mut [u8], pixel: [u8; N
         eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, word));
         keep_rolled();
     }
+}
+
+/// Repeats four bytes, in aligned words: a word that does not begin with the first byte has the bytes rotated.
+#[inline(always)]
+fn fill_aligned(run: &mut [u8], bytes: [u8; 4]) {
+    let (before, words, after) = pod_align_to_mut::<u8, u32>(run);
+    let rotated = u32::from_le_bytes(bytes).rotate_right(8 * (before.len() as u32 & 3)); // at most three bytes
+    before.iter_mut().zip(bytes).for_each(|(own, byte)| *own = byte);
+    fill_words(words, rotated.to_le());
+    after.iter_mut().zip(rotated.to_le_bytes()).for_each(|(own, byte)| *own = byte);
 }
 
 #[inline(always)]
