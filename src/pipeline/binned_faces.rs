@@ -272,7 +272,8 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
             let bounds = triangles.fan.bounds().rows();
             if bounds.start < rows.end && bounds.end > rows.start {
-                let is_clipped = bounds.start < rows.start || bounds.end > rows.end;
+                // The sign bit of either difference; rows are within ±2²¹.
+                let is_clipped = (bounds.start - rows.start) | (rows.end - bounds.end) < 0;
                 draw(index, face, triangles, is_clipped)?;
             }
             Ok(bounds.end <= rows.end)
