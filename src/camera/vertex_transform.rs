@@ -48,12 +48,7 @@ pub(crate) struct VertexTransform {
     d: LinearForm,
     /// e_xy − e_w: 0 … [`Screen::room`](super::camera::Screen::room).
     xy_over_w: i32,
-    /// x/w and y/w are in units of 2^unit sub-pixels: see [`Screen`].
-    screen_unit: i32,
-    /// The viewport's pixels.
-    area: Rectangle,
-    /// The screen point of a packed vertex whose [offset](ScreenVertex::offset) is 0, in 24.8.
-    packed_origin: [i32; 2],
+    screen: Screen,
     /// Whether the near test and depth need d.
     by_d: bool,
     far_clip: bool,
@@ -104,8 +99,7 @@ impl VertexTransform {
             i = opaque_next(i);
         }
         let ([x, y, d, w], [reach_x, reach_y, reach_d, reach_w]) = (&rows, reaches);
-        let Screen { unit: screen_unit, room, centre: [x_centre, y_centre], .. } = camera.screen;
-        let [cx, cy] = ScreenVertex::CENTRE;
+        let Screen { unit: screen_unit, room, .. } = camera.screen;
         let e_xy = reach_x.max(reach_y);
         // x need not be finer than w; if it is much coarser, the object lies far to the side.
         let e_w = reach_w.max(e_xy - room);
@@ -144,9 +138,7 @@ impl VertexTransform {
             depth_scale,
             scale_down,
             by_d: by_w.is_none(),
-            screen_unit,
-            area: camera.screen.area,
-            packed_origin: [x_centre - cx, y_centre - cy], // far inside 32 bits
+            screen: camera.screen,
             far_clip: camera.far_clip,
             x: LinearForm::ZERO,
             y: LinearForm::ZERO,
@@ -188,15 +180,9 @@ impl VertexTransform {
         [self.x.numbers(), self.y.numbers(), self.w.numbers()]
     }
 
-    /// The viewport's centre in 24.8.
-    const fn centre(&self) -> [i32; 2] {
-        let ([x, y], [cx, cy]) = (self.packed_origin, ScreenVertex::CENTRE);
-        [x + cx, y + cy]
-    }
-
     /// The viewport's pixels.
     pub(crate) const fn area(&self) -> &Rectangle {
-        &self.area
+        &self.screen.area
     }
 
     /// Whether [`project`](Self::project) needs d: the far plane clips, or w alone does not decide the near test.
@@ -277,7 +263,7 @@ impl VertexTransform {
     /// Unpacks a vertex that [is on the screen](ScreenVertex::is_on_screen); its depth is 0 without `DEPTH`.
     #[inline(always)]
     pub(crate) fn unpack<const DEPTH: bool>(&self, corner: ScreenVertex) -> UnpackedVertex {
-        let ([x, y], offset) = (self.packed_origin, corner.offset::<DEPTH>());
+        let ([x, y], offset) = (self.screen.packed_origin, corner.offset::<DEPTH>());
         UnpackedVertex {
             point: ScreenPoint::inside(x + offset.x(), y + offset.y()),
             depth: if DEPTH { corner.depth() } else { 0 },
@@ -290,8 +276,8 @@ impl VertexTransform {
     pub(crate) fn project_wide(&self, h: &ClipCoords, depth: Option<DepthOf>) -> UnpackedVertex {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
-        let left = r.shift as i32 + self.xy_over_w + self.screen_unit - 61; // ≤ 30 + 21 − 61
-        let [cx, cy] = self.centre();
+        let left = r.shift as i32 + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
+        let [cx, cy] = self.screen.centre();
         UnpackedVertex {
             point: ScreenPoint::inside(quotient(x, r.mantissa, left, cx), quotient(y, r.mantissa, left, cy)),
             depth: depth.map_or(0, |depth| depth(self, d, r)),
@@ -322,9 +308,9 @@ impl VertexTransform {
         let r = reciprocal(w);
         let n = r.shift as i32;
         // From 2⁻⁶¹ of 2^unit sub-pixels, and of 2¹⁶ steps, to 2⁻³²: saturating.
-        let up = n + self.xy_over_w + self.screen_unit - 37;
+        let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
-        let [cx, cy] = self.centre();
+        let [cx, cy] = self.screen.centre();
         [along(x, cx), along(y, cy), (self.depth_wide(d, r) >> 11) - (4 << 21)]
     }
 
@@ -333,13 +319,13 @@ impl VertexTransform {
     /// not negative; all other planes: at most 2⁵⁴.
     #[inline(never)] // rare path: code size counts, speed does not
     pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
-        let ([x, y, d, w], [cx, cy]) = (h.xydw, self.centre());
+        let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre());
         // m·w / 2^down + n·v
         let (m, down, n, v) = match plane {
             0 => return d.into(),
             1..=4 => {
                 let (v, centre) = if plane < 3 { (x, cx) } else { (y, cy) };
-                let up = 1 << ((self.xy_over_w + self.screen_unit) & 31); // ≤ 2²¹
+                let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
                 let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
                 (GUARD_BAND * 256 + centre, 0, up, v)
             }

@@ -301,7 +301,8 @@ fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, ste
 }
 
 /// Fills a block where the depth buffer is not clear everywhere.
-#[inline(never)] // the loop over clear blocks gets all registers
+#[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
+#[inline(never)]
 fn fill_mixed<Cell: Copy>(
     pixels: &mut [Cell; BLOCK],
     depths: &mut [u16; BLOCK],

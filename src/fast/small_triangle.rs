@@ -30,8 +30,6 @@ pub(crate) struct SmallTriangle<D, const CLIP_ROWS: bool> {
     /// The scissor's rows, for `CLIP_ROWS`.
     top: i32,
     bottom: i32,
-    /// How many trapezoids are left that may have rows inside the scissor.
-    trapezoids: usize,
     /// Chooses the [`Divisor`].
     divisor: PhantomData<D>,
 }
@@ -58,7 +56,7 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
             return None;
         }
         let (row, column, long) = (first_row(a), base_column(a), Edge20::new::<D>(a, c, 0));
-        let mut triangle = Self {
+        Some(Self {
             ends,
             row,
             long,
@@ -66,26 +64,25 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
             middle_is_left,
             top: scissor.top,
             bottom: scissor.bottom,
-            trapezoids: 2,
             divisor: PhantomData,
-        };
-        if CLIP_ROWS {
-            triangle.drop_trapezoid();
-        }
-        Some(triangle)
+        })
     }
 
-    /// Drops a trapezoid that has no row inside the scissor, before its edges are set up: half of the trapezoids of a band do not
-    /// lie in it.
+    /// How many of the two trapezoids may have rows inside the scissor: those of a band often lie in other bands. Drops the upper
+    /// trapezoid if it has none, so that its edges are not set up.
     #[inline(always)]
-    fn drop_trapezoid(&mut self) {
+    fn clip_trapezoids(&mut self) -> usize {
         let [_, middle, last] = self.ends;
         let end = first_row(&middle);
         if end <= self.top {
             self.long.advance(end - self.row);
-            (self.ends, self.row, self.trapezoids) = ([middle, last, last], end, 1);
-        } else if end >= self.bottom {
-            self.trapezoids = 1;
+            (self.ends, self.row) = ([middle, last, last], end);
+            return 1;
+        }
+        if end >= self.bottom {
+            1
+        } else {
+            2
         }
     }
 
@@ -155,7 +152,7 @@ impl<D: Divisor, const CLIP_ROWS: bool> Rows for SmallTriangle<D, CLIP_ROWS> {
         let RowOrigin { x, y, .. } = self.start(scratch.layout);
         let mut start = scratch.layout.at(x, y);
         // Few triangles are clipped, so code size counts: a count that the compiler does not know keeps one copy of the loop.
-        for _ in 0..if CLIP_ROWS { self.trapezoids } else { 2 } {
+        for _ in 0..if CLIP_ROWS { self.clip_trapezoids() } else { 2 } {
             keep_rolled();
             start = self.trapezoid().each(start, scratch.layout.stride, &mut row);
         }

@@ -159,7 +159,8 @@ impl<C: PixelColor> Steps<'_, C> {
     }
 
     /// Fills a block where the depth buffer is not clear everywhere.
-    #[inline(never)] // the loop over clear blocks gets all registers
+    #[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
+    #[inline(never)]
     fn fill_mixed<Cell>(&self, pixels: &mut [Cell; BLOCK], depths: &mut [u16; BLOCK], z: u32, light: u32)
     where
         C: StoredPixel<Cell>,
