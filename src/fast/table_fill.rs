@@ -9,7 +9,7 @@
 use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, BLOCK};
 use super::{depth_and_light_gradients, RowOrigin};
 use crate::math::cores::CORTEX_M0;
-use crate::math::hints::{keep_branch, keep_rolled};
+use crate::math::hints::{keep_branch, keep_rolled, opaque};
 use crate::math::unrolled::zip8;
 use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
@@ -158,7 +158,7 @@ impl<C: PixelColor> Steps<'_, C> {
         (z, light)
     }
 
-    /// Fills a block where the depth buffer is not clear everywhere.
+    /// Fills a block where the depth buffer is not clear everywhere. Not on a Cortex-M0, which has no registers to keep.
     #[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
     #[inline(never)]
     fn fill_mixed<Cell>(&self, pixels: &mut [Cell; BLOCK], depths: &mut [u16; BLOCK], z: u32, light: u32)
@@ -185,6 +185,9 @@ impl<C: PixelColor> Steps<'_, C> {
                     *pixel = TableShader::look_up(self.colors, light).stored();
                     (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
                 });
+            } else if CORTEX_M0 {
+                // `opaque`: the depths are loaded again, because the branch above needs the registers.
+                (z, light) = self.fill_each(pixels, opaque(depths), z, light);
             } else {
                 self.fill_mixed(pixels, depths, z, light);
                 z = z.wrapping_add(self.depth.wrapping_mul(BLOCK as u32));
