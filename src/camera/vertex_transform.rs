@@ -319,15 +319,18 @@ impl VertexTransform {
     /// not negative; all other planes: at most 2⁵⁴.
     #[inline(never)] // rare path: code size counts, speed does not
     pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
-        let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre());
+        let ([x, y, d, w], [left, top]) = (h.xydw, self.screen.packed_origin);
         // m·w / 2^down + n·v
         let (m, down, n, v) = match plane {
             0 => return d.into(),
             1..=4 => {
-                let (v, centre) = if plane < 3 { (x, cx) } else { (y, cy) };
+                let (v, origin) = if plane < 3 { (x, left) } else { (y, top) };
                 let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
-                let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
-                (GUARD_BAND * 256 + centre, 0, up, v)
+                let [centre, _] = ScreenVertex::CENTRE; // from the origin, along x and along y
+                match plane & 1 {
+                    0 => (GUARD_BAND * 256 - centre - origin, 0, -up, v),
+                    _ => (GUARD_BAND * 256 + centre + origin, 0, up, v),
+                }
             }
             _ => {
                 // w − d; d is stored as 65535/65536 of itself and multiplied by at most 2³⁰. Where the exponents
