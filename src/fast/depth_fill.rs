@@ -48,8 +48,8 @@ pub(crate) trait RowFill {
 }
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
-/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the caller knows that
-/// the triangle has rows outside the scissor, so the [`Small`] tier is not tried.
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the
+/// triangle probably has rows outside the scissor, so the [`Small`] tier is not tried.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,

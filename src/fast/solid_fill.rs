@@ -14,8 +14,8 @@ use crate::raster::{AnyTriangle, PixelLayout, Scissor, ScreenPoint, Trapezoid, T
 use crate::surface::block_fill::{fill_pairs, LONG};
 use crate::surface::{PixelRows, PixelStore, StoredPixel, Target};
 
-/// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the caller
-/// knows that the triangle has rows outside the scissor, so the [`Small`] tier is not tried.
+/// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the
+/// triangle probably has rows outside the scissor, so the [`Small`] tier is not tried.
 #[inline(always)]
 pub(crate) fn triangle<T: Target>(
     triangle: &Triangle<'_>,

@@ -17,8 +17,8 @@ use crate::surface::{DepthTarget, StoredPixel, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
-/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the caller knows that
-/// the triangle has rows outside the scissor.
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the
+/// triangle probably has rows outside the scissor.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,

@@ -10,8 +10,8 @@ use crate::shading::SpanShader;
 use crate::surface::{drawable, DepthTarget, PixelStore, StoredPixel, Target};
 use core::cell::Cell;
 
-/// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: the caller knows that the triangle
-/// has rows outside the scissor, as most have in a band; no pixel depends on it.
+/// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: the triangle
+/// probably has rows outside the scissor, as most have in a band; a constant on which no pixel depends.
 #[inline(always)]
 pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
