@@ -2,6 +2,7 @@
 
 use super::depth_by_w::DepthByW;
 use super::projection::Projection;
+use super::screen_vertex::ScreenVertex;
 use super::view_transform::ViewTransform;
 use super::viewport::Viewport;
 use crate::math::num::{max, min, mul_translation};
@@ -57,13 +58,22 @@ pub struct Camera {
 /// The viewport transform: normalised x and y to 24.8 screen coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Screen {
-    /// The viewport's centre in 24.8.
-    pub(crate) centre: [i32; 2],
+    /// The screen point of a packed vertex whose [offset](ScreenVertex::offset) is 0, in 24.8: a packed vertex is unpacked by one
+    /// addition.
+    pub(crate) packed_origin: [i32; 2],
     /// x/w and y/w are in units of 2^unit sub-pixels: 7 … 21.
     pub(crate) unit: i32,
     /// A point with |x/w| and |y/w| below 2^room lies inside the guard band, wherever the viewport's centre is: 0 … 14.
     pub(crate) room: i32,
     pub(crate) area: Rectangle,
+}
+
+impl Screen {
+    /// The viewport's centre in 24.8.
+    pub(crate) const fn centre(&self) -> [i32; 2] {
+        let ([x, y], [cx, cy]) = (self.packed_origin, ScreenVertex::CENTRE);
+        [x + cx, y + cy] // it lies in the guard band
+    }
 }
 
 impl Camera {
@@ -72,7 +82,7 @@ impl Camera {
     #[inline(never)] // set-up: code size counts, speed does not
     pub const fn new(viewing: &ViewTransform, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
-        let (x, y) = viewport.centre();
+        let ((x, y), [cx, cy]) = (viewport.centre(), ScreenVertex::CENTRE);
         // Half a pixel to 2²¹ sub-pixels, because the viewport is not empty and lies inside the guard band.
         let free = GUARD_BAND * 256 - max(x.abs(), y.abs());
         let half = max(area.size.width as i32, area.size.height as i32) * 128;
@@ -92,7 +102,7 @@ impl Camera {
             eye: viewing.eye(),
             depth_by_w: DepthByW::new(&rows[2], w_row),
             rows,
-            screen: Screen { centre: [x, y], unit, room: room - unit, area },
+            screen: Screen { packed_origin: [x - cx, y - cy], unit, room: room - unit, area },
             far_clip: false,
         }
     }
@@ -131,7 +141,7 @@ const fn scaled_row(row: &Row, factor: i32, exponent: i32) -> Row {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Camera {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let [x, y] = self.screen.centre;
+        let [x, y] = self.screen.centre();
         defmt::write!(f, "axes {}/2^30, eye {}/2^32, centre ({=i32}, {=i32})/256", self.axes, self.eye, x, y);
     }
 }

@@ -183,7 +183,7 @@ impl Camera {
             };
             // In 2⁻¹⁶ sub-pixels from the centre.
             let (x, y) = (quotient(x_row), quotient(y_row));
-            let [cx, cy] = self.screen.centre;
+            let [cx, cy] = self.screen.centre();
             let near =
                 |v: i64, centre: i32| add(scale(v, -16), centre.into()).clamp(-(1 << 30), 1 << 30) as i32;
             let size = self.screen.area.size;
@@ -205,7 +205,7 @@ impl Camera {
     /// The two planes of view space that project to the screen column and the screen row of `at`.
     fn planes_through(&self, at: ScreenPoint) -> [Row; 2] {
         let [x, y, _, w] = &self.rows;
-        let [cx, cy] = self.screen.centre;
+        let [cx, cy] = self.screen.centre();
         let plane = |row: &Row, position: i32, centre: i32| {
             debug_assert!(position.abs() <= GUARD_BAND * 256);
             // x/w = (position − centre)/2^unit: 23 bits.

@@ -13,6 +13,7 @@ use crate::math::num::{
     scale_word, shift_to_fit, Reciprocal,
 };
 use crate::math::row::RowBlock;
+use crate::math::unrolled::{map2, map3};
 use crate::math::{matrix_product, Affine, ClipCoords, Coordinate, LinearForm, Row};
 use crate::raster::{ScreenPoint, FARTHEST, GUARD_BAND};
 use crate::space::{Model, World};
@@ -201,7 +202,7 @@ impl VertexTransform {
         by_d: bool,
         far: bool,
     ) -> Option<ScreenVertex> {
-        let v = vertex.map(|c| c.times(self.justify_factor));
+        let v = map3(*vertex, |c| c.times(self.justify_factor));
         let w = self.w.at(v, V::NARROW);
         if w < self.min_w {
             return None;
@@ -219,7 +220,7 @@ impl VertexTransform {
         let n = r.shift as i32;
         let over_w = |forms: [i32; 2]| {
             let right = (self.right - n) & 31;
-            forms.map(|v| mul_high(v, r.mantissa) >> right)
+            map2(forms, |v| mul_high(v, r.mantissa) >> right)
         };
         let early = early.map(|(forms, d)| (over_w(forms), d));
         let mut depth = 0;
@@ -305,9 +306,9 @@ impl VertexTransform {
     /// Unpacks a vertex that [is on the screen](ScreenVertex::is_on_screen); its depth is 0 without `DEPTH`.
     #[inline(always)]
     pub(crate) fn unpack<const DEPTH: bool>(&self, corner: ScreenVertex) -> UnpackedVertex {
-        let ([x, y], [cx, cy], offset) = (self.screen.centre, ScreenVertex::CENTRE, corner.offset::<DEPTH>());
+        let ([x, y], offset) = (self.screen.packed_origin, corner.offset::<DEPTH>());
         UnpackedVertex {
-            point: ScreenPoint::inside(x - cx + offset.x(), y - cy + offset.y()),
+            point: ScreenPoint::inside(x + offset.x(), y + offset.y()),
             depth: if DEPTH { corner.depth() } else { 0 },
         }
     }
@@ -319,7 +320,7 @@ impl VertexTransform {
         let [x, y, d, w] = h.xydw;
         let r = reciprocal(w);
         let left = r.shift as i32 + self.xy_over_w + self.screen.unit - 61; // ≤ 30 + 21 − 61
-        let [cx, cy] = self.screen.centre;
+        let [cx, cy] = self.screen.centre();
         UnpackedVertex {
             point: ScreenPoint::inside(quotient(x, r.mantissa, left, cx), quotient(y, r.mantissa, left, cy)),
             depth: depth.map_or(0, |depth| depth(self, d, r)),
@@ -352,7 +353,7 @@ impl VertexTransform {
         // From 2⁻⁶¹ of 2^unit sub-pixels, and of 2¹⁶ steps, to 2⁻³²: saturating.
         let up = n + self.xy_over_w + self.screen.unit - 37;
         let along = |v: i32, centre: i32| add(scale(mul_wide(v, r.mantissa), up), i64::from(centre) << 24);
-        let [cx, cy] = self.screen.centre;
+        let [cx, cy] = self.screen.centre();
         [along(x, cx), along(y, cy), (self.depth_wide(d, r) >> 11) - (4 << 21)]
     }
 
@@ -361,15 +362,18 @@ impl VertexTransform {
     /// not negative; all other planes: at most 2⁵⁴.
     #[inline(never)] // rare path: code size counts, speed does not
     pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
-        let ([x, y, d, w], [cx, cy]) = (h.xydw, self.screen.centre);
+        let ([x, y, d, w], [left, top]) = (h.xydw, self.screen.packed_origin);
         // m·w / 2^down + n·v
         let (m, down, n, v) = match plane {
             0 => return d.into(),
             1..=4 => {
-                let (v, centre) = if plane < 3 { (x, cx) } else { (y, cy) };
+                let (v, origin) = if plane < 3 { (x, left) } else { (y, top) };
                 let up = 1 << ((self.xy_over_w + self.screen.unit) & 31); // ≤ 2²¹
-                let (up, centre) = if plane & 1 == 0 { (-up, -centre) } else { (up, centre) };
-                (GUARD_BAND * 256 + centre, 0, up, v)
+                let [centre, _] = ScreenVertex::CENTRE; // from the origin, along x and along y
+                match plane & 1 {
+                    0 => (GUARD_BAND * 256 - centre - origin, 0, -up, v),
+                    _ => (GUARD_BAND * 256 + centre + origin, 0, up, v),
+                }
             }
             _ => {
                 // w − d; d is stored as 65535/65536 of itself and multiplied by at most 2³⁰. Where the exponents

@@ -13,7 +13,9 @@
 use super::{depth_gradient, memory_of, Low, RowOrigin, Rows, Small};
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_rolled, opaque};
+use crate::math::unrolled::each8;
 use crate::raster::{AnyTriangle, DepthTriangle, Gradient, RowScratch, Scissor, Trapezoid};
+use crate::surface::block_fill::fill_eight;
 use crate::surface::{DepthBuffer, DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 
 /// What the pixels of a triangle are set to where they are nearer than the depth buffer.
@@ -46,17 +48,19 @@ pub(crate) trait RowFill {
 }
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
-/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`.
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the
+/// triangle probably has rows outside the scissor, so the [`Small`] tier is not tried.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,
     color: T::Color,
     scissor: &Scissor,
+    is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
     let cell: <T::Store as PixelStore>::Cell = color.stored();
-    fill_nearer(triangle, [cell; 2], scissor, depth, target)
+    fill_nearer(triangle, [cell; 2], scissor, is_clipped, depth, target)
 }
 
 /// [`triangle_nearer`] with any [`DepthFill`] in place of one colour.
@@ -65,11 +69,15 @@ pub(super) fn fill_nearer<T: Target, F: DepthFill<<T::Store as PixelStore>::Cell
     triangle: &DepthTriangle<'_>,
     fill: F,
     scissor: &Scissor,
+    is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
-    fill_small(memory, triangle, scissor, depth.buffer, fill);
+    match is_clipped {
+        true => fill_low(memory, triangle, scissor, depth.buffer, fill),
+        false => fill_small(memory, triangle, scissor, depth.buffer, fill),
+    }
     true
 }
 
@@ -205,13 +213,29 @@ impl<Cell: Copy> RowFill for SolidRows<'_, Cell> {
         let first = z.wrapping_add(step.wrapping_mul(left as u32));
         // If the row ends before it begins, the difference wraps to more than any slice has.
         let width = right.wrapping_sub(left) as usize;
-        if let (Some(run), Some(depths)) = (cells.get_mut(from..), depths.get_mut(from..)) {
-            if let (Some(run), Some(depths)) = (run.get_mut(..width), depths.get_mut(..width)) {
-                fill_row(run, depths, first, *step, *pair);
-            }
+        if let Some((run, depths)) = part(cells, depths, from, width) {
+            fill_row(run, depths, first, *step, *pair);
         }
         *z = z.wrapping_add(*down);
     }
+}
+
+/// `width` cells and depths from index `from` on, if there are as many. Both slices have equal lengths.
+///
+/// One check after the other: at opt-level "s" LLVM makes of checks in pairs a selection between a pointer and null, and then
+/// recomputes the lengths from pointers for each row.
+#[inline(always)]
+fn part<'r, Cell>(
+    cells: &'r mut [Cell],
+    depths: &'r mut [u16],
+    from: usize,
+    width: usize,
+) -> Option<(&'r mut [Cell], &'r mut [u16])> {
+    let cells = cells.get_mut(from..)?;
+    let cells = cells.get_mut(..width)?;
+    let depths = depths.get_mut(from..)?;
+    let depths = depths.get_mut(..width)?;
+    Some((cells, depths))
 }
 
 #[inline(always)]
@@ -262,29 +286,47 @@ fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, ste
         (run.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
     for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
         if is_clear(depths) {
-            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixels| *pixels = pair);
-            for stored in depths {
+            fill_eight(pixels, pair);
+            each8(depths, |stored| {
                 *stored = (z >> 16) as u16;
                 z = z.wrapping_add(step);
-            }
-        } else {
+            });
+        } else if CORTEX_M0 {
             // `opaque`: the depths are loaded again, because the branch above needs the registers.
             z = fill_each(pixels, opaque(depths), z, step, cell);
+        } else {
+            fill_mixed(pixels, depths, z, step, cell);
+            z = z.wrapping_add(step.wrapping_mul(BLOCK as u32));
         }
         keep_rolled();
     }
     fill_each(rest, depth_rest, z, step, cell);
 }
 
+/// Fills a block where the depth buffer is not clear everywhere. Not on a Cortex-M0, which has no registers to keep: a call takes
+/// 5 % more of S2 there.
+#[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
+#[inline(never)]
+fn fill_mixed<Cell: Copy>(
+    pixels: &mut [Cell; BLOCK],
+    depths: &mut [u16; BLOCK],
+    z: u32,
+    step: u32,
+    cell: Cell,
+) {
+    fill_each(pixels, depths, z, step, cell);
+}
+
 /// Whether the depth buffer is clear at all of these pixels.
 #[inline(always)]
 pub(super) fn is_clear(depths: &[u16; BLOCK]) -> bool {
+    let &[a, b, c, d, e, f, g, h] = depths;
     if CORTEX_M0 {
-        return depths.iter().fold(u16::MAX, |all, &depth| all & depth) == u16::MAX;
+        return a & b & c & d & e & f & g & h == u16::MAX;
     }
     // In pairs, so that each is loaded as one word.
-    let pairs = depths.as_chunks::<2>().0.iter().map(|&[a, b]| u32::from(a) | u32::from(b) << 16);
-    pairs.fold(u32::MAX, |all, pair| all & pair) == u32::MAX
+    let pair = |low: u16, high: u16| u32::from(low) | u32::from(high) << 16;
+    pair(a, b) & pair(c, d) & pair(e, f) & pair(g, h) == u32::MAX
 }
 
 /// The depth test for one pixel: sets `pixel` and its `stored` depth if `z`, in 16.16, is nearer.

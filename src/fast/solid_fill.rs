@@ -14,16 +14,21 @@ use crate::raster::{AnyTriangle, PixelLayout, Scissor, ScreenPoint, Trapezoid, T
 use crate::surface::block_fill::{fill_pairs, LONG};
 use crate::surface::{PixelRows, PixelStore, StoredPixel, Target};
 
-/// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`.
+/// Fills a triangle, if the target's pixels lie in memory; otherwise draws nothing and returns `false`. `is_clipped`: the
+/// triangle probably has rows outside the scissor, so the [`Small`] tier is not tried.
 #[inline(always)]
 pub(crate) fn triangle<T: Target>(
     triangle: &Triangle<'_>,
     color: T::Color,
     scissor: &Scissor,
+    is_clipped: bool,
     target: &mut T,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    fill_small(memory, triangle, scissor, [color.stored(); 2]);
+    match is_clipped {
+        true => fill_low(memory, triangle, scissor, [color.stored(); 2]),
+        false => fill_small(memory, triangle, scissor, [color.stored(); 2]),
+    }
     true
 }
 

@@ -10,22 +10,25 @@ use super::depth_fill::{fill_nearer, is_clear, same_length, DepthFill, RowFill, 
 use super::{depth_and_light_gradients, RowOrigin};
 use crate::math::cores::CORTEX_M0;
 use crate::math::hints::{keep_branch, keep_rolled, opaque};
+use crate::math::unrolled::zip8;
 use crate::raster::{DepthTriangle, Gradient, Scissor};
 use crate::shading::TableShader;
 use crate::surface::{DepthTarget, StoredPixel, Target};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// Fills a triangle where it is nearer than the depth buffer, if the target's pixels lie in memory and the depth buffer
-/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`.
+/// [has their layout](DepthTarget::is_aligned); otherwise draws nothing and returns `false`. `is_clipped`: the
+/// triangle probably has rows outside the scissor.
 #[inline(always)]
 pub(crate) fn triangle_nearer<T: Target>(
     triangle: &DepthTriangle<'_>,
     shader: &TableShader<'_, T::Color>,
     scissor: &Scissor,
+    is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> bool {
-    fill_nearer(triangle, shader, scissor, depth, target)
+    fill_nearer(triangle, shader, scissor, is_clipped, depth, target)
 }
 
 impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
@@ -50,10 +53,10 @@ impl<C: StoredPixel<Cell>, Cell: Copy> DepthFill<Cell> for &TableShader<'_, C> {
         Self: 'a,
     {
         let (cells, depths) = same_length(cells, depths);
-        *gradients = gradients.map(|gradient| gradient.sheared(shear));
-        let [depth, light] = &*gradients;
+        let [depth, light] = gradients;
+        (*depth, *light) = (depth.sheared(shear), light.sheared(shear));
         let steps = Steps { colors: self.colors(), depth: depth.step(), light: light.step() };
-        TableRows { steps, cells, depths, gradients, z: depth.at(x, y), light: light.at(x, y) }
+        TableRows { steps, cells, depths, z: depth.at(x, y), light: light.at(x, y), gradients }
     }
 }
 
@@ -155,6 +158,16 @@ impl<C: PixelColor> Steps<'_, C> {
         (z, light)
     }
 
+    /// Fills a block where the depth buffer is not clear everywhere. Not on a Cortex-M0, which has no registers to keep.
+    #[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
+    #[inline(never)]
+    fn fill_mixed<Cell>(&self, pixels: &mut [Cell; BLOCK], depths: &mut [u16; BLOCK], z: u32, light: u32)
+    where
+        C: StoredPixel<Cell>,
+    {
+        self.fill_each(pixels, depths, z, light);
+    }
+
     /// Fills a long run, eight pixels at once where the depth buffer is still clear, the common case.
     #[inline(always)]
     fn fill_blocks<Cell>(&self, run: &mut [Cell], depths: &mut [u16], mut z: u32, mut light: u32)
@@ -167,14 +180,18 @@ impl<C: PixelColor> Steps<'_, C> {
             (run.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
         for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
             if is_clear(depths) {
-                for (pixel, stored) in pixels.iter_mut().zip(depths) {
+                zip8(pixels, depths, |pixel, stored| {
                     *stored = (z >> 16) as u16;
                     *pixel = TableShader::look_up(self.colors, light).stored();
                     (z, light) = (z.wrapping_add(self.depth), light.wrapping_add(self.light));
-                }
-            } else {
+                });
+            } else if CORTEX_M0 {
                 // `opaque`: the depths are loaded again, because the branch above needs the registers.
                 (z, light) = self.fill_each(pixels, opaque(depths), z, light);
+            } else {
+                self.fill_mixed(pixels, depths, z, light);
+                z = z.wrapping_add(self.depth.wrapping_mul(BLOCK as u32));
+                light = light.wrapping_add(self.light.wrapping_mul(BLOCK as u32));
             }
             keep_rolled();
         }

@@ -32,12 +32,13 @@ pub(crate) fn depth_and_light_gradients(
     depths: &[i32; 3],
     lights: &[i32; 3],
 ) -> [Gradient; 2] {
-    let mut gradients = [Gradient::default(); 2];
-    let [of_depth, of_light] = &mut gradients;
     if !cfg!(pinhole_plain) {
         if let Some(shared) = GradientSetup::of_tiny(triangle, Extent::of(triangle)) {
-            if let Some(gradient) = through_tiny(&shared, depths) {
-                *of_depth = gradient.add_bias(Gradient::DEPTH_BIAS);
+            if let Some(of_depth) = through_tiny(&shared, depths) {
+                let of_depth = of_depth.add_bias(Gradient::DEPTH_BIAS);
+                // Light's place holds depth until light is known: to clear it, opt-level "s" would call `memset`.
+                let mut gradients = [of_depth, of_depth];
+                let [_, of_light] = &mut gradients;
                 match shared.through_exactly(lights) {
                     Some(gradient) => *of_light = gradient.times_64().add_bias(Gradient::LIGHT_BIAS),
                     None => *of_light = Gradient::of_light(triangle, lights),
@@ -46,9 +47,7 @@ pub(crate) fn depth_and_light_gradients(
             }
         }
     }
-    *of_depth = depth_gradient(triangle, depths);
-    *of_light = Gradient::of_light(triangle, lights);
-    gradients
+    [depth_gradient(triangle, depths), Gradient::of_light(triangle, lights)]
 }
 
 /// [`GradientSetup::through_tiny`] in 32 bits, for set-up of a triangle of at most 32 × 32 pixels.

@@ -20,6 +20,7 @@ pub(crate) mod random;
 pub(crate) mod row;
 mod sphere;
 pub(crate) mod unit;
+pub(crate) mod unrolled;
 mod vector;
 
 pub(crate) use affine::{matrix_product, to_scalar};

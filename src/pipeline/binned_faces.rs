@@ -12,6 +12,7 @@ use super::statistics::Statistics;
 use super::vertex_cache::{BinnedVertices, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::clip::Varying;
+use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::shading::SpanShader;
@@ -52,7 +53,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         let Some(face) = self.instance.mesh.faces().get(index) else { return 0 };
         match self.on_screen(face) {
             Some(corners) => {
-                Scissor::bounding_box(&self.unpack(corners).map(|corner| corner.point)).rows().start
+                Scissor::bounding_box(&map3(self.unpack(corners), |corner| corner.point)).rows().start
             }
             None => self.first_row_of_clipped(face),
         }
@@ -184,6 +185,11 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     }
 }
 
+/// Most faces of a band have rows outside it. All of them take the tier of clipped triangles, so that firmware that draws in
+/// bands alone has no code of the tier of inside triangles, some 850 bytes on an M3. In bands of 8 rows trying that tier first would
+/// save 1 % of S3's instructions, in bands of 16 rows 3 %.
+const IN_BAND: bool = true;
+
 /// The binned faces that a band may meet, in the order of the mesh.
 struct BandSource<'b, 's>(&'b mut Bins<'s>);
 
@@ -231,7 +237,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
         self.each(region, |index, face, triangles| {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-                fill(&triangle.triangle, shader, &region.scissor, band)
+                fill(&triangle.triangle, shader, &region.scissor, IN_BAND, band)
             })
         })
     }
@@ -310,7 +316,7 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
         self.each(region, |index, face, triangles| {
             let shader = shade(index);
             draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-                fill_nearer(triangle, shader, &region.scissor, &mut depth, band)
+                fill_nearer(triangle, shader, &region.scissor, IN_BAND, &mut depth, band)
             })
         })
     }

@@ -120,13 +120,19 @@ impl<'s> Bins<'s> {
     /// The first error of `draw`.
     #[inline(always)]
     pub(super) fn band<E>(&mut self, mut draw: impl FnMut(usize) -> Result<bool, E>) -> Result<(), E> {
-        for (word, bits) in self.active.iter_mut().enumerate() {
-            let mut remaining = *bits;
+        let mut words = self.active.iter_mut().enumerate();
+        // A loop of its own skips words without an active primitive: most words of a band.
+        let is_active = |(_, bits): &(usize, &mut u16)| {
+            keep_rolled();
+            **bits != 0
+        };
+        while let Some((word, bits)) = words.find(is_active) {
+            let mut remaining = u32::from(*bits);
             while remaining != 0 {
                 let lowest = remaining & remaining.wrapping_neg();
                 remaining ^= lowest;
                 if draw(word * 16 + lowest.trailing_zeros() as usize)? {
-                    *bits ^= lowest;
+                    *bits ^= lowest as u16; // one of 16 bits
                 }
             }
         }

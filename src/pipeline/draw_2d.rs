@@ -45,7 +45,7 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
     }
     // The viewport is the guard band and not the target, so that gradients, and so colours, are equal in all bands.
     let triangle = Triangle::new(corners, area, &Scissor::GUARD_BAND);
-    fill(&triangle, &shader, &scissor_of(target), target)
+    fill(&triangle, &shader, &scissor_of(target), false, target)
 }
 
 /// Draws a line, both ends included, by the rules of [`raster`](crate::raster), clipped to the target. Ends are pixels in the

@@ -5,6 +5,7 @@ use super::statistics::Outcome;
 use crate::camera::UnpackedVertex;
 use crate::clip::{SlotOrder, Varying, CLIP_SLOTS};
 use crate::math::hints::keep_rolled;
+use crate::math::unrolled::map3;
 use crate::math::ClipCoords;
 use crate::raster::{self, DepthTriangle, Scissor};
 use crate::shading::Shader;
@@ -235,8 +236,8 @@ fn set_triangle<const DEPTH: bool>(
     corners: &[UnpackedVertex; 3],
     area: i64,
 ) {
-    triangle.triangle.set(corners.map(|corner| corner.point), area);
+    triangle.triangle.set(map3(*corners, |corner| corner.point), area);
     if DEPTH {
-        triangle.depths = corners.map(|corner| corner.depth);
+        triangle.depths = map3(*corners, |corner| corner.depth);
     }
 }

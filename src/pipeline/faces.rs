@@ -16,6 +16,7 @@ use super::vertex_cache::{area, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::clip::Varying;
 use crate::fast;
+use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
 use crate::shading::{CornerValues, Shader, SpanShader};
@@ -66,7 +67,7 @@ pub(super) fn each_face<
                 let transform = &instance.vertex_transform;
                 triangles
                     .fan
-                    .set_unclipped::<DEPTH>(&corners.map(|corner| transform.unpack::<DEPTH>(corner)), area);
+                    .set_unclipped::<DEPTH>(&map3(corners, |corner| transform.unpack::<DEPTH>(corner)), area);
             }
             None => {
                 let outcome = cache.view_with_corners(face).clip_face(face, &mut triangles);
@@ -145,7 +146,7 @@ pub(super) fn solid<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::Color>, 
     each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
         let shader = shade(index);
         draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-            fill(&triangle.triangle, shader, &region.scissor, target)
+            fill(&triangle.triangle, shader, &region.scissor, false, target)
         })?;
         Ok(true)
     })
@@ -166,7 +167,7 @@ pub(super) fn depth_tested<'a, V: Coordinate + 'a, T: Target, S: SpanShader<T::C
     each_face(source, &mut cache, &region.viewport, |index, face, triangles| {
         let shader = shade(index);
         draw_triangles(instance, face, triangles, &shader, |triangle, shader| {
-            fill_nearer(triangle, shader, &region.scissor, &mut depth, target)
+            fill_nearer(triangle, shader, &region.scissor, false, &mut depth, target)
         })?;
         Ok(true)
     })

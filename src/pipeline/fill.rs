@@ -10,19 +10,21 @@ use crate::shading::SpanShader;
 use crate::surface::{drawable, DepthTarget, PixelStore, StoredPixel, Target};
 use core::cell::Cell;
 
-/// Fills the pixels of a triangle inside the scissor, which lies in the target.
+/// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: the triangle
+/// probably has rows outside the scissor, as most have in a band; a constant on which no pixel depends.
 #[inline(always)]
 pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
     shader: &S,
     scissor: &Scissor,
+    is_clipped: bool,
     target: &mut T,
 ) -> Result<(), T::Error> {
     if S::READS_PIXELS {
         return blend(triangle, shader, scissor, target);
     }
     if let Some(color) = shader.solid_color() {
-        if solid_fill::triangle(triangle, color, scissor, target) {
+        if solid_fill::triangle(triangle, color, scissor, is_clipped, target) {
             return Ok(());
         }
         return fill_spans(triangle, color, scissor, target);
@@ -46,12 +48,13 @@ fn fill_spans<T: Target>(
 }
 
 /// Fills the pixels of a triangle inside the scissor that are nearer than the depth buffer. The scissor lies in the target and
-/// in the depth buffer.
+/// in the depth buffer. `is_clipped` is that of [`fill`].
 #[inline(always)]
 pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
     shader: &S,
     scissor: &Scissor,
+    is_clipped: bool,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
@@ -59,13 +62,13 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
         return blend_nearer(triangle, shader, scissor, depth, target);
     }
     if let Some(color) = shader.solid_color() {
-        if depth_fill::triangle_nearer(triangle, color, scissor, depth, target) {
+        if depth_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target) {
             return Ok(());
         }
         return fill_spans_nearer(triangle, color, scissor, depth, target);
     }
     if let Some(shader) = shader.table() {
-        if table_fill::triangle_nearer(triangle, &shader, scissor, depth, target) {
+        if table_fill::triangle_nearer(triangle, &shader, scissor, is_clipped, depth, target) {
             return Ok(());
         }
     }
@@ -372,15 +375,16 @@ mod tests {
             let (flat, mut depth) = (&triangle.triangle, DepthTarget::new(depth, target));
             let depth = &mut depth;
             let [from, to, _] = self.points.map(|point| point.pixel());
+            let is_clipped = area & 1 == 0; // no pixel depends on it
             let Ok(()) = match self.kind {
                 0 => line(target, from, to, &scissor, color),
                 _ if area == 0 => Ok(()),
-                1 => fill(flat, &color, &scissor, target),
-                2 => fill(flat, &table, &scissor, target),
-                3 => fill(flat, &smooth, &scissor, target),
-                4 => fill_nearer(&triangle, &color, &depth_scissor, depth, target),
-                5 => fill_nearer(&triangle, &table, &depth_scissor, depth, target),
-                _ => fill_nearer(&triangle, &smooth, &depth_scissor, depth, target),
+                1 => fill(flat, &color, &scissor, is_clipped, target),
+                2 => fill(flat, &table, &scissor, is_clipped, target),
+                3 => fill(flat, &smooth, &scissor, is_clipped, target),
+                4 => fill_nearer(&triangle, &color, &depth_scissor, is_clipped, depth, target),
+                5 => fill_nearer(&triangle, &table, &depth_scissor, is_clipped, depth, target),
+                _ => fill_nearer(&triangle, &smooth, &depth_scissor, is_clipped, depth, target),
             };
         }
     }

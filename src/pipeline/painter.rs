@@ -162,7 +162,7 @@ impl<S: Copy> PaintersOrder<'_, S> {
                 .map(|i| self.vertices.get(usize::from(i)).map_or(ScreenPoint::ORIGIN, |c| c.point()));
             if !Scissor::bounding_box(&points).intersection(&region.scissor).is_empty() {
                 let triangle = Triangle::new(points, raster::area(&points), &region.viewport);
-                fill(&triangle, &face.shader, &region.scissor, target)?;
+                fill(&triangle, &face.shader, &region.scissor, false, target)?;
             }
             at = face.next;
         }

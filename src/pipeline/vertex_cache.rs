@@ -6,6 +6,7 @@
 use super::instance::MeshInstance;
 use crate::camera::{ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::math::hints::{keep_rolled, opaque};
+use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{self, ScreenPoint};
 
@@ -193,7 +194,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     #[inline(always)]
     pub(super) fn on_screen(&self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
         let corners = self.cached(face)?;
-        corners.iter().all(|corner| corner.is_on_screen()).then_some(corners.map(|corner| *corner))
+        let [a, b, c] = corners;
+        (a.is_on_screen() && b.is_on_screen() && c.is_on_screen()).then_some([*a, *b, *c])
     }
 
     #[inline(always)]
@@ -205,7 +207,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// The corners as 24.8 points, with their depths.
     #[inline(always)]
     pub(super) fn unpack(&self, corners: [ScreenVertex; 3]) -> [UnpackedVertex; 3] {
-        corners.map(|corner| self.instance.vertex_transform.unpack::<DEPTH>(corner))
+        map3(corners, |corner| self.instance.vertex_transform.unpack::<DEPTH>(corner))
     }
 }
 
@@ -219,7 +221,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     fn reload_corners(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
         if DEPTH {
             // With depth, culling needs the registers of the corners: load the corners again.
-            return Some(self.cached(opaque(face))?.map(|corner| *corner));
+            return self.cached(opaque(face)).map(|[a, b, c]| [*a, *b, *c]);
         }
         Some(corners)
     }
@@ -347,7 +349,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
 /// Twice the signed area of a face with these corners, positive if they are counter-clockwise with y up.
 #[inline(always)]
 pub(super) fn area<const DEPTH: bool>(corners: &[ScreenVertex; 3]) -> i64 {
-    raster::area(&corners.map(|corner| corner.offset::<DEPTH>()))
+    raster::area(&map3(*corners, |corner| corner.offset::<DEPTH>()))
 }
 
 #[inline(never)] // the transform gets all registers

@@ -1,6 +1,7 @@
 //! Borrowed triangle meshes.
 
 use crate::math::num::{scale, sqrt};
+use crate::math::unrolled::map3;
 use crate::math::{Coordinate, Point3, Scalar, Sphere};
 
 /// A triangle mesh over borrowed data, checked once when it is made. Made in a `const`, it lives in flash.
@@ -532,7 +533,7 @@ impl<'a, V> Mesh<'a, V> {
     /// ```
     pub fn corners_of<T: Copy + Default>(&self, face: usize, of_vertices: &[T]) -> [T; 3] {
         let at = |index: u16| of_vertices.get(usize::from(index)).copied().unwrap_or_default();
-        self.faces.get(face).map_or_else(|| [T::default(); 3], |corners| corners.map(at))
+        self.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
     }
 
     /// The exponent of the vertices' unit: model coordinate = vertex · 2^exponent, of the bits of [`Scalar`] vertices.

@@ -2,6 +2,7 @@
 
 use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
+use crate::math::unrolled::map3;
 use crate::math::{to_q15, Affine, NormalMatrix, Vector3};
 use crate::space::{Model, World};
 
@@ -110,7 +111,8 @@ impl Lambert {
     /// The light for a normal in the space of the light direction.
     #[inline(always)]
     fn level_in_light_space(&self, a: i16, b: i16, c: i16) -> u16 {
-        let ([a, b, c], [x, y, z]) = ([a, b, c].map(i32::from), self.towards.map(i32::from));
+        let (a, b, c) = (i32::from(a), i32::from(b), i32::from(c));
+        let [x, y, z] = map3(self.towards, i32::from);
         // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹. The larger the ambient part, the shorter is l: so the sum with
         // the ambient part stays below 2³².
         let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);

@@ -2,6 +2,7 @@
 
 use super::levels::luma;
 use super::Channels;
+use crate::math::unrolled::map3;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
 /// A colour in 256 levels of light, computed once and looked up at every pixel: the fastest smooth light. The table takes 256
@@ -61,10 +62,10 @@ impl<C> ShadeTable<C> {
     pub fn lit(&self, mut levels: [u16; 3]) -> TableShader<'_, C> {
         let [a, b, c] = levels;
         if a | b | c >= 256 {
-            levels = levels.map(|level| level.min(256)); // few faces have such light
+            levels = map3(levels, |level| level.min(256)); // few faces have such light
         }
         // level · 255/256, in 2⁻¹⁰.
-        TableShader { colors: &self.0, light: levels.map(|level| i32::from(level) * (255 << 2)) }
+        TableShader { colors: &self.0, light: map3(levels, |level| i32::from(level) * (255 << 2)) }
     }
 }
 

@@ -41,14 +41,21 @@ pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_
         if may_be_long && run.len() >= LONG as usize {
             let (blocks, rest) = run.split_at_mut(run.len() & !31);
             for block in blocks.chunks_exact_mut(32) {
-                block.chunks_exact_mut(2).for_each(|cells| cells.copy_from_slice(&pair));
+                if let [a, b, c, d] = block.as_chunks_mut::<8>().0 {
+                    fill_eight(a, pair);
+                    fill_eight(b, pair);
+                    fill_eight(c, pair);
+                    fill_eight(d, pair);
+                }
                 keep_rolled();
             }
             run = rest;
         }
         if !may_be_long && run.len() >= 16 {
             let (eight, rest) = run.split_at_mut(8);
-            eight.chunks_exact_mut(2).for_each(|cells| cells.copy_from_slice(&pair));
+            if let [a, b, c, d, e, f, g, h] = eight {
+                [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [pair; 4];
+            }
             run = rest;
         }
         while let [a, b, c, d, e, f, g, h, rest @ ..] = run {
@@ -69,12 +76,19 @@ pub(crate) fn fill_pairs<Cell: Copy>(mut run: &mut [Cell], pair: [Cell; 2], may_
     }
 }
 
+/// Sets eight cells, two at once if they have 16 bits.
+#[inline(always)]
+pub(crate) fn fill_eight<Cell: Copy>([a, b, c, d, e, f, g, h]: &mut [Cell; 8], pair: [Cell; 2]) {
+    [[*a, *b], [*c, *d], [*e, *f], [*g, *h]] = [pair; 4];
+}
+
 /// Fills a slice that is not part of a drawing loop, such as a whole picture.
 pub(super) fn clear<Cell: Copy>(cells: &mut [Cell], cell: Cell) {
     fill(cells, cell);
 }
 
-/// Fills a slice of words in blocks of 64, which LLVM stores by instructions for several words.
+/// Fills a slice of words in blocks of 64, which LLVM stores by instructions for several words. The stores of a block are
+/// written out: as a loop over its words, opt-level "s" would store one word a turn.
 ///
 /// `opaque` keeps LLVM from turning the loop into a call of `memset`, which takes up to three times as long on a Cortex-M.
 pub(super) fn fill_words(words: &mut [u32], word: u32) {
@@ -86,13 +100,28 @@ pub(super) fn fill_words(words: &mut [u32], word: u32) {
         // The compiler does not know that the words of this block are equal, so it copies four at a time, by one `stm`.
         let source = opaque([word; 16]);
         for block in blocks {
-            block.as_chunks_mut().0.iter_mut().for_each(|words| *words = source);
+            if let [a, b, c, d] = block.as_chunks_mut().0 {
+                (*a, *b, *c, *d) = (source, source, source, source);
+            }
             keep_rolled();
         }
     } else {
-        blocks.iter_mut().for_each(|block| block.fill(opaque(word)));
+        for block in blocks {
+            let word = opaque(word);
+            if let [a, b, c, d] = block.as_chunks_mut().0 {
+                fill_sixteen(a, word);
+                fill_sixteen(b, word);
+                fill_sixteen(c, word);
+                fill_sixteen(d, word);
+            }
+        }
     }
     rest.fill(word);
+}
+
+#[inline(always)]
+fn fill_sixteen([a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]: &mut [u32; 16], word: u32) {
+    [[*a, *b, *c, *d], [*e, *f, *g, *h], [*i, *j, *k, *l], [*m, *n, *o, *p]] = [[word; 4]; 4];
 }
 
 #[cfg(test)]

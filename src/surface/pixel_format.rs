@@ -1,7 +1,7 @@
 //! Pixels as bits, in the order in which displays take them, and functions that write and read rows of them.
 
 use super::stored_pixel::StoredPixel;
-use crate::math::hints::keep_rolled;
+use crate::math::hints::{keep_rolled, opaque};
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU1, RawU16, RawU2, RawU24, RawU4, RawU8};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666,
@@ -190,14 +190,16 @@ fn fill_blocks<const N: usize, const M: usize>(mut run: &mut [u8], pixel: [u8; N
     if cfg!(pinhole_plain) {
         return run.chunks_exact_mut(N).for_each(|bytes| put(bytes, pixel));
     }
+    let word = opaque(word); // else LLVM calls `memset` for each block of black
     if run.len() >= 64 * N {
         let (rest, blocks) = run.split_at_mut(run.len() % (32 * N));
         for block in blocks.chunks_exact_mut(32 * N) {
             let (a, b) = block.split_at_mut(16 * N);
             let ((a, b), (c, d)) = (a.split_at_mut(8 * N), b.split_at_mut(8 * N));
-            for eight in [a, b, c, d] {
-                eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, word));
-            }
+            put_eight(a, word);
+            put_eight(b, word);
+            put_eight(c, word);
+            put_eight(d, word);
             keep_rolled();
         }
         run = rest;
@@ -208,8 +210,22 @@ fn fill_blocks<const N: usize, const M: usize>(mut run: &mut [u8], pixel: [u8; N
         keep_rolled();
     }
     for eight in eights.chunks_exact_mut(8 * N) {
-        eight.chunks_exact_mut(M).for_each(|bytes| put(bytes, word));
+        put_eight(eight, word);
         keep_rolled();
+    }
+}
+
+/// Sets eight pixels, which are two, four or eight words, without a loop.
+#[inline(always)]
+fn put_eight<const M: usize>(eight: &mut [u8], word: [u8; M]) {
+    match eight.as_chunks_mut().0 {
+        [a, b] => (*a, *b) = (word, word),
+        [a, b, c, d] => (*a, *b, *c, *d) = (word, word, word, word),
+        [a, b, c, d, e, f, g, h] => {
+            (*a, *b, *c, *d) = (word, word, word, word);
+            (*e, *f, *g, *h) = (word, word, word, word);
+        }
+        _ => {}
     }
 }
 
