@@ -133,9 +133,9 @@ fn fill_row<Cell: Copy>(
         if let Some(run) = cells.get_mut(from..from.wrapping_add(width)) {
             fill_pairs(run, pair, may_be_long);
         }
-    } else if let Some(run) = cells.get_mut(from..) {
-        if let Some(run) = run.get_mut(..width) {
-            fill_pairs(run, pair, may_be_long);
-        }
+    } else if let Some(run) = cells.get_mut(from..)
+        && let Some(run) = run.get_mut(..width)
+    {
+        fill_pairs(run, pair, may_be_long);
     }
 }

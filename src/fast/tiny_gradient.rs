@@ -32,20 +32,19 @@ pub(crate) fn depth_and_light_gradients(
     depths: &[i32; 3],
     lights: &[i32; 3],
 ) -> [Gradient; 2] {
-    if !cfg!(pinhole_plain) {
-        if let Some(shared) = GradientSetup::of_tiny(triangle, Extent::of(triangle)) {
-            if let Some(of_depth) = through_tiny(&shared, depths) {
-                let of_depth = of_depth.add_bias(Gradient::DEPTH_BIAS);
-                // Light's place holds depth until light is known: to clear it, opt-level "s" would call `memset`.
-                let mut gradients = [of_depth, of_depth];
-                let [_, of_light] = &mut gradients;
-                match shared.through_exactly(lights) {
-                    Some(gradient) => *of_light = gradient.times_64().add_bias(Gradient::LIGHT_BIAS),
-                    None => *of_light = Gradient::of_light(triangle, lights),
-                }
-                return gradients;
-            }
+    if !cfg!(pinhole_plain)
+        && let Some(shared) = GradientSetup::of_tiny(triangle, Extent::of(triangle))
+        && let Some(of_depth) = through_tiny(&shared, depths)
+    {
+        let of_depth = of_depth.add_bias(Gradient::DEPTH_BIAS);
+        // Light's place holds depth until light is known: to clear it, opt-level "s" would call `memset`.
+        let mut gradients = [of_depth, of_depth];
+        let [_, of_light] = &mut gradients;
+        match shared.through_exactly(lights) {
+            Some(gradient) => *of_light = gradient.times_64().add_bias(Gradient::LIGHT_BIAS),
+            None => *of_light = Gradient::of_light(triangle, lights),
         }
+        return gradients;
     }
     [depth_gradient(triangle, depths), Gradient::of_light(triangle, lights)]
 }

@@ -38,10 +38,10 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
     if area == 0 {
         return Ok(()); // R6
     }
-    if let Some(color) = shader.solid_color().filter(|_| !S::READS_PIXELS) {
-        if solid_fill::triangle_2d(corners, area, color, target) {
-            return Ok(());
-        }
+    if let Some(color) = shader.solid_color().filter(|_| !S::READS_PIXELS)
+        && solid_fill::triangle_2d(corners, area, color, target)
+    {
+        return Ok(());
     }
     // The viewport is the guard band and not the target, so that gradients, and so colours, are equal in all bands.
     let triangle = Triangle::new(corners, area, &Scissor::GUARD_BAND);

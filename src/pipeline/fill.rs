@@ -67,10 +67,10 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
         }
         return fill_spans_nearer(triangle, color, scissor, depth, target);
     }
-    if let Some(shader) = shader.table() {
-        if table_fill::triangle_nearer(triangle, &shader, scissor, is_clipped, depth, target) {
-            return Ok(());
-        }
+    if let Some(shader) = shader.table()
+        && table_fill::triangle_nearer(triangle, &shader, scissor, is_clipped, depth, target)
+    {
+        return Ok(());
     }
     let setup = shader.set_up(&triangle.triangle);
     if shaded_fill::triangle_nearer(triangle, scissor, depth, target, |span| S::span(&setup, span)) {
