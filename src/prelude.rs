@@ -33,6 +33,6 @@ pub use crate::shading::{
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, Memory, Picture, PictureError,
-    PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
+    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
 };
