@@ -24,8 +24,8 @@ pub use camera::{
     Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 pub use math::{
-    Affine, Angle, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMatrix, NumberError,
-    Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
+    Affine, Angle, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix,
+    NumberError, Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshInstance, Painter, PainterError,

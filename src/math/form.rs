@@ -12,13 +12,34 @@ pub(crate) struct ClipCoords {
 
 /// A type of vertex coordinates: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`], ±32768 in steps of 2⁻¹⁶. Sealed: no
 /// other type can implement it.
-pub trait Coordinate: Copy + sealed::Sealed {
+pub trait Coordinate: Copy + core::fmt::Debug + sealed::Sealed {
     /// The coordinate times a power of two.
     #[doc(hidden)]
     fn times(self, factor: i32) -> i32;
     /// Whether the coordinate has 16 bits.
     #[doc(hidden)]
     const NARROW: bool;
+    /// The type in which a mesh stores coordinates: the type itself, but for [`Inside`].
+    #[doc(hidden)]
+    type Stored: Coordinate<Stored = Self::Stored>;
+    /// Whether faces and edges are clipped.
+    #[doc(hidden)]
+    const CLIPS: bool = true;
+}
+
+/// Marks a [`MeshInstance`](crate::MeshInstance) that is not clipped, as its second parameter: `MeshInstance<Inside<i16>>`.
+/// [`MeshInstance::without_clipping`](crate::MeshInstance::without_clipping) makes it. No value of this type exists.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Inside<V>(core::marker::PhantomData<V>);
+
+impl<V: Coordinate> Coordinate for Inside<V> {
+    fn times(self, _: i32) -> i32 {
+        0 // never called: a mesh stores `Stored`
+    }
+    const NARROW: bool = V::NARROW;
+    type Stored = V::Stored;
+    const CLIPS: bool = false;
 }
 
 impl Coordinate for i16 {
@@ -26,6 +47,7 @@ impl Coordinate for i16 {
         i32::from(self).wrapping_mul(factor) // `Mesh` bounds the factor so that no bit is lost
     }
     const NARROW: bool = true;
+    type Stored = Self;
 }
 
 impl Coordinate for Scalar {
@@ -33,11 +55,13 @@ impl Coordinate for Scalar {
         self.to_bits().wrapping_mul(factor) // `Mesh` bounds the factor so that no bit is lost
     }
     const NARROW: bool = false;
+    type Stored = Self;
 }
 
 mod sealed {
     pub trait Sealed {}
     impl Sealed for i16 {}
+    impl<V> Sealed for super::Inside<V> {}
     impl Sealed for super::Scalar {}
 }
 

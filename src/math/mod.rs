@@ -30,7 +30,7 @@ pub use clip_point::{ClipPoint, Outcode};
 pub(crate) use cores::LinearForm;
 pub(crate) use determinant::determinant;
 pub(crate) use form::ClipCoords;
-pub use form::Coordinate;
+pub use form::{Coordinate, Inside};
 pub(crate) use normal::to_q15;
 pub use normal::NormalMatrix;
 pub use number::{NumberError, Scalar};

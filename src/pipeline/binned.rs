@@ -10,7 +10,7 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible primitives of a mesh, binned by their first rows, and the vertices that they are drawn from.
 #[derive(Debug)]
-pub(super) struct Binned<'a, V, const DEPTH: bool> {
+pub(super) struct Binned<'a, V: Coordinate, const DEPTH: bool> {
     pub(super) transformed: TransformedMesh<'a, V, DEPTH>,
     pub(super) bins: Bins<'a>,
     pub(super) statistics: Statistics,

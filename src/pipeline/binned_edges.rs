@@ -16,7 +16,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// The visible edges of a mesh, binned by their first rows: each band draws only the edges that lie in it.
 /// [`TransformedMesh::bin_edges`] makes it and has an example.
 #[derive(Debug)]
-pub struct BinnedEdges<'a, V = i16, const DEPTH: bool = false>(Binned<'a, V, DEPTH>);
+pub struct BinnedEdges<'a, V: Coordinate = i16, const DEPTH: bool = false>(Binned<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Sorts the visible edges by their first row, for drawing in bands. `storage` is bin storage that the result borrows. It
@@ -217,7 +217,7 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
 }
 
 #[cfg(feature = "defmt")]
-impl<V, const DEPTH: bool> defmt::Format for BinnedEdges<'_, V, DEPTH> {
+impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedEdges<'_, V, DEPTH> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let Self(Binned { bins, statistics, .. }) = self;
         defmt::write!(f, "edges within {}: {}", bins.bounds(), statistics);

@@ -24,7 +24,7 @@ use embedded_graphics_core::primitives::Rectangle;
 /// faces that lie in it. [`TransformedMesh::bin_faces`] makes it; [`MeshInstance::transform`](crate::MeshInstance::transform)
 /// has an example.
 #[derive(Debug)]
-pub struct BinnedFaces<'a, V = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
+pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
 
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Culls the faces and sorts the visible ones by their first row, for drawing in bands. `storage` is bin storage that the
@@ -332,14 +332,14 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
     #[inline(never)] // its stack frame does not exist while the bins advance
     fn store_depth(&mut self, region: &DrawRegion, depth: &mut DepthBuffer<'_>) {
         let Ok(()) = self.each(region, |_, _, triangles| {
-            store_depth(triangles, &region.scissor, depth);
+            store_depth::<V>(triangles, &region.scissor, depth);
             Ok::<(), Infallible>(())
         });
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<V, const DEPTH: bool> defmt::Format for BinnedFaces<'_, V, DEPTH> {
+impl<V: Coordinate, const DEPTH: bool> defmt::Format for BinnedFaces<'_, V, DEPTH> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let Self(Binned { bins, statistics, .. }) = self;
         defmt::write!(f, "faces within {}: {}", bins.bounds(), statistics);

@@ -1,9 +1,9 @@
 //! Clipping in clip space: the slow path for points, edges and faces with a vertex that is not on the screen.
 
-use super::cull::Cull;
+use super::cull::{Cull, Facing};
 use super::face_triangles::{FaceTriangles, Fan};
 use super::statistics::{Outcome, Statistics};
-use super::vertex_cache::TransformedMesh;
+use super::vertex_cache::{area, TransformedMesh};
 use crate::camera::{DepthOf, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::clip::{self, ClipCorners, Varying, CLIP_SLOTS};
 use crate::fast;
@@ -138,6 +138,9 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         if vertex.is_on_screen() {
             return Some(self.instance.vertex_transform.unpack::<DEPTH>(vertex));
         }
+        if !V::CLIPS {
+            return None;
+        }
         let mut slots = [ClipCoords::ZERO];
         let clipper = self.clipper(&[index], &mut slots, None);
         (clipper.planes_outside(0) == 0).then(|| clipper.to_screen(0))
@@ -150,7 +153,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         if ends.iter().all(|end| end.is_on_screen()) {
             Some(ends.map(|end| self.instance.vertex_transform.unpack::<DEPTH>(end)))
         } else {
-            statistics.count_edge(self.clip_edge(edge))
+            statistics.count_edge(if V::CLIPS { self.clip_edge(edge) } else { None })
         }
     }
 
@@ -178,7 +181,23 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         face: &[u16; 3],
         triangles: &mut FaceTriangles<'_, K>,
     ) -> Outcome {
+        if !V::CLIPS {
+            return self.face_on_screen(face, &mut triangles.fan);
+        }
         self.clip_with(face, &mut triangles.fan, &mut triangles.varyings)
+    }
+
+    /// [`clip_face`](Self::clip_face) for an instance that is not clipped: a face with a corner elsewhere is not drawn.
+    fn face_on_screen(&self, face: &[u16; 3], fan: &mut Fan<'_>) -> Outcome {
+        let Some(corners) = self.uncached_corners(face) else { return Outcome::Outside };
+        let area = area::<DEPTH>(&corners);
+        match self.instance.cull.facing(area) {
+            Facing::Front => {}
+            Facing::Away => return Outcome::Culled,
+            Facing::EdgeOn => return Outcome::Degenerate,
+        }
+        fan.set_unclipped::<DEPTH>(&self.unpack(corners), area);
+        Outcome::Unclipped
     }
 
     /// Most faces that come here have all corners outside of one plane.

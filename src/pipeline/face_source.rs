@@ -5,6 +5,7 @@
 use super::instance::MeshInstance;
 use crate::camera::PlaneEye;
 use crate::math::hints::keep_rolled;
+use crate::math::Coordinate;
 
 /// Pushes faces of a mesh into the face loop.
 pub(super) trait FaceSource {
@@ -43,7 +44,7 @@ impl FaceSource for MeshOrder {
 
 /// The faces of a mesh, in its order, without those whose planes show that they are back faces: early back-face culling,
 /// before a vertex is transformed.
-pub(super) struct PlaneOrder<'a, V> {
+pub(super) struct PlaneOrder<'a, V: Coordinate> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     pub(super) eye: PlaneEye,
 }
@@ -51,7 +52,7 @@ pub(super) struct PlaneOrder<'a, V> {
 /// The number of faces whose planes are tested together: one bit of a word for each.
 const BATCH: usize = 32;
 
-impl<V> FaceSource for PlaneOrder<'_, V> {
+impl<V: Coordinate> FaceSource for PlaneOrder<'_, V> {
     #[inline(always)]
     fn push<E>(
         self,
@@ -74,7 +75,7 @@ impl<V> FaceSource for PlaneOrder<'_, V> {
     }
 }
 
-impl<V> PlaneOrder<'_, V> {
+impl<V: Coordinate> PlaneOrder<'_, V> {
     /// One bit for each of `count` faces (at most [`BATCH`]), the lowest for face `first`: 0 if the face's plane shows that it
     /// is a back face.
     #[inline(never)] // the loop gets all registers; one copy for all draw calls

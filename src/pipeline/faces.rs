@@ -69,6 +69,10 @@ pub(super) fn each_face<
                     .fan
                     .set_unclipped::<DEPTH>(&map3(corners, |corner| transform.unpack::<DEPTH>(corner)), area);
             }
+            None if !V::CLIPS => {
+                statistics.count(Outcome::Outside);
+                return Ok(true);
+            }
             None => {
                 let outcome = cache.view_with_corners(face).clip_face(face, &mut triangles);
                 statistics.count(outcome);
@@ -90,13 +94,13 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     triangles: &FaceTriangles<'_, S::Varying>,
     shader: &S,
 ) -> S {
-    let shader = triangles.shader(shader);
+    let shader = if V::CLIPS { triangles.shader(shader) } else { *shader };
     if !(S::NEEDS_DEPTH || S::NEEDS_W) {
         return shader;
     }
     let w = if !S::NEEDS_W {
         [1; 3]
-    } else if triangles.fan.is_cut() {
+    } else if V::CLIPS && triangles.fan.is_cut() {
         triangles.fan.clip_w()
     } else {
         let vertices = instance.mesh.vertices();
@@ -120,14 +124,14 @@ pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
     loop {
         // The common case passes the face's shader by reference: no copy.
         let own;
-        let shader = if triangles.fan.is_cut() || S::NEEDS_DEPTH || S::NEEDS_W {
+        let shader = if V::CLIPS && triangles.fan.is_cut() || S::NEEDS_DEPTH || S::NEEDS_W {
             own = triangle_shader(instance, face, triangles, shader);
             &own
         } else {
             shader
         };
         draw(triangles.fan.triangle(), shader)?;
-        if !triangles.fan.advance() {
+        if !V::CLIPS || !triangles.fan.advance() {
             return Ok(());
         }
     }
@@ -182,7 +186,7 @@ pub(super) fn depth_only<'a, V: Coordinate + 'a>(
     depth: &mut DepthBuffer<'_>,
 ) -> Statistics {
     let Ok(statistics) = each_face(source, &mut cache, &region.viewport, |_, _, triangles| {
-        store_depth(triangles, &region.scissor, depth);
+        store_depth::<V>(triangles, &region.scissor, depth);
         Ok::<bool, Infallible>(true)
     });
     statistics
@@ -190,7 +194,7 @@ pub(super) fn depth_only<'a, V: Coordinate + 'a>(
 
 /// Stores the depth of a face's triangles.
 #[inline(always)]
-pub(super) fn store_depth(
+pub(super) fn store_depth<V: Coordinate>(
     triangles: &mut FaceTriangles<'_, ()>,
     scissor: &Scissor,
     depth: &mut DepthBuffer<'_>,
@@ -201,7 +205,7 @@ pub(super) fn store_depth(
         for span in fast::spans(&triangle.triangle, scissor) {
             let Ok(()) = depth.test(span, &gradient, |_| Ok::<(), Infallible>(()));
         }
-        if !triangles.fan.advance() {
+        if !V::CLIPS || !triangles.fan.advance() {
             return;
         }
     }

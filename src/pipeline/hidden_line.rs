@@ -142,7 +142,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         let mut triangles = FaceTriangles::<()>::new(viewport);
         for &face in mesh.edge_faces().get(edge).into_iter().flatten() {
             // NO_FACE is also the index of the last face of a mesh of 65536 faces: no edge can refer to that face.
-            let named = mesh.faces().get(usize::from(face)).filter(|_| face != Mesh::<V>::NO_FACE);
+            let named = mesh.faces().get(usize::from(face)).filter(|_| face != Mesh::<V::Stored>::NO_FACE);
             let Some(face) = named else { continue };
             if !self.clip_face(face, &mut triangles).is_drawn() {
                 continue;
@@ -162,7 +162,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
                     }
                 }
                 number += 1; // fewer than 2·CORNERS
-                if !triangles.fan.advance() {
+                if !V::CLIPS || !triangles.fan.advance() {
                     break;
                 }
             }

@@ -246,7 +246,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     }
 
     /// Reserves the vertices of a mesh, as many as fit, and returns the recorder of its faces.
-    fn begin<V>(
+    fn begin<V: Coordinate>(
         &mut self,
         instance: &MeshInstance<'_, V>,
     ) -> Result<(&mut [ScreenVertex], Recorder<'_, S, FACES>), PainterError> {

@@ -15,7 +15,7 @@ use crate::surface::{DepthBuffer, Target};
 /// A mesh instance whose back faces are culled by their planes, before vertices are transformed.
 /// [`MeshInstance::cull_by_planes`] makes it and has an example.
 #[derive(Clone, Copy, Debug)]
-pub struct PlaneCulled<'a, V = i16> {
+pub struct PlaneCulled<'a, V: Coordinate = i16> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     eye: PlaneEye,
 }
@@ -136,7 +136,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
 }
 
 #[cfg(feature = "defmt")]
-impl<V> defmt::Format for PlaneCulled<'_, V> {
+impl<V: Coordinate> defmt::Format for PlaneCulled<'_, V> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{}, culled by planes", self.instance);
     }

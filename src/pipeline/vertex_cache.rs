@@ -11,7 +11,7 @@ use crate::math::Coordinate;
 use crate::raster::{self, ScreenPoint};
 
 /// A vertex cache, as the face loop sees it.
-pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
+pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
     /// Whether all faces that the loop meets were culled before: then the loop does not test them again.
     const CULLED: bool = false;
 
@@ -41,7 +41,7 @@ pub(super) trait VertexCache<'a, V, const DEPTH: bool> {
 /// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
 /// whenever a face or an edge needs them, and the picture is equal.
 #[derive(Debug)]
-pub struct TransformedMesh<'a, V = i16, const DEPTH: bool = false> {
+pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = false> {
     pub(super) instance: &'a MeshInstance<'a, V>,
     /// Whether the far plane clips.
     pub(super) far: bool,
@@ -49,12 +49,12 @@ pub struct TransformedMesh<'a, V = i16, const DEPTH: bool = false> {
 }
 
 // Not derived: V need not be Clone behind a reference.
-impl<V, const DEPTH: bool> Clone for TransformedMesh<'_, V, DEPTH> {
+impl<V: Coordinate, const DEPTH: bool> Clone for TransformedMesh<'_, V, DEPTH> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<V, const DEPTH: bool> Copy for TransformedMesh<'_, V, DEPTH> {}
+impl<V: Coordinate, const DEPTH: bool> Copy for TransformedMesh<'_, V, DEPTH> {}
 
 impl<V: Coordinate> MeshInstance<'_, V> {
     /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of
@@ -204,6 +204,22 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         Some([corner(a)?, corner(b)?, corner(c)?])
     }
 
+    /// The corners of a face, if they lie on the screen, for an instance that is not clipped: vertices that the cache does not
+    /// hold are transformed again.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn uncached_corners(&self, &[a, b, c]: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
+        let mut corners = [ScreenVertex::EMPTY; 3];
+        for (corner, index) in corners.iter_mut().zip([a, b, c]) {
+            keep_rolled();
+            *corner = self.screen_vertex(index);
+            if !corner.is_on_screen() {
+                return None;
+            }
+        }
+        Some(corners)
+    }
+
     /// The corners as 24.8 points, with their depths.
     #[inline(always)]
     pub(super) fn unpack(&self, corners: [ScreenVertex; 3]) -> [UnpackedVertex; 3] {
@@ -214,12 +230,12 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
 impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for TransformedMesh<'a, V, DEPTH> {
     #[inline(always)]
     fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
-        self.on_screen(face)
+        self.on_screen(face).or_else(|| if V::CLIPS { None } else { self.uncached_corners(face) })
     }
 
     #[inline(always)]
     fn reload_corners(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]> {
-        if DEPTH {
+        if DEPTH && V::CLIPS {
             // With depth, culling needs the registers of the corners: load the corners again.
             return self.cached(opaque(face)).map(|[a, b, c]| [*a, *b, *c]);
         }
@@ -238,14 +254,16 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
 }
 
 /// The cache of faces that were binned, and culled then.
-pub(super) struct BinnedVertices<'a, V, const DEPTH: bool>(pub(super) TransformedMesh<'a, V, DEPTH>);
+pub(super) struct BinnedVertices<'a, V: Coordinate, const DEPTH: bool>(
+    pub(super) TransformedMesh<'a, V, DEPTH>,
+);
 
 impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedVertices<'a, V, DEPTH> {
     const CULLED: bool = true;
 
     #[inline(always)]
     fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
-        self.0.on_screen(face)
+        self.0.corners(face)
     }
 
     #[inline(always)]
@@ -265,7 +283,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
 }
 
 /// A vertex cache that transforms a vertex at its first use.
-pub(super) struct LazyCache<'a, 'c, V, const DEPTH: bool> {
+pub(super) struct LazyCache<'a, 'c, V: Coordinate, const DEPTH: bool> {
     instance: &'a MeshInstance<'a, V>,
     /// Whether the far plane clips.
     far: bool,
@@ -320,8 +338,13 @@ impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
 
 impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCache<'a, '_, V, DEPTH> {
     #[inline(always)]
-    fn corners(&mut self, &[a, b, c]: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
-        Some([self.vertex(a)?, self.vertex(b)?, self.vertex(c)?])
+    fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
+        let &[a, b, c] = face;
+        match (self.vertex(a), self.vertex(b), self.vertex(c)) {
+            (Some(a), Some(b), Some(c)) => Some([a, b, c]),
+            _ if V::CLIPS => None,
+            _ => self.view().uncached_corners(face),
+        }
     }
 
     #[inline(always)]
@@ -361,9 +384,14 @@ fn transform_one<V: Coordinate, const DEPTH: bool>(
 ) {
     let MeshInstance { vertex_transform, mesh, .. } = instance;
     if let Some(vertex) = mesh.vertices().get(usize::from(index)) {
-        *to = match vertex_transform.project::<V, DEPTH>(vertex, vertex_transform.needs_d(DEPTH, far), far) {
+        *to = match vertex_transform.project::<V::Stored, DEPTH>(
+            vertex,
+            vertex_transform.needs_d(DEPTH, far),
+            far,
+        ) {
             Some(vertex) => vertex,
-            None => vertex_transform.without_position(vertex, far),
+            None if V::CLIPS => vertex_transform.without_position(vertex, far),
+            None => ScreenVertex::without_position(ScreenVertex::ASIDE),
         };
     }
 }
@@ -373,7 +401,7 @@ fn transform_one<V: Coordinate, const DEPTH: bool>(
 pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     vertex_transform: &VertexTransform,
     far: bool,
-    vertices: &[[V; 3]],
+    vertices: &[[V::Stored; 3]],
     cache: &mut [ScreenVertex],
 ) {
     // `is_near`: the vertex before lies before the near plane; so does the next one, probably.
@@ -385,6 +413,11 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
             done += transform_run::<V, DEPTH>(vertex_transform, far, vertices, cache);
         }
         let (Some(vertex), Some(packed)) = (vertices.get(done), cache.get_mut(done)) else { return };
+        if !V::CLIPS {
+            *packed = ScreenVertex::without_position(ScreenVertex::ASIDE);
+            done += 1; // not beyond the slices
+            continue;
+        }
         let stored = vertex_transform.without_position(vertex, far);
         let was_near = is_near;
         is_near = stored.planes() == Some(ScreenVertex::NEAR);
@@ -401,7 +434,7 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
 fn transform_run<V: Coordinate, const DEPTH: bool>(
     vertex_transform: &VertexTransform,
     far: bool,
-    vertices: &[[V; 3]],
+    vertices: &[[V::Stored; 3]],
     cache: &mut [ScreenVertex],
 ) -> usize {
     let count = vertices.len().min(cache.len());
@@ -417,7 +450,7 @@ fn transform_run<V: Coordinate, const DEPTH: bool>(
     let mut pairs = pairs(cache, vertices);
     while let Some((packed, vertex)) = pairs.next() {
         keep_rolled();
-        match vertex_transform.project::<V, DEPTH>(vertex, by_d, far) {
+        match vertex_transform.project::<V::Stored, DEPTH>(vertex, by_d, far) {
             Some(vertex) => *packed = vertex,
             None => return count.wrapping_sub(pairs.len() + 1), // not below 0
         }
@@ -484,7 +517,7 @@ impl<A, B> ExactSizeIterator for Pairs<'_, A, B> {
 }
 
 #[cfg(feature = "defmt")]
-impl<V, const DEPTH: bool> defmt::Format for TransformedMesh<'_, V, DEPTH> {
+impl<V: Coordinate, const DEPTH: bool> defmt::Format for TransformedMesh<'_, V, DEPTH> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{}, {=usize} vertices cached", self.instance, self.cache.len());
     }

@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{IntoStorage, Rgb565};
 use embedded_graphics_core::prelude::{RawData, Size};
 use pinhole::space::{Model, World};
 use pinhole::{
-    edge_faces, Affine, Angle, Camera, Cull, DepthBuffer, Mesh, MeshInstance, Painter, Picture, Point3,
-    Projection, Scalar, ScreenVertex, Vector3, ViewTransform, Viewport,
+    edge_faces, Affine, Angle, Camera, Coordinate, Cull, DepthBuffer, Mesh, MeshInstance, Painter, Picture,
+    Point3, Projection, Scalar, ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use support::bridge::draw::Shader;
@@ -106,7 +106,13 @@ fn in_memory(expected: &Pixels, draw: impl FnOnce(&mut Picture<'_, Rgb565>, &mut
     }
 }
 
-fn every_way(rng: &mut Rng, instance: &MeshInstance<'_>, turned: &MeshInstance<'_>) -> [u32; 2] {
+/// Draws in every way, compares, and returns the statistics of faces, and the pixels of solid faces, of faces with depth, of edges
+/// and of hidden lines.
+fn every_way<V: Coordinate>(
+    rng: &mut Rng,
+    instance: &MeshInstance<'_, V>,
+    turned: &MeshInstance<'_, V>,
+) -> (Statistics, [Pixels; 4]) {
     let caches = [VERTICES, 0, rng.int(1, VERTICES as i64 - 1) as usize];
     let [mut full, mut empty, mut short] = caches.map(|length| vec![ScreenVertex::EMPTY; length]);
     let mut statistics = Vec::new();
@@ -192,7 +198,7 @@ fn every_way(rng: &mut Rng, instance: &MeshInstance<'_>, turned: &MeshInstance<'
     assert!(hidden == planes_first);
     let first = statistics[0].expect("drawn");
     assert!(statistics.iter().all(|&counted| counted == Ok(first)), "{statistics:?}");
-    [first.clipped, first.outside]
+    (first, [solid, deep, wire, hidden])
 }
 
 #[test]
@@ -208,7 +214,7 @@ fn meshes_that_are_cut_are_equal_in_every_way_of_drawing() {
     let planes: [i16; FACES] = mesh.face_planes();
     let mesh = mesh.with_planes(&planes).unwrap().with_edges(&torus.edges).unwrap();
     let mesh = mesh.with_edge_faces(&torus.beside).unwrap();
-    let (mut clipped, mut outside) = (0, 0);
+    let (mut clipped, mut outside, mut in_view) = (0, 0, 0);
     for round in 0..150 {
         // Also so near that the guard band cuts, and that positions lie beyond the range of a `ScreenVertex`.
         let (near, angle) = ([0.5, 0.1, 0.004][round % 3], [60, 90, 8][round / 3 % 3]);
@@ -221,8 +227,20 @@ fn meshes_that_are_cut_are_equal_in_every_way_of_drawing() {
         let camera = Camera::new(&view, &lens.unwrap(), &viewport).with_far_clip(true);
         let model = Affine::<Model, World>::rotation_y(Angle::degrees(rng.int(0, 359) as i32));
         let (instance, turned) = (camera.place(&mesh, &model), camera.place(&turned, &model));
-        let counted = every_way(&mut rng, &instance, &turned);
-        (clipped, outside) = (clipped + counted[0], outside + counted[1]);
+        let (counted, pixels) = every_way(&mut rng, &instance, &turned);
+        (clipped, outside) = (clipped + counted.clipped, outside + counted.outside);
+        // Without clipping, faces that would be cut are left out and counted.
+        let (inside, of_inside) =
+            every_way(&mut rng, &instance.without_clipping(), &turned.without_clipping());
+        assert!(inside.clipped == 0 && inside.drawn <= counted.drawn, "{inside:?} {counted:?}");
+        assert!(
+            inside.outside + inside.culled >= counted.outside + counted.clipped,
+            "{inside:?} {counted:?}"
+        );
+        if counted.clipped + counted.outside == 0 && inside.outside == 0 {
+            in_view += 1;
+            assert!(inside == counted && of_inside == pixels);
+        }
     }
-    assert!(clipped > 1000 && outside > 3000, "{clipped} {outside}");
+    assert!(clipped > 1000 && outside > 3000 && in_view > 5, "{clipped} {outside} {in_view}");
 }

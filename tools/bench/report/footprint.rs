@@ -58,10 +58,22 @@ pub(crate) const IMAGES: &[Image] = &[
         goal: None,
         without: NO_FACES,
     },
-    Image { name: "wireframe", says: "wireframe", goal: Some(6 << 10), without: NO_FACES },
-    Image { name: "wireframe_pixels", says: "wireframe, into a DrawTarget in memory", goal: None, without: NO_FACES },
+    Image {
+        name: "wireframe_inside",
+        says: "wireframe, without clipping",
+        goal: Some(6 << 10),
+        without: NO_FACES,
+    },
+    Image { name: "wireframe", says: "wireframe", goal: None, without: NO_FACES },
+    Image {
+        name: "wireframe_pixels",
+        says: "wireframe, into a DrawTarget in memory",
+        goal: None,
+        without: NO_FACES,
+    },
     Image { name: "wireframe_bands", says: "wireframe in bands", goal: None, without: NO_FACES },
     Image { name: "solid", says: "flat faces", goal: None, without: NO_DEPTH },
+    Image { name: "solid_inside", says: "flat faces, without clipping", goal: None, without: NO_DEPTH },
     Image { name: "picture", says: "flat faces, into a picture in memory", goal: None, without: NO_DEPTH },
     Image {
         name: "solid_bands",
@@ -76,6 +88,12 @@ pub(crate) const IMAGES: &[Image] = &[
         without: NO_DEPTH,
     },
     Image { name: "depth", says: "flat faces with depth", goal: Some(10 << 10), without: FLAT },
+    Image {
+        name: "depth_inside",
+        says: "flat faces with depth, without clipping",
+        goal: None,
+        without: FLAT,
+    },
     Image { name: "depth_bands", says: "flat faces with depth in bands", goal: None, without: FLAT },
     Image {
         name: "depth_pixels",

@@ -37,6 +37,7 @@ fn draw<D: DrawTarget<Color: Dim>>(scene: &mut Scene<'_, D::Color>, target: &mut
     let (mesh, wide_mesh) = (scene.mesh, scene.wide_mesh);
     let instance = scene.camera.place(&mesh, &scene.model).with_cull(cull);
     draw_instance(scene, &instance, target);
+    draw_instance(scene, &instance.without_clipping(), target);
     let instance = scene.camera.place(&wide_mesh, &scene.model).with_cull(cull);
     draw_instance(scene, &instance, target);
     match any() {
