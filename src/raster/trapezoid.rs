@@ -44,6 +44,7 @@ impl<E: EdgeWalker> Trapezoid<E> {
     }
 
     /// Calls `draw` with the span of each row that covers a pixel, until it returns an error.
+    #[allow(dead_code)] // only small triangles call it, which a Cortex-M0 and `pinhole_plain` do without
     #[inline(always)]
     pub(crate) fn try_each_span<Error>(
         mut self,
