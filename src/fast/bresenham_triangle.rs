@@ -221,6 +221,7 @@ impl LowSpans {
     }
 
     /// Calls `draw` with each span, until it returns an error.
+    #[allow(dead_code)] // on other cores only tests use this file
     #[inline(always)]
     pub(crate) fn try_each<E>(&mut self, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
         while let Some(span) = self.span() {

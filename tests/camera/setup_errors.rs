@@ -133,13 +133,13 @@ fn no_set_up_panics() {
         ] {
             if let Ok(p) = p.library() {
                 let clip = p.apply(point(a));
-                if let Some(ndc) = clip.ndc() {
-                    if let Ok(v) = Viewport::new(
+                if let Some(ndc) = clip.ndc()
+                    && let Ok(v) = Viewport::new(
                         Point::new(wild(&mut rng) >> 18, wild(&mut rng) >> 18),
                         Size::new(rng.bits() >> 19, rng.bits() >> 19),
-                    ) {
-                        let _ = v.apply(ndc);
-                    }
+                    )
+                {
+                    let _ = v.apply(ndc);
                 }
             }
         }

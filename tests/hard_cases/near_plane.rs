@@ -53,7 +53,7 @@ pub(crate) fn compare(
     compare_mesh(c, far, model, &mesh, &positions, tolerance)
 }
 
-fn compare_mesh<V: Coordinate>(
+fn compare_mesh<V: Coordinate<Stored = V>>(
     c: &CameraBits,
     far: bool,
     model: &ModelBits,

@@ -137,7 +137,7 @@ fn every_way<V: Coordinate>(
     assert!(solid == bands(rng, |band, _| faces.solid(shader, band).expect("drawn")));
     let mut faces = by_planes.bin_faces(&mut full, &mut storage).expect("room");
     assert!(solid == bands(rng, |band, _| faces.solid(shader, band).expect("drawn")));
-    // What is left out is what the turned mesh draws: without culling, no side is known before a face is cut.
+    // Culling leaves out the faces that the turned mesh draws: without culling, no side is known before a face is cut.
     let behind = whole(|target, _| turned.solid(shader, &mut full, target).map(|_| ()).expect("drawn"));
     let both_sides = instance.with_cull(Cull::None);
     let both = whole(|target, _| both_sides.solid(shader, &mut full, target).map(|_| ()).expect("drawn"));

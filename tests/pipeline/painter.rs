@@ -25,10 +25,10 @@ const FACE: [[u16; 3]; 1] = [[0, 1, 2]];
 fn order(calls: &[Call<Shader>]) -> Vec<u16> {
     let mut order = Vec::new();
     for call in calls {
-        if let Call::Solid(_, Shader(colour)) = call {
-            if order.last() != Some(colour) {
-                order.push(*colour);
-            }
+        if let Call::Solid(_, Shader(colour)) = call
+            && order.last() != Some(colour)
+        {
+            order.push(*colour);
         }
     }
     order

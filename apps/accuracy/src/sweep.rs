@@ -50,7 +50,7 @@ struct Seen {
     after: V3,
 }
 
-fn seen<V: Coordinate>(
+fn seen<V: Coordinate<Stored = V>>(
     camera: &Camera,
     mesh: &Mesh<'_, V>,
     model: &Affine<Model, World>,

@@ -135,7 +135,7 @@ fn fixed(vertex: [i16; 3], exponent: i8) -> [Option<Scalar>; 3] {
     })
 }
 
-fn library<V: Coordinate>(
+fn library<V: Coordinate<Stored = V>>(
     case: &Case,
     mesh: &Mesh<'_, V>,
     vertices: &[[i16; 3]],

@@ -54,18 +54,10 @@ entries! {
     entry_angle(a: Angle, b: Angle) -> (i32, i32) { (a + b - -Angle::turns(any(), any() as u32) + Angle::degrees(any())).sin_cos() }
     entry_sin_cos(a: Angle) -> (Scalar, Scalar) { (a.sin(), a.cos()) }
     entry_atan2(y: Scalar, x: Scalar) -> Angle { Angle::atan2(y, x) }
-    entry_vector_sums() -> (Vector3<World>, Vector3<World>, Vector3<World>) {
-        let mut moved = vector();
-        moved += vector();
-        moved -= vector();
-        (moved, vector() + vector() - vector(), -vector() * scalar())
-    }
-    entry_point_sums() -> (Point3<World>, Point3<World>, Vector3<World>) {
-        let mut moved = point();
-        moved += vector();
-        moved -= vector();
-        (moved, point() + vector() - vector(), point() - point())
-    }
+    entry_vector_sums() -> (Vector3<World>, Vector3<World>) { (vector() + vector() - vector(), -vector() * scalar()) }
+    entry_vector_moves(moved: &mut Vector3<World>) -> () {{ *moved += vector(); *moved -= vector() }}
+    entry_point_sums() -> (Point3<World>, Vector3<World>) { (point() + vector() - vector(), point() - point()) }
+    entry_point_moves(moved: &mut Point3<World>) -> () {{ *moved += vector(); *moved -= vector() }}
     entry_vector_products() -> (Scalar, Vector3<World>, Scalar) { (vector().dot(vector()), vector().cross(vector()), vector().length()) }
     entry_lerp() -> (Point3<World>, Vector3<World>) { (point().lerp(point(), scalar()), vector().lerp(vector(), scalar())) }
     entry_chain(a: &Affine<Model, World>, angle: Angle) -> Affine<Model, World> {
