@@ -340,9 +340,11 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
     #[inline(always)]
     fn corners(&mut self, face: &[u16; 3]) -> Option<[ScreenVertex; 3]> {
         let &[a, b, c] = face;
+        if V::CLIPS {
+            return Some([self.vertex(a)?, self.vertex(b)?, self.vertex(c)?]);
+        }
         match (self.vertex(a), self.vertex(b), self.vertex(c)) {
             (Some(a), Some(b), Some(c)) => Some([a, b, c]),
-            _ if V::CLIPS => None,
             _ => self.view().uncached_corners(face),
         }
     }

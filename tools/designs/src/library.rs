@@ -12,7 +12,7 @@ use pinhole::{
 /// A way in which the library takes vertices.
 pub(crate) trait Library {
     const ID: &'static str;
-    type Coordinate: Coordinate + 'static;
+    type Coordinate: Coordinate<Stored = Self::Coordinate> + 'static;
     /// In the type's own unit.
     fn coordinate(vertex: i16) -> Self::Coordinate;
     /// `None` where the library refuses what is known to be right.
