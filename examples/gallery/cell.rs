@@ -6,7 +6,9 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{Circle, Line, PrimitiveStyle, Rectangle};
 use pinhole::raster::area;
 use pinhole::space::{Model, World};
-use pinhole::{Affine, Camera, Dim, Lambert, Mesh, Painter, ScreenVertex, VanishingPoint, Vector3, Viewport};
+use pinhole::{
+    Affine, Camera, Dim, Lambert, LeastRun, Mesh, Painter, ScreenVertex, VanishingPoint, Vector3, Viewport,
+};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::sheet::INK;
 use std::error::Error;
@@ -62,7 +64,8 @@ pub(crate) fn draw(
         let instance = camera.place(&mesh, &model);
         let mut cache = [ScreenVertex::default(); VERTICES.len()];
         if dashed {
-            instance.wireframe(colour, &mut cache, &mut Dashed { target: sheet, on: 2, off: 2, at: 0 })?;
+            let mut dashed = Dashed { target: sheet, on: 2, off: 2, at: 0 };
+            instance.wireframe(colour, &mut cache, &mut LeastRun::<_, 1>(&mut dashed))?;
         } else {
             instance.wireframe(colour, &mut cache, sheet)?;
         }
@@ -135,7 +138,8 @@ fn rays<D: DrawTarget<Color = Rgb888>>(
     Ok(())
 }
 
-/// A target that draws dashed lines: `on` pixels are drawn, the next `off` are not.
+/// A target that draws dashed lines: `on` pixels are drawn, the next `off` are not. It takes lines in runs ([`LeastRun`]), from their
+/// first end on: a line in one call goes downwards or to the right.
 pub(crate) struct Dashed<'t, D> {
     pub(crate) target: &'t mut D,
     pub(crate) on: u32,
