@@ -39,7 +39,7 @@ pub enum Variant {
     Depth,
 }
 
-/// What is drawn.
+/// The scene and the way it is drawn.
 pub struct Timed {
     pub scene: &'static str,
     pub variant: Variant,

@@ -100,7 +100,7 @@ impl Program {
         self.instructions.get(self.index(at))
     }
 
-    /// What is to be remembered of an instruction of which the registers are known.
+    /// The facts of an instruction whose registers are known.
     pub(crate) fn record(&self, state: &State, conditions: &mut Conditions) -> Executed {
         let at = state.registers[15];
         let skipped = conditions.0.pop().is_some_and(|condition| !state.holds(condition));
