@@ -19,8 +19,8 @@ pub use crate::camera::{
     Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 pub use crate::math::{
-    Affine, AxisError, ClipPoint, Coordinate, InverseError, MatrixError, NormalMatrix, NumberError, Outcode,
-    Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
+    Affine, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix, NumberError,
+    Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use crate::pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshInstance, Painter, PainterError,

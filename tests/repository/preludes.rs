@@ -23,7 +23,7 @@ macro_rules! names {
 
 names! {
     Model View World
-    draw_line edge_faces fill_triangle Affine AxisError Band BandError BinError BinnedEdges BinnedFaces Camera Channels ClipPoint Coordinate CornerValues Cull DepthBuffer DepthBufferError Dim DirtyRegions Dithered Flat Frame Gouraud Hierarchy HierarchyError InverseError Lambert LeastRun LightError Lit MatrixError Memory Mesh MeshError MeshInstance Node NormalMatrix NumberError Outcode Painter PainterError PaintersOrder Picture PictureError PixelFormat PixelStore Pixels PlanarProjection PlaneCulled Point3 ProjectError Projection ProjectionError Quaternion QuaternionError Ray ReferenceVolume Scalar ScreenVertex ShadeTable Shader Side SpanShader Sphere Statistics StoredPixel TableShader Target TransferCost TransformedMesh VanishingPoint Vector3 ViewTransform ViewTransformError Viewport ViewportError Visibility Window
+    draw_line edge_faces fill_triangle Affine AxisError Band BandError BinError BinnedEdges BinnedFaces Camera Channels ClipPoint Coordinate CornerValues Cull DepthBuffer DepthBufferError Dim DirtyRegions Dithered Flat Frame Gouraud Hierarchy HierarchyError Inside InverseError Lambert LeastRun LightError Lit MatrixError Memory Mesh MeshError MeshInstance Node NormalMatrix NumberError Outcode Painter PainterError PaintersOrder Picture PictureError PixelFormat PixelStore Pixels PlanarProjection PlaneCulled Point3 ProjectError Projection ProjectionError Quaternion QuaternionError Ray ReferenceVolume Scalar ScreenVertex ShadeTable Shader Side SpanShader Sphere Statistics StoredPixel TableShader Target TransferCost TransformedMesh VanishingPoint Vector3 ViewTransform ViewTransformError Viewport ViewportError Visibility Window
 }
 
 fn exported(source: &str) -> BTreeSet<&str> {
