@@ -53,7 +53,11 @@ pub(crate) fn measure() -> Result<Vec<Edges>> {
     Ok(edges)
 }
 
-fn library<V: Coordinate<Stored = V>>(case: &Case, mesh: &Mesh<'_, V>, shift: Option<&mut f64>) -> Result<()> {
+fn library<V: Coordinate<Stored = V>>(
+    case: &Case,
+    mesh: &Mesh<'_, V>,
+    shift: Option<&mut f64>,
+) -> Result<()> {
     let instance = case.camera.place(mesh, &case.model);
     let corners: Option<Vec<_>> = (0..VERTICES.len())
         .map(|index| instance.project(index).map(|(p, _)| (p.x().into(), p.y().into())))
