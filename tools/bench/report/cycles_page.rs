@@ -47,7 +47,7 @@ frame in bands can take longer than both. A – means that RAM does not hold two
 SPI clock beyond the chip's own is in *italics*: a parallel interface can be as fast.
 
 **What comes on top.** The bus sends without gaps here, with 11 bytes of commands for each band; a driver that waits for each byte takes several times
-as long. For another clock, multiply the cycles without wait states ([growth.md](growth.md)) and add waits: they
+as long. For another clock, multiply the cycles without wait states ([growth.md](growth.md#cycles-per-instruction)) and add waits: they
 grow with the wait states. DMA takes one cycle of the RAM for each transfer: at 40 MHz SPI and 125 MHz that is one cycle in 25 by bytes, one in 50
 by half-words, and the core waits if it uses the same bank of RAM then. Interrupts and other tasks are not included.
 

@@ -34,19 +34,20 @@ anyway:
 * *frame*: 1.
 * *vertex*: every vertex of the mesh, also with early culling by planes (`MeshInstance::cull_by_planes`): there the constant is
   for clearing the vertex cache, and transforming the vertices of visible faces is part of *face drawn*.
-* *face left out*: a back face, or one in front of the near plane; about half the faces of a closed mesh. *Face drawn*: every other
+* *face left out*: a back face; about half the faces of a closed mesh. *Face outside*: all its corners lie in front of the near
+  plane, or all far beyond one border of the picture (with `cull_by_planes`, count it as left out). *Face drawn*: every other
   face, even if it lies outside the picture.
 * *large face*: a drawn face that is higher than 31 rows, crosses the left or right border of the picture, or is cut by a clip
   plane.
-* *face to be clipped*: has a corner in front of the near plane or far outside the picture; there is none if the whole object is
-  in front of the camera. *Face cut*: a face that a clip plane actually cuts, back faces included (their side is known only
-  after clipping). With `cull_by_planes`, back faces are in neither count.
+* *face to be clipped*: a corner in front of the near plane or far outside the picture, but not outside; there is none if the
+  whole object is in front of the camera. *Face cut*: a face to be clipped that is drawn. With `cull_by_planes`, all faces to be
+  clipped are front faces, and nearly all are cut.
 * *row of a face*: over all drawn faces, the rows of pixels in each. *Pixel of a face*: over all drawn faces, the pixels in each,
   hidden later or not.
 * *pixel of the picture*: width × height; it is cleared, and so is its depth.
 * *band*; *face in a band*: the sum over bands of the faces touching each: drawn faces plus one for every band border a face
   crosses. *Large* is as above, but without cut faces: a cut face is clipped again in each band that it may
-  reach. In bands, *face* is every face of the mesh, drawn or not.
+  reach. In bands, *face* is every face of the mesh that is not outside, drawn or not.
 * *edge across the border*: a drawn edge that lies partly outside the picture, on any side. *Edge to be clipped*: has an
   end in front of the near plane or far outside the picture. *Edge cut*: an edge to be clipped of which a part is drawn.
 

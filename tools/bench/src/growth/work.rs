@@ -15,10 +15,11 @@ pub struct Work {
     /// Drawn faces that are higher than [`LOW`], cross the left or right border of the picture, or are cut; drawn edges that
     /// cross any border.
     pub large: u32,
-    /// Faces or edges with a corner that must be clipped, drawn or not.
+    /// Faces with all corners on the outer side of one clip plane: rejected by the vertices' bits.
+    pub outside: u32,
+    /// Other faces with a corner that must be clipped, drawn or culled; edges with an end that must be clipped.
     pub clipped: u32,
-    /// `clipped` faces that a plane of the view volume cuts, drawn or culled (known only after clipping); `clipped` edges that are
-    /// drawn.
+    /// `clipped` faces or edges that are drawn.
     pub cut: u32,
     pub rows: u32,
     pub pixels: u32,
@@ -48,23 +49,50 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "pixel of a line",
             "pixel of the picture",
         ],
-        Way::Faces | Way::Depth | Way::PlaneCulled | Way::FacingDepth => &[
+        Way::Faces | Way::Depth => &[
             "frame",
             "vertex",
             "face left out",
             "face drawn",
             "large face drawn: more",
+            "face outside",
             "face to be clipped: more",
             "face cut: more",
             "row of a face",
             "pixel of a face",
             "pixel of the picture",
         ],
-        Way::Bands(_) | Way::FacingBands(_) => &[
+        // Of front faces, nearly all that have to be clipped are cut, and few are outside.
+        Way::PlaneCulled | Way::FacingDepth => &[
+            "frame",
+            "vertex",
+            "face left out",
+            "face drawn",
+            "large face drawn: more",
+            "face cut: more",
+            "row of a face",
+            "pixel of a face",
+            "pixel of the picture",
+        ],
+        Way::Bands(_) => &[
             "frame",
             "vertex",
             "face",
+            "face outside",
             "face to be clipped: more",
+            "face cut: more",
+            "face in a band",
+            "large face in a band: more",
+            "cut face in a band: more",
+            "row of a face",
+            "pixel of a face",
+            "pixel of the picture",
+            "band",
+        ],
+        Way::FacingBands(_) => &[
+            "frame",
+            "vertex",
+            "face",
             "face cut: more",
             "face in a band",
             "large face in a band: more",
@@ -80,15 +108,34 @@ pub const fn names(way: Way) -> &'static [&'static str] {
 impl Work {
     /// The counts, in the order of [`names`].
     pub fn counts(&self, way: Way) -> Vec<f64> {
-        let Self { vertices, faces, drawn, large, clipped, cut, rows, pixels, area, .. } = *self;
+        let Self { vertices, faces, drawn, large, outside, clipped, cut, rows, pixels, area, .. } = *self;
         let Self { bands, met, met_large, met_cut, .. } = *self;
         let counts = match way {
             Way::Lines => vec![1, vertices, drawn, large, clipped, cut, pixels, area],
-            Way::Faces | Way::Depth | Way::PlaneCulled | Way::FacingDepth => {
-                vec![1, vertices, faces - drawn, drawn, large, clipped, cut, rows, pixels, area]
+            Way::Faces | Way::Depth => {
+                vec![
+                    1,
+                    vertices,
+                    faces - drawn - outside,
+                    drawn,
+                    large,
+                    outside,
+                    clipped,
+                    cut,
+                    rows,
+                    pixels,
+                    area,
+                ]
             }
-            Way::Bands(_) | Way::FacingBands(_) => {
-                vec![1, vertices, faces, clipped, cut, met, met_large, met_cut, rows, pixels, area, bands]
+            Way::PlaneCulled | Way::FacingDepth => {
+                vec![1, vertices, faces - drawn, drawn, large, cut, rows, pixels, area]
+            }
+            Way::Bands(_) => {
+                let of_faces = [1, vertices, faces - outside, outside, clipped, cut];
+                [&of_faces[..], &[met, met_large, met_cut, rows, pixels, area, bands]].concat()
+            }
+            Way::FacingBands(_) => {
+                vec![1, vertices, faces, cut, met, met_large, met_cut, rows, pixels, area, bands]
             }
         };
         counts.into_iter().map(f64::from).collect()
@@ -168,24 +215,26 @@ impl Case {
         };
         let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&instance, face)).collect();
         let of = |kind| kinds.iter().filter(|&&of| of == kind).count() as u32;
-        let (clipped, cut) = match way.asks_planes() {
+        let (outside, clipped) = match way.asks_planes() {
             // Back faces are culled before.
-            true => (of(Kind::Cut) + statistics.outside, statistics.clipped),
+            true => (statistics.outside, of(Kind::Cut)),
+            // Back faces are culled after those outside are rejected.
             false => {
                 let all = 0..mesh.faces().len();
                 let clipped = all.filter(|&face| self.kind(&instance, face) == Kind::Cut).count() as u32;
                 let (both, mut watch) =
                     (instance.with_cull(Cull::None), Watch::new(Size::new(width, height)));
                 let Ok(statistics) = both.solid(|_| BACKGROUND, &mut [], &mut watch);
-                (clipped, statistics.clipped)
+                (statistics.outside, clipped - statistics.outside)
             }
         };
         let work = Work {
             faces: mesh.faces().len() as u32,
             drawn: statistics.drawn,
             large: of(Kind::Large) + of(Kind::Cut),
+            outside,
             clipped,
-            cut,
+            cut: statistics.clipped,
             rows: watch.runs,
             pixels: watch.pixels,
             ..work
