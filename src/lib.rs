@@ -20,16 +20,19 @@ pub mod space;
 mod surface;
 
 pub use camera::{
-    Camera, PlanarProjection, ProjectError, Projection, ProjectionError, Ray, ReferenceVolume, ScreenVertex,
-    Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+    Camera, FramingError, PlanarProjection, ProjectError, Projection, ProjectionError, Ray, ReferenceVolume,
+    ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError,
+    Visibility, Window,
 };
 pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix,
     NumberError, Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
+#[doc(hidden)]
+pub use pipeline::largest;
 pub use pipeline::{
-    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshInstance, Painter, PainterError,
-    PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
+    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshBuffers, MeshInstance, Painter,
+    PainterError, PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shading::{
@@ -38,5 +41,5 @@ pub use shading::{
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
-    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
+    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, TransferCost,
 };

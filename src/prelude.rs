@@ -15,16 +15,17 @@
 //! ```
 
 pub use crate::camera::{
-    Camera, PlanarProjection, ProjectError, Projection, ProjectionError, Ray, ReferenceVolume, ScreenVertex,
-    Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+    Camera, FramingError, PlanarProjection, ProjectError, Projection, ProjectionError, Ray, ReferenceVolume,
+    ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError,
+    Visibility, Window,
 };
 pub use crate::math::{
     Affine, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix, NumberError,
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use crate::pipeline::{
-    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshInstance, Painter, PainterError,
-    PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
+    draw_line, fill_triangle, mesh_buffers, BinError, BinnedEdges, BinnedFaces, Cull, MeshBuffers,
+    MeshInstance, Painter, PainterError, PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
 };
 pub use crate::scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use crate::shading::{
@@ -33,6 +34,6 @@ pub use crate::shading::{
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
-    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
-    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, Target, TransferCost,
+    strip_buffers, Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory,
+    Picture, PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, TransferCost,
 };

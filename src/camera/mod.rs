@@ -4,6 +4,7 @@
 #[allow(clippy::module_inception)] // the type has the folder's name
 mod camera;
 mod depth_by_w;
+mod framing;
 mod picking;
 mod plane_eye;
 mod projection;
@@ -14,6 +15,7 @@ mod viewport;
 mod visibility;
 
 pub use camera::Camera;
+pub use framing::FramingError;
 pub use picking::{ProjectError, Ray, VanishingPoint};
 pub(crate) use plane_eye::PlaneEye;
 pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};

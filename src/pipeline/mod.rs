@@ -17,6 +17,7 @@ mod binned;
 mod binned_edges;
 mod binned_faces;
 mod bins;
+mod buffers;
 mod clip_face;
 mod cull;
 mod draw_2d;
@@ -37,6 +38,9 @@ mod wireframe;
 pub use binned_edges::BinnedEdges;
 pub use binned_faces::BinnedFaces;
 pub use bins::BinError;
+#[doc(hidden)]
+pub use buffers::largest;
+pub use buffers::{mesh_buffers, MeshBuffers};
 pub use cull::Cull;
 pub use draw_2d::{draw_line, fill_triangle};
 pub use instance::MeshInstance;

@@ -536,10 +536,40 @@ impl<'a, V> Mesh<'a, V> {
         self.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
     }
 
+    /// How many vertices a vertex cache holds that has room for all of this mesh: one [`ScreenVertex`](crate::ScreenVertex)
+    /// of 8 bytes per vertex. [`mesh_buffers!`](crate::mesh_buffers) declares caches and bins.
+    pub const fn cache_len(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// How many `u16`s of bin storage suffice for the faces of this mesh, whichever of them are visible: one per face, and one
+    /// per 16 faces.
+    ///
+    /// ```
+    /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
+    /// assert_eq!((mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 5, 0));
+    /// # Ok::<(), pinhole::MeshError>(())
+    /// ```
+    pub const fn face_bins_len(&self) -> usize {
+        bins_len(self.faces.len())
+    }
+
+    /// How many `u16`s of bin storage suffice for the edges of this mesh, whichever of them are visible: one per edge, and one
+    /// per 16 edges.
+    pub const fn edge_bins_len(&self) -> usize {
+        bins_len(self.edges.len())
+    }
+
     /// The exponent of the vertices' unit: model coordinate = vertex · 2^exponent, of the bits of [`Scalar`] vertices.
     pub const fn exponent(&self) -> i8 {
         self.exponent
     }
+}
+
+/// An index for each primitive, and a bit for each: slices have at most 2⁶³/4 elements, so the sum does not overflow.
+const fn bins_len(primitives: usize) -> usize {
+    primitives + primitives.div_ceil(16)
 }
 
 impl<V: Coordinate> Mesh<'_, V> {

@@ -12,6 +12,7 @@ mod picture_error;
 mod pixel_format;
 mod pixels;
 mod stored_pixel;
+mod strip;
 mod target;
 
 pub use band::{Band, BandError, Frame};
@@ -26,6 +27,7 @@ pub use picture_error::PictureError;
 pub use pixel_format::PixelFormat;
 pub use pixels::Pixels;
 pub use stored_pixel::StoredPixel;
+pub use strip::{strip_buffers, StripBuffers};
 pub use target::Target;
 
 use crate::raster::Scissor;

@@ -2,6 +2,7 @@
 //! seen from inside; and the messages of all errors.
 
 mod bands;
+mod buffers;
 mod clipped_faces;
 mod culling_by_planes;
 mod cut_meshes;

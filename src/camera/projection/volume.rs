@@ -45,8 +45,7 @@ impl Projection {
         near: Scalar,
         far: Scalar,
     ) -> Result<Self, ProjectionError> {
-        const LEAST: u32 = 1 << 20; // 1/4096 turn
-        if fov_y.bits() < LEAST || fov_y.bits() > (1 << 31) - LEAST {
+        if !Self::is_field_of_view(fov_y) {
             return Err(ProjectionError::FieldOfView);
         }
         if aspect.width == 0 || aspect.height == 0 {
@@ -56,6 +55,29 @@ impl Projection {
         // Half angles of 1/8192 … 2047/8192 turn: both positive, 30 bits; times 32-bit sides.
         let across = ratio(cosine as i64 * aspect.height as i64, sine as u64 * aspect.width as u64);
         let up = ratio(cosine as i64, sine as u64);
+        Self::by_distance(&row(0, across, 0), &row(1, up, 0), near, far)
+    }
+
+    /// Whether a field of view is 1/4096 … 2047/4096 turn, so that the sine and cosine of its half are positive.
+    pub(in crate::camera) const fn is_field_of_view(angle: Angle) -> bool {
+        const LEAST: u32 = 1 << 20; // 1/4096 turn
+        angle.bits() >= LEAST && angle.bits() <= (1 << 31) - LEAST
+    }
+
+    /// [`perspective`](Self::perspective) with the field of view across the narrower direction, for a field of view and an aspect
+    /// ratio that are in range.
+    pub(in crate::camera) const fn perspective_across(
+        field_of_view: Angle,
+        aspect: Size,
+        near: Scalar,
+        far: Scalar,
+    ) -> Result<Self, ProjectionError> {
+        let (sine, cosine) = Angle::from_bits(field_of_view.bits() / 2).sin_cos();
+        let (sine, cosine) = (sine as u64, cosine as i64); // positive, 30 bits
+        let Size { width, height } = aspect; // a viewport's, so at most 2¹⁴
+        let narrower = if width < height { width } else { height } as i64;
+        let across = ratio(cosine * narrower, sine * width as u64);
+        let up = ratio(cosine * narrower, sine * height as u64);
         Self::by_distance(&row(0, across, 0), &row(1, up, 0), near, far)
     }
 

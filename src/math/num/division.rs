@@ -48,10 +48,10 @@ pub(crate) fn proper_fraction(n: u32, d: u32) -> i32 {
 
 /// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
 #[inline(never)] // set-up: code size counts, speed does not
-pub(crate) fn divide(n: u64, d: u32) -> (u64, u32) {
+pub(crate) const fn divide(n: u64, d: u32) -> (u64, u32) {
     // Their difference in bits; `n` is less than twice `d` shifted by it.
-    let bits = max(shift_to_fit(n, 0) - shift_to_fit(d.into(), 0), 0) as u32;
-    let quotient = fraction(n, u64::from(d) << bits, bits);
+    let bits = max(shift_to_fit(n, 0) - shift_to_fit(d as u64, 0), 0) as u32;
+    let quotient = fraction(n, (d as u64) << bits, bits);
     (quotient, (n as u32).wrapping_sub((quotient as u32).wrapping_mul(d))) // below d: 31 bits tell
 }
 

@@ -5,11 +5,11 @@ use embedded_graphics_core::geometry::{Point, Size};
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, Camera, ClipPoint, Hierarchy, HierarchyError, InverseError, Lambert,
-    LightError, MatrixError, Mesh, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3,
-    ProjectError, Projection, ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, Scalar,
-    Side, Sphere, Statistics, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport,
-    ViewportError, Visibility, Window,
+    clip, Affine, Angle, AxisError, Camera, ClipPoint, FramingError, Hierarchy, HierarchyError, InverseError,
+    Lambert, LightError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode,
+    PlanarProjection, Point3, ProjectError, Projection, ProjectionError, Quaternion, QuaternionError, Ray,
+    ReferenceVolume, Scalar, Side, Sphere, Statistics, StripBuffers, VanishingPoint, Vector3, ViewTransform,
+    ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -63,6 +63,11 @@ entries! {
     entry_chain(a: &Affine<Model, World>, angle: Angle) -> Affine<Model, World> {
         a.scale_by(scalar()).rotate_x(angle).rotate_y(angle).rotate_z(angle).translate(vector())
     }
+    entry_framing(sphere: &Sphere, viewport: &Viewport, fov: Angle, yaw: Angle, pitch: Angle) -> Result<Camera, FramingError> {
+        Camera::framing(sphere, viewport, fov, yaw, pitch)
+    }
+    entry_buffer_lengths(mesh: &Mesh<'static>) -> [usize; 4] { [mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len(), pinhole::largest(&[any() as usize, any() as usize])] }
+    entry_buffers(mesh: &mut MeshBuffers<9, 9, 9>, strip: &mut StripBuffers<8, 4>) -> () {{ *mesh = MeshBuffers::default(); *strip = StripBuffers::default() }}
     entry_orbit(yaw: Angle, pitch: Angle) -> ViewTransform { ViewTransform::orbit(point(), scalar(), yaw, pitch) }
     entry_screen_points(at: ScreenPoint, pixel: Pixel, x: i32, y: i32) -> (Point, Point, Option<Pixel>) {
         (at.into(), pixel.into(), Point::new(x, y).try_into().ok())

@@ -1,0 +1,146 @@
+//! The memory that drawing a mesh in bands needs, with the lengths taken from the mesh.
+
+use crate::camera::ScreenVertex;
+
+/// Vertex cache and bin storage for one mesh, or for several meshes drawn one after the other. [`mesh_buffers!`](crate::mesh_buffers)
+/// makes one with the lengths that a mesh needs, and the macro `MeshBuffers!` names the type.
+///
+/// It takes 8 bytes per vertex, and 2 per face or edge and per 16 of them.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+/// use pinhole::{prelude::*, Angle};
+/// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
+/// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+/// const MESH: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
+///     Ok(mesh) => mesh,
+///     Err(_) => panic!("faces"),
+/// };
+///
+/// let mut display = MockDisplay::<Rgb565>::new();
+/// let viewport = Viewport::new(Point::zero(), display.size())?;
+/// let sphere = MESH.bounding_sphere();
+/// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))?;
+///
+/// let mut buffers = mesh_buffers!(MESH);
+/// let mut strip = strip_buffers!(Rgb565, 64, 8);
+/// let instance = camera.place(&MESH, &Affine::identity());
+/// let mut faces = instance.transform_depth(&mut buffers.cache).bin_faces(&mut buffers.bins)?;
+/// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLACK);
+/// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
+///     let mut depth = DepthBuffer::new(band.area(), &mut strip.depths)?;
+///     faces.depth_tested(|face| Rgb565::CSS_GOLD.dim(64 * (face as u16 + 1)), &mut depth, &mut band.pixels())?;
+///     band.send(&mut display)?;
+/// }
+/// assert!(faces.statistics().drawn > 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MeshBuffers<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize = 0> {
+    /// The vertex cache: see [`MeshInstance::transform`](crate::MeshInstance::transform).
+    pub cache: [ScreenVertex; VERTICES],
+    /// Bin storage for faces: see [`TransformedMesh::bin_faces`](crate::TransformedMesh::bin_faces).
+    pub bins: [u16; BINS],
+    /// Bin storage for edges: see [`TransformedMesh::bin_edges`](crate::TransformedMesh::bin_edges).
+    pub edge_bins: [u16; EDGE_BINS],
+}
+
+impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize>
+    MeshBuffers<VERTICES, BINS, EDGE_BINS>
+{
+    /// Buffers of zeros: a static is in `.bss` and takes no flash.
+    pub const fn new() -> Self {
+        Self { cache: [ScreenVertex::EMPTY; VERTICES], bins: [0; BINS], edge_bins: [0; EDGE_BINS] }
+    }
+}
+
+impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize> Default
+    for MeshBuffers<VERTICES, BINS, EDGE_BINS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize> defmt::Format
+    for MeshBuffers<VERTICES, BINS, EDGE_BINS>
+{
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "buffers of {=usize} vertices, {=usize} + {=usize} bins", VERTICES, BINS, EDGE_BINS);
+    }
+}
+
+/// Declares vertex cache and bin storage for one or more `const` meshes that are drawn one after the other: [`MeshBuffers`] with
+/// the lengths of the largest one.
+///
+/// `mesh_buffers!(MESH)` is for faces, `mesh_buffers!(edges: MESH)` for a wireframe, and `mesh_buffers!(faces, edges: MESH)` for
+/// hidden lines. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
+///
+/// ```
+/// use pinhole::{mesh_buffers, Mesh, MeshBuffers};
+/// # struct ConstStaticCell<T>(T); // of the crate static_cell
+/// # impl<T> ConstStaticCell<T> { const fn new(value: T) -> Self { Self(value) } }
+/// const TRIANGLE: Mesh<'static> = match Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]]) {
+///     Ok(mesh) => mesh,
+///     Err(_) => panic!("faces"),
+/// };
+/// const POINTS: Mesh<'static> = match Mesh::new(&[[0, 0, 0]; 9], 0, &[]) {
+///     Ok(mesh) => mesh,
+///     Err(_) => panic!("vertices"),
+/// };
+/// static BUFFERS: ConstStaticCell<MeshBuffers!(TRIANGLE)> = ConstStaticCell::new(mesh_buffers!(TRIANGLE));
+/// # let _ = &BUFFERS.0;
+/// let shared = mesh_buffers!(TRIANGLE, POINTS);
+/// assert_eq!((shared.cache.len(), shared.bins.len()), (9, 2)); // a face, and one for up to 16 faces
+/// ```
+#[macro_export]
+macro_rules! mesh_buffers {
+    ($($kind:ident),+: $($mesh:expr),+ $(,)?) => {
+        <$crate::MeshBuffers!($($kind),+: $($mesh),+)>::new()
+    };
+    ($($mesh:expr),+ $(,)?) => {
+        <$crate::MeshBuffers!($($mesh),+)>::new()
+    };
+}
+
+/// The type of [`mesh_buffers!`](crate::mesh_buffers) with equal arguments: [`MeshBuffers`] with the lengths that the meshes need.
+#[macro_export]
+macro_rules! MeshBuffers {
+    (edges: $($mesh:expr),+ $(,)?) => {
+        $crate::MeshBuffers<
+            { $crate::largest(&[$($mesh.cache_len()),+]) },
+            0,
+            { $crate::largest(&[$($mesh.edge_bins_len()),+]) },
+        >
+    };
+    (faces, edges: $($mesh:expr),+ $(,)?) => {
+        $crate::MeshBuffers<
+            { $crate::largest(&[$($mesh.cache_len()),+]) },
+            { $crate::largest(&[$($mesh.face_bins_len()),+]) },
+            { $crate::largest(&[$($mesh.edge_bins_len()),+]) },
+        >
+    };
+    ($($mesh:expr),+ $(,)?) => {
+        $crate::MeshBuffers<
+            { $crate::largest(&[$($mesh.cache_len()),+]) },
+            { $crate::largest(&[$($mesh.face_bins_len()),+]) },
+        >
+    };
+}
+
+// For the prelude, by way of the module.
+pub use mesh_buffers;
+
+/// The largest of the lengths, 0 if there are none: for the macros.
+#[doc(hidden)]
+pub const fn largest(lengths: &[usize]) -> usize {
+    let (mut largest, mut rest) = (0, lengths);
+    while let [first, others @ ..] = rest {
+        if *first > largest {
+            largest = *first;
+        }
+        rest = others;
+    }
+    largest
+}

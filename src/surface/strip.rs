@@ -1,0 +1,73 @@
+//! The memory of a strip, with the lengths computed from its width, rows and colour.
+
+/// The bytes of a strip's pixels, and its depths, for [`Frame::next_band`](crate::Frame::next_band) and
+/// [`DepthBuffer::new`](crate::DepthBuffer::new). [`strip_buffers!`](crate::strip_buffers) makes one with the lengths that a band
+/// needs, and the macro `StripBuffers!` names the type. [`MeshBuffers`](crate::MeshBuffers) has an example.
+///
+/// The bytes are aligned to 4, so that DMA can send them as words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C, align(4))]
+pub struct StripBuffers<const BYTES: usize, const PIXELS: usize = 0> {
+    /// The pixels in wire order.
+    pub colors: [u8; BYTES],
+    /// The depth of each pixel.
+    pub depths: [u16; PIXELS],
+}
+
+impl<const BYTES: usize, const PIXELS: usize> StripBuffers<BYTES, PIXELS> {
+    /// Buffers of zeros: a static is in `.bss` and takes no flash.
+    pub const fn new() -> Self {
+        Self { colors: [0; BYTES], depths: [0; PIXELS] }
+    }
+}
+
+impl<const BYTES: usize, const PIXELS: usize> Default for StripBuffers<BYTES, PIXELS> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const BYTES: usize, const PIXELS: usize> defmt::Format for StripBuffers<BYTES, PIXELS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "strip of {=usize} bytes and {=usize} depths", BYTES, PIXELS);
+    }
+}
+
+/// Declares the memory of a strip, `strip_buffers!(COLOR, WIDTH, ROWS)`: [`StripBuffers`] with the bytes and the depths of `ROWS`
+/// rows of `WIDTH` pixels. `strip_buffers!(COLOR, WIDTH, ROWS, no depth)` has no depths.
+/// [`StripBuffers!`](macro@crate::StripBuffers) with equal arguments is the type, for statics:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
+/// use pinhole::{strip_buffers, StripBuffers};
+/// # struct ConstStaticCell<T>(T); // of the crate static_cell
+/// # impl<T> ConstStaticCell<T> { const fn new(value: T) -> Self { Self(value) } }
+/// static STRIP: ConstStaticCell<StripBuffers!(Rgb565, 240, 8)> = ConstStaticCell::new(strip_buffers!(Rgb565, 240, 8));
+/// # assert_eq!((STRIP.0.colors.len(), STRIP.0.depths.len()), (240 * 8 * 2, 240 * 8));
+/// let strip = strip_buffers!(BinaryColor, 130, 8, no depth);
+/// assert_eq!((strip.colors.len(), strip.depths.len()), (17 * 8, 0)); // rows of whole bytes
+/// ```
+#[macro_export]
+macro_rules! strip_buffers {
+    ($($argument:tt)+) => {
+        <$crate::StripBuffers!($($argument)+)>::new()
+    };
+}
+
+/// The type of [`strip_buffers!`](crate::strip_buffers) with equal arguments: [`StripBuffers`] with the lengths that a band needs.
+#[macro_export]
+macro_rules! StripBuffers {
+    ($color:ty, $width:expr, $rows:expr, no depth) => {
+        $crate::StripBuffers<{ $crate::Frame::<$color>::strip_bytes($width as u32, $rows as u32) }>
+    };
+    ($color:ty, $width:expr, $rows:expr) => {
+        $crate::StripBuffers<
+            { $crate::Frame::<$color>::strip_bytes($width as u32, $rows as u32) },
+            { ($width as usize).saturating_mul($rows as usize) },
+        >
+    };
+}
+
+// For the prelude, by way of the module.
+pub use strip_buffers;
