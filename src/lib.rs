@@ -41,5 +41,5 @@ pub use shading::{
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
-    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, TransferCost,
+    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, Tracked, TransferCost,
 };

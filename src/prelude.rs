@@ -35,5 +35,6 @@ pub use crate::shading::{
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
     strip_buffers, Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory,
-    Picture, PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, TransferCost,
+    Picture, PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, Tracked,
+    TransferCost,
 };

@@ -104,6 +104,7 @@ public_types![
     ViewportError,
     Visibility,
     Window,
+    Tracked<Plain>,
     TransferCost,
     World,
 ];

@@ -5,6 +5,7 @@ use crate::display::Display;
 use crate::scene::{Scene, STRIP};
 use embedded_graphics::primitives::Rectangle;
 use std::error::Error;
+use std::ops::ControlFlow::Continue;
 use std::thread::JoinHandle;
 
 /// The idle bus.
@@ -36,7 +37,8 @@ pub(crate) fn show(scene: &mut Scene, display: Display) -> Result<Display, Box<d
     // The loop starts with an empty transfer.
     let nowhere = Rectangle::zero();
     let mut transfer = Dma(display).send(nowhere, other);
-    while let Some(mut band) = frame.next_band(free)? {
+    // After the last band the strip comes back: `free` would be drawn into in the next frame.
+    while let Continue(mut band) = frame.band_or_strip(free)? {
         contents.draw(&mut band)?;
         let area = band.area();
         let bytes = band.into_bytes();

@@ -5,7 +5,7 @@ use super::pixels::Pixels;
 use super::stored_pixel::StoredPixel;
 use core::convert::Infallible;
 use core::marker::PhantomData;
-use core::ops::Range;
+use core::ops::{ControlFlow, Range};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
@@ -107,15 +107,69 @@ impl<C: PixelFormat> Frame<C> {
         let error = BandError { needed, given };
         // `needed` is not zero: a row has at least one byte.
         let fits = given.checked_div(needed).unwrap_or(0).min(left as usize);
-        let bytes =
-            strip.get_mut(..fits.wrapping_mul(needed)).filter(|bytes| !bytes.is_empty()).ok_or(error)?;
+        if fits == 0 {
+            return Err(error);
+        }
         let top = self.area.top_left.y.saturating_add_unsigned(self.done);
         let rows = fits as u32; // ≤ left
         self.done += rows;
         let area = Rectangle::new(Point::new(self.area.top_left.x, top), Size::new(width, rows));
-        let mut band = Band { area, stride: needed, bytes, color: PhantomData };
+        let mut band = Band { area, stride: needed, strip, color: PhantomData };
         band.fill(self.background);
         Ok(Some(band))
+    }
+
+    /// The next band, or the strip back after the last one: for transfers by DMA that own their buffer, such as those of
+    /// embedded-dma. [`next_band`](Self::next_band) would keep such a strip at the end of the frame.
+    ///
+    /// All bands have as many rows as fit in the strip, so that [`Band::into_bytes`] never makes a strip shorter that has whole
+    /// rows: where fewer rows are left, the last band begins above the end of the band before, and the rows in both are drawn
+    /// and sent twice. Only a frame with fewer rows than the strip has a shorter band.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use pinhole::Frame;
+    /// use core::ops::ControlFlow::{Break, Continue};
+    /// # struct Dma;
+    /// # struct Transfer(Dma, &'static mut [u8]);
+    /// # impl Dma { fn send(self, area: Rectangle, bytes: &'static mut [u8]) -> Transfer { assert_eq!(bytes.len(), 40 * 4, "{area:?}"); Transfer(self, bytes) } }
+    /// # impl Transfer { fn wait(self) -> (Dma, &'static mut [u8]) { (self.0, self.1) } }
+    /// # let [mut free, other] = [0; 2].map(|_| vec![0; 40 * 4].leak()); // two statics in firmware
+    /// # let mut transfer = Transfer(Dma, other);
+    /// let mut rows = Vec::new();
+    /// for _ in 0..2 {
+    ///     let mut frame = Frame::new(Rectangle::new(Point::zero(), Size::new(40, 10)), Gray8::BLACK);
+    ///     free = loop {
+    ///         match frame.band_or_strip(free)? {
+    ///             Break(strip) => break strip,
+    ///             Continue(band) => {
+    ///                 let area = band.area(); // draw the scene
+    ///                 let (dma, sent) = transfer.wait();
+    ///                 transfer = dma.send(area, band.into_bytes());
+    ///                 (free, _) = (sent, rows.push(area.rows()));
+    ///             }
+    ///         }
+    ///     }
+    /// }
+    /// assert_eq!(rows, [0..4, 4..8, 6..10, 0..4, 4..8, 6..10]);
+    /// # Ok::<(), pinhole::BandError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`BandError`] when the strip has no room for a row.
+    pub fn band_or_strip<'s>(
+        &mut self,
+        strip: &'s mut [u8],
+    ) -> Result<ControlFlow<&'s mut [u8], Band<'s, C>>, BandError> {
+        let Size { width, height } = self.area.size;
+        if self.done >= height || width == 0 {
+            return Ok(ControlFlow::Break(strip));
+        }
+        let rows = strip.len().checked_div(row_bytes::<C>(width)).unwrap_or(0);
+        self.done = self.done.min(height.saturating_sub(u32::try_from(rows).unwrap_or(u32::MAX)));
+        // `None` has been returned above: rows are left.
+        Ok(self.next_band(strip)?.map_or(ControlFlow::Break(&mut []), ControlFlow::Continue))
     }
 }
 
@@ -127,7 +181,8 @@ impl<C: PixelFormat> Frame<C> {
 pub struct Band<'s, C> {
     area: Rectangle,
     stride: usize,
-    bytes: &'s mut [u8],
+    /// The bytes of all rows, and perhaps more: `stride` times the height of the area is at most their number.
+    strip: &'s mut [u8],
     color: PhantomData<C>,
 }
 
@@ -140,7 +195,15 @@ impl<'s, C: PixelFormat> Band<'s, C> {
     /// The pixels as the display takes them, row by row, for example for DMA. Set the display's window to the
     /// [`area`](Self::area) first.
     pub const fn bytes(&self) -> &[u8] {
-        self.bytes
+        match self.strip.split_at_checked(self.len()) {
+            Some((bytes, _)) => bytes,
+            None => &[],
+        }
+    }
+
+    /// The number of bytes of the band's rows: at most those of the strip.
+    const fn len(&self) -> usize {
+        self.stride.wrapping_mul(self.area.size.height as usize)
     }
 
     /// The band's pixels as the fastest target, for colours of `N` whole bytes.
@@ -161,15 +224,35 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         C: StoredPixel<[u8; N]>,
     {
         const { assert!(C::BITS as usize == 8 * N, "StoredPixel's bytes are not as many as PixelFormat has bits") };
-        let (cells, _) = self.bytes.as_chunks_mut();
+        let (cells, _) = self.strip.as_chunks_mut();
         Pixels::unchecked(cells, self.area)
     }
 
     /// Converts the band into its [`bytes`](Self::bytes), for transfers that own their buffer. They end with the band's last
-    /// row: a strip that comes back from such a transfer is shorter after the last band, unless the frame's height is a
-    /// multiple of the strip's rows.
+    /// row: a strip that comes back from such a transfer is shorter after a band that did not fill it. Bands from
+    /// [`Frame::band_or_strip`] fill it.
     pub fn into_bytes(self) -> &'s mut [u8] {
-        self.bytes
+        let len = self.len();
+        self.strip.get_mut(..len).unwrap_or_default()
+    }
+
+    /// Converts the band into all of its strip and the number of bytes of the band, which are the first ones: for transfers
+    /// that own a buffer and send a part of it. The strip comes back whole, also for dirty rectangles of all sizes.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use pinhole::Frame;
+    /// let mut strip = [0; 100];
+    /// let mut frame = Frame::new(Rectangle::new(Point::zero(), Size::new(40, 10)), Gray8::BLACK);
+    /// let band = frame.next_band(&mut strip)?.ok_or("no rows")?;
+    /// assert_eq!(band.area().size.height, 2);
+    /// let (strip, sent) = band.into_strip();
+    /// assert_eq!((strip.len(), sent), (100, 80));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn into_strip(self) -> (&'s mut [u8], usize) {
+        let len = self.len();
+        (self.strip, len)
     }
 
     /// The colours of the [`area`](Self::area)'s pixels, row by row, decoded from the strip's bytes.
@@ -178,10 +261,10 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         if C::BITS >= 8 {
             // Rows of whole bytes follow each other without gaps: one long row.
             let pixels = (width as usize).wrapping_mul(height as usize);
-            BandColors { bytes: self.bytes, stride: usize::MAX, width: pixels, x: 0, color: PhantomData }
+            BandColors { bytes: self.strip, stride: usize::MAX, width: pixels, x: 0, color: PhantomData }
         } else {
             BandColors {
-                bytes: self.bytes,
+                bytes: self.bytes(),
                 stride: self.stride,
                 width: width as usize,
                 x: 0,
@@ -203,10 +286,11 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         if C::BITS < 8 {
             // All bits, the unused ones at the end of each row included.
             let pixels = (8 / C::BITS.max(1)) as usize;
-            fill_pixels(self.bytes, 0, self.bytes.len().saturating_mul(pixels), color);
+            let len = self.len();
+            fill_pixels(self.strip, 0, len.saturating_mul(pixels), color);
         } else {
             let Size { width, height } = self.area.size; // the strip has bytes for all of them
-            fill_pixels(self.bytes, 0, width.wrapping_mul(height) as usize, color);
+            fill_pixels(self.strip, 0, width.wrapping_mul(height) as usize, color);
         }
     }
 
@@ -254,10 +338,10 @@ impl<'s, C: PixelFormat> Band<'s, C> {
         let row = row as usize;
         if C::BITS >= 8 {
             // Does not wrap for a row of the band.
-            return (self.bytes, row.wrapping_mul(self.area.size.width as usize));
+            return (self.strip, row.wrapping_mul(self.area.size.width as usize));
         }
         let start = row.wrapping_mul(self.stride);
-        (self.bytes.get_mut(start..start.wrapping_add(self.stride)).unwrap_or_default(), 0)
+        (self.strip.get_mut(start..start.wrapping_add(self.stride)).unwrap_or_default(), 0)
     }
 
     /// Sets a pixel, if it lies in the band.

@@ -18,7 +18,7 @@ mod target;
 pub use band::{Band, BandError, Frame};
 pub(crate) use depth::DepthTarget;
 pub use depth::{DepthBuffer, DepthBufferError};
-pub use dirty_regions::{DirtyRegions, TransferCost};
+pub use dirty_regions::{DirtyRegions, Tracked, TransferCost};
 pub use least_run::LeastRun;
 pub(crate) use memory::PixelRows;
 pub use memory::{Memory, PixelStore};

@@ -13,6 +13,8 @@ mod inside_a_mesh;
 mod messages;
 mod no_panic;
 mod nothing_outside;
+mod owned_strips;
 mod painter;
 mod polylines;
+mod tracked;
 mod view_volume;

@@ -2,6 +2,7 @@
 
 mod cells;
 mod cover;
+mod tracked;
 
 use cells::Cells;
 use core::num::{NonZeroU16, NonZeroU32};
@@ -9,6 +10,7 @@ use cover::TransferBytes;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
+pub use tracked::Tracked;
 
 /// How many bytes it takes to send a rectangle of pixels. By this [`DirtyRegions`] decides whether to send two rectangles as
 /// one.
@@ -42,7 +44,7 @@ impl TransferCost {
 /// the rectangle around both takes no more bytes to send than the two separately.
 ///
 /// An object at rest need not be marked. When it starts to move, mark both its old and its new rectangle. In the frame after it
-/// stops its rectangle is sent once more.
+/// stops its rectangle is sent once more. [`Tracked`] does this for each object, and sends nothing while nothing changes.
 ///
 /// `N` is the largest number of rectangles that are stored per frame, and the largest number returned by `take`. A moving
 /// object needs two, its old and its new rectangle; with a third, the corners of the enclosing rectangle that lie in neither
@@ -164,6 +166,15 @@ impl<const N: usize> DirtyRegions<N> {
         let bytes = self.transfer_bytes();
         if let Some(cells) = self.cells(&rectangle) {
             cover::add(&mut self.now, cells, &bytes);
+        }
+    }
+
+    /// Marks a rectangle whose pixels this frame changes. Unlike after [`mark`](Self::mark), the next frame does not erase it:
+    /// call this for the rectangle that an object leaves and for the one that it moves to, or use [`Tracked`], which does.
+    pub fn mark_changed(&mut self, rectangle: Rectangle) {
+        let bytes = self.transfer_bytes();
+        if let Some(cells) = self.cells(&rectangle) {
+            cover::add(&mut self.last, cells, &bytes); // it is gone when the frame is taken
         }
     }
 

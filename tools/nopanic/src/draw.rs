@@ -14,7 +14,7 @@ use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim, DirtyRegions,
     Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Painter, Picture, Scalar, ScreenVertex,
-    ShadeTable, SpanShader, Target, TransferCost,
+    ShadeTable, SpanShader, Target, Tracked, TransferCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -120,7 +120,10 @@ fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>
                 _ => drop(black_box(Some(0))),
             }
             report(band.send(target));
-            black_box(band.into_bytes());
+            match any() {
+                0 => drop(black_box(band.into_bytes())),
+                _ => drop(black_box(band.into_strip())),
+            }
         }
         error => report(error.map(|_| ())),
     }
@@ -339,6 +342,20 @@ fn entry_raster_screen_point() -> Option<ScreenPoint> {
 }
 
 #[unsafe(no_mangle)]
+fn entry_band_or_strip(frame: &mut Frame<Rgb565>, strip: &mut [u8]) {
+    report(frame.band_or_strip(strip));
+}
+
+#[unsafe(no_mangle)]
+fn entry_tracked(dirty: &mut DirtyRegions<7>, object: &mut Tracked<i32>, rectangle: Rectangle) {
+    match any() {
+        0 => object.hide(dirty),
+        1 => *object = Tracked::default(),
+        state => object.show(state, rectangle, dirty),
+    }
+}
+
+#[unsafe(no_mangle)]
 fn entry_dirty_new(area: Rectangle) -> DirtyRegions<7> {
     DirtyRegions::new(area, TransferCost::new(any() as u32, any() as u16))
         .with_steps(any() as u16, any() as u16)
@@ -349,6 +366,7 @@ fn entry_dirty(dirty: &mut DirtyRegions<7>, rectangle: Rectangle) {
     match any() {
         0 => dirty.invalidate(),
         1 => drop(black_box(dirty.take())),
+        2 => dirty.mark_changed(rectangle),
         _ => dirty.mark(rectangle),
     }
 }
