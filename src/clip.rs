@@ -82,6 +82,11 @@ impl ClipCoords {
 /// let (a, b) = (Barycentric::of(0), Barycentric::of(1));
 /// assert_eq!(a.towards(&b, 1 << 29).weights(), [3 << 28, 1 << 28, 0]); // a quarter of the way
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be interpolated where a face is clipped",
+    label = "not a `Varying`",
+    note = "use `()` if nothing varies over a face, `Barycentric` for the weights of the corners, or implement `Varying`"
+)]
 pub trait Varying: Copy {
     /// The value at corner 0, 1 or 2 of the unclipped face.
     fn of(corner: usize) -> Self;

@@ -49,10 +49,20 @@
 //! ```
 
 /// A coordinate space of the pipeline. Sealed: no other type can implement it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a coordinate space",
+    label = "not a space",
+    note = "the spaces are `Model`, `World`, `View`, `Canonical` and `Ndc`"
+)]
 pub trait Space: sealed::Sealed {}
 
 /// A space in which a scene is set up: [`Model`] or [`World`]. [`Affine`](crate::Affine) maps between these; each later space
 /// is reached by one function.
+#[diagnostic::on_unimplemented(
+    message = "an affine transform cannot lead from or to `{Self}`",
+    label = "not `Model` or `World`",
+    note = "`ViewTransform` leads to `View`, `Projection` and `Viewport` to the screen"
+)]
 pub trait SceneSpace: Space {}
 
 /// Model space: the coordinates of a mesh.

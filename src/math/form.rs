@@ -12,6 +12,11 @@ pub(crate) struct ClipCoords {
 
 /// A type of vertex coordinates: `i16`, in the mesh's unit of 2^exponent, or [`Scalar`], ±32768 in steps of 2⁻¹⁶. Sealed: no
 /// other type can implement it.
+#[diagnostic::on_unimplemented(
+    message = "vertices cannot have coordinates of `{Self}`",
+    label = "not `i16` or `Scalar`",
+    note = "use `i16` with a power-of-two unit (`Mesh::new`), or `Scalar` (`Mesh::from_fixed`); pinhole-import rounds OBJ and STL files to `i16`"
+)]
 pub trait Coordinate: Copy + core::fmt::Debug + sealed::Sealed {
     /// The coordinate times a power of two.
     #[doc(hidden)]

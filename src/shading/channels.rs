@@ -21,6 +21,11 @@ use embedded_graphics_core::pixelcolor::{
 /// assert!(Gray4::GRAY);
 /// assert_eq!(Gray4::from_channels([9, 0, 0]), Gray4::new(9));
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no color channels for shaders to interpolate",
+    label = "no `Channels`",
+    note = "all color types of embedded-graphics have them; implement `Channels` for your own color type, or return plain colors of `{Self}`"
+)]
 pub trait Channels: PixelColor {
     /// Whether the colour has one channel, luma, in place of red, green and blue.
     const GRAY: bool;

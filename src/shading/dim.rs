@@ -14,6 +14,11 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!(Rgb565::WHITE.dim(128), Rgb565::new(16, 32, 16));
 /// assert_eq!(Rgb565::WHITE.dim(0), Rgb565::BLACK);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be dimmed",
+    label = "no `Dim`",
+    note = "all color types of embedded-graphics can; implement `Dim` for your own color type"
+)]
 pub trait Dim: PixelColor {
     /// This colour times `level`/256, each channel rounded to nearest, ties up; levels above 256 count as 256. A `BinaryColor`
     /// is off below level 128, otherwise unchanged.

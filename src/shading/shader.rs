@@ -70,6 +70,11 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// # assert!(colours(&target) > 16);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "faces cannot be filled with `{Self}`",
+    label = "not a color or a shader",
+    note = "return the target's color type, or a shader such as `Flat`, `Gouraud`, `Lit` or `Dithered`"
+)]
 pub trait Shader: Copy {
     /// The varying of a corner: what clipping interpolates where a plane cuts an edge of the face. Use `()` if nothing varies
     /// from corner to corner, [`Barycentric`](crate::clip::Barycentric) to get the weights of the new corners, or your own
@@ -147,6 +152,11 @@ pub trait Shader: Copy {
 /// assert!(luma(8) < 75 && luma(16) > 130 && luma(16) < 150 && luma(23) > 205);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "faces of a target of `{C}` cannot be filled with `{Self}`",
+    label = "not `{C}` or a shader for it",
+    note = "return `{C}`, the target's color type, from the closure; for other colors return `Flat::from` of them or a `Gouraud`, which convert to the target's"
+)]
 pub trait SpanShader<C: PixelColor>: Shader {
     /// The result of [`set_up`](Self::set_up), usually gradients.
     type Setup;

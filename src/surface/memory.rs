@@ -10,6 +10,11 @@ use embedded_graphics_core::primitives::Rectangle;
 /// without memory.
 ///
 /// The type tells the compiler whether there is memory, so a target without it links no code that draws into memory.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot store the pixels of a target",
+    label = "not a mutable slice of cells",
+    note = "use `&mut [Cell]`, or `[Color; 0]` for a target whose pixels do not lie in memory"
+)]
 pub trait PixelStore {
     /// The stored form of one pixel: the colour itself, an integer, or the bytes that the display takes.
     type Cell: Copy;

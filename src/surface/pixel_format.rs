@@ -18,6 +18,11 @@ use embedded_graphics_core::pixelcolor::{
 /// assert_eq!((Rgb666::BITS, Rgb666::RED.encode()), (24, 0xfc_0000)); // six bits to a byte, at its upper end
 /// assert_eq!((Gray4::BITS, Gray4::decode(9)), (4, Gray4::new(9)));
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no wire format, so it cannot be drawn in bands",
+    label = "no `PixelFormat`",
+    note = "all color types of embedded-graphics have one; implement `PixelFormat` for your own color type"
+)]
 pub trait PixelFormat: PixelColor {
     /// Bits per pixel: 1, 2, 4, 8, 16, 24 or 32. A band of any other number does not compile.
     const BITS: u32;

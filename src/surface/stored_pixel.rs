@@ -17,6 +17,12 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// assert_eq!(Rgb565::load([0xf8, 0x00]), Rgb565::RED);
 /// assert_eq!(Rgb565::load(0xf800_u16), Rgb565::RED);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "pixels of `{Self}` cannot be stored in cells of `{Cell}`",
+    label = "no such cell for this color",
+    note = "cells are the color type itself, `[u8; N]` for colors of N whole bytes, or `u16` for colors of 16 bits",
+    note = "draw colors of less than 8 bits into the `Band` itself instead of `Band::pixels()`"
+)]
 pub trait StoredPixel<Cell>: PixelColor {
     /// The color as a cell of memory.
     fn stored(self) -> Cell;

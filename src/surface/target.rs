@@ -65,6 +65,11 @@ use embedded_graphics_core::Pixel;
 /// assert!(target.is_drawn && cells[31] == 0xf800);
 /// # Ok::<(), PictureError>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "pinhole cannot draw into `{Self}`",
+    label = "not a drawing target",
+    note = "pass any `DrawTarget` of embedded-graphics, `Picture::pixels()` or `Band::pixels()`, by `&mut`"
+)]
 pub trait Target {
     /// The colour of a pixel.
     type Color: StoredPixel<<Self::Store as PixelStore>::Cell>;

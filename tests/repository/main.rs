@@ -6,3 +6,4 @@ mod layering;
 mod links;
 mod package;
 mod preludes;
+mod trait_messages;
