@@ -50,6 +50,7 @@ public_types![
     Gradient,
     Lit,
     ProjectError,
+    Projected,
     Hierarchy<'static>,
     Inside<Plain>,
     HierarchyError,

@@ -30,7 +30,7 @@ pub(crate) fn draw(
 ) -> Result<(), Box<dyn Error>> {
     let model = Affine::<Model, World>::identity();
     let house = camera.place(&HOUSE, &model);
-    let points: Vec<_> = (0..VERTICES.len()).map(|i| house.project(i).map(|(point, _)| point)).collect();
+    let points: Vec<_> = (0..VERTICES.len()).map(|i| house.project(i).ok().map(|seen| seen.point)).collect();
     let seen = |side: Side| {
         FACES.iter().zip(SIDES).any(|(face, of)| {
             let corners = face.map(|i| points[usize::from(i)]);

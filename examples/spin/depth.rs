@@ -5,8 +5,8 @@ use embedded_graphics::pixelcolor::raw::RawU24;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::raster::{area, triangle, Scissor, ScreenPoint};
-use pinhole::MeshInstance;
+use pinhole::raster::{area, triangle, Scissor};
+use pinhole::{MeshInstance, Projected};
 use pinhole_apps_support::canvas::Canvas;
 use std::convert::Infallible;
 
@@ -30,8 +30,8 @@ pub(crate) fn nearest_faces(instances: &[MeshInstance<'_>; 2], size: Size) -> Op
     let faces = instances.iter().flat_map(|p| p.mesh().faces().iter().map(move |face| (p, face)));
     for (number, (instance, face)) in faces.enumerate() {
         let [a, b, c] = face.map(|vertex| instance.project(vertex.into()));
-        let face = [a?, b?, c?];
-        let points = face.map(|(point, _)| point);
+        let face = [a.ok()?, b.ok()?, c.ok()?];
+        let points = face.map(|corner| corner.point);
         if area(&points) <= 0 {
             continue;
         }
@@ -53,9 +53,10 @@ pub(crate) fn nearest_faces(instances: &[MeshInstance<'_>; 2], size: Size) -> Op
 }
 
 /// Depth as a function of screen coordinates in pixels.
-fn plane(corners: [(ScreenPoint, u16); 3]) -> impl Fn(f64, f64) -> f64 {
-    let [a, b, c] =
-        corners.map(|(p, depth)| [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)]);
+fn plane(corners: [Projected; 3]) -> impl Fn(f64, f64) -> f64 {
+    let [a, b, c] = corners.map(|Projected { point: p, depth }| {
+        [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)]
+    });
     let [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
     let determinant = ux * vy - uy * vx;

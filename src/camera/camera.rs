@@ -120,7 +120,7 @@ impl Camera {
     /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let beyond = Point3::from_ints(0, 0, -20); // 25 from the eye, where far is 9
-    /// assert_eq!(camera.project(beyond).map(|(_, depth)| depth), Ok(65_534));
+    /// assert_eq!(camera.project(beyond).map(|seen| seen.depth), Ok(65_534));
     /// assert_eq!(camera.with_far_clip(true).project(beyond), Err(ProjectError::BeyondFar));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

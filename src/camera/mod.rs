@@ -7,6 +7,7 @@ mod depth_by_w;
 mod framing;
 mod picking;
 mod plane_eye;
+mod projected;
 mod projection;
 mod screen_vertex;
 mod vertex_transform;
@@ -16,8 +17,9 @@ mod visibility;
 
 pub use camera::Camera;
 pub use framing::FramingError;
-pub use picking::{ProjectError, Ray, VanishingPoint};
+pub use picking::{Ray, VanishingPoint};
 pub(crate) use plane_eye::PlaneEye;
+pub use projected::{ProjectError, Projected};
 pub use projection::{PlanarProjection, Projection, ProjectionError, ReferenceVolume, Window};
 pub use screen_vertex::ScreenVertex;
 pub(crate) use screen_vertex::UnpackedVertex;

@@ -1,5 +1,6 @@
 //! Single points: projection to the screen, for labels, and back, for picking.
 
+use super::projected::{ProjectError, Projected};
 use super::projection::ratio;
 use super::{Camera, VertexTransform};
 use crate::math::num::{add, dot, row_times, scale, shift_to_fit};
@@ -7,34 +8,6 @@ use crate::math::unit::{cross_exact, is_zero, normalise};
 use crate::math::{to_scalar, Affine, Point3, Row, Scalar, Vector3};
 use crate::raster::{ScreenPoint, GUARD_BAND};
 use crate::space::{Model, Ndc, World};
-
-/// Why a point has no position on the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum ProjectError {
-    /// The point lies between the near plane and the eye, or behind the eye.
-    BeforeNear,
-    /// The point lies beyond the far plane, and the camera [clips there](Camera::with_far_clip).
-    BeyondFar,
-    /// The point lies more than 8192 pixels from the target's origin.
-    OutsideGuardBand,
-}
-
-impl core::fmt::Display for ProjectError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::BeforeNear => {
-                "the point lies before the near plane, or behind the eye: move it or the near plane"
-            }
-            Self::BeyondFar => "the point lies beyond the far plane: move the plane, or do not clip there",
-            Self::OutsideGuardBand => {
-                "the point lies outside of the guard band of 8192 pixels around the target's origin"
-            }
-        })
-    }
-}
-
-impl core::error::Error for ProjectError {}
 
 /// A half-line in world space, whose points all project to one screen position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,14 +38,14 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::geometry::{Point, Size};
-    /// use pinhole::{Angle, Camera, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// use pinhole::{Angle, Camera, Point3, Projected, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
     /// # let (eye, origin, up) = (Point3::from_ints(0, 3, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
     /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
     /// let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
     /// let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// // Where a label goes, ...
-    /// let (at, depth) = camera.project(Point3::from_ints(1, 0, 1))?;
+    /// let Projected { point: at, depth } = camera.project(Point3::from_ints(1, 0, 1))?;
     /// // ... what was touched there, ...
     /// let back = camera.unproject(at, depth).ok_or("outside the world")?;
     /// let close = |a: Scalar, b: i16| (a - Scalar::from_num(b)).abs() < Scalar::from_num(0.01);
@@ -86,26 +59,18 @@ impl Camera {
     /// # Errors
     ///
     /// [`ProjectError`] if the point lies before the near plane, beyond a far plane that clips, or outside of the guard band.
-    pub fn project(&self, p: Point3<World>) -> Result<(ScreenPoint, u16), ProjectError> {
+    pub fn project(&self, p: Point3<World>) -> Result<Projected, ProjectError> {
         let [x, y, z] = [p.x(), p.y(), p.z()];
         // A model transform of scale 0 maps all vertices to this point.
         let model =
             Affine::<Model, World>::scale(Scalar::ZERO).then(&Affine::translation(Vector3::new(x, y, z)));
         let transform = VertexTransform::new(self, &model, 0, 16, true);
         let h = transform.clip([0i16; 3]);
-        let outside = |plane: usize| transform.distance(plane, &h) < 0;
-        let [.., w] = h.xydw;
-        if outside(0) || w <= 0 {
-            return Err(ProjectError::BeforeNear);
-        }
-        if (1..5).any(outside) {
-            return Err(ProjectError::OutsideGuardBand);
-        }
-        if self.far_clip && outside(5) {
-            return Err(ProjectError::BeyondFar);
+        if let Some(error) = transform.why_not_projected(&h) {
+            return Err(error);
         }
         let vertex = transform.project_wide(&h, Some(VertexTransform::depth));
-        Ok((vertex.point, vertex.step()))
+        Ok(Projected { point: vertex.point, depth: vertex.step() })
     }
 
     /// The world point that [`project`](Self::project)s to this screen position and depth. `None` if it is outside of ±32768

@@ -42,8 +42,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     ///     edges.draw(Gray8::WHITE, &mut band.pixels())?;
     ///     band.send(&mut display)?;
     /// }
-    /// let (vertex, _) = instance.project(0).ok_or("out of sight")?;
-    /// let at = Point::new(vertex.pixel().x.into(), vertex.pixel().y.into());
+    /// let at: Point = instance.project(0)?.into();
     /// assert_eq!((edges.statistics().drawn, display.get_pixel(at)), (3, Some(Gray8::WHITE)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

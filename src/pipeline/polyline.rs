@@ -4,6 +4,7 @@ use super::draw_region::DrawRegion;
 use super::instance::MeshInstance;
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
+use crate::camera::Projected;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
 use crate::surface::Target;
@@ -19,8 +20,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
         for index in 0..self.mesh.vertices().len() {
-            match self.project(index) {
-                Some((point, _)) => {
+            match self.projected(index) {
+                Some(Projected { point, .. }) => {
                     statistics.drawn += 1;
                     let (x, y) = (i32::from(point.pixel().x), i32::from(point.pixel().y));
                     if scissor.rows().contains(&y) && scissor.columns().contains(&x) {

@@ -4,11 +4,11 @@
 //! needs it.
 
 use super::instance::MeshInstance;
-use crate::camera::{ScreenVertex, UnpackedVertex, VertexTransform};
+use crate::camera::{ProjectError, Projected, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
-use crate::raster::{self, ScreenPoint};
+use crate::raster;
 
 /// A vertex cache, as the face loop sees it.
 pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
@@ -99,8 +99,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         TransformedMesh::new(self, cache)
     }
 
-    /// The screen point of vertex `index` and its depth (0 near … 65534 far). `None` if the mesh has no such vertex, or if the
-    /// vertex lies in front of the near plane, outside the guard band or, if the camera clips there, beyond the far plane.
+    /// Projects vertex `index`: its screen point and its depth.
     ///
     /// **Error.** For 480 × 320 pixels and focal lengths up to 700 px, the point is within 1/256 px of the exact image of the
     /// quantised input, including the rounding to 1/256 px, for objects whose half extent is at most 300 times the vertex's
@@ -110,7 +109,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     ///
     /// ```
     /// # use embedded_graphics::geometry::{Point, Size};
-    /// # use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+    /// # use pinhole::{Affine, Angle, Camera, Mesh, Point3, ProjectError, Projection, Scalar, Vector3, ViewTransform, Viewport};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let [eye, origin] = [5, 0].map(|z| Point3::from_ints(0, 0, z));
     /// # let up = Vector3::from_ints(0, 1, 0);
@@ -119,16 +118,32 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
     /// let mesh = Mesh::new(&[[0, 0, 0], [0, 0, 8]], 0, &[])?;
     /// let instance = camera.place(&mesh, &Affine::identity());
-    /// let (at, depth) = instance.project(0).ok_or("hidden")?;
-    /// assert_eq!((at.x(), at.y()), (32 * 256, 32 * 256)); // the centre of 64 × 64 pixels
-    /// assert!(depth > 0 && depth < 65_534);
-    /// assert_eq!(instance.project(1), None); // behind the eye
+    /// let seen = instance.project(0)?;
+    /// assert_eq!((seen.point.x(), seen.point.y()), (32 * 256, 32 * 256)); // the centre of 64 × 64 pixels
+    /// assert!(seen.depth > 0 && seen.depth < 65_534);
+    /// assert_eq!(instance.project(1), Err(ProjectError::BeforeNear)); // behind the eye
+    /// assert_eq!(instance.project(2), Err(ProjectError::NoVertex));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn project(&self, index: usize) -> Option<(ScreenPoint, u16)> {
+    ///
+    /// # Errors
+    ///
+    /// [`ProjectError`] if the mesh has no such vertex, or if the vertex lies in front of the near plane, outside the guard band
+    /// or, if the camera clips there, beyond the far plane.
+    pub fn project(&self, index: usize) -> Result<Projected, ProjectError> {
+        if let Some(seen) = self.projected(index) {
+            return Ok(seen);
+        }
+        let vertex = *self.mesh.vertices().get(index).ok_or(ProjectError::NoVertex)?;
+        let transform = &self.vertex_transform;
+        Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(ProjectError::OutsideGuardBand))
+    }
+
+    /// A projected vertex, for drawing: without the reason if it is not on the screen, which would take code.
+    pub(super) fn projected(&self, index: usize) -> Option<Projected> {
         let index = u16::try_from(index).ok().filter(|_| index < self.mesh.vertices().len())?;
         let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;
-        Some((vertex.point, vertex.step()))
+        Some(Projected { point: vertex.point, depth: vertex.step() })
     }
 
     /// Vertex `index` before it is rounded to 1/256 px, for measurements: x and y in 2⁻³² px, and depth in 2⁻³² of its 65536

@@ -75,7 +75,7 @@ impl Case {
         let middle = [f64::from(x) * 256.0 + half[0], f64::from(y) * 256.0 + half[1]];
         (0..vertices.len())
             .map(|index| {
-                let (at, _) = instance.project(index).expect("between near and far");
+                let at = instance.project(index).expect("between near and far").point;
                 let off = |at: i32, axis: usize| {
                     ((f64::from(at) - middle[axis]).abs() - 0.5) / half[axis] // less the rounding to 1/256 px
                 };
@@ -190,6 +190,6 @@ fn a_framing_camera_can_be_const() {
     let sine = silhouette(Angle::degrees(30));
     let top = [1.0, 2.0 + 10.0 * (1.0 - sine * sine).sqrt(), 3.0 + 10.0 * sine];
     let [x, y, z] = top.map(|c| Scalar::from_bits(to_fx(c).expect("in range")));
-    let (at, _) = CAMERA.project(Point3::new(x, y, z)).expect("in view");
+    let at = CAMERA.project(Point3::new(x, y, z)).expect("in view").point;
     assert_eq!((at.x(), at.y()), (64 * 256, 256));
 }

@@ -89,7 +89,7 @@ fn s4_vertices_through_any_matrix_are_within_1_256_px() {
         let area = rectangle(5, -7, 480, 320);
         let viewport = pinhole::Viewport::new(area.top_left, area.size).expect("a viewport");
         let camera = Camera::new(&bits_view.library().expect("a view"), &projection, &viewport);
-        let (p, depth) = match camera.project(point(world)) {
+        let pinhole::Projected { point: p, depth } = match camera.project(point(world)) {
             Ok(found) => found,
             Err(error) => panic!("{error}: {bits_view:?} {:?} {world:?} {clip:?}", c.matrix),
         };

@@ -3,7 +3,7 @@
 //! f64 for every projection is tested in `random_projections.rs`.
 
 use pinhole::raster::ScreenPoint;
-use pinhole::{Camera, ProjectError, ViewTransform, Viewport};
+use pinhole::{Affine, Camera, Mesh, ProjectError, Projected, Scalar, ViewTransform, Viewport};
 use support::bridge::pair::{bits, random_view, ONE};
 use support::bridge::{point, reals, rectangle, vector};
 use support::definition::{Family, Picture, Projectors};
@@ -70,7 +70,7 @@ fn unproject_gives_the_projected_point_back() {
         let Some(world) = bits(view.back(at)) else { continue };
         let at = view.apply(chain::fx3(world));
         let camera = camera(view_bits.library().expect("a view"), &family);
-        let Ok((screen, depth)) = camera.project(point(world)) else {
+        let Ok(Projected { point: screen, depth }) = camera.project(point(world)) else {
             panic!("hidden: {view_bits:?} {family:?} {world:?}");
         };
         if depth == 65_534 {
@@ -127,21 +127,21 @@ fn project_reports_why_a_point_is_hidden() {
     let far = plain.with_far_clip(true);
     let at = |x: i32, y: i32, z: i32| point([x, y, z]);
     // Near is at z = 4: exactly on it is seen, one step before it is not.
-    assert!(plain.project(at(0, 0, 4 * ONE)).is_ok_and(|(_, d)| d == 0));
+    assert!(plain.project(at(0, 0, 4 * ONE)).is_ok_and(|seen| seen.depth == 0));
     assert_eq!(plain.project(at(0, 0, 4 * ONE + 1)), Err(ProjectError::BeforeNear));
     assert_eq!(plain.project(at(0, 0, 5 * ONE)), Err(ProjectError::BeforeNear));
     assert_eq!(plain.project(at(0, 0, 9 * ONE)), Err(ProjectError::BeforeNear));
     // Far is at z = −5, to the rounding of the projection's coefficients.
     assert!(far.project(at(0, 0, -5 * ONE + 1)).is_ok());
     assert_eq!(far.project(at(0, 0, -5 * ONE - 1)), Err(ProjectError::BeyondFar));
-    assert!(plain.project(at(0, 0, -6 * ONE)).is_ok_and(|(_, d)| d == 65_534));
+    assert!(plain.project(at(0, 0, -6 * ONE)).is_ok_and(|seen| seen.depth == 65_534));
     // 200 px a unit at distance 1: the guard band is 8192 px from the origin, the centre at 200.
     let edge = |px: f64| ((px - 200.0) / 200.0 * 65536.0) as i32;
     assert!(plain.project(at(edge(8191.9), 0, 4 * ONE)).is_ok());
     assert_eq!(plain.project(at(edge(8192.2), 0, 4 * ONE)), Err(ProjectError::OutsideGuardBand));
     assert_eq!(plain.project(at(0, edge(8593.0), 4 * ONE)), Err(ProjectError::OutsideGuardBand));
     // A point outside the viewport has screen coordinates too.
-    let (p, _) = plain.project(at(-2 * ONE, 0, 4 * ONE)).expect("a place");
+    let p = plain.project(at(-2 * ONE, 0, 4 * ONE)).expect("a place").point;
     assert_eq!((p.x(), p.y()), (-200 * 256, 200 * 256));
     // The reasons differ in words.
     let words = [ProjectError::BeforeNear, ProjectError::BeyondFar, ProjectError::OutsideGuardBand]
@@ -164,7 +164,7 @@ fn rays_of_a_perspective_meet_in_its_centre() {
             assert!(beside < 2.0 / 65536.0, "{beside}");
             // Projecting the point again gives the pixel that it came from.
             let along = core::array::from_fn(|i| reals(ray.origin)[i] + d[i] / 8192.0 * 5.0);
-            let (p, _) = camera.project(point(bits(along).expect("in range"))).expect("seen");
+            let p = camera.project(point(bits(along).expect("in range"))).expect("seen").point;
             assert!((p.x() - at.x()).abs() <= 2 && (p.y() - at.y()).abs() <= 2, "{p:?} {at:?}");
         }
     }
@@ -219,4 +219,40 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
         }
     }
     println!("exactly on near: {} seen, {} not", exactly[1], exactly[0]);
+}
+
+/// A point of the world and a vertex of a mesh at the same place get the same answer, or the same reason.
+#[test]
+fn cameras_and_meshes_give_one_answer() {
+    let mut rng = Rng::new(0x66);
+    let family = Family::FieldOfView(1 << 29, (400, 400), 2 * ONE, 60 * ONE);
+    let view = ViewTransform::multiview(point([0, 0, 5 * ONE]), pinhole::Side::Front);
+    let mut seen = [0; 4];
+    for clips in [false, true] {
+        let camera = camera(view, &family).with_far_clip(clips);
+        for _ in 0..3000 {
+            let reach = rng.log(0.1, 20_000.0);
+            let Some(at) = bits(rng.direction().map(|c| c * reach)) else { continue };
+            let vertices = [at.map(Scalar::from_bits)];
+            let mesh = Mesh::from_fixed(&vertices, &[]).expect("a mesh");
+            let (by_mesh, by_camera) =
+                (camera.place(&mesh, &Affine::identity()).project(0), camera.project(point(at)));
+            assert_eq!(by_mesh.err(), by_camera.err(), "{at:?}");
+            if let (Ok(a), Ok(b)) = (by_mesh, by_camera) {
+                let off = (a.point.x() - b.point.x()).abs().max((a.point.y() - b.point.y()).abs());
+                assert!(off <= 1 && a.depth.abs_diff(b.depth) <= 1, "{a:?} {b:?}");
+            }
+            let kind = match by_mesh {
+                Ok(_) => 0,
+                Err(ProjectError::BeforeNear) => 1,
+                Err(ProjectError::BeyondFar) => 2,
+                Err(ProjectError::OutsideGuardBand) => 3,
+                Err(error) => panic!("{error}"),
+            };
+            seen[kind] += 1;
+        }
+        let mesh = Mesh::new(&[[0, 0, 0]], 0, &[]).expect("a mesh");
+        assert_eq!(camera.place(&mesh, &Affine::identity()).project(1), Err(ProjectError::NoVertex));
+    }
+    assert!(seen.iter().all(|&count| count > 5), "{seen:?}");
 }

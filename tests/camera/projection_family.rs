@@ -21,7 +21,7 @@ fn orthographic() -> Projection {
 
 /// The position of a point in the drawing, in units, x to the right and y up.
 fn at(camera: &Camera, p: [i32; 3]) -> (f64, f64) {
-    let (p, _) = camera.project(point(p)).expect("on the drawing");
+    let p = camera.project(point(p)).expect("on the drawing").point;
     ((f64::from(p.x()) / 256.0 - 2000.0) / 100.0, (2000.0 - f64::from(p.y()) / 256.0) / 100.0)
 }
 
@@ -69,7 +69,7 @@ fn s4_multiview_keeps_faces_parallel_to_the_plane_at_their_exact_size() {
             // The nearer of two is the one farther along the normal.
             let depth = |d: i32| {
                 let q = [0, 1, 2].map(|i| world[i] + near[i] as i32 * d);
-                camera.project(point(q)).expect("seen").1
+                camera.project(point(q)).expect("seen").depth
             };
             assert!(depth(ONE) < depth(0));
         }

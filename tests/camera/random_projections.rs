@@ -328,14 +328,15 @@ fn run(seed: u64, setups: usize, kind: Kind, reach: Reach, bound: impl Fn(f64) -
         };
         for (i, &v) in c.vertices.iter().enumerate() {
             let at = view.apply_placed(&exact_model, chain::vertex(v, c.exponent));
-            let got = instance.project(i).map(|(p, depth)| (p.x(), p.y(), depth));
+            let got = instance.project(i).ok().map(|seen| (seen.point.x(), seen.point.y(), seen.depth));
             check(at, half_extent, got, "place");
         }
         // The point in world coordinates, which has its own rounding.
         let world = exact_model.apply(chain::vertex(c.vertices[0], c.exponent));
         if let Some(world) = bits(world) {
             let at = view.apply(chain::fx3(world));
-            let got = camera.project(point(world)).ok().map(|(p, depth)| (p.x(), p.y(), depth));
+            let got =
+                camera.project(point(world)).ok().map(|seen| (seen.point.x(), seen.point.y(), seen.depth));
             check(at, 0.0, got, "project");
         }
     }

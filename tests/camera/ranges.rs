@@ -22,7 +22,7 @@ fn a_vertex_beyond_near_is_there_however_thin_the_volume() {
     };
     let mesh = Mesh::new(&[[0, 0, 1850]], 0, &[]).expect("a mesh");
     let model = ModelBits(vec![Step::Move([0, 0, -2000 * ONE])]).library();
-    assert!(camera.library().place(&mesh, &model).project(0).is_some());
+    assert!(camera.library().place(&mesh, &model).project(0).is_ok());
 }
 
 /// The z row's constant, z_p·(1 + z_p/(Q·dz)), passes 2³⁰ for the one plane and not for the other.
@@ -46,7 +46,7 @@ fn depth_of_a_picture_on_a_plane_close_to_the_eye() {
     let view = ViewTransform::look_along(point([0; 3]), vector([0, 0, -ONE]), vector([0, ONE, 0]));
     let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
     let camera = Camera::new(&view.expect("a view"), &family.library().expect("a projection"), &viewport);
-    let (_, depth) = camera.project(point([0, 0, -2 * ONE])).expect("seen");
+    let depth = camera.project(point([0, 0, -2 * ONE])).expect("seen").depth;
     let wanted = family.picture().depth([0.0, 0.0, -2.0]);
     assert!((f64::from(depth) - wanted).abs() <= 1.0, "{depth} instead of {wanted}");
 }
@@ -62,7 +62,7 @@ fn a_sphere_holds_all_vertices_of_the_widest_meshes() {
         viewport: (0, 0, 40, 30),
     }
     .library();
-    let (p, _) = camera.place(&mesh, &model).project(1).expect("a place");
+    let p = camera.place(&mesh, &model).project(1).expect("a place").point;
     assert!((0..40 * 256).contains(&p.x()) && (0..30 * 256).contains(&p.y()), "seen");
     assert_ne!(camera.visibility(&mesh.bounding_sphere(), &model), Visibility::Outside);
 }
@@ -100,8 +100,8 @@ fn a_mesh_moved_far_away_and_back_is_in_place() {
         let vertices = vertices.map(|v: [i32; 3]| v.map(|c| scalar(c * 128 * ONE)));
         let mesh = Mesh::from_fixed(&vertices, &[]).expect("a mesh");
         let instance = camera.place(&mesh, &Affine::from_matrix(&model).expect("a model"));
-        let found = [0, 1, 2].map(|i| instance.project(i).map(|(p, _)| (p.x(), p.y())));
-        assert_eq!(found, [Some((0, 0)), Some((4096, 4096)), Some((2048, 2048))], "{factor}");
+        let found = [0, 1, 2].map(|i| instance.project(i).map(|seen| (seen.point.x(), seen.point.y())));
+        assert_eq!(found, [Ok((0, 0)), Ok((4096, 4096)), Ok((2048, 2048))], "{factor}");
     }
 }
 

@@ -272,7 +272,7 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(Terms) -> f64) -> F
                 camera.place(&mesh, &model).project(i)
             };
             if -view[2] < near {
-                assert!(result.is_none(), "in front of near: {:?}", case.camera);
+                assert!(result.is_err(), "in front of near: {:?}", case.camera);
                 continue;
             }
             let (x, y) = exact.screen(clip);
@@ -295,12 +295,12 @@ fn run(seed: u64, count: usize, class: Class, bound: impl Fn(Terms) -> f64) -> F
             };
             if !inside {
                 assert!(
-                    result.is_none() || x.abs().max(y.abs()) < 8192.0 + bound(terms),
+                    result.is_err() || x.abs().max(y.abs()) < 8192.0 + bound(terms),
                     "({x}, {y}) is {result:?}"
                 );
                 continue;
             }
-            let Some((screen, depth)) = result else {
+            let Ok(pinhole::Projected { point: screen, depth }) = result else {
                 panic!(
                     "dropped at {x} {y}, {view:?}: {:?} {:?} {:?}·2^{}",
                     case.camera, case.model, v, case.exponent

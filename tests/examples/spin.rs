@@ -95,7 +95,7 @@ fn the_teapot_is_not_mirrored() {
     let (spout, knob) = (end(0), end(1));
     let at = |frame, vertex| {
         let [outside, _] = table.place(&Turntable::model(frame, FRAMES));
-        let (point, depth) = outside.project(vertex).unwrap();
+        let pinhole::Projected { point, depth } = outside.project(vertex).unwrap();
         (point.x() >> 8, point.y() >> 8, depth)
     };
     let (middle, middle_depth) = (120, at(0, knob).2);

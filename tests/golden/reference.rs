@@ -279,7 +279,7 @@ fn s4_worked_set_ups_agree_with_the_definition_at_240() {
         let camera = s.camera(240);
         let instance = camera.place(&mesh, &Affine::identity());
         for (k, want) in s.exact(240).into_iter().enumerate() {
-            let (got, _) = instance.project(k).expect("in the picture");
+            let got = instance.project(k).expect("in the picture").point;
             let (x, y) = (f64::from(got.x()) / 256.0, f64::from(got.y()) / 256.0);
             assert!(
                 (x - want.0).abs().max((y - want.1).abs()) <= 1.0 / 256.0,
@@ -287,7 +287,7 @@ fn s4_worked_set_ups_agree_with_the_definition_at_240() {
                 s.name
             );
             let world = point::<World>(CUBE[k].map(|c| i32::from(c) * ONE));
-            assert_eq!(camera.project(world).map(|(p, _)| p), Ok(got));
+            assert_eq!(camera.project(world).map(|seen| seen.point), Ok(got));
         }
     }
     // By hand. One-point: the face z = 0 lies in the view plane, so 1 unit is 60 px and (0, 0) is at

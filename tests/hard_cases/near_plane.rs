@@ -258,7 +258,8 @@ fn c2_a_vertex_exactly_on_near_is_not_cut() {
             assert_eq!(target.count(x as i32, y as i32), wanted.at(x, y), "({x}, {y}) of {vertices:?}");
         }
         for (v, at) in t.into_iter().enumerate() {
-            let (p, depth) = library.place(&mesh, &model.library()).project(v).expect("on near is visible");
+            let pinhole::Projected { point: p, depth } =
+                library.place(&mesh, &model.library()).project(v).expect("on near is visible");
             assert_eq!((i64::from(p.x()), i64::from(p.y())), at);
             if v <= on {
                 assert_eq!(depth, 0);
@@ -348,7 +349,7 @@ fn c4_everything_behind_is_empty() {
         assert!(target.calls.is_empty());
         assert_eq!((s.drawn, w.drawn), (0, 0));
         for v in 0..8 {
-            assert!(instance.project(v).is_none());
+            assert!(instance.project(v).is_err());
         }
     }
 }

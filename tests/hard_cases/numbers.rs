@@ -234,7 +234,7 @@ fn e2_any_vertex_is_exact_or_hidden_for_any_camera() {
             if !(0.0..480.0).contains(&x) || !(0.0..320.0).contains(&y) {
                 continue;
             }
-            let (p, _) = instance.project(i).expect("on the screen");
+            let p = instance.project(i).expect("on the screen").point;
             let error = (f64::from(p.x()) / 256.0 - x).abs().max((f64::from(p.y()) / 256.0 - y).abs());
             worst = worst.max(error);
             assert!(error <= 1.0 / 256.0, "{error} px off: {c:?} {v:?}");

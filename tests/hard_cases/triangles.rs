@@ -79,7 +79,7 @@ fn a0_vertices_are_snapped_to_24_8_after_the_divide() {
             if tie(x) || tie(y) {
                 continue;
             }
-            let (p, _) = instance.project(i).expect("in the guard band");
+            let p = instance.project(i).expect("in the guard band").point;
             assert_eq!((i64::from(p.x()), i64::from(p.y())), chain::snap((x, y)), "{v:?}");
             compared += 1;
         }
@@ -280,7 +280,7 @@ fn a7_the_snap_rounds_to_nearest_on_both_sides_of_zero() {
         let instance = camera.place(&mesh, &model);
         let mut largest = 0;
         for (i, &v) in offsets.iter().enumerate() {
-            let (p, _) = instance.project(i).expect("on the screen");
+            let p = instance.project(i).expect("on the screen").point;
             let (x, y) = (i64::from(p.x()), i64::from(p.y()));
             // An exact tie may go down, because the reciprocal of w is rounded down before.
             let right = |c: i64| c == nearest(v) || (v.rem_euclid(256) == 128 && c == nearest(v) - 1);

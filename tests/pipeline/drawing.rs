@@ -83,8 +83,8 @@ fn r9_faces_are_the_exact_coverage_of_their_corners() {
                 let one = [*face];
                 let mesh = Mesh::new(&scene.vertices, EXPONENT, &one).expect("a mesh");
                 let instance = camera.place(&mesh, &model).with_cull(cull);
-                let corners = face.map(|i| instance.project(usize::from(i)));
-                let [Some((a, _)), Some((b, _)), Some((c, _))] = corners else {
+                let corners = face.map(|i| instance.project(usize::from(i)).map(|seen| seen.point));
+                let [Ok(a), Ok(b), Ok(c)] = corners else {
                     continue;
                 };
                 whole += 1;
@@ -134,7 +134,7 @@ fn l1_edges_are_the_exact_lines_between_their_ends() {
             let mesh =
                 Mesh::new(&scene.vertices, EXPONENT, &[]).and_then(|m| m.with_edges(&one)).expect("a mesh");
             let instance = camera.place(&mesh, &model);
-            let [Some((a, _)), Some((b, _))] = edge.map(|i| instance.project(usize::from(i))) else {
+            let [Ok(a), Ok(b)] = edge.map(|i| instance.project(usize::from(i)).map(|seen| seen.point)) else {
                 continue;
             };
             let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
@@ -287,7 +287,7 @@ fn clipped_counts_what_was_cut_and_nothing_else() {
         let mesh =
             Mesh::new(&vertices, 0, &[[0, 1, 2]]).and_then(|m| m.with_edges(&[[0, 1]])).expect("a mesh");
         let instance = camera.place(&mesh, &model);
-        assert_eq!(instance.project(1).is_none(), clipped == 1, "{x}");
+        assert_eq!(instance.project(1).is_err(), clipped == 1, "{x}");
         let mut target = Recorder::sized(WIDTH as u32, HEIGHT as u32);
         let faces = instance.solid(|_| Shader(0), &mut [], &mut target).expect("no error");
         let edges = instance.wireframe(Shader(0), &mut [], &mut target).expect("no error");
@@ -318,7 +318,7 @@ fn project_of_a_missing_vertex_is_none() {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), scene.mesh());
     let instance = camera.place(&mesh, &model);
     for index in [scene.vertices.len(), 65_536, usize::MAX] {
-        assert!(instance.project(index).is_none());
+        assert!(instance.project(index).is_err());
     }
 }
 
@@ -335,10 +335,10 @@ fn the_far_clip_setting_decides_whether_a_vertex_beyond_far_is_hidden() {
     let model = ModelBits::default().library();
     let open = camera.place(&mesh, &model);
     let cut = camera.with_far_clip(true).place(&mesh, &model);
-    let depth = |v| open.project(v).map(|(_, d)| d);
-    assert_eq!(depth(1), Some(65534));
-    assert_eq!((depth(2), depth(3)), (Some(65534), Some(65534)));
+    let depth = |v| open.project(v).map(|seen| seen.depth);
+    assert_eq!(depth(1), Ok(65534));
+    assert_eq!((depth(2), depth(3)), (Ok(65534), Ok(65534)));
     assert_eq!(open.project(0), cut.project(0));
-    assert!(cut.project(1).is_some(), "on far is visible");
-    assert!(cut.project(2).is_none() && cut.project(3).is_none());
+    assert!(cut.project(1).is_ok(), "on far is visible");
+    assert!(cut.project(2).is_err() && cut.project(3).is_err());
 }

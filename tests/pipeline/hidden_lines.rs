@@ -137,7 +137,7 @@ fn score(solid: &Solid, camera: &CameraBits, model: &ModelBits) -> Score {
     // Seen: from the snapped vertices, depth as the chain has it before rounding.
     let vertices: Vec<Vertex> = (0..solid.vertices.len())
         .map(|i| {
-            let ((point, _), exact) =
+            let (pinhole::Projected { point, .. }, exact) =
                 (instance.project(i).expect("in view"), instance.project_unsnapped(i).expect("in view"));
             [f64::from(point.x()) / 256.0, f64::from(point.y()) / 256.0, exact[2] as f64 / 4_294_967_296.0]
         })

@@ -219,7 +219,7 @@ fn painter_sorts_by_the_mean_depth_of_the_corners() {
         let sum = |face: u16| -> Option<u32> {
             faces[usize::from(face)]
                 .iter()
-                .map(|&v| instance.project(usize::from(v)).map(|(_, depth)| u32::from(depth)))
+                .map(|&v| instance.project(usize::from(v)).ok().map(|seen| u32::from(seen.depth)))
                 .sum()
         };
         for pair in order(&target.calls).windows(2) {

@@ -515,7 +515,9 @@ fn s5_points_in_an_off_axis_picture_are_inside() {
         let (library, model) = (camera.library(), model.library());
         let found = library.visibility(&mesh.bounding_sphere(), &model);
         tally.count(found);
-        let Some((at, _)) = library.place(&mesh, &model).project(0) else { continue };
+        let Ok(pinhole::Projected { point: at, .. }) = library.place(&mesh, &model).project(0) else {
+            continue;
+        };
         let inside = (1..320 * 256).contains(&at.x()) && (1..200 * 256).contains(&at.y());
         shown += u32::from(inside);
         assert!(!inside || found != Visibility::Outside, "{camera:?} {world:?}: {at:?}");

@@ -62,7 +62,7 @@ fn points(scene: &Scene) -> Vec<Option<(i64, i64)>> {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
     let instance = camera.place(&mesh, &model);
     (0..scene.vertices.len())
-        .map(|v| instance.project(v).map(|(p, _)| (p.x().into(), p.y().into())))
+        .map(|v| instance.project(v).ok().map(|seen| (seen.point.x().into(), seen.point.y().into())))
         .collect()
 }
 

@@ -202,7 +202,9 @@ pub(crate) fn vertex((x, y): P) -> [Scalar; 3] {
 
 /// The screen positions of the corners of face 0, which the library computes.
 pub(crate) fn corners(instance: &MeshInstance<'_, Scalar>) -> Option<[P; 3]> {
-    let at = |i: usize| instance.project(i).map(|(p, _)| (i64::from(p.x()), i64::from(p.y())));
+    let at = |i: usize| {
+        instance.project(i).ok().map(|seen| (i64::from(seen.point.x()), i64::from(seen.point.y())))
+    };
     Some([at(0)?, at(1)?, at(2)?])
 }
 

@@ -58,7 +58,7 @@ fn seen<V: Coordinate<Stored = V>>(
     let instance = camera.place(mesh, model);
     let vertex = |i| {
         let before = instance.project_unsnapped(i)?.map(|v| v as f64 / 4_294_967_296.0);
-        let (p, depth) = instance.project(i)?;
+        let pinhole::Projected { point: p, depth } = instance.project(i).ok()?;
         Some(Seen { before, after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)] })
     };
     (0..VERTICES).map(vertex).collect()
@@ -82,7 +82,7 @@ fn single(camera: &Camera, at: [i32; 3]) -> Result<Option<Seen>, pinhole::MeshEr
     let vertices = [[0; 3]; VERTICES];
     let as_object = seen(camera, &Mesh::new(&vertices, 0, &[])?, &model).into_iter().next().flatten();
     let after = camera.project(point(at)).ok();
-    Ok(as_object.zip(after).map(|(s, (p, depth))| Seen {
+    Ok(as_object.zip(after).map(|(s, pinhole::Projected { point: p, depth })| Seen {
         after: [f64::from(p.x()) / 256.0, f64::from(p.y()) / 256.0, f64::from(depth)],
         ..s
     }))

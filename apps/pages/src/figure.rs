@@ -85,8 +85,10 @@ fn world(svg: &mut String) -> Result<()> {
     )?;
     let camera = Camera::new(&viewing, &lens, &viewport);
     let at = |[x, y, z]: [f32; 3]| -> Result<Place> {
-        let (point, _) =
-            camera.project(Point3::<World>::from_f32(x, y, z)?).map_err(|_| "a point out of the figure")?;
+        let point = camera
+            .project(Point3::<World>::from_f32(x, y, z)?)
+            .map_err(|_| "a point out of the figure")?
+            .point;
         Ok([point.x(), point.y()].map(|c| c as f32 / 256.0))
     };
     let volume = frustum(NEAR, FAR);

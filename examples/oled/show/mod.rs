@@ -233,10 +233,7 @@ impl Scratch {
         let style = MonoTextStyle::new(&FONT_5X8, Gray4::WHITE);
         let names = [(NOSE, "nose"), (LEFT_TIP, "port"), (RIGHT_TIP, "starboard")];
         let names = names.map(|(vertex, name)| {
-            let at = instance.project(vertex).map_or(Point::zero(), |(point, _)| {
-                let pixel = point.pixel();
-                Point::new(pixel.x.into(), pixel.y.into())
-            });
+            let at = instance.project(vertex).map_or(Point::zero(), Point::from);
             // Next to the point, and inside the picture.
             let width = 5 * name.len() as i32;
             let x = if at.x < SIZE.width as i32 / 2 { at.x - width - 1 } else { at.x + 3 };

@@ -67,7 +67,7 @@ pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
         return;
     }
     let cut = scene.with_instance(&[face], &[], |instance| {
-        let whole = face.iter().all(|&i| instance.project(i.into()).is_some());
+        let whole = face.iter().all(|&i| instance.project(i.into()).is_ok());
         (!whole).then(|| draw(scene, |target| instance.solid(|_| Shader(1), &mut [], target)))
     });
     let Some(drawing) = cut else { return };

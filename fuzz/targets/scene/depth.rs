@@ -64,11 +64,11 @@ pub(crate) fn check(scene: &Scene) {
 /// Whole faces that end before the far plane, against the plane in rationals.
 fn plane(scene: &Scene, face: [u16; 3], pixels: &[((i32, i32), u16, u16)]) {
     let corners = scene.with_instance(&[face], &[], |instance| {
-        face.map(|i| instance.project(i.into()).zip(instance.project_unsnapped(i.into())))
+        face.map(|i| instance.project(i.into()).ok().zip(instance.project_unsnapped(i.into())))
     });
     let [Some(a), Some(b), Some(c)] = corners else { return };
     let place = |p: ScreenPoint| (i64::from(p.x()), i64::from(p.y()));
-    let [a, b, c] = [a, b, c].map(|((p, _), fine)| (place(p), fine[2]));
+    let [a, b, c] = [a, b, c].map(|(pinhole::Projected { point: p, .. }, fine)| (place(p), fine[2]));
     if [a, b, c].iter().any(|corner| corner.1 >> 32 >= 65_534) {
         return;
     }

@@ -31,7 +31,7 @@ fn once(mut pixels: Vec<P>) -> Vec<(P, u32)> {
 
 pub(crate) fn face(scene: &Scene, face: [u16; 3]) {
     scene.with_instance(&[face], &[], |instance| {
-        let [Some((a, _)), Some((b, _)), Some((c, _))] = face.map(|i| instance.project(i.into())) else {
+        let [Ok(a), Ok(b), Ok(c)] = face.map(|i| instance.project(i.into()).map(|seen| seen.point)) else {
             return;
         };
         let t = [a, b, c].map(sub_pixels);
@@ -72,7 +72,7 @@ pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
         // L3, cut or not.
         assert_eq!(turned.statistics, drawing.statistics, "{edge:?}: {scene:?}");
         assert_eq!(drawn(&turned.target), drawn(&drawing.target), "{edge:?}: {scene:?}");
-        let [Some((a, _)), Some((b, _))] = edge.map(|i| instance.project(i.into())) else { return };
+        let [Ok(a), Ok(b)] = edge.map(|i| instance.project(i.into()).map(|seen| seen.point)) else { return };
         assert_eq!((drawing.statistics.drawn, drawing.statistics.clipped), (1, 0), "{edge:?}: {scene:?}");
         let wanted = once(line_in(pixel(a), pixel(b), scene.area()));
         assert_eq!(drawn(&drawing.target), wanted, "{a:?} {b:?}: {scene:?}");
@@ -82,8 +82,8 @@ pub(crate) fn edge(scene: &Scene, edge: [u16; 2]) {
 pub(crate) fn points(scene: &Scene, instance: &MeshInstance<'_>, target: &Recorder<Shader>) {
     let mut wanted = BTreeMap::new();
     for i in 0..scene.vertices.len() {
-        if let Some((p, _)) = instance.project(i) {
-            let (x, y) = pixel(p);
+        if let Ok(seen) = instance.project(i) {
+            let (x, y) = pixel(seen.point);
             if scene.area().contains(x, y) {
                 *wanted.entry((x, y)).or_insert(0) += 1;
             }
@@ -94,8 +94,10 @@ pub(crate) fn points(scene: &Scene, instance: &MeshInstance<'_>, target: &Record
 
 /// If all vertices have a screen position: the union of the exact lines.
 pub(crate) fn polyline(scene: &Scene, instance: &MeshInstance<'_>, drawing: &Drawing) {
-    let images: Vec<P> =
-        (0..scene.vertices.len()).filter_map(|i| instance.project(i)).map(|(p, _)| pixel(p)).collect();
+    let images: Vec<P> = (0..scene.vertices.len())
+        .filter_map(|i| instance.project(i).ok())
+        .map(|seen| pixel(seen.point))
+        .collect();
     if images.len() < scene.vertices.len() {
         return;
     }

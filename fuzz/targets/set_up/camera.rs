@@ -8,8 +8,7 @@ use crate::bridge::{point, rectangle, screen_point};
 use crate::bytes::Bytes;
 use crate::definition::{Family, Projectors};
 use crate::oracle::chain::{self, fx, fx3, length, mul4, Viewport, M4, V3, V4};
-use pinhole::raster::ScreenPoint;
-use pinhole::{Camera, Mesh, ProjectError, Visibility};
+use pinhole::{Camera, Mesh, ProjectError, Projected, Visibility};
 
 /// The family's matrix, each of its linear forms from the definition.
 fn matrix(family: &Family) -> M4 {
@@ -107,7 +106,7 @@ impl SetUp {
     }
 
     /// A vertex with an image: within the budget for an object of this half extent.
-    fn check(&self, at: V3, extent: f64, got: Option<(ScreenPoint, u16)>, what: &dyn core::fmt::Debug) {
+    fn check(&self, at: V3, extent: f64, got: Option<Projected>, what: &dyn core::fmt::Debug) {
         let what = (&self.bits, &self.viewport, what);
         let clip = mul4(&self.matrix, [at[0], at[1], at[2], 1.0]);
         let (w, rho) = (clip[3], self.rho(extent + length(at) + STEPS));
@@ -153,7 +152,7 @@ impl SetUp {
         let factor = 12.0 + (1.0 / views::sine(self.bits.0) - 4.0).max(0.0);
         let bound = 1.0 / 512.0 + 2.5e-6 + factor * 2f64.powi(-30) * budget + lens;
         let far = ex.abs().max(ey.abs());
-        let Some((p, depth)) = got else {
+        let Some(Projected { point: p, depth }) = got else {
             assert!(far > 8192.0 - bound, "dropped at ({ex}, {ey}): {clip:?} {at:?} {what:?}");
             return;
         };
@@ -217,7 +216,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
     let instance = set_up.camera.place(&mesh, &model_ours);
     let found = set_up.camera.visibility(&mesh.bounding_sphere(), &model_ours);
     for (i, &v) in vertices.iter().enumerate() {
-        let got = instance.project(i);
+        let got = instance.project(i).ok();
         // The documented world.
         if extent > 32_767.0
             || !apart
@@ -259,7 +258,7 @@ fn points(b: &mut Bytes<'_>, set_up: &SetUp, world: [i32; 3], apart: bool) {
     let limit = 8192 * 256;
     let any = |b: &mut Bytes<'_>| i64::from(b.wild()).clamp(-limit, limit);
     let (at, depth) = match got {
-        Ok((p, depth)) if b.byte() & 1 == 0 => (p, depth),
+        Ok(Projected { point: p, depth }) if b.byte() & 1 == 0 => (p, depth),
         _ => (screen_point((any(b), any(b))), b.u16()),
     };
     let _ = set_up.camera.unproject(at, depth);

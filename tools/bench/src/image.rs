@@ -175,7 +175,7 @@ pub fn cut() -> Option<Vec<[u32; 2]>> {
     let cut = |instance: MeshInstance<'_>| {
         let is_cut = |face: usize| {
             let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
-            corners.iter().any(|&corner| instance.project(corner.into()).is_none())
+            corners.iter().any(|&corner| instance.project(corner.into()).is_err())
         };
         let mut screen = Screen(Default::default());
         let own_colour = |face: usize| Rgb565::from(RawU16::new(face as u16));

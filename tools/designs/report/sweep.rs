@@ -145,7 +145,8 @@ fn library<V: Coordinate<Stored = V>>(
     for (index, v) in vertices.iter().enumerate() {
         let [cx, cy] = case.object.centre;
         let [x, y, _] = case.object.image(v.relative(&case.object));
-        let (Some([bx, by, _]), Some((p, _))) = (instance.project_unsnapped(index), instance.project(index))
+        let (Some([bx, by, _]), Ok(pinhole::Projected { point: p, .. })) =
+            (instance.project_unsnapped(index), instance.project(index))
         else {
             return Err(format!("the library has no place for {v:?}").into());
         };

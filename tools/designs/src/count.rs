@@ -68,8 +68,8 @@ impl Counter<'_> {
                 black_box(black_box(instance).transform(black_box(&mut *corners)));
             })?;
             let places = (0..COUNT).map(|index| match instance.project(index) {
-                Some((p, _)) => ScreenVertex { x: p.x(), y: p.y() },
-                None => ScreenVertex::EMPTY,
+                Ok(pinhole::Projected { point: p, .. }) => ScreenVertex { x: p.x(), y: p.y() },
+                Err(_) => ScreenVertex::EMPTY,
             });
             Some(Counted { id: L::ID, instructions, checksum: checksum(places) })
         })?;

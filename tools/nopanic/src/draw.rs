@@ -183,7 +183,7 @@ fn draw_instance<D: DrawTarget<Color: Dim>, V: Coordinate>(
         let (colour, normal) = colours.get(face).copied().unwrap_or((wire, [0; 3]));
         colour.dim(light.level(normal))
     };
-    report(instance.project(any() as usize).ok_or(()));
+    report(instance.project(any() as usize));
     report(instance.wireframe(wire, corners, target));
     report(instance.solid(&mut shade, corners, target));
     report(instance.cull_by_planes().solid(&mut shade, corners, target));

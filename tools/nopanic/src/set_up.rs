@@ -7,9 +7,9 @@ use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
     clip, Affine, Angle, AxisError, Camera, ClipPoint, FramingError, Hierarchy, HierarchyError, InverseError,
     Lambert, LightError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode,
-    PlanarProjection, Point3, ProjectError, Projection, ProjectionError, Quaternion, QuaternionError, Ray,
-    ReferenceVolume, Scalar, Side, Sphere, Statistics, StripBuffers, VanishingPoint, Vector3, ViewTransform,
-    ViewTransformError, Viewport, ViewportError, Visibility, Window,
+    PlanarProjection, Point3, ProjectError, Projected, Projection, ProjectionError, Quaternion,
+    QuaternionError, Ray, ReferenceVolume, Scalar, Side, Sphere, Statistics, StripBuffers, VanishingPoint,
+    Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -141,7 +141,7 @@ entries! {
     entry_projection_to_matrix(p: &Projection) -> [[f64; 4]; 4] { p.to_matrix() }
     entry_matrix(m: &[[f64; 4]; 4]) -> Result<Projection, ProjectionError> { Projection::from_matrix(m) }
 
-    entry_project(camera: &Camera) -> Result<(ScreenPoint, u16), ProjectError> { camera.project(point()) }
+    entry_project(camera: &Camera) -> Result<Projected, ProjectError> { camera.project(point()) }
     entry_unproject(camera: &Camera, at: ScreenPoint, depth: u16) -> Option<Point3<World>> { camera.unproject(at, depth) }
     entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
     entry_vanishing_points(camera: &Camera) -> [Option<VanishingPoint>; 3] { camera.vanishing_points() }

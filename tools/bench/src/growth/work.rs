@@ -256,8 +256,9 @@ impl Case {
         let [width, height] = self.size.map(|side| (side as i32) << 8);
         for edge in instance.mesh().edges() {
             match edge.map(|vertex| instance.project(vertex.into())) {
-                [Some((a, _)), Some((b, _))] => {
-                    let lies = [(width, [a.x(), b.x()]), (height, [a.y(), b.y()])].map(Lies::new);
+                [Ok(a), Ok(b)] => {
+                    let lies = [(width, [a.point.x(), b.point.x()]), (height, [a.point.y(), b.point.y()])]
+                        .map(Lies::new);
                     across += u32::from(lies.contains(&Lies::Across) && !lies.contains(&Lies::Beside));
                 }
                 _ => clipped += 1,
@@ -268,10 +269,10 @@ impl Case {
 
     fn kind(&self, instance: &MeshInstance<'_>, face: usize) -> Kind {
         let corners = instance.mesh().faces().get(face).copied().unwrap_or_default();
-        let [Some(a), Some(b), Some(c)] = corners.map(|vertex| instance.project(vertex.into())) else {
+        let [Ok(a), Ok(b), Ok(c)] = corners.map(|vertex| instance.project(vertex.into())) else {
             return Kind::Cut;
         };
-        let (x, y) = ([a, b, c].map(|(point, _)| point.x()), [a, b, c].map(|(point, _)| point.y()));
+        let (x, y) = ([a, b, c].map(|seen| seen.point.x()), [a, b, c].map(|seen| seen.point.y()));
         let [across, down] = self.size.map(|side| (side as i32) << 8);
         let (x, height) = (Lies::new((across, x)), reach(y)[1] - reach(y)[0]);
         match (x, Lies::new((down, y))) {

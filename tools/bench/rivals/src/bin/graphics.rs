@@ -43,7 +43,7 @@ impl Work for Cube<'_> {
         let instance = black_box(&self.0);
         let mut points = [Point::zero(); VERTICES];
         for (index, point) in points.iter_mut().enumerate() {
-            let pixel = instance.project(index)?.0.pixel();
+            let pixel = instance.project(index).ok()?.point.pixel();
             *point = Point::new(pixel.x.into(), pixel.y.into());
         }
         let colour = black_box(LINE);
