@@ -4,25 +4,26 @@ use crate::normals::turn;
 use crate::{Edges, Problem, Topology};
 
 /// One side of a face: an edge, the lower vertex first, the face, and whether the face runs along it upwards. In one
-/// number, from the top, which is sorted fast in a build script too: 16 + 16 + 31 + 1 bits. No file has 2³¹ faces.
+/// number, from the top, which is sorted fast in a build script too: 32 + 32 + 32 + 1 bits. A file of 2³⁰ bytes has fewer
+/// vertices and faces than 2³².
 #[derive(Clone, Copy)]
-struct Side(u64);
+pub(crate) struct Side(u128);
 
 impl Side {
-    fn new([from, to]: [u16; 2], face: usize) -> Self {
-        let (low, high) = (u64::from(from.min(to)), u64::from(from.max(to)));
-        Side(low << 48 | high << 32 | (face as u64) << 1 | u64::from(from < to))
+    fn new([from, to]: [usize; 2], face: usize) -> Self {
+        let (low, high) = (from.min(to) as u128, from.max(to) as u128);
+        Side(low << 65 | high << 33 | (face as u128) << 1 | u128::from(from < to))
     }
 
-    fn edge(self) -> [u16; 2] {
-        [(self.0 >> 48) as u16, (self.0 >> 32) as u16]
+    fn edge(self) -> [usize; 2] {
+        [(self.0 >> 65) as u32 as usize, (self.0 >> 33) as u32 as usize]
     }
 
-    fn face(self) -> usize {
-        (self.0 as u32 >> 1) as usize
+    pub(crate) fn face(self) -> usize {
+        (self.0 >> 1) as u32 as usize
     }
 
-    fn up(self) -> bool {
+    pub(crate) fn up(self) -> bool {
         self.0 & 1 == 1
     }
 }
@@ -48,19 +49,28 @@ pub(crate) struct Faults {
 }
 
 impl Sides {
-    pub(crate) fn of(faces: &[[u16; 3]]) -> Self {
+    pub(crate) fn of<I: Into<usize> + Copy>(faces: &[[I; 3]]) -> Self {
         let mut sides = Vec::with_capacity(faces.len() * 3);
-        for (face, &[a, b, c]) in faces.iter().enumerate() {
-            for [from, to] in [[a, b], [b, c], [c, a]] {
-                sides.push(Side::new([from, to], face));
+        for (face, &corners) in faces.iter().enumerate() {
+            let [a, b, c] = corners.map(Into::into);
+            for ends in [[a, b], [b, c], [c, a]] {
+                sides.push(Side::new(ends, face));
             }
         }
         sides.sort_unstable_by_key(|side: &Side| side.0);
         Sides(sides)
     }
 
-    fn edges(&self) -> impl Iterator<Item = &[Side]> {
+    /// The sides of each edge.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = &[Side]> {
         self.0.chunk_by(|a, b| a.edge() == b.edge())
+    }
+
+    /// Follows faces whose corners were reversed. The order stays, as the direction is the last bit.
+    pub(crate) fn reverse(&mut self, is_reversed: impl Fn(usize) -> bool) {
+        for side in &mut self.0 {
+            side.0 ^= u128::from(is_reversed(side.face()));
+        }
     }
 
     /// How often the surface is not closed or not oriented, and where first, by the faces' places in the file: a crowded
@@ -83,7 +93,8 @@ impl Sides {
         (topology, first)
     }
 
-    /// The edges that are wanted, in ascending order, and with `beside` the faces beside each.
+    /// The edges that are wanted, in ascending order, and with `beside` the faces beside each. `backs` are the faces that
+    /// the mesh has a second time, reversed, after all `crosses.len()` of them: their edges are listed with the backs, too.
     ///
     /// # Errors
     ///
@@ -93,10 +104,12 @@ impl Sides {
         edges: Edges,
         beside: bool,
         crosses: &[[i64; 3]],
+        backs: &[usize],
     ) -> Result<Selected, Problem> {
         let mut selected = Selected::default();
-        if beside && crosses.len() > usize::from(u16::MAX) {
-            return Err(Problem::TooManyFaces(crosses.len()));
+        let count = crosses.len() + backs.len();
+        if beside && count > usize::from(u16::MAX) {
+            return Err(Problem::TooManyFaces(count));
         }
         for sides in self.edges() {
             let wanted = match edges {
@@ -107,14 +120,24 @@ impl Sides {
                     _ => true,
                 },
             };
+            let edge = sides[0].edge().map(|vertex| vertex as u16); // a mesh has at most 65536 vertices
             if wanted && beside {
                 for pair in sides.chunks(2) {
                     let face = |i: usize| pair.get(i).map_or(u16::MAX, |side| side.face() as u16);
-                    selected.edges.push(sides[0].edge());
+                    selected.edges.push(edge);
                     selected.beside.push([face(0), face(1)]);
+                    let back = |i: usize| {
+                        let place = backs.binary_search(&pair.get(i)?.face()).ok()?;
+                        Some((crosses.len() + place) as u16) // below 65535
+                    };
+                    let two = [back(0), back(1)];
+                    if two != [None; 2] {
+                        selected.edges.push(edge);
+                        selected.beside.push(two.map(|back| back.unwrap_or(u16::MAX)));
+                    }
                 }
             } else if wanted {
-                selected.edges.push(sides[0].edge());
+                selected.edges.push(edge);
             }
         }
         Ok(selected)

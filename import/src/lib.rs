@@ -20,7 +20,8 @@
 //!    the largest extent ([`quantise`] has the derivation);
 //! 5. positions that fell together are welded as in 1;
 //! 6. faces and vertices are put in an order in which neighbours follow each other, if that is asked for;
-//! 7. edges, the faces beside them, normals, and the planes of faces are derived from what is left.
+//! 7. faces are wound outwards and get backs, if that is asked for;
+//! 8. edges, the faces beside them, normals, and the planes of faces are derived from what is left.
 //!
 //! Invalid input is an [`ImportError`]; doubtful input is imported, and listed in [`ImportedMesh::warnings`].
 
@@ -35,6 +36,8 @@ mod obj;
 mod options;
 mod order;
 mod part;
+mod parts;
+mod preview;
 mod quantise;
 mod rust;
 mod script;
@@ -46,6 +49,7 @@ pub use error::{ImportError, Problem};
 pub use mesh::{ImportedMesh, Report, Topology};
 pub use model::Warning;
 pub use options::{Axis, Centre, Edges, Options};
+pub use preview::{preview, Preview};
 pub use quantise::quantise;
 pub use rust::is_constant_name;
 pub use script::build;
@@ -110,7 +114,7 @@ pub fn read(file: &Path) -> Result<ImportedMesh, ImportError> {
 /// let sheet = import(&file, &options)?;
 /// assert_eq!(sheet.report.extent, 1.0);
 /// assert_eq!(sheet.edges.len(), 4, "the diagonal is no feature");
-/// assert!(sheet.warnings[0].message.contains("not closed"));
+/// assert!(sheet.warnings[0].message.starts_with("open edges: 4, the first at line 5; "));
 /// # std::fs::remove_file(&file)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -135,10 +139,7 @@ pub fn import_with(
 ) -> Result<ImportedMesh, ImportError> {
     begins(Step::Read);
     let mesh = finish(read_model(file)?, file, options, &mut begins)?;
-    match mesh.mesh() {
-        Ok(_) => Ok(mesh),
-        Err(_) => Err(Problem::Exponent(mesh.exponent).at(file, None)), // the only thing left to go wrong
-    }
+    fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
 /// Reads a model as it is: all triangles in the file's order, nothing welded, dropped or rounded.
@@ -169,6 +170,14 @@ pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
 /// As [`read`].
 pub fn read_stl(bytes: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
     finish(stl::read(bytes.to_vec(), file)?, file, &Options::default(), &mut |_| ())
+}
+
+/// The mesh, if its unit is one that a [`pinhole::Mesh`] may have.
+fn fits(mesh: ImportedMesh) -> Result<ImportedMesh, Problem> {
+    match mesh.mesh() {
+        Ok(_) => Ok(mesh),
+        Err(_) => Err(Problem::Exponent(mesh.exponent)), // the only thing left to go wrong
+    }
 }
 
 fn read_model(file: &Path) -> Result<Model, ImportError> {
@@ -202,5 +211,8 @@ fn finish(
     options: &Options,
     begins: &mut dyn FnMut(Step),
 ) -> Result<ImportedMesh, ImportError> {
-    quantise::make(model, options, begins).map_err(|problem| problem.at(file, None))
+    let up = options.up.unwrap_or(Axis::of_file(file));
+    let made = quantise::make(model, up, options, begins).map_err(|problem| problem.at(file, None))?;
+    let mesh = made.mesh.map_err(|problem| problem.at(file, None))?;
+    Ok(ImportedMesh { warnings: made.warnings, ..mesh })
 }

@@ -1,5 +1,6 @@
 //! `pinhole-import MODEL -o OUT.rs`: a model as Rust source.
 
+mod arguments;
 mod part;
 mod same;
 mod say;
@@ -8,20 +9,11 @@ use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
-use pinhole_import::{Axis, Centre, Edges, ImportedMesh, Options, Step};
-use say::{complain, say};
+use pinhole_import::{Centre, Edges, ImportedMesh, Options, Step};
+use say::{complain, say, warn};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
-
-const AXES: [(&str, Axis); 6] = [
-    ("x", Axis::X),
-    ("y", Axis::Y),
-    ("z", Axis::Z),
-    ("-x", Axis::MinusX),
-    ("-y", Axis::MinusY),
-    ("-z", Axis::MinusZ),
-];
 
 fn main() -> ExitCode {
     match run(&command().get_matches()).and_then(say) {
@@ -76,12 +68,7 @@ fn command() -> Command {
             flag("planes")
                 .help("The plane of each face, to leave out early what is turned away: 2 bytes a face"),
         )
-        .arg(
-            choice("up", &AXES.map(|(name, _)| name))
-                .default_value("y")
-                .allow_hyphen_values(true)
-                .help("The file's axis that points upwards; it is turned to +y. CAD programs mostly have z"),
-        )
+        .args(arguments::arguments())
         .arg(
             choice("centre", &["box", "origin"])
                 .default_value("box")
@@ -92,7 +79,6 @@ fn command() -> Command {
                 .value_name("LENGTH")
                 .help("Scale so that the longest side has this length, before --decimate"),
         )
-        .arg(flag("flip").help("Turn the faces over, for a model that is inside out"))
         .arg(flag("keep-order").help("Leave faces and vertices in the file's order"))
         .arg(
             Arg::new("decimate")
@@ -118,8 +104,6 @@ const DECIMATE: &str = if cfg!(feature = "decimate") {
 fn options(given: &ArgMatches) -> Options {
     let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
     Options {
-        up: AXES.iter().find(|(name, _)| *name == word("up")).map_or(Axis::Y, |&(_, axis)| axis),
-        flip: given.get_flag("flip"),
         fit: given.get_one("fit").copied(),
         decimate: given.get_one("decimate").copied(),
         centre: if word("centre") == "origin" { Centre::Origin } else { Centre::Box },
@@ -133,6 +117,7 @@ fn options(given: &ArgMatches) -> Options {
         normals: matches!(word("normals"), "face" | "both"),
         planes: given.get_flag("planes"),
         vertex_normals: matches!(word("normals"), "vertex" | "both"),
+        ..arguments::options(given)
     }
 }
 
@@ -165,9 +150,7 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     });
     bar.finish_and_clear();
     let mesh = mesh.map_err(|e| e.to_string())?;
-    for warning in &mesh.warnings {
-        complain(format_args!("{}: warning: {warning}", model.display()));
-    }
+    warn(&model, &mesh.warnings);
 
     let command = command_line([&model, &output]);
     let source = if given.get_flag("arrays") {
@@ -218,15 +201,12 @@ fn command_line(paths: [&Path; 2]) -> String {
 fn report(mesh: &ImportedMesh) -> String {
     let (report, topology) = (mesh.report, mesh.topology());
     let mut text = format!(
-        "{} vertices, {} faces, {} edges; {} bytes of flash\n\
+        "{}\n\
          read {} vertices and {} triangles; welded {} (and {} by quantising); dropped {} degenerate and {} duplicate faces, {} unused vertices\n\
          step 2^{}; extent {}, largest error of a coordinate {:.3e}; centre {:?}; volume {:.6}\n\
          edges: {} open, {} in more than two faces, {} between faces of opposite winding\n\
          vertices fetched for a face, with a cache of 16: {:.2} in the file's order, {:.2} in the mesh's",
-        mesh.vertices.len(),
-        mesh.faces.len(),
-        mesh.edges.len(),
-        mesh.flash_bytes(),
+        mesh.size(),
         report.vertices_read,
         report.faces_read,
         report.welded,
@@ -245,6 +225,12 @@ fn report(mesh: &ImportedMesh) -> String {
         report.fetches[0],
         report.fetches[1],
     );
+    if report.reversed > 0 {
+        text += &format!("\nreversed {} faces", report.reversed);
+    }
+    if report.backs > 0 {
+        text += &format!("\nadded {} backs of faces", report.backs);
+    }
     if report.decimated > 0 {
         let moved = report.decimation_error;
         text += &format!(

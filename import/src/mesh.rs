@@ -55,6 +55,10 @@ pub struct Report {
     pub duplicate: usize,
     /// Vertices dropped because only dropped faces named them.
     pub unused: usize,
+    /// Faces that [`Options::fix_winding`](crate::Options::fix_winding) reversed.
+    pub reversed: usize,
+    /// Faces at the end of the list that are the backs of others, by [`Options::two_sided`](crate::Options::two_sided).
+    pub backs: usize,
     /// Faces taken away by decimation.
     pub decimated: usize,
     /// How far decimation moved the surface, in model units, as `meshopt` estimates it.
@@ -123,20 +127,43 @@ impl ImportedMesh {
             + size_of_val(&self.vertex_normals[..])
     }
 
-    /// Counts the edges at which the surface is not closed or not oriented.
+    /// How large it is, in words: vertices, faces, edges, and bytes of flash.
+    pub fn size(&self) -> String {
+        let [vertices, faces, edges] = [self.vertices.len(), self.faces.len(), self.edges.len()];
+        format!("{vertices} vertices, {faces} faces, {edges} edges; {} bytes of flash", self.flash_bytes())
+    }
+
+    /// A warning, if the mesh takes more flash than many microcontrollers have.
+    pub(crate) fn large(&self) -> Option<Warning> {
+        const MANY: usize = 128 << 10;
+        let (bytes, edges) =
+            (self.flash_bytes(), size_of_val(&self.edges[..]) + size_of_val(&self.edge_faces[..]));
+        let message = format!(
+            "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, use --edges none or --decimate N"
+        );
+        (bytes > MANY).then_some(Warning { line: None, message })
+    }
+
+    /// The faces without the backs of others.
+    fn fronts(&self) -> &[[u16; 3]] {
+        &self.faces[..self.faces.len().saturating_sub(self.report.backs)]
+    }
+
+    /// Counts the edges at which the surface is not closed or not oriented. Backs by
+    /// [`Options::two_sided`](crate::Options::two_sided) do not count.
     pub fn topology(&self) -> Topology {
-        Sides::of(&self.faces).topology(|face| face).0
+        Sides::of(self.fronts()).topology(|face| face).0
     }
 
     /// The volume that the faces enclose, in model units: positive if a closed surface is counter-clockwise seen from
-    /// outside, negative if it is turned inside out.
+    /// outside, negative if it is turned inside out. Backs do not count.
     pub fn volume(&self) -> f64 {
         let corner = |i: u16| self.vertices[usize::from(i)].map(i128::from);
         let six_volumes = |&[a, b, c]: &[u16; 3]| {
             let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (corner(a), corner(b), corner(c));
             ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
         };
-        let sum: i128 = self.faces.iter().map(six_volumes).sum();
+        let sum: i128 = self.fronts().iter().map(six_volumes).sum();
         sum as f64 / 6.0 * power_of_two(self.exponent).powi(3)
     }
 }

@@ -51,13 +51,11 @@ pub struct Warning {
 }
 
 impl Warning {
-    /// A warning about several triangles, of which the place of the first is named.
-    pub(crate) fn at(message: String, places: &Places, first: usize) -> Self {
+    /// A warning about several triangles: what, the place of the first, and what follows and what to do.
+    pub(crate) fn at(what: &str, places: &Places, first: usize, then: &str) -> Self {
         let (place, line) = places.of(first);
-        Warning {
-            line,
-            message: message + &place.map_or_else(String::new, |at| format!(", the first at {at}")),
-        }
+        let place = place.map_or_else(String::new, |at| format!(", the first at {at}"));
+        Warning { line, message: format!("{what}{place}; {then}") }
     }
 }
 

@@ -1,15 +1,15 @@
 //! What the user may choose.
 
 use crate::Problem;
+use std::path::Path;
 
-/// How a model becomes a mesh. The default is what [`read`](crate::read) does: turned, scaled and ordered as in the file,
-/// centred, with all edges and face normals.
+/// How a model becomes a mesh. The default is what [`read`](crate::read) does: y up, scaled and ordered as in the file, centred,
+/// with all edges and face normals.
 ///
 /// ```
-/// use pinhole_import::{Axis, Edges, Options};
-/// // A part from a CAD program, which has z upwards, for hidden lines: one unit long, with the edges one sees.
+/// use pinhole_import::{Edges, Options};
+/// // A part for hidden lines: one unit long, with the edges one sees.
 /// let options = Options {
-///     up: Axis::Z,
 ///     fit: Some(1.0),
 ///     edges: Edges::Feature { degrees: 30.0 },
 ///     edge_faces: true,
@@ -19,10 +19,18 @@ use crate::Problem;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// The axis of the file that points upwards: the model is turned so that it becomes +y.
-    pub up: Axis,
-    /// Turns the faces over, for a file that has them clockwise.
+    /// The axis of the file that points upwards: the model is turned so that it becomes +y. `None` is the axis that such
+    /// files mostly have, [`Axis::of_file`]: z of STL, y of OBJ.
+    pub up: Option<Axis>,
+    /// Reverses all faces, for a file that has them clockwise seen from outside.
     pub flip: bool,
+    /// Reverses the faces that are wound otherwise than their neighbours, and then all of each connected part whose faces
+    /// point inwards. Closed parts within a closed part may point inwards: they are cavities.
+    pub fix_winding: bool,
+    /// Adds the back of each face that can be seen from behind: of all connected parts but those that are closed and whose
+    /// faces all point outwards. A back is a face with the same corners, reversed, so it is culled and lit as any other, and
+    /// the mesh is drawn by the same code. Costs 6 bytes a back, and 6 more for its normal.
+    pub two_sided: bool,
     /// Scales the model so that the longest side of its bounding box has this length. Decimation comes after that, and may
     /// leave it shorter; [`Report::extent`](crate::Report::extent) has what is left.
     pub fit: Option<f64>,
@@ -54,8 +62,10 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Options {
-            up: Axis::Y,
+            up: None,
             flip: false,
+            fix_winding: false,
+            two_sided: false,
             fit: None,
             decimate: None,
             centre: Centre::Box,
@@ -111,8 +121,26 @@ pub enum Axis {
 }
 
 impl Axis {
+    /// All axes, by the names of `--up`.
+    pub const ALL: [(&'static str, Axis); 6] = [
+        ("x", Axis::X),
+        ("y", Axis::Y),
+        ("z", Axis::Z),
+        ("-x", Axis::MinusX),
+        ("-y", Axis::MinusY),
+        ("-z", Axis::MinusZ),
+    ];
+
+    /// The axis that points upwards in most files of this extension: z in STL, which CAD programs write, and y in all others.
+    pub fn of_file(file: &Path) -> Self {
+        match file.extension() {
+            Some(extension) if extension.eq_ignore_ascii_case("stl") => Axis::Z,
+            _ => Axis::Y,
+        }
+    }
+
     /// Turns a point so that this axis becomes +y: about z if it is ±x, about x otherwise. Exact.
-    pub(crate) fn to_y(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    pub fn to_y(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match self {
             Axis::X => [-y, x, z],
             Axis::Y => [x, y, z],

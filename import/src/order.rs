@@ -9,22 +9,22 @@ const CACHE: usize = 16;
 
 /// Orders faces, what is known of each, and vertices, if fewer are fetched then. Gives how many are.
 pub(crate) fn reorder<S: Copy>(
-    faces: &mut Vec<[u16; 3]>,
+    faces: &mut Vec<[usize; 3]>,
     sources: &mut Vec<S>,
     vertices: &mut Vec<[i16; 3]>,
 ) -> f64 {
     let places = by_neighbours(faces, vertices.len());
-    let ordered: Vec<[u16; 3]> = places.iter().map(|&place| faces[place]).collect();
+    let ordered: Vec<[usize; 3]> = places.iter().map(|&place| faces[place]).collect();
     let (before, after) = (fetches(faces, vertices.len()), fetches(&ordered, vertices.len()));
     if after >= before {
         return before;
     }
     let new = by_first_use(&ordered, vertices.len());
-    *faces = ordered.into_iter().map(|face| face.map(|v| new[usize::from(v)])).collect();
+    *faces = ordered.into_iter().map(|face| face.map(|v| new[v])).collect();
     *sources = places.iter().map(|&place| sources[place]).collect();
     let mut moved = vec![[0; 3]; vertices.len()];
     for (vertex, &place) in vertices.iter().zip(&new) {
-        moved[usize::from(place)] = *vertex;
+        moved[place] = *vertex;
     }
     *vertices = moved;
     after
@@ -33,7 +33,7 @@ pub(crate) fn reorder<S: Copy>(
 /// The places of the faces in their new order: the fan about one vertex after the other, where the next vertex is one
 /// of those just used that will still be in a cache of [`CACHE`] corners when all its faces are drawn, the one that has been
 /// there longest; else the last used that has faces left; else the first (Sander, Nehab and Barczak 2007, section 3).
-fn by_neighbours(faces: &[[u16; 3]], vertices: usize) -> Vec<usize> {
+fn by_neighbours(faces: &[[usize; 3]], vertices: usize) -> Vec<usize> {
     let around = Around::new(faces, vertices);
     let mut left: Vec<usize> = (0..vertices).map(|v| around.faces(v).len()).collect();
     let mut drawn = vec![false; faces.len()];
@@ -51,7 +51,7 @@ fn by_neighbours(faces: &[[u16; 3]], vertices: usize) -> Vec<usize> {
                 continue;
             }
             order.push(face);
-            for vertex in faces[face].map(usize::from) {
+            for vertex in faces[face] {
                 fan.push(vertex);
                 left[vertex] -= 1;
                 if clock - entered[vertex] > CACHE {
@@ -85,10 +85,10 @@ struct Around {
 }
 
 impl Around {
-    fn new(faces: &[[u16; 3]], vertices: usize) -> Self {
+    fn new(faces: &[[usize; 3]], vertices: usize) -> Self {
         let mut starts = vec![0; vertices + 1];
         for &vertex in faces.iter().flatten() {
-            starts[usize::from(vertex) + 1] += 1;
+            starts[vertex + 1] += 1;
         }
         for vertex in 0..vertices {
             starts[vertex + 1] += starts[vertex];
@@ -97,7 +97,7 @@ impl Around {
         let mut list = vec![0; faces.len() * 3];
         for (face, corners) in faces.iter().enumerate() {
             for &vertex in corners {
-                let next = &mut next[usize::from(vertex)];
+                let next = &mut next[vertex];
                 list[*next] = face;
                 *next += 1;
             }
@@ -112,11 +112,11 @@ impl Around {
 
 /// How many vertices a face fetches, on average, with a first-in-first-out cache of [`CACHE`] of them: 3 at worst, about
 /// ½ at best in a large closed mesh, which has half as many vertices as faces.
-pub(crate) fn fetches(faces: &[[u16; 3]], vertices: usize) -> f64 {
+pub(crate) fn fetches(faces: &[[usize; 3]], vertices: usize) -> f64 {
     let mut entered = vec![0; vertices];
     let mut clock = CACHE + 1;
     let start = clock;
-    for vertex in faces.iter().flatten().copied().map(usize::from) {
+    for &vertex in faces.iter().flatten() {
         if clock - entered[vertex] > CACHE {
             entered[vertex] = clock;
             clock += 1;
@@ -126,14 +126,14 @@ pub(crate) fn fetches(faces: &[[u16; 3]], vertices: usize) -> f64 {
 }
 
 /// For each vertex its place by first use. All vertices are used.
-fn by_first_use(faces: &[[u16; 3]], vertices: usize) -> Vec<u16> {
+fn by_first_use(faces: &[[usize; 3]], vertices: usize) -> Vec<usize> {
     let mut places = vec![None; vertices];
-    let mut next = 0u16;
+    let mut next = 0;
     for &vertex in faces.iter().flatten() {
-        let place = &mut places[usize::from(vertex)];
+        let place = &mut places[vertex];
         if place.is_none() {
             *place = Some(next);
-            next = next.wrapping_add(1); // past the last of 65536
+            next += 1;
         }
     }
     places.into_iter().map(Option::unwrap_or_default).collect()

@@ -2,14 +2,15 @@
 
 use crate::edges::Sides;
 use crate::grid::{extent, Grid};
-use crate::mesh::{ImportedMesh, Report, Topology};
+use crate::mesh::{ImportedMesh, Report};
 use crate::model::{Model, Warning};
 use crate::normals::{cross, of_vertices, on_one_line, unit};
-use crate::weld::weld;
-use crate::{decimate, order, Options, Problem, Step, Triangles};
+use crate::parts::Parts;
+use crate::weld::{weld, Welded};
+use crate::{decimate, order, Axis, Options, Problem, Step, Triangles};
 
-/// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Turns, scales and orders nothing: it
-/// has the default [`Options`].
+/// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
+/// default [`Options`], and y is up.
 ///
 /// **Error.** Let E be the largest extent and h = E/2 the largest distance of a coordinate from the centre. The exponent
 /// is the least with `round(h / 2^exponent) <= 32767`, so one less would have given `h / 2^(exponent-1) >= 32767.5`, that
@@ -27,15 +28,29 @@ use crate::{decimate, order, Options, Problem, Step, Triangles};
 /// [`Problem::TooManyVertices`], [`Problem::Extent`].
 pub fn quantise(model: &Triangles) -> Result<ImportedMesh, Problem> {
     let model = Model { triangles: model.clone(), ..Model::default() };
-    make(model, &Options::default(), &mut |_| ())
+    let made = make(model, Axis::Y, &Options::default(), &mut |_| ())?;
+    Ok(ImportedMesh { warnings: made.warnings, ..made.mesh? })
 }
 
-/// Makes a mesh of a model as the options say.
+/// What became of a model.
+pub(crate) struct Made {
+    /// For each triangle of the file whether its corners were reversed. Not after decimation, which makes new triangles.
+    pub(crate) reversed: Vec<bool>,
+    /// The triangles of the file, ascending, that the mesh has a second time, reversed.
+    pub(crate) backs: Vec<usize>,
+    /// What is doubtful about the model, whether it fits a mesh or not.
+    pub(crate) warnings: Vec<Warning>,
+    /// The mesh, without the warnings, or why a mesh cannot hold the model.
+    pub(crate) mesh: Result<ImportedMesh, Problem>,
+}
+
+/// Makes a mesh of a model as the options say; `up` is the axis of the file that becomes +y.
 pub(crate) fn make(
     model: Model,
+    up: Axis,
     options: &Options,
     begins: &mut dyn FnMut(Step),
-) -> Result<ImportedMesh, Problem> {
+) -> Result<Made, Problem> {
     options.check()?;
     let Model { triangles: Triangles { positions: read, faces }, places, mut warnings } = model;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
@@ -60,15 +75,19 @@ pub(crate) fn make(
     }
     let used = exact.vertices.iter().map(|&v| read[v]).collect();
     drop(read);
-    let (mut positions, scale) = placed(used, options)?;
+    let (mut positions, scale) = placed(used, up, options)?;
     if options.flip {
-        for [_, b, c] in &mut exact.faces {
-            std::mem::swap(b, c);
-        }
+        exact.faces.iter_mut().for_each(reverse);
     }
     let mut decimated = (0, 0.0);
     if let Some(wanted) = options.decimate.filter(|&wanted| wanted < exact.faces.len()) {
         begins(Step::Decimate);
+        if options.fix_winding {
+            // meshopt takes an edge between faces of opposite winding for a border, and keeps it.
+            let grid = Grid::around(&positions, options.centre)?;
+            let rounded: Vec<[i16; 3]> = positions.iter().map(|p| grid.round(p)).collect();
+            fix_winding(&mut exact.faces, &rounded);
+        }
         decimated = decimate::decimate(&mut exact, &mut positions, wanted)?;
         if exact.faces.is_empty() {
             return Err(Problem::Options("decimation to so few triangles leaves none: allow more"));
@@ -86,34 +105,107 @@ pub(crate) fn make(
     if last.faces.is_empty() {
         return Err(Problem::NoArea(faces.len()));
     }
-    if last.vertices.len() > 1 << 16 {
-        return Err(Problem::TooManyVertices(last.vertices.len()));
-    }
     let error = positions.iter().zip(&rounded).map(|(p, r)| grid.error(p, r)).fold(0.0, f64::max);
-    let source = |place: &usize| exact.sources[*place];
-    let merged = |first: &[usize], then: &[usize]| -> Vec<usize> {
-        first.iter().copied().chain(then.iter().map(source)).collect()
-    };
-    let degenerate = merged(&exact.degenerate, &last.degenerate);
-    let duplicate = merged(&exact.duplicate, &last.duplicate);
+    let source = |place: usize| exact.sources[place];
+    let degenerate: Vec<usize> =
+        exact.degenerate.iter().copied().chain(last.degenerate.iter().map(|&face| source(face))).collect();
+    let duplicate: Vec<usize> = exact
+        .duplicate
+        .iter()
+        .map(|(place, _)| *place)
+        .chain(last.duplicate.iter().map(|(face, _)| source(*face)))
+        .collect();
     let mut vertices: Vec<[i16; 3]> = last.vertices.iter().map(|&v| rounded[v]).collect();
-    // In range: there are at most 65536 vertices.
-    let mut corners: Vec<[u16; 3]> = last.faces.iter().map(|f| f.map(|i| i as u16)).collect();
-    let mut sources: Vec<usize> = last.sources.iter().map(source).collect();
+    let mut corners = last.faces;
+    // For each face its place in `exact.faces`: in the order of `last.faces`, and of `corners`.
+    let (last_sources, mut sources) = (last.sources.clone(), last.sources);
+    let too_many = (vertices.len() > 1 << 16).then_some(Problem::TooManyVertices(vertices.len()));
 
     let mut fetches = [order::fetches(&corners, vertices.len()); 2];
-    if options.reorder {
+    if options.reorder && too_many.is_none() {
         begins(Step::Order);
         fetches[1] = order::reorder(&mut corners, &mut sources, &mut vertices);
     }
 
     begins(Step::Derive);
-    let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[usize::from(i)]))).collect();
-    let sides = Sides::of(&corners);
-    let selected = sides.select(options.edges, options.edge_faces, &crosses)?;
-    let normals = if options.normals { crosses.iter().map(|&c| unit(c)).collect() } else { Vec::new() };
-    let vertex_normals =
+    let mut sides = Sides::of(&corners);
+    let mut parts = Parts::of(&corners, &vertices, &sides);
+    let mut reversed = vec![options.flip; exact.faces.len()];
+    let mut turned = 0;
+    if options.fix_winding {
+        for (face, corners) in corners.iter_mut().enumerate().filter(|(face, _)| parts.is_wrong(*face)) {
+            reverse(corners);
+            reversed[sources[face]] ^= true;
+            turned += 1;
+        }
+        sides.reverse(|face| parts.is_wrong(face));
+        parts.set_right();
+    }
+    let backs = if options.two_sided { parts.seen_from_behind() } else { Vec::new() };
+    let place = |face: usize| source(sources[face]);
+    let (topology, faults) = sides.topology(place);
+
+    let mut warn = |count: usize, what: &str, first: Option<usize>, then: &str| {
+        if let Some(first) = first {
+            warnings.push(Warning::at(&format!("{what}: {count}"), &places, first, then));
+        }
+    };
+    let least = |places: &[usize]| places.iter().min().copied();
+    let dropped = "dropped, which changes no picture";
+    warn(degenerate.len(), "faces without area", least(&degenerate), dropped);
+    warn(duplicate.len(), "duplicate faces", least(&duplicate), dropped);
+    if !options.two_sided {
+        let then = "faces show nothing from behind: close the surface, or use --two-sided";
+        warn(topology.open, "open edges", faults.open, then);
+        let then = "inside and outside are unclear there: separate the bodies, or use --two-sided";
+        warn(topology.crowded, "edges of more than two faces", faults.crowded, then);
+        let then = if parts.parts.iter().all(|part| part.is_one_sided == part.is_mixed) {
+            "the surface is one-sided, like a Möbius strip: use --two-sided"
+        } else {
+            "some faces show nothing from outside: use --fix-winding"
+        };
+        warn(topology.twisted, "edges between faces of opposite winding", faults.twisted, then);
+        let (inside_out, first) = parts.inside_out();
+        let then = if inside_out == parts.parts.len() {
+            "the outside shows nothing: use --flip, unless it is a room seen from inside"
+        } else {
+            "their outside shows nothing: use --fix-winding"
+        };
+        let what = format!("parts inside out: {inside_out} of {}", parts.parts.len());
+        if let Some(first) = first {
+            warnings.push(Warning::at(&what, &places, place(first), then));
+        }
+    }
+    let of_file = |faces: &[usize]| -> Vec<usize> {
+        let mut list: Vec<usize> = faces.iter().map(|&face| place(face)).collect();
+        list.sort_unstable();
+        list
+    };
+    let made = Made {
+        reversed: in_the_file(&reversed, &exact, &last.duplicate, &last_sources, faces.len()),
+        backs: of_file(&backs),
+        warnings,
+        mesh: Err(Problem::NoFaces), // not made yet
+    };
+    if let Some(problem) = too_many {
+        return Ok(Made { mesh: Err(problem), ..made });
+    }
+
+    let crosses: Vec<_> = corners.iter().map(|f| cross(f.map(|i| vertices[i]))).collect();
+    // In range: there are at most 65536 vertices.
+    let mut corners: Vec<[u16; 3]> = corners.iter().map(|f| f.map(|i| i as u16)).collect();
+    let selected = match sides.select(options.edges, options.edge_faces, &crosses, &backs) {
+        Ok(selected) => selected,
+        Err(problem) => return Ok(Made { mesh: Err(problem), ..made }),
+    };
+    let mut normals: Vec<[i16; 3]> =
+        if options.normals { crosses.iter().map(|&c| unit(c)).collect() } else { Vec::new() };
+    let mut vertex_normals =
         if options.vertex_normals { of_vertices(&vertices, &corners, &crosses) } else { Vec::new() };
+    let ends = add_backs(&backs, &mut corners, &mut normals, &mut vertices, &mut vertex_normals);
+    if let Err(problem) = ends {
+        return Ok(Made { mesh: Err(problem), ..made });
+    }
     let mesh = ImportedMesh {
         vertices,
         exponent: grid.exponent,
@@ -132,6 +224,8 @@ pub(crate) fn make(
             degenerate: degenerate.len(),
             duplicate: duplicate.len(),
             unused: exact.unused + last.unused,
+            reversed: turned,
+            backs: backs.len(),
             decimated: decimated.0,
             decimation_error: decimated.1,
             scale,
@@ -142,32 +236,96 @@ pub(crate) fn make(
         warnings: Vec::new(),
     };
     let planes = if options.planes { mesh.find_planes() } else { Vec::new() };
+    let mesh = ImportedMesh { planes, ..mesh };
+    let mut warnings = made.warnings;
+    warnings.extend(mesh.large());
+    Ok(Made { mesh: Ok(mesh), warnings, ..made })
+}
 
-    let mut warn = |count: usize, what: &str, first: Option<usize>| {
-        if let Some(first) = first {
-            warnings.push(Warning::at(format!("{what}: {count}"), &places, first));
+/// Turns a triangle over; its first corner stays.
+fn reverse<T: Copy>(corners: &mut [T; 3]) {
+    let [a, b, c] = *corners;
+    *corners = [a, c, b];
+}
+
+/// Winds the faces of welded vertices as [`Options::fix_winding`] says.
+fn fix_winding(faces: &mut [[usize; 3]], vertices: &[[i16; 3]]) {
+    let parts = Parts::of(faces, vertices, &Sides::of(faces));
+    for (face, corners) in faces.iter_mut().enumerate() {
+        if parts.is_wrong(face) {
+            reverse(corners);
         }
-    };
-    let least = |places: &[usize]| places.iter().min().copied();
-    warn(degenerate.len(), "faces without area dropped", least(&degenerate));
-    warn(duplicate.len(), "faces dropped that were there already", least(&duplicate));
-    let (topology, faults) = sides.topology(|face| sources[face]);
-    warn(topology.open, "edges of one face only (the surface is not closed)", faults.open);
-    warn(topology.crowded, "edges of three or more faces (not a surface)", faults.crowded);
-    warn(topology.twisted, "edges between faces of opposite winding", faults.twisted);
-    if topology == Topology::default() && mesh.volume() < 0.0 {
-        let message =
-            "the surface is inside out: its faces run clockwise seen from outside (flip turns them)";
-        warnings.push(Warning { line: None, message: message.into() });
     }
-    Ok(ImportedMesh { planes, warnings, ..mesh })
+}
+
+/// For each triangle of the file whether it was reversed: as its face was, and that of which it is a duplicate.
+fn in_the_file(
+    reversed: &[bool],
+    exact: &Welded,
+    duplicates: &[(usize, usize)],
+    last_sources: &[usize],
+    count: usize,
+) -> Vec<bool> {
+    let mut reversed = reversed.to_vec();
+    for &(face, twin) in duplicates {
+        reversed[face] = reversed[last_sources[twin]];
+    }
+    let mut of_file = vec![false; count];
+    for (&place, &reversed) in exact.sources.iter().zip(&reversed) {
+        if let Some(of_file) = of_file.get_mut(place) {
+            *of_file = reversed;
+        }
+    }
+    for &(place, twin) in &exact.duplicate {
+        if let (Some(of_file), Some(&reversed)) = (of_file.get_mut(place), reversed.get(twin)) {
+            *of_file = reversed;
+        }
+    }
+    of_file
+}
+
+/// Adds faces a second time, reversed, with their normals. Where vertices have normals, the backs get vertices of their own.
+fn add_backs(
+    backs: &[usize],
+    faces: &mut Vec<[u16; 3]>,
+    normals: &mut Vec<[i16; 3]>,
+    vertices: &mut Vec<[i16; 3]>,
+    vertex_normals: &mut Vec<[i16; 3]>,
+) -> Result<(), Problem> {
+    let mut of_back: Vec<u16> = (0..=u16::MAX).collect();
+    if !vertex_normals.is_empty() {
+        let mut is_done = vec![false; vertices.len()];
+        for vertex in backs.iter().flat_map(|&face| faces[face]).map(usize::from) {
+            if !std::mem::replace(&mut is_done[vertex], true) {
+                of_back[vertex] = vertices.len() as u16; // or refused below
+                vertices.push(vertices[vertex]);
+                vertex_normals.push(vertex_normals[vertex].map(|c| -c)); // from −32767
+            }
+        }
+        if vertices.len() > 1 << 16 {
+            return Err(Problem::TooManyVertices(vertices.len()));
+        }
+    }
+    for &face in backs {
+        let mut back = faces[face].map(|vertex| of_back[usize::from(vertex)]);
+        reverse(&mut back);
+        faces.push(back);
+        if let Some(normal) = normals.get(face) {
+            normals.push(normal.map(|c| -c)); // from −32767
+        }
+    }
+    Ok(())
 }
 
 /// The positions turned and scaled, and by what they were scaled.
-fn placed(mut positions: Vec<[f64; 3]>, options: &Options) -> Result<(Vec<[f64; 3]>, f64), Problem> {
+fn placed(
+    mut positions: Vec<[f64; 3]>,
+    up: Axis,
+    options: &Options,
+) -> Result<(Vec<[f64; 3]>, f64), Problem> {
     let scale = options.fit.map_or(1.0, |side| side / extent(&positions));
     for position in &mut positions {
-        *position = options.up.to_y(*position).map(|c| c * scale);
+        *position = up.to_y(*position).map(|c| c * scale);
     }
     if scale == 0.0 || positions.iter().flatten().any(|c| !c.is_finite()) {
         return Err(Problem::Options("the length to fit and the model's are too far apart"));

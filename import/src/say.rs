@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
+use std::path::Path;
 
 /// A line to standard output. Who closes it (`| head`) has read enough, and the program goes on without.
 pub(crate) fn say(line: impl Display) -> Result<(), String> {
@@ -17,4 +18,11 @@ pub(crate) fn say(line: impl Display) -> Result<(), String> {
 /// A line to standard error, if anybody reads that; there is no other place to say that nobody does.
 pub(crate) fn complain(line: impl Display) {
     let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// What is doubtful about a model, a line each to standard error.
+pub(crate) fn warn(model: &Path, warnings: impl IntoIterator<Item = impl Display>) {
+    for warning in warnings {
+        complain(format_args!("{}: warning: {warning}", model.display()));
+    }
 }

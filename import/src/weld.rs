@@ -1,6 +1,6 @@
 //! Vertices at the same position become one, and faces that are left without area or twice go.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
 /// The mesh after welding: for each new vertex the index of an old one, and the faces. New vertices are numbered in the order in
@@ -16,8 +16,8 @@ pub(crate) struct Welded {
     pub(crate) unused: usize,
     /// The places of the faces that were dropped because they have no area.
     pub(crate) degenerate: Vec<usize>,
-    /// The places of the faces that were dropped because they are there already.
-    pub(crate) duplicate: Vec<usize>,
+    /// The places of the faces that were dropped because they are there already, and the new indices of those that stayed.
+    pub(crate) duplicate: Vec<(usize, usize)>,
 }
 
 /// Welds vertices of equal keys. `is_flat` says of three different vertices whether they lie on one line.
@@ -31,10 +31,7 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
         keys.iter().enumerate().map(|(vertex, key)| *first_with.entry(*key).or_insert(vertex)).collect();
 
     let mut new_index = vec![None; keys.len()];
-    let mut seen = HashSet::<_, BuildHasherDefault<Mix>>::with_capacity_and_hasher(
-        faces.len(),
-        BuildHasherDefault::default(),
-    );
+    let mut seen = Numbered::with_capacity_and_hasher(faces.len(), BuildHasherDefault::default());
     let mut out = Welded {
         vertices: Vec::new(),
         faces: Vec::with_capacity(faces.len()),
@@ -49,9 +46,10 @@ pub(crate) fn weld<K: Copy + Eq + Hash>(
         let [a, b, c] = face;
         if a == b || b == c || c == a || is_flat(face.map(|vertex| keys[vertex])) {
             out.degenerate.push(place);
-        } else if !seen.insert(smallest_first(face)) {
-            out.duplicate.push(place);
+        } else if let Some(&twin) = seen.get(&smallest_first(face)) {
+            out.duplicate.push((place, twin));
         } else {
+            seen.insert(smallest_first(face), out.faces.len());
             out.sources.push(place);
             out.faces.push(face.map(|vertex| {
                 *new_index[vertex].get_or_insert_with(|| {

@@ -140,7 +140,11 @@ fn text_is_read_as_people_write_it() {
     assert_eq!((run_on.faces.len(), run_on.vertices.len()), (2, 6));
     let one_line = format!("solid a\n{first}endsolid a\nsolid b c\n{second}endsolid b").replace('\n', " ");
     let one_line = import(one_line).unwrap();
-    assert!(one_line.warnings.iter().all(|w| w.message.contains("not closed")), "{:?}", one_line.warnings);
+    assert!(
+        one_line.warnings.iter().all(|w| w.message.starts_with("open edges: ")),
+        "{:?}",
+        one_line.warnings
+    );
     assert_eq!(one_line, ImportedMesh { warnings: one_line.warnings.clone(), ..two.clone() });
     let unended = import(format!("solid a\n{first}solid b\n{second}")).unwrap();
     assert_eq!(unended, ImportedMesh { warnings: unended.warnings.clone(), ..two });
@@ -216,15 +220,18 @@ fn an_empty_binary_file_has_no_faces_and_a_long_one_is_doubted() {
     assert_eq!(warnings, ["5 bytes after the last triangle are passed over"]);
 }
 
+const OPEN_6: &str =
+    "open edges: 6, the first at line 2; faces show nothing from behind: close the surface, or use --two-sided";
+
 #[test]
 fn doubtful_triangles_are_named_by_line_or_number() {
     let sliver = facet(0).replace("vertex 0 1 0", "vertex 2 0 0");
     let text = format!("solid a\n{}{sliver}{}{}endsolid\n", facet(0), facet(0), facet(1));
     let mesh = import(text).unwrap();
     let expected = [
-        (Some(9), "faces without area dropped: 1, the first at line 9"),
-        (Some(16), "faces dropped that were there already: 1, the first at line 16"),
-        (Some(2), "edges of one face only (the surface is not closed): 6, the first at line 2"),
+        (Some(9), "faces without area: 1, the first at line 9; dropped, which changes no picture"),
+        (Some(16), "duplicate faces: 1, the first at line 16; dropped, which changes no picture"),
+        (Some(2), OPEN_6),
     ];
     let warnings: Vec<_> = mesh.warnings.iter().map(|w| (w.line, w.message.as_str())).collect();
     assert_eq!(warnings, expected);
@@ -233,7 +240,7 @@ fn doubtful_triangles_are_named_by_line_or_number() {
     bytes.drain(84..134); // the first face
     bytes[80] = 3;
     let mesh = import(bytes).unwrap();
-    let open = "edges of one face only (the surface is not closed): 3, the first at triangle 1";
+    let open = "open edges: 3, the first at triangle 1; faces show nothing from behind: close the surface, or use --two-sided";
     assert_eq!(mesh.warnings.len(), 1);
     assert_eq!((mesh.warnings[0].line, mesh.warnings[0].message.as_str()), (None, open));
 }

@@ -97,8 +97,13 @@ include!("generated/block.rs");
 #[test]
 fn it_compiles_to_the_mesh() {
     let stl = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/build-rs/block.stl");
-    let options =
-        Options { up: Axis::Z, edge_faces: true, planes: true, vertex_normals: true, ..Options::default() };
+    let options = Options {
+        up: Some(Axis::Z),
+        edge_faces: true,
+        planes: true,
+        vertex_normals: true,
+        ..Options::default()
+    };
     let mesh = import(&stl, &options).unwrap();
     let command =
         "pinhole-import block.stl -o block.rs --name BLOCK --up z --edge-faces --normals both --planes --keep-order";
@@ -106,7 +111,7 @@ fn it_compiles_to_the_mesh() {
     let there = include_str!("generated/block.rs");
     assert!(
         text == there,
-        "is not what this makes: (cd import/examples/build-rs && {command}), in tests/generated"
+        "is not what this makes: (cd import/examples/build-rs && {command}), in tests/import/generated"
     );
     assert_eq!(BLOCK, mesh.mesh().unwrap());
     assert_eq!(BLOCK_OFFSET, mesh.offset.map(|c| (c * 65536.0) as i32));

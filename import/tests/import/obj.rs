@@ -375,17 +375,23 @@ fn polygons_are_fans_and_those_that_overlap_are_named() {
 #[test]
 fn faces_of_one_and_two_corners_have_no_area_and_are_named() {
     let doubt = warnings("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 3\nf 3 2 1\n");
-    assert_eq!(doubt, [(Some(5), "faces without area dropped: 2, the first at line 5".into())]);
+    assert_eq!(
+        doubt,
+        [(Some(5), "faces without area: 2, the first at line 5; dropped, which changes no picture".into())]
+    );
 }
 
 #[test]
 fn what_is_no_surface_is_named_with_its_line() {
     let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\n";
     let fan = warnings(&format!("{vertices}f 1 2 3\nf 2 1 4\nf 1 2 5\n"));
-    let crowded = "edges of three or more faces (not a surface): 1, the first at line 8";
+    let crowded =
+        "edges of more than two faces: 1, the first at line 8; inside and outside are unclear there: \
+        separate the bodies, or use --two-sided";
     assert!(fan.contains(&(Some(8), crowded.into())), "{fan:?}");
     let twisted = warnings(&format!("{vertices}f 1 2 3\n\nf 1 2 4\n"));
-    let opposite = "edges between faces of opposite winding: 1, the first at line 8";
+    let opposite = "edges between faces of opposite winding: 1, the first at line 8; some faces show nothing from outside: \
+        use --fix-winding";
     assert!(twisted.contains(&(Some(8), opposite.into())), "{twisted:?}");
     assert_eq!(warnings(CUBE), []);
     let inside_out = CUBE.lines().map(|line| match line.strip_prefix("f ") {

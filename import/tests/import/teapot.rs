@@ -5,7 +5,7 @@ use std::path::Path;
 
 #[allow(unreachable_pub)]
 mod generated {
-    include!("../../assets/teapot.rs");
+    include!("../../../assets/teapot.rs");
 }
 
 fn teapot() -> ImportedMesh {
@@ -31,7 +31,7 @@ fn is_as_documented() {
 #[test]
 fn generated_source_is_current() {
     let command = "pinhole-import teapot.obj -o teapot.rs --arrays --keep-order";
-    let source = include_str!("../../assets/teapot.rs");
+    let source = include_str!("../../../assets/teapot.rs");
     assert!(
         teapot().to_rust(command) == source,
         "assets/teapot.rs is not what this makes: cargo run -p pinhole-import -- assets/teapot.obj -o assets/teapot.rs --arrays --keep-order"

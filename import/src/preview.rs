@@ -1,0 +1,79 @@
+//! A model for programs that show it before it is in a firmware.
+
+use crate::model::Warning;
+use crate::normals::on_one_line;
+use crate::{fits, quantise, read_model, Axis, ImportError, ImportedMesh, Options, Problem, Triangles};
+use std::path::Path;
+
+/// A model as [`import`](crate::import) makes it, but with the triangles of the file: for programs that show what a firmware
+/// will draw, and show a model that no firmware can hold, too.
+#[derive(Debug)]
+pub struct Preview {
+    /// All triangles in the file's order, in its axes and units, wound as the mesh's are; after them the backs that
+    /// [`Options::two_sided`] adds. With back faces culled they look as the mesh does.
+    pub triangles: Triangles,
+    /// How many of the triangles are backs.
+    pub backs: usize,
+    /// The axis of the file that points upwards.
+    pub up: Axis,
+    /// The mesh, or why no mesh can hold the model.
+    pub mesh: Result<ImportedMesh, Problem>,
+    /// What [`import`](crate::import) warns about, in the same words, and why no mesh can hold the model.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads a model and changes it as the options say, for programs that show it. Orders and decimates nothing.
+///
+/// ```
+/// use pinhole_import::{preview, Axis, Options};
+/// # let file = std::env::temp_dir().join(format!("pinhole-preview-doc-{}.obj", std::process::id()));
+/// std::fs::write(&file, "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n")?;
+/// let sheet = preview(&file, &Options { two_sided: true, ..Options::default() })?;
+/// assert_eq!((sheet.triangles.faces.len(), sheet.backs, sheet.up), (4, 2, Axis::Y));
+/// # std::fs::remove_file(&file)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`import`](crate::import), but for problems that concern a mesh alone ([`Problem::TooManyVertices`],
+/// [`Problem::TooManyFaces`], [`Problem::Exponent`]): these are in [`Preview::mesh`].
+pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
+    let options = Options { reorder: false, decimate: None, ..options.clone() };
+    let up = options.up.unwrap_or(Axis::of_file(file));
+    let model = read_model(file)?;
+    let mut triangles = model.triangles.clone();
+    let made = quantise::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
+    for (face, is_reversed) in triangles.faces.iter_mut().zip(made.reversed) {
+        if is_reversed {
+            *face = reversed(*face);
+        }
+    }
+    let backs: Vec<_> = made.backs.iter().map(|&face| reversed(triangles.faces[face])).collect();
+    let count = backs.len();
+    triangles.faces.extend(backs);
+    let mesh = made.mesh.and_then(fits);
+    let mut warnings = made.warnings;
+    if let Err(problem) = &mesh {
+        warnings.push(Warning { line: None, message: format!("not for firmware: {problem}") });
+    }
+    Ok(Preview { triangles, backs: count, up, mesh, warnings })
+}
+
+fn reversed([a, b, c]: [usize; 3]) -> [usize; 3] {
+    [a, c, b]
+}
+
+impl Triangles {
+    /// The positions of the vertices of all triangles that have an area: those that a mesh keeps, and that a camera frames.
+    /// Each once, in the order of the list.
+    pub fn seen(&self) -> Vec<[f64; 3]> {
+        let mut is_seen = vec![false; self.positions.len()];
+        for face in &self.faces {
+            if !on_one_line(face.map(|vertex| self.positions[vertex])) {
+                face.iter().for_each(|&vertex| is_seen[vertex] = true);
+            }
+        }
+        self.positions.iter().zip(is_seen).filter(|(_, is_seen)| *is_seen).map(|(p, _)| *p).collect()
+    }
+}

@@ -1,0 +1,12 @@
+//! `pinhole-import`: readers, options, what it writes, and the command.
+
+mod build_rs;
+mod cli;
+mod decimate;
+mod obj;
+mod options;
+mod properties;
+mod source;
+mod stl;
+mod teapot;
+mod winding;
