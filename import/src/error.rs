@@ -82,37 +82,37 @@ impl fmt::Display for Problem {
         match self {
             Problem::Read(error) => write!(f, "cannot be read: {error}"),
             Problem::Write(error) => write!(f, "cannot be written: {error}"),
-            Problem::UnknownFormat => f.write_str("is not a model this program reads (.obj, .stl)"),
+            Problem::UnknownFormat => f.write_str("is not a model this program reads: export .obj or .stl"),
             Problem::TooLarge => f.write_str("has more than 1 GiB: reduce it in a modelling program"),
             Problem::Syntax(what) => f.write_str(what),
             Problem::Format(what) => f.write_str(what),
-            Problem::NotText { byte } => write!(f, "is binary, not text: byte {byte} is zero"),
+            Problem::NotText { byte } => write!(f, "is binary, not text, as byte {byte} is zero: export .obj or .stl"),
             Problem::Truncated { needed, given } => {
-                write!(f, "ends before byte {given}: it should have {needed} bytes")
+                write!(f, "ends before byte {given}, but should have {needed} bytes: copy or export it again")
             }
             Problem::NoSuchVertex => f.write_str("the face names a vertex that does not exist"),
-            Problem::NotFinite => f.write_str("a coordinate is not a finite number"),
+            Problem::NotFinite => f.write_str("a coordinate is not a finite number: repair or export the model again"),
             Problem::NotFiniteAt { byte } => {
-                write!(f, "the coordinate at byte {byte} is not a finite number")
+                write!(f, "the coordinate at byte {byte} is not a finite number: repair or export the model again")
             }
-            Problem::NoFaces => f.write_str("has no faces"),
-            Problem::NoArea(faces) => write!(f, "has no face with an area: all {faces} are points or lines"),
+            Problem::NoFaces => f.write_str("has no faces: export the model as a mesh"),
+            Problem::NoArea(faces) => write!(f, "has no face with an area, as all {faces} are points or lines: export the model as a mesh"),
             Problem::TooManyVertices(n) => {
-                write!(f, "has {n} vertices, more than the 65536 of a mesh: split or decimate it")
+                write!(f, "has {n} vertices, more than the 65536 of a mesh: use --decimate N, or split the model")
             }
             Problem::TooManyFaces(n) => {
-                write!(f, "has {n} faces, more than the 65535 that can be named beside edges")
+                write!(f, "has {n} faces, more than the 65535 that can be named beside edges: leave out --edge-faces, or use --decimate N")
             }
-            Problem::Extent(extent) => write!(f, "has an extent of {extent:e}, out of range"),
+            Problem::Extent(extent) => write!(f, "has an extent of {extent:e}, out of range: use another unit, or --fit LENGTH"),
             Problem::Exponent(exponent) => {
                 write!(
                     f,
-                    "needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: scale the model to fit"
+                    "needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: use another unit, or --fit LENGTH"
                 )
             }
             Problem::Options(what) => f.write_str(what),
             Problem::NoDecimation => f.write_str(
-                "cannot be decimated by this build: it lacks the feature `decimate`, which needs C++",
+                "cannot be decimated by this build: install it with the feature `decimate`, which needs a C++ compiler",
             ),
         }
     }

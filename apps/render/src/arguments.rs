@@ -1,6 +1,7 @@
 //! The options and their help.
 
 use clap::{value_parser, Arg, ArgAction, Command};
+use pinhole_render::import;
 use pinhole_render::paint::Mode;
 use pinhole_render::picture::Format;
 use pinhole_render::projections::Named;
@@ -23,7 +24,11 @@ Matrices are row-major and multiply column vectors. A .json mesh is {"vertices":
 --ids: a little-endian i32 per pixel, row by row from the top: the index of the visible triangle, or -1.
 --depth: a little-endian u16 per pixel: 0 (near) to 65534 (far), linear in z/w; 65535 where nothing is drawn.
 --used: the scene after rounding to the crate's number formats; drawing this file gives the same bits.
-With one of these three the defaults for a mesh are --size 320x240 and --up y.
+With one of these three the default --size of a mesh is 320x240.
+
+An .obj or .stl is drawn as the mesh that pinhole-import makes of it, and with its warnings: z of .stl and y of .obj are up, faces
+are seen from their front alone (counter-clockwise) unless --two-sided, and the camera is that of the firmware templates, which
+frames the bounding sphere. Triangles in --ids and --used are those of the file, in its order, then the backs of --two-sided.
 
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
@@ -90,13 +95,18 @@ pub(crate) fn command() -> Command {
         )
         .arg(angle("yaw", "Angle of the eye around the mesh, to the right"))
         .arg(angle("pitch", "Angle of the eye above the horizon"))
-        .arg(angle("fov", "Vertical field of view of a perspective [default: 40, more for some projections]"))
+        .arg(angle("fov", "Field of view of a perspective across the narrower side [default: 40, more for some]"))
         .arg(text(
             "size",
             "WxH",
             "Size of the picture in pixels [default: 640x480; 320x240 for films, 160x120 for text]".into(),
         ))
-        .arg(text("up", "AXIS", "The file's upright axis: y or z [default: y of .obj, z of .stl]".into()))
+        .arg(text(
+            "frame",
+            "WHAT",
+            "What fills the picture: sphere, about the mesh, as in firmware, or outline, larger [default: sphere]".into(),
+        ))
+        .args(import::arguments())
         .arg(file("gif", "Write a film of one turn around the mesh"))
         .arg(
             Arg::new("frames")

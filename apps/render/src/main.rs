@@ -19,10 +19,11 @@ use embedded_graphics::geometry::Size;
 use options::Options;
 use pinhole::Statistics;
 use pinhole_apps_support::{command, files, still};
+use pinhole_render::model::Look;
 use pinhole_render::paint::Subject;
 use pinhole_render::quantised::{self, Quantised};
-use pinhole_render::scene::{self, Scene};
-use pinhole_render::{model, picture};
+use pinhole_render::scene::Scene;
+use pinhole_render::{import, model, picture};
 use std::cell::LazyCell;
 use std::path::Path;
 use std::process::ExitCode;
@@ -39,14 +40,19 @@ fn run(options: &Options) -> Result<(), String> {
     let apart = |input: &Path| files::apart(input, options.outputs());
     apart(&options.scene)?;
     let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
+    let mut imported = None;
     let scene = match &options.look {
         Some(look) => {
-            let mesh = scene::read_mesh(&options.scene)?;
+            let mut model = import::read(&options.scene, &options.import)?;
+            let look = &Look { up: model.up, ..*look };
             if let Some(path) = &options.gif {
-                let film = turntable::gif(&mesh, look, &options.style, options.format, options.frames);
+                let film =
+                    turntable::gif(&model.triangles, look, &options.style, options.format, options.frames);
                 outputs.push((path, film.map_err(named)?));
             }
-            model::scene(mesh, look)?
+            let triangles = std::mem::take(&mut model.triangles);
+            imported = Some(model);
+            model::scene(triangles, look)?
         }
         None => {
             let scene = Scene::read(&options.scene)?;
@@ -97,7 +103,14 @@ fn run(options: &Options) -> Result<(), String> {
         command::say(text.trim_end_matches('\n'))?;
     }
     let parts = if options.style.mode.of_lines() { subject.parts.len() } else { 1 };
-    tell(options, &scene, &used, parts, statistics.filter(|_| told), &outputs)
+    tell(options, &scene, &used, parts, statistics.filter(|_| told), &outputs)?;
+    if let Some(model) = &imported {
+        if let Some(size) = import::size(model).filter(|_| told) {
+            command::say(format_args!("{}: {size}", options.scene.display()))?;
+        }
+        command::warn(&options.scene, &model.warnings);
+    }
+    Ok(())
 }
 
 fn tell(

@@ -2,7 +2,7 @@
 
 use crate::projections::{Kind, Named, Stance};
 use crate::scene::{bounds, Matrix, Scene};
-use pinhole_import::Triangles;
+use pinhole_import::{Axis, Triangles};
 
 /// The view of a mesh. Angles are in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,40 +12,34 @@ pub struct Look {
     pub yaw: f64,
     /// Angle of the eye above the horizon.
     pub pitch: f64,
-    /// Vertical field of view of a perspective.
+    /// Field of view of a perspective, across the narrower side of the picture.
     pub field_of_view: f64,
     pub width: u32,
     pub height: u32,
-    pub up: Up,
+    /// The file's axis that points upwards.
+    pub up: Axis,
     pub fit: Fit,
-}
-
-/// The file's upright axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Up {
-    Y,
-    Z,
 }
 
 /// The shape that fills the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(dead_code)] // not every user fits to all of them
 pub enum Fit {
     /// The mesh's outline from this direction, for a single picture.
     Outline,
     /// The volume that the mesh sweeps while it turns about its upright axis, which stays in the middle.
     Turn,
-    /// The mesh's bounding sphere, magnified by a factor: it has one size from all sides, and its centre is the picture's.
+    /// The mesh's bounding sphere, magnified by a factor: it has one size from all sides, and its centre is the picture's. A
+    /// perspective is that of [`pinhole::Camera::framing`], as the templates for firmware have it.
     Sphere { zoom: f64 },
 }
 
 const IDENTITY: Matrix =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
-const Z_UP: Matrix =
-    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
-/// The part of the picture's half width and height that the mesh may fill.
+/// The part of the picture's half width and height that the mesh's outline may fill.
 const FILL: f64 = 0.92;
+/// The part of the narrower half side that the bounding sphere fills, as in [`pinhole::Camera::framing`].
+const SPHERE_FILL: f64 = 31.0 / 32.0;
 
 /// The centre and the window of the picture, in the axes of the view plane, sheared so that projectors are perpendicular to
 /// it.
@@ -53,6 +47,8 @@ struct Seen {
     middle: [f64; 3],
     /// Extent of the mesh from the centre, towards the eye and away from it.
     radius: f64,
+    /// The distance between near and far plane and the mesh, as a part of the radius.
+    slack: f64,
     distance: f64,
     /// Half the height of the picture; of a perspective, at distance 1.
     height: f64,
@@ -63,29 +59,34 @@ struct Seen {
 
 /// A scene with the mesh in the middle of the picture, as large as fits. The error names the option.
 pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
+    let mesh_points = mesh.seen();
     let Triangles { positions: vertices, faces: triangles } = mesh;
     let kind = look.projection.kind;
     let Stance { yaw, pitch, lean } = kind.stance(look.yaw, look.pitch).ok_or_else(|| {
         format!("--pitch: {} is not from -70 to 70, which {} needs", look.pitch, look.projection.name)
     })?;
     let axes = axes(yaw, pitch);
-    let model = if look.up == Up::Z { Z_UP } else { IDENTITY };
+    let model = upright_matrix(look.up);
+    let framed = match mesh_points {
+        points if points.is_empty() => vertices.clone(),
+        points => points,
+    };
     let turned = |p: &[f64; 3]| turned(upright(p, &model), &axes, lean);
     let seen = match look.fit {
-        Fit::Outline => outline(vertices.iter().map(turned).collect(), None, look),
+        Fit::Outline => outline(framed.iter().map(turned).collect(), None, look),
         Fit::Turn => {
-            let (centre, rings) = rings(&vertices, &model);
+            let (centre, rings) = rings(&framed, &model);
             // A mesh that turns has one size from all sides.
             let axes = self::axes(0.0, pitch);
             let points = rings.map(|p| self::turned(p, &axes, lean)).collect();
             let (seen, centre) = (outline(points, Some([0.0; 3]), look), turned(&centre));
             Seen { middle: [0, 1, 2].map(|i| seen.middle[i] + centre[i]), ..seen }
         }
-        Fit::Sphere { zoom } => sphere(&vertices, turned, lean, look, zoom),
+        Fit::Sphere { zoom } => sphere(&framed, turned, lean, look, zoom),
     };
-    let Seen { middle, radius, distance, height, window } = seen;
-    let deep = 1.05 * radius;
-    let (near, far) = ((distance - deep).max(distance / 64.0), distance + deep);
+    let Seen { middle, radius, slack, distance, height, window } = seen;
+    let deep = radius + slack * radius;
+    let (near, far) = ((distance - deep).max((distance - radius) / 2.0), distance + deep);
     let [across, up] = lean;
     let [x, y] = [aspect(look) * height, height].map(|h| 1.0 / h);
     // The centre maps to (0, 0, -distance) before the shear; with oblique projectors the eye is shifted by their slope.
@@ -124,7 +125,7 @@ pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
         width: look.width,
         height: look.height,
         viewport: [0, 0, look.width as i32, look.height as i32], // at most 4096
-        cull: false,
+        cull: true, // as firmware does unless it says otherwise; `--two-sided` adds backs
         mesh_file: None,
     })
 }
@@ -141,6 +142,18 @@ fn axes(yaw: f64, pitch: f64) -> [[f64; 3]; 3] {
 
 fn aspect(look: &Look) -> f64 {
     f64::from(look.width) / f64::from(look.height)
+}
+
+/// Half the height of the picture of a perspective, at distance 1.
+fn half_height(look: &Look) -> f64 {
+    (look.field_of_view / 2.0).to_radians().tan() / aspect(look).min(1.0)
+}
+
+/// The matrix that turns the file's axis upwards.
+fn upright_matrix(up: Axis) -> Matrix {
+    let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| up.to_y(axis));
+    let row = |i: usize| [columns[0][i] + 0.0, columns[1][i] + 0.0, columns[2][i] + 0.0, 0.0]; // no -0
+    [row(0), row(1), row(2), IDENTITY[3]]
 }
 
 /// A point of the file, turned so that y is up.
@@ -185,7 +198,7 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     let farthest = |f: &dyn Fn([f64; 3]) -> f64| from_middle().map(f).fold(f64::MIN, f64::max);
     let aspect = aspect(look);
     if look.projection.kind.meets_in_the_eye() {
-        let height = (look.field_of_view / 2.0).to_radians().tan();
+        let height = half_height(look);
         let half = [aspect * height, height];
         // From a distance: the centre of the outline along an axis, and the share of the window that it fills.
         let seen = |distance: f64, i: usize| {
@@ -205,7 +218,7 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
             *(if fits(between) { &mut far } else { &mut near }) = between;
         }
         let window = [0, 1].map(|i| seen(far, i).0);
-        return Seen { middle, radius, distance: far, height, window };
+        return Seen { middle, radius, slack: 0.05, distance: far, height, window };
     }
     let weight = |z: f64| match look.projection.kind {
         Kind::Reverse => 1.0 + z / (2.1 * radius),
@@ -213,7 +226,7 @@ fn outline(points: Vec<[f64; 3]>, axis: Option<[f64; 3]>, look: &Look) -> Seen {
     };
     let largest = farthest(&|p| (p[0].abs() / aspect).max(p[1].abs()) / weight(p[2]));
     let height = if largest > 0.0 { largest / FILL } else { radius };
-    Seen { middle, radius, distance: 2.0 * radius, height, window: [0.0; 2] }
+    Seen { middle, radius, slack: 0.05, distance: 2.0 * radius, height, window: [0.0; 2] }
 }
 
 /// The frame that shows the bounding sphere of the mesh, which no turn changes.
@@ -232,14 +245,16 @@ fn sphere(
     let aspect = aspect(look);
     let fitting = |along: [f64; 2]| along[0].max(along[1]) * radius;
     if look.projection.kind.meets_in_the_eye() {
-        let height = (look.field_of_view / 2.0).to_radians().tan();
+        let height = half_height(look);
         // The maximum of z + (x - lean z)/h over the sphere, for either sign of x.
-        let half = [aspect * height * FILL, height * FILL];
+        let half = [aspect * height, height].map(|half| half * SPHERE_FILL);
         let least = [0, 1].map(|i| (1.0 + lean[i].abs() / half[i]).hypot(1.0 / half[i]));
-        return Seen { middle, radius, distance: fitting(least), height: height / zoom, window: [0.0; 2] };
+        let (distance, height) = (fitting(least), height / zoom);
+        return Seen { middle, radius, slack: 1.0 / 64.0, distance, height, window: [0.0; 2] };
     }
     // The maximum of x - lean z; of a reverse perspective, the maximum of x/(1 + u/2) where x² + u² = 1.
     let grown = if look.projection.kind == Kind::Reverse { (4.0f64 / 3.0).sqrt() } else { 1.0 };
     let extents = [0, 1].map(|i| grown * lean[i].hypot(1.0) / [aspect, 1.0][i]);
-    Seen { middle, radius, distance: 2.0 * radius, height: fitting(extents) / FILL / zoom, window: [0.0; 2] }
+    let height = fitting(extents) / SPHERE_FILL / zoom;
+    Seen { middle, radius, slack: 0.05, distance: 2.0 * radius, height, window: [0.0; 2] }
 }

@@ -17,7 +17,9 @@ pub(crate) fn corners(vertices: &[[f64; 3]], triangles: &[[usize; 3]], crease: f
             around.entry(place(at)).or_default().push((number, angle));
         }
     }
-    let least = crease.to_radians().cos() - 1e-9; // a face turns by nothing from itself, roughly
+    // A face turns by nothing from itself, roughly. Beyond 154 degrees, whatever the crease, it is the back of a face in a
+    // two-sided surface, and the normal of one side must not cancel that of the other.
+    let least = crease.to_radians().cos().max(-0.9) - 1e-9;
     let smooth = |number: usize, index: usize| {
         let mut sum = [0.0; 3];
         for &(other, angle) in &around[&place(index)] {

@@ -5,7 +5,9 @@ use crate::ascii::Characters;
 use crate::colours;
 use clap::ArgMatches;
 use embedded_graphics::geometry::Size;
-use pinhole_render::model::{Fit, Look, Up};
+use pinhole_import::Axis;
+use pinhole_render::import;
+use pinhole_render::model::{Fit, Look};
 use pinhole_render::paint::{Mode, Style};
 use pinhole_render::picture::Format;
 use pinhole_render::projections::Named;
@@ -25,6 +27,8 @@ pub(crate) struct Options {
     pub(crate) style: Style,
     pub(crate) format: Format,
     pub(crate) stats: bool,
+    /// How the model is imported.
+    pub(crate) import: pinhole_import::Options,
     /// The camera for a mesh; `None` for a scene, which has its own.
     pub(crate) look: Option<Look>,
     /// Whether no output was named, so that the picture goes to the default file.
@@ -46,6 +50,7 @@ pub(crate) fn read() -> Result<Options, String> {
     let painted = ["colour", "background", "format"].into_iter().find(|name| given.contains_id(name));
     let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
     let (style, format) = style(&mut given)?;
+    let import = import::options(&given);
     let look = look(&mut given, &scene, ascii.is_some())?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
     let [mut png, gif, ids, depth, used] = ["png", "gif", "ids", "depth", "used"].map(&mut file);
@@ -75,7 +80,22 @@ pub(crate) fn read() -> Result<Options, String> {
         return Err(format!("--{name}: applies to pictures alone: give --png FILE too"));
     }
     let frames = frames.unwrap_or(36);
-    Ok(Options { scene, png, gif, frames, ids, depth, used, ascii, style, format, stats, look, unasked })
+    Ok(Options {
+        scene,
+        png,
+        gif,
+        frames,
+        ids,
+        depth,
+        used,
+        ascii,
+        style,
+        format,
+        stats,
+        import,
+        look,
+        unasked,
+    })
 }
 
 /// The canonical path of a file that exists or would be created.
@@ -109,17 +129,18 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
 
 /// The options of the camera, which are for meshes alone.
 fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look>, String> {
-    let is = |extension: &str| scene.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
-    if !(is("obj") || is("stl")) {
-        if !is("json") {
+    if !import::is_model(scene) {
+        if !scene.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
             return Err(format!("{}: is neither a scene (.json) nor a mesh (.obj, .stl)", scene.display()));
         }
-        for name in ["projection", "from", "yaw", "pitch", "fov", "size", "up", "gif", "frames"] {
-            if given.contains_id(name) {
-                return Err(format!(
-                    "--{name}: a scene has its own camera; use this option with .obj and .stl"
-                ));
-            }
+        let of_camera = ["projection", "from", "yaw", "pitch", "fov", "frame", "size", "gif", "frames"];
+        if let Some(name) = of_camera.into_iter().find(|name| given.contains_id(name)) {
+            return Err(format!("--{name}: a scene has its own camera; use this option with .obj and .stl"));
+        }
+        if let Some(name) = import::typed(given) {
+            return Err(format!(
+                "--{name}: a scene is drawn as it stands; use this option with .obj and .stl"
+            ));
         }
         return Ok(None);
     }
@@ -162,7 +183,8 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
     };
     let size = given.remove_one::<String>("size").unwrap_or(usual.into());
     let Size { width, height } = pinhole_apps_support::command::size(&size, 1..=LARGEST)?;
-    let usual = if is("stl") && !raw { Up::Z } else { Up::Y };
-    let up = choice(given, "up", &[("y", Up::Y), ("z", Up::Z)])?.unwrap_or(usual);
-    Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height, up, fit: Fit::Outline }))
+    let fits = [("sphere", Fit::Sphere { zoom: 1.0 }), ("outline", Fit::Outline)];
+    let fit = choice(given, "frame", &fits)?.unwrap_or(fits[0].1);
+    let up = Axis::of_file(scene); // unless the importer says otherwise
+    Ok(Some(Look { projection, yaw, pitch, field_of_view, width, height, up, fit }))
 }

@@ -132,13 +132,13 @@ pub fn bounds(vertices: &[[f64; 3]]) -> ([f64; 3], [f64; 3]) {
     (along(f64::min), along(f64::max))
 }
 
-/// Reads a mesh of any format; triangles keep the order of the file.
-pub fn read_mesh(file: &Path) -> Result<Triangles, String> {
+/// Reads a scene's mesh of any format, as it is in the file: the scene says how it lies and whether back faces are culled.
+fn read_mesh(file: &Path) -> Result<Triangles, String> {
     if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
         let mesh = pinhole_import::read_triangles(file).map_err(|e| e.to_string())?;
         // The importer's message.
         return if mesh.faces.is_empty() {
-            Err(format!("{}: has no faces", file.display()))
+            Err(format!("{}: has no faces: export the model as a mesh", file.display()))
         } else {
             Ok(mesh)
         };

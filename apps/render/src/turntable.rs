@@ -26,7 +26,9 @@ pub(crate) fn gif(
     for frame in 0..frames {
         // The camera moves left, so that the mesh appears to turn right.
         let yaw = look.yaw - 360.0 * f64::from(frame) / f64::from(frames);
-        let look = Look { yaw, fit: Fit::Turn, ..*look };
+        // A sphere has one size from all sides; an outline is that of all of them.
+        let fit = if look.fit == Fit::Outline { Fit::Turn } else { look.fit };
+        let look = Look { yaw, fit, ..*look };
         let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), &look)?)?;
         let subject = subject.get_or_insert_with(|| Subject::new(&used, style.mode));
         pictures.push(picture(subject, (&used, &quantised), style, format)?.0);

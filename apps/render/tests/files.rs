@@ -14,10 +14,13 @@ const SCENE: &str = r#"{"mesh": "m.obj", "width": 8, "height": 8,
 /// Command lines that print.
 const PRINTING: [&str; 2] = ["m.obj --png p.png --size 16x16", "m.obj --ascii --stats"];
 
-/// A folder with a mesh of one triangle, `m.obj`, and a scene that names it, `s.json`.
+/// A tetrahedron: closed, so that nothing is said of it.
+const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+/// A folder with a mesh, `m.obj`, and a scene that names it, `s.json`.
 fn folder(name: &str) -> PathBuf {
     let to = RENDER.folder("files", name);
-    fs::write(to.join("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    fs::write(to.join("m.obj"), MESH).unwrap();
     fs::write(to.join("s.json"), SCENE).unwrap();
     to
 }

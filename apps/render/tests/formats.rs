@@ -135,7 +135,17 @@ fn a_mesh_alone_is_shown_whole_by_every_projection() {
         ("cabinet", &["--mode", "solid"]),
     ] {
         let ids = to.join("ids");
-        let flags = [text(&mesh), "--projection", name, "--size", "90x120", "--ids", text(&ids)];
+        let flags = [
+            text(&mesh),
+            "--projection",
+            name,
+            "--size",
+            "90x120",
+            "--frame",
+            "outline",
+            "--ids",
+            text(&ids),
+        ];
         let done = RENDER.run(&[&flags, more].concat());
         assert!(done.status.success(), "{done:?}");
         let bytes = fs::read(&ids).unwrap();

@@ -53,6 +53,13 @@ fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
+/// Asserts that nothing else is said than what the importer doubts.
+fn no_more_than_warnings(done: &std::process::Output, file: &Path) {
+    let start = format!("{}: warning: ", file.display());
+    let said = String::from_utf8(done.stderr.clone()).unwrap();
+    assert!(said.lines().all(|line| line.starts_with(&start)), "{said}");
+}
+
 struct Picture {
     width: usize,
     height: usize,
@@ -75,7 +82,8 @@ impl Picture {
     fn of(name: &str, file: &Path, options: &[&str]) -> Self {
         let png = RENDER.folder("people", name).join("p.png");
         let done = RENDER.run(&[&[text(file), "--png", text(&png)], options].concat());
-        assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+        assert!(done.status.success(), "{done:?}");
+        no_more_than_warnings(&done, file);
         Self::read(&png)
     }
 
@@ -102,10 +110,14 @@ fn extent(drawn: &[bool], width: usize) -> [[usize; 2]; 2] {
 fn a_model_alone_becomes_a_picture_that_it_fills() {
     let to = RENDER.folder("people", "alone");
     write(&to, "tall.stl", stl([1.0, 1.0, 3.0]));
-    let done = RENDER.run_in(&to, &["tall.stl"]);
+    let done = RENDER.run_in(&to, &["tall.stl", "--frame", "outline"]);
     assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
     let said = String::from_utf8(done.stdout).unwrap();
     assert!(said.contains("target/render/tall.png") && said.contains("640 x 480"), "{said}");
+    assert!(
+        said.contains("tall.stl: in firmware: 8 vertices, 12 faces, 18 edges; 264 bytes of flash"),
+        "{said}"
+    );
     let picture = Picture::read(&to.join("target/render/tall.png"));
     assert_eq!((picture.width, picture.height), (640, 480));
     // Twelve sides of which three show, each in one colour, before one background.
@@ -115,6 +127,13 @@ fn a_model_alone_becomes_a_picture_that_it_fills() {
     assert!(bottom - top > 3 * (right - left) / 2, "{left} {right} {top} {bottom}");
     assert!((bottom - top).abs_diff(480 * 92 / 100) <= 2, "{top} {bottom}");
     assert!(top.abs_diff(480 - bottom) <= 2 && left.abs_diff(640 - right) <= 2, "{left} {right}");
+    // In the sphere's frame, the default, it is smaller: half its diagonal, √11/2, is the radius.
+    assert!(RENDER.run_in(&to, &["tall.stl"]).status.success());
+    let picture = Picture::read(&to.join("target/render/tall.png"));
+    let [[left, right], [upper, lower]] = extent(&picture.drawn(), 640);
+    assert!(upper > 240 / 32 && lower < 480 - 240 / 32 && right - left < lower - upper);
+    // From 20 degrees above 3 is seen as 2.82 at least, 2√(11/4) = 3.32 fill 31/32 of the height.
+    assert!(lower - upper > 480 * 80 / 100, "{upper} {lower}");
     // Otherwise said, it lies.
     let lying = Picture::of("lying", &to.join("tall.stl"), &["--up", "y", "--size", "80x60"]);
     let [[left, right], [top, bottom]] = extent(&lying.drawn(), 80);
@@ -138,8 +157,9 @@ fn a_model_alone_becomes_a_picture_that_it_fills() {
 fn cube_ids(projection: &str, more: &[&str]) -> Vec<i32> {
     let to = RENDER.folder("people_ids", projection);
     let (file, ids) = (write(&to, "cube.obj", obj([1.0; 3])), to.join("ids"));
-    let flags = [text(&file), "--projection", projection, "--size", "200x200", "--ids", text(&ids)];
-    let done = RENDER.run(&[&flags, more].concat());
+    let frame = ["--frame", "outline", "--size", "200x200"];
+    let flags = [&[text(&file), "--projection", projection, "--ids", text(&ids)], &frame[..]].concat();
+    let done = RENDER.run(&[&flags[..], more].concat());
     assert!(done.status.success(), "{done:?}");
     let bytes = fs::read(&ids).unwrap();
     bytes.chunks(4).map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect()
@@ -318,7 +338,8 @@ fn lines_of_large_meshes_are_all_there() {
     let grid: String = vertices.chain(faces).collect();
     let file = write(&RENDER.folder("people", "grid"), "grid.obj", grid);
     for mode in ["wireframe", "hidden-line"] {
-        let picture = Picture::of(mode, &file, &["--projection", "front", "--size", "80x80", "--mode", mode]);
+        let front = ["--projection", "front", "--frame", "outline", "--size", "80x80"];
+        let picture = Picture::of(mode, &file, &[&front[..], &["--mode", mode]].concat());
         // 92 of 100 columns and rows, and each of their pixels has an edge.
         let drawn = picture.drawn().iter().filter(|drawn| **drawn).count();
         assert!(drawn.abs_diff(80 * 80 * 92 * 92 / 10_000) < 160, "{mode}: {drawn}");
@@ -357,7 +378,8 @@ type Frame = (u16, Vec<[u8; 3]>);
 fn film(name: &str, file: &Path, options: &[&str]) -> (usize, Vec<Frame>) {
     let gif = RENDER.folder("people", name).join("film.gif");
     let done = RENDER.run(&[&[text(file), "--gif", text(&gif)], options].concat());
-    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    assert!(done.status.success(), "{done:?}");
+    no_more_than_warnings(&done, file);
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
     let mut decoder = options.read_info(fs::File::open(&gif).unwrap()).unwrap();
@@ -412,7 +434,7 @@ fn text_has_the_picture_s_shape() {
         rows
     };
     // 160 × 120 pixels, 2 × 4 of them a character.
-    let rows = shape(&print(&["--ascii", "--projection", "front"]), 30, 80);
+    let rows = shape(&print(&["--ascii", "--projection", "front", "--frame", "outline"]), 30, 80);
     assert!(rows.iter().flatten().all(|c| " .:-=+*#%@".contains(*c)));
     // A square of 110 × 110 pixels, 92 of 100 of the height: 55 or 57 characters wide, 27 to 29 high.
     let drawn: Vec<_> = rows.iter().flatten().map(|c| *c != ' ').collect();
@@ -454,7 +476,8 @@ fn messages_for_bad_options_name_the_alternatives() {
         (&["--projection", "isometric", "--fov", "50"], &["--fov: isometric has no field of view"]),
         (&["--ids", gif, "--colour", "red"], &["--colour: applies to pictures alone: give --png"]),
         (&["--ascii", "--no-dither"], &["--no-dither: applies to pictures alone"]),
-        (&["--up", "x"], &["--up: x", "y, z"]),
+        (&["--up", "w"], &["'w' for '--up <AXIS>'", "[possible values: x, y, z, -x, -y, -z]"]),
+        (&["--frame", "box"], &["--frame: box", "sphere, outline"]),
         (&["--frames", "12"], &["--frames: ", "--gif"]),
         (&["--gif", gif, "--frames", "1"], &["--frames", "2..=360"]),
         (&["--gif", gif, "--png", gif], &["--gif: names the same file as --png"]),
@@ -465,8 +488,12 @@ fn messages_for_bad_options_name_the_alternatives() {
         assert_eq!(fs::read_dir(&to).unwrap().count(), 1, "{options:?}");
     }
     let scene = write(&to, "s.json", "{}".into());
-    for option in [&["--gif", gif][..], &["--from", "1,2"], &["--up", "z"]] {
+    for option in [&["--gif", gif][..], &["--from", "1,2"], &["--frame", "sphere"]] {
         let said = refusal(&RENDER.run(&[&[text(&scene)], option].concat()));
         assert!(said.contains(option[0]) && said.contains("its own camera"), "{said}");
+    }
+    for option in [&["--up", "z"][..], &["--flip"], &["--fix-winding"], &["--two-sided"]] {
+        let said = refusal(&RENDER.run(&[&[text(&scene)], option].concat()));
+        assert!(said.contains(option[0]) && said.contains("drawn as it stands"), "{said}");
     }
 }

@@ -24,6 +24,11 @@ pub fn complain(line: impl Display) {
     say::complain(line);
 }
 
+/// Prints what is doubtful about a model to standard error, a line each.
+pub fn warn(model: &Path, warnings: impl IntoIterator<Item = impl Display>) {
+    say::warn(model, warnings);
+}
+
 /// Runs a program. An error is printed as one line, whatever characters a file or its name brings into the message, and the
 /// exit code is 2.
 pub fn run<E: ToString>(program: impl FnOnce() -> Result<ExitCode, E>) -> ExitCode {

@@ -10,6 +10,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics_simulator::sdl2::{Keycode, Mod, MouseButton};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay, SimulatorEvent, Window};
 use pinhole_apps_support::command;
+use pinhole_render::import;
 use pinhole_viewer::{write_png, Action, Source, State, Viewer};
 use std::ops::RangeInclusive;
 use std::panic;
@@ -21,15 +22,31 @@ fn main() -> ExitCode {
     command::run(|| -> Result<ExitCode, String> {
         let mut given = command::matches(arguments())?;
         let source = match given.remove_one::<PathBuf>("FILE") {
-            Some(file) => Source::read(&file)?,
+            Some(file) => {
+                if let Some(name) = import::typed(&given).filter(|_| !import::is_model(&file)) {
+                    return Err(format!(
+                        "--{name}: a scene is drawn as it stands; use this option with .obj and .stl"
+                    ));
+                }
+                Source::read(&file, &import::options(&given))?
+            }
+            None if import::typed(&given).is_some() => {
+                return Err("--up, --flip, --fix-winding, --two-sided: are for a FILE".into())
+            }
             None => Source::built_in(),
         };
         let screenshot: Option<PathBuf> = given.remove_one("screenshot");
         screenshot.as_deref().map_or(Ok(()), |file| source.apart_from(file))?;
         let size = size(&mut given, &source)?;
         let mut state = source.state();
+        let (warnings, in_firmware) = (source.warnings().collect::<Vec<_>>(), source.size_in_firmware());
+        let file = source.file().map(Path::to_path_buf).unwrap_or_default();
         let mut viewer = Viewer::new(source, size);
         viewer.draw(&state)?;
+        if let Some(size) = in_firmware {
+            command::say(format_args!("{}: {size}", file.display()))?;
+        }
+        command::warn(&file, &warnings);
         for action in actions(&mut given)? {
             state.apply(action);
             viewer.draw(&state)?; // so that what changes is what the last key changed
@@ -51,6 +68,7 @@ fn arguments() -> Command {
                 .help("A mesh (.obj, .stl) or a scene (.json) [default: a teapot]")
                 .value_parser(value_parser!(PathBuf)),
         )
+        .args(import::arguments())
         .arg(text(
             "size",
             "WxH",

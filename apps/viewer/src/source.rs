@@ -4,36 +4,40 @@ use crate::firmware;
 use crate::state::State;
 use embedded_graphics::geometry::Size;
 use pinhole_apps_support::files;
-use pinhole_import::Triangles;
-use pinhole_render::model::{self, Fit, Look, Up};
-use pinhole_render::scene::{self, Matrix, Scene};
+use pinhole_import::{Axis, Options, Preview, Triangles};
+use pinhole_render::import;
+use pinhole_render::model::{self, Fit, Look};
+use pinhole_render::scene::{Matrix, Scene};
 use std::path::{Path, PathBuf};
 
 /// A mesh, with a camera if its file has one.
 pub struct Source {
     mesh: Triangles,
-    up: Up,
+    up: Axis,
     own: Option<Scene>,
     /// The file, unless the mesh is built in.
     file: Option<PathBuf>,
+    /// What the importer says of a model.
+    imported: Option<Preview>,
 }
 
 impl Source {
-    /// Reads the files that `pinhole-render` reads: `.obj`, `.stl`, or a scene (`.json`).
+    /// Reads the files that `pinhole-render` reads: `.obj` and `.stl`, imported as the options say, or a scene (`.json`), which
+    /// is drawn as it stands.
     ///
     /// # Errors
     ///
     /// A message that names the file and the problem.
-    pub fn read(file: &Path) -> Result<Self, String> {
-        let is = |extension: &str| file.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
-        if is("json") {
+    pub fn read(file: &Path, options: &Options) -> Result<Self, String> {
+        if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
             let own = Scene::read(file)?;
             let positions = own.vertices.iter().map(|&v| in_the_world(&own, v)).collect();
             let mesh = Triangles { positions, faces: own.triangles.clone() };
-            return Ok(Self { mesh, up: Up::Y, own: Some(own), file: Some(file.into()) });
+            return Ok(Self { mesh, up: Axis::Y, own: Some(own), file: Some(file.into()), imported: None });
         }
-        let up = if is("stl") { Up::Z } else { Up::Y };
-        Ok(Self { mesh: scene::read_mesh(file)?, up, own: None, file: Some(file.into()) })
+        let mut model = import::read(file, options)?;
+        let mesh = std::mem::take(&mut model.triangles);
+        Ok(Self { mesh, up: model.up, own: None, file: Some(file.into()), imported: Some(model) })
     }
 
     /// The teapot of the firmware examples.
@@ -44,7 +48,22 @@ impl Source {
             positions: teapot.vertices().iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
             faces: teapot.faces().iter().map(|face| face.map(usize::from)).collect(),
         };
-        Self { mesh, up: Up::Y, own: None, file: None }
+        Self { mesh, up: Axis::Y, own: None, file: None, imported: None }
+    }
+
+    /// What is doubtful about a model, as the importer says it.
+    pub fn warnings(&self) -> impl Iterator<Item = String> + '_ {
+        self.imported.iter().flat_map(|model| &model.warnings).map(ToString::to_string)
+    }
+
+    /// What a firmware with this model has in flash, in words.
+    pub fn size_in_firmware(&self) -> Option<String> {
+        self.imported.as_ref().and_then(import::size)
+    }
+
+    /// The file that is shown, unless the mesh is built in.
+    pub fn file(&self) -> Option<&Path> {
+        self.file.as_deref()
     }
 
     /// The size of the picture in the scene file.
@@ -69,7 +88,7 @@ impl Source {
 
     /// The initial state.
     pub fn state(&self) -> State {
-        State::new(self.own.is_some(), self.own.as_ref().is_some_and(|own| own.cull))
+        State::new(self.own.is_some(), self.own.as_ref().is_none_or(|own| own.cull))
     }
 
     /// The scene with the camera of a state.
@@ -86,7 +105,7 @@ impl Source {
                     width: size.width,
                     height: size.height,
                     up: self.up,
-                    fit: Fit::Sphere { zoom: 1.25 * state.zoom },
+                    fit: Fit::Sphere { zoom: state.zoom },
                 };
                 model::scene(self.mesh.clone(), &look)?
             }

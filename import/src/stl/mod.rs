@@ -34,7 +34,9 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
         // Four bytes of ASCII text are larger than any count of triangles in a file that is small enough to be read.
         let is_text = bytes.get(..HEADER + COUNT).is_some_and(|head| !head.contains(&0));
         return Err(as_it_is(match is_text {
-            true => Problem::Syntax("is text, but no ASCII STL: that begins with `solid`"),
+            true => Problem::Syntax(
+                "is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj",
+            ),
             false => Problem::Truncated { needed, given },
         }));
     }

@@ -240,7 +240,12 @@ fn a_broken_line_is_named() {
     let not_finite = |p: &Problem| matches!(p, NotFinite);
     for number in ["NaN", "inf", "-infinity", "1e999"] {
         let text = format!("{three}v 0 {number} 0\nf 1 2 4\n");
-        assert_error(&text, Some(4), not_finite, "model.obj:4: a coordinate is not a finite number");
+        assert_error(
+            &text,
+            Some(4),
+            not_finite,
+            "model.obj:4: a coordinate is not a finite number: repair or export the model again",
+        );
         // One that no face names is no part of the model.
         let text = format!("{three}v 0 {number} 0\nf 1 2 3\n");
         assert_eq!(import(&text).unwrap().vertices, import(&format!("{three}f 1 2 3\n")).unwrap().vertices);
@@ -249,7 +254,7 @@ fn a_broken_line_is_named() {
         &format!("{three}v 1e300 0 0 1e-300\nf 1 2 4\n"),
         None,
         not_finite,
-        "model.obj: a coordinate is not a finite number",
+        "model.obj: a coordinate is not a finite number: repair or export the model again",
     );
 }
 
@@ -257,11 +262,16 @@ fn a_broken_line_is_named() {
 fn a_model_without_faces_is_an_error() {
     let none = |p: &Problem| matches!(p, Problem::NoFaces);
     for text in ["", "\u{1}PNG\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "o a\nl 1 2\n"] {
-        assert_error(text, None, none, "model.obj: has no faces");
+        assert_error(text, None, none, "model.obj: has no faces: export the model as a mesh");
     }
     let flat = |p: &Problem| matches!(p, Problem::NoArea(1));
     for text in ["v 1 1 1\nf 1 1 1\n", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nf 1 2\n"] {
-        assert_error(text, None, flat, "model.obj: has no face with an area: all 1 are points or lines");
+        assert_error(
+            text,
+            None,
+            flat,
+            "model.obj: has no face with an area, as all 1 are points or lines: export the model as a mesh",
+        );
     }
 }
 
@@ -279,7 +289,7 @@ fn a_mesh_has_at_most_65536_vertices() {
     assert!(matches!(problem, Problem::TooManyVertices(65537)), "{problem:?}");
     assert_eq!(
         problem.to_string(),
-        "has 65537 vertices, more than the 65536 of a mesh: split or decimate it"
+        "has 65537 vertices, more than the 65536 of a mesh: use --decimate N, or split the model"
     );
 }
 
@@ -306,7 +316,7 @@ fn files_that_cannot_be_read_are_named() {
     assert_eq!(message.lines().count(), 1);
 
     let unknown = read(Path::new("model.blend")).unwrap_err();
-    assert_eq!(unknown.to_string(), "model.blend: is not a model this program reads (.obj, .stl)");
+    assert_eq!(unknown.to_string(), "model.blend: is not a model this program reads: export .obj or .stl");
 }
 
 #[test]
@@ -405,7 +415,7 @@ fn what_is_no_surface_is_named_with_its_line() {
 #[test]
 fn binary_files_are_no_obj() {
     let error = read_obj(b"\x7fELF\x02\x01\x01\0\0\0", Path::new("model.obj")).unwrap_err();
-    assert_eq!(error.to_string(), "model.obj: is binary, not text: byte 7 is zero");
+    assert_eq!(error.to_string(), "model.obj: is binary, not text, as byte 7 is zero: export .obj or .stl");
     // Latin-1 in a comment is none of our business.
     assert!(read_obj(b"# \xe9t\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", Path::new("a.obj")).is_ok());
 }

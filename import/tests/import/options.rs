@@ -402,7 +402,9 @@ fn what_a_mesh_cannot_hold_says_what_to_do() {
     let error = import(&path, &Options::default()).unwrap_err();
     assert!(matches!(error.problem, Problem::Exponent(-82)), "{error}"); // half of 1e-20 is 24178 · 2^-82
     assert!(
-        error.to_string().contains("needs a step of 2^-82, but a mesh has 2^-32 to 2^15: scale"),
+        error
+            .to_string()
+            .contains("needs a step of 2^-82, but a mesh has 2^-32 to 2^15: use another unit, or --fit"),
         "{error}"
     );
     assert!(import(&path, &Options { fit: Some(1.0), ..Options::default() }).is_ok());

@@ -70,7 +70,7 @@ fn a_file_cut_short_names_the_first_byte_missing() {
             matches!(error.problem, Problem::Truncated { needed: n, given } if n == needed && given == length as u64),
             "{error}"
         );
-        assert!(error.to_string().contains(&format!("before byte {length}:")), "{error}");
+        assert!(error.to_string().contains(&format!("before byte {length},")), "{error}");
     }
 }
 
@@ -92,7 +92,9 @@ fn a_binary_file_cut_short_is_so_even_if_it_begins_as_text() {
         let error = import(&whole[..length]).unwrap_err();
         assert_eq!(
             error.to_string(),
-            format!("model.stl: ends before byte {length}: it should have 284 bytes")
+            format!(
+                "model.stl: ends before byte {length}, but should have 284 bytes: copy or export it again"
+            )
         );
     }
 }
@@ -157,8 +159,16 @@ fn what_is_wrong_with_text_is_named_with_its_line() {
         (good.replace("vertex 1 0 0", "vertex 1 0 x"), 5, "a vertex needs three numbers"),
         (good.replace("vertex 1 0 0", "vertex 1,5 0 0"), 5, "a vertex needs three numbers"),
         (good.replace("vertex 1 0 0", "vertex 1 0"), 5, "a vertex needs three numbers"),
-        (good.replace("vertex 1 0 0", "vertex NaN 0 0"), 5, "a coordinate is not a finite number"),
-        (good.replace("vertex 1 0 0", "vertex 1e39 0 0"), 5, "a coordinate is not a finite number"),
+        (
+            good.replace("vertex 1 0 0", "vertex NaN 0 0"),
+            5,
+            "a coordinate is not a finite number: repair or export the model again",
+        ),
+        (
+            good.replace("vertex 1 0 0", "vertex 1e39 0 0"),
+            5,
+            "a coordinate is not a finite number: repair or export the model again",
+        ),
         (good.replace("vertex 1 0 0\n", ""), 6, "a facet has three vertices, each `vertex x y z`"),
         (
             good.replace("endloop", "vertex 5 5 5\nendloop"),
@@ -177,7 +187,10 @@ fn what_is_wrong_with_text_is_named_with_its_line() {
         assert_eq!(error.to_string(), format!("model.stl:{line}: {message}"), "{text}");
     }
     for text in ["solid", "solid nothing in it\nendsolid\n"] {
-        assert_eq!(import(text).unwrap_err().to_string(), "model.stl: has no faces");
+        assert_eq!(
+            import(text).unwrap_err().to_string(),
+            "model.stl: has no faces: export the model as a mesh"
+        );
     }
     // In one line a name like a facet cannot be told from one, and is not guessed at.
     let error = import(good.replace("solid a", "solid facet").replace('\n', " ")).unwrap_err();
@@ -188,7 +201,7 @@ fn what_is_wrong_with_text_is_named_with_its_line() {
     // Text that is not STL says so, and is not counted by its bytes.
     for text in ["Dear reader, ".repeat(20), format!("# by hand\n{good}")] {
         let error = import(text).unwrap_err();
-        assert_eq!(error.to_string(), "model.stl: is text, but no ASCII STL: that begins with `solid`");
+        assert_eq!(error.to_string(), "model.stl: is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj");
     }
 }
 
@@ -198,7 +211,7 @@ fn binary_numbers_that_are_none_are_named_by_their_byte() {
         let mut bytes = binary(b"");
         bytes[byte..byte + 4].copy_from_slice(&number.to_le_bytes());
         let error = import(bytes).unwrap_err();
-        let message = format!("model.stl: the coordinate at byte {byte} is not a finite number");
+        let message = format!("model.stl: the coordinate at byte {byte} is not a finite number: repair or export the model again");
         assert_eq!(error.to_string(), message);
     }
     // Nobody needs the normal.
@@ -211,7 +224,7 @@ fn binary_numbers_that_are_none_are_named_by_their_byte() {
 fn an_empty_binary_file_has_no_faces_and_a_long_one_is_doubted() {
     let mut empty = vec![b' '; 80];
     empty.extend([0; 4]);
-    assert_eq!(import(empty).unwrap_err().to_string(), "model.stl: has no faces");
+    assert_eq!(import(empty).unwrap_err().to_string(), "model.stl: has no faces: export the model as a mesh");
     let mut long = binary(b"");
     long.extend([7; 5]);
     let mesh = import(long).unwrap();
