@@ -153,6 +153,43 @@ fn a_model_alone_becomes_a_picture_that_it_fills() {
     assert!(!to.join("target/render/scene.png").exists());
 }
 
+#[test]
+fn doubts_are_the_importer_s_and_options_mend_them() {
+    // The box with its front reversed: 4 of its edges, the first with triangle 3, lie between opposite windings.
+    let text = stl([1.0, 1.0, 3.0]);
+    let mut facets: Vec<String> = text.split_inclusive("endfacet\n").map(String::from).collect();
+    for facet in &mut facets[..2] {
+        let mut lines: Vec<_> = facet.lines().collect();
+        let vertex = lines.iter().position(|line| line.starts_with("vertex")).unwrap();
+        lines.swap(vertex, vertex + 1);
+        *facet = lines.join("\n") + "\n";
+    }
+    let to = RENDER.folder("people", "doubts");
+    let (sound, mixed) = (write(&to, "sound.stl", text), write(&to, "mixed.stl", facets.concat()));
+    let draw = |file: &Path, options: &[&str]| {
+        let png = to.join("p.png");
+        let done = RENDER.run(&[&[self::text(file), "--png", self::text(&png)], options].concat());
+        assert!(done.status.success(), "{done:?}");
+        (Picture::read(&png).pixels, String::from_utf8(done.stderr).unwrap())
+    };
+    let (right, said) = draw(&sound, &[]);
+    assert_eq!(said, "");
+    let (wrong, said) = draw(&mixed, &[]);
+    let line = said
+        .strip_prefix(&format!("{}: warning: edges between faces of opposite winding: 4, ", mixed.display()));
+    assert!(
+        line.is_some_and(|rest| rest.ends_with("use --fix-winding\n") && rest.lines().count() == 1),
+        "{said}"
+    );
+    assert!(wrong != right);
+    for option in ["--fix-winding", "--two-sided"] {
+        let (pixels, said) = draw(&mixed, &[option]);
+        assert!(pixels == right && said.is_empty(), "{option}: {said}");
+    }
+    // Of a refusal nothing but the refusal is said.
+    refusal(&RENDER.run(&[self::text(&mixed), "--png", self::text(&to)]));
+}
+
 /// The triangles seen in a picture of 200 × 200 of a cube.
 fn cube_ids(projection: &str, more: &[&str]) -> Vec<i32> {
     let to = RENDER.folder("people_ids", projection);

@@ -4,15 +4,18 @@ use pinhole_import::{import, preview, Edges, ImportedMesh, Options, Topology};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-/// Vertices and quads of a box, counter-clockwise seen from outside.
-fn cuboid([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[usize; 4]>) {
+/// Vertices and quads.
+type Body = (Vec<[f64; 3]>, Vec<[usize; 4]>);
+
+/// A box, counter-clockwise seen from outside.
+fn cuboid([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> Body {
     let at = |i: usize| [x + a * (i & 1) as f64, y + b * (i >> 1 & 1) as f64, z + c * (i >> 2) as f64];
     let sides = [[4, 5, 7, 6], [1, 0, 2, 3], [5, 1, 3, 7], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]];
     ((0..8).map(at).collect(), sides.to_vec())
 }
 
 /// Text of an OBJ file, by bodies. The first face of the first body is in line `8 · bodies + 1`.
-fn obj(bodies: &[(Vec<[f64; 3]>, Vec<[usize; 4]>)]) -> String {
+fn obj(bodies: &[Body]) -> String {
     let (mut vertices, mut faces, mut first) = (String::new(), String::new(), 1);
     for (positions, quads) in bodies {
         for [x, y, z] in positions {
@@ -34,7 +37,7 @@ fn file(name: &str, text: &str) -> PathBuf {
     path
 }
 
-fn reversed((positions, mut quads): (Vec<[f64; 3]>, Vec<[usize; 4]>)) -> (Vec<[f64; 3]>, Vec<[usize; 4]>) {
+fn reversed((positions, mut quads): Body) -> Body {
     quads.iter_mut().for_each(|quad| quad.reverse());
     (positions, quads)
 }
