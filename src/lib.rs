@@ -36,8 +36,8 @@ pub use pipeline::{
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shading::{
-    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shader,
-    SpanShader, TableShader,
+    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,
+    Shader, SpanShader, TableShader,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,

@@ -29,8 +29,8 @@ pub use crate::pipeline::{
 };
 pub use crate::scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use crate::shading::{
-    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, ShadeTable, Shader,
-    SpanShader, TableShader,
+    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,
+    Shader, SpanShader, TableShader,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{

@@ -85,6 +85,7 @@ public_types![
     Ray,
     PainterError,
     ReferenceVolume,
+    RigidLambert,
     Scissor,
     ShadeTable<Plain>,
     TableShader<'static, Plain>,

@@ -11,7 +11,7 @@ use crate::space::{Model, World};
 ///
 /// Normals are transformed by the inverse transpose of the model transform. If the transform is conformal (a rotation or
 /// reflection with uniform scale), the light direction is transformed to model space instead, and a normal takes three
-/// multiplications. (Lambert's law: Foley et al.,
+/// multiplications. [`RigidLambert`] takes such transforms alone, and less flash. (Lambert's law: Foley et al.,
 /// *Computer Graphics*, 2nd ed., section 16.1; normals: section 5.6.)
 ///
 /// ```
@@ -26,13 +26,10 @@ use crate::space::{Model, World};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lambert {
-    /// The direction towards the light in 2⁻¹⁵, times the share of light that is not ambient. In model space if the transform
-    /// is conformal, otherwise in world space.
-    towards: [i16; 3],
+    /// In model space if the transform is conformal, otherwise in world space.
+    light: ScaledLight,
     /// The normal matrix to world space, if the transform is not conformal.
     normal_matrix: Option<NormalMatrix<Model, World>>,
-    /// Ambient light in 2⁻²² of a level, plus the half that rounds.
-    ambient: u32,
 }
 
 /// Why a light cannot be set up.
@@ -41,11 +38,20 @@ pub struct Lambert {
 pub enum LightError {
     /// The direction towards the light has length zero: give a vector of any other length.
     ZeroDirection,
+    /// The model transform of a [`RigidLambert`] stretches or shears: use a [`Lambert`].
+    NotRigid,
 }
 
 impl core::fmt::Display for LightError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the direction towards the light has length zero: give a vector that points to the light")
+        f.write_str(match self {
+            Self::ZeroDirection => {
+                "the direction towards the light has length zero: give a vector that points to the light"
+            }
+            Self::NotRigid => {
+                "the model transform stretches or shears, which RigidLambert leaves out: use Lambert"
+            }
+        })
     }
 }
 
@@ -72,15 +78,9 @@ impl Lambert {
         // n·(Cᵀ·l) = (C·n)·l.
         let in_model = normalise(&row_times(&light, normals.rows()));
         let conformal = is_conformal(normals.rows());
-        let ambient = ambient.min(256);
-        let rest = 256 - i32::from(ambient);
-        // |v · rest| ≤ 2²³: no longer than a unit vector.
-        let towards = to_q15(if conformal { in_model } else { light })
-            .map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
         Ok(Self {
-            towards,
+            light: ScaledLight::new(if conformal { in_model } else { light }, ambient),
             normal_matrix: (!conformal).then_some(normals),
-            ambient: (u32::from(ambient) << 22) + (1 << 21),
         })
     }
 
@@ -90,7 +90,7 @@ impl Lambert {
     pub fn level(&self, normal: [i16; 3]) -> u16 {
         let [a, b, c] = normal;
         match &self.normal_matrix {
-            None => self.level_in_light_space(a, b, c),
+            None => self.light.level(a, b, c),
             Some(normal_matrix) => self.level_by_normal_matrix(normal_matrix, a, b, c),
         }
     }
@@ -105,18 +105,7 @@ impl Lambert {
         c: i16,
     ) -> u16 {
         let [a, b, c] = normal_matrix.apply([a, b, c]);
-        self.level_in_light_space(a, b, c)
-    }
-
-    /// The light for a normal in the space of the light direction.
-    #[inline(always)]
-    fn level_in_light_space(&self, a: i16, b: i16, c: i16) -> u16 {
-        let (a, b, c) = (i32::from(a), i32::from(b), i32::from(c));
-        let [x, y, z] = map3(self.towards, i32::from);
-        // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹. The larger the ambient part, the shorter is l: so the sum with
-        // the ambient part stays below 2³².
-        let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
-        ((dot.max(0) as u32).wrapping_add(self.ambient) >> 22).min(256) as u16
+        self.light.level(a, b, c)
     }
 
     /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice. Call it once per frame
@@ -130,6 +119,101 @@ impl Lambert {
     /// assert_eq!(levels, [256, 156, 56]);
     /// # Ok::<(), pinhole::LightError>(())
     /// ```
+    pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
+        for (level, &normal) in levels.iter_mut().zip(normals) {
+            *level = self.level(normal);
+        }
+    }
+}
+
+/// A light direction and ambient light, in the space of the normals that it is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct ScaledLight {
+    /// The direction towards the light in 2⁻¹⁵, times the share of light that is not ambient.
+    towards: [i16; 3],
+    /// Ambient light in 2⁻²² of a level, plus the half that rounds.
+    ambient: u32,
+}
+
+impl ScaledLight {
+    /// `towards`: a unit vector in 2⁻³⁰. `ambient`: in 1/256 of full light, at most 256 of them count.
+    fn new(towards: [i32; 3], ambient: u16) -> Self {
+        let ambient = ambient.min(256);
+        let rest = 256 - i32::from(ambient);
+        // |v · rest| ≤ 2²³: no longer than a unit vector.
+        let towards = to_q15(towards).map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
+        Self { towards, ambient: (u32::from(ambient) << 22) + (1 << 21) }
+    }
+
+    /// The light for a normal in the space of the light direction.
+    #[inline(always)]
+    fn level(&self, a: i16, b: i16, c: i16) -> u16 {
+        let (a, b, c) = (i32::from(a), i32::from(b), i32::from(c));
+        let [x, y, z] = map3(self.towards, i32::from);
+        // |n|·|l| ≤ √3·2¹⁵ · 2¹⁵ bounds every partial sum below 2³¹. The larger the ambient part, the shorter is l: so the sum with
+        // the ambient part stays below 2³².
+        let dot = (a * x).wrapping_add(b * y).wrapping_add(c * z);
+        ((dot.max(0) as u32).wrapping_add(self.ambient) >> 22).min(256) as u16
+    }
+}
+
+/// [`Lambert`] for an object that is only turned, moved, reflected or scaled uniformly: set-up transforms the light direction by
+/// the transpose of the model transform, and a firmware that uses no other light has no code for normal matrices.
+///
+/// ```
+/// use pinhole::{space::{Model, World}, Affine, Angle, LightError, RigidLambert, Scalar, Vector3};
+/// let model = Affine::<Model, World>::rotation_y(Angle::degrees(90));
+/// let light = RigidLambert::new(&model, Vector3::from_ints(9, 0, 0), 64)?;
+/// assert_eq!(light.level([0, 0, 32767]), 256); // turned from +z to +x, it faces the light
+/// assert_eq!(light.level([32767, 0, 0]), 64); // grazed: ambient only
+/// let [one, two] = [1, 2].map(Scalar::from_num);
+/// let stretched = Affine::<Model, World>::scale_axes(one, two, one);
+/// assert_eq!(RigidLambert::new(&stretched, Vector3::from_ints(9, 0, 0), 64), Err(LightError::NotRigid));
+/// # Ok::<(), LightError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RigidLambert {
+    /// In model space.
+    light: ScaledLight,
+}
+
+impl RigidLambert {
+    /// Sets up the light on an object with the transform `model`. `towards_light` points towards the light (world space, any
+    /// length). `ambient` is the ambient part in 1/256 of full light (more than 256 counts as 256).
+    ///
+    /// # Errors
+    ///
+    /// [`LightError::ZeroDirection`] if `towards_light` has length zero; [`LightError::NotRigid`] if `model` stretches or shears:
+    /// angles between its axes, or lengths of these, differ by more than 2⁻¹⁰.
+    #[inline(never)] // set-up: its stack frame is gone before faces are drawn
+    pub fn new(
+        model: &Affine<Model, World>,
+        towards_light: Vector3<World>,
+        ambient: u16,
+    ) -> Result<Self, LightError> {
+        let light = normalise(&towards_light.bits().map(i64::from));
+        if is_zero(&light) {
+            return Err(LightError::ZeroDirection);
+        }
+        let (rows, _) = model.linear();
+        if !is_conformal(rows) {
+            return Err(LightError::NotRigid);
+        }
+        // n·(Rᵀ·l) = (R·n)·l.
+        Ok(Self { light: ScaledLight::new(normalise(&row_times(&light, rows)), ambient) })
+    }
+
+    /// The light level, 0 … 256, of a face or a vertex with this unit normal (model space, in 2⁻¹⁵): `ambient + (256 − ambient)
+    /// · max(0, cos)`, within 1.
+    #[inline(always)]
+    pub fn level(&self, normal: [i16; 3]) -> u16 {
+        let [a, b, c] = normal;
+        self.light.level(a, b, c)
+    }
+
+    /// Writes the [`level`](Self::level) of each normal to `levels`, up to the end of the shorter slice.
     pub fn levels(&self, normals: &[[i16; 3]], levels: &mut [u16]) {
         for (level, &normal) in levels.iter_mut().zip(normals) {
             *level = self.level(normal);

@@ -22,7 +22,7 @@ pub(crate) use dither::{Bayer, DitheredColor};
 pub use flat::Flat;
 pub use gouraud::Gouraud;
 pub(crate) use gouraud::{ChannelGradients, Nearest};
-pub use lambert::{Lambert, LightError};
+pub use lambert::{Lambert, LightError, RigidLambert};
 pub use lit::Lit;
 pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};

@@ -21,6 +21,7 @@ fn each_message_names_the_fault_and_the_way_out() {
         (Box::new(InverseError::Singular), &["singular", "scale is zero"]),
         (Box::new(InverseError::NotRigid), &["not rigid", "`inverse`"]),
         (Box::new(LightError::ZeroDirection), &["direction", "light", "length zero", "give"]),
+        (Box::new(LightError::NotRigid), &["model transform", "stretches", "use Lambert"]),
         (Box::new(MeshError::TooManyVertices { vertices: 70_001 }), &["70001", "65536", "split"]),
         (Box::new(MeshError::FaceIndex { face: 31, index: 77 }), &["face 31", "vertex 77"]),
         (Box::new(MeshError::EdgeIndex { edge: 32, index: 78 }), &["edge 32", "vertex 78"]),

@@ -8,8 +8,8 @@ use pinhole::{
     clip, Affine, Angle, AxisError, Camera, ClipPoint, FramingError, Hierarchy, HierarchyError, InverseError,
     Lambert, LightError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode,
     PlanarProjection, Point3, ProjectError, Projected, Projection, ProjectionError, Quaternion,
-    QuaternionError, Ray, ReferenceVolume, Scalar, Side, Sphere, Statistics, StripBuffers, VanishingPoint,
-    Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+    QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere, Statistics, StripBuffers,
+    VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -100,6 +100,8 @@ entries! {
 
     entry_light(model: &Affine<Model, World>, ambient: u16) -> Result<Lambert, LightError> { Lambert::new(model, vector(), ambient) }
     entry_level(light: &Lambert, normal: [i16; 3]) -> u16 { light.level(normal) }
+    entry_rigid_light(model: &Affine<Model, World>, ambient: u16) -> Result<RigidLambert, LightError> { RigidLambert::new(model, vector(), ambient) }
+    entry_rigid_level(light: &RigidLambert, normal: [i16; 3], normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level(normal) }
     entry_statistics(a: Statistics, b: Statistics) -> Statistics { a.and(b) }
     entry_mesh(v: Vertices, exponent: i8, f: Faces) -> Result<Mesh<'static>, MeshError> { Mesh::new(v, exponent, f) }
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
