@@ -37,7 +37,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// the mesh has more than 65535 faces. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
     pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
-        let mut faces = BinnedFaces(Binned::new(*self, storage, self.instance.mesh.faces().len()));
+        let mut faces = BinnedFaces(Binned::new(*self, storage, self.instance.mesh_ref().faces().len()));
         faces.0.statistics = self.fill_bins(&mut faces.0.bins)?;
         Ok(faces)
     }
@@ -50,7 +50,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// The first row of a binned face.
     #[inline(never)] // one copy for two callers
     pub(super) fn first_row(&self, index: usize) -> i32 {
-        let Some(face) = self.instance.mesh.faces().get(index) else { return 0 };
+        let Some(face) = self.instance.mesh_ref().faces().get(index) else { return 0 };
         match self.on_screen(face) {
             Some(corners) => {
                 Scissor::bounding_box(&map3(self.unpack(corners), |corner| corner.point)).rows().start
@@ -76,7 +76,7 @@ fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
     mut cache: impl VertexCache<'a, V, DEPTH>,
     bins: &mut Bins<'_>,
 ) -> Result<Statistics, BinError> {
-    let (count, mut sort) = (cache.instance().mesh.faces().len(), bins.sort());
+    let (count, mut sort) = (cache.instance().mesh().faces().len(), bins.sort());
     let statistics = count_faces(source, &mut cache, &mut sort);
     let mesh = cache.view();
     sort.finish(count, |index| mesh.first_row(index))?;
@@ -161,7 +161,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
     ) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
-        let mut bins = Bins::new(storage, self.instance.mesh.faces().len(), pixels(self.instance.area()));
+        let mut bins =
+            Bins::new(storage, self.instance.mesh_ref().faces().len(), pixels(self.instance.area()));
         let statistics = self.fill_bins::<DEPTH>(cache, &mut bins)?;
         let transformed = TransformedMesh::with_cache(self.instance, DEPTH, cache);
         Ok(BinnedFaces(Binned { transformed, bins, statistics }))
@@ -177,7 +178,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
             self.source(),
             LazyCache::<V, DEPTH>::new(
                 self.instance,
-                DEPTH || self.instance.vertex_transform.clips_at_far(),
+                DEPTH || self.instance.vertex_transform().clips_at_far(),
                 cache,
             ),
             bins,

@@ -120,13 +120,13 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         slots: &'c mut [ClipCoords],
         varyings: Option<&'c mut dyn ClipVaryings>,
     ) -> Clipper<'c> {
-        let vertex_transform = &self.instance.vertex_transform;
+        let vertex_transform = self.instance.vertex_transform();
         let vertex =
             |i: usize| indices.get(i).map_or(ScreenVertex::EMPTY, |&index| self.screen_vertex(index));
         let vertices = [vertex(0), vertex(1), vertex(2)];
         // A face on the screen is not clipped.
         if !vertices.iter().all(|vertex| vertex.is_on_screen()) {
-            to_clip_space(vertex_transform, self.instance.mesh.vertices(), indices, slots);
+            to_clip_space(vertex_transform, self.instance.mesh_ref().vertices(), indices, slots);
         }
         let depth: Option<DepthOf> = if DEPTH { Some(VertexTransform::depth) } else { None };
         Clipper { vertex_transform, far: self.far, depth, vertices, slots, varyings }
@@ -136,7 +136,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     pub(super) fn vertex(&self, index: u16) -> Option<UnpackedVertex> {
         let vertex = self.screen_vertex(index);
         if vertex.is_on_screen() {
-            return Some(self.instance.vertex_transform.unpack::<DEPTH>(vertex));
+            return Some(self.instance.vertex_transform().unpack::<DEPTH>(vertex));
         }
         if !V::CLIPS {
             return None;
@@ -151,7 +151,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     pub(super) fn edge(&self, edge: [u16; 2], statistics: &mut Statistics) -> Option<[UnpackedVertex; 2]> {
         let ends = edge.map(|index| self.screen_vertex(index));
         if ends.iter().all(|end| end.is_on_screen()) {
-            Some(ends.map(|end| self.instance.vertex_transform.unpack::<DEPTH>(end)))
+            Some(ends.map(|end| self.instance.vertex_transform().unpack::<DEPTH>(end)))
         } else {
             statistics.count_edge(if V::CLIPS { self.clip_edge(edge) } else { None })
         }
@@ -191,7 +191,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     fn face_on_screen(&self, face: &[u16; 3], fan: &mut Fan<'_>) -> Outcome {
         let Some(corners) = self.uncached_corners(face) else { return Outcome::Outside };
         let area = area::<DEPTH>(&corners);
-        match self.instance.cull.facing(area) {
+        match self.instance.cull().facing(area) {
             Facing::Front => {}
             Facing::Away => return Outcome::Culled,
             Facing::EdgeOn => return Outcome::Degenerate,
@@ -227,12 +227,12 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         if ScreenVertex::share_a_plane(a & b & c) {
             return Outcome::Outside; // of vertices that are not cached
         }
-        let may_be_known = ScreenVertex::is_near_alone(a | b | c) && self.instance.cull == Cull::Back;
+        let may_be_known = ScreenVertex::is_near_alone(a | b | c) && self.instance.cull() == Cull::Back;
         if may_be_known && fast::is_back_face(clipper.slots, clipper.vertex_transform.sub_pixels()) {
             return Outcome::Culled;
         }
         let cut = clipper.face(order);
-        fan.begin(self.instance.cull, cut)
+        fan.begin(self.instance.cull(), cut)
     }
 }
 

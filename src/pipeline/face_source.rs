@@ -80,7 +80,7 @@ impl<V: Coordinate> PlaneOrder<'_, V> {
     /// is a back face.
     #[inline(never)] // the loop gets all registers; one copy for all draw calls
     pub(super) fn visible(&self, first: usize, count: usize) -> u32 {
-        let (mesh, range, eye) = (self.instance.mesh, first..first + count, self.eye);
+        let (mesh, range, eye) = (self.instance.mesh_ref(), first..first + count, self.eye);
         let (Some(normals), Some(planes)) = (mesh.normals().get(range.clone()), mesh.planes().get(range))
         else {
             return u32::MAX; // the mesh has no planes

@@ -47,13 +47,13 @@ pub(super) fn each_face<
     let mut statistics = Statistics::NONE;
     let mut triangles = FaceTriangles::new(viewport);
     let instance = cache.instance();
-    let faces = instance.mesh.faces();
+    let faces = instance.mesh_ref().faces();
     source.push(faces, |index, face| {
         match cache.corners(face) {
             // The common case. Back faces are not counted one by one: see `with_the_rest_culled`.
             Some(corners) => {
                 let area = area::<DEPTH>(&corners);
-                let facing = if C::CULLED { Facing::Front } else { instance.cull.facing(area) };
+                let facing = if C::CULLED { Facing::Front } else { instance.cull().facing(area) };
                 match facing {
                     Facing::Front => {}
                     Facing::Away => return Ok(true),
@@ -64,7 +64,7 @@ pub(super) fn each_face<
                 }
                 let Some(corners) = cache.reload_corners(face, corners) else { return Ok(true) };
                 statistics.count(Outcome::Unclipped);
-                let transform = &instance.vertex_transform;
+                let transform = instance.vertex_transform();
                 triangles
                     .fan
                     .set_unclipped::<DEPTH>(&map3(corners, |corner| transform.unpack::<DEPTH>(corner)), area);
@@ -103,10 +103,10 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     } else if V::CLIPS && triangles.fan.is_cut() {
         triangles.fan.clip_w()
     } else {
-        let vertices = instance.mesh.vertices();
+        let vertices = instance.mesh_ref().vertices();
         face.map(|index| {
             let vertex = vertices.get(usize::from(index)); // Mesh has checked that there is one
-            vertex.map_or(1, |vertex| instance.vertex_transform.w(vertex))
+            vertex.map_or(1, |vertex| instance.vertex_transform().w(vertex))
         })
     };
     shader.with_corners(&CornerValues::new(triangles.fan.triangle().depths, w))

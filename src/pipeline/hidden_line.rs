@@ -138,7 +138,7 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
     #[inline(never)]
     fn triangles_beside(&self, edge: usize, first: usize, viewport: &Scissor, beside: &mut Beside) -> bool {
         beside.clear();
-        let (mesh, mut number) = (self.instance.mesh, 0);
+        let (mesh, mut number) = (self.instance.mesh_ref(), 0);
         let mut triangles = FaceTriangles::<()>::new(viewport);
         for &face in mesh.edge_faces().get(edge).into_iter().flatten() {
             // NO_FACE is also the index of the last face of a mesh of 65536 faces: no edge can refer to that face.

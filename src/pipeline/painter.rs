@@ -208,9 +208,9 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     where
         S: Shader,
     {
-        let far = instance.vertex_transform.clips_at_far();
+        let far = instance.vertex_transform().clips_at_far();
         let (vertices, mut recorder) = self.begin(instance)?;
-        transform_all::<V, true>(&instance.vertex_transform, far, instance.mesh.vertices(), vertices);
+        transform_all::<V, true>(instance.vertex_transform(), far, instance.mesh_ref().vertices(), vertices);
         let mut cache = TransformedMesh::with_cache(instance, false, vertices);
         let statistics = recorder.record(MeshOrder, &mut cache, true, shade);
         recorder.room.unpack(instance, true, vertices);
@@ -236,7 +236,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     {
         let instance = faces.instance;
         let (vertices, mut recorder) = self.begin(instance)?;
-        let far = instance.vertex_transform.clips_at_far();
+        let far = instance.vertex_transform().clips_at_far();
         let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
         let statistics = recorder.record(faces.source(), &mut cache, false, shade);
         let vertices = cache.into_cache();
@@ -255,7 +255,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         } else if self.area.as_ref() != Some(instance.area()) {
             return Err(PainterError::OtherViewport);
         }
-        let (first, count) = (self.vertices.len(), instance.mesh.vertices().len());
+        let (first, count) = (self.vertices.len(), instance.mesh_ref().vertices().len());
         let room =
             Room { first, vertices: first + count, first_face: self.faces.len(), faces: self.faces.len() };
         // A mesh that does not fit is reported by `finish`, when its needs are known.
@@ -400,7 +400,7 @@ impl Room {
         let uncached = TransformedMesh::<V, true>::with_cache(instance, false, &[]);
         for (index, vertex) in vertices.iter_mut().enumerate() {
             let point = if vertex.is_on_screen() {
-                Some(instance.vertex_transform.unpack::<true>(*vertex))
+                Some(instance.vertex_transform().unpack::<true>(*vertex))
             } else if all {
                 uncached.vertex(index as u16) // a mesh has at most 65536 vertices
             } else {

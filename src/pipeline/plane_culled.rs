@@ -65,8 +65,8 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn cull_by_planes(&self) -> PlaneCulled<'_, V> {
-        let eye = match self.cull {
-            Cull::Back => PlaneEye::new(&self.vertex_transform),
+        let eye = match self.cull() {
+            Cull::Back => PlaneEye::new(self.vertex_transform()),
             Cull::None => PlaneEye::NOWHERE,
         };
         PlaneCulled { instance: self, eye }
@@ -100,7 +100,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         } else {
             let cache = LazyCache::<V, false>::new(
                 self.instance,
-                self.instance.vertex_transform.clips_at_far(),
+                self.instance.vertex_transform().clips_at_far(),
                 cache,
             );
             faces::solid(self.source(), cache, &region, shade, target)

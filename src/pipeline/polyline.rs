@@ -19,7 +19,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     pub fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
-        for index in 0..self.mesh.vertices().len() {
+        for index in 0..self.mesh_ref().vertices().len() {
             match self.projected(index) {
                 Some(Projected { point, .. }) => {
                     statistics.drawn += 1;
@@ -65,7 +65,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     pub fn polyline<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
-        let vertices = self.mesh.vertices();
+        let vertices = self.mesh_ref().vertices();
         // `index as u16` is exact: a mesh has at most 65536 vertices.
         let mesh = TransformedMesh::<V, false>::with_cache(self, false, &[]);
         let pixel = |index: usize| mesh.vertex(index as u16).map(|vertex| vertex.point.pixel());

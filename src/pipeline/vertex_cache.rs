@@ -134,14 +134,14 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         if let Some(seen) = self.projected(index) {
             return Ok(seen);
         }
-        let vertex = *self.mesh.vertices().get(index).ok_or(ProjectError::NoVertex)?;
+        let vertex = *self.mesh_ref().vertices().get(index).ok_or(ProjectError::NoVertex)?;
         let transform = &self.vertex_transform;
         Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(ProjectError::OutsideGuardBand))
     }
 
     /// A projected vertex, for drawing: without the reason if it is not on the screen, which would take code.
     pub(super) fn projected(&self, index: usize) -> Option<Projected> {
-        let index = u16::try_from(index).ok().filter(|_| index < self.mesh.vertices().len())?;
+        let index = u16::try_from(index).ok().filter(|_| index < self.mesh_ref().vertices().len())?;
         let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;
         Some(Projected { point: vertex.point, depth: vertex.step() })
     }
@@ -150,10 +150,10 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// steps, not clamped to the range of depth. `None` if the mesh has no such vertex, or if it lies in front of the near
     /// plane. Values beyond ±2³⁰ saturate.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
-        let vertex = *self.mesh.vertices().get(index)?;
-        let h = self.vertex_transform.clip(vertex);
+        let vertex = *self.mesh_ref().vertices().get(index)?;
+        let h = self.vertex_transform().clip(vertex);
         let [_, _, d, w] = h.xydw;
-        (d >= 0 && w > 0).then(|| self.vertex_transform.unsnapped(&h))
+        (d >= 0 && w > 0).then(|| self.vertex_transform().unsnapped(&h))
     }
 }
 
@@ -161,8 +161,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// Transforms as many vertices as fit into the cache; the others are transformed when a face needs them. With `DEPTH`, for
     /// drawing with a depth buffer, faces are clipped at the far plane even if the camera does not clip there.
     pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
-        let far = DEPTH || instance.vertex_transform.clips_at_far();
-        transform_all::<V, DEPTH>(&instance.vertex_transform, far, instance.mesh.vertices(), cache);
+        let far = DEPTH || instance.vertex_transform().clips_at_far();
+        transform_all::<V, DEPTH>(instance.vertex_transform(), far, instance.mesh_ref().vertices(), cache);
         // With depth, `opaque` hides the length of the cache: comparing with a register takes one instruction, with many
         // constants two. Without depth no register is left for the length, and the constant is better.
         let cache: &[ScreenVertex] = if DEPTH { opaque(cache) } else { cache };
@@ -176,7 +176,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         far: bool,
         cache: &'a [ScreenVertex],
     ) -> Self {
-        Self { instance, far: far || instance.vertex_transform.clips_at_far(), cache }
+        Self { instance, far: far || instance.vertex_transform().clips_at_far(), cache }
     }
 
     /// A vertex: from the cache, or transformed again if the cache does not hold it.
@@ -199,8 +199,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     fn uncached(&self, index: u16) -> ScreenVertex {
         let mut vertex = [ScreenVertex::EMPTY];
         // `Mesh` has checked that this vertex exists.
-        let vertices = self.instance.mesh.vertices().get(usize::from(index)..).unwrap_or_default();
-        transform_all::<V, DEPTH>(&self.instance.vertex_transform, self.far, vertices, &mut vertex);
+        let vertices = self.instance.mesh_ref().vertices().get(usize::from(index)..).unwrap_or_default();
+        transform_all::<V, DEPTH>(self.instance.vertex_transform(), self.far, vertices, &mut vertex);
         let [vertex] = vertex;
         vertex
     }
@@ -238,7 +238,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// The corners as 24.8 points, with their depths.
     #[inline(always)]
     pub(super) fn unpack(&self, corners: [ScreenVertex; 3]) -> [UnpackedVertex; 3] {
-        map3(corners, |corner| self.instance.vertex_transform.unpack::<DEPTH>(corner))
+        map3(corners, |corner| self.instance.vertex_transform().unpack::<DEPTH>(corner))
     }
 }
 
@@ -309,7 +309,7 @@ impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
     /// Marks all vertices as not transformed. `far`: the far plane clips.
     #[inline(always)]
     pub(super) fn new(instance: &'a MeshInstance<'a, V>, far: bool, cache: &'c mut [ScreenVertex]) -> Self {
-        let count = instance.mesh.vertices().len().min(cache.len());
+        let count = instance.mesh_ref().vertices().len().min(cache.len());
         let cache = cache.get_mut(..count).unwrap_or_default();
         // `opaque` hides that the value is zero: LLVM would call `memset`, which is slower.
         let empty = opaque(ScreenVertex::EMPTY);
@@ -399,8 +399,8 @@ fn transform_one<V: Coordinate, const DEPTH: bool>(
     index: u16,
     to: &mut ScreenVertex,
 ) {
-    let MeshInstance { vertex_transform, mesh, .. } = instance;
-    if let Some(vertex) = mesh.vertices().get(usize::from(index)) {
+    let vertex_transform = instance.vertex_transform();
+    if let Some(vertex) = instance.mesh_ref().vertices().get(usize::from(index)) {
         *to = match vertex_transform.project::<V::Stored, DEPTH>(
             vertex,
             vertex_transform.needs_d(DEPTH, far),

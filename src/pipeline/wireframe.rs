@@ -20,7 +20,7 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
     mut draw: impl FnMut(usize, [UnpackedVertex; 2]) -> Result<(), E>,
 ) -> Result<Statistics, E> {
     let mut statistics = Statistics::NONE;
-    let edges = mesh.instance.mesh.edges();
+    let edges = mesh.instance.mesh_ref().edges();
     for (index, &edge) in edges.iter().enumerate() {
         if let Some(ends) = mesh.edge(edge, &mut statistics) {
             draw(index, ends)?;
