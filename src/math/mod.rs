@@ -31,7 +31,7 @@ pub(crate) use cores::LinearForm;
 pub(crate) use determinant::determinant;
 pub(crate) use form::ClipCoords;
 pub use form::{Coordinate, Inside};
-pub(crate) use normal::to_q15;
+pub(crate) use normal::component_to_q15;
 pub use normal::NormalMatrix;
 pub use number::{NumberError, Scalar};
 pub use point::{Point3, Vector3};

@@ -68,8 +68,13 @@ impl<A, B> NormalMatrix<A, B> {
 }
 
 /// A unit vector in 2⁻³⁰ as Q0.15, rounded to nearest; +1 becomes 32767.
-pub(crate) fn to_q15(unit: [i32; 3]) -> [i16; 3] {
-    unit.map(|c| ((c + (1 << 14)) >> 15).min(32_767) as i16)
+fn to_q15(unit: [i32; 3]) -> [i16; 3] {
+    unit.map(component_to_q15)
+}
+
+/// A component of a unit vector in 2⁻³⁰ as Q0.15, rounded to nearest; +1 becomes 32767.
+pub(crate) fn component_to_q15(c: i32) -> i16 {
+    ((c + (1 << 14)) >> 15).min(32_767) as i16
 }
 
 #[cfg(feature = "defmt")]

@@ -1,9 +1,10 @@
 //! Lambert light: ambient and diffuse lighting, per face or per vertex.
 
+use crate::math::hints::opaque_next;
 use crate::math::num::{dot, row_times};
 use crate::math::unit::{is_zero, normalise};
 use crate::math::unrolled::map3;
-use crate::math::{to_q15, Affine, NormalMatrix, Vector3};
+use crate::math::{component_to_q15, Affine, NormalMatrix, Vector3};
 use crate::space::{Model, World};
 
 /// One directional light and ambient light by Lambert's law, set up for one object. [`level`](Self::level) computes the light
@@ -137,12 +138,16 @@ struct ScaledLight {
 }
 
 impl ScaledLight {
-    /// `towards`: a unit vector in 2⁻³⁰. `ambient`: in 1/256 of full light, at most 256 of them count.
-    fn new(towards: [i32; 3], ambient: u16) -> Self {
+    /// `unit`: towards the light, in 2⁻³⁰. `ambient`: in 1/256 of full light, at most 256 of them count.
+    fn new(unit: [i32; 3], ambient: u16) -> Self {
         let ambient = ambient.min(256);
         let rest = 256 - i32::from(ambient);
-        // |v · rest| ≤ 2²³: no longer than a unit vector.
-        let towards = to_q15(towards).map(|v| ((i32::from(v) * rest + 128) >> 8) as i16);
+        let (mut towards, mut i) = ([0; 3], 0);
+        while let (Some(&c), Some(to)) = (unit.get(i), towards.get_mut(i)) {
+            // |v · rest| ≤ 2²³: no longer than a unit vector.
+            *to = ((i32::from(component_to_q15(c)) * rest + 128) >> 8) as i16;
+            i = opaque_next(i); // code size counts, speed does not
+        }
         Self { towards, ambient: (u32::from(ambient) << 22) + (1 << 21) }
     }
 
@@ -225,12 +230,13 @@ impl RigidLambert {
 /// changes light by less than a level.
 fn is_conformal([x, y, z]: &[[i32; 3]; 3]) -> bool {
     let length = dot(x, x); // 3·2⁶⁰ at most, like the other products
-    let near = |value: i64, wanted: i64| (value - wanted).abs() <= length >> 10;
-    near(dot(y, y), length)
-        && near(dot(z, z), length)
-        && near(dot(x, y), 0)
-        && near(dot(x, z), 0)
-        && near(dot(y, z), 0)
+    let products = [(y, y, length), (z, z, length), (x, y, 0), (x, z, 0), (y, z, 0)];
+    let (mut conformal, mut i) = (true, 0);
+    while let Some(&(a, b, wanted)) = products.get(i) {
+        conformal &= (dot(a, b) - wanted).abs() <= length >> 10;
+        i = opaque_next(i); // code size counts, speed does not
+    }
+    conformal
 }
 
 #[cfg(test)]
