@@ -3,6 +3,7 @@
 use super::edge::{first_row, Edge32};
 use super::triangle::{area, sort_by_y};
 use super::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
+use crate::math::hints::opaque;
 
 /// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, where an edge
 /// enters or leaves the scissor's columns, and where an edge must be set up again to stay exact.
@@ -104,7 +105,12 @@ pub(crate) struct Spans {
 impl Spans {
     #[inline]
     pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
-        Self { trapezoid: Trapezoid::default(), below: AnyTriangle::new(triangle, scissor) }
+        // Edges that the compiler does not know: it would clear a trapezoid of zeros by a library function.
+        let edges = [Edge32::vertical(opaque(0)); 2];
+        Self {
+            trapezoid: Trapezoid { x: 0, y: 0, rows: 0, edges },
+            below: AnyTriangle::new(triangle, scissor),
+        }
     }
 
     /// Whether the triangle has no row inside the scissor; valid before the first span is taken.
