@@ -69,7 +69,8 @@ impl VertexTransform {
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);
         // Copies that are overwritten: zeros would be cleared by a library function.
-        let (mut view, mut i) = (RowBlock { linear: *m, exponent: m_exponent, offset: away }, 0);
+        let mut view = RowBlock { linear: *m, exponent: m_exponent, offset: away }; // in a tuple it would be copied twice
+        let mut i = 0;
         while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
             *offset = evaluate(axis, 0, &away, 0);
             i = opaque_next(i);
