@@ -135,7 +135,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
             return Ok(seen);
         }
         let vertex = *self.mesh_ref().vertices().get(index).ok_or(ProjectError::NoVertex)?;
-        let transform = &self.vertex_transform;
+        let transform = self.vertex_transform();
         Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(ProjectError::OutsideGuardBand))
     }
 
