@@ -31,8 +31,9 @@ pub use math::{
 #[doc(hidden)]
 pub use pipeline::largest;
 pub use pipeline::{
-    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, Cull, MeshBuffers, MeshInstance, Painter,
-    PainterError, PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
+    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, MeshBuffers,
+    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlaneCulled, Scene,
+    SceneError, Statistics, TransformedMesh,
 };
 pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use shading::{

@@ -24,8 +24,9 @@ pub use crate::math::{
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use crate::pipeline::{
-    draw_line, fill_triangle, mesh_buffers, BinError, BinnedEdges, BinnedFaces, Cull, MeshBuffers,
-    MeshInstance, Painter, PainterError, PaintersOrder, PlaneCulled, Statistics, TransformedMesh,
+    draw_line, fill_triangle, mesh_buffers, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull,
+    MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene,
+    PlaneCulled, Scene, SceneError, Statistics, TransformedMesh,
 };
 pub use crate::scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
 pub use crate::shading::{

@@ -16,5 +16,6 @@ mod nothing_outside;
 mod owned_strips;
 mod painter;
 mod polylines;
+mod scenes;
 mod tracked;
 mod view_volume;

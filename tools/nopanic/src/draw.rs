@@ -13,8 +13,8 @@ use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim, DirtyRegions,
-    Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Painter, Picture, Scalar, ScreenVertex,
-    ShadeTable, SpanShader, Target, Tracked, TransferCost,
+    Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object, Painter, Picture, Scalar,
+    ScreenVertex, ShadeTable, SpanShader, Target, Tracked, TransferCost,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -306,6 +306,65 @@ fn entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &
     let Ok(Some(mut band)) = Frame::new(area, Rgb565::new(0, 1, 0)).next_band(strip) else { return };
     let instance = scene.camera.place(mesh, &scene.model);
     draw_pixels(scene, &instance, &mut band.pixels());
+}
+
+#[unsafe(no_mangle)]
+fn entry_pick(camera: &Camera, model: &Affine<Model, World>, mesh: &Mesh<'_>, cache: &mut [ScreenVertex]) {
+    let instance = camera.place(mesh, model);
+    let picked = instance.pick(Point::new(any(), any()), cache);
+    report(picked.and_then(|picked| picked.point(camera)).ok_or(()));
+    report(instance.transform_depth(cache).pick(Point::new(any(), any())).ok_or(()));
+}
+
+#[unsafe(no_mangle)]
+fn entry_scene<'m>(
+    scene: &mut pinhole::Scene<'m, Rgb565, 5>,
+    mesh: &'m Mesh<'m>,
+    model: &Affine<Model, World>,
+) {
+    let object = Object::new(mesh, *model, Rgb565::new(any() as u8, 0, 0)).with_cull(Cull::None);
+    match any() {
+        0 => report(scene.add(object)),
+        1 => scene.clear(),
+        2 => *scene = pinhole::Scene::default(),
+        _ => scene.objects_mut().iter_mut().for_each(|object| object.model = *model),
+    }
+    black_box(scene.objects());
+}
+
+#[unsafe(no_mangle)]
+fn entry_draw_scene(
+    scene: &pinhole::Scene<'_, Rgb565, 5>,
+    camera: &Camera,
+    (cache, bins, depth): (&mut [ScreenVertex], &mut [u16], &mut [u16]),
+    painter: &mut Painter<Rgb565, 100, 100>,
+    target: &mut Wire<Rgb565>,
+) {
+    let placed = scene.place(camera);
+    let shade = |object: &Object<'_, Rgb565>| {
+        let color = object.material;
+        move |face: usize| color.dim(face as u16)
+    };
+    black_box((
+        placed.len(),
+        placed.is_empty(),
+        placed.cache_len(),
+        placed.face_bins_len(),
+        placed.iter().count(),
+    ));
+    report(placed.pick(Point::new(any(), any()), cache).ok_or(()));
+    report(placed.paint(shade, painter));
+    let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    let Ok(mut depth) = DepthBuffer::new(area, depth) else { return };
+    report(placed.depth_tested(shade, cache, &mut depth, target));
+    match placed.bin_faces(cache, bins) {
+        Ok(mut faces) => {
+            faces.depth_only(&mut depth);
+            report(faces.depth_tested(shade, &mut depth, target));
+            black_box((faces.statistics(), faces.iter().count()));
+        }
+        error => report(error.map(|_| ())),
+    }
 }
 
 fn span(span: Span) -> Result<(), i32> {

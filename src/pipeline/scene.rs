@@ -1,0 +1,369 @@
+//! Scenes of many objects: culled by their bounding spheres, placed, binned into shared memory, and drawn in bands.
+
+use super::binned_faces::BinnedFaces;
+use super::bins::BinError;
+use super::cull::Cull;
+use super::instance::MeshInstance;
+use super::painter::{Painter, PainterError};
+use super::pick::Picked;
+use super::statistics::Statistics;
+use crate::camera::{Camera, ScreenVertex, Visibility};
+use crate::math::{Affine, Sphere};
+use crate::scene::Mesh;
+use crate::shading::{Shader, SpanShader};
+use crate::space::{Model, World};
+use crate::surface::{DepthBuffer, Target};
+use embedded_graphics_core::geometry::Point;
+use heapless::Vec;
+
+/// An object of a [`Scene`]: a mesh, where it is, and what it is made of.
+///
+/// It takes 88 bytes and the memory of its material on a 32-bit core.
+#[derive(Clone, Copy, Debug)]
+pub struct Object<'m, M> {
+    /// The mesh.
+    pub mesh: &'m Mesh<'m>,
+    /// The bounding sphere by which the object is culled, in model units. [`Object::new`] computes it; set it for a mesh whose sphere
+    /// is a constant.
+    pub sphere: Sphere,
+    /// The transform to world space.
+    pub model: Affine<Model, World>,
+    /// Which faces are culled.
+    pub cull: Cull,
+    /// What the faces are filled with, such as a colour: closures that shade faces get it.
+    pub material: M,
+}
+
+impl<'m, M> Object<'m, M> {
+    /// An object whose back faces are culled. Its bounding sphere is computed from all vertices: do this once, not in every frame.
+    pub fn new(mesh: &'m Mesh<'m>, model: Affine<Model, World>, material: M) -> Self {
+        Self { mesh, sphere: mesh.bounding_sphere(), model, cull: Cull::Back, material }
+    }
+
+    /// Sets which faces are culled.
+    #[must_use]
+    pub fn with_cull(self, cull: Cull) -> Self {
+        Self { cull, ..self }
+    }
+}
+
+/// A scene has no room for another object: raise `OBJECTS`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SceneError {
+    /// The number of objects for which there is room.
+    pub capacity: usize,
+}
+
+impl core::fmt::Display for SceneError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "the scene has room for {} objects: raise OBJECTS", self.capacity)
+    }
+}
+
+impl core::error::Error for SceneError {}
+
+/// Up to `OBJECTS` objects. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
+/// faces, and draw band by band.
+///
+/// `M` is the material of an object, any type: a colour, or a number by which a closure finds more.
+///
+/// **Memory** beside the objects themselves, all of it on the stack during a frame: 184 bytes per object for
+/// [`PlacedScene`] and 92 for [`BinnedScene`] on a 32-bit core, with room for `OBJECTS` of them; and one vertex cache and one bin
+/// storage for all visible objects.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+/// use pinhole::{prelude::*, Angle};
+/// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
+/// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+/// let mesh = Mesh::new(&VERTICES, 0, &FACES)?;
+/// let mut scene = Scene::<Rgb565, 20>::new();
+/// for (number, color) in (-10..).zip([Rgb565::CSS_GOLD, Rgb565::CSS_TEAL].into_iter().cycle().take(20)) {
+///     let moved = Affine::identity().rotate_y(Angle::degrees(9 * number)).translate(Vector3::from_ints(3 * number as i16, 0, 0));
+///     scene.add(Object::new(&mesh, moved, color))?;
+/// }
+/// let mut display = MockDisplay::<Rgb565>::new();
+/// let viewport = Viewport::new(Point::zero(), display.size())?;
+/// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_num(12), Angle::ZERO, Angle::degrees(20));
+/// let lens = Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(40))?;
+/// let camera = Camera::new(&view, &lens, &viewport);
+/// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4 * 8], [0; 5 * 8]); // for 8 visible objects
+/// let mut strip = strip_buffers!(Rgb565, 64, 8);
+///
+/// let placed = scene.place(&camera);
+/// let mut faces = placed.bin_faces(&mut cache, &mut bins)?;
+/// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLACK);
+/// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
+///     let mut depth = DepthBuffer::new(band.area(), &mut strip.depths)?;
+///     // Once for each object in the band, and then for each of its faces.
+///     let shade = |object: &Object<'_, Rgb565>| {
+///         let color = object.material;
+///         move |face: usize| color.dim(64 * (face as u16 + 1))
+///     };
+///     faces.depth_tested(shade, &mut depth, &mut band.pixels())?;
+///     band.send(&mut display)?;
+/// }
+/// assert!(placed.len() < 8 && faces.statistics().drawn > 0);
+/// let picked = placed.pick(Point::new(32, 32), &mut []).ok_or("background")?;
+/// assert_eq!(picked.object, 10); // the one in the middle
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Scene<'m, M, const OBJECTS: usize> {
+    objects: Vec<Object<'m, M>, OBJECTS>,
+}
+
+impl<M, const OBJECTS: usize> Default for Scene<'_, M, OBJECTS> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
+    /// A scene without objects.
+    pub const fn new() -> Self {
+        Self { objects: Vec::new() }
+    }
+
+    /// Adds an object and returns its index: 0 for the first one.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] if there are `OBJECTS` objects already.
+    pub fn add(&mut self, object: Object<'m, M>) -> Result<usize, SceneError> {
+        let index = self.objects.len();
+        match self.objects.push(object) {
+            Ok(()) => Ok(index),
+            Err(_) => Err(SceneError { capacity: OBJECTS }),
+        }
+    }
+
+    /// The objects, in the order in which they were added.
+    pub fn objects(&self) -> &[Object<'m, M>] {
+        &self.objects
+    }
+
+    /// The objects, to move them or change their materials.
+    pub fn objects_mut(&mut self) -> &mut [Object<'m, M>] {
+        &mut self.objects
+    }
+
+    /// Removes all objects.
+    pub fn clear(&mut self) {
+        self.objects.clear();
+    }
+
+    /// Places the objects before a camera for one frame, but those whose bounding spheres lie [outside](Visibility::Outside) of the
+    /// view volume: such an object costs the test of its sphere and nothing else. The far plane counts, even if the camera does
+    /// not clip there.
+    pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS> {
+        let mut placed = PlacedScene { objects: &self.objects, instances: Vec::new() };
+        for (index, object) in self.objects.iter().enumerate() {
+            if camera.visibility(&object.sphere, &object.model) != Visibility::Outside {
+                let instance = camera.place(object.mesh, &object.model).with_cull(object.cull);
+                let _ = placed.instances.push((index, instance)); // both have the capacity `OBJECTS`
+            }
+        }
+        placed
+    }
+}
+
+/// The objects of a scene that may be seen in a frame. [`Scene::place`] makes it and has an example.
+#[derive(Clone, Debug)]
+pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize> {
+    objects: &'s [Object<'m, M>],
+    /// The visible objects by their indices.
+    instances: Vec<(usize, MeshInstance<'m>), OBJECTS>,
+}
+
+impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
+    /// The number of objects that may be seen: all others are culled.
+    pub fn len(&self) -> usize {
+        self.instances.len()
+    }
+
+    /// Whether no object can be seen.
+    pub fn is_empty(&self) -> bool {
+        self.instances.is_empty()
+    }
+
+    /// The objects that may be seen, in the order of the scene, with their instances: for all that instances can do beside what
+    /// this type does, such as wireframes.
+    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, &MeshInstance<'m>)> {
+        self.instances.iter().filter_map(|(index, instance)| Some((self.objects.get(*index)?, instance)))
+    }
+
+    /// How many vertices all visible objects have: the length of a vertex cache with room for all of them.
+    pub fn cache_len(&self) -> usize {
+        self.instances.iter().map(|(_, instance)| instance.mesh().cache_len()).sum()
+    }
+
+    /// How many numbers of bin storage suffice for all visible objects.
+    pub fn face_bins_len(&self) -> usize {
+        self.instances.iter().map(|(_, instance)| instance.mesh().face_bins_len()).sum()
+    }
+
+    /// Draws all objects with a depth test, in one piece. `shade` is called once for each visible object, and what it returns once
+    /// for each face that is drawn, with the face's index. The objects share the vertex cache one after the other: it should have
+    /// room for the largest mesh, and may be shorter. [`MeshInstance::depth_tested`] says how faces are drawn.
+    ///
+    /// # Errors
+    ///
+    /// The target's error, at the first span that it refuses.
+    pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
+        &self,
+        mut shade: impl FnMut(&'s Object<'m, M>) -> F,
+        cache: &mut [ScreenVertex],
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let mut statistics = Statistics::NONE;
+        for (object, instance) in self.iter() {
+            statistics = statistics.and(instance.depth_tested(shade(object), cache, depth, target)?);
+        }
+        Ok(statistics)
+    }
+
+    /// Stores all objects in a painter, which draws their faces from far to near, in one piece or in bands: without a depth buffer.
+    /// `shade` is as in [`depth_tested`](Self::depth_tested).
+    ///
+    /// # Errors
+    ///
+    /// [`PainterError`] if an object has no room. The objects before it are stored then.
+    pub fn paint<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
+        &self,
+        mut shade: impl FnMut(&'s Object<'m, M>) -> F,
+        painter: &mut Painter<S, VERTICES, FACES>,
+    ) -> Result<(), PainterError> {
+        self.iter().try_for_each(|(object, instance)| painter.add(instance, shade(object)))
+    }
+
+    /// What is seen in a pixel of the target, without drawing: the object, the face and the depth that
+    /// [`depth_tested`](Self::depth_tested) shows there. See [`MeshInstance::pick`].
+    pub fn pick(&self, pixel: Point, cache: &mut [ScreenVertex]) -> Option<Picked> {
+        let mut nearest: Option<Picked> = None;
+        for (object, instance) in &self.instances {
+            let before = nearest.map_or(DepthBuffer::NOTHING, |picked| picked.depth);
+            if let Some(picked) = instance.transform_depth(cache).pick_before(pixel, before) {
+                nearest = Some(Picked { object: *object, ..picked });
+            }
+        }
+        nearest
+    }
+
+    /// Transforms the vertices of all visible objects and bins their faces, for drawing in bands. The objects share both
+    /// buffers, each taking a part: [`face_bins_len`](Self::face_bins_len) numbers of bin storage, and
+    /// [`cache_len`](Self::cache_len) vertices. With a shorter cache the picture is equal, but vertices beyond its end are
+    /// transformed for each face.
+    ///
+    /// # Errors
+    ///
+    /// [`BinError`] if the bin storage is too short, or a mesh has more than 65535 faces.
+    pub fn bin_faces<'f>(
+        &'f self,
+        cache: &'f mut [ScreenVertex],
+        bins: &'f mut [u16],
+    ) -> Result<BinnedScene<'f, 'm, M, OBJECTS>, BinError> {
+        let (needed, given) = (self.face_bins_len(), bins.len());
+        if given < needed {
+            return Err(BinError::Storage { needed, given });
+        }
+        let (mut cache, mut bins, mut objects) = (cache, bins, Vec::new());
+        for (object, instance) in self.iter() {
+            let vertices = instance.mesh().cache_len().min(cache.len());
+            let (own_cache, other_cache) = cache.split_at_mut_checked(vertices).unwrap_or_default();
+            let numbers = instance.mesh().face_bins_len();
+            let (own_bins, other_bins) = bins.split_at_mut_checked(numbers).unwrap_or_default();
+            (cache, bins) = (other_cache, other_bins);
+            let faces = instance.transform_depth(own_cache).bin_faces(own_bins)?;
+            let _ = objects.push((object, faces)); // both have the capacity `OBJECTS`
+        }
+        Ok(BinnedScene { objects })
+    }
+}
+
+/// The faces of all visible objects, binned for bands. [`PlacedScene::bin_faces`] makes it; [`Scene`] has an example.
+#[derive(Debug)]
+pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
+    objects: Vec<(&'f Object<'m, M>, BinnedFaces<'f, i16, true>), OBJECTS>,
+}
+
+impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
+    /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band, and
+    /// what it returns once for each face that is drawn, with the face's index. The picture of all bands is, pixel by pixel, that of
+    /// [`PlacedScene::depth_tested`].
+    ///
+    /// # Errors
+    ///
+    /// The target's error, at the first span that it refuses.
+    pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
+        &mut self,
+        mut shade: impl FnMut(&'f Object<'m, M>) -> F,
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
+        let area = target.area();
+        for (object, faces) in &mut self.objects {
+            if !faces.bounds().intersection(&area).is_zero_sized() {
+                faces.depth_tested(shade(object), depth, target)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Stores the depth of the faces that lie in a band, and draws nothing: see [`BinnedFaces::depth_only`].
+    pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
+        for (_, faces) in &mut self.objects {
+            faces.depth_only(depth);
+        }
+    }
+
+    /// The objects with their binned faces, in the order of the scene: for the [bounds](BinnedFaces::bounds) of each, which
+    /// [`Tracked`](crate::Tracked) takes.
+    pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M>, &BinnedFaces<'f, i16, true>)> {
+        self.objects.iter().map(|(object, faces)| (*object, faces))
+    }
+
+    /// Counts for the whole frame, summed over all visible objects, whichever bands were drawn.
+    pub fn statistics(&self) -> Statistics {
+        self.objects.iter().fold(Statistics::NONE, |sum, (_, faces)| sum.and(faces.statistics()))
+    }
+}
+
+/// The figures of the documentation.
+#[cfg(target_pointer_width = "32")]
+const _: () = {
+    assert!(size_of::<Object<'static, ()>>() == 88);
+    assert!(size_of::<(usize, MeshInstance<'static>)>() == 184);
+    assert!(size_of::<(&'static Object<'static, ()>, BinnedFaces<'static, i16, true>)>() == 92);
+};
+
+// Materials are not printed: they need not implement `Format`.
+#[cfg(feature = "defmt")]
+impl<M> defmt::Format for Object<'_, M> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "object of {} in {}, cull {}", self.mesh, self.sphere, self.cull);
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<M, const OBJECTS: usize> defmt::Format for Scene<'_, M, OBJECTS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "scene of {=usize}/{=usize} objects", self.objects.len(), OBJECTS);
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<M, const OBJECTS: usize> defmt::Format for PlacedScene<'_, '_, M, OBJECTS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=usize}/{=usize} objects placed", self.instances.len(), self.objects.len());
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<M, const OBJECTS: usize> defmt::Format for BinnedScene<'_, '_, M, OBJECTS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=usize} objects binned: {}", self.objects.len(), self.statistics());
+    }
+}

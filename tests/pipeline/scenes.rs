@@ -1,0 +1,266 @@
+//! Scenes of many objects, against the objects placed and drawn by hand, one after the other: equal pixel by pixel, in bands, in
+//! one piece and in painter's order. And picking, against the pictures of faces that a depth-tested drawing gives.
+
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565};
+use embedded_graphics_core::prelude::*;
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, BinError, Camera, Cull, DepthBuffer, Frame, Mesh, Object, Painter, Picked, Picture,
+    Point3, Projection, Scalar, Scene, SceneError, ScreenVertex, Statistics, Vector3, ViewTransform,
+    Viewport, Visibility,
+};
+use support::bridge::draw::{CUBE, CUBE_FACES};
+use support::bridge::rectangle;
+use support::oracle::rng::Rng;
+
+const WIDTH: u32 = 56;
+const HEIGHT: u32 = 41;
+const OBJECTS: usize = 24;
+
+/// A tetrahedron and a cube; the cube's faces are those of a closed mesh.
+const TETRAHEDRON: [[i16; 3]; 4] = [[9, 9, 9], [9, -9, -9], [-9, 9, -9], [-9, -9, 9]];
+const TETRAHEDRON_FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+
+fn meshes() -> [Mesh<'static>; 2] {
+    [
+        Mesh::new(&CUBE, 0, &CUBE_FACES).expect("a cube"),
+        Mesh::new(&TETRAHEDRON, -3, &TETRAHEDRON_FACES).expect("a tetrahedron"),
+    ]
+}
+
+/// The number of a face of an object, as a color. Black, 0, is the background.
+fn number(object: usize, face: usize) -> Rgb565 {
+    Rgb565::from(RawU16::new((object * 12 + face + 1) as u16))
+}
+
+/// Objects around the camera: before and behind it, near, far and beside it, some of them through others.
+fn random<'m>(rng: &mut Rng, meshes: &'m [Mesh<'m>; 2]) -> Scene<'m, usize, OBJECTS> {
+    let mut scene = Scene::new();
+    for index in 0..OBJECTS {
+        let turned = Affine::<Model, World>::identity()
+            .rotate_x(Angle::from_bits(rng.bits()))
+            .rotate_y(Angle::from_bits(rng.bits()))
+            .scale_by(Scalar::from_num(rng.log(0.3, 2.0)));
+        let [x, y, z] =
+            [rng.real(-9.0, 9.0), rng.real(-6.0, 6.0), rng.real(-14.0, 6.0)].map(Scalar::from_num);
+        let model = turned.translate(Vector3::new(x, y, z));
+        let cull = if rng.one_in(4) { Cull::None } else { Cull::Back };
+        let object = Object::new(&meshes[rng.below(2)], model, index).with_cull(cull);
+        assert_eq!(scene.add(object), Ok(index));
+    }
+    scene
+}
+
+fn camera(rng: &mut Rng) -> Camera {
+    // The viewport need not be that of the picture.
+    let viewport = Viewport::new(Point::new(3, -2), Size::new(WIDTH - 5, HEIGHT)).expect("a viewport");
+    let (yaw, pitch) = (Angle::from_bits(rng.bits() >> 4), Angle::from_bits(rng.bits() >> 5));
+    let centre = Point3::from_ints(0, 0, -4);
+    let view = ViewTransform::orbit(centre, Scalar::from_num(rng.real(2.0, 9.0)), yaw, pitch);
+    let [near, far] = [1, 14].map(Scalar::from_num);
+    let lens = Projection::perspective(Angle::degrees(65), viewport.size(), near, far).expect("a lens");
+    Camera::new(&view, &lens, &viewport)
+}
+
+/// All objects of a scene, placed and drawn one by one, without culling of objects: the faces as numbers, and their depths.
+fn by_hand(scene: &Scene<'_, usize, OBJECTS>, camera: &Camera) -> (Vec<Rgb565>, Vec<u16>) {
+    let mut pixels = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
+    let mut depths = vec![0; pixels.len()];
+    let area = rectangle(0, 0, WIDTH, HEIGHT);
+    let mut picture = Picture::new(&mut pixels, area.size).expect("all pixels");
+    let mut depth = DepthBuffer::new(area, &mut depths).expect("all pixels");
+    for (index, object) in scene.objects().iter().enumerate() {
+        let instance = camera.place(object.mesh, &object.model).with_cull(object.cull);
+        let shade = |face| number(index, face);
+        let Ok(_) = instance.depth_tested(shade, &mut [], &mut depth, &mut picture.pixels());
+    }
+    (pixels, depths)
+}
+
+fn in_bands(
+    scene: &Scene<'_, usize, OBJECTS>,
+    camera: &Camera,
+    rows: u32,
+    cache: usize,
+) -> (Vec<Rgb565>, Statistics) {
+    let placed = scene.place(camera);
+    let mut cache = vec![ScreenVertex::EMPTY; cache.min(placed.cache_len())];
+    let mut bins = vec![0; placed.face_bins_len()];
+    let mut faces = placed.bin_faces(&mut cache, &mut bins).expect("room for all faces");
+    let area = rectangle(0, 0, WIDTH, HEIGHT);
+    let mut frame = Frame::new(area, Rgb565::BLACK);
+    let mut strip = vec![0; Frame::<Rgb565>::strip_bytes(WIDTH, rows)];
+    let mut depths = vec![0; (WIDTH * rows) as usize];
+    let mut pixels = vec![Rgb565::WHITE; (WIDTH * HEIGHT) as usize];
+    let mut picture = Picture::new(&mut pixels, area.size).expect("all pixels");
+    while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
+        let mut depth = DepthBuffer::new(band.area(), &mut depths).expect("a row");
+        let shade = |object: &Object<'_, usize>| {
+            let index = object.material;
+            move |face| number(index, face)
+        };
+        let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
+        let Ok(()) = band.send(&mut picture);
+    }
+    let statistics = faces.statistics();
+    (pixels, statistics)
+}
+
+#[test]
+fn a_scene_is_its_objects_drawn_by_hand() {
+    let (mut rng, meshes) = (Rng::new(0xe1), meshes());
+    let (mut culled, mut drawn, mut clipped) = (0, 0, 0);
+    for _ in 0..60 {
+        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
+        let (wanted, _) = by_hand(&scene, &camera);
+        for (rows, cache) in [(1, usize::MAX), (7, 30), (HEIGHT, 0)] {
+            let (found, statistics) = in_bands(&scene, &camera, rows, cache);
+            assert!(found == wanted, "{rows} rows");
+            clipped += statistics.clipped;
+        }
+
+        // In one piece, and which objects are asked for their shaders.
+        let placed = scene.place(&camera);
+        let mut pixels = vec![Rgb565::BLACK; wanted.len()];
+        let mut depths = vec![0; wanted.len()];
+        let mut picture = Picture::new(&mut pixels, Size::new(WIDTH, HEIGHT)).expect("all pixels");
+        let mut depth = DepthBuffer::new(rectangle(0, 0, WIDTH, HEIGHT), &mut depths).expect("all pixels");
+        let mut asked = Vec::new();
+        let shade = |object: &Object<'_, usize>| {
+            let index = object.material;
+            asked.push(index);
+            move |face| number(index, face)
+        };
+        let Ok(statistics) =
+            placed.depth_tested(shade, &mut [ScreenVertex::EMPTY; 8], &mut depth, &mut picture.pixels());
+        assert!(pixels == wanted);
+        let visible: Vec<usize> = (0..OBJECTS)
+            .filter(|&index| {
+                let object = &scene.objects()[index];
+                camera.visibility(&object.sphere, &object.model) != Visibility::Outside
+            })
+            .collect();
+        assert_eq!(asked, visible, "an object out of view costs the test of its sphere only");
+        assert_eq!((placed.len(), placed.is_empty()), (visible.len(), visible.is_empty()));
+        let faces: usize = visible.iter().map(|&index| scene.objects()[index].mesh.faces().len()).sum();
+        let Statistics { drawn: d, culled: c, outside, degenerate, .. } = statistics;
+        assert_eq!((d + c + outside + degenerate) as usize, faces);
+        assert_eq!(in_bands(&scene, &camera, 8, 0).1, statistics);
+        (culled, drawn) = (culled + OBJECTS - visible.len(), drawn + d);
+    }
+    assert!(culled > 300 && drawn > 2000 && clipped > 300, "{culled} {drawn} {clipped}");
+}
+
+#[test]
+fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
+    let (mut rng, meshes, mut colored) = (Rng::new(0xe2), meshes(), 0);
+    for _ in 0..30 {
+        // Painters draw beyond a far plane that does not clip; scenes cull there.
+        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng).with_far_clip(true));
+        let draw = |painter: &mut Painter<Rgb565, 600, 600>| {
+            let mut pixels = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
+            let mut picture = Picture::new(&mut pixels, Size::new(WIDTH, HEIGHT)).expect("all pixels");
+            let Ok(_) = painter.draw(&mut picture.pixels());
+            pixels
+        };
+        let (mut painter, mut hands) = (Box::new(Painter::new()), Box::new(Painter::new()));
+        let shade = |object: &Object<'_, usize>| {
+            let index = object.material;
+            move |face| number(index, face)
+        };
+        scene.place(&camera).paint(shade, &mut painter).expect("room for all faces");
+        for object in scene.objects() {
+            let instance = camera.place(object.mesh, &object.model).with_cull(object.cull);
+            hands.add(&instance, |face| number(object.material, face)).expect("room for all faces");
+        }
+        let pixels = draw(&mut painter);
+        assert!(pixels == draw(&mut hands));
+        colored += pixels.iter().filter(|&&color| color != Rgb565::BLACK).count();
+    }
+    assert!(colored > 10_000, "{colored}");
+}
+
+/// Every pixel of random scenes, culled and clipped faces and the borders of the viewport included: what is picked is what a
+/// depth-tested drawing shows.
+#[test]
+fn picking_finds_the_face_that_is_drawn() {
+    let (mut rng, meshes) = (Rng::new(0xe3), meshes());
+    let (mut hits, mut misses, mut points) = (0, 0, 0);
+    for _ in 0..12 {
+        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
+        let (picture, depths) = by_hand(&scene, &camera);
+        let placed = scene.place(&camera);
+        let mut cache = [ScreenVertex::EMPTY; 8];
+        for (at, (&color, &depth)) in rectangle(0, 0, WIDTH, HEIGHT).points().zip(picture.iter().zip(&depths))
+        {
+            match placed.pick(at, &mut cache) {
+                None => {
+                    assert_eq!(color, Rgb565::BLACK, "{at}");
+                    misses += 1;
+                }
+                Some(picked) => {
+                    assert_eq!((number(picked.object, picked.face), picked.depth), (color, depth), "{at}");
+                    assert_eq!((picked.at.x(), picked.at.y()), (at.x * 256 + 128, at.y * 256 + 128));
+                    // The point under the pixel projects to the pixel.
+                    if let Some(point) = picked.point(&camera) {
+                        let seen = camera.project(point).map(|seen| seen.point.pixel());
+                        assert_eq!(seen.map(Point::from), Ok(at));
+                        points += 1;
+                    }
+                    hits += 1;
+                }
+            }
+        }
+    }
+    assert!(hits > 3000 && misses > 3000 && points > 3000, "{hits} {misses} {points}");
+}
+
+/// One instance, with vertices cached, cached in part, and not at all; and beyond its viewport.
+#[test]
+fn picking_an_instance_needs_no_cache() {
+    let (mut rng, meshes) = (Rng::new(0xe4), meshes());
+    for _ in 0..10 {
+        let camera = camera(&mut rng);
+        let model = Affine::<Model, World>::rotation_y(Angle::from_bits(rng.bits()))
+            .translate(Vector3::from_ints(0, 0, -4));
+        let instance = camera.place(&meshes[0], &model);
+        let mut cache = [ScreenVertex::EMPTY; 8];
+        let all = instance.transform_depth(&mut cache);
+        for at in rectangle(-4, -4, WIDTH + 8, HEIGHT + 8).points() {
+            let picked: Option<Picked> = all.pick(at);
+            assert_eq!(picked, instance.pick(at, &mut []));
+            assert_eq!(picked, instance.pick(at, &mut [ScreenVertex::EMPTY; 3]));
+            assert!(picked.is_none_or(|picked| picked.object == 0));
+            let in_viewport = rectangle(3, -2, WIDTH - 5, HEIGHT).contains(at);
+            assert!(in_viewport || picked.is_none());
+        }
+        for far_off in [Point::new(9000, 0), Point::new(0, i32::MIN), Point::new(i32::MAX, i32::MAX)] {
+            assert_eq!(instance.pick(far_off, &mut []), None);
+        }
+    }
+}
+
+#[test]
+fn a_scene_without_room_says_what_it_needs() {
+    let meshes = meshes();
+    let mut scene = Scene::<u8, 2>::default();
+    let object = Object::new(&meshes[0], Affine::identity(), 7);
+    assert_eq!([scene.add(object), scene.add(object)], [Ok(0), Ok(1)]);
+    let full = scene.add(object);
+    assert_eq!(full, Err(SceneError { capacity: 2 }));
+    assert!(full.expect_err("full").to_string().contains("2 objects"));
+    scene.objects_mut()[1].model = Affine::identity().translate(Vector3::from_ints(0, 0, -9));
+    let viewport = Viewport::new(Point::zero(), Size::new(40, 40)).expect("a viewport");
+    let sphere = meshes[0].bounding_sphere();
+    let camera =
+        Camera::framing(&sphere, &viewport, Angle::degrees(50), Angle::ZERO, Angle::ZERO).expect("a camera");
+    // The second lies beyond the far plane, which is just behind the first.
+    let placed = scene.place(&camera);
+    assert_eq!((placed.len(), placed.cache_len(), placed.face_bins_len()), (1, 8, 13));
+    assert_eq!(placed.iter().map(|(object, _)| object.material).collect::<Vec<_>>(), [7]);
+    let short = placed.bin_faces(&mut [], &mut [0; 12]).err();
+    assert_eq!(short, Some(BinError::Storage { needed: 13, given: 12 }));
+    scene.clear();
+    assert!(scene.place(&camera).is_empty() && scene.objects().is_empty());
+}
