@@ -364,7 +364,7 @@ fn entry_draw_scene(
             black_box((faces.statistics(), faces.iter().count()));
         }
         error => report(error.map(|_| ())),
-    }
+    };
 }
 
 fn span(span: Span) -> Result<(), i32> {
