@@ -35,7 +35,9 @@ pub use pipeline::{
     MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlaneCulled, Scene,
     SceneError, Statistics, TransformedMesh,
 };
-pub use scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
+pub use scene::{
+    edge_faces, FaceColors, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node, TextureCoords,
+};
 pub use shading::{
     Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,
     Shader, SpanShader, TableShader,

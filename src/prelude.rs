@@ -28,7 +28,9 @@ pub use crate::pipeline::{
     MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene,
     PlaneCulled, Scene, SceneError, Statistics, TransformedMesh,
 };
-pub use crate::scene::{edge_faces, Hierarchy, HierarchyError, Mesh, MeshError, Node};
+pub use crate::scene::{
+    edge_faces, FaceColors, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node, TextureCoords,
+};
 pub use crate::shading::{
     Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,
     Shader, SpanShader, TableShader,

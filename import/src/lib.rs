@@ -29,6 +29,7 @@ mod decimate;
 mod edges;
 mod error;
 mod grid;
+mod materials;
 mod mesh;
 mod model;
 mod normals;
@@ -153,8 +154,8 @@ pub fn read_triangles(file: &Path) -> Result<Triangles, ImportError> {
 
 /// Reads the text of an OBJ file; `file` is only named in errors.
 ///
-/// Vertices and faces are read; polygons become fans; groups and objects become one mesh; materials, texture
-/// coordinates and the file's own normals are passed over.
+/// Vertices, faces and texture coordinates are read, and diffuse colours from the material libraries that the text names, in
+/// the folder of `file`. Polygons become fans; groups and objects become one mesh; the file's own normals are passed over.
 ///
 /// # Errors
 ///
@@ -163,7 +164,8 @@ pub fn read_obj(text: &[u8], file: &Path) -> Result<ImportedMesh, ImportError> {
     finish(obj::read(text, file)?, file, &Options::default(), &mut |_| ())
 }
 
-/// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors.
+/// Reads the bytes of an STL file, binary or ASCII; `file` is only named in errors. Colours, which some programs hide in a
+/// facet's last two bytes, each in another way, are passed over.
 ///
 /// # Errors
 ///

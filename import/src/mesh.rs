@@ -3,7 +3,8 @@
 use crate::edges::Sides;
 use crate::grid::power_of_two;
 use crate::Warning;
-use pinhole::{Mesh, MeshError};
+use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords};
+use std::path::PathBuf;
 
 /// A mesh as `pinhole` draws it, owned, with what is known of its making.
 ///
@@ -29,6 +30,19 @@ pub struct ImportedMesh {
     pub planes: Vec<i16>,
     /// The unit normal of each vertex, likewise; or nothing.
     pub vertex_normals: Vec<[i16; 3]>,
+    /// The colours of faces, at most 256, `[red, green, blue]`; or nothing, where the file has no materials.
+    pub palette: Vec<[u8; 3]>,
+    /// The index of each face's colour; or nothing.
+    pub face_colors: Vec<u8>,
+    /// Texture coordinates, u to the right and v down, each pair once, in units of 2^`texture_exponent` of a texture's side, as
+    /// [`pinhole::TextureCoords`] has them; or nothing.
+    pub texture_coords: Vec<[i16; 2]>,
+    /// The indices of the coordinates of each face's corners; or nothing.
+    pub texture_faces: Vec<[u16; 3]>,
+    /// The power of two that is the unit of the texture coordinates, in sides of a texture.
+    pub texture_exponent: i8,
+    /// Files that were read beside the model: material libraries.
+    pub libraries: Vec<PathBuf>,
     /// What was subtracted from all vertices, in model units: the centre of the bounding box, or nothing. Where `I16F16`
     /// can hold the centre, it is rounded to that (see [`quantise`](crate::quantise)).
     pub offset: [f64; 3],
@@ -110,13 +124,34 @@ impl ImportedMesh {
         Ok(mesh)
     }
 
+    /// The colours of its faces, borrowed, if it has any.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError`] if the fields were changed.
+    pub fn colors(&self) -> Result<Option<FaceColors<'_>>, MaterialError> {
+        let has_any = !self.face_colors.is_empty();
+        has_any.then(|| FaceColors::new(&self.palette, &self.face_colors)).transpose()
+    }
+
+    /// The texture coordinates of its faces, borrowed, if it has any.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError`] if the fields were changed.
+    pub fn texture(&self) -> Result<Option<TextureCoords<'_>>, MaterialError> {
+        let coords = || TextureCoords::new(&self.texture_coords, &self.texture_faces, self.texture_exponent);
+        (!self.texture_faces.is_empty()).then(coords).transpose()
+    }
+
     /// The plane of each face; nothing where the exponent is beyond that of a mesh, which `import` then refuses.
     pub(crate) fn find_planes(&self) -> Vec<i16> {
         self.mesh()
             .map_or(Vec::new(), |mesh| (0..self.faces.len()).map(|face| mesh.face_plane(face)).collect())
     }
 
-    /// The bytes that its lists take in flash: 6 a vertex, face or normal, 4 an edge or its pair of faces, 2 a plane.
+    /// The bytes that the mesh's lists take in flash: 6 a vertex, face or normal, 4 an edge or its pair of faces, 2 a plane.
+    /// Colours and texture coordinates are not the mesh's; only firmware that uses them has them, too.
     pub fn flash_bytes(&self) -> usize {
         size_of_val(&self.vertices[..])
             + size_of_val(&self.faces[..])

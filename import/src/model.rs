@@ -2,6 +2,7 @@
 
 use crate::Triangles;
 use std::fmt;
+use std::path::PathBuf;
 
 /// A model as it stands in its file.
 #[derive(Debug, Default)]
@@ -9,6 +10,28 @@ pub(crate) struct Model {
     pub(crate) triangles: Triangles,
     pub(crate) places: Places,
     pub(crate) warnings: Vec<Warning>,
+    /// The colours of the triangles, if the file has materials.
+    pub(crate) colors: Option<Colors>,
+    /// The texture coordinates of the triangles' corners, if the file has any.
+    pub(crate) texture: Option<TextureFaces>,
+    /// Files read beside the model.
+    pub(crate) libraries: Vec<PathBuf>,
+}
+
+/// Colours of triangles.
+#[derive(Debug, Default)]
+pub(crate) struct Colors {
+    /// At most 256 colours.
+    pub(crate) palette: Vec<[u8; 3]>,
+    /// The colour of each triangle.
+    pub(crate) faces: Vec<u8>,
+}
+
+/// Texture coordinates in sides of the texture, u to the right and v down, and those of each triangle's corners.
+#[derive(Debug, Default)]
+pub(crate) struct TextureFaces {
+    pub(crate) coords: Vec<[f64; 2]>,
+    pub(crate) faces: Vec<[usize; 3]>,
 }
 
 /// Where the triangles stand.

@@ -1,8 +1,10 @@
-//! OBJ text to triangles, by `tobj`. Only positions and faces are read.
+//! OBJ text to triangles, by `tobj`: positions, faces, texture coordinates, and the names of materials.
 
-use crate::model::{Model, Places, Warning};
+use crate::materials;
+use crate::model::{Model, Places, TextureFaces, Warning};
 use crate::text::text;
 use crate::{ImportError, Problem};
+use std::collections::HashMap;
 use std::path::Path;
 
 /// Reads OBJ text; `file` is only named in errors.
@@ -10,21 +12,39 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
     if let Some(byte) = bytes.iter().position(|&byte| byte == 0) {
         return Err(Problem::NotText { byte }.at(file, None));
     }
-    let Kept { text, face_lines } = positions_and_faces(&text(bytes));
-    let models = load(&text).map_err(|(problem, line)| problem.at(file, line))?;
+    let whole = text(bytes);
+    let mut kept = what_a_mesh_uses(&whole, true);
     let mut model = Model::default();
+    let mut loaded = load(&kept.text);
+    if let Err((Problem::Syntax(problem @ (TEXTURE | TEXTURE_INDEX)), line)) = loaded {
+        // A mesh can do without.
+        let message = format!("no texture coordinates: {problem}; they are left out: export them again");
+        model.warnings.push(Warning { line, message });
+        kept = what_a_mesh_uses(&whole, false);
+        loaded = load(&kept.text);
+    }
+    let Kept { text, face_lines, materials, libraries, bare_faces } = kept;
+    let models = loaded.map_err(|(problem, line)| problem.at(file, line))?;
+    let lines_of_faces = face_lines.len();
     let mut lines = Vec::new();
-    let mut faces_of_lines = face_lines.into_iter();
+    let mut of_materials = Vec::new();
+    let mut faces_of_lines = face_lines.into_iter().zip(materials.of_faces);
     let mut concave = Vec::new();
+    let mut texture = TextureFaces::default();
     for tobj::Model { mesh, .. } in models {
         let first = model.triangles.positions.len();
+        let first_coord = texture.coords.len();
+        // Up is down: the origin of a picture is its upper left corner.
+        texture.coords.extend(mesh.texcoords.chunks_exact(2).map(|uv| [uv[0], 1.0 - uv[1]]));
+        let mut texture_indices = mesh.texcoord_indices.iter().map(|&i| first_coord + i as usize);
         model.triangles.positions.extend(mesh.positions.chunks_exact(3).map(|p| [p[0], p[1], p[2]]));
         let mut indices = mesh.indices.iter().map(|&i| first + i as usize);
         // Where all faces are triangles, tobj does not say of each that it is one.
         let triangles =
             std::iter::repeat_n(3, mesh.indices.len() / 3 * usize::from(mesh.face_arities.is_empty()));
         for corners in mesh.face_arities.iter().copied().chain(triangles) {
-            let line = faces_of_lines.next().unwrap_or_default();
+            let (line, material) = faces_of_lines.next().unwrap_or_default();
+            let coords: Vec<usize> = texture_indices.by_ref().take(corners as usize).collect();
             let polygon: Vec<usize> = indices.by_ref().take(corners as usize).collect();
             let before = model.triangles.faces.len();
             match polygon[..] {
@@ -44,7 +64,21 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
                 concave.push(line);
             }
             lines.extend(std::iter::repeat_n(line, fan.len()));
+            of_materials.extend(std::iter::repeat_n(material, fan.len()));
+            // Of a face with an area; others are dropped.
+            let corner = |i: usize| coords.get(i).copied().unwrap_or_default();
+            texture.faces.extend((0..fan.len()).map(|i| [corner(0), corner(i + 1), corner(i + 2)]));
         }
+    }
+    let is_used = bare_faces.is_none_or(|(_, count)| count < lines_of_faces);
+    if is_used && !texture.coords.is_empty() && texture.coords.iter().flatten().all(|c| c.is_finite()) {
+        if let Some((line, count)) = bare_faces {
+            let message = format!(
+                "faces without texture coordinates: {count}, the first at line {line}; they get those of the face before"
+            );
+            model.warnings.push(Warning { line: Some(line as usize), message });
+        }
+        model.texture = Some(texture);
     }
     if model.triangles.positions.iter().flatten().any(|c| !c.is_finite()) {
         let line =
@@ -58,9 +92,14 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
         );
         model.warnings.push(Warning { line: Some(line as usize), message });
     }
+    model.colors = materials::read(&materials.names, of_materials, &libraries, file, &mut model.warnings);
+    model.libraries = libraries.iter().filter_map(|name| materials::find(name, file)).collect();
     model.places = Places::Lines(lines);
     Ok(model)
 }
+
+const TEXTURE: &str = "a texture coordinate needs two numbers";
+const TEXTURE_INDEX: &str = "a face names a texture coordinate that does not exist";
 
 /// The polygons of the text, or what is wrong with it and in which line.
 fn load(text: &str) -> Result<Vec<tobj::Model>, (Problem, Option<usize>)> {
@@ -80,6 +119,8 @@ fn load(text: &str) -> Result<Vec<tobj::Model>, (Problem, Option<usize>)> {
                 (Problem::Syntax("a face is a list of indices v, v/vt, v//vn or v/vt/vn"), read)
             }
             tobj::LoadError::FaceVertexOutOfBounds => (Problem::NoSuchVertex, line_of_stray_index(text)),
+            tobj::LoadError::TexcoordParseError => (Problem::Syntax(TEXTURE), read),
+            tobj::LoadError::FaceTexCoordOutOfBounds => (Problem::Syntax(TEXTURE_INDEX), None),
             _ => (Problem::Syntax("is not an OBJ file"), None),
         }
     })
@@ -90,38 +131,77 @@ struct Kept {
     text: String,
     /// The number of each face's line.
     face_lines: Vec<u32>,
+    materials: Materials,
+    /// The material libraries, as they are named.
+    libraries: Vec<String>,
+    /// The first line of a face with a corner without a texture coordinate, and how many such faces there are.
+    bare_faces: Option<(u32, usize)>,
 }
 
-/// The text with all lines emptied but vertices and faces, and vertices without colours; what a line continues on the
-/// next, by a backslash at its end, stands in the first.
+/// The materials that faces use.
+#[derive(Default)]
+struct Materials {
+    names: Vec<String>,
+    /// For each face the material, if it has one.
+    of_faces: Vec<Option<usize>>,
+}
+
+/// The text with all lines emptied but vertices, faces and, if wanted, texture coordinates, and vertices without colours; what a
+/// line continues on the next, by a backslash at its end, stands in the first.
 ///
-/// What a mesh does not use cannot be wrong then (a missing material library, a colour on some vertices only, a texture
-/// index out of range), and the objects and groups of a file are one mesh.
-fn positions_and_faces(text: &str) -> Kept {
-    let mut kept = Kept { text: String::with_capacity(text.len() + 1), face_lines: Vec::new() };
+/// What a mesh does not use cannot be wrong then (a colour on some vertices only, a normal's index out of range), and the
+/// objects and groups of a file are one mesh.
+fn what_a_mesh_uses(text: &str, with_texture: bool) -> Kept {
+    let mut kept = Kept {
+        text: String::with_capacity(text.len() + 1),
+        face_lines: Vec::new(),
+        materials: Materials::default(),
+        libraries: Vec::new(),
+        bare_faces: None,
+    };
+    let mut numbers = HashMap::new();
+    let mut material = None;
     let mut lines = (1..).zip(text.lines());
     while let Some((number, line)) = lines.next() {
         let line = line.split('#').next().unwrap_or_default(); // without what is a comment
-        let is_face = line.split_whitespace().next() == Some("f");
+        let word = line.split_whitespace().next().unwrap_or_default();
+        let rest = || line.trim_start().strip_prefix(word).unwrap_or_default().trim().to_string();
         let mut added = 0;
-        if is_face || line.split_whitespace().next() == Some("v") {
-            let mut whole = line.trim_end().to_string();
-            while whole.ends_with('\\') {
-                whole.pop();
-                let Some((_, next)) = lines.next() else { break };
-                whole.push(' ');
-                whole.push_str(next.split('#').next().unwrap_or_default().trim());
-                added += 1;
+        match word {
+            "usemtl" => {
+                let names = &mut kept.materials.names;
+                material = Some(*numbers.entry(rest()).or_insert_with_key(|name| {
+                    names.push(name.clone());
+                    names.len() - 1
+                }));
             }
-            if is_face {
-                kept.face_lines.push(number);
-                kept.text.push_str(&whole);
-            } else if whole.split_whitespace().count() == 7 {
-                let position: Vec<&str> = whole.split_whitespace().take(4).collect();
-                kept.text.push_str(&position.join(" "));
-            } else {
-                kept.text.push_str(&whole);
+            "mtllib" => kept.libraries.push(rest()),
+            "f" | "v" | "vt" if word != "vt" || with_texture => {
+                let mut whole = line.trim_end().to_string();
+                while whole.ends_with('\\') {
+                    whole.pop();
+                    let Some((_, next)) = lines.next() else { break };
+                    whole.push(' ');
+                    whole.push_str(next.split('#').next().unwrap_or_default().trim());
+                    added += 1;
+                }
+                if word == "f" {
+                    kept.face_lines.push(number);
+                    kept.materials.of_faces.push(material);
+                    let is_bare =
+                        |corner: &str| corner.split('/').nth(1).is_none_or(|coord| coord.is_empty());
+                    if whole.split_whitespace().skip(1).any(is_bare) {
+                        kept.bare_faces.get_or_insert((number, 0)).1 += 1;
+                    }
+                }
+                if word == "v" && whole.split_whitespace().count() == 7 {
+                    let position: Vec<&str> = whole.split_whitespace().take(4).collect();
+                    kept.text.push_str(&position.join(" "));
+                } else {
+                    kept.text.push_str(&whole);
+                }
             }
+            _ => {}
         }
         kept.text.extend(std::iter::repeat_n('\n', 1 + added));
     }

@@ -3,7 +3,7 @@
 use crate::model::Warning;
 use crate::normals::on_one_line;
 use crate::{fits, quantise, read_model, Axis, ImportError, ImportedMesh, Options, Problem, Triangles};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A model as [`import`](crate::import) makes it, but with the triangles of the file: for programs that show what a firmware
 /// will draw, and show a model that no firmware can hold, too.
@@ -12,6 +12,10 @@ pub struct Preview {
     /// All triangles in the file's order, in its axes and units, wound as the mesh's are; after them the backs that
     /// [`Options::two_sided`] adds. With back faces culled they look as the mesh does.
     pub triangles: Triangles,
+    /// The colour of each triangle, as the mesh's palette has it; or nothing, where the file has no materials.
+    pub colors: Vec<[u8; 3]>,
+    /// Files that were read beside the model: material libraries.
+    pub libraries: Vec<PathBuf>,
     /// How many of the triangles are backs.
     pub backs: usize,
     /// The axis of the file that points upwards.
@@ -43,6 +47,11 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let up = options.up.unwrap_or(Axis::of_file(file));
     let model = read_model(file)?;
     let mut triangles = model.triangles.clone();
+    let libraries = model.libraries.clone();
+    let mut colors: Vec<[u8; 3]> = match &model.colors {
+        Some(colors) => colors.faces.iter().map(|&color| colors.palette[usize::from(color)]).collect(),
+        None => Vec::new(),
+    };
     let made = quantise::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
     for (face, is_reversed) in triangles.faces.iter_mut().zip(made.reversed) {
         if is_reversed {
@@ -50,6 +59,9 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
         }
     }
     let backs: Vec<_> = made.backs.iter().map(|&face| reversed(triangles.faces[face])).collect();
+    if !colors.is_empty() {
+        colors.extend(made.backs.iter().map(|&face| colors[face]).collect::<Vec<_>>());
+    }
     let count = backs.len();
     triangles.faces.extend(backs);
     let mesh = made.mesh.and_then(fits);
@@ -57,7 +69,7 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     if let Err(problem) = &mesh {
         warnings.push(Warning { line: None, message: format!("not for firmware: {problem}") });
     }
-    Ok(Preview { triangles, backs: count, up, mesh, warnings })
+    Ok(Preview { triangles, colors, libraries, backs: count, up, mesh, warnings })
 }
 
 fn reversed([a, b, c]: [usize; 3]) -> [usize; 3] {

@@ -2,6 +2,7 @@
 
 use crate::edges::Sides;
 use crate::grid::{extent, Grid};
+use crate::materials::{self, Texture};
 use crate::mesh::{ImportedMesh, Report};
 use crate::model::{Model, Warning};
 use crate::normals::{cross, of_vertices, on_one_line, unit};
@@ -52,7 +53,8 @@ pub(crate) fn make(
     begins: &mut dyn FnMut(Step),
 ) -> Result<Made, Problem> {
     options.check()?;
-    let Model { triangles: Triangles { positions: read, faces }, places, mut warnings } = model;
+    let Model { triangles, places, mut warnings, colors, texture, libraries } = model;
+    let Triangles { positions: read, faces } = triangles;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
         return Err(Problem::NoSuchVertex);
     }
@@ -181,6 +183,33 @@ pub(crate) fn make(
         list.sort_unstable();
         list
     };
+    let is_whole = decimated.0 == 0; // otherwise there are other triangles than those of the file
+    if !is_whole && (colors.is_some() || texture.is_some()) {
+        let message = "decimation leaves out colours and texture coordinates: their faces are others now";
+        warnings.push(Warning { line: None, message: message.into() });
+    }
+    let (colors, texture) = (colors.filter(|_| is_whole), texture.filter(|_| is_whole));
+    let of_mesh = || (0..corners.len()).chain(backs.iter().copied());
+    let face_colors = match &colors {
+        Some(colors) => of_mesh().map(|face| colors.faces[place(face)]).collect(),
+        None => Vec::new(),
+    };
+    let texture = texture.map_or(Ok(Texture::default()), |texture| {
+        let corners_of = |(number, face): (usize, usize)| {
+            let mut coords = texture.faces[place(face)];
+            // Reversed as the face is, and once more where it is a back.
+            if reversed[sources[face]] != (number >= corners.len()) {
+                reverse(&mut coords);
+            }
+            coords
+        };
+        materials::texture(&texture, of_mesh().enumerate().map(corners_of))
+    });
+    let texture = texture.unwrap_or_else(|problem| {
+        let message = format!("no texture coordinates: {problem}");
+        warnings.push(Warning { line: None, message });
+        Texture::default()
+    });
     let made = Made {
         reversed: in_the_file(&reversed, &exact, &last.duplicate, &last_sources, faces.len()),
         backs: of_file(&backs),
@@ -215,6 +244,12 @@ pub(crate) fn make(
         normals,
         planes: Vec::new(),
         vertex_normals,
+        palette: colors.map_or_else(Vec::new, |colors| colors.palette),
+        face_colors,
+        texture_coords: texture.coords,
+        texture_faces: texture.faces,
+        texture_exponent: texture.exponent,
+        libraries,
         offset: grid.centre,
         report: Report {
             vertices_read,

@@ -25,6 +25,9 @@ use std::path::{Path, PathBuf};
 pub fn build(model: &Path, name: &str, options: &Options) -> Result<(), ImportError> {
     println!("cargo::rerun-if-changed={}", model.display());
     let mesh = import(model, options)?;
+    for library in &mesh.libraries {
+        println!("cargo::rerun-if-changed={}", library.display());
+    }
     let source = mesh
         .to_rust_mesh(name, model, "pinhole_import::build")
         .ok_or_else(|| Problem::Options(rust::NOT_A_NAME).at(model, None))?;

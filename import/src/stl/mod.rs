@@ -26,7 +26,7 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
             message: format!("no `endsolid` after line {line}: perhaps the file was cut short"),
         };
         let warnings = unended.map(cut).into_iter().collect();
-        return Ok(Model { triangles, places: Places::Lines(lines), warnings });
+        return Ok(Model { triangles, places: Places::Lines(lines), warnings, ..Model::default() });
     }
     let given = bytes.len() as u64;
     let needed = declared_length(&bytes).unwrap_or((HEADER + COUNT) as u64);
@@ -51,7 +51,7 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
     // Many binary headers begin with "solid", by which stl_io takes them for text.
     bytes[0] = b' ';
     let triangles = triangles(bytes).map_err(as_it_is)?;
-    Ok(Model { triangles, places: Places::Records, warnings })
+    Ok(Model { triangles, places: Places::Records, warnings, ..Model::default() })
 }
 
 /// Whether the file is one of text, with a solid or, without that line, a facet. A binary one may begin with "solid" too,

@@ -3,6 +3,7 @@
 mod build_rs;
 mod cli;
 mod decimate;
+mod materials;
 mod obj;
 mod options;
 mod properties;

@@ -2,14 +2,11 @@
 
 use crate::any;
 use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, Camera, ClipPoint, FramingError, Hierarchy, HierarchyError, InverseError,
-    Lambert, LightError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode,
-    PlanarProjection, Point3, ProjectError, Projected, Projection, ProjectionError, Quaternion,
-    QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere, Statistics, StripBuffers,
-    VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+    clip, Affine, Angle, AxisError, Camera, ClipPoint, FaceColors, FramingError, Hierarchy, HierarchyError, InverseError, Lambert, LightError, MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, ProjectError, Projected, Projection, ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere, Statistics, StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -105,6 +102,10 @@ entries! {
     entry_statistics(a: Statistics, b: Statistics) -> Statistics { a.and(b) }
     entry_mesh(v: Vertices, exponent: i8, f: Faces) -> Result<Mesh<'static>, MeshError> { Mesh::new(v, exponent, f) }
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
+    entry_face_colors(p: &'static [[u8; 3]], f: &'static [u8]) -> Result<FaceColors<'static>, MaterialError> { FaceColors::new(p, f) }
+    entry_face_color(colors: &FaceColors<'static>, face: usize) -> (Rgb565, usize, usize) { (colors.color(face), colors.palette().len(), colors.faces().len()) }
+    entry_texture_coords(c: &'static [[i16; 2]], f: Faces, exponent: i8) -> Result<TextureCoords<'static>, MaterialError> { TextureCoords::new(c, f, exponent) }
+    entry_texture_corners(t: &TextureCoords<'static>, face: usize) -> ([[i16; 2]; 3], usize, usize, i8) { (t.corners(face), t.coords().len(), t.faces().len(), t.exponent()) }
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }

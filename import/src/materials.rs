@@ -1,0 +1,163 @@
+//! Materials: diffuse colours as a palette, and texture coordinates on a grid.
+
+use crate::model::{Colors, TextureFaces, Warning};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+/// The diffuse colour of a material that has none.
+const GREY: [u8; 3] = [204; 3];
+
+/// The colour of each triangle, by its material. `None` where no triangle has a material, or no library can be read.
+pub(crate) fn read(
+    names: &[String],
+    of_triangles: Vec<Option<usize>>,
+    libraries: &[String],
+    file: &Path,
+    warnings: &mut Vec<Warning>,
+) -> Option<Colors> {
+    if names.is_empty() {
+        return None;
+    }
+    let mut known = HashMap::new();
+    let mut warn = |message| warnings.push(Warning { line: None, message });
+    for name in libraries {
+        match library(name, file) {
+            Ok(colors) => known.extend(colors),
+            Err(problem) => warn(format!(
+                "material library {name}: {problem}; its materials are grey: put it beside the model"
+            )),
+        }
+    }
+    if known.is_empty() {
+        if libraries.is_empty() {
+            warn("no material library (mtllib): faces have no colours".into());
+        }
+        return None;
+    }
+    let unknown: Vec<&String> = names.iter().filter(|name| !known.contains_key(*name)).collect();
+    if let Some(first) = unknown.first() {
+        let count = unknown.len();
+        warn(format!("materials that no library has: {count}, the first {first}; their faces are grey"));
+    }
+    let color = |material: Option<usize>| {
+        material.and_then(|number| known.get(names.get(number)?)).copied().unwrap_or(GREY)
+    };
+    let of_triangles: Vec<[u8; 3]> = of_triangles.into_iter().map(color).collect();
+    let (colors, count) = palette(&of_triangles);
+    if count > colors.palette.len() {
+        let most = colors.palette.len();
+        warn(format!(
+            "colours: {count}, of which a palette holds {most}; the others become the nearest of these"
+        ));
+    }
+    Some(colors)
+}
+
+/// The file of a material library, beside the model, if it is there.
+pub(crate) fn find(name: &str, model: &Path) -> Option<PathBuf> {
+    let folder = model.parent().unwrap_or(Path::new(""));
+    // A name may be written with the separators of another system.
+    let paths = [folder.join(name), folder.join(name.replace('\\', "/"))];
+    paths.into_iter().find(|path| path.is_file())
+}
+
+/// The diffuse colours of a library, by the materials' names.
+fn library(name: &str, model: &Path) -> Result<HashMap<String, [u8; 3]>, String> {
+    let path = find(name, model).ok_or("is not there")?;
+    let bytes = crate::bytes(&path).map_err(|error| error.problem.to_string())?;
+    // All else of a material is not used, and cannot be wrong.
+    let is_used = |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd"));
+    let text: String =
+        crate::text::text(&bytes).lines().filter(is_used).flat_map(|line| [line, "\n"]).collect();
+    let (materials, _) =
+        tobj::load_mtl_buf(&mut text.as_bytes()).map_err(|_| "a Kd is not three numbers from 0 to 1")?;
+    let color = |material: tobj::Material| {
+        let channel = |c: f64| (c * 255.0).round().clamp(0.0, 255.0) as u8; // NaN becomes 0
+        (material.name, material.diffuse.map_or(GREY, |diffuse| diffuse.map(channel)))
+    };
+    Ok(materials.into_iter().map(color).collect())
+}
+
+/// A palette of the colours, those that are used most if there are more than 256, in the order of their first use, and how
+/// many colours there are.
+fn palette(of_triangles: &[[u8; 3]]) -> (Colors, usize) {
+    const MOST: usize = 256;
+    let mut uses = HashMap::<[u8; 3], usize>::new();
+    for &color in of_triangles {
+        *uses.entry(color).or_default() += 1;
+    }
+    let count = uses.len();
+    let mut by_use: Vec<([u8; 3], usize)> = uses.into_iter().collect();
+    by_use.sort_unstable_by_key(|&(color, uses)| (std::cmp::Reverse(uses), color));
+    by_use.truncate(MOST);
+    let kept: HashMap<[u8; 3], usize> = by_use.into_iter().collect();
+    let distance =
+        |a: [u8; 3], b: [u8; 3]| -> u32 { (0..3).map(|i| u32::from(a[i].abs_diff(b[i])).pow(2)).sum() };
+    let nearest = |color: [u8; 3]| {
+        kept.keys().copied().min_by_key(|&other| (distance(color, other), other)).unwrap_or(color)
+    };
+    let mut colors = Colors::default();
+    let mut numbers = HashMap::<[u8; 3], u8>::new();
+    for &color in of_triangles {
+        let number = match numbers.get(&color) {
+            Some(&number) => number,
+            None => {
+                let shown = if kept.contains_key(&color) { color } else { nearest(color) };
+                let place = colors.palette.iter().position(|&other| other == shown);
+                let number = place.unwrap_or(colors.palette.len()) as u8; // at most 256 different ones are shown
+                if place.is_none() {
+                    colors.palette.push(shown);
+                }
+                numbers.insert(color, number);
+                number
+            }
+        };
+        colors.faces.push(number);
+    }
+    (colors, count)
+}
+
+/// Texture coordinates of a mesh.
+#[derive(Default)]
+pub(crate) struct Texture {
+    pub(crate) coords: Vec<[i16; 2]>,
+    pub(crate) faces: Vec<[u16; 3]>,
+    /// The unit is 2 to this power of a texture's side.
+    pub(crate) exponent: i8,
+}
+
+/// Rounds texture coordinates to the finest power-of-two grid on which they fit `i16`, up half way, so that equal
+/// distances round to equal ones below zero, too; each pair once. The error of a coordinate is half a unit.
+///
+/// # Errors
+///
+/// What to do where they do not fit.
+pub(crate) fn texture(
+    texture: &TextureFaces,
+    faces: impl Iterator<Item = [usize; 3]>,
+) -> Result<Texture, &'static str> {
+    let faces: Vec<[usize; 3]> = faces.collect();
+    let used = || faces.iter().flatten().filter_map(|&i| texture.coords.get(i));
+    let on_grid = |c: f64, exponent: i8| (c * crate::grid::power_of_two(-exponent) + 0.5).floor();
+    let fits =
+        |exponent: &i8| used().flatten().all(|&c| (-32768.0..=32767.0).contains(&on_grid(c, *exponent)));
+    let exponent =
+        (-15..=0).find(fits).ok_or("they go beyond 32767 sides of the texture: repeat it less often")?;
+    let mut numbers = HashMap::new();
+    let mut out = Texture { exponent, ..Texture::default() };
+    for face in &faces {
+        let mut corners = [0; 3];
+        for (corner, &index) in corners.iter_mut().zip(face) {
+            let coord = texture.coords.get(index).copied().unwrap_or_default();
+            let coord = coord.map(|c| on_grid(c, exponent) as i16); // it fits
+            let number = *numbers.entry(coord).or_insert_with(|| {
+                out.coords.push(coord);
+                out.coords.len() - 1
+            });
+            *corner = u16::try_from(number)
+                .map_err(|_| "there are more than 65536: use --decimate N, or split the model")?;
+        }
+        out.faces.push(corners);
+    }
+    Ok(out)
+}

@@ -1,0 +1,280 @@
+//! Colours and texture coordinates of OBJ files, from the text to the generated source.
+
+use pinhole::{FaceColors, TextureCoords};
+use pinhole_import::{import, preview, Axis, ImportedMesh, Options};
+use std::path::{Path, PathBuf};
+
+fn file(name: &str, text: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("materials");
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join(name);
+    // Whole, for tests at the same time.
+    let made = folder.join(format!("{name}.{:?}", std::thread::current().id()));
+    std::fs::write(&made, text).unwrap();
+    std::fs::rename(&made, &path).unwrap();
+    path
+}
+
+fn said(mesh: &ImportedMesh) -> Vec<String> {
+    mesh.warnings.iter().map(ToString::to_string).collect()
+}
+
+/// A tetrahedron of which each face has a texture coordinate of its own per corner: face i, corner k has (i/4, k/8).
+const CORNERS: &str = "v 0 0 0\nv 8 0 0\nv 0 8 0\nv 0 0 8\n\
+    vt 0 0\nvt 0 .125\nvt 0 .25\nvt .25 0\nvt .25 .125\nvt .25 .25\n\
+    vt .5 0\nvt .5 .125\nvt .5 .25\nvt .75 0\nvt .75 .125\nvt .75 .25\n";
+const FACES: [&str; 4] = ["f 1/1 3/2 2/3\n", "f 1/4 2/5 4/6\n", "f 2/7 3/8 4/9\n", "f 3/10 1/11 4/12\n"];
+
+/// The tetrahedron, its faces with materials.
+fn painted() -> String {
+    let [a, b, c, d] = FACES;
+    format!("mtllib painted.mtl\n{CORNERS}usemtl sky\n{a}usemtl rust\n{b}g group\n{c}usemtl sky\n{d}")
+}
+
+const LIBRARY: &str =
+    "# by hand\nnewmtl rust\nKa nonsense\nKd .6 .2 0\nmap_Kd rust.png\nnewmtl sky\nNs 3\nKd 0 .5 1\n";
+
+/// The vertex of the tetrahedron at a corner, by where it is: 1 at the origin, and 2, 3, 4 on the axes.
+fn vertex(mesh: &ImportedMesh, face: usize, corner: usize) -> usize {
+    let at = mesh.vertices[usize::from(mesh.faces[face][corner])];
+    at.iter().position(|&c| c > 0).map_or(1, |axis| axis + 2)
+}
+
+/// For each face of a mesh the file's face of which it is, by its corners, and its texture coordinates by vertex.
+fn by_vertex(mesh: &ImportedMesh) -> Vec<(usize, [u8; 3], Vec<(usize, [f64; 2])>)> {
+    let unit = 2f64.powi(i32::from(mesh.texture_exponent));
+    let (colors, texture) = (mesh.colors().unwrap().unwrap(), mesh.texture().unwrap().unwrap());
+    let of = |face: usize| {
+        let mut corners: Vec<_> = (0..3)
+            .map(|corner| {
+                (vertex(mesh, face, corner), texture.corners(face)[corner].map(|c| f64::from(c) * unit))
+            })
+            .collect();
+        corners.sort_by_key(|(vertex, _)| *vertex);
+        let missing = 10 - corners.iter().map(|(vertex, _)| vertex).sum::<usize>();
+        let color = colors.palette()[usize::from(colors.faces()[face])];
+        ([4, 3, 1, 2].iter().position(|&m| m == missing).unwrap(), color, corners)
+    };
+    (0..mesh.faces.len()).map(of).collect()
+}
+
+/// What `painted` says of the same, by reading its faces as text.
+fn expected(face: usize) -> (usize, [u8; 3], Vec<(usize, [f64; 2])>) {
+    let corner = |(k, word): (usize, &str)| {
+        let vertex = word.split('/').next().unwrap().parse().unwrap();
+        (vertex, [face as f64 / 4.0, 1.0 - k as f64 / 8.0])
+    };
+    let mut corners: Vec<_> = FACES[face].split_whitespace().skip(1).enumerate().map(corner).collect();
+    corners.sort_by_key(|(vertex, _)| *vertex);
+    // 0.6 · 255 = 153, 0.2 · 255 = 51, 0.5 · 255 = 127.5, up.
+    (face, [[0, 128, 255], [153, 51, 0], [153, 51, 0], [0, 128, 255]][face], corners)
+}
+
+#[test]
+fn faces_keep_their_colours_and_coordinates_through_every_option() {
+    file("painted.mtl", LIBRARY);
+    let path = file("painted.obj", &painted());
+    let defaults = Options { centre: pinhole_import::Centre::Origin, ..Options::default() };
+    for reorder in [false, true] {
+        for flip in [false, true] {
+            for (fix_winding, two_sided) in [(false, false), (true, false), (false, true), (true, true)] {
+                let options = Options { reorder, flip, fix_winding, two_sided, ..defaults.clone() };
+                let mesh = import(&path, &options).unwrap();
+                // Flipped and not fixed, the tetrahedron is not sound: it gets backs.
+                let backs = if flip && two_sided && !fix_winding { 4 } else { 0 };
+                assert_eq!((mesh.faces.len(), mesh.report.backs), (4 + backs, backs));
+                for (face, found) in by_vertex(&mesh).into_iter().enumerate() {
+                    assert_eq!(found, expected(found.0), "{face} {options:?}");
+                }
+                assert_eq!(mesh.palette, [[0, 128, 255], [153, 51, 0]], "{options:?}");
+            }
+        }
+    }
+    let mesh = import(&path, &defaults).unwrap();
+    assert_eq!((said(&mesh), mesh.face_colors), (vec![], vec![0, 1, 1, 0]));
+    assert_eq!(mesh.libraries, [path.with_file_name("painted.mtl")]);
+    let plain = import(
+        &file("bare.obj", &painted().replace("mtllib painted.mtl\n", "").replace("usemtl", "#")),
+        &defaults,
+    );
+    assert_eq!(plain.unwrap().palette, Vec::<[u8; 3]>::new());
+}
+
+#[test]
+fn polygons_are_fans_in_their_texture_too() {
+    let text = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+    let mesh = import(&file("quad.obj", text), &Options::default()).unwrap();
+    let texture = mesh.texture().unwrap().unwrap();
+    // v 1 is the top: row 0. All of 0 to 1 fits 2^-14, not 2^-15.
+    assert_eq!((texture.exponent(), texture.coords().len()), (-14, 4));
+    let one = 1 << 14;
+    assert_eq!(texture.corners(0), [[0, one], [one, one], [one, 0]]);
+    assert_eq!(texture.corners(1), [[0, one], [one, 0], [0, 0]]);
+    assert!(mesh.colors().unwrap().is_none());
+}
+
+#[test]
+fn coordinates_lie_on_the_finest_grid_that_holds_them() {
+    let with = |coords: [[f64; 2]; 3]| {
+        let coords: String = coords.iter().map(|[u, v]| format!("vt {u} {v}\n")).collect();
+        let text = format!("v 0 0 0\nv 4 0 0\nv 4 4 0\n{coords}f 1/1 2/2 3/3\n");
+        import(&file(&format!("grid-{}.obj", coords.len()), &text), &Options::default()).unwrap()
+    };
+    // Below 1 − 2^-16: 15 bits.
+    assert_eq!(with([[0.0, 0.5], [0.9, 0.25], [0.5, 0.999]]).texture_exponent, -15);
+    // Repeated 5 times, and once to the left: 2^-12 as 5 · 2^12 = 20480.
+    let mesh = with([[-1.0, 0.0], [5.0, 1.0], [0.3, 0.7]]);
+    assert_eq!(mesh.texture_exponent, -12);
+    let texel = |[u, _]: [i16; 2]| (i32::from(u) << 6) >> 12;
+    let corners = mesh.texture().unwrap().unwrap().corners(0);
+    // In 64 texels: -64, 320, and 19.2 is in texel 19.
+    assert_eq!(corners.map(texel), [-64, 320, 19]);
+    // Half a unit below zero rounds up as it does above: a half is not a matter of the sign.
+    let mesh = with([[-0.5 / 4096.0, 1.0], [0.5 / 4096.0, 1.0], [5.5, 1.0]]);
+    assert_eq!(mesh.texture_exponent, -12);
+    assert_eq!(mesh.texture().unwrap().unwrap().corners(0).map(|[u, _]| u), [0, 1, 22528]);
+    // 1e5 sides do not fit.
+    let mesh = with([[0.0, 0.0], [1e5, 0.0], [0.0, 1.0]]);
+    assert!(mesh.texture_faces.is_empty() && mesh.texture().unwrap().is_none());
+    let doubt = "no texture coordinates: they go beyond 32767 sides of the texture: repeat it less often";
+    assert!(said(&mesh).contains(&doubt.into()), "{:?}", said(&mesh));
+}
+
+#[test]
+fn what_is_wrong_with_materials_leaves_the_mesh() {
+    let [a, b, c, d] = FACES;
+    let plain = import(&file("plain.obj", &format!("{CORNERS}{a}{b}{c}{d}")), &Options::default()).unwrap();
+    assert_eq!(said(&plain), Vec::<String>::new());
+    file("broken.mtl", "newmtl rust\nKd red\n");
+    file("half.mtl", "newmtl rust\nKd 1 0 0\nnewmtl bare\nNs 2\n");
+    let body = |uses: &str| format!("{uses}\n{CORNERS}{a}{b}{c}{d}");
+    for (text, palette, doubt) in [
+        (
+            body("mtllib nowhere.mtl\nusemtl rust"),
+            vec![],
+            "material library nowhere.mtl: is not there; its materials are grey: put it beside the model",
+        ),
+        (
+            body("mtllib broken.mtl\nusemtl rust"),
+            vec![],
+            "material library broken.mtl: a Kd is not three numbers from 0 to 1; its materials are grey: put it beside the model",
+        ),
+        (body("usemtl rust"), vec![], "no material library (mtllib): faces have no colours"),
+        (
+            body("mtllib half.mtl\nusemtl gold"),
+            vec![[204; 3]],
+            "materials that no library has: 1, the first gold; their faces are grey",
+        ),
+        (body("mtllib half.mtl\nusemtl bare"), vec![[204; 3]], ""),
+        (body("mtllib sub\\..\\half.mtl\nusemtl rust"), vec![[255, 0, 0]], ""),
+        (body("mtllib half.mtl"), vec![], ""),
+    ] {
+        if text.contains('\\') {
+            std::fs::create_dir_all(Path::new(env!("CARGO_TARGET_TMPDIR")).join("materials/sub")).unwrap();
+        }
+        let mesh = import(&file("doubt.obj", &text), &Options::default()).unwrap();
+        assert_eq!(mesh.palette, palette, "{text}");
+        assert_eq!(said(&mesh).concat(), doubt);
+        assert_eq!((&mesh.vertices, &mesh.faces, &mesh.texture_coords), (&plain.vertices, &plain.faces, &plain.texture_coords));
+    }
+    // Coordinates that are none, or not there.
+    let wrong = format!("{CORNERS}vt x\n{a}{b}{c}{d}");
+    let mesh = import(&file("wrong.obj", &wrong), &Options::default()).unwrap();
+    assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
+    let doubt = "no texture coordinates: a texture coordinate needs two numbers; they are left out: export them again";
+    assert_eq!((mesh.warnings[0].line, said(&mesh)), (Some(17), vec![doubt.to_string()]));
+    let stray = format!("{CORNERS}{a}{b}{c}f 3/10 1/11 4/13\n");
+    let mesh = import(&file("stray.obj", &stray), &Options::default()).unwrap();
+    assert_eq!((mesh.faces.len(), mesh.texture_faces.len()), (4, 0));
+    assert!(said(&mesh)[0]
+        .starts_with("no texture coordinates: a face names a texture coordinate that does not exist; "));
+    let half = format!("{CORNERS}{a}{b}{c}f 3/10 1 4/12\n");
+    let mesh = import(&file("half.obj", &half), &Options::default()).unwrap();
+    assert_eq!(mesh.texture_faces.len(), 4);
+    assert_eq!(
+        said(&mesh),
+        ["faces without texture coordinates: 1, the first at line 20; they get those of the face before"]
+    );
+    // Coordinates that no face names are not the mesh's.
+    let unused = format!("{CORNERS}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    let mesh = import(&file("unused.obj", &unused), &Options::default()).unwrap();
+    assert_eq!((mesh.texture_faces.len(), said(&mesh).len()), (0, 0));
+}
+
+#[test]
+fn more_than_256_colours_become_the_256_most_used() {
+    let mut library = String::new();
+    let mut text = String::from("mtllib many.mtl\n");
+    for i in 0..300 {
+        library += &format!("newmtl m{i}\nKd {} {} 0\n", f64::from(i % 20) / 20.0, f64::from(i / 20) / 20.0);
+        text += &format!("v {i} 0 0\nv {i} 1 0\nv {i} 0 1\nusemtl m{i}\nf -3 -2 -1\n");
+        // All but the first 44 a second time.
+        text +=
+            &if i < 44 { String::new() } else { format!("v {i} 3 0\nv {i} 4 0\nv {i} 3 1\nf -3 -2 -1\n") };
+    }
+    file("many.mtl", &library);
+    let mesh = import(&file("many.obj", &text), &Options::default()).unwrap();
+    let doubt = "colours: 300, of which a palette holds 256; the others become the nearest of these";
+    assert!(said(&mesh).contains(&doubt.into()), "{:?}", said(&mesh));
+    assert_eq!(mesh.palette.len(), 256);
+    let exact = |i: i32| {
+        [f64::from(i % 20) / 20.0, f64::from(i / 20) / 20.0, 0.0].map(|c| (c * 255.0).round() as i32)
+    };
+    let mut face = 0;
+    for i in 0..300 {
+        let found = mesh.palette[usize::from(mesh.face_colors[face])].map(i32::from);
+        let distance = |a: [i32; 3], b: [i32; 3]| (0..3).map(|k| (a[k] - b[k]).pow(2)).sum::<i32>();
+        let nearest = (44..300).map(|other| distance(exact(i), exact(other))).min().unwrap();
+        assert_eq!(distance(found, exact(i)), nearest, "{i}");
+        face += if i < 44 { 1 } else { 2 };
+    }
+}
+
+include!("generated/painted.rs");
+
+/// That `generated/painted.rs` compiles, and what it then is.
+#[test]
+fn the_source_holds_lists_that_stand_beside_the_mesh() {
+    let path = file("painted.obj", &painted());
+    file("painted.mtl", LIBRARY);
+    let mesh = import(&path, &Options { up: Some(Axis::Y), ..Options::default() }).unwrap();
+    let command = "pinhole-import painted.obj -o painted.rs --name PAINTED --keep-order";
+    let text = mesh.to_rust_mesh("PAINTED", &path, command).unwrap();
+    if std::env::var_os("GENERATED").is_some() {
+        let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/import/generated/painted.rs");
+        std::fs::write(here, &text).unwrap();
+    }
+    assert!(
+        text == include_str!("generated/painted.rs"),
+        "GENERATED=1 cargo test -p pinhole-import writes it"
+    );
+    assert_eq!(PAINTED, mesh.mesh().unwrap());
+    let (colors, texture): (FaceColors<'_>, TextureCoords<'_>) = (PAINTED_COLORS, PAINTED_TEXTURE);
+    assert_eq!(Some(colors), mesh.colors().unwrap());
+    assert_eq!(Some(texture), mesh.texture().unwrap());
+    assert_eq!(colors.faces().len() + texture.faces().len(), 2 * PAINTED.faces().len());
+    // Not the mesh's, so not in its size.
+    assert!(text.contains("`painted.obj`: 4 vertices, 4 faces, 6 edges; 96 bytes of flash."), "{text}");
+    assert!(text.contains("[`PAINTED`]: 2 colours; 10 bytes of flash."), "{text}");
+    assert!(text.contains("[`PAINTED`]: 12 pairs; 72 bytes of flash."), "{text}");
+    let lists = mesh.to_rust("a test");
+    for list in [
+        "PALETTE: [[u8; 3]; 2]",
+        "FACE_COLORS: [u8; 4]",
+        "TEXTURE_COORDS: [[i16; 2]; 12]",
+        "TEXTURE_FACES: [[u16; 3]; 4]",
+    ] {
+        assert!(lists.contains(&format!("pub const {list} = [")), "{list}\n{lists}");
+    }
+}
+
+#[test]
+fn a_preview_has_the_colours_of_its_triangles() {
+    file("painted.mtl", LIBRARY);
+    let text = painted().replace(FACES[3], ""); // open
+    let path = file("open.obj", &text);
+    let shown = preview(&path, &Options { two_sided: true, ..Options::default() }).unwrap();
+    let [sky, rust] = [[0, 128, 255], [153, 51, 0]];
+    assert_eq!(shown.colors, [sky, rust, rust, sky, rust, rust]);
+    assert_eq!(shown.libraries, [path.with_file_name("painted.mtl")]);
+}

@@ -1,0 +1,188 @@
+//! What a model's materials say of its faces, beside the mesh: colours and texture coordinates. A mesh does not know of them, so
+//! that firmware which draws none of them has none of them in flash.
+
+use embedded_graphics_core::pixelcolor::Rgb888;
+
+/// Why lists of materials do not fit together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum MaterialError {
+    /// A face uses a colour or a texture coordinate that is not in the list.
+    Index {
+        /// The face's index.
+        face: usize,
+        /// The index that the face uses.
+        index: u16,
+        /// How many colours or coordinates there are.
+        count: usize,
+    },
+    /// The exponent of the texture coordinates' unit is outside of −15 … 0: choose another unit.
+    Exponent {
+        /// The given exponent.
+        exponent: i8,
+    },
+}
+
+impl core::fmt::Display for MaterialError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Index { face, index, count } => {
+                write!(f, "face {face} uses colour or texture coordinate {index}, but the list has {count}")
+            }
+            Self::Exponent { exponent } => {
+                write!(
+                    f,
+                    "texture coordinates in 2^{exponent} of a texture, but the exponent must be -15 to 0"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for MaterialError {}
+
+/// The colour of each face of a mesh: a palette of at most 256 colours, 3 bytes each, and an index into it for each face, 1
+/// byte. `pinhole-import` makes one of an OBJ model's diffuse colours.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+/// use pinhole::FaceColors;
+/// const COLORS: FaceColors<'static> = match FaceColors::new(&[[255, 0, 0], [0, 0, 255]], &[0, 1, 1]) {
+///     Ok(colors) => colors,
+///     Err(_) => panic!("indices of the palette"),
+/// };
+/// assert_eq!(COLORS.color::<Rgb888>(2), Rgb888::BLUE);
+/// // In the display's format, for `MeshInstance::depth_tested(|face| COLORS.color(face), …)`.
+/// assert_eq!(COLORS.color::<Rgb565>(0), Rgb565::RED);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FaceColors<'a> {
+    palette: &'a [[u8; 3]],
+    faces: &'a [u8],
+}
+
+impl<'a> FaceColors<'a> {
+    /// Colours `[red, green, blue]`, 255 is full, and the index of the colour of each face.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError::Index`] if a face uses an index that the palette does not have.
+    pub const fn new(palette: &'a [[u8; 3]], faces: &'a [u8]) -> Result<Self, MaterialError> {
+        let (count, mut face) = (palette.len(), 0);
+        while face < faces.len() {
+            let index = faces[face] as u16;
+            if index as usize >= count {
+                return Err(MaterialError::Index { face, index, count });
+            }
+            face += 1;
+        }
+        Ok(Self { palette, faces })
+    }
+
+    /// The colour of a face in a display's format, rounded as `embedded-graphics` converts from [`Rgb888`]; black for a face
+    /// that is not in the list.
+    pub fn color<C: From<Rgb888>>(&self, face: usize) -> C {
+        let index = self.faces.get(face).map(|&index| usize::from(index));
+        let [red, green, blue] = index.and_then(|index| self.palette.get(index)).copied().unwrap_or_default();
+        Rgb888::new(red, green, blue).into()
+    }
+
+    /// The colours.
+    pub const fn palette(&self) -> &'a [[u8; 3]] {
+        self.palette
+    }
+
+    /// The index of the colour of each face.
+    pub const fn faces(&self) -> &'a [u8] {
+        self.faces
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for FaceColors<'_> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=usize} colours of {=usize} faces", self.palette.len(), self.faces.len());
+    }
+}
+
+/// Texture coordinates of the corners of a mesh's faces: each pair once, 4 bytes, and three indices a face, 6 bytes.
+/// `pinhole-import` makes them of an OBJ model's.
+///
+/// A coordinate is `[u, v]` in units of 2^exponent of a texture's side: u to the right, v down, as the rows of a picture
+/// lie in memory, and the origin is the upper left corner of the texel in column 0 and row 0, whose centre is half a
+/// texel from there. In a texture of 2ʷ texels a side, a coordinate c lies in the texel `(c << w) >> -exponent`, rounded
+/// down also where c is negative, modulo 2ʷ where the texture repeats.
+///
+/// ```
+/// use pinhole::TextureCoords;
+/// // A square of two faces, with all of a texture on it, in quarters of its side.
+/// let coords = TextureCoords::new(&[[0, 4], [4, 4], [4, 0], [0, 0]], &[[0, 1, 2], [0, 2, 3]], -2)?;
+/// assert_eq!(coords.corners(1), [[0, 4], [4, 0], [0, 0]]);
+/// // The middle of the texture is texel 32 of 64.
+/// assert_eq!((2i32 << 6) >> -coords.exponent(), 32);
+/// # Ok::<(), pinhole::MaterialError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextureCoords<'a> {
+    coords: &'a [[i16; 2]],
+    faces: &'a [[u16; 3]],
+    exponent: i8,
+}
+
+impl<'a> TextureCoords<'a> {
+    /// Coordinates in units of 2^exponent of a texture's side, and those of the corners of each face.
+    ///
+    /// # Errors
+    ///
+    /// [`MaterialError`] if a face uses an index that the list does not have, or the exponent is outside of −15 … 0.
+    pub const fn new(
+        coords: &'a [[i16; 2]],
+        faces: &'a [[u16; 3]],
+        exponent: i8,
+    ) -> Result<Self, MaterialError> {
+        if exponent < -15 || exponent > 0 {
+            return Err(MaterialError::Exponent { exponent });
+        }
+        let (count, mut face) = (coords.len(), 0);
+        while face < faces.len() {
+            let [a, b, c] = faces[face];
+            let high = if a > b { a } else { b };
+            let index = if high > c { high } else { c };
+            if index as usize >= count {
+                return Err(MaterialError::Index { face, index, count });
+            }
+            face += 1;
+        }
+        Ok(Self { coords, faces, exponent })
+    }
+
+    /// The coordinates of a face's corners, in the order of [`Mesh::faces`](crate::Mesh::faces); zeros for a face that is not
+    /// in the list.
+    pub fn corners(&self, face: usize) -> [[i16; 2]; 3] {
+        let at = |index: u16| self.coords.get(usize::from(index)).copied().unwrap_or_default();
+        self.faces.get(face).map_or([[0; 2]; 3], |corners| corners.map(at))
+    }
+
+    /// All coordinates.
+    pub const fn coords(&self) -> &'a [[i16; 2]] {
+        self.coords
+    }
+
+    /// The indices of the coordinates of each face's corners.
+    pub const fn faces(&self) -> &'a [[u16; 3]] {
+        self.faces
+    }
+
+    /// The exponent of the unit: coordinate = number · 2^exponent of a texture's side.
+    pub const fn exponent(&self) -> i8 {
+        self.exponent
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for TextureCoords<'_> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (coords, faces) = (self.coords.len(), self.faces.len());
+        defmt::write!(f, "{=usize} texture coordinates of {=usize} faces", coords, faces);
+    }
+}
