@@ -69,8 +69,8 @@ fn library(name: &str, model: &Path) -> Result<HashMap<String, [u8; 3]>, String>
     let is_used = |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd"));
     let text: String =
         crate::text::text(&bytes).lines().filter(is_used).flat_map(|line| [line, "\n"]).collect();
-    let (materials, _) =
-        tobj::load_mtl_buf(&mut text.as_bytes()).map_err(|_| "a Kd is not three numbers from 0 to 1")?;
+    let (materials, _) = tobj::load_mtl_buf(&mut text.as_bytes())
+        .map_err(|_| "cannot be understood: newmtl has a name, and Kd three numbers")?;
     let color = |material: tobj::Material| {
         let channel = |c: f64| (c * 255.0).round().clamp(0.0, 255.0) as u8; // NaN becomes 0
         (material.name, material.diffuse.map_or(GREY, |diffuse| diffuse.map(channel)))

@@ -17,6 +17,7 @@ const FORMATS: &str = r#"pinhole-render MODEL.stl draws target/render/MODEL.png;
 SCENE.json:
   {"mesh": "file.obj" | ".stl" | ".json" (relative to the scene's folder),  or  "vertices": [[x, y, z], ...], "triangles": [[a, b, c], ...],
    "model": 4x4 affine, "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) in the view volume,
+   "colors": [[r, g, b], ...] of the triangles, 0 to 255 (optional),
    "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (default: the picture), "cull": "none" | "back",
    "name", "source", "licence": any text, ignored}
 Matrices are row-major and multiply column vectors. A .json mesh is {"vertices": ..., "triangles": ...}.
@@ -28,7 +29,7 @@ With one of these three the default --size of a mesh is 320x240.
 
 An .obj or .stl is drawn as the mesh that pinhole-import makes of it, and with its warnings: z of .stl and y of .obj are up, faces
 are seen from their front alone (counter-clockwise) unless --two-sided, and the camera is that of the firmware templates, which
-frames the bounding sphere. Triangles in --ids and --used are those of the file, in its order, then the backs of --two-sided.
+frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials, unless --colour is given. Triangles in --ids and --used are those of the file, in its order, then the backs of --two-sided.
 
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
@@ -76,7 +77,11 @@ pub(crate) fn command() -> Command {
             format!("{modes} [default: solid: smooth shading, except over sharp edges]"),
         ))
         .arg(
-            text("colour", "COLOUR", "Colour of faces or lines: a CSS name, #rrggbb or #rgb".into())
+            text(
+                "colour",
+                "COLOUR",
+                "Colour of faces or lines: a CSS name, #rrggbb or #rgb [default: the model's materials']".into(),
+            )
                 .alias("color"),
         )
         .arg(text("background", "COLOUR", "Background colour: a CSS name, #rrggbb or #rgb".into()))

@@ -33,7 +33,13 @@ pub(crate) fn text(
     characters: Characters,
 ) -> Result<(String, Statistics), String> {
     let braille = characters == Characters::Braille;
-    let style = Style { colour: Rgb888::WHITE, background: Rgb888::BLACK, dither: braille, ..*style };
+    let style = Style {
+        colour: Rgb888::WHITE,
+        own_colours: false, // characters show light alone
+        background: Rgb888::BLACK,
+        dither: braille,
+        ..*style
+    };
     let format = if braille { Format::Mono } else { Format::Gray8 };
     let (pixels, statistics) = picture(subject, scene, &style, format)?;
     let (width, height) = (scene.0.width as usize, scene.0.height as usize);

@@ -44,15 +44,17 @@ fn run(options: &Options) -> Result<(), String> {
     let scene = match &options.look {
         Some(look) => {
             let mut model = import::read(&options.scene, &options.import)?;
+            model.libraries.iter().try_for_each(|library| apart(library))?;
             let look = &Look { up: model.up, ..*look };
             if let Some(path) = &options.gif {
-                let film =
-                    turntable::gif(&model.triangles, look, &options.style, options.format, options.frames);
+                let mesh = (&model.triangles, &model.colors[..]);
+                let film = turntable::gif(mesh, look, &options.style, options.format, options.frames);
                 outputs.push((path, film.map_err(named)?));
             }
             let triangles = std::mem::take(&mut model.triangles);
+            let colors = std::mem::take(&mut model.colors);
             imported = Some(model);
-            model::scene(triangles, look)?
+            model::scene(triangles, colors, look)?
         }
         None => {
             let scene = Scene::read(&options.scene)?;

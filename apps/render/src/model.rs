@@ -57,8 +57,9 @@ struct Seen {
     window: [f64; 2],
 }
 
-/// A scene with the mesh in the middle of the picture, as large as fits. The error names the option.
-pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
+/// A scene with the mesh in the middle of the picture, as large as fits; `colors` are those of its triangles, or none. The
+/// error names the option.
+pub fn scene(mesh: Triangles, colors: Vec<[u8; 3]>, look: &Look) -> Result<Scene, String> {
     let mesh_points = mesh.seen();
     let Triangles { positions: vertices, faces: triangles } = mesh;
     let kind = look.projection.kind;
@@ -119,6 +120,7 @@ pub fn scene(mesh: Triangles, look: &Look) -> Result<Scene, String> {
     Ok(Scene {
         vertices,
         triangles,
+        colors,
         model,
         view: [row(0), row(1), row(2), IDENTITY[3]],
         projection,

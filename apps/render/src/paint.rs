@@ -58,6 +58,8 @@ pub struct Style {
     pub mode: Mode,
     /// Colour of faces in full light, or of edges.
     pub colour: Rgb888,
+    /// Whether faces have the colours of the scene instead, if it has any.
+    pub own_colours: bool,
     pub background: Rgb888,
     pub dither: bool,
 }
@@ -156,8 +158,12 @@ pub fn paint<C: Colour>(
     let areas = plan(around(faces.iter().map(BinnedFaces::bounds)));
     let light = Light::new(scene, quantised);
     let levels = |part: &Part, face: usize| light.corners(part.first + face, &subject.normals);
-    let flat = |part: &Part, face| Flat::lit(style.colour, levels(part, face)[0]);
-    let smooth = |part: &Part, face| Gouraud::lit(style.colour, levels(part, face));
+    let colour = |part: &Part, face: usize| {
+        let own = scene.colors.get(part.first + face).filter(|_| style.own_colours);
+        own.map_or(style.colour, |&[r, g, b]| Rgb888::new(r, g, b))
+    };
+    let flat = |part: &Part, face| Flat::lit(colour(part, face), levels(part, face)[0]);
+    let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let mut solid = Solid { parts: &subject.parts, faces: &mut faces };
     match (style.mode == Mode::Flat, style.dither) {
         (true, false) => out.bands(statistics, &areas, |band, depth| solid.draw(flat, depth, band)),

@@ -22,6 +22,8 @@ pub struct Scene {
     pub viewport: [i32; 4],
     /// Whether back faces are culled.
     pub cull: bool,
+    /// The colour of each triangle, or nothing.
+    pub colors: Vec<[u8; 3]>,
     /// The mesh file, if the scene names one.
     pub mesh_file: Option<PathBuf>,
 }
@@ -31,7 +33,7 @@ impl Scene {
     pub fn read(file: &Path) -> Result<Self, String> {
         let json = parse(file)?;
         let problem = |e: String| format!("{}: {e}", file.display());
-        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull] =
+        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors] =
             Field::root(&json)
                 .fields([
                     "mesh",
@@ -44,6 +46,7 @@ impl Scene {
                     "height",
                     "viewport",
                     "cull",
+                    "colors",
                 ])
                 .map_err(problem)?;
         let mut mesh_file = None;
@@ -80,9 +83,26 @@ impl Scene {
                     }
                 },
             };
+            let colors = match colors {
+                None => Vec::new(),
+                Some(field) => {
+                    let channel = |f: Field<'_>| f.integer(0, 255).map(|c| c as u8);
+                    let colors =
+                        field.list()?.map(|color| color.array(channel)).collect::<Result<Vec<_>, _>>()?;
+                    if colors.len() != triangles.len() {
+                        return Err(field.error(format_args!(
+                            "has {} colours, but there are {} triangles",
+                            colors.len(),
+                            triangles.len()
+                        )));
+                    }
+                    colors
+                }
+            };
             Ok(Self {
                 vertices,
                 triangles,
+                colors,
                 model: matrix(needed(model, "model")?)?,
                 view: matrix(needed(view, "view")?)?,
                 projection: matrix(needed(projection, "projection")?)?,

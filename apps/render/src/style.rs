@@ -9,7 +9,7 @@ const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
 const INK: Rgb888 = Rgb888::new(34, 48, 72);
 const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
 
-/// The chosen style, with defaults that are visible in the format.
+/// The chosen style, with defaults that are visible in the format. A colour that is chosen replaces the model's own.
 pub fn chosen(
     mode: Mode,
     format: Format,
@@ -24,5 +24,6 @@ pub fn chosen(
         (false, _) if format.is_grey() => Rgb888::WHITE,
         (false, _) => CLAY,
     };
-    Style { mode, colour: colour.unwrap_or(usual), background, dither }
+    let own_colours = colour.is_none();
+    Style { mode, colour: colour.unwrap_or(usual), own_colours, background, dither }
 }

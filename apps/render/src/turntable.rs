@@ -15,7 +15,7 @@ use std::error::Error;
 const TURN: u32 = 400;
 
 pub(crate) fn gif(
-    mesh: &Triangles,
+    (mesh, colors): (&Triangles, &[[u8; 3]]),
     look: &Look,
     style: &Style,
     format: Format,
@@ -29,7 +29,7 @@ pub(crate) fn gif(
         // A sphere has one size from all sides; an outline is that of all of them.
         let fit = if look.fit == Fit::Outline { Fit::Turn } else { look.fit };
         let look = Look { yaw, fit, ..*look };
-        let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), &look)?)?;
+        let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), colors.to_vec(), &look)?)?;
         let subject = subject.get_or_insert_with(|| Subject::new(&used, style.mode));
         pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
     }

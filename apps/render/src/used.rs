@@ -10,10 +10,14 @@ pub(crate) fn json(scene: &Scene) -> String {
     let matrix = |m: &Matrix| list(m.iter().map(|row| list(row.iter().map(|&c| decimal(c)))));
     let (model, view, projection) = (matrix(&scene.model), matrix(&scene.view), matrix(&scene.projection));
     let (viewport, cull) = (list(viewport.iter()), if scene.cull { "back" } else { "none" });
+    let colors = match &scene.colors[..] {
+        [] => String::new(),
+        colors => format!(",\n\"colors\": {}", list(colors.iter().map(|color| list(color.iter())))),
+    };
     format!(
         "{{\"vertices\": {vertices},\n\"triangles\": {triangles},\n\"model\": {model},\n\"view\": {view},\n\
          \"projection\": {projection},\n\
-         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"}}\n"
+         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}}}\n"
     )
 }
 

@@ -261,6 +261,8 @@ fn bad_scenes_are_one_line_that_names_file_and_field() {
     change("triangles", json!([[0, 1, 1.5]]), "triangles[0][2]: 1.5 is not a whole number");
     change("triangles", json!([[0, 1, 2, 3]]), "triangles[0]: has 4 entries and needs 3");
     change("triangles", json!([]), "triangles: has no faces");
+    change("colors", json!([[1, 2, 3]]), "colors: has 1 colours, but there are 2 triangles");
+    change("colors", json!([[1, 2, 3], [4, 5, 256]]), "colors[1][2]");
     change("vertices", json!([]), "triangles[0][0]: names a vertex, and there are none");
     for field in ["model", "view", "projection"] {
         change(field, json!([[1, 0, 0, 0], [0, 1, 0, 0]]), &format!("{field}: has 2 entries and needs 4"));

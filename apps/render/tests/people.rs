@@ -322,6 +322,54 @@ fn colours_are_those_that_were_named() {
 }
 
 #[test]
+fn materials_are_shown_unless_a_colour_is_named() {
+    // The front (the first two triangles) is red, the right side blue, the rest has no material.
+    let to = RENDER.folder("people", "materials");
+    write(&to, "m.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n".into());
+    let text = obj([1.0; 3]);
+    let (vertices, faces) = text.split_at(text.find('f').unwrap());
+    let faces: Vec<&str> = faces.split_inclusive('\n').collect();
+    let text = format!(
+        "mtllib m.mtl\n{vertices}usemtl red\n{}{}usemtl none\n{}usemtl blue\n{}usemtl none\n{}",
+        faces[0],
+        faces[1],
+        faces[2..4].concat(),
+        faces[4..6].concat(),
+        faces[6..].concat()
+    );
+    let file = write(&to, "m.obj", text);
+    let (png, used, again) = (to.join("p.png"), to.join("used.json"), to.join("again.png"));
+    let flags = ["--size", "60x60", "--mode", "flat", "--png", self::text(&png)];
+    let run = |file: &Path, more: &[&str]| {
+        let done = RENDER.run(&[&[self::text(file)], more].concat());
+        assert!(done.status.success(), "{done:?}");
+    };
+    run(&file, &[&flags[..], &["--used", self::text(&used)]].concat());
+    let picture = Picture::read(&png);
+    // Sides are lit: of red some red, of blue some blue; the top has the grey of no material.
+    let kinds = |picture: &Picture| {
+        let of = |colour: &[u8; 3]| match *colour {
+            [r, 0, 0] if r > 40 => "red",
+            [0, 0, b] if b > 40 => "blue",
+            [r, g, b] if r == g && g == b => "grey",
+            _ => "paper",
+        };
+        picture.colors().iter().map(of).collect::<BTreeSet<_>>()
+    };
+    assert_eq!(picture.colors().len(), 4);
+    assert_eq!(kinds(&picture), ["blue", "grey", "paper", "red"].into());
+    // The scene that was used has the colours, too.
+    run(&used, &["--mode", "flat", "--png", self::text(&again)]);
+    assert!(Picture::read(&again).pixels == picture.pixels);
+    // A colour that is named is that of all faces, and so it is for lines.
+    run(&file, &[&flags[..], &["--colour", "red"]].concat());
+    assert_eq!(kinds(&Picture::read(&png)), ["paper", "red"].into());
+    // A library is an input.
+    let said = refusal(&RENDER.run(&[self::text(&file), "--png", self::text(&to.join("m.mtl"))]));
+    assert!(said.contains("m.mtl: is the input file"), "{said}");
+}
+
+#[test]
 fn formats_have_no_other_colours() {
     let of = |name, options: &[&str]| Picture::of(name, &teapot(), &[&["--size", "80x60"], options].concat());
     let grey = |options: &[&str], step: u8| {

@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 /// A mesh, with a camera if its file has one.
 pub struct Source {
     mesh: Triangles,
+    /// The colours of the triangles, or nothing.
+    colors: Vec<[u8; 3]>,
     up: Axis,
     own: Option<Scene>,
     /// The file, unless the mesh is built in.
@@ -33,11 +35,13 @@ impl Source {
             let own = Scene::read(file)?;
             let positions = own.vertices.iter().map(|&v| in_the_world(&own, v)).collect();
             let mesh = Triangles { positions, faces: own.triangles.clone() };
-            return Ok(Self { mesh, up: Axis::Y, own: Some(own), file: Some(file.into()), imported: None });
+            let (colors, file) = (own.colors.clone(), Some(file.into()));
+            return Ok(Self { mesh, colors, up: Axis::Y, own: Some(own), file, imported: None });
         }
         let mut model = import::read(file, options)?;
         let mesh = std::mem::take(&mut model.triangles);
-        Ok(Self { mesh, up: model.up, own: None, file: Some(file.into()), imported: Some(model) })
+        let (colors, file) = (std::mem::take(&mut model.colors), Some(file.into()));
+        Ok(Self { mesh, colors, up: model.up, own: None, file, imported: Some(model) })
     }
 
     /// The teapot of the firmware examples.
@@ -48,7 +52,7 @@ impl Source {
             positions: teapot.vertices().iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
             faces: teapot.faces().iter().map(|face| face.map(usize::from)).collect(),
         };
-        Self { mesh, up: Axis::Y, own: None, file: None, imported: None }
+        Self { mesh, colors: Vec::new(), up: Axis::Y, own: None, file: None, imported: None }
     }
 
     /// What is doubtful about a model, as the importer says it.
@@ -78,7 +82,9 @@ impl Source {
     /// A message that names the output.
     pub fn apart_from(&self, output: &Path) -> Result<(), String> {
         let mesh = self.own.as_ref().and_then(|own| own.mesh_file.as_deref());
-        self.file.as_deref().into_iter().chain(mesh).try_for_each(|input| files::apart(input, [output]))
+        let libraries = self.imported.iter().flat_map(|model| &model.libraries).map(PathBuf::as_path);
+        let inputs = self.file.as_deref().into_iter().chain(mesh).chain(libraries);
+        inputs.into_iter().try_for_each(|input| files::apart(input, [output]))
     }
 
     /// A message with the name of the file.
@@ -107,7 +113,7 @@ impl Source {
                     up: self.up,
                     fit: Fit::Sphere { zoom: state.zoom },
                 };
-                model::scene(self.mesh.clone(), &look)?
+                model::scene(self.mesh.clone(), self.colors.clone(), &look)?
             }
         };
         Ok(Scene { cull: state.cull, ..scene })

@@ -4,10 +4,7 @@
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Point3, Projection, Scalar, ScreenVertex, Vector3, ViewTransform,
-    Viewport,
-};
+use pinhole::{Affine, Angle, Camera, DepthBuffer, ScreenVertex, Viewport};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::{ImportedMesh, Options};
 use pinhole_render::model::{self, Fit, Look};
@@ -47,36 +44,19 @@ fn file(name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
     file
 }
 
-/// The pixels that firmware draws of a mesh: by the library's default culling, with a depth buffer, from the right and from
-/// above, at the distance from which the bounding sphere fills 31/32 of the height.
+/// The pixels that firmware draws of a mesh: by the library's default culling, with a depth buffer, framed by the library.
 fn in_firmware(mesh: &ImportedMesh) -> Vec<bool> {
     let mesh = mesh.mesh().unwrap();
-    let sphere = mesh.bounding_sphere();
     let usual = Named::ALL[0];
-    let number = |c: Scalar| f64::from(c.to_bits()) / 65536.0;
-    let centre = [sphere.centre.x(), sphere.centre.y(), sphere.centre.z()].map(number);
-    let radius = number(sphere.radius);
-    let tangent = (usual.field_of_view() / 2.0).to_radians().tan() * 31.0 / 32.0;
-    let distance = radius * tangent.hypot(1.0) / tangent;
-    let ((sin_yaw, cos_yaw), (sin, cos)) =
-        (usual.yaw.to_radians().sin_cos(), usual.pitch.to_radians().sin_cos());
-    let towards = [cos * sin_yaw, sin, cos * cos_yaw];
-    let point = |p: [f64; 3]| {
-        let [x, y, z] = p.map(Scalar::from_num);
-        Point3::new(x, y, z)
-    };
-    let eye = point([0, 1, 2].map(|i| centre[i] + distance * towards[i]));
-    let view = ViewTransform::look_at(eye, point(centre), Vector3::from_ints(0, 1, 0)).unwrap();
+    let [yaw, pitch, field_of_view] =
+        [usual.yaw, usual.pitch, usual.field_of_view()].map(|degrees| Angle::degrees(degrees as i32));
     let viewport = Viewport::new(Point::zero(), SIZE).unwrap();
-    let [near, far] = [distance - 1.01 * radius, distance + 1.01 * radius].map(Scalar::from_num);
-    let field_of_view = Angle::degrees(usual.field_of_view() as i32);
-    let projection = Projection::perspective(field_of_view, SIZE, near, far).unwrap();
+    let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch).unwrap();
 
     let mut canvas = Canvas::new(SIZE, Rgb888::BLACK);
     let mut storage = vec![0; canvas.pixels().len()];
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), SIZE), &mut storage).unwrap();
     let mut corners = vec![ScreenVertex::EMPTY; mesh.vertices().len()];
-    let camera = Camera::new(&view, &projection, &viewport);
     let instance = camera.place(&mesh, &Affine::identity());
     let Ok(_) = instance.depth_tested(|_| Rgb888::WHITE, &mut corners, &mut depth, &mut canvas);
     canvas.pixels().iter().map(|pixel| *pixel == Rgb888::WHITE).collect()
@@ -105,7 +85,7 @@ fn rendered(file: &Path, options: &Options) -> Result<(Vec<Rgb888>, Vec<String>)
         up: model.up,
         fit: Fit::Sphere { zoom: 1.0 },
     };
-    let (quantised, used) = Quantised::settle(&model::scene(model.triangles, &look)?)?;
+    let (quantised, used) = Quantised::settle(&model::scene(model.triangles, model.colors, &look)?)?;
     let style = style::chosen(Mode::Solid, Format::Rgb888, None, None, false);
     let (pixels, _) =
         picture(&Subject::new(&used, Mode::Solid), (&used, &quantised), &style, Format::Rgb888)?;
@@ -405,6 +385,40 @@ fn more_vertices_than_a_mesh_has_are_refused_for_firmware_and_shown_as_such() {
     assert_eq!(said, said_too);
     assert_eq!(said.last(), Some(&format!("not for firmware: {problem}")));
     assert!(rendered == viewed && rendered.iter().filter(|drawn| **drawn).count() > 2000);
+}
+
+#[test]
+fn materials_are_one_picture_in_render_and_viewer() {
+    file("tools.mtl", "newmtl a\nKd 0 1 0\nnewmtl b\nKd 1 0 1\n");
+    let text = obj(&cuboid([2.0; 3]));
+    let half = text.match_indices("v ").nth(18).unwrap().0; // after six of twelve triangles: front, back and right
+    let text = format!("mtllib tools.mtl\nusemtl a\n{}usemtl b\n{}", &text[..half], &text[half..]);
+    let path = file("materials.obj", text);
+    let (pixels, said) = agreed(&path, &NONE);
+    assert!(said.is_empty(), "{said:?}");
+    let mesh = pinhole_import::import(&path, &NONE).unwrap();
+    assert_eq!(mesh.palette, [[0, 255, 0], [255, 0, 255]]);
+    let source = Source::read(&path, &NONE).unwrap();
+    let state = source.state();
+    let mut viewer = Viewer::new(source, SIZE);
+    viewer.draw(&state).unwrap();
+    let (rendered, _) = rendered(&path, &NONE).unwrap();
+    let is_green = |c: &Rgb888| c.g() > c.r().max(c.b());
+    let is_magenta = |c: &Rgb888| c.g() < c.r().min(c.b());
+    let counts = [viewer.pixels(), &rendered[..]].map(|pixels| {
+        let (green, magenta) =
+            (pixels.iter().filter(|c| is_green(c)), pixels.iter().filter(|c| is_magenta(c)));
+        [green.count(), magenta.count()]
+    });
+    let all = pixels.iter().filter(|drawn| **drawn).count();
+    for [green, magenta] in counts {
+        // Front and right, and the top: all that is drawn is the one or the other.
+        assert!(
+            green > magenta && magenta > 500 && (green + magenta).abs_diff(all) <= 3,
+            "{green} {magenta} {all}"
+        );
+    }
+    assert!(counts[0][0].abs_diff(counts[1][0]) <= 3, "{counts:?}");
 }
 
 #[test]

@@ -157,7 +157,7 @@ fn what_is_wrong_with_materials_leaves_the_mesh() {
         (
             body("mtllib broken.mtl\nusemtl rust"),
             vec![],
-            "material library broken.mtl: a Kd is not three numbers from 0 to 1; its materials are grey: put it beside the model",
+            "material library broken.mtl: cannot be understood: newmtl has a name, and Kd three numbers; its materials are grey: put it beside the model",
         ),
         (body("usemtl rust"), vec![], "no material library (mtllib): faces have no colours"),
         (
