@@ -1,59 +1,25 @@
-//! The README's first firmware on the host. `picture.rs` is exactly its code: `tests/device/first.rs` compares them, and follows the
-//! README from an empty folder.
-//!
-//! ```text
-//! cargo run --release --example first     # writes target/first/first.png
-//! ```
+//! A pyramid, printed as text.
 
-#[allow(unreachable_pub)] // as a file of its own it is right
-mod picture;
+use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+use pinhole::{prelude::*, Angle};
 
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
-use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Pixel, Size};
-use pinhole::Angle;
-use pinhole_apps_support::{command, files, still};
-use std::convert::Infallible;
-use std::error::Error;
-use std::path::Path;
-use std::process::ExitCode;
+// A pyramid. Faces are counter-clockwise seen from outside.
+const VERTICES: [[i16; 3]; 5] = [[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1], [0, 2, 0]];
+const EDGES: [[u16; 2]; 8] = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 4], [2, 4], [3, 4]];
+const FACES: [[u16; 3]; 6] = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [0, 3, 2], [0, 2, 1]];
 
-fn main() -> ExitCode {
-    command::run(run)
-}
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // 64 × 64 pixels that can be printed; a display's driver is a DrawTarget, too.
+    let mut display = MockDisplay::<BinaryColor>::new();
+    display.set_allow_overdraw(true);
 
-fn run() -> Result<ExitCode, Box<dyn Error>> {
-    let mut screen = Screen(vec![Rgb565::MAGENTA; 240 * 240]);
-    picture::draw(&mut screen, Angle::degrees(30))?;
-    let folder = Path::new("target/first");
-    command::folder(folder)?;
-    let file = folder.join("first.png");
-    let pixels: Vec<Rgb888> = screen.0.iter().map(|&colour| colour.into()).collect();
-    let png = still::png(screen.size(), &pixels)?;
-    files::write(&[(&*file, png)])?;
-    command::say(format_args!("{}: a picture", file.display()))?;
-    Ok(ExitCode::SUCCESS)
-}
+    let mesh = Mesh::new(&VERTICES, 0, &FACES)?.with_edges(&EDGES)?;
+    let viewport = Viewport::new(Point::zero(), display.size())?;
+    let [field_of_view, yaw, pitch] = [40, 30, 20].map(Angle::degrees);
+    let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)?;
 
-/// Stands for a display and its driver.
-struct Screen(Vec<Rgb565>);
-
-impl OriginDimensions for Screen {
-    fn size(&self) -> Size {
-        Size::new(240, 240)
-    }
-}
-
-impl DrawTarget for Screen {
-    type Color = Rgb565;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(at, colour) in pixels {
-            let inside = (0..240).contains(&at.x) && (0..240).contains(&at.y);
-            if let Some(pixel) = self.0.get_mut((at.y * 240 + at.x) as usize).filter(|_| inside) {
-                *pixel = colour;
-            }
-        }
-        Ok(())
-    }
+    let pyramid = camera.place(&mesh, &Affine::rotation_y(Angle::degrees(10)));
+    pyramid.wireframe(BinaryColor::On, &mut [ScreenVertex::EMPTY; 5], &mut display)?;
+    println!("{display:?}");
+    Ok(())
 }

@@ -1,5 +1,5 @@
 //! From firmware to a display: firmware draws the pictures of the host on every core and links no float routine, drivers
-//! and wire formats show these pictures on models of panels, and the README's first firmware builds and runs.
+//! and wire formats show these pictures on models of panels, and the README's steps lead to a picture and to firmware.
 //!
 //! Builds `examples/oled` and `examples/hello.rs` for five targets by `tools/cross` and runs them under QEMU: the first on
 //! an emulated board with a display, whose picture is taken after every frame; the second prints checksums. Without the
@@ -10,7 +10,6 @@ mod cross;
 #[cfg(unix)]
 #[path = "../../examples/oled/emulator.rs"]
 mod emulator;
-mod first;
 mod floats;
 mod hello;
 #[cfg(unix)]
@@ -20,6 +19,7 @@ mod oled_driver;
 mod picture;
 #[path = "../../examples/oled/show/mod.rs"]
 mod show;
+mod template;
 mod wire;
 
 use cross::Firmware;

@@ -18,7 +18,7 @@ pub(crate) fn definitions() -> Result<String, String> {
         }
         let target = match path.rsplit_once('.') {
             _ if path == "src/book/mod.rs" => "crate::book".to_string(),
-            Some((_, "png")) => placeholder(path),
+            Some((_, "png" | "gif")) => placeholder(path),
             _ => format!("{SOURCE}/{path}"),
         };
         let _ = writeln!(text, "[{name}]: {target}");
@@ -27,7 +27,7 @@ pub(crate) fn definitions() -> Result<String, String> {
     Ok(text)
 }
 
-/// A drawing that stands for a picture and names its file, as a data URL: pictures take 80 KB, and the package carries text
+/// A drawing that stands for a picture and names its file, as a data URL: pictures take some 100 KB, and the package carries text
 /// alone.
 fn placeholder(path: &str) -> String {
     // A letter of 12 pixels' height is 7 pixels wide.

@@ -7,8 +7,8 @@ const BEGIN: &str = "<!-- table: cargo run --release -p pinhole-pages -->\n";
 const END: &str = "<!-- end of table -->\n";
 
 /// Memory of other libraries for the torus with depth: measured once, with the targets of `tools/bench/targets.txt`.
-const CODE: &str = "S3L 6 K, TGX 31 to 45 K, 3DG 81 K";
-const RAM: &str = "TGX 230 K, 3DG 320 K, S3L 345 K";
+const CODE: &str = "small3dlib 6 KB, tgx 31 to 45 KB";
+const RAM: &str = "tgx 230 KB, small3dlib 345 KB";
 
 pub(crate) fn with_table() -> Result<String, String> {
     let readme = super::read("README.md")?;
@@ -18,7 +18,7 @@ pub(crate) fn with_table() -> Result<String, String> {
 }
 
 fn table() -> Result<String, String> {
-    let mut lines = vec!["| | pinhole | others | ours measured by |".into(), "|---|--:|---|---|".into()];
+    let mut lines = vec!["| | pinhole | others |".into(), "|---|--:|---|".into()];
     errors(&mut lines)?;
     speed(&mut lines)?;
     memory(&mut lines)?;
@@ -33,64 +33,32 @@ fn errors(lines: &mut Vec<String>) -> Result<(), String> {
         ["3", "f32, 4×4 matrix, three divisions"],
         ["5", "Q16.16, `>> 16` after each product"],
     ];
-    for (what, column) in [
-        ("**error** of a vertex in px, at most: an object that the camera sees whole", "D max"),
-        ("– any object, up to 16 times as large as it is far", "max"),
-    ] {
-        let [ours, float, fixed] = designs.map(|design| page.cell(&design, column));
-        let (ours, float, fixed) = (ours?, float?, fixed?);
-        lines.push(format!(
-            "| {what} | {ours} | f32 matrices {float}, Q16.16 {fixed} | `tools/designs/run` |"
-        ));
-    }
+    let [ours, float, fixed] = designs.map(|design| page.cell(&design, "D max"));
+    let (ours, float, fixed) = (ours?, float?, fixed?);
+    lines.push(format!(
+        "| how far a corner of an object in view is off, at most, in pixels | {ours} | matrices of f32 {float}, of Q16.16 {fixed} |"
+    ));
     Ok(())
 }
 
 fn speed(lines: &mut Vec<String>) -> Result<(), String> {
     let page = Page::read("docs/speed.md")?;
-    for (what, scene, variant, core) in [
-        ("**instructions** a frame: cube, wireframe; Cortex-M0", "S1", "", "M0"),
-        ("– torus of 1000 triangles, flat; M3", "S3", "", "M3"),
-        ("– the same with depth; M0", "S3", "z", "M0"),
-        ("– the same; M3", "S3", "z", "M3"),
-        ("– the same; M4F, whose FPU only others use", "S3", "z", "M4F"),
-        ("– the same, Gouraud; M3", "S8", "z", "M3"),
-        ("– the same; M4F", "S8", "z", "M4F"),
+    for (what, core) in [
+        ("instructions for a frame of 1000 lit triangles with a depth buffer, on a Cortex-M0", "M0"),
+        ("– on a Cortex-M3", "M3"),
+        ("– on a Cortex-M4 whose FPU only the others use", "M4F"),
     ] {
-        let cell = [scene, variant, core];
-        let row = page.row("The cells", &cell)?;
-        let (best, theirs) = (row.get("best rival")?, row.after("best rival")?);
-        let rivals = page.row("Rivals in the same run", &cell)?;
-        let published = rivals.get("3DG")?;
-        let mut others = match best {
-            "3DG" => format!("3DG {published}"),
-            _ => format!("{best} {theirs}, 3DG {published}"),
+        let row = page.row("The cells", &["S3", "z", core])?;
+        let best = match row.get("best rival")? {
+            "S3L" => "small3dlib",
+            "TGX" => "tgx",
+            "3DG" => "embedded-3dgfx",
+            other => return Err(format!("docs/speed.md: {other} has no name for the README")),
         };
-        // embedded-graphics draws lines only.
-        let lines_of_2d = rivals.get("EG")?;
-        if lines_of_2d != "–" {
-            others = format!("EG {lines_of_2d}, {others}");
-        }
-        let command =
-            ["tools/bench/run cells", scene, if variant.is_empty() { "plain" } else { variant }, core];
-        lines.push(format!("| {what} | {} | {others} | `{}` |", row.get("instructions")?, command.join(" ")));
-    }
-    for (what, scene, variant, core) in [
-        ("– the torus cut by the near plane, flat, without planes; M4F", "C1", "", "M4F"),
-        ("– a cube that turns, wireframe, with the set-up of its transform; M4F", "T1", "", "M4F"),
-        ("– 1000 lines into any DrawTarget; M3", "S6", "dt", "M3"),
-    ] {
-        let row = page.row("As users draw", &[scene, variant, core])?;
-        let (once, best) = (row.get("once")?, row.after("once")?);
-        let mut others = vec![format!("{once} {best}")];
-        for name in ["3DG", "EG"] {
-            others.push(format!("{name} {}", row.get(name)?));
-        }
-        others.retain(|rival| !rival.ends_with('–'));
-        let (ours, others) = (row.get("instructions")?, others.join(", "));
-        let variant = if variant.is_empty() { "plain" } else { variant };
         lines.push(format!(
-            "| {what} | {ours} | {others} | `tools/bench/run cells {scene} {variant} {core}` |"
+            "| {what} | {} | {best} {} |",
+            row.get("instructions")?,
+            row.after("best rival")?
         ));
     }
     Ok(())
@@ -99,13 +67,12 @@ fn speed(lines: &mut Vec<String>) -> Result<(), String> {
 fn memory(lines: &mut Vec<String>) -> Result<(), String> {
     let bands = Page::read("docs/bands.md")?;
     let ram = bands.row("RAM", &["S3"])?.get("together")?;
-    lines.push(format!("| **RAM** in bytes, stack too: the torus with depth, all of 240 × 240 pixels | {ram} | {RAM} | `tools/bench/run bands` |"));
+    lines.push(format!(
+        "| RAM for that frame in bands, with the stack, in bytes | {ram} | a whole frame: {RAM} |"
+    ));
     let speed = Page::read("docs/speed.md")?;
     let torus = speed.row("Memory", &["S3", "z"])?;
     let code = number(torus.get("flash")?)? - number(torus.get("of that, data")?)?;
-    lines.push(format!(
-        "| **code** in bytes: the same, not in bands | {} | {CODE} | `tools/bench/run cells S3 z M3` |",
-        grouped(code)
-    ));
+    lines.push(format!("| code for that frame, not in bands, in bytes | {} | {CODE} |", grouped(code)));
     Ok(())
 }

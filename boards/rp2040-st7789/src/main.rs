@@ -1,20 +1,27 @@
-//! An RP2040 with an ST7789 on SPI: a lit cube that turns, drawn into one strip while DMA sends the other. Compiled, not run on
-//! hardware.
+//! An RP2040 with an ST7789 on SPI: your model turns, drawn into one strip while DMA sends the other, and each frame logs its time
+//! and what was drawn. Compiled, not run on hardware.
 #![no_std]
 #![no_main]
 
+mod clock;
 mod panel;
-mod scene;
+mod picture;
+mod stop;
 
-use defmt_rtt as _;
+use clock::Clock;
+use cortex_m::singleton;
+use defmt_rtt as _; // logs go through the probe; without one they are dropped
+use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_hal::spi::MODE_3;
 use panel::Panel;
-use panic_probe as _;
-use pinhole::Angle;
+use picture::{Picture, BANDS, FIRST_BAND, ROWS, SCREEN};
+use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
 use rp2040_hal as hal;
 use rp2040_hal::fugit::RateExtU32;
-use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock, Sio, Spi, Timer, Watchdog};
-use scene::{Scene, BANDS, FIRST_BAND, STRIP};
+use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};
+use stop::stop;
+
+include!(concat!(env!("OUT_DIR"), "/model.rs"));
 
 /// The second stage of booting, for the flash on a Pico.
 #[allow(unsafe_code)]
@@ -24,12 +31,22 @@ static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
 /// Of the crystal.
 const CRYSTAL: u32 = 12_000_000;
-/// A turn.
-const FRAMES: i32 = 120;
+/// The core's clock, as `init_clocks_and_plls` sets it.
+const MEGAHERTZ: u32 = 125;
+/// Frames of a turn.
+const FRAMES: u32 = 120;
 
 #[hal::entry]
 fn main() -> ! {
-    let mut p = pac::Peripherals::take().unwrap();
+    // In statics, so that the linker says if they do not fit, and DMA may own the strips. The rest of RAM is the stack.
+    let mesh = singleton!(: MeshBuffers!(MODEL) = mesh_buffers!(MODEL));
+    let strip = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, ROWS) = strip_buffers!(Rgb565, SCREEN.size.width, ROWS));
+    let other = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, ROWS, no depth) = strip_buffers!(Rgb565, SCREEN.size.width, ROWS, no depth));
+    let (Some(mesh), Some(strip), Some(other)) = (mesh, strip, other) else { stop("the buffers are in use") };
+
+    let (Some(core), Some(mut p)) = (pac::CorePeripherals::take(), pac::Peripherals::take()) else {
+        stop("the peripherals are in use")
+    };
     let mut watchdog = Watchdog::new(p.WATCHDOG);
     let clocks = hal::clocks::init_clocks_and_plls(
         CRYSTAL,
@@ -39,9 +56,9 @@ fn main() -> ! {
         p.PLL_USB,
         &mut p.RESETS,
         &mut watchdog,
-    )
-    .ok()
-    .unwrap();
+    );
+    let Ok(clocks) = clocks else { stop("the clocks do not start") };
+    let clock = Clock::start(core.SYST);
     let mut delay = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
 
     let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, Sio::new(p.SIO).gpio_bank0, &mut p.RESETS);
@@ -55,21 +72,25 @@ fn main() -> ! {
     let channel = p.DMA.split(&mut p.RESETS).ch0;
     let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
 
-    let scene = cortex_m::singleton!(: Scene = Scene::new()).unwrap();
-    let mut free: &'static mut [u8] = cortex_m::singleton!(: [u8; STRIP] = [0; STRIP]).unwrap();
+    let picture = Picture::new(&MODEL, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
+    let mut picture = picture.unwrap_or_else(|problem| stop(problem));
+    let mut free: &'static mut [u8] = &mut strip.colors;
     // The first to leave is black.
-    let mut transfer = panel.send(&FIRST_BAND, cortex_m::singleton!(: [u8; STRIP] = [0; STRIP]).unwrap());
+    let mut transfer = panel.send(&FIRST_BAND, &mut other.colors);
     loop {
-        for number in 0..FRAMES {
-            let mut turned = scene.turned(Angle::turns(number, FRAMES as u32));
+        for frame in 0..FRAMES {
+            let start = clock.cycles();
+            let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
+            let mut turned = turned.unwrap_or_else(|problem| stop(problem));
             for _ in 0..BANDS {
-                let band = turned.next_band(free);
+                let band = turned.next_band(free).unwrap_or_else(|problem| stop(problem));
                 let area = band.area();
                 let (panel, sent) = transfer.wait();
                 transfer = panel.send(&area, band.into_bytes());
                 free = sent;
             }
+            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, turned.statistics());
         }
-        defmt::info!("{} frames", FRAMES);
     }
 }

@@ -1,5 +1,6 @@
 //! The ST7789 at the end of its bus: mipidsi sets it up and opens windows, DMA fills them.
 
+use crate::stop::stop;
 use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_hal::{delay::DelayNs, digital::OutputPin, spi::SpiBus};
@@ -44,7 +45,10 @@ where
     ) -> Self {
         let mut panel = Self { bus, channel, select, command };
         let builder = Builder::new(ST7789, panel.interface()).display_size(240, 240);
-        builder.invert_colors(ColorInversion::Inverted).reset_pin(reset).init(delay).ok().unwrap();
+        let builder = builder.invert_colors(ColorInversion::Inverted).reset_pin(reset);
+        if builder.init(delay).is_err() {
+            stop("the display does not start")
+        }
         panel
     }
 
@@ -53,20 +57,26 @@ where
         let (first, last) = (area.top_left + OFFSET, area.bottom_right().unwrap_or(area.top_left) + OFFSET);
         let [left, top, right, bottom] = [first.x, first.y, last.x, last.y].map(|border| border as u16);
         let mut interface = self.interface();
-        interface.write_command(SetColumnAddress::new(left, right)).ok().unwrap();
-        interface.write_command(SetPageAddress::new(top, bottom)).ok().unwrap();
-        interface.write_command(WriteMemoryStart).ok().unwrap();
+        let window = interface
+            .write_command(SetColumnAddress::new(left, right))
+            .and_then(|()| interface.write_command(SetPageAddress::new(top, bottom)))
+            .and_then(|()| interface.write_command(WriteMemoryStart));
+        if window.is_err() {
+            stop("the display refused a command")
+        }
 
         let Self { bus, channel, mut select, mut command } = self;
-        command.set_high().unwrap(); // what follows is data
-        select.set_low().unwrap();
+        // What follows is data.
+        if command.set_high().and_then(|()| select.set_low()).is_err() {
+            stop("a pin of the display")
+        }
         Transfer { running: single_buffer::Config::new(channel, strip, bus).start(), select, command }
     }
 
     /// For commands. Its buffer would be for pixels.
     fn interface(&mut self) -> SpiInterface<'_, ExclusiveDevice<&mut Bus, &mut Pin, NoDelay>, &mut Pin> {
-        let device = ExclusiveDevice::new_no_delay(&mut self.bus, &mut self.select).unwrap();
-        SpiInterface::new(device, &mut self.command, &mut [])
+        let device = ExclusiveDevice::new_no_delay(&mut self.bus, &mut self.select);
+        SpiInterface::new(device.unwrap_or_else(|_| stop("a pin of the display")), &mut self.command, &mut [])
     }
 }
 
@@ -81,8 +91,9 @@ where
         let Self { running, mut select, command } = self;
         let (channel, strip, mut bus) = running.wait();
         // DMA is done when the last bytes are in the bus's queue.
-        bus.flush().unwrap();
-        select.set_high().unwrap();
+        if bus.flush().is_err() || select.set_high().is_err() {
+            stop("the bus of the display")
+        }
         (Panel { bus, channel, select, command }, strip)
     }
 }

@@ -1,17 +1,23 @@
-//! An STM32F411 with an ILI9341 on SPI: the README's first picture, turning. Compiled, not run on hardware.
+//! An STM32F411 with an ILI9341 on SPI: your model turns, and each frame logs its time and what was drawn. Compiled, not run on
+//! hardware.
 #![no_std]
 #![no_main]
 
+mod clock;
 mod picture;
+mod stop;
 
-use defmt_rtt as _;
-use embedded_hal::spi::MODE_0;
+use clock::Clock;
+use cortex_m::singleton;
+use defmt_rtt as _; // logs go through the probe; without one they are dropped
+use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
+use embedded_hal::{delay::DelayNs, spi::MODE_0};
 use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::interface::SpiInterface;
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{models::ILI9341Rgb565, Builder};
-use panic_probe as _;
-use pinhole::Angle;
+use picture::Memory;
+use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
 use stm32f4xx_hal::gpio::Speed;
 use stm32f4xx_hal::{
     pac::{self, SPI1},
@@ -19,38 +25,69 @@ use stm32f4xx_hal::{
     rcc::Config,
     spi::Spi,
 };
+use stop::stop;
 
-/// A turn.
-const FRAMES: i32 = 120;
+include!(concat!(env!("OUT_DIR"), "/model.rs"));
+
+/// The core's clock.
+const MEGAHERTZ: u32 = 100;
+/// Frames of a turn.
+const FRAMES: u32 = 120;
+const WIDTH: u32 = 320;
+/// Rows of a band: more are faster, and take more memory.
+const ROWS: u32 = 8;
+
+/// Waits by counting cycles. The timers of the HAL would link `core::fmt`, by an `unwrap` of their own.
+struct Delay;
+
+impl DelayNs for Delay {
+    fn delay_ns(&mut self, time: u32) {
+        cortex_m::asm::delay(time.div_ceil(1000) * MEGAHERTZ); // below 2³²: at most 4.3 million µs, times 100
+    }
+}
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    let peripherals = pac::Peripherals::take().unwrap();
-    let mut rcc = peripherals.RCC.freeze(Config::hse(25.MHz()).sysclk(100.MHz()));
-    let mut delay = peripherals.TIM5.delay_us(&mut rcc);
+    // In statics, so that the linker says if they do not fit. The rest of RAM is the stack.
+    let mesh = singleton!(: MeshBuffers!(MODEL) = mesh_buffers!(MODEL));
+    let strip = singleton!(: StripBuffers!(Rgb565, WIDTH, ROWS) = strip_buffers!(Rgb565, WIDTH, ROWS));
+    let (Some(mesh), Some(strip)) = (mesh, strip) else { stop("the buffers are in use") };
+    let mut memory = Memory::new(&mut mesh.cache, &mut mesh.bins, &mut strip.colors, &mut strip.depths);
+
+    let (Some(core), Some(peripherals)) = (cortex_m::Peripherals::take(), pac::Peripherals::take()) else {
+        stop("the peripherals are in use")
+    };
+    let mut rcc = peripherals.RCC.freeze(Config::hse(25.MHz()).sysclk(MEGAHERTZ.MHz()));
+    let clock = Clock::start(core.SYST);
 
     let pins = peripherals.GPIOA.split(&mut rcc);
-    let clock = pins.pa5.into_alternate().speed(Speed::VeryHigh);
+    let serial_clock = pins.pa5.into_alternate().speed(Speed::VeryHigh);
     let data = pins.pa7.into_alternate().speed(Speed::VeryHigh);
     let reset = pins.pa2.into_push_pull_output();
     let command = pins.pa3.into_push_pull_output();
     let select = pins.pa4.into_push_pull_output();
-    let bus = Spi::new(peripherals.SPI1, (Some(clock), SPI1::NoMiso, Some(data)), MODE_0, 25.MHz(), &mut rcc);
+    let spi = (Some(serial_clock), SPI1::NoMiso, Some(data));
+    let bus = Spi::new(peripherals.SPI1, spi, MODE_0, 25.MHz(), &mut rcc);
 
     let mut buffer = [0; 1024];
-    let device = ExclusiveDevice::new_no_delay(bus, select).unwrap();
-    let mut display = Builder::new(ILI9341Rgb565, SpiInterface::new(device, command, &mut buffer))
+    let Ok(device) = ExclusiveDevice::new_no_delay(bus, select); // a pin of this chip cannot fail
+    let display = Builder::new(ILI9341Rgb565, SpiInterface::new(device, command, &mut buffer))
         .reset_pin(reset)
         // Such a panel's columns run from right to left: a landscape that is not mirrored, MADCTL 0x28.
         .orientation(Orientation::new().rotate(Rotation::Deg90).flip_vertical())
         .color_order(ColorOrder::Bgr)
-        .init(&mut delay)
-        .unwrap();
+        .init(&mut Delay);
+    let Ok(mut display) = display else { stop("the display does not start") };
 
+    let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
     loop {
         for frame in 0..FRAMES {
-            picture::draw(&mut display, Angle::turns(frame, FRAMES as u32)).unwrap();
+            let start = clock.cycles();
+            let turn = Angle::turns(frame as i32, FRAMES);
+            let drawn = picture::draw(&MODEL, &camera, turn, &mut memory, &mut display);
+            let statistics = drawn.unwrap_or_else(|problem| stop(problem));
+            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics);
         }
-        defmt::info!("{} frames", FRAMES);
     }
 }

@@ -1,0 +1,64 @@
+//! Your model turns on your display, and each frame logs its time and what was drawn. Yours to change: `model.stl` with its name
+//! in `build.rs`, `src/display.rs`, `memory.x`, `.cargo/config.toml`, and the clock below.
+#![no_std]
+#![no_main]
+
+#[cfg_attr(target_arch = "riscv32", path = "clock_riscv.rs")]
+mod clock;
+mod display;
+mod picture;
+mod stop;
+
+use clock::Clock;
+#[cfg(target_arch = "arm")]
+use cortex_m::singleton;
+use defmt_rtt as _; // logs go through the probe; without one they are dropped
+use display::{Display, SIZE};
+use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
+use picture::Memory;
+use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
+#[cfg(target_arch = "riscv32")]
+use riscv::singleton;
+use stop::stop;
+
+include!(concat!(env!("OUT_DIR"), "/model.rs"));
+
+/// The core's clock.
+const MEGAHERTZ: u32 = 16;
+/// Frames of a turn.
+const FRAMES: u32 = 120;
+/// Rows of a band: more are faster, and take more memory.
+const ROWS: u32 = 8;
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    // In statics, so that the linker says if they do not fit. The rest of RAM is the stack.
+    let mesh = singleton!(: MeshBuffers!(MODEL) = mesh_buffers!(MODEL));
+    let strip =
+        singleton!(: StripBuffers!(Rgb565, SIZE.width, ROWS) = strip_buffers!(Rgb565, SIZE.width, ROWS));
+    let (Some(mesh), Some(strip)) = (mesh, strip) else { stop("the buffers are in use") };
+    let mut memory = Memory::new(&mut mesh.cache, &mut mesh.bins, &mut strip.colors, &mut strip.depths);
+
+    #[cfg(target_arch = "arm")]
+    let Some(core) = cortex_m::Peripherals::take() else {
+        stop("the core's peripherals are in use")
+    };
+    #[cfg(target_arch = "arm")]
+    let clock = Clock::start(core.SYST);
+    #[cfg(target_arch = "riscv32")]
+    let clock = Clock::start();
+
+    let mut display = Display::new();
+    let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
+    loop {
+        for frame in 0..FRAMES {
+            let start = clock.cycles();
+            let turn = Angle::turns(frame as i32, FRAMES);
+            let drawn = picture::draw(&MODEL, &camera, turn, &mut memory, &mut display);
+            let statistics = drawn.unwrap_or_else(|problem| stop(problem));
+            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics);
+        }
+    }
+}

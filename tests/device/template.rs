@@ -1,0 +1,183 @@
+//! The README's steps, executed literally in an empty folder: the first program prints its picture, and the template for
+//! firmware links for three kinds of cores.
+
+use crate::floats::is_float_routine;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const FIRST: &str = "## The first picture";
+const FIRMWARE: &str = "## Your own model on your own display";
+
+#[test]
+fn the_readme_shows_the_example_first() {
+    assert_eq!(blocks(FIRST, "rust"), [read("examples/first/main.rs")]);
+}
+
+#[test]
+fn the_readme_leads_from_an_empty_folder_to_a_picture() {
+    let folder = Folder::new("first");
+    let [commands] = blocks(FIRST, "sh").try_into().expect("one block of commands");
+    let (make, run) = commands.trim_end().rsplit_once('\n').expect("lines");
+    folder.shell(make, &[]);
+    let project = folder.path.join("first");
+    fs::write(project.join("src/main.rs"), blocks(FIRST, "rust").concat()).expect("main.rs");
+    // The versions that the repository is tested with, which are here already.
+    fs::copy(Path::new(ROOT).join("Cargo.lock"), project.join("Cargo.lock")).expect("Cargo.lock");
+    assert_eq!(run, "cargo run");
+    let printed = folder.shell(&format!("cd first\n{run}"), &[]);
+
+    let rows: Vec<Vec<char>> = printed.lines().skip(1).take(64).map(|row| row.chars().collect()).collect();
+    let lit = |x: usize, y: usize| rows.get(y).and_then(|row| row.get(x)) == Some(&'#');
+    let columns: Vec<usize> = (0..64).filter(|&x| (0..64).any(|y| lit(x, y))).collect();
+    let lines: Vec<usize> = (0..64).filter(|&y| (0..64).any(|x| lit(x, y))).collect();
+    // The sphere about the pyramid, whose centre is (0, 1, 0) and whose radius √3, fills the picture; the tip is 1 above the
+    // centre, so more than half of the way up, and the corners of the base nearly touch the sphere.
+    assert!(printed.starts_with("MockDisplay["), "{printed}");
+    assert!((6..=16).contains(&lines[0]) && (44..=62).contains(&lines[lines.len() - 1]), "{printed}");
+    assert!(columns[0] >= 1 && columns[columns.len() - 1] <= 62 && columns.len() > 32, "{printed}");
+    // Lines without a gap, and nothing filled: 8 edges of at most 64 pixels.
+    assert_eq!(lines.len(), lines[lines.len() - 1] - lines[0] + 1, "{printed}");
+    let count = (0..64).map(|y| (0..64).filter(|&x| lit(x, y)).count()).sum::<usize>();
+    assert!(count > 100 && count < 8 * 64, "{count} pixels:\n{printed}");
+}
+
+#[test]
+fn the_readme_leads_from_an_empty_folder_to_firmware_for_a_cortex_m0() {
+    links_firmware("thumbv6m-none-eabi", "Reset");
+}
+
+#[test]
+fn the_readme_leads_from_an_empty_folder_to_firmware_for_a_cortex_m4f() {
+    links_firmware("thumbv7em-none-eabihf", "Reset");
+}
+
+#[test]
+fn the_readme_leads_from_an_empty_folder_to_firmware_for_rv32imc() {
+    links_firmware("riscv32imc-unknown-none-elf", "_start");
+}
+
+/// Follows the README's commands for a target. The image must have the entry, this template's picture and no routine for
+/// floating point or for formatting text.
+fn links_firmware(target: &str, entry: &str) {
+    if !has_tools(target) {
+        return;
+    }
+    let folder = Folder::new(target);
+    let [commands] = blocks(FIRMWARE, "sh").try_into().expect("one block of commands");
+    // The README says to set the target in .cargo/config.toml, whose value this variable replaces.
+    folder.shell(&commands, &[("CARGO_BUILD_TARGET", target)]);
+    let image = cross_folder().join(target).join("release/any-cortex-m");
+    let nm = Command::new("bash")
+        .args(["tools/cross", "bash", "-c", "\"$NM\" \"$1\"", "nm"])
+        .arg(&image)
+        .current_dir(ROOT)
+        .output()
+        .expect("bash");
+    let symbols = String::from_utf8_lossy(&nm.stdout).into_owned();
+    let names: Vec<&str> = symbols.lines().filter_map(|line| line.split_whitespace().last()).collect();
+    assert!(names.contains(&entry) && names.iter().any(|name| name.contains("depth_tested")), "{symbols}");
+    let unwanted = |name: &&str| is_float_routine(name) || name.contains("core3fmt");
+    assert_eq!(names.into_iter().filter(unwanted).collect::<Vec<_>>(), [""; 0], "{target}");
+}
+
+/// Whether the two boards' templates have the files that they share with the first one, word by word.
+#[test]
+fn the_templates_share_their_files() {
+    let shared = ["src/clock.rs", "src/stop.rs", "model.stl", ".gitignore"];
+    for board in ["stm32f4-ili9341", "rp2040-st7789"] {
+        for file in shared {
+            let [first, other] = ["any-cortex-m", board]
+                .map(|board| fs::read(Path::new(ROOT).join("boards").join(board).join(file)).expect(file));
+            assert!(first == other, "{board}: {file}");
+        }
+    }
+    let pictures =
+        ["any-cortex-m", "stm32f4-ili9341"].map(|board| read(&format!("boards/{board}/src/picture.rs")));
+    assert_eq!(pictures[0], pictures[1]);
+}
+
+/// The README's code blocks of a language below a heading, in their order.
+fn blocks(heading: &str, language: &str) -> Vec<String> {
+    let readme = read("README.md");
+    let (_, section) = readme.split_once(&format!("\n{heading}\n")).unwrap_or_else(|| panic!("no {heading}"));
+    let section = section.split("\n## ").next().unwrap_or("");
+    let begin = format!("```{language}\n");
+    let begun = section.split(&begin).skip(1);
+    let blocks: Vec<String> =
+        begun.map(|rest| rest.split_once("```\n").expect("its end").0.to_string()).collect();
+    assert!(!blocks.is_empty(), "{heading}: no {language}");
+    blocks
+}
+
+fn read(path: &str) -> String {
+    fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// An empty folder outside the repository, so that the repository's `.cargo/config.toml` does not apply, with the repository
+/// in it as `pinhole`.
+struct Folder {
+    path: PathBuf,
+}
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("pinhole-template-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(ROOT, path.join("pinhole")).expect("a link");
+        Self { path }
+    }
+
+    /// What the commands print. They run with the compiler for the target that `variables` name, if they name one.
+    fn shell(&self, commands: &str, variables: &[(&str, &str)]) -> String {
+        let mut command = Command::new("bash");
+        let script = format!("set -euo pipefail\n{commands}");
+        match variables {
+            [] => {
+                command.args(["-c", &script]);
+                command.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("first"));
+            }
+            [(_, target), ..] => {
+                // `--target` is for tools/cross, which finds a compiler by it; the commands do not see it.
+                let tools = Path::new(ROOT).join("tools/cross");
+                command.arg(tools).args(["bash", "-c", &script, "--target", target]);
+                command.env("CARGO_TARGET_DIR", cross_folder());
+            }
+        }
+        command.envs(variables.iter().copied());
+        // These would replace the flags of the templates.
+        command.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+        let output = command.current_dir(&self.path).stdin(Stdio::null()).output().expect("bash");
+        assert!(output.status.success(), "{commands}\n{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("text")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.path); // a temporary folder; its link is removed, not what it leads to
+    }
+}
+
+/// With the other device tests: core and the dependencies are built once.
+fn cross_folder() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).with_file_name("cross")
+}
+
+/// Whether a target is installed. If not, the test says so; with `CI` set it fails.
+fn has_tools(target: &str) -> bool {
+    let check = Command::new("bash").args(["tools/cross", "--check", target]).current_dir(ROOT).output();
+    let lacking = match check {
+        Ok(check) if check.status.success() => return true,
+        Ok(check) => String::from_utf8_lossy(&check.stderr).into_owned(),
+        Err(error) => format!("bash: {error}\n"),
+    };
+    assert!(std::env::var_os("CI").is_none(), "{target}: {lacking}");
+    // Not by eprintln, which the test harness shows only when a test fails.
+    write!(std::io::stderr(), "\nSKIPPED, NOT TESTED: the README's firmware on {target}\n{lacking}")
+        .expect("stderr");
+    false
+}
