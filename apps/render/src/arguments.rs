@@ -12,6 +12,7 @@ const FORMATS: &str = r#"pinhole-render MODEL.stl draws target/render/MODEL.png;
   pinhole-render MODEL.obj --from 60,30 --colour gold --background '#203040' --size 320x240
   pinhole-render MODEL.obj --format gray4 --size 128x64        the look of an OLED
   pinhole-render MODEL.obj --gif OUT.gif                       one turn around the model
+  pinhole-render MODEL.stl --firmware                          the firmware's picture, pixel by pixel
   pinhole-render MODEL.obj --ascii                             as text; --ascii=braille is finer
 
 SCENE.json:
@@ -32,6 +33,26 @@ are seen from their front alone (counter-clockwise) unless --two-sided, and the 
 frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials, unless --colour is given. Triangles in --ids and --used are those of the file, in its order, then the backs of --two-sided.
 
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
+
+/// What the template's code decides, and other outputs.
+const NOT_IN_FIRMWARE: [&str; 16] = [
+    "ascii",
+    "background",
+    "colour",
+    "depth",
+    "format",
+    "fov",
+    "frame",
+    "frames",
+    "from",
+    "gif",
+    "ids",
+    "mode",
+    "no-dither",
+    "pitch",
+    "projection",
+    "yaw",
+];
 
 pub(crate) fn command() -> Command {
     let file = |name: &'static str, help| {
@@ -112,6 +133,13 @@ pub(crate) fn command() -> Command {
             "What fills the picture: sphere, about the mesh, as in firmware, or outline, larger [default: sphere]".into(),
         ))
         .args(import::arguments())
+        .arg(
+            flag(
+                "firmware",
+                "Draw the first frame of firmware made from boards/any-cortex-m [default --size: 240x240]",
+            )
+            .conflicts_with_all(NOT_IN_FIRMWARE),
+        )
         .arg(file("gif", "Write a film of one turn around the mesh"))
         .arg(
             Arg::new("frames")

@@ -2,6 +2,7 @@
 //! window.
 #![allow(missing_docs)] // modules of two programs, not an interface
 
+pub mod firmware;
 pub mod import;
 mod json;
 mod light;

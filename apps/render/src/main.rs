@@ -15,7 +15,7 @@ mod palette;
 mod turntable;
 mod used;
 
-use embedded_graphics::geometry::Size;
+use embedded_graphics::{geometry::Size, pixelcolor::Rgb888};
 use options::Options;
 use pinhole::Statistics;
 use pinhole_apps_support::{command, files, still};
@@ -23,7 +23,7 @@ use pinhole_render::model::Look;
 use pinhole_render::paint::Subject;
 use pinhole_render::quantised::{self, Quantised};
 use pinhole_render::scene::Scene;
-use pinhole_render::{import, model, picture};
+use pinhole_render::{firmware, import, model, picture};
 use std::cell::LazyCell;
 use std::path::Path;
 use std::process::ExitCode;
@@ -39,6 +39,9 @@ fn run(options: &Options) -> Result<(), String> {
     let named = |e: String| format!("{}: {e}", options.scene.display());
     let apart = |input: &Path| files::apart(input, options.outputs());
     apart(&options.scene)?;
+    if let Some(look) = options.look.as_ref().filter(|_| options.firmware) {
+        return firmware(options, Size::new(look.width, look.height));
+    }
     let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
     let mut imported = None;
     let scene = match &options.look {
@@ -112,6 +115,37 @@ fn run(options: &Options) -> Result<(), String> {
         }
         command::warn(&options.scene, &model.warnings);
     }
+    Ok(())
+}
+
+/// The first frame of firmware that was made from the template with this model.
+fn firmware(options: &Options, size: Size) -> Result<(), String> {
+    let model = &options.scene;
+    let imported = pinhole_import::import(model, &firmware::options(&options.import));
+    let imported = imported.map_err(|e| e.to_string())?;
+    let mesh = imported.mesh().map_err(|e| format!("{}: {e}", model.display()))?;
+    let (canvas, statistics) =
+        firmware::first_frame(&mesh, size).map_err(|e| format!("{}: {e}", model.display()))?;
+    if let Some(path) = &options.png {
+        let pixels: Vec<Rgb888> = canvas.pixels().iter().map(|&colour| colour.into()).collect();
+        let png = still::png(size, &pixels).map_err(|e| e.to_string())?;
+        if let Some(folder) = path.parent().filter(|_| options.unasked) {
+            command::folder(folder)?;
+        }
+        command::say(format_args!("{}: {} bytes", path.display(), png.len()))?;
+        files::write(&[(&**path, png)])?;
+    }
+    let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
+    command::say(format_args!(
+        "{}: {} x {} pixels; of {} faces {drawn} drawn ({clipped} of them clipped), {culled} culled, {outside} outside, \
+         {degenerate} without area",
+        model.display(),
+        size.width,
+        size.height,
+        mesh.faces().len(),
+    ))?;
+    command::say(format_args!("{}: in firmware: {}", model.display(), imported.size()))?;
+    command::warn(model, &imported.warnings);
     Ok(())
 }
 

@@ -31,6 +31,8 @@ pub(crate) struct Options {
     pub(crate) import: pinhole_import::Options,
     /// The camera for a mesh; `None` for a scene, which has its own.
     pub(crate) look: Option<Look>,
+    /// Whether the picture is that of the template's firmware.
+    pub(crate) firmware: bool,
     /// Whether no output was named, so that the picture goes to the default file.
     pub(crate) unasked: bool,
 }
@@ -51,6 +53,10 @@ pub(crate) fn read() -> Result<Options, String> {
     let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
     let (style, format) = style(&mut given)?;
     let import = import::options(&given);
+    let firmware = given.get_flag("firmware");
+    if firmware && !import::is_model(&scene) {
+        return Err("--firmware: draws a model: use it with .obj and .stl".into());
+    }
     let look = look(&mut given, &scene, ascii.is_some())?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
     let [mut png, gif, ids, depth, used] = ["png", "gif", "ids", "depth", "used"].map(&mut file);
@@ -94,6 +100,7 @@ pub(crate) fn read() -> Result<Options, String> {
         stats,
         import,
         look,
+        firmware,
         unasked,
     })
 }
@@ -177,6 +184,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
     // Other programs read these outputs and rely on their defaults.
     let raw = ["ids", "depth", "used"].iter().any(|name| given.contains_id(name));
     let usual = match (ascii, raw || given.contains_id("gif")) {
+        _ if given.get_flag("firmware") => "240x240",
         (true, _) => "160x120",
         (false, true) => "320x240",
         (false, false) => "640x480",

@@ -5,15 +5,14 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Angle, PixelFormat};
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_import::ImportedMesh;
 use show::{Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};
 use std::cell::Cell;
 use std::convert::Infallible;
+use std::sync::LazyLock;
 
 pub(crate) use show::teapot;
 
-#[allow(dead_code, unreachable_pub)]
-#[path = "../../../examples/first/picture.rs"]
-mod picture;
 #[path = "../../../examples/oled/show/mod.rs"]
 mod show;
 
@@ -102,13 +101,16 @@ impl Display for Panel<'_> {
     }
 }
 
-/// The README's first picture, as large as its strip allows.
-pub(crate) fn first(step: u32, picture: &mut Canvas<Rgb888>) -> Sent {
-    // Its strip holds 8 rows of 320 pixels.
-    let size = picture.size();
-    let size = Size::new(size.width.min(320), size.height);
-    let mut screen = Colours { size, picture, sent: Sent::default() };
-    let Ok(()) = picture::draw(&mut screen, Angle::degrees(30 + step as i32 % 360));
+/// The teapot as firmware from the template draws it.
+pub(crate) fn template(step: u32, picture: &mut Canvas<Rgb888>) -> Sent {
+    let mut screen = Colours { size: picture.size(), picture, sent: Sent::default() };
+    static TEAPOT: LazyLock<ImportedMesh> = LazyLock::new(|| {
+        let file = include_bytes!("../../../assets/teapot.obj");
+        pinhole_import::read_obj(file, "teapot.obj".as_ref()).expect("a model")
+    });
+    let mesh = TEAPOT.mesh().expect("a mesh");
+    pinhole_render::firmware::draw(&mesh, Angle::degrees(step as i32 % 360), &mut screen)
+        .expect("a display takes everything");
     screen.sent
 }
 

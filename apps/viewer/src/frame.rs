@@ -64,7 +64,7 @@ impl Viewer {
         if !self.drawn.is_some_and(|drawn| drawn.draws_as(state)) {
             self.shown = match state.thing {
                 Thing::Model => self.model(state).map_err(|e| self.source.named(&e))?,
-                Thing::Oled | Thing::First => self.firmware(state),
+                Thing::Oled | Thing::Template => self.firmware(state),
             };
             self.drawn = Some(*state);
         }
@@ -144,7 +144,7 @@ impl Viewer {
             self.oled.forget();
         }
         let sent = match state.thing {
-            Thing::First => Some(firmware::first(state.step, &mut self.display)),
+            Thing::Template => Some(firmware::template(state.step, &mut self.display)),
             _ => self.oled.draw(state.step, state.rows.unwrap_or(u32::MAX), &mut self.display),
         };
         // The panel shows one frame during several of the window's.

@@ -80,7 +80,7 @@ fn information(state: &State, shown: &Shown, time: Option<Duration>) -> Vec<Stri
     let mut lines = Vec::new();
     match state.thing {
         Thing::Oled => lines.push("examples/oled: its panel, gray4".into()),
-        Thing::First => lines.push("examples/first: rgb565, bands of 8 rows".into()),
+        Thing::Template => lines.push("boards/any-cortex-m: rgb565, bands of 8 rows".into()),
         Thing::Model => {
             let dithered = if state.dither && !state.mode.of_lines() { " dithered" } else { "" };
             lines.push(format!(
@@ -98,7 +98,7 @@ fn information(state: &State, shown: &Shown, time: Option<Duration>) -> Vec<Stri
         }
     }
     let rows = match (state.thing, state.rows) {
-        (Thing::First, _) => String::new(),
+        (Thing::Template, _) => String::new(),
         (_, Some(rows)) => format!(" of {rows} rows"),
         (_, None) => " of all rows".into(),
     };

@@ -41,8 +41,8 @@ pub(crate) enum Thing {
     Model,
     /// The show of `examples/oled`.
     Oled,
-    /// The README's first firmware.
-    First,
+    /// The firmware of the template.
+    Template,
 }
 
 /// The effect of a key.
@@ -183,7 +183,7 @@ impl State {
             Action::Information => self.information ^= true,
             Action::Help => self.help ^= true,
             Action::Turn => self.turning ^= true,
-            Action::Thing => self.thing = next(&[Thing::Model, Thing::Oled, Thing::First], self.thing, 1),
+            Action::Thing => self.thing = next(&[Thing::Model, Thing::Oled, Thing::Template], self.thing, 1),
             Action::Reset => *self = Self { help: self.help, ..Self::new(self.own, self.own_cull) },
             Action::Screenshot | Action::Quit => {}
         }
