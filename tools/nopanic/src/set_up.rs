@@ -103,7 +103,8 @@ entries! {
     entry_light(model: &Affine<Model, World>, ambient: u16) -> Result<Lambert, LightError> { Lambert::new(model, vector(), ambient) }
     entry_level(light: &Lambert, normal: [i16; 3]) -> u16 { light.level(normal) }
     entry_rigid_light(model: &Affine<Model, World>, ambient: u16) -> Result<RigidLambert, LightError> { RigidLambert::new(model, vector(), ambient) }
-    entry_rigid_level(light: &RigidLambert, normal: [i16; 3], normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level(normal) }
+    entry_rigid_level(light: &RigidLambert, normal: [i16; 3]) -> u16 { light.level(normal) }
+    entry_rigid_levels(light: &RigidLambert, normals: &[[i16; 3]], levels: &mut [u16]) -> () { light.levels(normals, levels) }
     entry_statistics(a: Statistics, b: Statistics) -> Statistics { a.and(b) }
     entry_mesh(v: Vertices, exponent: i8, f: Faces) -> Result<Mesh<'static>, MeshError> { Mesh::new(v, exponent, f) }
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }
