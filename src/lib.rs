@@ -11,6 +11,7 @@ mod camera;
 pub mod clip;
 mod fast;
 mod math;
+pub mod meshes;
 mod pipeline;
 pub mod prelude;
 pub mod raster;

@@ -2,7 +2,7 @@
 
 /// The bytes of a strip's pixels, and its depths, for [`Frame::next_band`](crate::Frame::next_band) and
 /// [`DepthBuffer::new`](crate::DepthBuffer::new). [`strip_buffers!`](crate::strip_buffers) makes one with the lengths that a band
-/// needs, and the macro `StripBuffers!` names the type. [`MeshBuffers`](crate::MeshBuffers) has an example.
+/// needs, and the macro `StripBuffers!` names the type. [`MeshBuffers`](struct@crate::MeshBuffers) has an example.
 ///
 /// The bytes are aligned to 4, so that DMA can send them as words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

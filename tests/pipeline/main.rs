@@ -10,6 +10,7 @@ mod documented_ranges;
 mod drawing;
 mod hidden_lines;
 mod inside_a_mesh;
+mod meshes;
 mod messages;
 mod no_panic;
 mod nothing_outside;

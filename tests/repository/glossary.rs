@@ -42,7 +42,7 @@ fn declared(source: &str) -> BTreeSet<String> {
 /// What `src/lib.rs` exports, and what its public modules declare or export.
 fn public() -> BTreeSet<String> {
     let mut names = exported(&read("src/lib.rs"));
-    for file in ["src/clip.rs", "src/space.rs"] {
+    for file in ["src/clip.rs", "src/meshes.rs", "src/space.rs"] {
         names.extend(declared(&read(file)));
     }
     let raster = read("src/raster/mod.rs");
