@@ -31,7 +31,8 @@ opt-level 3.
 
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the README does: faster, and larger. The other rows in bands
 draw into it as into any DrawTarget (`&mut band`). *By planes* is `MeshInstance::cull_by_planes()`, of a mesh with planes.
-*Without clipping* is `MeshInstance::without_clipping()`: of the two frames, only the cube that stays in view is drawn whole. The goal
+*Without clipping* is `MeshInstance::without_clipping()`: of the two frames, only the cube that stays in view is drawn whole.
+Its faces are lit by `RigidLambert`, which takes rotations. The goal
 of the wireframe is for that image: cutting costs more code than it did when the goal was set, and saves a third of the time of near
 objects.
 

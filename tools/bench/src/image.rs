@@ -2,7 +2,7 @@
 
 #[cfg(not(target_os = "none"))]
 use crate::scene::Scene;
-use crate::scene::{lit, Model, CUBE, SIZE};
+use crate::scene::{lit, rigidly_lit, Model, CUBE, SIZE};
 use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -16,8 +16,8 @@ use pinhole::space::{Model as ModelSpace, World};
 #[cfg(not(target_os = "none"))]
 use pinhole::ScreenVertex;
 use pinhole::{
-    Affine, Angle, Camera, Lambert, Mesh, MeshInstance, Point3, Projection, Scalar, Vector3, ViewTransform,
-    Viewport,
+    Affine, Angle, Camera, Lambert, Mesh, MeshInstance, Point3, Projection, RigidLambert, Scalar, Vector3,
+    ViewTransform, Viewport,
 };
 
 /// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
@@ -159,6 +159,10 @@ impl Turntable {
 
     pub fn light(&self) -> Option<Lambert> {
         lit(&self.model)
+    }
+
+    pub fn rigid_light(&self) -> Option<RigidLambert> {
+        rigidly_lit(&self.model)
     }
 }
 

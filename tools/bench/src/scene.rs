@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
-    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, MeshInstance, Point3, Projection, Scalar,
-    Vector3, ViewTransform, Viewport,
+    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, MeshInstance, Point3, Projection, RigidLambert,
+    Scalar, Vector3, ViewTransform, Viewport,
 };
 
 /// Width and height of a frame.
@@ -131,9 +131,28 @@ pub(crate) fn camera(eye: [i32; 3], size: Size) -> Option<Camera> {
     Some(Camera::new(&viewing, &projection, &viewport))
 }
 
+/// A light that has a level for a normal.
+pub trait Light {
+    fn level(&self, normal: [i16; 3]) -> u16;
+}
+
+impl Light for Lambert {
+    #[inline(always)]
+    fn level(&self, normal: [i16; 3]) -> u16 {
+        self.level(normal)
+    }
+}
+
+impl Light for RigidLambert {
+    #[inline(always)]
+    fn level(&self, normal: [i16; 3]) -> u16 {
+        self.level(normal)
+    }
+}
+
 /// Each face in the light that its normal has.
 #[inline(always)]
-pub fn flat<'s>(mesh: &'s Mesh<'s>, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
+pub fn flat<'s>(mesh: &'s Mesh<'s>, light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
     |face| match mesh.normals().get(face) {
         Some(&normal) => FACE.dim(light.level(normal)),
         None => FACE,
@@ -153,6 +172,11 @@ pub fn smooth<'s>(mesh: &'s Mesh<'s>, light: &'s Lambert) -> impl Fn(usize) -> L
 /// Where the light of all scenes is.
 pub fn lit(model: &Affine<ModelSpace, World>) -> Option<Lambert> {
     Lambert::new(model, vector(black_box(LIGHT)), AMBIENT).ok()
+}
+
+/// [`lit`] for a model that only turns.
+pub fn rigidly_lit(model: &Affine<ModelSpace, World>) -> Option<RigidLambert> {
+    RigidLambert::new(model, vector(black_box(LIGHT)), AMBIENT).ok()
 }
 
 fn vector<S: pinhole::space::SceneSpace>(bits: [i32; 3]) -> Vector3<S> {

@@ -9,7 +9,7 @@ use pinhole::{DepthBuffer, ScreenVertex};
 
 image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], storage: [u16; pixels(ROWS)] = [0; pixels(ROWS)], {
     let scene = Turntable::new();
-    let light = scene.light()?;
+    let light = scene.rigid_light()?;
     let instance = scene.place(cube).without_clipping();
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
     let mut depth = DepthBuffer::new(area, storage).ok()?;
