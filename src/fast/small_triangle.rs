@@ -11,7 +11,7 @@
 
 use super::edge20::{Divisor, Edge20, TwoDivisions};
 use super::rows::{RowOrigin, Rows};
-use crate::math::hints::{keep_rolled, opaque, opaque_next};
+use crate::math::hints::{keep_rolled, opaque};
 use crate::raster::edge::{base_column, first_row};
 use crate::raster::triangle::sort_by_y;
 use crate::raster::{PixelLayout, RowScratch, Scissor, ScreenPoint, Span, Trapezoid, Triangle};
@@ -99,9 +99,7 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
             edges = if self.middle_is_left { [short, long] } else { [long, short] };
             self.long.advance(rows);
         }
-        // Only the first two are needed from here on. Rotated they never become equal: if they did, LLVM would copy the body of a
-        // loop over both trapezoids to where it has them all.
-        (self.ends, self.row) = ([q, last, p], end);
+        (self.ends, self.row) = ([q, last, last], end);
         let mut trapezoid = Trapezoid { x: origin + 1, y, rows, edges };
         if CLIP_ROWS {
             let above = (self.top - y).clamp(0, rows.max(0));
@@ -168,14 +166,8 @@ pub(crate) struct LowSpans([Trapezoid<Edge20>; 2]);
 impl LowSpans {
     #[inline(always)]
     pub(crate) fn new(mut low: SmallTriangle<TwoDivisions, true>, _: RowScratch) -> Self {
-        // Both are overwritten. The opaque index keeps the loop rolled: code size counts here.
-        let mut trapezoids = [Trapezoid { x: 0, y: 0, rows: 0, edges: [low.long; 2] }; 2];
-        let mut i = 0;
-        while let Some(trapezoid) = trapezoids.get_mut(i) {
-            *trapezoid = low.trapezoid();
-            i = opaque_next(i);
-        }
-        Self(trapezoids)
+        // Not in a loop: LLVM would peel it, which is larger, and rolled it takes 40 instructions more.
+        Self([low.trapezoid(), low.trapezoid()])
     }
 
     pub(crate) fn is_empty(&self) -> bool {

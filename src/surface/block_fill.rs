@@ -116,7 +116,10 @@ pub(super) fn fill_words(words: &mut [u32], word: u32) {
             }
         }
     }
-    rest.fill(word);
+    for rest in rest {
+        keep_rolled(); // or LLVM would call `memset`, which is larger
+        *rest = word;
+    }
 }
 
 #[inline(always)]

@@ -78,9 +78,12 @@ impl<'a> DepthBuffer<'a> {
     /// Sets every depth to [`NOTHING`](Self::NOTHING). Call it before each frame but the first.
     pub fn clear(&mut self) {
         let (before, words, after) = pod_align_to_mut::<u16, u32>(self.values);
-        before.fill(Self::NOTHING);
+        // At most one element each: a loop is smaller than a call of `memset`, and a program may need no other.
+        for value in before.iter_mut().chain(after) {
+            keep_rolled();
+            *value = Self::NOTHING;
+        }
         fill_words(words, u32::from(Self::NOTHING) << 16 | u32::from(Self::NOTHING));
-        after.fill(Self::NOTHING);
     }
 
     /// The rectangle whose pixels have a depth.
