@@ -228,13 +228,18 @@ impl RigidLambert {
 
 /// Whether the transform is conformal: its rows are orthogonal and of equal length within 2⁻¹⁰, so that the error in angles
 /// changes light by less than a level.
-fn is_conformal([x, y, z]: &[[i32; 3]; 3]) -> bool {
+fn is_conformal(rows: &[[i32; 3]; 3]) -> bool {
+    let [x, ..] = rows;
     let length = dot(x, x); // 3·2⁶⁰ at most, like the other products
-    let products = [(y, y, length), (z, z, length), (x, y, 0), (x, z, 0), (y, z, 0)];
     let (mut conformal, mut i) = (true, 0);
-    while let Some(&(a, b, wanted)) = products.get(i) {
-        conformal &= (dot(a, b) - wanted).abs() <= length >> 10;
-        i = opaque_next(i); // code size counts, speed does not
+    while let Some(a) = rows.get(i) {
+        let mut j = i;
+        while let Some(b) = rows.get(j) {
+            let wanted = if i == j { length } else { 0 };
+            conformal &= (dot(a, b) - wanted).abs() <= length >> 10;
+            j = opaque_next(j); // code size counts, speed does not
+        }
+        i = opaque_next(i);
     }
     conformal
 }

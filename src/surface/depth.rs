@@ -79,9 +79,11 @@ impl<'a> DepthBuffer<'a> {
     pub fn clear(&mut self) {
         let (before, words, after) = pod_align_to_mut::<u16, u32>(self.values);
         // At most one element each: a loop is smaller than a call of `memset`, and a program may need no other.
-        for value in before.iter_mut().chain(after) {
-            keep_rolled();
-            *value = Self::NOTHING;
+        for values in [before, after] {
+            for value in values {
+                keep_rolled();
+                *value = Self::NOTHING;
+            }
         }
         fill_words(words, u32::from(Self::NOTHING) << 16 | u32::from(Self::NOTHING));
     }
