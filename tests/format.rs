@@ -58,6 +58,7 @@ public_types![
     Hierarchy<'static>,
     Inside<Plain>,
     HierarchyError,
+    Frustum,
     InverseError,
     Lambert,
     LeastRun<'static, Plain, 1>,

@@ -26,4 +26,4 @@ pub(crate) use screen_vertex::UnpackedVertex;
 pub(crate) use vertex_transform::{DepthOf, VertexTransform};
 pub use view_transform::{Side, ViewTransform, ViewTransformError};
 pub use viewport::{Viewport, ViewportError};
-pub use visibility::Visibility;
+pub use visibility::{Frustum, Visibility};

@@ -43,6 +43,87 @@ impl Camera {
     /// assert_eq!(at(0, 0, 9), Visibility::Outside); // behind the camera
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[inline(never)] // the frustum's memory is gone when it returns
+    pub fn visibility(&self, sphere: &Sphere, model: &Affine<Model, World>) -> Visibility {
+        self.frustum().visibility(sphere, model)
+    }
+
+    /// The view volume, for tests of many objects before this camera: its planes are computed once, not for each object.
+    ///
+    /// ```
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{Affine, Angle, Camera, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport, Visibility};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
+    /// # let (near, far) = (Scalar::from_num(1), Scalar::from_num(9));
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), near, far)?;
+    /// # let (eye, origin, up) = (Point3::from_ints(0, 0, 5), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    /// # let camera = Camera::new(&ViewTransform::look_at(eye, origin, up)?, &lens, &viewport);
+    /// let mesh = Mesh::new(&[[-1, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
+    /// let (sphere, frustum) = (mesh.bounding_sphere(), camera.frustum());
+    /// let row = [0, 2, 9].map(|x| Affine::translation(Vector3::from_ints(x, 0, 0)));
+    /// let drawn = row.iter().filter(|model| frustum.visibility(&sphere, model) != Visibility::Outside).count();
+    /// assert_eq!(drawn, 2); // the picture reaches to ±2.9 there
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline(never)] // set-up: code size counts
+    pub fn frustum(&self) -> Frustum {
+        // The planes: half·w ± x, half·w ± y, d, w − d.
+        let [x, y, d, w] = &self.rows;
+        let unit = self.screen.unit;
+        let size = self.screen.area.size;
+        let half = |extent: u32| (i64::from(extent) * 128, -unit); // 22 bits
+        let (plus, minus) = ((1 << 30, -30), (-(1 << 30), -30));
+        let (across, down) = (half(size.width), half(size.height));
+        let planes = [
+            w.linear_combination(across, x, plus),
+            w.linear_combination(across, x, minus),
+            w.linear_combination(down, y, plus),
+            w.linear_combination(down, y, minus),
+            *d,
+            // d is stored times 65535/65536.
+            w.linear_combination((65_535, -16), d, minus),
+        ];
+        let planes = planes.map(|row| (row, Length::of(&row)));
+        Frustum { axes: self.axes, eye: self.eye, planes, w: Length::of(w) }
+    }
+}
+
+/// A camera's view volume: its six planes, for tests of bounding spheres. [`Camera::frustum`] makes it and has an example. It takes
+/// 264 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct Frustum {
+    axes: [[i32; 3]; 3],
+    eye: [i64; 3],
+    /// Linear forms of view coordinates that are negative outside, and the lengths of their normals.
+    planes: [(Row, Length); 6],
+    /// The length of the normal of the form w.
+    w: Length,
+}
+
+/// The length of a form's normal, rounded up.
+#[derive(Clone, Copy, Debug)]
+struct Length {
+    /// In 2^(exponent − 30): at most 2²⁹·⁸ + 1.
+    mantissa: i32,
+    exponent: i32,
+}
+
+impl Length {
+    fn of(row: &Row) -> Self {
+        let squares: u64 = row.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
+        let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(row.exponent − 30)
+        Self { mantissa: (length >> 1) as i32 + 1, exponent: row.exponent + 1 }
+    }
+
+    /// `v` times the length, times 2^−`shift`.
+    fn times(self, v: i64, shift: i32) -> i64 {
+        mul_translation(self.mantissa, self.exponent - 30 - shift, v)
+    }
+}
+
+impl Frustum {
+    /// Tests a bounding sphere, placed by `model`, against the six planes: the result of [`Camera::visibility`].
+    #[inline(never)] // set-up: code size counts
     pub fn visibility(&self, sphere: &Sphere, model: &Affine<Model, World>) -> Visibility {
         if sphere.radius == Scalar::MAX {
             return Visibility::Partly;
@@ -64,42 +145,21 @@ impl Camera {
         let stretch = (sqrt(squares) >> 1) as i32 + 4;
         let radius = i64::from(sphere.radius.to_bits().max(0)) << 16;
         let radius = mul_translation(stretch, exponent - 28, radius);
-        // The planes: half·w ± x, half·w ± y, d, w − d.
-        let [x, y, d, w] = &self.rows;
-        let unit = self.screen.unit;
-        let size = self.screen.area.size;
-        let half = |extent: u32| (i64::from(extent) * 128, -unit); // 22 bits
-        let (plus, minus) = ((1 << 30, -30), (-(1 << 30), -30));
-        let (across, down) = (half(size.width), half(size.height));
-        let planes = [
-            w.linear_combination(across, x, plus),
-            w.linear_combination(across, x, minus),
-            w.linear_combination(down, y, plus),
-            w.linear_combination(down, y, minus),
-            *d,
-            // d is stored times 65535/65536.
-            w.linear_combination((65_535, -16), d, minus),
-        ];
         let mut visibility = Visibility::Inside;
         let far_out = centre.iter().map(|c| c.unsigned_abs()).max().unwrap_or(0);
         let away = 64 - far_out.leading_zeros() as i32;
         // An upper bound of the distance of the sphere's points from the eye; saturates.
         let all = add(i64::try_from(far_out).unwrap_or(i64::MAX), radius);
-        let times_length = |row: &Row, v: i64, shift: i32| {
-            let squares: u64 = row.linear.iter().map(|c| u64::from(c.unsigned_abs()).pow(2)).sum(); // ≤ 3·2⁶⁰
-            let length = sqrt(squares); // ≤ 2³⁰·⁸, in 2^(exponent − 30)
-            mul_translation((length >> 1) as i32 + 1, row.exponent - 29 - shift, v)
-        };
         // The error of rounded coefficients grows with the distance from the eye. At the far plane w and d nearly cancel, so
         // their errors are added.
-        let of_rows = add(times_length(w, all, 28), 16);
-        for plane in &planes {
+        let of_rows = add(self.w.times(all, 28), 16);
+        for (plane, length) in &self.planes {
             if plane.overflow(away) > 0 {
                 visibility = Visibility::Partly; // out of range of the arithmetic
                 continue;
             }
             let distance = plane.apply(&centre);
-            let reach = add(times_length(plane, radius, 0), add(times_length(plane, all, 20), of_rows));
+            let reach = add(length.times(radius, 0), add(length.times(all, 20), of_rows));
             if distance < -reach {
                 return Visibility::Outside;
             }
@@ -108,6 +168,13 @@ impl Camera {
             }
         }
         visibility
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl defmt::Format for Frustum {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "frustum, axes {}/2^30, eye {}/2^32", self.axes, self.eye);
     }
 }
 
@@ -132,6 +199,7 @@ mod tests {
         let camera = Camera::new(&viewing, &lens, &Viewport::new(Point::zero(), size).unwrap());
         let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(0.5) };
         let at = |x, y, z| camera.visibility(&sphere, &Affine::translation(Vector3::from_ints(x, y, z)));
+        assert_eq!(size_of::<Frustum>(), 264); // what its documentation says
         for [x, y, z] in [[0, 0, 0], [8, 0, 0], [-8, 0, 0], [0, 8, 0], [0, -8, 0], [0, 0, 8], [0, 0, -9]] {
             assert_eq!(at(x, y, z), Visibility::Inside, "{x}, {y}, {z}");
         }

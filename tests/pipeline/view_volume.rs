@@ -526,6 +526,32 @@ fn s5_points_in_an_off_axis_picture_are_inside() {
     assert!(shown > 1000);
 }
 
+/// One frustum for many objects before a camera answers as the camera does for each, also where a radius is too large.
+#[test]
+fn a_frustum_answers_as_its_camera_for_many_objects() {
+    let mut rng = Rng::new(0x508);
+    let mut tally = Tally::default();
+    for _ in 0..200 {
+        let w = [-ONE, ONE, -ONE, ONE];
+        let projection = ProjectionBits::Frustum(w, ONE, 30 * ONE);
+        let camera = CameraBits { view: random_view(&mut rng), projection, viewport: (0, 0, 320, 200) };
+        let (exact, library) = (camera.exact(), camera.library());
+        let frustum = library.frustum();
+        for _ in 0..50 {
+            let at = [rng.real(-20.0, 20.0), rng.real(-20.0, 20.0), rng.real(-35.0, 5.0)];
+            let Some(world) = bits(exact.view.back(at)) else { continue };
+            let mut model = ModelBits::random_rotation(&mut rng);
+            model.0.push(Step::Move(world));
+            let radius = if rng.one_in(20) { i32::MAX } else { (rng.log(0.1, 8.0) * f64::from(ONE)) as i32 };
+            let sphere = Sphere { centre: point([0; 3]), radius: scalar(radius) };
+            let found = frustum.visibility(&sphere, &model.library());
+            assert_eq!(found, library.visibility(&sphere, &model.library()), "{camera:?} {model:?}");
+            tally.count(found);
+        }
+    }
+    tally.assert_each_above(1000);
+}
+
 /// Points far out and close to a plane: the error of the plane's rounded coefficients grows with the distance.
 #[test]
 fn s5_outcodes_of_far_points_match_f64() {

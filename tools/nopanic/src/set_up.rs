@@ -6,11 +6,7 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, Camera, ClipPoint, FaceColors, FramingError, Hierarchy, HierarchyError,
-    InverseError, Lambert, LightError, MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node,
-    NumberError, Outcode, PlanarProjection, Point3, ProjectError, Projected, Projection, ProjectionError,
-    Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere, Statistics,
-    StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport,
+    clip, Affine, Angle, AxisError, Camera, ClipPoint, FaceColors, FramingError, Frustum, Hierarchy, HierarchyError, InverseError, Lambert, LightError, MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, ProjectError, Projected, Projection, ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere, Statistics, StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport,
     ViewportError, Visibility, Window,
 };
 
@@ -155,6 +151,8 @@ entries! {
     entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
     entry_vanishing_points(camera: &Camera) -> [Option<VanishingPoint>; 3] { camera.vanishing_points() }
     entry_visibility(camera: &Camera, s: &Sphere, a: &Affine<Model, World>) -> Visibility { camera.visibility(s, a) }
+    entry_frustum(camera: &Camera) -> Frustum { camera.frustum() }
+    entry_frustum_visibility(frustum: &Frustum, s: &Sphere, a: &Affine<Model, World>) -> Visibility { frustum.visibility(s, a) }
     entry_bounding_sphere(mesh: &Mesh<'static>) -> Sphere { mesh.bounding_sphere() }
     entry_wide_bounding_sphere(mesh: &Mesh<'static, Scalar>) -> Sphere { mesh.bounding_sphere() }
     entry_outcode(p: &ClipPoint) -> Outcode { p.outcode() }

@@ -70,13 +70,13 @@ impl Fifty {
         );
         let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
         let camera = Camera::new(&view, &self.lens, &self.viewport);
-        let mut in_view = 0;
+        let (frustum, mut in_view) = (camera.frustum(), 0);
         for row in 0..black_box(ROWS) {
             for column in 0..black_box(COLUMNS) {
                 let turn = Angle::degrees(3 * self.time + 20 * column + 7 * row);
                 let to = Vector3::from_ints((6 * column - 27) as i16, 0, (6 * row - 32) as i16);
                 let model = Affine::<_, Model>::rotation_y(turn).then(&Affine::translation(to));
-                if camera.visibility(&self.sphere, &model) != Visibility::Outside {
+                if frustum.visibility(&self.sphere, &model) != Visibility::Outside {
                     in_view += 1;
                     draw(&camera, &self.mesh, &model)?;
                 }
