@@ -21,7 +21,9 @@ pub mod space;
 mod surface;
 
 pub use camera::{
-    Camera, FramingError, Frustum, PlanarProjection, ProjectError, Projected, Projection, ProjectionError, Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+    Camera, FramingError, Frustum, PlanarProjection, ProjectError, Projected, Projection, ProjectionError,
+    Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
+    ViewportError, Visibility, Window,
 };
 pub use math::{
     Affine, Angle, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix,

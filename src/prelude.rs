@@ -15,7 +15,9 @@
 //! ```
 
 pub use crate::camera::{
-    Camera, FramingError, Frustum, PlanarProjection, ProjectError, Projected, Projection, ProjectionError, Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport, ViewportError, Visibility, Window,
+    Camera, FramingError, Frustum, PlanarProjection, ProjectError, Projected, Projection, ProjectionError,
+    Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
+    ViewportError, Visibility, Window,
 };
 pub use crate::math::{
     Affine, AxisError, ClipPoint, Coordinate, Inside, InverseError, MatrixError, NormalMatrix, NumberError,

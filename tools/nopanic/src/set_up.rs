@@ -6,8 +6,12 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, Camera, ClipPoint, FaceColors, FramingError, Frustum, Hierarchy, HierarchyError, InverseError, Lambert, LightError, MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, ProjectError, Projected, Projection, ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere, Statistics, StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport,
-    ViewportError, Visibility, Window,
+    clip, Affine, Angle, AxisError, Camera, ClipPoint, FaceColors, FramingError, Frustum, Hierarchy,
+    HierarchyError, InverseError, Lambert, LightError, MaterialError, MatrixError, Mesh, MeshBuffers,
+    MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, ProjectError, Projected, Projection,
+    ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere,
+    Statistics, StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError,
+    Viewport, ViewportError, Visibility, Window,
 };
 
 type Vertices = &'static [[i16; 3]];
