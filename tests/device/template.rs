@@ -99,6 +99,22 @@ fn the_templates_share_their_files() {
     assert_eq!(pictures[0], pictures[1]);
 }
 
+/// The README's figures of RAM: 8 bytes for a vertex, 2 for a face and an eighth, 32 for a column of 8 rows, and 15 KB for 500
+/// vertices and 1000 faces with 1 KB for the log.
+#[test]
+fn the_readme_says_how_much_ram_the_template_takes() {
+    let buffers = size_of::<pinhole::MeshBuffers<500, { 1000 + 1000_usize.div_ceil(16) }>>();
+    let strip = size_of_val(&pinhole::strip_buffers!(embedded_graphics::pixelcolor::Rgb565, 240, 8));
+    assert_eq!((buffers, strip), (500 * 8 + 1063 * 2 + 2, 240 * 32)); // 2 bytes align the next buffer
+    let readme = read("README.md");
+    let said = "a model of 500 vertices and 1000 faces the template takes 15 KB of RAM and the stack";
+    assert!(
+        readme.contains(said)
+            && readme.contains("8 bytes for a vertex,\nabout 2 for a face, and 32 for each column")
+    );
+    assert_eq!((buffers + strip + 1024).div_ceil(1000), 15);
+}
+
 /// The README's code blocks of a language below a heading, in their order.
 fn blocks(heading: &str, language: &str) -> Vec<String> {
     let readme = read("README.md");
