@@ -69,7 +69,7 @@ impl core::error::Error for SceneError {}
 /// `M` is the material of an object, any type: a colour, or a number by which a closure finds more.
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame: 184 bytes per object for
-/// [`PlacedScene`] and 92 for [`BinnedScene`] on a 32-bit core, with room for `OBJECTS` of them; and one vertex cache and one bin
+/// [`PlacedScene`] (212 on a Cortex-M0) and 92 for [`BinnedScene`] on a 32-bit core, with room for `OBJECTS` of them; and one vertex cache and one bin
 /// storage for all visible objects.
 ///
 /// ```
@@ -158,9 +158,10 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     /// view volume: such an object costs the test of its sphere and nothing else. The far plane counts, even if the camera does
     /// not clip there.
     pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS> {
+        let frustum = camera.frustum();
         let mut placed = PlacedScene { objects: &self.objects, instances: Vec::new() };
         for (index, object) in self.objects.iter().enumerate() {
-            if camera.visibility(&object.sphere, &object.model) != Visibility::Outside {
+            if frustum.visibility(&object.sphere, &object.model) != Visibility::Outside {
                 let instance = camera.place(object.mesh, &object.model).with_cull(object.cull);
                 let _ = placed.instances.push((index, instance)); // both have the capacity `OBJECTS`
             }
@@ -335,7 +336,8 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 #[cfg(target_pointer_width = "32")]
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
-    assert!(size_of::<(usize, MeshInstance<'static>)>() == 184);
+    let placed = size_of::<(usize, MeshInstance<'static>)>();
+    assert!(if cfg!(all(target_arch = "arm", target_has_atomic = "32")) { placed == 184 } else { placed <= 212 });
     assert!(size_of::<(&'static Object<'static, ()>, BinnedFaces<'static, i16, true>)>() == 92);
 };
 
