@@ -5,8 +5,9 @@
 //! - **Domain**: only the near plane cuts the face, its other corners are on the screen, and its side is beyond doubt: it is not
 //!   nearly edge-on, two of its edges reach over 4 pixels, and its corners behind the near plane are at most 8 times as far from
 //!   that plane as those before it. What clipping leaves of such a face is no sliver that rounding could turn over.
-//! - **Gain**: in scene C1, 50 of the 88 faces that cross the near plane are not cut; cutting one takes about 1500 instructions
-//!   on an M4F, this test 180. Not measured alone.
+//! - **Gain**: instructions of a frame, against a twin that always declines: C1 12 % on an M3 and an M0, with depth 8 % and 9 %; C2
+//!   17 % and 16 %, with depth 11 % and 12 %. In C1, 50 of the 88 faces that cross the near plane are not cut; cutting one takes
+//!   about 1500 instructions, this test 180.
 //! - **Test**: `back_faces_are_known_before_they_are_cut` in `pipeline/clip_face.rs`.
 //!
 //! The side of a face is the sign of the determinant of its corners' x, y and w, also where w is negative (Olano and Greer,
