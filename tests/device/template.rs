@@ -6,6 +6,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::{Mutex, PoisonError};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const FIRST: &str = "## The first picture";
@@ -65,6 +66,10 @@ fn links_firmware(target: &str, entry: &str) {
     if !has_tools(target) {
         return;
     }
+    // One at a time: all are built into one folder, and cargo takes them for one package, which it builds again where a file is
+    // newer than what it has built.
+    static ONE: Mutex<()> = Mutex::new(());
+    let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = Folder::new(target);
     let [commands] = blocks(FIRMWARE, "sh").try_into().expect("one block of commands");
     // The README says to set the target in .cargo/config.toml, whose value this variable replaces.

@@ -72,6 +72,10 @@ fn preview(model: &Path, png: &Path) -> Vec<[u8; 3]> {
 
 /// The pixels that arrive at the display of a firmware with the model, each once, row by row.
 fn shown(firmware: &Path, model: &Path) -> Vec<[u8; 3]> {
+    // One at a time: all are built into one folder, and cargo takes them for one package, which it builds again where a file is
+    // newer than what it has built.
+    static ONE: Mutex<()> = Mutex::new(());
+    let one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     run(Command::new("bash").arg(Path::new(ROOT).join("boards/new")).arg("any-cortex-m").arg(firmware));
     let file = format!("model.{}", model.extension().expect("an extension").to_string_lossy());
     fs::copy(model, firmware.join(&file)).expect("the model");
@@ -92,9 +96,6 @@ fn shown(firmware: &Path, model: &Path) -> Vec<[u8; 3]> {
     // These would replace the flags of the template.
     build.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
     build.current_dir(firmware);
-    // One at a time: each firmware's image has this name.
-    static ONE: Mutex<()> = Mutex::new(());
-    let one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     run(&mut build);
     let image = firmware.join("image");
     fs::copy(target_dir.join(TARGET).join("release/any-cortex-m"), &image).expect("the image");
