@@ -23,6 +23,9 @@
 //! 7. faces are wound outwards and get backs, if that is asked for;
 //! 8. edges, the faces beside them, normals, and the planes of faces are derived from what is left.
 //!
+//! The diffuse colours and texture coordinates of OBJ files stand beside the mesh: [`ImportedMesh::colors`],
+//! [`ImportedMesh::texture`].
+//!
 //! Invalid input is an [`ImportError`]; doubtful input is imported, and listed in [`ImportedMesh::warnings`].
 
 mod decimate;
