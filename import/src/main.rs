@@ -50,7 +50,7 @@ fn command() -> Command {
         .arg(
             choice("edges", &["all", "feature", "none"])
                 .default_value("all")
-                .help("Which edges: all of all triangles, or those where the surface turns or ends"),
+                .help("Which edges: all, feature (creases and borders only), or none"),
         )
         .arg(
             number("feature-angle")
@@ -202,7 +202,7 @@ fn report(mesh: &ImportedMesh) -> String {
     let (report, topology) = (mesh.report, mesh.topology());
     let mut text = format!(
         "{}\n\
-         read {} vertices and {} triangles; welded {} (and {} by quantising); dropped {} degenerate and {} duplicate faces, {} unused vertices\n\
+         read {} vertices and {} triangles; merged {} duplicate vertices ({} after rounding); dropped {} degenerate and {} duplicate faces, {} unused vertices\n\
          step 2^{}; extent {}, largest error of a coordinate {:.3e}; centre {:?}; volume {:.6}\n\
          edges: {} open, {} in more than two faces, {} between faces of opposite winding\n\
          vertices fetched for a face, with a cache of 16: {:.2} in the file's order, {:.2} in the mesh's",
