@@ -40,8 +40,11 @@ fn vertex(mesh: &ImportedMesh, face: usize, corner: usize) -> usize {
     at.iter().position(|&c| c > 0).map_or(1, |axis| axis + 2)
 }
 
+/// A face of the file: its number, its colour, and the vertices of its corners, ascending, with their texture coordinates.
+type Face = (usize, [u8; 3], Vec<(usize, [f64; 2])>);
+
 /// For each face of a mesh the file's face of which it is, by its corners, and its texture coordinates by vertex.
-fn by_vertex(mesh: &ImportedMesh) -> Vec<(usize, [u8; 3], Vec<(usize, [f64; 2])>)> {
+fn by_vertex(mesh: &ImportedMesh) -> Vec<Face> {
     let unit = 2f64.powi(i32::from(mesh.texture_exponent));
     let (colors, texture) = (mesh.colors().unwrap().unwrap(), mesh.texture().unwrap().unwrap());
     let of = |face: usize| {
@@ -59,7 +62,7 @@ fn by_vertex(mesh: &ImportedMesh) -> Vec<(usize, [u8; 3], Vec<(usize, [f64; 2])>
 }
 
 /// What `painted` says of the same, by reading its faces as text.
-fn expected(face: usize) -> (usize, [u8; 3], Vec<(usize, [f64; 2])>) {
+fn expected(face: usize) -> Face {
     let corner = |(k, word): (usize, &str)| {
         let vertex = word.split('/').next().unwrap().parse().unwrap();
         (vertex, [face as f64 / 4.0, 1.0 - k as f64 / 8.0])
