@@ -8,6 +8,7 @@
 //! 6. [Estimating RAM, flash and frame time](ch6_budget)
 //! 7. [Number formats and errors](ch7_numbers)
 //! 8. [From embedded-gfx and embedded-3dgfx](ch8_porting)
+//! 9. [Cookbook](ch9_cookbook): seven whole programs, with their pictures
 //!
 //! The module exists in the documentation only: it has nothing to import.
 
@@ -43,3 +44,5 @@ pub mod ch7_numbers {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("ch8_porting.md")]
 pub mod ch8_porting {}
+
+pub mod ch9_cookbook;

@@ -5,12 +5,13 @@ use crate::programs::{command, folder, testing};
 use std::fs;
 
 /// Examples that write files into their working folder and print what they wrote.
-const PRINTING: [(&str, &str); 6] = [
+const PRINTING: [(&str, &str); 7] = [
     ("spin", "--size 16 --frames 2 --out spin"),
     ("arm", "--size 16 --frames 2 --out arm"),
     ("surface", "--size 16 --frames 2 --out surface"),
     ("bands", "--out bands"),
     ("gallery", "--out gallery.png"),
+    ("cookbook", "--out cookbook"),
     ("first", ""),
 ];
 
@@ -37,6 +38,7 @@ fn failed_write_changes_nothing() {
     for (name, line, output) in [
         ("gallery", "--out gallery.png", "gallery.png"),
         ("bands", "--out .", "bands.png"),
+        ("cookbook", "--out .", "walk.png"),
         ("spin", "--size 16 --frames 2 --out .", "spin.gif"),
         ("surface", "--size 16 --frames 2 --out .", "surface.gif"),
     ] {

@@ -1,6 +1,6 @@
-//! Definitions of the README's links for the crate's page, where files of the repository are not at hand. Links to pages
-//! lead to the source that docs.rs shows, and a small drawing says where each picture is; the picture's alternative text
-//! describes it. Markdown takes the first definition of a name, so this file is included before the README.
+//! Definitions of the README's links, and of the cookbook's pictures, for the crate's pages, where files of the repository are not
+//! at hand. Links to pages lead to the source that docs.rs shows, and a small drawing says where each picture is; the picture's
+//! alternative text describes it. Markdown takes the first definition of a name, so this file is included before the README.
 
 use std::fmt::Write;
 
@@ -23,8 +23,22 @@ pub(crate) fn definitions() -> Result<String, String> {
         };
         let _ = writeln!(text, "[{name}]: {target}");
     }
+    for name in cookbook()? {
+        let path = format!("docs/cookbook/{name}");
+        let _ = writeln!(text, "[{path}]: {}", placeholder(&path));
+    }
     text.push('\n');
     Ok(text)
+}
+
+/// The pictures of the book's cookbook.
+fn cookbook() -> Result<Vec<String>, String> {
+    let folder = super::root().join("docs/cookbook");
+    let entries = std::fs::read_dir(&folder).map_err(|e| format!("docs/cookbook: cannot be read: {e}"))?;
+    let mut names: Vec<String> =
+        entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    Ok(names)
 }
 
 /// A drawing that stands for a picture and names its file, as a data URL: pictures take some 100 KB, and the package carries text

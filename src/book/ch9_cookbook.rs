@@ -1,0 +1,106 @@
+#![doc = include_str!("links.md")]
+//! # Cookbook
+//!
+//! Seven whole programs, each in one file that can be copied into a firmware as it is. Each has at most 60 lines beside its imports,
+//! uses no heap, and draws into any DrawTarget of its colour: a display's driver, or a framebuffer. What stands in for the
+//! microcontroller is in `examples/cookbook`, which runs the programs and draws their pictures:
+//!
+//! ```sh
+//! cargo run --release --example cookbook
+//! ```
+//!
+//! They need `embedded-graphics` and `pinhole` among the dependencies, and three of them `heapless`, for text that is made at run time.
+//! A mesh and a camera that never change are constants: they lie in flash, and wrong numbers do not compile.
+//!
+//! | program | display | RAM in bytes | where |
+//! |---|---|--:|---|
+//! | [a logo with a label](#a-logo-with-a-label) | 240 × 240, 16 bits | 7 976 | `Memory`, on the stack or in a static |
+//! | [a gauge](#a-gauge) | 128 × 64, 1 bit | 468 | `Gauge` in a static, the rest on the stack |
+//! | [a walk through a town](#a-walk-through-a-town) | 320 × 240, 16 bits | 36 380 | `Town` in a static, the rest on the stack |
+//! | [bars, an encoder and a touch screen](#bars-an-encoder-and-a-touch-screen) | 240 × 240, 16 bits | 14 112 | the stack |
+//! | [a head-up display](#a-head-up-display) | 240 × 240, 16 bits | 10 772 | `Hud` in a static, the rest on the stack |
+//! | [a drawing on e-paper](#a-drawing-on-e-paper) | 200 × 200, 1 bit | 9 920 | the stack |
+//! | [a scope](#a-scope) | 320 × 240, 16 bits | 26 376 | `Scope` in a static, the rest on the stack |
+//!
+//! RAM is all arrays and state of a program, measured on a 64-bit host; a 32-bit core needs no more. What the library's functions
+//! themselves use of the stack is in [docs/footprint.md].
+//!
+//! Where a program calls `expect`, only its own constants decide: a buffer that is as long as the mesh or the display needs, a
+//! direction that is not zero.
+//!
+//! # A logo with a label
+//!
+//! ![A ring of six sides in three colours, with the word pinhole at a line to one of its corners][docs/cookbook/logo.png]
+//!
+//! The label is placed by [`MeshInstance::project`](crate::MeshInstance::project), whose answer converts into a `Point`, and drawn with
+//! embedded-graphics into each band, on top of the ring. In place of the ring, put the mesh that `pinhole-import` makes of your logo.
+//!
+//! ```
+#![doc = include_str!("cookbook/logo.rs")]
+//! ```
+//!
+//! # A gauge
+//!
+//! ![A dial over half a turn, an arrow as the needle, and the text 62 km/h][docs/cookbook/gauge.png]
+//!
+//! [`Tracked`](crate::Tracked) knows where the needle and the text were drawn last. When the value is as before, nothing is drawn and
+//! nothing sent; when it changes, [`DirtyRegions`](crate::DirtyRegions) has the rectangles that differ. Dithering makes greys of one bit.
+//!
+//! ```
+#![doc = include_str!("cookbook/gauge.rs")]
+//! ```
+//!
+//! # A walk through a town
+//!
+//! ![A street between houses of many colours, under a blue sky][docs/cookbook/walk.png]
+//!
+//! A [`Scene`](crate::Scene) of 50 houses, all of them one cube, scaled and moved. Houses that the walker does not see are culled by
+//! their bounding spheres; a house that is next to the walker is clipped at the near plane.
+//!
+//! ```
+#![doc = include_str!("cookbook/walk.rs")]
+//! ```
+//!
+//! # Bars, an encoder and a touch screen
+//!
+//! ![Twelve bars seen from above, one of them orange, and the text 12: 60 kWh][docs/cookbook/orbit.png]
+//!
+//! [`PlacedScene::pick`](crate::PlacedScene::pick) finds the bar that is seen in a pixel, without a picture and without a depth buffer.
+//!
+//! ```
+#![doc = include_str!("cookbook/orbit.rs")]
+//! ```
+//!
+//! # A head-up display
+//!
+//! ![A torus, above it the frame time and the number of faces, below it a graph of frame times][docs/cookbook/hud.png]
+//!
+//! Everything of embedded-graphics can be drawn into a [`Band`](crate::Band), after the faces.
+//! [`Statistics`](crate::Statistics) has more counts than these two. Measure the time with a timer of the microcontroller.
+//!
+//! ```
+#![doc = include_str!("cookbook/hud.rs")]
+//! ```
+//!
+//! # A drawing on e-paper
+//!
+//! ![A chess pawn as a mesh of lines][docs/cookbook/epaper.png]
+//!
+//! Drivers of e-paper have a framebuffer and often colours of their own: the program draws into it directly, with any colour.
+//! Only the depth comes in strips of 20 rows, as nothing is drawn outside a [`DepthBuffer`](crate::DepthBuffer).
+//! [`hidden_line`](crate::MeshInstance::hidden_line) leaves out what the pawn itself hides.
+//!
+//! ```
+#![doc = include_str!("cookbook/epaper.rs")]
+//! ```
+//!
+//! # A scope
+//!
+//! ![A landscape of two ridges, red at the top and blue at the bottom, with a line for each row][docs/cookbook/scope.png]
+//!
+//! The vertices of this mesh lie in RAM and are computed in every frame: a mesh only borrows its lists. Colours come from the samples
+//! by [`Gouraud`](crate::Gouraud), one at each corner.
+//!
+//! ```
+#![doc = include_str!("cookbook/scope.rs")]
+//! ```

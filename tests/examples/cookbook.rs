@@ -1,0 +1,271 @@
+//! The programs of the book's cookbook: their pictures, what they do with their inputs, and what the book says about them.
+
+#[path = "../../examples/cookbook/book.rs"]
+mod book;
+#[path = "../../examples/cookbook/scenes.rs"]
+mod scenes;
+
+use crate::programs::{self, testing};
+use book::{epaper, gauge, hud, logo, orbit, scope, walk};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray8, Rgb565};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::meshes::{CUBE, TORUS};
+use pinhole::{mesh_buffers, strip_buffers, Angle, BinnedScene, PlacedScene, Point3, Scalar, ScreenVertex};
+use pinhole_apps_support::canvas::Canvas;
+use std::convert::Infallible;
+use std::fs;
+use std::path::Path;
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const PROGRAMS: [&str; 7] = ["logo", "gauge", "walk", "orbit", "hud", "epaper", "scope"];
+
+/// A display that counts the pixels that it receives.
+struct Counting<C> {
+    shown: Canvas<C>,
+    received: usize,
+}
+
+impl<C: PixelColor> Counting<C> {
+    fn new(width: u32, height: u32, colour: C) -> Self {
+        Self { shown: Canvas::new(Size::new(width, height), colour), received: 0 }
+    }
+}
+
+impl<C: PixelColor> OriginDimensions for Counting<C> {
+    fn size(&self) -> Size {
+        self.shown.size()
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Counting<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        let received = &mut self.received;
+        self.shown.draw_iter(pixels.into_iter().inspect(|_| *received += 1))
+    }
+}
+
+fn rgb(width: u32, height: u32) -> Canvas<Rgb565> {
+    Canvas::new(Size::new(width, height), Rgb565::MAGENTA)
+}
+
+fn count<C: PixelColor>(shown: &Canvas<C>, colour: C) -> usize {
+    shown.pixels().iter().filter(|c| **c == colour).count()
+}
+
+#[test]
+fn pictures_are_those_of_the_book() {
+    let folder = Path::new(ROOT).join("docs/cookbook");
+    let pictures = scenes::all().unwrap();
+    assert_eq!(pictures.each_ref().map(|(name, _)| *name), PROGRAMS);
+    for (name, png) in pictures {
+        let file = folder.join(name).with_extension("png");
+        assert!(fs::read(&file).unwrap() == png, "{name}: cargo run --release --example cookbook");
+    }
+    assert_eq!(fs::read_dir(folder).unwrap().count(), PROGRAMS.len());
+}
+
+#[test]
+fn a_picture_that_is_out_of_date_is_found() {
+    let to = programs::folder("cookbook", "check");
+    let run = |more: &[&str]| {
+        let arguments = [&["--out", to.to_str().unwrap()], more].concat();
+        programs::example("cookbook", &arguments)
+    };
+    assert!(run(&[]).status.success());
+    let current = run(&["--check"]);
+    assert!(current.status.success() && current.stderr.is_empty(), "{current:?}");
+    fs::copy(to.join("hud.png"), to.join("logo.png")).unwrap();
+    let old = run(&["--check"]);
+    let said = String::from_utf8_lossy(&old.stderr).into_owned();
+    assert_eq!(old.status.code(), Some(1), "{said}");
+    assert!(said.contains("logo.png: out of date") && said.lines().count() == 1, "{said}");
+    fs::remove_file(to.join("logo.png")).unwrap();
+    testing::refusal(&run(&["--check"]));
+}
+
+/// Lines beside comments and imports.
+#[test]
+fn each_program_has_at_most_60_lines_and_needs_no_std() {
+    for name in PROGRAMS {
+        let text = fs::read_to_string(Path::new(ROOT).join(format!("src/book/cookbook/{name}.rs"))).unwrap();
+        let code = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
+        let lines = code.filter(|line| !line.starts_with("use ")).count();
+        assert!((20..=60).contains(&lines), "{name}: {lines} lines");
+        for word in ["std::", "alloc::", "vec!", "format!", "Box", "f32", "f64", "unsafe", "static mut"] {
+            assert!(!text.contains(word), "{name}: {word}");
+        }
+    }
+}
+
+#[test]
+fn the_book_shows_each_program_with_its_picture_and_its_memory() {
+    let chapter = fs::read_to_string(Path::new(ROOT).join("src/book/ch9_cookbook.rs")).unwrap();
+    for name in PROGRAMS {
+        let source = format!("\n//! ```\n#![doc = include_str!(\"cookbook/{name}.rs\")]\n//! ```\n");
+        assert_eq!(chapter.matches(&source).count(), 1, "{name}");
+        assert!(chapter.contains(&format!("][docs/cookbook/{name}.png]")), "{name}");
+    }
+
+    // The arrays and values that each program declares, but single numbers.
+    let cubes = |n| n * (size_of::<ScreenVertex>() * CUBE.cache_len() + 2 * CUBE.face_bins_len());
+    let strip = |width: usize, rows: usize| width * rows * 4; // colours and depths
+    let memory = [
+        size_of::<logo::Memory>(),
+        size_of::<gauge::Gauge>()
+            + size_of_val(&mesh_buffers!(gauge::NEEDLE))
+            + size_of_val(&strip_buffers!(BinaryColor, 128, 16, no depth)),
+        size_of::<walk::Town>()
+            + size_of::<PlacedScene<'_, '_, Rgb565, 50>>()
+            + size_of::<BinnedScene<'_, '_, Rgb565, 50>>()
+            + cubes(50)
+            + strip(320, 8),
+        size_of::<orbit::Chart>()
+            + size_of::<pinhole::Scene<'_, usize, 12>>()
+            + size_of::<PlacedScene<'_, '_, usize, 12>>()
+            + size_of::<BinnedScene<'_, '_, usize, 12>>()
+            + cubes(12)
+            + strip(240, 8),
+        size_of::<hud::Hud>() + 2 * TORUS.cache_len(),
+        size_of::<ScreenVertex>() * epaper::PAWN.cache_len() + 2 * 200 * 20,
+        size_of::<scope::Scope>() + size_of_val(scope::AT_REST.vertices()),
+    ];
+    let rows: Vec<&str> = chapter.lines().filter(|line| line.starts_with("//! | [")).collect();
+    assert_eq!(rows.len(), memory.len());
+    let said = rows.iter().map(|row| row.split('|').nth(3).unwrap().replace(' ', "").parse().unwrap());
+    assert_eq!(said.collect::<Vec<usize>>(), memory, "{PROGRAMS:?}");
+}
+
+#[test]
+fn the_label_of_the_logo_stays_at_its_corner() {
+    let background = Rgb565::new(2, 5, 5);
+    let mut memory = logo::Memory::default();
+    let mut starts = Vec::new();
+    for degrees in (0..360).step_by(10) {
+        let mut display = rgb(240, 240);
+        let Ok(()) = logo::draw(Angle::degrees(degrees), &mut memory, &mut display);
+        // The line begins at the corner, above the text.
+        let start = (0..240 * 240).find(|i| display.pixels()[*i] == Rgb565::WHITE).unwrap();
+        let at = Point::new((start % 240) as i32, (start / 240) as i32);
+        let around = Rectangle::new(at - Point::new(2, 2), Size::new(5, 5)).points();
+        let ring = around.map(|p| *display.pixel(p)).filter(|c| ![background, Rgb565::WHITE].contains(c));
+        assert!(ring.count() > 0, "{degrees}°: {at}");
+        starts.push(at.x);
+    }
+    assert!(starts.iter().max().unwrap() - starts.iter().min().unwrap() > 100, "{starts:?}");
+}
+
+#[test]
+fn the_gauge_sends_what_has_changed_and_nothing_else() {
+    let mut display = Counting::new(128, 64, BinaryColor::On);
+    let mut gauge = gauge::Gauge::new();
+    for (value, most) in [(0, 128 * 64), (3, 4000), (50, 8000), (50, 0), (51, 4000), (100, 8000), (100, 0)] {
+        display.received = 0;
+        let Ok(()) = gauge.set(value, &mut display);
+        assert!(display.received <= most, "{value}: {} pixels", display.received);
+        let mut whole = Counting::new(128, 64, BinaryColor::On);
+        let Ok(()) = gauge::Gauge::new().set(value, &mut whole);
+        assert_eq!(whole.received, 128 * 64);
+        assert!(display.shown.pixels() == whole.shown.pixels(), "{value}");
+    }
+}
+
+#[test]
+fn the_town_is_before_the_walker_and_not_behind() {
+    let town = walk::build();
+    let start = Point3::new(Scalar::ZERO, Scalar::from_num(1.8), Scalar::from_num(25));
+    let mut display = rgb(320, 240);
+    let Ok(seen) = walk::draw(&town, (start, Angle::ZERO), &mut display);
+    let colours: std::collections::BTreeSet<u16> =
+        display.pixels().iter().map(|c| c.into_storage()).collect();
+    assert!(seen.drawn > 50 && colours.len() > 8, "{seen:?}, {} colours", colours.len());
+    let Ok(seen) = walk::draw(&town, (start, Angle::HALF_TURN), &mut display);
+    assert_eq!(seen.drawn, 0);
+    assert_eq!(count(&display, Rgb565::CSS_LIGHT_SKY_BLUE), 320 * 120);
+    // Among the houses, some are clipped by the near plane.
+    let among = Point3::new(Scalar::from_num(-1), Scalar::from_num(1.8), Scalar::ZERO);
+    let Ok(seen) = walk::draw(&town, (among, Angle::degrees(40)), &mut display);
+    assert!(seen.clipped > 0, "{seen:?}");
+    assert_eq!(count(&display, Rgb565::MAGENTA), 0);
+}
+
+#[test]
+fn a_touch_picks_the_bar_that_is_seen() {
+    let mut chart = orbit::Chart {
+        values: [9, 60, 21, 0, 44, 50, 12, 30, 7, 61, 33, 20],
+        yaw: Angle::ZERO,
+        picked: None,
+    };
+    let (mut bars, mut nothing) = (0, 0);
+    for clicks in [0, 5, -9] {
+        chart.turn(clicks);
+        chart.picked = None;
+        let mut none = rgb(240, 240);
+        let Ok(()) = chart.draw(&mut none);
+        for at in Rectangle::new(Point::new(0, 30), Size::new(12, 11)).points() {
+            let at = Point::new(20 * at.x + 3, 30 + 20 * (at.y - 30));
+            chart.touch(at);
+            let mut shown = rgb(240, 240);
+            let Ok(()) = chart.draw(&mut shown);
+            let (before, after) = (*none.pixel(at), *shown.pixel(at));
+            if before == Rgb565::new(3, 6, 6) {
+                assert_eq!((chart.picked, after), (None, before), "{at}");
+                nothing += 1;
+            } else {
+                // Steel blue becomes orange.
+                assert!(chart.picked.is_some() && before.b() >= before.r() && after.r() > after.b(), "{at}");
+                bars += 1;
+            }
+        }
+    }
+    assert!(bars > 50 && nothing > 50, "{bars} on bars, {nothing} beside them");
+}
+
+#[test]
+fn the_graph_of_the_hud_has_a_pixel_for_each_millisecond() {
+    let mut hud = hud::Hud::new();
+    let mut display = rgb(240, 240);
+    for micros in [10_900, 33_000, 34_000] {
+        let Ok(()) = hud.draw(Angle::ZERO, micros, &mut display);
+    }
+    for (age, height, colour) in [
+        (0, 34, Rgb565::CSS_TOMATO),
+        (1, 33, Rgb565::CSS_LIME_GREEN),
+        (2, 10, Rgb565::CSS_LIME_GREEN),
+        (3, 0, Rgb565::CSS_TOMATO),
+    ] {
+        let x = 6 + 2 * (59 - age);
+        let bar = (0..240).filter(|&y| *display.pixel(Point::new(x, y)) == colour).count();
+        assert_eq!(bar, height, "{age} frames ago");
+    }
+}
+
+#[test]
+fn the_drawing_is_the_same_in_all_colours() {
+    let yaw = Angle::degrees(5);
+    let mut black = Canvas::new(Size::new(200, 200), BinaryColor::Off);
+    let Ok(()) = epaper::draw(yaw, [BinaryColor::Off, BinaryColor::On], &mut black);
+    let (ink, paper) = (Gray8::new(90), Gray8::new(200));
+    let mut grey = Canvas::new(Size::new(200, 200), Gray8::BLACK);
+    let Ok(()) = epaper::draw(yaw, [ink, paper], &mut grey);
+    for (black, grey) in black.pixels().iter().zip(grey.pixels()) {
+        assert_eq!(*grey, if black.is_on() { paper } else { ink });
+    }
+    assert!((2000..12_000).contains(&count(&grey, ink)), "{}", count(&grey, ink));
+}
+
+#[test]
+fn a_row_of_the_scope_is_gone_after_24_rows() {
+    let red = |display: &Canvas<Rgb565>| display.pixels().iter().filter(|c| c.r() > 24 && c.b() < 4).count();
+    let (mut display, mut flat, mut scope) = (rgb(320, 240), rgb(320, 240), scope::Scope::new());
+    let Ok(()) = scope.push([0; 32], &mut flat);
+    assert_eq!(red(&flat), 0);
+    for age in 0..25 {
+        let Ok(()) = scope.push([if age == 0 { 255 } else { 0 }; 32], &mut display);
+        assert_eq!(red(&display) > 50, age < 24, "{age}: {}", red(&display));
+    }
+    assert!(display.pixels() == flat.pixels());
+}
