@@ -337,7 +337,11 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 const _: () = {
     assert!(size_of::<Object<'static, ()>>() == 88);
     let placed = size_of::<(usize, MeshInstance<'static>)>();
-    assert!(if cfg!(all(target_arch = "arm", target_has_atomic = "32")) { placed == 184 } else { placed <= 212 });
+    assert!(if cfg!(all(target_arch = "arm", target_has_atomic = "32")) {
+        placed == 184
+    } else {
+        placed <= 212
+    });
     assert!(size_of::<(&'static Object<'static, ()>, BinnedFaces<'static, i16, true>)>() == 92);
 };
 

@@ -139,6 +139,7 @@ struct ScaledLight {
 
 impl ScaledLight {
     /// `unit`: towards the light, in 2⁻³⁰. `ambient`: in 1/256 of full light, at most 256 of them count.
+    #[inline(always)] // each light has one call
     fn new(unit: [i32; 3], ambient: u16) -> Self {
         let ambient = ambient.min(256);
         let rest = 256 - i32::from(ambient);
