@@ -113,7 +113,7 @@ pub(crate) fn samples(row: u32) -> [u8; 32] {
     // Positions and widths in 1/256 of a band.
     let peak = |band: usize, at: i32, height: i32, width: i32| {
         let near = (width - (256 * band as i32 - at).abs()).max(0) * 256 / width;
-        height * (near * near * (768 - 2 * near) >> 16) / 256
+        height * ((near * near * (768 - 2 * near)) >> 16) / 256
     };
     core::array::from_fn(|band| {
         let noise = (row * 37 + band as u32 * 101).wrapping_mul(2_654_435_761) >> 28;

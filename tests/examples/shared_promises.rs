@@ -38,7 +38,7 @@ fn failed_write_changes_nothing() {
     for (name, line, output) in [
         ("gallery", "--out gallery.png", "gallery.png"),
         ("bands", "--out .", "bands.png"),
-        ("cookbook", "--out .", "walk.png"),
+        ("cookbook", "--out .", "logo.png"),
         ("spin", "--size 16 --frames 2 --out .", "spin.gif"),
         ("surface", "--size 16 --frames 2 --out .", "surface.gif"),
     ] {

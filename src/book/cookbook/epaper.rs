@@ -11,12 +11,14 @@ const RADII: [i32; 15] = [46, 46, 38, 35, 22, 15, 12, 26, 26, 14, 21, 24, 20, 11
 const HEIGHTS: [i16; 15] = [0, 10, 16, 24, 36, 52, 74, 82, 88, 92, 100, 112, 124, 132, 135];
 pub const PAWN: Mesh<'static> = {
     const N: usize = 16 * 14; // quads, of two faces each, and one above each vertex but the topmost
-    const PARTS: ([[i16; 3]; N + 16], [[u16; 3]; 2 * N], [[u16; 2]; 2 * N]) = {
+    type Parts = ([[i16; 3]; N + 16], [[u16; 3]; 2 * N], [[u16; 2]; 2 * N]);
+    const PARTS: Parts = {
         let (mut vertices, mut faces, mut edges, mut i) =
             ([[0; 3]; N + 16], [[0; 3]; 2 * N], [[0; 2]; 2 * N], 0);
         while i < N + 16 {
             let ((sin, cos), r) = (Angle::turns(i as i32, 16).sin_cos(), RADII[i / 16]); // in 2⁻³⁰
-            vertices[i] = [(r * (sin >> 15) >> 15) as i16, HEIGHTS[i / 16], (r * (cos >> 15) >> 15) as i16];
+            vertices[i] =
+                [((r * (sin >> 15)) >> 15) as i16, HEIGHTS[i / 16], ((r * (cos >> 15)) >> 15) as i16];
             if i < N {
                 let (a, b) = (i as u16, (i / 16 * 16 + (i + 1) % 16) as u16);
                 (faces[2 * i], faces[2 * i + 1]) = ([a, b, b + 16], [a, b + 16, a + 16]);

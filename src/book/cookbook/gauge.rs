@@ -13,7 +13,7 @@ const DIAL: ([[i16; 3]; 42], [[u16; 2]; 42]) = {
     while i < 42 {
         let (sin, cos) = Angle::turns(20 - i as i32 / 2, 40).sin_cos(); // in 2⁻³⁰
         let radius = [100, if i % 10 == 1 { 80 } else { 92 }][i % 2];
-        vertices[i] = [(radius * (cos >> 15) >> 15) as i16, (radius * (sin >> 15) >> 15) as i16, 0];
+        vertices[i] = [((radius * (cos >> 15)) >> 15) as i16, ((radius * (sin >> 15)) >> 15) as i16, 0];
         edges[i] = [i as u16 / 2 * 2, (i as u16 + 1) % 42];
         i += 1;
     }

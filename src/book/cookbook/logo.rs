@@ -9,17 +9,19 @@ const COLORS: [Rgb565; 3] = [Rgb565::CSS_TOMATO, Rgb565::CSS_GOLD, Rgb565::CSS_D
 
 /// A ring with six sides. Four corners of each side, by radius and z; from corner to corner a quad of two faces.
 const PROFILE: [[i32; 2]; 4] = [[100, 26], [56, 26], [56, -26], [100, -26]];
-const RING: ([[i16; 3]; 24], [[u16; 3]; 48], [[i16; 3]; 48]) = {
+type Parts = ([[i16; 3]; 24], [[u16; 3]; 48], [[i16; 3]; 48]);
+const RING: Parts = {
     let (mut vertices, mut faces, mut normals, mut i) = ([[0; 3]; 24], [[0; 3]; 48], [[0; 3]; 48], 0);
     while i < 24 {
         let (sin, cos) = Angle::turns(i as i32 / 4, 6).sin_cos(); // in 2⁻³⁰
         let [radius, z] = PROFILE[i % 4];
-        vertices[i] = [(radius * (cos >> 15) >> 15) as i16, (radius * (sin >> 15) >> 15) as i16, z as i16];
+        vertices[i] =
+            [((radius * (cos >> 15)) >> 15) as i16, ((radius * (sin >> 15)) >> 15) as i16, z as i16];
         let (a, b) = (i as u16, i as u16 / 4 * 4 + (i as u16 + 1) % 4);
         let (c, d) = ((b + 4) % 24, (a + 4) % 24); // of the next side
         (faces[2 * i], faces[2 * i + 1]) = ([a, d, c], [a, c, b]);
         let (sin, cos) = Angle::turns(i as i32 / 4 * 2 + 1, 12).sin_cos();
-        let (x, y) = ((cos as i64 * 32_767 >> 30) as i16, (sin as i64 * 32_767 >> 30) as i16);
+        let (x, y) = ((cos / 32_769) as i16, (sin / 32_769) as i16); // 1 becomes 32 767
         normals[2 * i] = [[0, 0, 32_767], [-x, -y, 0], [0, 0, -32_767], [x, y, 0]][i % 4];
         normals[2 * i + 1] = normals[2 * i];
         i += 1;

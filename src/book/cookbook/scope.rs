@@ -7,9 +7,9 @@ use pinhole::{prelude::*, Angle, MeshBuffers, StripBuffers};
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(320, 240));
 const ROWS: usize = 24;
 /// Two faces between four samples; an edge from each sample to the next in its row, and the faces beside it.
-const GRID: ([[u16; 3]; 62 * (ROWS - 1)], [[u16; 2]; 31 * ROWS], [[u16; 2]; 31 * ROWS]) = {
+const GRID: ([[u16; 3]; 62 * (ROWS - 1)], [[[u16; 2]; 31 * ROWS]; 2]) = {
     let (mut faces, mut i) = ([[0; 3]; 62 * (ROWS - 1)], 0);
-    let (mut edges, mut beside) = ([[0; 2]; 31 * ROWS], [[Mesh::<i16>::NO_FACE; 2]; 31 * ROWS]);
+    let [mut edges, mut beside] = [[[Mesh::<i16>::NO_FACE; 2]; 31 * ROWS]; 2];
     while i < edges.len() {
         let (a, face) = ((i / 31 * 32 + i % 31) as u16, 2 * i as u16);
         edges[i] = [a, a + 1];
@@ -20,12 +20,12 @@ const GRID: ([[u16; 3]; 62 * (ROWS - 1)], [[u16; 2]; 31 * ROWS], [[u16; 2]; 31 *
         beside[i][1] = if i >= 31 { face - 61 } else { Mesh::<i16>::NO_FACE };
         i += 1;
     }
-    (faces, edges, beside)
+    (faces, [edges, beside])
 };
 const fn surface(vertices: &[[i16; 3]; 32 * ROWS]) -> Mesh<'_> {
     let Ok(mesh) = Mesh::new(vertices, 0, &GRID.0) else { panic!("faces") };
-    let Ok(mesh) = mesh.with_edges(&GRID.1) else { panic!("edges") };
-    let Ok(mesh) = mesh.with_edge_faces(&GRID.2) else { panic!("faces beside the edges") };
+    let Ok(mesh) = mesh.with_edges(&GRID.1[0]) else { panic!("edges") };
+    let Ok(mesh) = mesh.with_edge_faces(&GRID.1[1]) else { panic!("faces beside the edges") };
     mesh
 }
 pub const AT_REST: Mesh<'static> = surface(&[[0; 3]; 32 * ROWS]);
