@@ -14,6 +14,9 @@
 //! # Ok::<(), ViewportError>(())
 //! ```
 
+// The types and the macros of these names.
+pub use crate::{mesh_buffers, strip_buffers, MeshBuffers, StripBuffers};
+
 pub use crate::camera::{
     Camera, FramingError, Frustum, PlanarProjection, ProjectError, Projected, Projection, ProjectionError,
     Ray, ReferenceVolume, ScreenVertex, Side, VanishingPoint, ViewTransform, ViewTransformError, Viewport,
@@ -24,9 +27,9 @@ pub use crate::math::{
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use crate::pipeline::{
-    draw_line, fill_triangle, mesh_buffers, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull,
-    MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene,
-    PlaneCulled, Scene, SceneError, Statistics, TransformedMesh,
+    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, MeshInstance, Object,
+    Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlaneCulled, Scene, SceneError, Statistics,
+    TransformedMesh,
 };
 pub use crate::scene::{
     edge_faces, FaceColors, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node, TextureCoords,
@@ -37,7 +40,6 @@ pub use crate::shading::{
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{
-    strip_buffers, Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory,
-    Picture, PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, StripBuffers, Target, Tracked,
-    TransferCost,
+    Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,
+    PictureError, PixelFormat, PixelStore, Pixels, StoredPixel, Target, Tracked, TransferCost,
 };

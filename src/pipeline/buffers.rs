@@ -130,7 +130,6 @@ macro_rules! MeshBuffers {
 }
 
 // For the prelude, by way of the module.
-pub use mesh_buffers;
 
 /// The largest of the lengths, 0 if there are none: for the macros.
 #[doc(hidden)]

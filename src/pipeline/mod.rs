@@ -42,7 +42,7 @@ pub use binned_faces::BinnedFaces;
 pub use bins::BinError;
 #[doc(hidden)]
 pub use buffers::largest;
-pub use buffers::{mesh_buffers, MeshBuffers};
+pub use buffers::MeshBuffers;
 pub use cull::Cull;
 pub use draw_2d::{draw_line, fill_triangle};
 pub use instance::MeshInstance;

@@ -27,7 +27,7 @@ pub use picture_error::PictureError;
 pub use pixel_format::PixelFormat;
 pub use pixels::Pixels;
 pub use stored_pixel::StoredPixel;
-pub use strip::{strip_buffers, StripBuffers};
+pub use strip::StripBuffers;
 pub use target::Target;
 
 use crate::raster::Scissor;

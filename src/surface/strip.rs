@@ -70,4 +70,3 @@ macro_rules! StripBuffers {
 }
 
 // For the prelude, by way of the module.
-pub use strip_buffers;

@@ -5,14 +5,13 @@ use crate::programs::{command, folder, testing};
 use std::fs;
 
 /// Examples that write files into their working folder and print what they wrote.
-const PRINTING: [(&str, &str); 7] = [
+const PRINTING: [(&str, &str); 6] = [
     ("spin", "--size 16 --frames 2 --out spin"),
     ("arm", "--size 16 --frames 2 --out arm"),
     ("surface", "--size 16 --frames 2 --out surface"),
     ("bands", "--out bands"),
     ("gallery", "--out gallery.png"),
     ("cookbook", "--out cookbook"),
-    ("first", ""),
 ];
 
 #[test]

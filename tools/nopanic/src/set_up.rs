@@ -155,7 +155,7 @@ entries! {
     entry_ray(camera: &Camera, at: ScreenPoint) -> Option<Ray> { camera.ray(at) }
     entry_vanishing_points(camera: &Camera) -> [Option<VanishingPoint>; 3] { camera.vanishing_points() }
     entry_visibility(camera: &Camera, s: &Sphere, a: &Affine<Model, World>) -> Visibility { camera.visibility(s, a) }
-    entry_frustum(camera: &Camera) -> Frustum { camera.frustum() }
+    entry_camera_frustum(camera: &Camera) -> Frustum { camera.frustum() }
     entry_frustum_visibility(frustum: &Frustum, s: &Sphere, a: &Affine<Model, World>) -> Visibility { frustum.visibility(s, a) }
     entry_bounding_sphere(mesh: &Mesh<'static>) -> Sphere { mesh.bounding_sphere() }
     entry_wide_bounding_sphere(mesh: &Mesh<'static, Scalar>) -> Sphere { mesh.bounding_sphere() }
