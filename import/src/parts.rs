@@ -8,7 +8,7 @@
 use crate::edges::Sides;
 use crate::normals::cross;
 
-/// What is known of a surface's parts.
+/// The connected parts of a surface.
 pub(crate) struct Parts {
     /// The part of each face.
     of_face: Vec<usize>,

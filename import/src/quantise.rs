@@ -39,7 +39,7 @@ pub(crate) struct Made {
     pub(crate) reversed: Vec<bool>,
     /// The triangles of the file, ascending, that the mesh has a second time, reversed.
     pub(crate) backs: Vec<usize>,
-    /// What is doubtful about the model, whether it fits a mesh or not.
+    /// Warnings about the model, whether it fits a mesh or not.
     pub(crate) warnings: Vec<Warning>,
     /// The mesh, without the warnings, or why a mesh cannot hold the model.
     pub(crate) mesh: Result<ImportedMesh, Problem>,

@@ -20,7 +20,7 @@ pub(crate) fn complain(line: impl Display) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
-/// What is doubtful about a model, a line each to standard error.
+/// Prints the warnings about a model to standard error, one line each.
 pub(crate) fn warn(model: &Path, warnings: impl IntoIterator<Item = impl Display>) {
     for warning in warnings {
         complain(format_args!("{}: warning: {warning}", model.display()));

@@ -16,7 +16,7 @@ use core::convert::Infallible;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// What is seen in a pixel: the answer of [`MeshInstance::pick`] and [`PlacedScene::pick`](crate::PlacedScene::pick).
+/// The visible point in a pixel: the answer of [`MeshInstance::pick`] and [`PlacedScene::pick`](crate::PlacedScene::pick).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Picked {

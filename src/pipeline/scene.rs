@@ -240,7 +240,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         self.iter().try_for_each(|(object, instance)| painter.add(instance, shade(object)))
     }
 
-    /// What is seen in a pixel of the target, without drawing: the object, the face and the depth that
+    /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
     /// [`depth_tested`](Self::depth_tested) shows there. See [`MeshInstance::pick`].
     pub fn pick(&self, pixel: Point, cache: &mut [ScreenVertex]) -> Option<Picked> {
         let mut nearest: Option<Picked> = None;

@@ -122,7 +122,7 @@ fn all_of_the_sphere_is_in_the_frame_and_fills_it() {
     assert!(least >= 0.95, "{least}");
 }
 
-/// What is refused is impossible by arithmetic in f64, not only for this implementation.
+/// A refused camera is impossible by arithmetic in f64 too, not only for this implementation.
 #[test]
 fn what_is_refused_has_no_room() {
     let mut rng = Rng::new(0x28);

@@ -55,7 +55,7 @@ impl Source {
         Self { mesh, colors: Vec::new(), up: Axis::Y, own: None, file: None, imported: None }
     }
 
-    /// What is doubtful about a model, as the importer says it.
+    /// Warnings about a model, in the importer's words.
     pub fn warnings(&self) -> impl Iterator<Item = String> + '_ {
         self.imported.iter().flat_map(|model| &model.warnings).map(ToString::to_string)
     }
