@@ -179,6 +179,15 @@ impl ImportedMesh {
         (bytes > MANY).then_some(Warning { line: None, message })
     }
 
+    /// A warning, if the mesh has more faces than `pinhole::TransformedMesh::bin_faces` takes.
+    pub(crate) fn too_many_for_bands(&self) -> Option<Warning> {
+        let faces = self.faces.len();
+        let message = format!(
+            "{faces} faces, more than the 65535 that can be drawn in bands: use --decimate N, or split the model"
+        );
+        (faces > usize::from(u16::MAX)).then_some(Warning { line: None, message })
+    }
+
     /// The faces without the backs of others.
     fn fronts(&self) -> &[[u16; 3]] {
         &self.faces[..self.faces.len().saturating_sub(self.report.backs)]

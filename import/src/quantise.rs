@@ -274,6 +274,7 @@ pub(crate) fn make(
     let mesh = ImportedMesh { planes, ..mesh };
     let mut warnings = made.warnings;
     warnings.extend(mesh.large());
+    warnings.extend(mesh.too_many_for_bands());
     Ok(Made { mesh: Ok(mesh), warnings, ..made })
 }
 

@@ -71,7 +71,7 @@ fn links_firmware(target: &str, entry: &str) {
     static ONE: Mutex<()> = Mutex::new(());
     let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = Folder::new(target);
-    let [commands] = blocks(FIRMWARE, "sh").try_into().expect("one block of commands");
+    let [commands, preview] = blocks(FIRMWARE, "sh").try_into().expect("two blocks of commands");
     // The README says to set the target in .cargo/config.toml, whose value this variable replaces.
     folder.shell(&commands, &[("CARGO_BUILD_TARGET", target)]);
     let image = cross_folder().join(target).join("release/any-cortex-m");
@@ -86,6 +86,12 @@ fn links_firmware(target: &str, entry: &str) {
     assert!(names.contains(&entry) && names.iter().any(|name| name.contains("depth_tested")), "{symbols}");
     let unwanted = |name: &&str| is_float_routine(name) || name.contains("core3fmt");
     assert_eq!(names.into_iter().filter(unwanted).collect::<Vec<_>>(), [""; 0], "{target}");
+    // The preview is the same for all targets: the README's first picture, which has the gear of the template.
+    if target == "thumbv6m-none-eabi" {
+        folder.shell(&format!("cd firmware\n{preview}"), &[]);
+        let drawn = fs::read(folder.path.join("firmware/target/render/model.png")).expect("the preview");
+        assert!(drawn == fs::read(Path::new(ROOT).join("docs/part.png")).expect("docs/part.png"));
+    }
 }
 
 /// Whether the two boards' templates have the files that they share with the first one, word by word.

@@ -327,7 +327,7 @@ fn the_firmware_s_scenes_are_its_pictures() {
         (0..8).for_each(|_| state.tick());
     }
     assert!(pictures.len() > 20, "{}", pictures.len());
-    // The README's pyramid is gold, at several levels of light, before black.
+    // The template's model is gold, at several levels of light, before black.
     press(&mut state, "m");
     viewer.draw(&state).unwrap();
     let met = colours(viewer.pixels());

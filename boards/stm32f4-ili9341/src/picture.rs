@@ -56,7 +56,9 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     // Once a frame: vertices to the screen, visible faces into the bins of the bands.
     let instance = camera.place(mesh, &model);
     let faces = instance.transform_depth(memory.cache).bin_faces(memory.bins);
-    let mut faces = faces.map_err(|_| "no room for all faces: the bins are of another mesh")?;
+    let mut faces = faces.map_err(|_| {
+        "no room for all faces: the bins are of another mesh, or it has more than 65535 faces"
+    })?;
     let mut frame = Frame::new(display.bounding_box(), BACKGROUND);
     while let Some(mut band) = frame.next_band(memory.strip).map_err(|_| "the strip is shorter than a row")? {
         let depth = DepthBuffer::new(band.area(), memory.depths);

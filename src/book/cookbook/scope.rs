@@ -1,4 +1,4 @@
-// A scope of a live height fov: a new row of 32 samples moves the rows before it back. 320 × 240 pixels, coloured by
+// A scope of a live height field: a new row of 32 samples moves the rows before it back. 320 × 240 pixels, coloured by
 // height, with hidden lines along the rows, in bands of 8 rows.
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::{prelude::*, primitives::Rectangle};

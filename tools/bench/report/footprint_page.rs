@@ -29,7 +29,7 @@ The image *everything* draws wireframes, hidden and depth-tested lines, flat fac
 and points, in bands and dirty rectangles, from two cameras, one of them made at run time. The goals are for thumbv7m at
 opt-level 3.
 
-Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the README does: faster, and larger. The other rows in bands
+Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the templates do: faster, and larger. The other rows in bands
 draw into it as into any DrawTarget (`&mut band`). *By planes* is `MeshInstance::cull_by_planes()`, of a mesh with planes.
 *Without clipping* is `MeshInstance::without_clipping()`: of the two frames, only the cube that stays in view is drawn whole.
 Its faces are lit by `RigidLambert`, which takes rotations. The goal

@@ -60,7 +60,10 @@ fn library<V: Coordinate<Stored = V>>(
 ) -> Result<()> {
     let instance = case.camera.place(mesh, &case.model);
     let corners: Option<Vec<_>> = (0..VERTICES.len())
-        .map(|index| instance.project(index).map(|seen| (seen.point.x().into(), seen.point.y().into())))
+        .map(|index| {
+            let point = instance.project(index).ok()?.point;
+            Some((point.x().into(), point.y().into()))
+        })
         .collect();
     let exact: Vec<_> = VERTICES.iter().map(|v| image(&case.object, v.relative(&case.object))).collect();
     if let Some(shift) = shift {
