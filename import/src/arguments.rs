@@ -27,7 +27,7 @@ pub(crate) fn arguments() -> [Arg; 4] {
         ),
         flag(
             "two-sided",
-            "Show the backs of faces, but of closed bodies: these faces count, and cost, twice",
+            "Show the backs of faces too, except of closed bodies: these faces count, and cost, twice",
         ),
     ]
 }

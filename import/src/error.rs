@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 /// Why a file could not be turned into a mesh: the file, the line where that is known, and what is wrong with it.
 ///
-/// Its `Display` is one line, `file:line: problem`.
-#[derive(Debug)]
+/// Its `Display` is one line, `file:line: problem`, and so is its `Debug`: that is what a `build.rs` prints whose `main` returns
+/// the error.
 pub struct ImportError {
     /// The file, as the caller named it.
     pub file: PathBuf,
@@ -115,6 +115,12 @@ impl fmt::Display for Problem {
                 "cannot be decimated by this build: install it with the feature `decimate`, which needs a C++ compiler",
             ),
         }
+    }
+}
+
+impl fmt::Debug for ImportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

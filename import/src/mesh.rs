@@ -173,8 +173,9 @@ impl ImportedMesh {
         const MANY: usize = 128 << 10;
         let (bytes, edges) =
             (self.flash_bytes(), size_of_val(&self.edges[..]) + size_of_val(&self.edge_faces[..]));
+        let remedy = if edges > 0 { "--edges none or --decimate N" } else { "--decimate N" };
         let message = format!(
-            "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, use --edges none or --decimate N"
+            "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, use {remedy}"
         );
         (bytes > MANY).then_some(Warning { line: None, message })
     }

@@ -206,7 +206,8 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     }
 
     /// Draws all objects with a depth test, in one piece. `shade` is called once for each visible object, and what it returns once
-    /// for each face that is drawn, with the face's index. The objects share the vertex cache one after the other: it should have
+    /// for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows from the object's
+    /// material: Rust cannot infer this for a closure in a variable. The objects share the vertex cache one after the other: it should have
     /// room for the largest mesh, and may be shorter. [`MeshInstance::depth_tested`] says how faces are drawn.
     ///
     /// # Errors
@@ -292,7 +293,8 @@ pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
 
 impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band, and
-    /// what it returns once for each face that is drawn, with the face's index. The picture of all bands is, pixel by pixel, that of
+    /// what it returns once for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows
+    /// from the object's material: Rust cannot infer this for a closure in a variable. The picture of all bands is, pixel by pixel, that of
     /// [`PlacedScene::depth_tested`].
     ///
     /// # Errors

@@ -310,6 +310,7 @@ fn extents_beyond_an_exponent_are_an_error() {
 #[test]
 fn files_that_cannot_be_read_are_named() {
     let missing = read(Path::new("no/such/model.obj")).unwrap_err();
+    assert_eq!(format!("{missing:?}"), missing.to_string()); // what `main` of a build.rs prints
     assert!(matches!(missing.problem, Problem::Read(_)));
     let message = missing.to_string();
     assert!(message.starts_with("no/such/model.obj: cannot be read: "), "{message}");
