@@ -89,7 +89,7 @@ fn links_firmware(target: &str, entry: &str) {
     // The preview is the same for all targets: the README's first picture, which has the gear of the template.
     if target == "thumbv6m-none-eabi" {
         folder.shell(&format!("cd firmware\n{preview}"), &[]);
-        let drawn = fs::read(folder.path.join("firmware/target/render/model.png")).expect("the preview");
+        let drawn = fs::read(folder.path.join("target/render/model.png")).expect("the preview");
         assert!(drawn == fs::read(Path::new(ROOT).join("docs/part.png")).expect("docs/part.png"));
     }
 }
