@@ -192,7 +192,7 @@ impl RigidLambert {
     /// # Errors
     ///
     /// [`LightError::ZeroDirection`] if `towards_light` has length zero; [`LightError::NotRigid`] if `model` stretches or shears:
-    /// angles between its axes, or lengths of these, differ by more than 2⁻¹⁰.
+    /// the dot products of its rows, divided by the first row's with itself, are more than 2⁻¹⁰ off 1 (a row with itself) or 0.
     #[inline(never)] // set-up: its stack frame is gone before faces are drawn
     pub fn new(
         model: &Affine<Model, World>,
