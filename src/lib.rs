@@ -33,11 +33,12 @@ pub use math::{
 pub use pipeline::largest;
 pub use pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, MeshBuffers,
-    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlaneCulled, Scene,
-    SceneError, Statistics, TransformedMesh,
+    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene, SceneError,
+    Statistics, TransformedMesh,
 };
 pub use scene::{
-    edge_faces, FaceColors, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node, TextureCoords,
+    edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
+    TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use shading::{
     Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,

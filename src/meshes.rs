@@ -5,13 +5,15 @@
 //! | [`CUBE`] | 8, 12, 12 | 0.3 KB | −1 … 1 on all axes |
 //! | [`SPHERE`] | 114, 224, 240 | 6.3 KB | of radius 1; vertex normals |
 //! | [`TORUS`] | 200, 400, 400 | 10.9 KB | lies in the xz plane, radii 0.7 and 0.3; vertex normals |
-//! | [`CYLINDER`] | 34, 64, 48 | 1.4 KB | of radius 1, y from −1 to 1 |
-//! | [`ARROW`] | 32, 60, 60 | 1.5 KB | along y from 0 to 1 |
-//! | [`GRID`] | 81, 128, 144 | 3.8 KB | 8 × 8 squares in the xz plane, −1 … 1, seen from above; vertex normals |
+//! | [`CYLINDER`] | 34, 64, 48 | 1.3 KB | of radius 1, y from −1 to 1 |
+//! | [`ARROW`] | 32, 60, 60 | 1.4 KB | along y from 0 to 1 |
+//! | [`GRID`] | 81, 128, 144 | 3.6 KB | 8 × 8 squares in the xz plane, −1 … 1, seen from above; vertex normals |
 //! | [`AXES`] | 4, 0, 3 | 48 B | lines from the origin to 1 on x, y and z, in this order |
 //!
-//! Faces are counter-clockwise, and all meshes but the grid and the axes are closed. Each has face normals, planes, edges without
-//! diagonals, and edge faces, so that every draw call works.
+//! Faces are counter-clockwise, and all meshes but the grid and the axes are closed. Each has face normals, edges without
+//! diagonals, and edge faces, so that every draw call works. The sphere and the torus have [face planes](Mesh::with_planes);
+//! culling by planes would take longer than it saves for the others, of fewer faces or open. `TORUS.without_planes()` has the
+//! type of those.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
@@ -36,25 +38,29 @@
 use crate::math::num::scale;
 use crate::math::unit::{cross, normalise};
 use crate::math::Angle;
-use crate::scene::{edge_faces, Mesh};
+use crate::scene::{edge_faces, Mesh, WithPlanes};
 
 /// 1 in vertex units of 2⁻¹⁴.
 const ONE: i32 = 1 << 14;
 
 /// Defines a mesh with all that belongs to it. The arrays are statics, so that a program has each once.
 macro_rules! meshes {
-    ($($(#[$doc:meta])* $name:ident, $vertex_count:literal, $face_count:literal, $edge_count:literal:
+    ($($(#[$doc:meta])* $name:ident $(with planes $planes:ident)?, $vertex_count:literal, $face_count:literal, $edge_count:literal:
         $vertices:expr, $faces:expr, $edges:expr $(, vertex normals $vertex_normals:expr)?;)*) => {$(
         $(#[$doc])*
-        pub const $name: Mesh<'static> = {
+        pub const $name: Mesh<'static, i16 $(, $planes)?> = {
             static VERTICES: [[i16; 3]; $vertex_count] = $vertices;
             static FACES: [[u16; 3]; $face_count] = $faces;
             static EDGES: [[u16; 2]; $edge_count] = $edges;
             static EDGE_FACES: [[u16; 2]; $edge_count] = edge_faces(&EDGES, &FACES);
             static NORMALS: [[i16; 3]; $face_count] = face_normals(&VERTICES, &FACES);
-            static PLANES: [i16; $face_count] = with_normals(&VERTICES, &FACES, &NORMALS).face_planes();
             let mesh = with_normals(&VERTICES, &FACES, &NORMALS);
-            let Ok(mesh) = mesh.with_planes(&PLANES) else { panic!("one plane for each face") };
+            $(
+                static PLANES: [i16; $face_count] = with_normals(&VERTICES, &FACES, &NORMALS).face_planes();
+                let Ok(mesh): Result<Mesh<'static, i16, $planes>, _> = mesh.with_planes(&PLANES) else {
+                    panic!("one plane for each face")
+                };
+            )?
             let Ok(mesh) = mesh.with_edges(&EDGES) else { panic!("edges of these vertices") };
             let Ok(mesh) = mesh.with_edge_faces(&EDGE_FACES) else { panic!("two faces for each edge") };
             $(
@@ -92,14 +98,14 @@ meshes! {
         [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
     /// A sphere of radius 1, with its poles on the y axis, 16 faces around and 8 from pole to pole.
-    SPHERE, 114, 224, 240:
+    SPHERE with planes WithPlanes, 114, 224, 240:
         revolved::<16, 7, 114>(&SPHERE_RINGS, [-ONE, ONE]),
         revolved_faces::<16, 7, 224>(),
         revolved_edges::<16, 7, 240>(true, true),
         vertex normals sphere_normals();
 
     /// A torus about the y axis: a tube of radius 0.3 around a circle of radius 0.7.
-    TORUS, 200, 400, 400:
+    TORUS with planes WithPlanes, 200, 400, 400:
         torus_vertices::<20, 10, 200>(),
         torus_faces::<20, 10, 400>(),
         torus_edges::<20, 10, 400>(),

@@ -28,11 +28,12 @@ pub use crate::math::{
 };
 pub use crate::pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, MeshInstance, Object,
-    Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlaneCulled, Scene, SceneError, Statistics,
+    Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene, SceneError, Statistics,
     TransformedMesh,
 };
 pub use crate::scene::{
-    edge_faces, FaceColors, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node, TextureCoords,
+    edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
+    TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
     Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,

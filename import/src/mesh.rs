@@ -3,7 +3,7 @@
 use crate::edges::Sides;
 use crate::grid::power_of_two;
 use crate::Warning;
-use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords};
+use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords, WithPlanes};
 use std::path::PathBuf;
 
 /// A mesh as `pinhole` draws it, owned, with what is known of its making.
@@ -101,7 +101,7 @@ pub struct Topology {
 }
 
 impl ImportedMesh {
-    /// The mesh, borrowed.
+    /// The mesh, borrowed, without its planes: [`mesh_with_planes`](Self::mesh_with_planes) has them.
     ///
     /// # Errors
     ///
@@ -115,13 +115,19 @@ impl ImportedMesh {
         if !self.normals.is_empty() {
             mesh = mesh.with_normals(&self.normals)?;
         }
-        if !self.planes.is_empty() {
-            mesh = mesh.with_planes(&self.planes)?; // after the normals, which drop them
-        }
         if !self.vertex_normals.is_empty() {
             mesh = mesh.with_vertex_normals(&self.vertex_normals)?;
         }
         Ok(mesh)
+    }
+
+    /// The mesh, borrowed, with its planes, if [`Options::planes`](crate::Options::planes) asked for them.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError`] as from [`mesh`](Self::mesh), or if there are no planes: [`MeshError::PlaneCount`].
+    pub fn mesh_with_planes(&self) -> Result<Mesh<'_, i16, WithPlanes>, MeshError> {
+        self.mesh()?.with_planes(&self.planes)
     }
 
     /// The colours of its faces, borrowed, if it has any.

@@ -14,8 +14,8 @@ pub fn is_constant_name(name: &str) -> bool {
 }
 
 impl ImportedMesh {
-    /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once; where
-    /// `I16F16` can hold it, `name_OFFSET`; and `name_COLORS`, a `pinhole::FaceColors`, and `name_TEXTURE`, a
+    /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once, or of type
+    /// `pinhole::Mesh<'static, i16, pinhole::WithPlanes>` if it has planes; where `I16F16` can hold it, `name_OFFSET`; and `name_COLORS`, a `pinhole::FaceColors`, and `name_TEXTURE`, a
     /// `pinhole::TextureCoords`, where the file has these. For a module, or for `include!`, also of several such files. Its documentation
     /// has the name of `file`, sizes and errors, and `maker`, by which it was made. `None` if `name` is not
     /// [the name of a constant](crate::is_constant_name).
@@ -41,12 +41,13 @@ impl ImportedMesh {
              /// coordinate by quantising {}.\n\
              #[rustfmt::skip]\n\
              #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n\
-             pub const {name}: pinhole::Mesh<'static> = {{\n",
+             pub const {name}: pinhole::Mesh<'static{}> = {{\n",
             self.size(),
             self.exponent,
             if self.offset_bits().is_some() { format!(" + [`{name}_OFFSET`]") } else { String::new() },
             self.report.extent,
             short(self.report.error),
+            if self.planes.is_empty() { "" } else { ", i16, pinhole::WithPlanes" },
         );
         // Statics, so that each list is in flash once, wherever the constant is used.
         nested(&mut out, "VERTICES: [[i16; 3]", &self.vertices);

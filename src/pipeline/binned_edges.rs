@@ -10,6 +10,7 @@ use super::vertex_cache::TransformedMesh;
 use crate::camera::UnpackedVertex;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
+use crate::scene::FacePlanes;
 use crate::surface::{DepthBuffer, Target};
 use embedded_graphics_core::primitives::Rectangle;
 
@@ -18,7 +19,7 @@ use embedded_graphics_core::primitives::Rectangle;
 #[derive(Debug)]
 pub struct BinnedEdges<'a, V: Coordinate = i16, const DEPTH: bool = false>(Binned<'a, V, DEPTH>);
 
-impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
+impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
     /// Sorts the visible edges by their first row, for drawing in bands. `storage` is bin storage that the result borrows. It
     /// must hold one number per visible edge and one per 16 edges of the mesh, rounded up: `edges + edges.div_ceil(16)` numbers
     /// are always enough.
@@ -53,15 +54,17 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// the mesh has more than 65535 edges. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while edges are drawn
     pub fn bin_edges(&self, storage: &'a mut [u16]) -> Result<BinnedEdges<'a, V, DEPTH>, BinError> {
-        let mut edges = BinnedEdges(Binned::new(*self, storage, self.instance.mesh_ref().edges().len()));
-        edges.0.statistics = self.fill_edge_bins(&mut edges.0.bins)?;
+        let mut edges = BinnedEdges(Binned::new(self.any(), storage, self.instance.mesh().edges.len()));
+        edges.0.statistics = edges.0.transformed.fill_edge_bins(&mut edges.0.bins)?;
         Ok(edges)
     }
+}
 
+impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// Clips and counts all edges, then sorts the visible ones.
     #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_edge_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
-        let (edges, mut statistics) = (self.instance.mesh_ref().edges(), Statistics::NONE);
+        let (edges, mut statistics) = (self.instance.mesh().edges, Statistics::NONE);
         let mut sort = bins.sort();
         for (index, &edge) in edges.iter().enumerate() {
             let ends = self.edge_out_of_line(edge, &mut statistics);
@@ -80,7 +83,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// The first row of a binned edge.
     #[inline(never)] // one copy for two callers
     fn first_row_of_edge(&self, index: usize) -> i32 {
-        let edge = self.instance.mesh_ref().edges().get(index);
+        let edge = self.instance.mesh().edges.get(index);
         let ends = edge.and_then(|&edge| self.edge_out_of_line(edge, &mut Statistics::default()));
         ends.map_or(0, |ends| bounds(&ends).rows().start)
     }
@@ -147,7 +150,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         if region.scissor.is_empty() {
             return Ok(()); // the bins did not advance to this band
         }
-        let (edges, end) = (self.0.transformed.instance.mesh_ref().edges(), region.scissor.rows().end);
+        let (edges, end) = (self.0.transformed.instance.mesh().edges, region.scissor.rows().end);
         let Binned { transformed, bins, .. } = &mut self.0;
         bins.band(|index| {
             let edge = edges.get(index);

@@ -3,11 +3,11 @@
 use super::binned::Binned;
 use super::bins::{BinError, BinSort, Bins};
 use super::draw_region::{pixels, DrawRegion};
-use super::face_source::{FaceSource, MeshOrder};
+use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
 use super::faces::{draw_triangles, each_face, store_depth};
 use super::fill::{fill, fill_nearer};
-use super::plane_culled::PlaneCulled;
+use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::{BinnedVertices, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
@@ -15,18 +15,18 @@ use crate::clip::Varying;
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
+use crate::scene::FacePlanes;
 use crate::shading::SpanShader;
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible faces of a mesh, binned by their first rows: each band, or any other rectangle of the picture, draws only the
-/// faces that lie in it. [`TransformedMesh::bin_faces`] makes it; [`MeshInstance::transform`](crate::MeshInstance::transform)
-/// has an example.
+/// faces that lie in it. [`MeshInstance::bin_faces`] makes it and has an example, and so does [`TransformedMesh::bin_faces`].
 #[derive(Debug)]
 pub struct BinnedFaces<'a, V: Coordinate = i16, const DEPTH: bool = false>(pub(super) Binned<'a, V, DEPTH>);
 
-impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
+impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
     /// Culls the faces and sorts the visible ones by their first row, for drawing in bands. `storage` is bin storage that the
     /// result borrows. It must hold one number per visible face and one per 16 faces of the mesh, rounded up:
     /// `faces + faces.div_ceil(16)` numbers are always enough.
@@ -37,20 +37,26 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     /// the mesh has more than 65535 faces. Nothing is binned then.
     #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
     pub fn bin_faces(&self, storage: &'a mut [u16]) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
-        let mut faces = BinnedFaces(Binned::new(*self, storage, self.instance.mesh_ref().faces().len()));
+        let mut faces = BinnedFaces(Binned::new(self.any(), storage, self.instance.mesh().faces.len()));
         faces.0.statistics = self.fill_bins(&mut faces.0.bins)?;
         Ok(faces)
     }
 
     #[inline(never)] // the sort's arrays leave the stack when it returns
     fn fill_bins(&self, bins: &mut Bins<'_>) -> Result<Statistics, BinError> {
-        bin(MeshOrder, *self, bins)
+        if P::CULL {
+            bin(PlaneOrder::new(self.instance), self.any(), bins)
+        } else {
+            bin(MeshOrder, self.any(), bins)
+        }
     }
+}
 
+impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     /// The first row of a binned face.
     #[inline(never)] // one copy for two callers
     pub(super) fn first_row(&self, index: usize) -> i32 {
-        let Some(face) = self.instance.mesh_ref().faces().get(index) else { return 0 };
+        let Some(face) = self.instance.mesh().faces.get(index) else { return 0 };
         match self.on_screen(face) {
             Some(corners) => {
                 Scissor::bounding_box(&map3(self.unpack(corners), |corner| corner.point)).rows().start
@@ -76,7 +82,7 @@ fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
     mut cache: impl VertexCache<'a, V, DEPTH>,
     bins: &mut Bins<'_>,
 ) -> Result<Statistics, BinError> {
-    let (count, mut sort) = (cache.instance().mesh().faces().len(), bins.sort());
+    let (count, mut sort) = (cache.instance().mesh().faces.len(), bins.sort());
     let statistics = count_faces(source, &mut cache, &mut sort);
     let mesh = cache.view();
     sort.finish(count, |index| mesh.first_row(index))?;
@@ -99,10 +105,12 @@ fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
     statistics
 }
 
-impl<'a, V: Coordinate> PlaneCulled<'a, V> {
-    /// Bins the visible faces for drawing in bands, as [`TransformedMesh::bin_faces`] does, but transforms only the vertices of
-    /// faces that may be visible. `cache` holds the transformed vertices. `storage` is bin storage: one number per visible
-    /// face, and one per 16 faces of the mesh, rounded up.
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
+    /// Transforms the vertices, without depth, culls the faces, and sorts the visible ones by their first row, for drawing in
+    /// bands. `cache` holds the transformed vertices, as in [`solid`](Self::solid). `storage` is bin storage that the result
+    /// borrows: one number per visible face, and one per 16 faces of the mesh, rounded up.
+    ///
+    /// To draw both faces and edges in bands, [`transform`](Self::transform) the vertices once for both.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -118,7 +126,7 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     /// let mesh = mesh.with_normals(&[[0, 0, 32_767], [0, 0, -32_767]])?.with_planes(&[0, 0])?;
     /// let instance = camera.place(&mesh, &Affine::identity());
     /// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], [0; 2 + 1]); // one per vertex; one per face, and one per 16 faces
-    /// let mut faces = instance.cull_by_planes().bin_faces(&mut cache, &mut bins)?;
+    /// let mut faces = instance.bin_faces(&mut cache, &mut bins)?;
     /// let mut frame = Frame::new(display.bounding_box(), Gray8::BLACK);
     /// while let Some(mut band) = frame.next_band(&mut strip)? {
     ///     faces.solid(|_| Gray8::WHITE, &mut band.pixels())?;
@@ -133,38 +141,55 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
     ///
     /// [`BinError::Storage`] if `storage` is too short; the error says how many numbers are needed. [`BinError::TooMany`] if
     /// the mesh has more than 65535 faces. Nothing is binned then.
-    pub fn bin_faces(
-        &self,
+    #[inline(always)]
+    pub fn bin_faces<'a>(
+        &'a self,
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
     ) -> Result<BinnedFaces<'a, V>, BinError> {
         self.binned(cache, storage)
     }
 
-    /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, with depth, for depth-tested bands. Faces are clipped at
-    /// the far plane, even if the camera does not clip there.
+    /// Bins the visible faces as [`bin_faces`](Self::bin_faces) does, of vertices with depth, for depth-tested bands. Faces are
+    /// clipped at the far plane, even if the camera does not clip there.
     ///
     /// # Errors
     ///
     /// The errors of [`bin_faces`](Self::bin_faces), for the same reasons.
-    pub fn bin_faces_with_depth(
-        &self,
+    #[inline(always)]
+    pub fn bin_faces_with_depth<'a>(
+        &'a self,
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
     ) -> Result<BinnedFaces<'a, V, true>, BinError> {
         self.binned(cache, storage)
     }
 
-    #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
-    fn binned<const DEPTH: bool>(
-        &self,
+    #[inline(always)]
+    fn binned<'a, const DEPTH: bool>(
+        &'a self,
         cache: &'a mut [ScreenVertex],
         storage: &'a mut [u16],
     ) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
-        let mut bins =
-            Bins::new(storage, self.instance.mesh_ref().faces().len(), pixels(self.instance.area()));
+        if P::CULL {
+            self.any.bin_by_planes(cache, storage)
+        } else {
+            TransformedMesh::new(&self.any, cache).bin_faces(storage)
+        }
+    }
+}
+
+impl<'a, V: Coordinate> AnyInstance<'a, V> {
+    /// Bins the faces that their planes leave, and transforms the vertices of those faces.
+    #[inline(never)] // the result is large: inlined, a second copy would stay on the stack while faces are drawn
+    fn bin_by_planes<const DEPTH: bool>(
+        &'a self,
+        cache: &'a mut [ScreenVertex],
+        storage: &'a mut [u16],
+    ) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
+        let mut bins = Bins::new(storage, self.mesh().faces.len(), pixels(self.area()));
         let statistics = self.fill_bins::<DEPTH>(cache, &mut bins)?;
-        let transformed = TransformedMesh::with_cache(self.instance, DEPTH, cache);
+        let transformed = TransformedMesh::with_cache(self, DEPTH, cache);
         Ok(BinnedFaces(Binned { transformed, bins, statistics }))
     }
 
@@ -174,15 +199,8 @@ impl<'a, V: Coordinate> PlaneCulled<'a, V> {
         cache: &mut [ScreenVertex],
         bins: &mut Bins<'_>,
     ) -> Result<Statistics, BinError> {
-        bin(
-            self.source(),
-            LazyCache::<V, DEPTH>::new(
-                self.instance,
-                DEPTH || self.instance.vertex_transform().clips_at_far(),
-                cache,
-            ),
-            bins,
-        )
+        let far = DEPTH || self.vertex_transform().clips_at_far();
+        bin(PlaneOrder::new(self), LazyCache::<V, DEPTH>::new(self, far, cache), bins)
     }
 }
 
@@ -209,9 +227,9 @@ impl FaceSource for BandSource<'_, '_> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
-    /// Draws the faces in a band as [`MeshInstance::solid`](crate::MeshInstance::solid) does. `shade` is called once for each
+    /// Draws the faces in a band as [`MeshInstance::solid`] does. `shade` is called once for each
     /// face that lies in the band. A shader that needs depth compiles only for faces that were [transformed with
-    /// depth](crate::MeshInstance::transform_depth).
+    /// depth](MeshInstance::transform_depth).
     ///
     /// # Errors
     ///
@@ -286,7 +304,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate> BinnedFaces<'_, V, true> {
-    /// Draws the faces in a band as [`MeshInstance::depth_tested`](crate::MeshInstance::depth_tested) does. Create `depth` for
+    /// Draws the faces in a band as [`MeshInstance::depth_tested`] does. Create `depth` for
     /// this band's [area](crate::Band::area): nothing is drawn outside the depth buffer. `shade` is called once for each face
     /// that lies in the band.
     ///
@@ -323,7 +341,7 @@ impl<V: Coordinate> BinnedFaces<'_, V, true> {
     }
 
     /// Stores the depth of the faces in a band and draws nothing: see
-    /// [`MeshInstance::depth_only`](crate::MeshInstance::depth_only).
+    /// [`MeshInstance::depth_only`].
     #[inline(always)]
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
         let region = self.advance_to_band(&depth.area(), None);

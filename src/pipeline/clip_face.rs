@@ -126,7 +126,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
         let vertices = [vertex(0), vertex(1), vertex(2)];
         // A face on the screen is not clipped.
         if !vertices.iter().all(|vertex| vertex.is_on_screen()) {
-            to_clip_space(vertex_transform, self.instance.mesh_ref().vertices(), indices, slots);
+            to_clip_space(vertex_transform, self.instance.mesh().vertices, indices, slots);
         }
         let depth: Option<DepthOf> = if DEPTH { Some(VertexTransform::depth) } else { None };
         Clipper { vertex_transform, far: self.far, depth, vertices, slots, varyings }
@@ -296,13 +296,14 @@ mod tests {
             let both_sides = instance.with_cull(Cull::None);
             let mut triangles = FaceTriangles::<()>::new(&Scissor::GUARD_BAND);
             let face = [0, 1, 2];
-            let all = TransformedMesh::<_, true>::new(&both_sides, &mut []).clip_face(&face, &mut triangles);
+            let all =
+                TransformedMesh::<_, true>::new(&both_sides.any, &mut []).clip_face(&face, &mut triangles);
             if all != Outcome::Clipped {
                 continue;
             }
             cut += 1;
             let expected = if triangles.fan.is_reversed() { Outcome::Culled } else { all };
-            let transformed = TransformedMesh::<_, true>::new(&instance, &mut []);
+            let transformed = TransformedMesh::<_, true>::new(&instance.any, &mut []);
             assert!(transformed.clip_face(&face, &mut triangles) == expected, "{vertices:?}");
             let mut slots = [ClipCoords::ZERO; 3];
             let clipper = transformed.clipper(&face, &mut slots, None);

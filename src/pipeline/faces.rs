@@ -3,22 +3,23 @@
 //!
 //! | source | cache | sink |
 //! |---|---|---|
-//! | [`MeshOrder`], [`PlaneOrder`](super::face_source::PlaneOrder), binned faces | [`TransformedMesh`], [`LazyCache`](super::vertex_cache::LazyCache) | a fill, a depth-tested fill, depth only, bins, a painter |
+//! | [`MeshOrder`], [`PlaneOrder`], binned faces | [`TransformedMesh`], [`LazyCache`] | a fill, a depth-tested fill, depth only, bins, a painter |
 
 use super::cull::Facing;
 use super::draw_region::DrawRegion;
-use super::face_source::{FaceSource, MeshOrder};
+use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
 use super::fill::{fill, fill_nearer};
-use super::instance::MeshInstance;
+use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::{Outcome, Statistics};
-use super::vertex_cache::{area, TransformedMesh, VertexCache};
+use super::vertex_cache::{area, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::clip::Varying;
 use crate::fast;
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster::{DepthTriangle, Scissor};
+use crate::scene::FacePlanes;
 use crate::shading::{CornerValues, Shader, SpanShader};
 use crate::surface::{DepthBuffer, DepthTarget, Target};
 use core::convert::Infallible;
@@ -47,7 +48,7 @@ pub(super) fn each_face<
     let mut statistics = Statistics::NONE;
     let mut triangles = FaceTriangles::new(viewport);
     let instance = cache.instance();
-    let faces = instance.mesh_ref().faces();
+    let faces = instance.mesh().faces;
     source.push(faces, |index, face| {
         match cache.corners(face) {
             // The common case. Back faces are not counted one by one: see `with_the_rest_culled`.
@@ -89,7 +90,7 @@ pub(super) fn each_face<
 /// The shader of a face's current triangle, with the depths and 1/w of the triangle's corners if the shader needs them.
 #[inline(always)]
 pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
-    instance: &MeshInstance<'_, V>,
+    instance: &AnyInstance<'_, V>,
     face: &[u16; 3],
     triangles: &FaceTriangles<'_, S::Varying>,
     shader: &S,
@@ -103,7 +104,7 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
     } else if V::CLIPS && triangles.fan.is_cut() {
         triangles.fan.clip_w()
     } else {
-        let vertices = instance.mesh_ref().vertices();
+        let vertices = instance.mesh().vertices;
         face.map(|index| {
             let vertex = vertices.get(usize::from(index)); // Mesh has checked that there is one
             vertex.map_or(1, |vertex| instance.vertex_transform().w(vertex))
@@ -115,7 +116,7 @@ pub(super) fn triangle_shader<V: Coordinate, S: Shader>(
 /// Draws the triangles of a face: `draw` gets each with its shader.
 #[inline(always)]
 pub(super) fn draw_triangles<V: Coordinate, S: Shader, E>(
-    instance: &MeshInstance<'_, V>,
+    instance: &AnyInstance<'_, V>,
     face: &[u16; 3],
     triangles: &mut FaceTriangles<'_, S::Varying>,
     shader: &S,
@@ -211,12 +212,14 @@ pub(super) fn store_depth<V: Coordinate>(
     }
 }
 
-impl<V: Coordinate> MeshInstance<'_, V> {
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Draws the faces in the mesh's order, without hidden-surface removal: right for convex meshes, whose front faces never
     /// hide each other. For other meshes use [`depth_tested`](Self::depth_tested) or a [`Painter`](crate::Painter).
     ///
     /// `shade` is called once for each face that is drawn, with the face's index, and returns its colour or another
-    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe).
+    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe). Of a mesh [with
+    /// planes](crate::Mesh::with_planes), a vertex is transformed when the first face that may be visible needs it; a vertex
+    /// that must be clipped, or lies farther out than a [`ScreenVertex`] can hold, is transformed again for each such face.
     ///
     /// # Errors
     ///
@@ -228,11 +231,25 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let region = DrawRegion::new(target, self.area());
-        if S::NEEDS_DEPTH {
-            solid(MeshOrder, TransformedMesh::<V, true>::new(self, cache), &region, shade, target)
-        } else {
-            solid(MeshOrder, TransformedMesh::<V, false>::new(self, cache), &region, shade, target)
+        let instance = &self.any;
+        let region = DrawRegion::new(target, instance.area());
+        match (P::CULL, S::NEEDS_DEPTH) {
+            (false, false) => {
+                let cache = TransformedMesh::<V, false>::new(instance, cache);
+                solid(MeshOrder, cache, &region, shade, target)
+            }
+            (false, true) => {
+                let cache = TransformedMesh::<V, true>::new(instance, cache);
+                solid(MeshOrder, cache, &region, shade, target)
+            }
+            (true, false) => {
+                let (source, far) = (PlaneOrder::new(instance), instance.vertex_transform().clips_at_far());
+                solid(source, LazyCache::<V, false>::new(instance, far, cache), &region, shade, target)
+            }
+            (true, true) => {
+                let source = PlaneOrder::new(instance);
+                solid(source, LazyCache::<V, true>::new(instance, true, cache), &region, shade, target)
+            }
         }
     }
 
@@ -240,7 +257,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// meshes that pierce each other.
     ///
     /// `shade` is called once for each face that is drawn, with the face's index, and returns its colour or another
-    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`wireframe`](Self::wireframe).
+    /// [`Shader`](crate::Shader). `cache` holds transformed vertices, as in [`solid`](Self::solid).
     ///
     /// **Depth** is the depth of the face's plane at the pixel's centre, in steps from 0 near to 65534 far, linear on
     /// the screen. Where two faces have equal depth, the one that was drawn first stays. Faces are clipped at the far plane,
@@ -293,15 +310,26 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let region = DrawRegion::new(target, self.area()).with_depth(depth);
-        depth_tested(MeshOrder, TransformedMesh::new(self, cache), &region, shade, depth, target)
+        let instance = &self.any;
+        let region = DrawRegion::new(target, instance.area()).with_depth(depth);
+        if P::CULL {
+            let source = PlaneOrder::new(instance);
+            depth_tested(source, LazyCache::new(instance, true, cache), &region, shade, depth, target)
+        } else {
+            depth_tested(MeshOrder, TransformedMesh::new(instance, cache), &region, shade, depth, target)
+        }
     }
 
     /// Stores the depth of the faces and draws nothing: the first step of hidden-line removal. The depth is, bit for bit, that
     /// of [`depth_tested`](Self::depth_tested). [`hidden_line`](Self::hidden_line) has an example.
     #[inline(never)] // its stack frame is gone when it returns
     pub fn depth_only(&self, cache: &mut [ScreenVertex], depth: &mut DepthBuffer<'_>) -> Statistics {
-        let region = DrawRegion::shared(&depth.area(), self.area(), None);
-        depth_only(MeshOrder, TransformedMesh::new(self, cache), &region, depth)
+        let instance = &self.any;
+        let region = DrawRegion::shared(&depth.area(), instance.area(), None);
+        if P::CULL {
+            depth_only(PlaneOrder::new(instance), LazyCache::new(instance, true, cache), &region, depth)
+        } else {
+            depth_only(MeshOrder, TransformedMesh::new(instance, cache), &region, depth)
+        }
     }
 }

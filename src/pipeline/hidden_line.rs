@@ -2,7 +2,7 @@
 
 use super::draw_region::DrawRegion;
 use super::face_triangles::FaceTriangles;
-use super::instance::MeshInstance;
+use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use super::wireframe::each_edge;
@@ -10,11 +10,11 @@ use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::fast;
 use crate::math::Coordinate;
 use crate::raster::{self, Gradient, LineDepth, Scissor, ScreenPoint, Span};
-use crate::scene::Mesh;
+use crate::scene::{FacePlanes, NO_FACE};
 use crate::surface::{DepthBuffer, Target};
 use heapless::Vec;
 
-impl<V: Coordinate> MeshInstance<'_, V> {
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Draws the pixels of the mesh's edges that are as near as the depth buffer or nearer, and stores their depth: for axes,
     /// paths and cages among solid objects. `cache` is as in [`wireframe`](Self::wireframe).
     ///
@@ -29,7 +29,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    #[inline(never)] // its stack frame is gone when it returns
+    #[inline(always)]
     pub fn wireframe_depth_tested<T: Target>(
         &self,
         color: T::Color,
@@ -37,9 +37,7 @@ impl<V: Coordinate> MeshInstance<'_, V> {
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
-        let mesh = TransformedMesh::<V, true>::new(self, cache);
-        each_edge(&mesh, |_, ends| draw_nearer(&ends, color, &region.scissor, depth, target))
+        self.any.wireframe_depth_tested(color, cache, depth, target)
     }
 
     /// Draws the parts of the mesh's edges that no face hides: a wireframe of a solid object, on any target, also on 1-bit
@@ -94,8 +92,34 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    #[inline(never)] // its stack frame is gone when it returns
+    #[inline(always)]
     pub fn hidden_line<T: Target>(
+        &self,
+        color: T::Color,
+        cache: &mut [ScreenVertex],
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        self.any.hidden_line(color, cache, depth, target)
+    }
+}
+
+impl<V: Coordinate> AnyInstance<'_, V> {
+    #[inline(never)] // its stack frame is gone when it returns
+    fn wireframe_depth_tested<T: Target>(
+        &self,
+        color: T::Color,
+        cache: &mut [ScreenVertex],
+        depth: &mut DepthBuffer<'_>,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
+        let mesh = TransformedMesh::<V, true>::new(self, cache);
+        each_edge(&mesh, |_, ends| draw_nearer(&ends, color, &region.scissor, depth, target))
+    }
+
+    #[inline(never)] // its stack frame is gone when it returns
+    fn hidden_line<T: Target>(
         &self,
         color: T::Color,
         cache: &mut [ScreenVertex],
@@ -138,11 +162,11 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
     #[inline(never)]
     fn triangles_beside(&self, edge: usize, first: usize, viewport: &Scissor, beside: &mut Beside) -> bool {
         beside.clear();
-        let (mesh, mut number) = (self.instance.mesh_ref(), 0);
+        let (mesh, mut number) = (self.instance.mesh(), 0);
         let mut triangles = FaceTriangles::<()>::new(viewport);
-        for &face in mesh.edge_faces().get(edge).into_iter().flatten() {
+        for &face in mesh.edge_faces.get(edge).into_iter().flatten() {
             // NO_FACE is also the index of the last face of a mesh of 65536 faces: no edge can refer to that face.
-            let named = mesh.faces().get(usize::from(face)).filter(|_| face != Mesh::<V::Stored>::NO_FACE);
+            let named = mesh.faces.get(usize::from(face)).filter(|_| face != NO_FACE);
             let Some(face) = named else { continue };
             if !self.clip_face(face, &mut triangles).is_drawn() {
                 continue;

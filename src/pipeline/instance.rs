@@ -3,7 +3,7 @@
 use super::cull::Cull;
 use crate::camera::{Camera, VertexTransform};
 use crate::math::{Affine, Coordinate, Inside};
-use crate::scene::Mesh;
+use crate::scene::{FacePlanes, Mesh, MeshData, WithoutPlanes};
 use crate::space::{Model, World};
 use core::marker::PhantomData;
 use embedded_graphics_core::primitives::Rectangle;
@@ -11,10 +11,18 @@ use embedded_graphics_core::primitives::Rectangle;
 /// A mesh with the transform of one object before one camera, ready to be drawn. [`Camera::place`] makes it, once per object
 /// and frame.
 ///
-/// Each drawing mode is a method: lines, solid faces, faces with a depth test, hidden lines, points.
-/// [The book](crate::book::ch4_visibility) compares them.
+/// Each drawing mode is a method: lines, solid faces, faces with a depth test, hidden lines, points. [The
+/// book](crate::book::ch4_visibility) compares them. Faces of a mesh [with planes](Mesh::with_planes) are culled by them first.
 #[derive(Clone, Copy, Debug)]
-pub struct MeshInstance<'m, V: Coordinate = i16> {
+pub struct MeshInstance<'m, V: Coordinate = i16, P: FacePlanes = WithoutPlanes> {
+    pub(super) any: AnyInstance<'m, V>,
+    planes: PhantomData<P>,
+}
+
+/// A mesh instance, whether its mesh has planes or not: only the choice of a face source needs to know, so that firmware which
+/// draws both kinds of meshes has one copy of all other code.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AnyInstance<'m, V: Coordinate> {
     parts: Parts<'m, V::Stored>,
     clipping: PhantomData<V>,
 }
@@ -24,7 +32,7 @@ pub struct MeshInstance<'m, V: Coordinate = i16> {
 /// which is 394 bytes on an M3.
 #[derive(Clone, Copy, Debug)]
 struct Parts<'m, S: Coordinate> {
-    mesh: &'m Mesh<'m, S>,
+    mesh: &'m MeshData<'m, S>,
     vertex_transform: VertexTransform,
     cull: Cull,
 }
@@ -33,18 +41,18 @@ impl Camera {
     /// Places a mesh before this camera: `model` takes the mesh's vertices to the world. Everything that depends on the
     /// object but not on its vertices is computed here, in integers.
     #[inline(never)] // the result is large and is written directly to the caller's variable: inlined, it would be on the stack twice
-    pub fn place<'m, V: Coordinate<Stored = V>>(
+    pub fn place<'m, V: Coordinate<Stored = V>, P: FacePlanes>(
         &self,
-        mesh: &'m Mesh<'m, V>,
+        mesh: &'m Mesh<'m, V, P>,
         model: &Affine<Model, World>,
-    ) -> MeshInstance<'m, V> {
-        let vertex_transform =
-            VertexTransform::new(self, model, mesh.exponent().into(), mesh.justify(), V::NARROW);
-        MeshInstance { parts: Parts { mesh, vertex_transform, cull: Cull::Back }, clipping: PhantomData }
+    ) -> MeshInstance<'m, V, P> {
+        let mesh = mesh.data();
+        let vertex_transform = VertexTransform::new(self, model, mesh.exponent(), mesh.justify(), V::NARROW);
+        MeshInstance::of(Parts { mesh, vertex_transform, cull: Cull::Back })
     }
 }
 
-impl<'m, V: Coordinate> MeshInstance<'m, V> {
+impl<'m, V: Coordinate> AnyInstance<'m, V> {
     /// The viewport's pixels.
     pub(super) const fn area(&self) -> &Rectangle {
         self.parts.vertex_transform.area()
@@ -62,20 +70,30 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
         self.parts.cull
     }
 
-    /// [`mesh`](Self::mesh), inlined.
+    /// The mesh of this instance.
     #[inline(always)]
-    pub(super) const fn mesh_ref(&self) -> &'m Mesh<'m, V::Stored> {
+    pub(super) const fn mesh(&self) -> &'m MeshData<'m, V::Stored> {
         self.parts.mesh
     }
 
-    /// The mesh of this instance.
     #[inline(never)] // inlined, it would be read from the clipped instance: see `Parts`
-    pub const fn mesh(&self) -> &'m Mesh<'m, V::Stored> {
+    const fn mesh_out_of_line(&self) -> &'m MeshData<'m, V::Stored> {
         self.parts.mesh
     }
 }
 
-impl<'m, V: Coordinate> MeshInstance<'m, V> {
+impl<'m, V: Coordinate, P: FacePlanes> MeshInstance<'m, V, P> {
+    #[inline(always)]
+    const fn of(parts: Parts<'m, V::Stored>) -> Self {
+        Self { any: AnyInstance { parts, clipping: PhantomData }, planes: PhantomData }
+    }
+
+    /// The mesh of this instance.
+    #[inline(always)]
+    pub const fn mesh(&self) -> Mesh<'m, V::Stored, P> {
+        Mesh::with_data(self.any.mesh_out_of_line())
+    }
+
     /// The instance without clipping, for an object that stays in view: beyond the near plane, before a far plane that clips, and
     /// within 1024 pixels of the viewport's centre. Firmware then links no code that cuts faces and edges: 1 to 3 KB less.
     ///
@@ -99,8 +117,29 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn without_clipping(self) -> MeshInstance<'m, Inside<V>> {
-        MeshInstance { parts: self.parts, clipping: PhantomData }
+    pub fn without_clipping(self) -> MeshInstance<'m, Inside<V>, P> {
+        MeshInstance::of(self.any.parts)
+    }
+
+    /// The instance without the planes of its mesh: its faces are culled by their area on the screen alone. The reasons to
+    /// leave planes out are in [`Mesh::with_planes`].
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+    /// # use pinhole::{meshes::SPHERE, prelude::*, Angle};
+    /// # let mut display = MockDisplay::new();
+    /// # display.set_allow_overdraw(true);
+    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// # let camera = Camera::framing(&SPHERE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let instance = camera.place(&SPHERE, &Affine::identity());
+    /// let by_planes = instance.solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// let by_area = instance.without_planes().solid(|_| BinaryColor::On, &mut [], &mut display)?;
+    /// assert_eq!(by_planes.drawn, by_area.drawn);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn without_planes(self) -> MeshInstance<'m, V> {
+        MeshInstance::of(self.any.parts)
     }
 
     /// Sets which faces are culled; the default is [`Cull::Back`].
@@ -125,15 +164,22 @@ impl<'m, V: Coordinate> MeshInstance<'m, V> {
     /// ```
     #[must_use]
     pub fn with_cull(mut self, cull: Cull) -> Self {
-        self.parts.cull = cull;
+        self.any.parts.cull = cull;
         self
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<V: Coordinate> defmt::Format for MeshInstance<'_, V> {
+impl<V: Coordinate> defmt::Format for AnyInstance<'_, V> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let Rectangle { top_left, size } = *self.area();
         defmt::write!(f, "{} in {} at {}, cull {}", self.mesh(), size, top_left, self.cull());
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<V: Coordinate, P: FacePlanes> defmt::Format for MeshInstance<'_, V, P> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        self.any.format(f);
     }
 }

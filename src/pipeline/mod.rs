@@ -3,14 +3,14 @@
 //! 1. [`Camera::place`](crate::Camera::place) folds model, view, projection and viewport transforms into integer linear
 //!    forms, once per object: a [`MeshInstance`].
 //! 2. Vertices go through the forms to the screen, into a cache that the caller provides: all before the first face
-//!    ([`TransformedMesh`]), or each when the first face needs it ([`PlaneCulled`]). Vertices that are not on the screen
-//!    are marked: they need clipping.
+//!    ([`TransformedMesh`]), or, of a mesh with planes, each when the first face needs it (`LazyCache`). Vertices that are not on
+//!    the screen are marked: they need clipping.
 //! 3. A source pushes faces into the face loop (`faces.rs`), in the order of the mesh: all faces, all except back faces found
-//!    by their planes, or the faces that may lie in a band. The loop culls each face by its area on the screen; a face with a
-//!    marked vertex is clipped in clip space and becomes a fan of triangles.
+//!    by their planes if the mesh has planes, or the faces that may lie in a band. The loop culls each face by its area on the
+//!    screen; a face with a marked vertex is clipped in clip space and becomes a fan of triangles.
 //! 4. A sink takes the triangles: it fills them with their shader ([`MeshInstance::solid`]), fills their pixels that pass the
 //!    depth test ([`MeshInstance::depth_tested`]), stores only their depth ([`MeshInstance::depth_only`]), bins the face
-//!    ([`TransformedMesh::bin_faces`]) or stores it to be drawn from far to near ([`Painter`]).
+//!    ([`MeshInstance::bin_faces`]) or stores it to be drawn from far to near ([`Painter`]).
 //! 5. `fill.rs` draws a triangle or a line into the target, span by span.
 
 mod binned;
@@ -30,7 +30,6 @@ mod hidden_line;
 mod instance;
 mod painter;
 mod pick;
-mod plane_culled;
 mod polyline;
 mod scene;
 mod statistics;
@@ -48,7 +47,6 @@ pub use draw_2d::{draw_line, fill_triangle};
 pub use instance::MeshInstance;
 pub use painter::{Painter, PainterError, PaintersOrder};
 pub use pick::Picked;
-pub use plane_culled::PlaneCulled;
 pub use scene::{BinnedScene, Object, PlacedScene, Scene, SceneError};
 pub use statistics::Statistics;
 pub use vertex_cache::TransformedMesh;

@@ -1,17 +1,17 @@
 //! The painter's algorithm: stored faces are drawn from far to near.
 
 use super::draw_region::DrawRegion;
-use super::face_source::{FaceSource, MeshOrder};
+use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::faces::{draw_triangles, each_face};
 use super::fill::fill;
-use super::instance::MeshInstance;
-use super::plane_culled::PlaneCulled;
+use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::{transform_all, LazyCache, TransformedMesh, VertexCache};
 use crate::camera::ScreenVertex;
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::Coordinate;
 use crate::raster::{self, Scissor, ScreenPoint, Triangle};
+use crate::scene::FacePlanes;
 use crate::shading::{Shader, SpanShader};
 use crate::surface::Target;
 use core::convert::Infallible;
@@ -193,54 +193,38 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     }
 
     /// Stores the visible faces of a mesh instance. `shade` is called once for each visible face, with the face's index, and
-    /// returns its shader.
+    /// returns its shader. A face that is clipped takes vertices of its own; of a mesh [with planes](crate::Mesh::with_planes)
+    /// also a face with a corner farther out than a [`ScreenVertex`] can hold.
     ///
     /// # Errors
     ///
     /// [`PainterError`] if there is no room, or if the viewport differs from that of the stored faces. Nothing of this mesh is
     /// stored then; the faces of other meshes stay.
     #[inline(never)] // its stack frame is gone when it returns
-    pub fn add<V: Coordinate>(
+    pub fn add<V: Coordinate, P: FacePlanes>(
         &mut self,
-        instance: &MeshInstance<'_, V>,
+        instance: &MeshInstance<'_, V, P>,
         shade: impl FnMut(usize) -> S,
     ) -> Result<(), PainterError>
     where
         S: Shader,
     {
+        let instance = &instance.any;
         let far = instance.vertex_transform().clips_at_far();
         let (vertices, mut recorder) = self.begin(instance)?;
-        transform_all::<V, true>(instance.vertex_transform(), far, instance.mesh_ref().vertices(), vertices);
-        let mut cache = TransformedMesh::with_cache(instance, false, vertices);
-        let statistics = recorder.record(MeshOrder, &mut cache, true, shade);
-        recorder.room.unpack(instance, true, vertices);
-        let room = recorder.room;
-        self.finish(&room, statistics)
-    }
-
-    /// Stores the visible faces of a mesh instance, as [`add`](Self::add) does, after
-    /// [culling by planes](MeshInstance::cull_by_planes): only vertices of faces that may be visible are transformed.
-    ///
-    /// # Errors
-    ///
-    /// [`PainterError`] as from [`add`](Self::add). Here a face takes vertices of its own not only if it is clipped, but also
-    /// if a corner lies farther out than a [`ScreenVertex`] can hold.
-    #[inline(never)] // its stack frame is gone when it returns
-    pub fn add_culled_by_planes<V: Coordinate>(
-        &mut self,
-        faces: &PlaneCulled<'_, V>,
-        shade: impl FnMut(usize) -> S,
-    ) -> Result<(), PainterError>
-    where
-        S: Shader,
-    {
-        let instance = faces.instance;
-        let (vertices, mut recorder) = self.begin(instance)?;
-        let far = instance.vertex_transform().clips_at_far();
-        let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
-        let statistics = recorder.record(faces.source(), &mut cache, false, shade);
-        let vertices = cache.into_cache();
-        recorder.room.unpack(instance, false, vertices);
+        let statistics = if P::CULL {
+            let mut cache = LazyCache::<V, true>::new(instance, far, vertices);
+            let statistics = recorder.record(PlaneOrder::new(instance), &mut cache, false, shade);
+            recorder.room.unpack(instance, false, cache.into_cache());
+            statistics
+        } else {
+            let all = instance.mesh().vertices;
+            transform_all::<V, true>(instance.vertex_transform(), far, all, vertices);
+            let mut cache = TransformedMesh::with_cache(instance, false, vertices);
+            let statistics = recorder.record(MeshOrder, &mut cache, true, shade);
+            recorder.room.unpack(instance, true, vertices);
+            statistics
+        };
         let room = recorder.room;
         self.finish(&room, statistics)
     }
@@ -248,14 +232,14 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// Reserves the vertices of a mesh, as many as fit, and returns the recorder of its faces.
     fn begin<V: Coordinate>(
         &mut self,
-        instance: &MeshInstance<'_, V>,
+        instance: &AnyInstance<'_, V>,
     ) -> Result<(&mut [ScreenVertex], Recorder<'_, S, FACES>), PainterError> {
         if self.vertices.is_empty() {
             self.area = Some(*instance.area());
         } else if self.area.as_ref() != Some(instance.area()) {
             return Err(PainterError::OtherViewport);
         }
-        let (first, count) = (self.vertices.len(), instance.mesh_ref().vertices().len());
+        let (first, count) = (self.vertices.len(), instance.mesh().vertices.len());
         let room =
             Room { first, vertices: first + count, first_face: self.faces.len(), faces: self.faces.len() };
         // A mesh that does not fit is reported by `finish`, when its needs are known.
@@ -391,12 +375,7 @@ struct Room {
 impl Room {
     /// Converts the mesh's vertices from packed screen vertices to points. `all`: also vertices that are not on the screen, or
     /// that lie farther out than a [`ScreenVertex`] can hold, because unclipped faces may refer to them.
-    fn unpack<V: Coordinate>(
-        &self,
-        instance: &MeshInstance<'_, V>,
-        all: bool,
-        vertices: &mut [ScreenVertex],
-    ) {
+    fn unpack<V: Coordinate>(&self, instance: &AnyInstance<'_, V>, all: bool, vertices: &mut [ScreenVertex]) {
         let uncached = TransformedMesh::<V, true>::with_cache(instance, false, &[]);
         for (index, vertex) in vertices.iter_mut().enumerate() {
             let point = if vertex.is_on_screen() {

@@ -1,15 +1,16 @@
 //! Picking without drawing: the face that a depth-tested drawing shows at a pixel.
 
 use super::draw_region::DrawRegion;
-use super::face_source::MeshOrder;
+use super::face_source::{FaceSource, MeshOrder, PlaneOrder};
 use super::face_triangles::FaceTriangles;
 use super::faces::each_face;
 use super::instance::MeshInstance;
-use super::vertex_cache::TransformedMesh;
+use super::vertex_cache::{LazyCache, TransformedMesh, VertexCache};
 use crate::camera::{Camera, ScreenVertex};
 use crate::fast;
 use crate::math::{Coordinate, Point3};
 use crate::raster::ScreenPoint;
+use crate::scene::FacePlanes;
 use crate::space::World;
 use crate::surface::DepthBuffer;
 use core::convert::Infallible;
@@ -37,7 +38,7 @@ impl Picked {
     }
 }
 
-impl<V: Coordinate> MeshInstance<'_, V> {
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// The face that is seen in a pixel of the target, for touch screens and cursors. It is the face that
     /// [`depth_tested`](Self::depth_tested) shows there, by equal rules of coverage, culling, clipping and depth. Nothing is drawn,
     /// and no depth buffer is needed. `None` if no face covers the pixel, or if it lies outside of the viewport or beyond 8192
@@ -63,33 +64,51 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pick(&self, pixel: Point, cache: &mut [ScreenVertex]) -> Option<Picked> {
-        self.transform_depth(cache).pick(pixel)
-    }
-}
-
-impl<V: Coordinate> TransformedMesh<'_, V, true> {
-    /// The face that is seen in a pixel of the target: see [`MeshInstance::pick`].
-    pub fn pick(&self, pixel: Point) -> Option<Picked> {
-        self.pick_before(pixel, DepthBuffer::NOTHING)
+        self.pick_before(pixel, cache, DepthBuffer::NOTHING)
     }
 
     /// [`pick`](Self::pick) among the faces that are nearer than `depth`.
-    pub(super) fn pick_before(&self, pixel: Point, depth: u16) -> Option<Picked> {
-        let at = pixel_centre(pixel)?;
-        let (area, mut storage) = (Rectangle::new(pixel, Size::new(1, 1)), [0]);
-        // One depth for one pixel.
-        let mut buffer = DepthBuffer::new(area, &mut storage).ok()?;
-        buffer.values_mut().fill(depth);
-        let region = DrawRegion::shared(&area, self.instance.area(), Some(&buffer));
-        if region.scissor.is_empty() {
-            return None;
+    pub(super) fn pick_before(&self, pixel: Point, cache: &mut [ScreenVertex], depth: u16) -> Option<Picked> {
+        if P::CULL {
+            let source = PlaneOrder::new(&self.any);
+            pick(source, LazyCache::new(&self.any, true, cache), pixel, depth)
+        } else {
+            pick(MeshOrder, TransformedMesh::new(&self.any, cache), pixel, depth)
         }
-        let (mut cache, mut nearest) = (*self, None);
-        let Ok(_) = each_face(
-            MeshOrder,
-            &mut cache,
-            &region.viewport,
-            |face, _, triangles: &mut FaceTriangles<'_, ()>| loop {
+    }
+}
+
+impl<V: Coordinate, P: FacePlanes> TransformedMesh<'_, V, true, P> {
+    /// The face that is seen in a pixel of the target: see [`MeshInstance::pick`].
+    pub fn pick(&self, pixel: Point) -> Option<Picked> {
+        if P::CULL {
+            pick(PlaneOrder::new(self.instance), self.any(), pixel, DepthBuffer::NOTHING)
+        } else {
+            pick(MeshOrder, self.any(), pixel, DepthBuffer::NOTHING)
+        }
+    }
+}
+
+/// The face of a source that is seen in a pixel, among the faces that are nearer than `depth`.
+fn pick<'a, V: Coordinate + 'a>(
+    source: impl FaceSource,
+    mut cache: impl VertexCache<'a, V, true>,
+    pixel: Point,
+    depth: u16,
+) -> Option<Picked> {
+    let at = pixel_centre(pixel)?;
+    let (area, mut storage) = (Rectangle::new(pixel, Size::new(1, 1)), [0]);
+    // One depth for one pixel.
+    let mut buffer = DepthBuffer::new(area, &mut storage).ok()?;
+    buffer.values_mut().fill(depth);
+    let region = DrawRegion::shared(&area, cache.instance().area(), Some(&buffer));
+    if region.scissor.is_empty() {
+        return None;
+    }
+    let mut nearest = None;
+    let Ok(_) =
+        each_face(source, &mut cache, &region.viewport, |face, _, triangles: &mut FaceTriangles<'_, ()>| {
+            loop {
                 let triangle = triangles.fan.triangle();
                 let mut spans = fast::spans(&triangle.triangle, &region.scissor);
                 if !spans.is_empty() {
@@ -104,11 +123,10 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
                 if !V::CLIPS || !triangles.fan.advance() {
                     return Ok::<bool, Infallible>(true);
                 }
-            },
-        );
-        let depth = buffer.at(pixel)?;
-        nearest.map(|face| Picked { object: 0, face, at, depth })
-    }
+            }
+        });
+    let depth = buffer.at(pixel)?;
+    nearest.map(|face| Picked { object: 0, face, at, depth })
 }
 
 /// The centre of a pixel; `None` beyond the guard band.

@@ -1,37 +1,24 @@
 //! Points and polylines, for plots, tool paths and the anchors of labels.
 
 use super::draw_region::DrawRegion;
-use super::instance::MeshInstance;
+use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::Projected;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
+use crate::scene::FacePlanes;
 use crate::surface::Target;
 
-impl<V: Coordinate> MeshInstance<'_, V> {
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Draws each vertex as one pixel. [`polyline`](Self::polyline) has an example.
     ///
     /// # Errors
     ///
     /// The target's error, at the first pixel that it refuses.
-    #[inline(never)] // its stack frame is gone when it returns
+    #[inline(always)]
     pub fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
-        let mut statistics = Statistics::default();
-        for index in 0..self.mesh_ref().vertices().len() {
-            match self.projected(index) {
-                Some(Projected { point, .. }) => {
-                    statistics.drawn += 1;
-                    let (x, y) = (i32::from(point.pixel().x), i32::from(point.pixel().y));
-                    if scissor.rows().contains(&y) && scissor.columns().contains(&x) {
-                        target.fill(Span { x, y, width: 1, height: 1 }, color)?;
-                    }
-                }
-                None => statistics.outside += 1,
-            }
-        }
-        Ok(statistics)
+        self.any.points(color, target)
     }
 
     /// Draws lines from each vertex to the next as one polyline. It is closed if the last vertex equals the first. The pixel at
@@ -61,11 +48,37 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    #[inline(never)] // its stack frame is gone when it returns
+    #[inline(always)]
     pub fn polyline<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+        self.any.polyline(color, target)
+    }
+}
+
+impl<V: Coordinate> AnyInstance<'_, V> {
+    #[inline(never)] // its stack frame is gone when it returns
+    fn points<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
         let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
-        let vertices = self.mesh_ref().vertices();
+        for index in 0..self.mesh().vertices.len() {
+            match self.projected(index) {
+                Some(Projected { point, .. }) => {
+                    statistics.drawn += 1;
+                    let (x, y) = (i32::from(point.pixel().x), i32::from(point.pixel().y));
+                    if scissor.rows().contains(&y) && scissor.columns().contains(&x) {
+                        target.fill(Span { x, y, width: 1, height: 1 }, color)?;
+                    }
+                }
+                None => statistics.outside += 1,
+            }
+        }
+        Ok(statistics)
+    }
+
+    #[inline(never)] // its stack frame is gone when it returns
+    fn polyline<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
+        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
+        let mut statistics = Statistics::default();
+        let vertices = self.mesh().vertices;
         // `index as u16` is exact: a mesh has at most 65536 vertices.
         let mesh = TransformedMesh::<V, false>::with_cache(self, false, &[]);
         let pixel = |index: usize| mesh.vertex(index as u16).map(|vertex| vertex.point.pixel());

@@ -9,7 +9,7 @@ use super::pick::Picked;
 use super::statistics::Statistics;
 use crate::camera::{Camera, ScreenVertex, Visibility};
 use crate::math::{Affine, Sphere};
-use crate::scene::Mesh;
+use crate::scene::{FacePlanes, Mesh, WithoutPlanes};
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
 use crate::surface::{DepthBuffer, Target};
@@ -20,9 +20,9 @@ use heapless::Vec;
 ///
 /// It takes 88 bytes and the memory of its material on a 32-bit core.
 #[derive(Clone, Copy, Debug)]
-pub struct Object<'m, M> {
+pub struct Object<'m, M, P = WithoutPlanes> {
     /// The mesh.
-    pub mesh: &'m Mesh<'m>,
+    pub mesh: &'m Mesh<'m, i16, P>,
     /// The bounding sphere by which the object is culled, in model units. [`Object::new`] computes it; set it for a mesh whose sphere
     /// is a constant.
     pub sphere: Sphere,
@@ -34,9 +34,9 @@ pub struct Object<'m, M> {
     pub material: M,
 }
 
-impl<'m, M> Object<'m, M> {
+impl<'m, M, P> Object<'m, M, P> {
     /// An object whose back faces are culled. Its bounding sphere is computed from all vertices: do this once, not in every frame.
-    pub fn new(mesh: &'m Mesh<'m>, model: Affine<Model, World>, material: M) -> Self {
+    pub fn new(mesh: &'m Mesh<'m, i16, P>, model: Affine<Model, World>, material: M) -> Self {
         Self { mesh, sphere: mesh.bounding_sphere(), model, cull: Cull::Back, material }
     }
 
@@ -67,6 +67,9 @@ impl core::error::Error for SceneError {}
 /// faces, and draw band by band.
 ///
 /// `M` is the material of an object, any type: a colour, or a number by which a closure finds more.
+///
+/// `P` says whether the meshes have face planes, and is of one type for all objects. Where only some have, take either
+/// [`Mesh::without_planes`] of those, or, if they are the large ones, [`Mesh::with_planes_if_any`] of the others.
 ///
 /// **Memory** beside the objects themselves, all of it on the stack during a frame: 184 bytes per object for
 /// [`PlacedScene`] (212 on a Cortex-M0) and 92 for [`BinnedScene`] on a 32-bit core, with room for `OBJECTS` of them; and one vertex cache and one bin
@@ -110,17 +113,17 @@ impl core::error::Error for SceneError {}
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Scene<'m, M, const OBJECTS: usize> {
-    objects: Vec<Object<'m, M>, OBJECTS>,
+pub struct Scene<'m, M, const OBJECTS: usize, P = WithoutPlanes> {
+    objects: Vec<Object<'m, M, P>, OBJECTS>,
 }
 
-impl<M, const OBJECTS: usize> Default for Scene<'_, M, OBJECTS> {
+impl<M, const OBJECTS: usize, P> Default for Scene<'_, M, OBJECTS, P> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
+impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
     /// A scene without objects.
     pub const fn new() -> Self {
         Self { objects: Vec::new() }
@@ -131,7 +134,7 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     /// # Errors
     ///
     /// [`SceneError`] if there are `OBJECTS` objects already.
-    pub fn add(&mut self, object: Object<'m, M>) -> Result<usize, SceneError> {
+    pub fn add(&mut self, object: Object<'m, M, P>) -> Result<usize, SceneError> {
         let index = self.objects.len();
         match self.objects.push(object) {
             Ok(()) => Ok(index),
@@ -140,12 +143,12 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     }
 
     /// The objects, in the order in which they were added.
-    pub fn objects(&self) -> &[Object<'m, M>] {
+    pub fn objects(&self) -> &[Object<'m, M, P>] {
         &self.objects
     }
 
     /// The objects, to move them or change their materials.
-    pub fn objects_mut(&mut self) -> &mut [Object<'m, M>] {
+    pub fn objects_mut(&mut self) -> &mut [Object<'m, M, P>] {
         &mut self.objects
     }
 
@@ -153,11 +156,13 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
     pub fn clear(&mut self) {
         self.objects.clear();
     }
+}
 
+impl<'m, M, const OBJECTS: usize, P: FacePlanes> Scene<'m, M, OBJECTS, P> {
     /// Places the objects before a camera for one frame, but those whose bounding spheres lie [outside](Visibility::Outside) of the
     /// view volume: such an object costs the test of its sphere and nothing else. The far plane counts, even if the camera does
     /// not clip there.
-    pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS> {
+    pub fn place<'s>(&'s self, camera: &Camera) -> PlacedScene<'s, 'm, M, OBJECTS, P> {
         let frustum = camera.frustum();
         let mut placed = PlacedScene { objects: &self.objects, instances: Vec::new() };
         for (index, object) in self.objects.iter().enumerate() {
@@ -172,13 +177,13 @@ impl<'m, M, const OBJECTS: usize> Scene<'m, M, OBJECTS> {
 
 /// The objects of a scene that may be seen in a frame. [`Scene::place`] makes it and has an example.
 #[derive(Clone, Debug)]
-pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize> {
-    objects: &'s [Object<'m, M>],
+pub struct PlacedScene<'s, 'm, M, const OBJECTS: usize, P: FacePlanes = WithoutPlanes> {
+    objects: &'s [Object<'m, M, P>],
     /// The visible objects by their indices.
-    instances: Vec<(usize, MeshInstance<'m>), OBJECTS>,
+    instances: Vec<(usize, MeshInstance<'m, i16, P>), OBJECTS>,
 }
 
-impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
+impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJECTS, P> {
     /// The number of objects that may be seen: all others are culled.
     pub fn len(&self) -> usize {
         self.instances.len()
@@ -191,7 +196,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
 
     /// The objects that may be seen, in the order of the scene, with their instances: for all that instances can do beside what
     /// this type does, such as wireframes.
-    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M>, &MeshInstance<'m>)> {
+    pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M, P>, &MeshInstance<'m, i16, P>)> {
         self.instances.iter().filter_map(|(index, instance)| Some((self.objects.get(*index)?, instance)))
     }
 
@@ -215,7 +220,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     /// The target's error, at the first span that it refuses.
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
         &self,
-        mut shade: impl FnMut(&'s Object<'m, M>) -> F,
+        mut shade: impl FnMut(&'s Object<'m, M, P>) -> F,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
@@ -235,7 +240,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
     /// [`PainterError`] if an object has no room. The objects before it are stored then.
     pub fn paint<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
         &self,
-        mut shade: impl FnMut(&'s Object<'m, M>) -> F,
+        mut shade: impl FnMut(&'s Object<'m, M, P>) -> F,
         painter: &mut Painter<S, VERTICES, FACES>,
     ) -> Result<(), PainterError> {
         self.iter().try_for_each(|(object, instance)| painter.add(instance, shade(object)))
@@ -247,7 +252,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         let mut nearest: Option<Picked> = None;
         for (object, instance) in &self.instances {
             let before = nearest.map_or(DepthBuffer::NOTHING, |picked| picked.depth);
-            if let Some(picked) = instance.transform_depth(cache).pick_before(pixel, before) {
+            if let Some(picked) = instance.pick_before(pixel, cache, before) {
                 nearest = Some(Picked { object: *object, ..picked });
             }
         }
@@ -266,7 +271,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
         &'f self,
         cache: &'f mut [ScreenVertex],
         bins: &'f mut [u16],
-    ) -> Result<BinnedScene<'f, 'm, M, OBJECTS>, BinError> {
+    ) -> Result<BinnedScene<'f, 'm, M, OBJECTS, P>, BinError> {
         let (needed, given) = (self.face_bins_len(), bins.len());
         if given < needed {
             return Err(BinError::Storage { needed, given });
@@ -278,7 +283,7 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
             let numbers = instance.mesh().face_bins_len();
             let (own_bins, other_bins) = bins.split_at_mut_checked(numbers).unwrap_or_default();
             (cache, bins) = (other_cache, other_bins);
-            let faces = instance.transform_depth(own_cache).bin_faces(own_bins)?;
+            let faces = instance.bin_faces_with_depth(own_cache, own_bins)?;
             let _ = objects.push((object, faces)); // both have the capacity `OBJECTS`
         }
         Ok(BinnedScene { objects })
@@ -287,11 +292,11 @@ impl<'s, 'm, M, const OBJECTS: usize> PlacedScene<'s, 'm, M, OBJECTS> {
 
 /// The faces of all visible objects, binned for bands. [`PlacedScene::bin_faces`] makes it; [`Scene`] has an example.
 #[derive(Debug)]
-pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize> {
-    objects: Vec<(&'f Object<'m, M>, BinnedFaces<'f, i16, true>), OBJECTS>,
+pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize, P = WithoutPlanes> {
+    objects: Vec<(&'f Object<'m, M, P>, BinnedFaces<'f, i16, true>), OBJECTS>,
 }
 
-impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
+impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
     /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band, and
     /// what it returns once for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows
     /// from the object's material: Rust cannot infer this for a closure in a variable. The picture of all bands is, pixel by pixel, that of
@@ -302,7 +307,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
     /// The target's error, at the first span that it refuses.
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
         &mut self,
-        mut shade: impl FnMut(&'f Object<'m, M>) -> F,
+        mut shade: impl FnMut(&'f Object<'m, M, P>) -> F,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<(), T::Error> {
@@ -324,7 +329,7 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 
     /// The objects with their binned faces, in the order of the scene: for the [bounds](BinnedFaces::bounds) of each, which
     /// [`Tracked`](crate::Tracked) takes.
-    pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M>, &BinnedFaces<'f, i16, true>)> {
+    pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M, P>, &BinnedFaces<'f, i16, true>)> {
         self.objects.iter().map(|(object, faces)| (*object, faces))
     }
 
@@ -349,28 +354,28 @@ const _: () = {
 
 // Materials are not printed: they need not implement `Format`.
 #[cfg(feature = "defmt")]
-impl<M> defmt::Format for Object<'_, M> {
+impl<M, P> defmt::Format for Object<'_, M, P> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "object of {} in {}, cull {}", self.mesh, self.sphere, self.cull);
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize> defmt::Format for Scene<'_, M, OBJECTS> {
+impl<M, const OBJECTS: usize, P> defmt::Format for Scene<'_, M, OBJECTS, P> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "scene of {=usize}/{=usize} objects", self.objects.len(), OBJECTS);
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize> defmt::Format for PlacedScene<'_, '_, M, OBJECTS> {
+impl<M, const OBJECTS: usize, P: FacePlanes> defmt::Format for PlacedScene<'_, '_, M, OBJECTS, P> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{=usize}/{=usize} objects placed", self.instances.len(), self.objects.len());
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<M, const OBJECTS: usize> defmt::Format for BinnedScene<'_, '_, M, OBJECTS> {
+impl<M, const OBJECTS: usize, P> defmt::Format for BinnedScene<'_, '_, M, OBJECTS, P> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{=usize} objects binned: {}", self.objects.len(), self.statistics());
     }

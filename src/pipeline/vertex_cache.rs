@@ -3,12 +3,14 @@
 //! [`TransformedMesh`] transforms all vertices before the first face; [`LazyCache`] transforms a vertex when the first face
 //! needs it.
 
-use super::instance::MeshInstance;
+use super::instance::{AnyInstance, MeshInstance};
 use crate::camera::{ProjectError, Projected, ScreenVertex, UnpackedVertex, VertexTransform};
 use crate::math::hints::{keep_rolled, opaque};
 use crate::math::unrolled::map3;
 use crate::math::Coordinate;
 use crate::raster;
+use crate::scene::{FacePlanes, WithoutPlanes};
+use core::marker::PhantomData;
 
 /// A vertex cache, as the face loop sees it.
 pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
@@ -22,7 +24,7 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
     fn reload_corners(&mut self, face: &[u16; 3], corners: [ScreenVertex; 3]) -> Option<[ScreenVertex; 3]>;
 
     /// The instance whose vertices are cached.
-    fn instance(&self) -> &'a MeshInstance<'a, V>;
+    fn instance(&self) -> &'a AnyInstance<'a, V>;
 
     /// A read-only view of the cache.
     fn view(&self) -> TransformedMesh<'_, V, DEPTH>;
@@ -41,24 +43,30 @@ pub(super) trait VertexCache<'a, V: Coordinate, const DEPTH: bool> {
 /// lie in a caller-provided cache, which may be shorter than the mesh's vertex list: vertices beyond its end are transformed
 /// whenever a face or an edge needs them, and the picture is equal.
 #[derive(Debug)]
-pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = false> {
-    pub(super) instance: &'a MeshInstance<'a, V>,
+pub struct TransformedMesh<'a, V: Coordinate = i16, const DEPTH: bool = false, P: FacePlanes = WithoutPlanes>
+{
+    pub(super) instance: &'a AnyInstance<'a, V>,
     /// Whether the far plane clips.
     pub(super) far: bool,
     cache: &'a [ScreenVertex],
+    planes: PhantomData<P>,
 }
 
 // Not derived: V need not be Clone behind a reference.
-impl<V: Coordinate, const DEPTH: bool> Clone for TransformedMesh<'_, V, DEPTH> {
+impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> Clone for TransformedMesh<'_, V, DEPTH, P> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<V: Coordinate, const DEPTH: bool> Copy for TransformedMesh<'_, V, DEPTH> {}
+impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> Copy for TransformedMesh<'_, V, DEPTH, P> {}
 
-impl<V: Coordinate> MeshInstance<'_, V> {
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Transforms the mesh's vertices once, without depth, for drawing in bands. `cache` holds one screen vertex per vertex of
     /// the mesh; if it is shorter, vertices beyond its end are transformed whenever they are needed.
+    ///
+    /// Use it to bin edges, or to draw faces and edges from one cache. For faces alone [`bin_faces`](Self::bin_faces) is as
+    /// fast, and of a mesh [with planes](crate::Mesh::with_planes) it transforms only the vertices of faces that may be
+    /// visible.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
@@ -88,15 +96,15 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn transform<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V> {
-        TransformedMesh::new(self, cache)
+    pub fn transform<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, false, P> {
+        TransformedMesh::new(&self.any, cache).of_mesh()
     }
 
     /// Transforms the mesh's vertices once, with depth, for depth-tested bands. `cache` is as in
     /// [`transform`](Self::transform). Faces and edges are clipped at the far plane, even if the camera [does not
     /// clip](crate::Camera::with_far_clip) there.
-    pub fn transform_depth<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, true> {
-        TransformedMesh::new(self, cache)
+    pub fn transform_depth<'a>(&'a self, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a, V, true, P> {
+        TransformedMesh::new(&self.any, cache).of_mesh()
     }
 
     /// Projects vertex `index`: its screen point and its depth.
@@ -131,38 +139,64 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// [`ProjectError`] if the mesh has no such vertex, or if the vertex lies in front of the near plane, outside the guard band
     /// or, if the camera clips there, beyond the far plane.
     pub fn project(&self, index: usize) -> Result<Projected, ProjectError> {
-        if let Some(seen) = self.projected(index) {
-            return Ok(seen);
-        }
-        let vertex = *self.mesh_ref().vertices().get(index).ok_or(ProjectError::NoVertex)?;
-        let transform = self.vertex_transform();
-        Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(ProjectError::OutsideGuardBand))
-    }
-
-    /// A projected vertex, for drawing: without the reason if it is not on the screen, which would take code.
-    pub(super) fn projected(&self, index: usize) -> Option<Projected> {
-        let index = u16::try_from(index).ok().filter(|_| index < self.mesh_ref().vertices().len())?;
-        let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;
-        Some(Projected { point: vertex.point, depth: vertex.step() })
+        self.any.project(index)
     }
 
     /// Vertex `index` before it is rounded to 1/256 px, for measurements: x and y in 2⁻³² px, and depth in 2⁻³² of its 65536
     /// steps, not clamped to the range of depth. `None` if the mesh has no such vertex, or if it lies in front of the near
     /// plane. Values beyond ±2³⁰ saturate.
     pub fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
-        let vertex = *self.mesh_ref().vertices().get(index)?;
+        self.any.project_unsnapped(index)
+    }
+}
+
+impl<V: Coordinate> AnyInstance<'_, V> {
+    fn project(&self, index: usize) -> Result<Projected, ProjectError> {
+        if let Some(seen) = self.projected(index) {
+            return Ok(seen);
+        }
+        let vertex = *self.mesh().vertices.get(index).ok_or(ProjectError::NoVertex)?;
+        let transform = self.vertex_transform();
+        Err(transform.why_not_projected(&transform.clip(vertex)).unwrap_or(ProjectError::OutsideGuardBand))
+    }
+
+    /// A projected vertex, for drawing: without the reason if it is not on the screen, which would take code.
+    pub(super) fn projected(&self, index: usize) -> Option<Projected> {
+        let index = u16::try_from(index).ok().filter(|_| index < self.mesh().vertices.len())?;
+        let vertex = TransformedMesh::<V, true>::with_cache(self, false, &[]).vertex(index)?;
+        Some(Projected { point: vertex.point, depth: vertex.step() })
+    }
+
+    fn project_unsnapped(&self, index: usize) -> Option<[i64; 3]> {
+        let vertex = *self.mesh().vertices.get(index)?;
         let h = self.vertex_transform().clip(vertex);
         let [_, _, d, w] = h.xydw;
         (d >= 0 && w > 0).then(|| self.vertex_transform().unsnapped(&h))
     }
 }
 
+impl<'a, V: Coordinate, const DEPTH: bool, P: FacePlanes> TransformedMesh<'a, V, DEPTH, P> {
+    /// The transformed mesh, whether it has planes or not: see [`AnyInstance`].
+    #[inline(always)]
+    pub(super) fn any(&self) -> TransformedMesh<'a, V, DEPTH> {
+        let Self { instance, far, cache, .. } = *self;
+        TransformedMesh { instance, far, cache, planes: PhantomData }
+    }
+}
+
 impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
+    /// The transformed mesh in the type that says whether it has planes.
+    #[inline(always)]
+    fn of_mesh<P: FacePlanes>(self) -> TransformedMesh<'a, V, DEPTH, P> {
+        let Self { instance, far, cache, .. } = self;
+        TransformedMesh { instance, far, cache, planes: PhantomData }
+    }
+
     /// Transforms as many vertices as fit into the cache; the others are transformed when a face needs them. With `DEPTH`, for
     /// drawing with a depth buffer, faces are clipped at the far plane even if the camera does not clip there.
-    pub(super) fn new(instance: &'a MeshInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
+    pub(super) fn new(instance: &'a AnyInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
         let far = DEPTH || instance.vertex_transform().clips_at_far();
-        transform_all::<V, DEPTH>(instance.vertex_transform(), far, instance.mesh_ref().vertices(), cache);
+        transform_all::<V, DEPTH>(instance.vertex_transform(), far, instance.mesh().vertices, cache);
         // With depth, `opaque` hides the length of the cache: comparing with a register takes one instruction, with many
         // constants two. Without depth no register is left for the length, and the constant is better.
         let cache: &[ScreenVertex] = if DEPTH { opaque(cache) } else { cache };
@@ -171,12 +205,9 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
 
     /// A view of a cache that already holds screen vertices. `far`: whether faces are clipped at the far plane.
     #[inline(always)]
-    pub(super) fn with_cache(
-        instance: &'a MeshInstance<'_, V>,
-        far: bool,
-        cache: &'a [ScreenVertex],
-    ) -> Self {
-        Self { instance, far: far || instance.vertex_transform().clips_at_far(), cache }
+    pub(super) fn with_cache(instance: &'a AnyInstance<'_, V>, far: bool, cache: &'a [ScreenVertex]) -> Self {
+        let far = far || instance.vertex_transform().clips_at_far();
+        Self { instance, far, cache, planes: PhantomData }
     }
 
     /// A vertex: from the cache, or transformed again if the cache does not hold it.
@@ -199,7 +230,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     fn uncached(&self, index: u16) -> ScreenVertex {
         let mut vertex = [ScreenVertex::EMPTY];
         // `Mesh` has checked that this vertex exists.
-        let vertices = self.instance.mesh_ref().vertices().get(usize::from(index)..).unwrap_or_default();
+        let vertices = self.instance.mesh().vertices.get(usize::from(index)..).unwrap_or_default();
         transform_all::<V, DEPTH>(self.instance.vertex_transform(), self.far, vertices, &mut vertex);
         let [vertex] = vertex;
         vertex
@@ -258,7 +289,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     }
 
     #[inline(always)]
-    fn instance(&self) -> &'a MeshInstance<'a, V> {
+    fn instance(&self) -> &'a AnyInstance<'a, V> {
         self.instance
     }
 
@@ -287,7 +318,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
     }
 
     #[inline(always)]
-    fn instance(&self) -> &'a MeshInstance<'a, V> {
+    fn instance(&self) -> &'a AnyInstance<'a, V> {
         self.0.instance
     }
 
@@ -299,7 +330,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for BinnedV
 
 /// A vertex cache that transforms a vertex at its first use.
 pub(super) struct LazyCache<'a, 'c, V: Coordinate, const DEPTH: bool> {
-    instance: &'a MeshInstance<'a, V>,
+    instance: &'a AnyInstance<'a, V>,
     /// Whether the far plane clips.
     far: bool,
     cache: &'c mut [ScreenVertex],
@@ -308,8 +339,8 @@ pub(super) struct LazyCache<'a, 'c, V: Coordinate, const DEPTH: bool> {
 impl<'a, 'c, V: Coordinate, const DEPTH: bool> LazyCache<'a, 'c, V, DEPTH> {
     /// Marks all vertices as not transformed. `far`: the far plane clips.
     #[inline(always)]
-    pub(super) fn new(instance: &'a MeshInstance<'a, V>, far: bool, cache: &'c mut [ScreenVertex]) -> Self {
-        let count = instance.mesh_ref().vertices().len().min(cache.len());
+    pub(super) fn new(instance: &'a AnyInstance<'a, V>, far: bool, cache: &'c mut [ScreenVertex]) -> Self {
+        let count = instance.mesh().vertices.len().min(cache.len());
         let cache = cache.get_mut(..count).unwrap_or_default();
         // `opaque` hides that the value is zero: LLVM would call `memset`, which is slower.
         let empty = opaque(ScreenVertex::EMPTY);
@@ -370,7 +401,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for LazyCac
     }
 
     #[inline(always)]
-    fn instance(&self) -> &'a MeshInstance<'a, V> {
+    fn instance(&self) -> &'a AnyInstance<'a, V> {
         self.instance
     }
 
@@ -394,13 +425,13 @@ pub(super) fn area<const DEPTH: bool>(corners: &[ScreenVertex; 3]) -> i64 {
 
 #[inline(never)] // the transform gets all registers
 fn transform_one<V: Coordinate, const DEPTH: bool>(
-    instance: &MeshInstance<'_, V>,
+    instance: &AnyInstance<'_, V>,
     far: bool,
     index: u16,
     to: &mut ScreenVertex,
 ) {
     let vertex_transform = instance.vertex_transform();
-    if let Some(vertex) = instance.mesh_ref().vertices().get(usize::from(index)) {
+    if let Some(vertex) = instance.mesh().vertices.get(usize::from(index)) {
         *to = match vertex_transform.project::<V::Stored, DEPTH>(
             vertex,
             vertex_transform.needs_d(DEPTH, far),
@@ -534,7 +565,7 @@ impl<A, B> ExactSizeIterator for Pairs<'_, A, B> {
 }
 
 #[cfg(feature = "defmt")]
-impl<V: Coordinate, const DEPTH: bool> defmt::Format for TransformedMesh<'_, V, DEPTH> {
+impl<V: Coordinate, const DEPTH: bool, P: FacePlanes> defmt::Format for TransformedMesh<'_, V, DEPTH, P> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{}, {=usize} vertices cached", self.instance, self.cache.len());
     }

@@ -2,11 +2,12 @@
 
 use super::draw_region::DrawRegion;
 use super::fill::line;
-use super::instance::MeshInstance;
+use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::math::Coordinate;
+use crate::scene::FacePlanes;
 use crate::surface::Target;
 
 /// The edge loop: clips each edge and calls `draw` with the index and the ends of each edge of which clipping leaves something.
@@ -20,7 +21,7 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
     mut draw: impl FnMut(usize, [UnpackedVertex; 2]) -> Result<(), E>,
 ) -> Result<Statistics, E> {
     let mut statistics = Statistics::NONE;
-    let edges = mesh.instance.mesh_ref().edges();
+    let edges = mesh.instance.mesh().edges;
     for (index, &edge) in edges.iter().enumerate() {
         if let Some(ends) = mesh.edge(edge, &mut statistics) {
             draw(index, ends)?;
@@ -29,7 +30,7 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
     Ok(statistics.with_the_rest_drawn(edges.len()))
 }
 
-impl<V: Coordinate> MeshInstance<'_, V> {
+impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not change an
     /// edge's pixels; an end that is clipped at the near plane, the far plane or the guard band is rounded to 1/256 px.
     ///
@@ -40,8 +41,20 @@ impl<V: Coordinate> MeshInstance<'_, V> {
     /// # Errors
     ///
     /// The target's error, at the first span that it refuses.
-    #[inline(never)] // its stack frame is gone when it returns
+    #[inline(always)]
     pub fn wireframe<T: Target>(
+        &self,
+        color: T::Color,
+        cache: &mut [ScreenVertex],
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        self.any.wireframe(color, cache, target)
+    }
+}
+
+impl<V: Coordinate> AnyInstance<'_, V> {
+    #[inline(never)] // its stack frame is gone when it returns
+    fn wireframe<T: Target>(
         &self,
         color: T::Color,
         cache: &mut [ScreenVertex],

@@ -1,8 +1,10 @@
 //! Borrowed triangle meshes.
 
+use super::face_planes::{WithPlanes, WithoutPlanes};
 use crate::math::num::{scale, sqrt};
 use crate::math::unrolled::map3;
 use crate::math::{Coordinate, Point3, Scalar, Sphere};
+use core::marker::PhantomData;
 
 /// A triangle mesh over borrowed data, checked once when it is made. Made in a `const`, it lives in flash.
 ///
@@ -10,6 +12,10 @@ use crate::math::{Coordinate, Point3, Scalar, Sphere};
 /// Cortex-M0. Meshes that need more range have [`Scalar`] vertices ([`Mesh::from_fixed`]). Faces are counter-clockwise seen
 /// from outside; a mesh without faces is a list of points, for plots and tool paths. Wireframes need edges, lighting needs
 /// normals.
+///
+/// `P` says whether the mesh has face planes, by which back faces are culled before their vertices are transformed:
+/// [`WithoutPlanes`] until [`with_planes`](Mesh::with_planes) makes it [`WithPlanes`]. As this is a type, firmware links the
+/// code for the meshes that it has, and no other.
 ///
 /// ```
 /// use pinhole::{Mesh, MeshError};
@@ -29,25 +35,40 @@ use crate::math::{Coordinate, Point3, Scalar, Sphere};
 /// assert_eq!(wrong, Err(MeshError::FaceIndex { face: 0, index: 4 }));
 /// ```
 #[derive(Debug, PartialEq, Eq)]
-pub struct Mesh<'a, V = i16> {
-    vertices: &'a [[V; 3]],
-    faces: &'a [[u16; 3]],
-    edges: &'a [[u16; 2]],
-    edge_faces: &'a [[u16; 2]],
-    normals: &'a [[i16; 3]],
-    planes: &'a [i16],
+pub struct Mesh<'a, V = i16, P = WithoutPlanes> {
+    data: MeshData<'a, V>,
+    planes: PhantomData<P>,
+}
+
+/// The data of a mesh. What is drawn from it is one type, so one copy of the code, whether the mesh has planes or not.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct MeshData<'a, V> {
+    pub(crate) vertices: &'a [[V; 3]],
+    pub(crate) faces: &'a [[u16; 3]],
+    pub(crate) edges: &'a [[u16; 2]],
+    pub(crate) edge_faces: &'a [[u16; 2]],
+    pub(crate) normals: &'a [[i16; 3]],
+    pub(crate) planes: &'a [i16],
     vertex_normals: &'a [[i16; 3]],
     exponent: i8,
     /// The left shift that brings the mesh's largest coordinate to the top of 32 bits.
     justify: u8,
 }
 
-impl<V> Clone for Mesh<'_, V> {
+// Not derived: V and P need not be Clone behind references.
+impl<V, P> Clone for Mesh<'_, V, P> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<V> Copy for Mesh<'_, V> {}
+impl<V, P> Copy for Mesh<'_, V, P> {}
+
+impl<V> Clone for MeshData<'_, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<V> Copy for MeshData<'_, V> {}
 
 /// Why a mesh cannot be made of the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,6 +158,9 @@ impl core::fmt::Display for MeshError {
 }
 
 impl core::error::Error for MeshError {}
+
+/// [`Mesh::NO_FACE`], whatever the type of the mesh.
+pub(crate) const NO_FACE: u16 = u16::MAX;
 
 /// The two faces adjacent to each edge, or [`Mesh::NO_FACE`]: for [`Mesh::with_edge_faces`]. Call it in a `const` for small
 /// meshes, at run time for large ones: time grows with edges × (edges + faces). Faces from index 65535 on are ignored, as a
@@ -242,7 +266,7 @@ impl<'a> Mesh<'a, i16> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self {
+        let data = MeshData {
             vertices,
             faces,
             edges: &[],
@@ -252,15 +276,18 @@ impl<'a> Mesh<'a, i16> {
             vertex_normals: &[],
             exponent,
             justify,
-        })
+        };
+        Ok(Self::of(data))
     }
+}
 
+impl<P> Mesh<'_, i16, P> {
     /// The plane of each face, for [`with_planes`](Mesh::with_planes): the signed distance of the face from the origin along
     /// its normal. `N` is the number of faces. In units of 2⁻¹⁴ of the power of two that bounds the mesh's coordinates, rounded
     /// to nearest. Best called in a `const`. 0 for faces without a normal and indices out of range.
     ///
     /// ```
-    /// use pinhole::Mesh;
+    /// use pinhole::{Mesh, WithPlanes};
     /// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]];
     /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// const NORMALS: [[i16; 3]; 4] = [[0, 0, -32767], [0, -32767, 0], [-32767, 0, 0], [18918; 3]];
@@ -270,7 +297,7 @@ impl<'a> Mesh<'a, i16> {
     ///     mesh
     /// };
     /// const PLANES: [i16; 4] = PLAIN.face_planes();
-    /// const CORNER: Mesh<'static> = match PLAIN.with_planes(&PLANES) {
+    /// const CORNER: Mesh<'static, i16, WithPlanes> = match PLAIN.with_planes(&PLANES) {
     ///     Ok(mesh) => mesh,
     ///     Err(_) => panic!("planes"),
     /// };
@@ -287,9 +314,9 @@ impl<'a> Mesh<'a, i16> {
 
     /// The plane of one face: see [`face_planes`](Mesh::face_planes).
     pub const fn face_plane(&self, face: usize) -> i16 {
-        if let Some((corner, normal)) = self.corner_and_normal(face) {
+        if let Some((corner, normal)) = self.data.corner_and_normal(face) {
             let [x, y, z] = *corner;
-            plane_distance([x as i32, y as i32, z as i32], normal, self.justify)
+            plane_distance([x as i32, y as i32, z as i32], normal, self.data.justify)
         } else {
             0
         }
@@ -338,7 +365,7 @@ impl<'a> Mesh<'a, Scalar> {
             i += 1;
         }
         let justify = justify(magnitude);
-        Ok(Self {
+        let data = MeshData {
             vertices,
             faces,
             edges: &[],
@@ -348,9 +375,12 @@ impl<'a> Mesh<'a, Scalar> {
             vertex_normals: &[],
             exponent: -16,
             justify,
-        })
+        };
+        Ok(Self::of(data))
     }
+}
 
+impl<P> Mesh<'_, Scalar, P> {
     /// The plane of each face: see [`Mesh::face_planes`](Mesh::<i16>::face_planes).
     pub const fn face_planes<const N: usize>(&self) -> [i16; N] {
         let (mut planes, mut face) = ([0; N], 0);
@@ -363,9 +393,9 @@ impl<'a> Mesh<'a, Scalar> {
 
     /// The plane of one face: see [`face_planes`](Mesh::face_planes).
     pub const fn face_plane(&self, face: usize) -> i16 {
-        if let Some((corner, normal)) = self.corner_and_normal(face) {
+        if let Some((corner, normal)) = self.data.corner_and_normal(face) {
             let [x, y, z] = *corner;
-            plane_distance([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.justify)
+            plane_distance([x.to_bits(), y.to_bits(), z.to_bits()], normal, self.data.justify)
         } else {
             0
         }
@@ -373,6 +403,15 @@ impl<'a> Mesh<'a, Scalar> {
 }
 
 impl<'a, V> Mesh<'a, V> {
+    /// The face index that stands for "no face" in lists of edge faces: a border.
+    pub const NO_FACE: u16 = NO_FACE;
+
+    const fn of(data: MeshData<'a, V>) -> Self {
+        Self { data, planes: PhantomData }
+    }
+}
+
+impl<'a, V, P> Mesh<'a, V, P> {
     /// Adds the edges that a wireframe draws, each listed once, as two vertex indices in any order. Removes edge faces that
     /// were added before, because they belong to other edges.
     ///
@@ -384,16 +423,13 @@ impl<'a, V> Mesh<'a, V> {
         while edge < edges.len() {
             let [a, b] = edges[edge];
             let index = if a > b { a } else { b };
-            if index as usize >= self.vertices.len() {
+            if index as usize >= self.data.vertices.len() {
                 return Err(MeshError::EdgeIndex { edge, index });
             }
             edge += 1;
         }
-        Ok(Self { edges, edge_faces: &[], ..self })
+        Ok(Self { data: MeshData { edges, edge_faces: &[], ..self.data }, planes: PhantomData })
     }
-
-    /// The face index that stands for "no face" in lists of edge faces: a border.
-    pub const NO_FACE: u16 = u16::MAX;
 
     /// Adds the two faces adjacent to each edge, for hidden-line drawing: [`edge_faces`] finds them. An edge of more than two
     /// faces is listed once for every two of them.
@@ -402,53 +438,130 @@ impl<'a, V> Mesh<'a, V> {
     ///
     /// [`MeshError::EdgeFaces`] if there is not one pair per edge, or a face index is out of range.
     pub const fn with_edge_faces(self, edge_faces: &'a [[u16; 2]]) -> Result<Self, MeshError> {
-        if edge_faces.len() != self.edges.len() {
+        if edge_faces.len() != self.data.edges.len() {
             return Err(MeshError::EdgeFaces { edge: edge_faces.len() });
         }
         let mut edge = 0;
         while edge < edge_faces.len() {
             let [a, b] = edge_faces[edge];
-            let (a_there, b_there) = ((a as usize) < self.faces.len(), (b as usize) < self.faces.len());
-            if !(a_there || a == Self::NO_FACE) || !(b_there || b == Self::NO_FACE) {
+            let (a_there, b_there) =
+                ((a as usize) < self.data.faces.len(), (b as usize) < self.data.faces.len());
+            if !(a_there || a == NO_FACE) || !(b_there || b == NO_FACE) {
                 return Err(MeshError::EdgeFaces { edge });
             }
             edge += 1;
         }
-        Ok(Self { edge_faces, ..self })
+        Ok(Self { data: MeshData { edge_faces, ..self.data }, planes: PhantomData })
     }
 
-    /// Adds a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1).
+    /// Adds a unit normal for each face, pointing outwards, in 2⁻¹⁵ (32767 stands for 1). Removes planes that were added before,
+    /// because they belong to other normals.
     ///
     /// # Errors
     ///
     /// [`MeshError::NormalCount`] if there is not one normal per face.
-    pub const fn with_normals(self, normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
-        if normals.len() != self.faces.len() {
-            return Err(MeshError::NormalCount { faces: self.faces.len(), normals: normals.len() });
+    pub const fn with_normals(self, normals: &'a [[i16; 3]]) -> Result<Mesh<'a, V>, MeshError> {
+        if normals.len() != self.data.faces.len() {
+            return Err(MeshError::NormalCount { faces: self.data.faces.len(), normals: normals.len() });
         }
-        Ok(Self { normals, planes: &[], ..self })
+        Ok(Mesh::of(MeshData { normals, planes: &[], ..self.data }))
     }
 
-    /// Adds the plane of each face, for [`MeshInstance::cull_by_planes`](crate::MeshInstance::cull_by_planes): its signed
-    /// distance from the origin along the normal, which [`face_planes`](Mesh::face_planes) computes. Call
-    /// [`with_normals`](Self::with_normals) first: planes refer to those normals.
+    /// Adds the plane of each face: its signed distance from the origin along the normal, which
+    /// [`face_planes`](Mesh::face_planes) computes. Call [`with_normals`](Self::with_normals) first: planes refer to those normals.
     ///
-    /// Normals then decide which faces are culled. They must be the geometric normals of the rounded vertices, of unit length,
+    /// The mesh is then drawn by **early back-face culling**: drawing first tests each face's plane, and transforms a vertex
+    /// only when a face that may be visible needs it. Every draw call for faces does so, as do a [`Painter`](crate::Painter),
+    /// binning for bands, and picking.
+    ///
+    /// This is worth it for closed meshes of a few hundred faces or more. It costs more than it saves for a few dozen faces,
+    /// for terrain seen from above, and with [`Cull::None`](crate::Cull::None): leave the planes out there, or draw the mesh
+    /// [without them](Self::without_planes). (Figures are in `docs/growth.md`: a draw call computes the eye's position in the
+    /// mesh's coordinates, which takes as long as transforming about ten vertices.)
+    ///
+    /// **Which faces are culled.** A face is culled by its plane if the eye lies behind the plane by more than 1/290 of the eye's
+    /// distance or of the mesh's largest coordinate, whichever is larger, in model units. In a parallel projection a face is
+    /// culled if its normal points away from the viewer by more than an angle whose sine is 1/290. No visible face is culled.
+    /// Faces that pass are culled by their area on the screen, as those of every mesh.
+    ///
+    /// The picture equals that of the mesh without planes, except for back faces so thin on the screen that rounding their
+    /// vertices turns them to the front: slivers narrower than 1/100 pixel, of any length, if vertices are accurate to 1/256 px
+    /// (see [`project`](crate::MeshInstance::project)). Such a sliver may cover a few pixels; with planes it is left out. In
+    /// the [`Statistics`](crate::Statistics), all faces that are culled by planes count as `culled`, even those that would be
+    /// `degenerate` or `outside`.
+    ///
+    /// **Normals** then decide which faces are culled. They must be the geometric normals of the rounded vertices, of unit length,
     /// each component within 2⁻¹⁵; with other normals, such as smoothed ones, visible faces are culled. A face with normal [0,
     /// 0, 0] is never culled by its plane.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{
+    ///     space::{Model, World}, Affine, Angle, Camera, ScreenVertex, Mesh, Point3, Projection, Scalar, Vector3, ViewTransform,
+    ///     Viewport,
+    /// };
+    /// const VERTICES: [[i16; 3]; 4] = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8]];
+    /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    /// const NORMALS: [[i16; 3]; 4] = [[0, 0, -32767], [0, -32767, 0], [-32767, 0, 0], [18918; 3]];
+    /// let mesh = Mesh::new(&VERTICES, -3, &FACES)?.with_normals(&NORMALS)?;
+    /// let planes: [i16; 4] = mesh.face_planes();
+    /// let mesh = mesh.with_planes(&planes)?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+    /// let camera = Camera::new(
+    ///     &ViewTransform::look_at(Point3::from_ints(3, 2, 4), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+    ///     &Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+    ///     &viewport,
+    /// );
+    /// let mut display = MockDisplay::<Gray8>::new();
+    /// let mut cache = [ScreenVertex::EMPTY; 4];
+    /// let model = Affine::<Model, World>::identity();
+    /// let statistics = camera.place(&mesh, &model).solid(|_face| Gray8::WHITE, &mut cache, &mut display)?;
+    /// assert_eq!((statistics.drawn, statistics.culled), (1, 3));
+    /// assert_eq!(cache[0], ScreenVertex::EMPTY); // no visible face has this vertex: it was not transformed
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///
     /// [`MeshError::PlaneCount`] if there is not one plane per face, [`MeshError::NormalCount`] if the mesh has no normals.
-    pub const fn with_planes(self, planes: &'a [i16]) -> Result<Self, MeshError> {
-        let (faces, normals) = (self.faces.len(), self.normals.len());
+    pub const fn with_planes(self, planes: &'a [i16]) -> Result<Mesh<'a, V, WithPlanes>, MeshError> {
+        let (faces, normals) = (self.data.faces.len(), self.data.normals.len());
         if planes.len() != faces {
             return Err(MeshError::PlaneCount { faces, planes: planes.len() });
         }
         if normals != faces {
             return Err(MeshError::NormalCount { faces, normals });
         }
-        Ok(Self { planes, ..self })
+        Ok(Mesh { data: MeshData { planes, ..self.data }, planes: PhantomData })
+    }
+
+    /// The mesh without its planes: its faces are culled by their area on the screen alone. For terrain and other meshes of
+    /// which few faces look away, and for a [`Scene`](crate::Scene) whose meshes must be of one type.
+    ///
+    /// ```
+    /// use pinhole::{meshes::TORUS, Mesh};
+    /// const PLAIN: Mesh<'static> = TORUS.without_planes();
+    /// assert_eq!((PLAIN.faces(), PLAIN.planes().len()), (TORUS.faces(), 0));
+    /// ```
+    pub const fn without_planes(self) -> Mesh<'a, V> {
+        Mesh::of(MeshData { planes: &[], ..self.data })
+    }
+
+    /// The mesh in the type of meshes with planes, with those planes that it has, if any: for a [`Scene`](crate::Scene) in
+    /// which some meshes have planes and others have none. A face without a plane is culled by its area on the screen alone, so
+    /// the picture is that of the mesh as it was. Drawing takes longer than drawing the mesh as it was, by about as much as
+    /// transforming ten vertices.
+    ///
+    /// ```
+    /// use pinhole::{meshes::{CUBE, TORUS}, prelude::*};
+    /// const CUBE_AMONG_OTHERS: Mesh<'static, i16, WithPlanes> = CUBE.with_planes_if_any();
+    /// let mut scene = Scene::<(), 2, WithPlanes>::new();
+    /// scene.add(Object::new(&TORUS, Affine::identity(), ()))?;
+    /// scene.add(Object::new(&CUBE_AMONG_OTHERS, Affine::identity(), ()))?;
+    /// # Ok::<(), SceneError>(())
+    /// ```
+    pub const fn with_planes_if_any(self) -> Mesh<'a, V, WithPlanes> {
+        Mesh { data: self.data, planes: PhantomData }
     }
 
     /// Adds a unit normal for each vertex, pointing outwards, in 2⁻¹⁵ (32767 stands for 1): the normal of the surface that the
@@ -469,11 +582,125 @@ impl<'a, V> Mesh<'a, V> {
     ///
     /// [`MeshError::VertexNormalCount`] if there is not one normal per vertex.
     pub const fn with_vertex_normals(self, vertex_normals: &'a [[i16; 3]]) -> Result<Self, MeshError> {
-        let (vertices, normals) = (self.vertices.len(), vertex_normals.len());
+        let (vertices, normals) = (self.data.vertices.len(), vertex_normals.len());
         if normals != vertices {
             return Err(MeshError::VertexNormalCount { vertices, normals });
         }
-        Ok(Self { vertex_normals, ..self })
+        Ok(Self { data: MeshData { vertex_normals, ..self.data }, planes: PhantomData })
+    }
+
+    /// The vertices, in units of 2^[`exponent`](Self::exponent).
+    pub const fn vertices(&self) -> &'a [[V; 3]] {
+        self.data.vertices
+    }
+
+    /// The faces, counter-clockwise from outside.
+    pub const fn faces(&self) -> &'a [[u16; 3]] {
+        self.data.faces
+    }
+
+    /// The edges; empty if none were added.
+    pub const fn edges(&self) -> &'a [[u16; 2]] {
+        self.data.edges
+    }
+
+    /// The two faces adjacent to each edge; empty if none were added.
+    pub const fn edge_faces(&self) -> &'a [[u16; 2]] {
+        self.data.edge_faces
+    }
+
+    /// The face normals in 2⁻¹⁵; empty if none were added.
+    pub const fn normals(&self) -> &'a [[i16; 3]] {
+        self.data.normals
+    }
+
+    /// The planes of the faces; empty if none were added. See [`with_planes`](Self::with_planes).
+    pub const fn planes(&self) -> &'a [i16] {
+        self.data.planes
+    }
+
+    /// The vertex normals in 2⁻¹⁵; empty if none were added.
+    pub const fn vertex_normals(&self) -> &'a [[i16; 3]] {
+        self.data.vertex_normals
+    }
+
+    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex. Missing
+    /// entries are `T::default()`.
+    ///
+    /// ```
+    /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;
+    /// assert_eq!(mesh.corners_of(0, &["a", "b", "c"]), ["c", "a", "b"]);
+    /// # Ok::<(), pinhole::MeshError>(())
+    /// ```
+    pub fn corners_of<T: Copy + Default>(&self, face: usize, of_vertices: &[T]) -> [T; 3] {
+        let at = |index: u16| of_vertices.get(usize::from(index)).copied().unwrap_or_default();
+        self.data.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
+    }
+
+    /// How many vertices a vertex cache holds that has room for all of this mesh: one [`ScreenVertex`](crate::ScreenVertex)
+    /// of 8 bytes per vertex. [`mesh_buffers!`](crate::mesh_buffers) declares caches and bins.
+    pub const fn cache_len(&self) -> usize {
+        self.data.vertices.len()
+    }
+
+    /// How many `u16`s of bin storage suffice for the faces of this mesh, whichever of them are visible: one per face, and one
+    /// per 16 faces.
+    ///
+    /// ```
+    /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
+    /// assert_eq!((mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 5, 0));
+    /// # Ok::<(), pinhole::MeshError>(())
+    /// ```
+    pub const fn face_bins_len(&self) -> usize {
+        bins_len(self.data.faces.len())
+    }
+
+    /// How many `u16`s of bin storage suffice for the edges of this mesh, whichever of them are visible: one per edge, and one
+    /// per 16 edges.
+    pub const fn edge_bins_len(&self) -> usize {
+        bins_len(self.data.edges.len())
+    }
+
+    /// The exponent of the vertices' unit: model coordinate = vertex · 2^exponent, of the bits of [`Scalar`] vertices.
+    pub const fn exponent(&self) -> i8 {
+        self.data.exponent
+    }
+
+    /// What is drawn of the mesh.
+    #[inline(always)]
+    pub(crate) const fn data(&self) -> &MeshData<'a, V> {
+        &self.data
+    }
+
+    /// The mesh with this data.
+    #[inline(always)]
+    pub(crate) const fn with_data(data: &MeshData<'a, V>) -> Self {
+        Self { data: *data, planes: PhantomData }
+    }
+}
+
+/// An index for each primitive, and a bit for each: slices have at most 2⁶³/4 elements, so the sum does not overflow.
+const fn bins_len(primitives: usize) -> usize {
+    primitives + primitives.div_ceil(16)
+}
+
+impl<V: Coordinate, P> Mesh<'_, V, P> {
+    /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the
+    /// smallest possible, rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit
+    /// [`Scalar`]. For [`Camera::visibility`](crate::Camera::visibility): compute it once per mesh.
+    pub fn bounding_sphere(&self) -> Sphere {
+        self.data.bounding_sphere()
+    }
+}
+
+impl<'a, V> MeshData<'a, V> {
+    pub(crate) const fn exponent(&self) -> i32 {
+        self.exponent as i32
+    }
+
+    pub(crate) const fn justify(&self) -> u32 {
+        self.justify as u32
     }
 
     /// A face's first vertex, and its normal.
@@ -487,97 +714,11 @@ impl<'a, V> Mesh<'a, V> {
         }
         Some((&self.vertices[index], self.normals[face]))
     }
-
-    /// The vertices, in units of 2^[`exponent`](Self::exponent).
-    pub const fn vertices(&self) -> &'a [[V; 3]] {
-        self.vertices
-    }
-
-    /// The faces, counter-clockwise from outside.
-    pub const fn faces(&self) -> &'a [[u16; 3]] {
-        self.faces
-    }
-
-    /// The edges; empty if none were added.
-    pub const fn edges(&self) -> &'a [[u16; 2]] {
-        self.edges
-    }
-
-    /// The two faces adjacent to each edge; empty if none were added.
-    pub const fn edge_faces(&self) -> &'a [[u16; 2]] {
-        self.edge_faces
-    }
-
-    /// The face normals in 2⁻¹⁵; empty if none were added.
-    pub const fn normals(&self) -> &'a [[i16; 3]] {
-        self.normals
-    }
-
-    /// The planes of the faces; empty if none were added. See [`with_planes`](Self::with_planes).
-    pub const fn planes(&self) -> &'a [i16] {
-        self.planes
-    }
-
-    /// The vertex normals in 2⁻¹⁵; empty if none were added.
-    pub const fn vertex_normals(&self) -> &'a [[i16; 3]] {
-        self.vertex_normals
-    }
-
-    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex. Missing
-    /// entries are `T::default()`.
-    ///
-    /// ```
-    /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;
-    /// assert_eq!(mesh.corners_of(0, &["a", "b", "c"]), ["c", "a", "b"]);
-    /// # Ok::<(), pinhole::MeshError>(())
-    /// ```
-    pub fn corners_of<T: Copy + Default>(&self, face: usize, of_vertices: &[T]) -> [T; 3] {
-        let at = |index: u16| of_vertices.get(usize::from(index)).copied().unwrap_or_default();
-        self.faces.get(face).map_or_else(|| [T::default(); 3], |&corners| map3(corners, at))
-    }
-
-    /// How many vertices a vertex cache holds that has room for all of this mesh: one [`ScreenVertex`](crate::ScreenVertex)
-    /// of 8 bytes per vertex. [`mesh_buffers!`](crate::mesh_buffers) declares caches and bins.
-    pub const fn cache_len(&self) -> usize {
-        self.vertices.len()
-    }
-
-    /// How many `u16`s of bin storage suffice for the faces of this mesh, whichever of them are visible: one per face, and one
-    /// per 16 faces.
-    ///
-    /// ```
-    /// const FACES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
-    /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], 0, &FACES)?;
-    /// assert_eq!((mesh.cache_len(), mesh.face_bins_len(), mesh.edge_bins_len()), (4, 5, 0));
-    /// # Ok::<(), pinhole::MeshError>(())
-    /// ```
-    pub const fn face_bins_len(&self) -> usize {
-        bins_len(self.faces.len())
-    }
-
-    /// How many `u16`s of bin storage suffice for the edges of this mesh, whichever of them are visible: one per edge, and one
-    /// per 16 edges.
-    pub const fn edge_bins_len(&self) -> usize {
-        bins_len(self.edges.len())
-    }
-
-    /// The exponent of the vertices' unit: model coordinate = vertex · 2^exponent, of the bits of [`Scalar`] vertices.
-    pub const fn exponent(&self) -> i8 {
-        self.exponent
-    }
 }
 
-/// An index for each primitive, and a bit for each: slices have at most 2⁶³/4 elements, so the sum does not overflow.
-const fn bins_len(primitives: usize) -> usize {
-    primitives + primitives.div_ceil(16)
-}
-
-impl<V: Coordinate> Mesh<'_, V> {
-    /// A bounding sphere about the centre of the vertices' bounding box, in model units. Its radius is at most √3 times the
-    /// smallest possible, rounded up by at most 9·2⁻¹⁶ plus 2⁻²⁸ of itself; `Scalar::MAX` if centre or radius do not fit
-    /// [`Scalar`]. For [`Camera::visibility`](crate::Camera::visibility): compute it once per mesh.
-    pub fn bounding_sphere(&self) -> Sphere {
-        let justify = self.justify();
+impl<V: Coordinate> MeshData<'_, V> {
+    fn bounding_sphere(&self) -> Sphere {
+        let justify = u32::from(self.justify);
         // In 2^unit world units.
         let (unit, factor) = (i32::from(self.exponent) - justify as i32, 1 << (justify & 31));
         let (mut low, mut high) = ([i64::MAX; 3], [i64::MIN; 3]);
@@ -608,16 +749,19 @@ impl<V: Coordinate> Mesh<'_, V> {
         let radius = if outside { i32::MAX } else { bits(radius).saturating_add(3) };
         Sphere { centre: Point3::from_bits(centre.map(bits)), radius: Scalar::from_bits(radius) }
     }
+}
 
-    pub(crate) const fn justify(&self) -> u32 {
-        self.justify as u32
+#[cfg(feature = "defmt")]
+impl<V> defmt::Format for MeshData<'_, V> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (v, t, e) = (self.vertices.len(), self.faces.len(), self.edges.len());
+        defmt::write!(f, "mesh of {=usize} vertices, {=usize} faces, {=usize} edges", v, t, e);
     }
 }
 
 #[cfg(feature = "defmt")]
-impl<V> defmt::Format for Mesh<'_, V> {
+impl<V, P> defmt::Format for Mesh<'_, V, P> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        let (v, t, e) = (self.vertices.len(), self.faces.len(), self.edges.len());
-        defmt::write!(f, "mesh of {=usize} vertices, {=usize} faces, {=usize} edges", v, t, e);
+        self.data.format(f);
     }
 }

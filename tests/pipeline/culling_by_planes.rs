@@ -6,7 +6,10 @@ use support::teapot;
 
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{Cull, DepthBuffer, Mesh, MeshError, MeshInstance, Scalar, ScreenVertex, Statistics};
+use pinhole::{
+    Cull, DepthBuffer, FacePlanes, Mesh, MeshError, MeshInstance, Scalar, ScreenVertex, Statistics,
+    WithPlanes,
+};
 use std::cell::RefCell;
 use support::bridge::draw::Shader;
 use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
@@ -59,24 +62,24 @@ fn plain<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V>, depth: bool) ->
 
 /// `cache` is the vertex cache, filled with the vertices of another picture.
 fn by_planes<V: pinhole::Coordinate>(
-    instance: &MeshInstance<'_, V>,
+    instance: &MeshInstance<'_, V, WithPlanes>,
     depth: bool,
     cache: &mut [ScreenVertex],
 ) -> Drawing {
     draw(depth, |shade, depth, target| {
         match depth {
-            Some(depth) => instance.cull_by_planes().depth_tested(shade, cache, depth, target),
-            None => instance.cull_by_planes().solid(shade, cache, target),
+            Some(depth) => instance.depth_tested(shade, cache, depth, target),
+            None => instance.solid(shade, cache, target),
         }
         .unwrap()
     })
 }
 
-/// Draws in bands of 7 rows; returns the pixels and the faces whose shader was asked for.
-fn in_bands<V: pinhole::Coordinate>(
-    instance: &MeshInstance<'_, V>,
+/// Draws in bands of 7 rows; returns the calls and the counts. `transforms`: all vertices are transformed first.
+fn in_bands<V: pinhole::Coordinate, P: FacePlanes>(
+    instance: &MeshInstance<'_, V, P>,
     depth: bool,
-    planes: bool,
+    transforms: bool,
     corners: &mut [ScreenVertex],
 ) -> (Vec<Call<Shader>>, Statistics) {
     let count = instance.mesh().faces().len();
@@ -88,11 +91,11 @@ fn in_bands<V: pinhole::Coordinate>(
     let shade = |face| Shader(face as u16);
     let statistics = if depth {
         let transformed;
-        let mut faces = if planes {
-            instance.cull_by_planes().bin_faces_with_depth(corners, &mut bin_storage).unwrap()
-        } else {
+        let mut faces = if transforms {
             transformed = instance.transform_depth(corners);
             transformed.bin_faces(&mut bin_storage).unwrap()
+        } else {
+            instance.bin_faces_with_depth(corners, &mut bin_storage).unwrap()
         };
         for mut band in rows {
             let mut depths = vec![0; WIDTH as usize * 7];
@@ -103,11 +106,11 @@ fn in_bands<V: pinhole::Coordinate>(
         faces.statistics()
     } else {
         let transformed;
-        let mut faces = if planes {
-            instance.cull_by_planes().bin_faces(corners, &mut bin_storage).unwrap()
-        } else {
+        let mut faces = if transforms {
             transformed = instance.transform(corners);
             transformed.bin_faces(&mut bin_storage).unwrap()
+        } else {
+            instance.bin_faces(corners, &mut bin_storage).unwrap()
         };
         for mut band in rows {
             faces.solid(shade, &mut band).unwrap();
@@ -128,20 +131,24 @@ struct Tally {
 }
 
 /// Twice the area before corners are snapped, in 2⁻⁶⁴ pixels; positive for front faces.
-fn exact_area<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V>, face: [u16; 3]) -> Option<i128> {
+fn exact_area<V: pinhole::Coordinate, P: FacePlanes>(
+    instance: &MeshInstance<'_, V, P>,
+    face: [u16; 3],
+) -> Option<i128> {
     let [a, b, c] = face.map(|index| instance.project_unsnapped(index.into()).map(|p| p.map(i128::from)));
     let (a, b, c) = (a?, b?, c?);
     Some((c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]))
 }
 
-fn compare<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V>, tally: &mut Tally) {
+fn compare<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V, WithPlanes>, tally: &mut Tally) {
+    let by_area = instance.without_planes();
     let (count, faces) = (instance.mesh().vertices().len(), instance.mesh().faces().len() as u32);
     // Vertices of a mesh with another model matrix.
     let mut stale = vec![ScreenVertex::EMPTY; count + 3];
-    let _ = instance.solid(|_| Shader(0), &mut stale, &mut Recorder::sized(9, 9));
+    let _ = by_area.solid(|_| Shader(0), &mut stale, &mut Recorder::sized(9, 9));
     stale.rotate_right(5);
     for depth in [false, true] {
-        let expected = plain(instance, depth);
+        let expected = plain(&by_area, depth);
         for length in [0, count / 2, count, count + 3] {
             let found = by_planes(instance, depth, &mut stale.clone()[..length]);
             let (e, f) = (expected.statistics, found.statistics);
@@ -168,11 +175,16 @@ fn compare<V: pinhole::Coordinate>(instance: &MeshInstance<'_, V>, tally: &mut T
             assert!(found.depths == expected.depths, "other depths");
         }
         let whole = by_planes(instance, depth, &mut stale.clone()).statistics;
-        let (expected_calls, _) = in_bands(instance, depth, false, &mut stale.clone());
-        for length in [count / 2, count + 3] {
-            let (calls, statistics) = in_bands(instance, depth, true, &mut stale.clone()[..length]);
+        let (expected_calls, counted) = in_bands(&by_area, depth, true, &mut stale.clone());
+        for (length, transforms) in
+            [(count / 2, false), (count / 2, true), (count + 3, false), (count + 3, true)]
+        {
+            let (calls, statistics) = in_bands(instance, depth, transforms, &mut stale.clone()[..length]);
             assert!(calls == expected_calls, "other spans in bands");
             assert_eq!(statistics, whole);
+            let (calls, statistics) = in_bands(&by_area, depth, transforms, &mut stale.clone()[..length]);
+            assert!(calls == expected_calls, "other spans in bands without planes");
+            assert_eq!(statistics, counted);
         }
         tally.drawn += expected.statistics.drawn;
         tally.culled += expected.statistics.culled;
@@ -232,7 +244,7 @@ fn culling_by_planes_draws_the_same_teapot() {
     assert!(near.clipped > 5000, "{near:?}");
 }
 
-/// Without planes only the order differs in which vertices are transformed.
+/// A mesh without planes in the type of those with planes: only the order differs in which vertices are transformed.
 #[test]
 fn a_mesh_without_planes_is_not_culled_by_planes() {
     let (mut rng, mut drawn) = (Rng::new(0xfad), 0);
@@ -242,11 +254,15 @@ fn a_mesh_without_planes_is_not_culled_by_planes() {
     let zeros = [0; 992];
     let replaced = mesh.with_planes(&zeros).unwrap().with_normals(&teapot::NORMALS).unwrap();
     assert_eq!((mesh.planes(), replaced), (&[][..], mesh));
+    assert_eq!(mesh.with_planes(&zeros).unwrap().without_planes(), mesh);
+    assert_eq!(mesh.with_planes(&zeros).unwrap().with_planes_if_any().planes(), zeros);
+    let of_both = mesh.with_planes_if_any();
     for i in 0..24 {
         let camera = camera(&mut rng, [5.0, 17.0, 300.0][i % 3], false).library();
-        let instance = camera.place(&mesh, &ModelBits::random_rotation(&mut rng).library());
+        let instance = camera.place(&of_both, &ModelBits::random_rotation(&mut rng).library());
         let mut corners = vec![ScreenVertex::EMPTY; 400];
-        let (expected, found) = (plain(&instance, true), by_planes(&instance, true, &mut corners));
+        let expected = plain(&instance.without_planes(), true);
+        let found = by_planes(&instance, true, &mut corners);
         assert_eq!(found.statistics, expected.statistics);
         assert_eq!(found.faces, expected.faces);
         assert!(found.calls == expected.calls && found.depths == expected.depths);

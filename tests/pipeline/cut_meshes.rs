@@ -8,7 +8,7 @@ use embedded_graphics_core::prelude::{RawData, Size};
 use pinhole::space::{Model, World};
 use pinhole::{
     edge_faces, Affine, Angle, Camera, Coordinate, Cull, DepthBuffer, Mesh, MeshInstance, Painter, Picture,
-    Point3, Projection, Scalar, ScreenVertex, Statistics, Vector3, ViewTransform, Viewport,
+    Point3, Projection, Scalar, ScreenVertex, Statistics, Vector3, ViewTransform, Viewport, WithPlanes,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use support::bridge::draw::Shader;
@@ -110,9 +110,10 @@ fn in_memory(expected: &Pixels, draw: impl FnOnce(&mut Picture<'_, Rgb565>, &mut
 /// and of hidden lines.
 fn every_way<V: Coordinate>(
     rng: &mut Rng,
-    instance: &MeshInstance<'_, V>,
+    by_planes: &MeshInstance<'_, V, WithPlanes>,
     turned: &MeshInstance<'_, V>,
 ) -> (Statistics, [Pixels; 4]) {
+    let instance = by_planes.without_planes();
     let caches = [VERTICES, 0, rng.int(1, VERTICES as i64 - 1) as usize];
     let [mut full, mut empty, mut short] = caches.map(|length| vec![ScreenVertex::EMPTY; length]);
     let mut statistics = Vec::new();
@@ -124,7 +125,6 @@ fn every_way<V: Coordinate>(
     in_memory(&solid, |picture, _| {
         let Ok(_) = instance.solid(color, &mut full, &mut picture.pixels());
     });
-    let by_planes = instance.cull_by_planes();
     for cache in [&mut full, &mut empty, &mut short] {
         assert!(
             solid == whole(|target, _| by_planes.solid(shader, cache, target).map(|_| ()).expect("drawn"))
@@ -136,6 +136,9 @@ fn every_way<V: Coordinate>(
     statistics.push(Ok(faces.statistics()));
     assert!(solid == bands(rng, |band, _| faces.solid(shader, band).expect("drawn")));
     let mut faces = by_planes.bin_faces(&mut full, &mut storage).expect("room");
+    assert!(solid == bands(rng, |band, _| faces.solid(shader, band).expect("drawn")));
+    let transformed = by_planes.transform(&mut short);
+    let mut faces = transformed.bin_faces(&mut storage).expect("room");
     assert!(solid == bands(rng, |band, _| faces.solid(shader, band).expect("drawn")));
     // Culling leaves out the faces that the turned mesh draws: without culling, no side is known before a face is cut.
     let behind = whole(|target, _| turned.solid(shader, &mut full, target).map(|_| ()).expect("drawn"));
@@ -168,11 +171,27 @@ fn every_way<V: Coordinate>(
     assert!(deep == bands(rng, |band, depth| faces.depth_tested(shader, depth, band).expect("drawn")));
     let mut faces = by_planes.bin_faces_with_depth(&mut short, &mut storage).expect("room");
     assert!(deep == bands(rng, |band, depth| faces.depth_tested(shader, depth, band).expect("drawn")));
+    let transformed = by_planes.transform_depth(&mut full);
+    let mut faces = transformed.bin_faces(&mut storage).expect("room");
+    assert!(deep == bands(rng, |band, depth| faces.depth_tested(shader, depth, band).expect("drawn")));
+    // What is picked in a pixel is what is drawn there.
+    for _ in 0..4 {
+        let at = (rng.below(WIDTH as usize) as i32, rng.below(HEIGHT as usize) as i32);
+        let (pixel, drawn) = (at.into(), deep.get(&at).map(|(shader, _)| shader.0));
+        let picked = [
+            instance.pick(pixel, &mut full),
+            by_planes.pick(pixel, &mut short),
+            by_planes.transform_depth(&mut empty).pick(pixel),
+        ];
+        for picked in picked {
+            assert_eq!(picked.map(|picked| picked.face as u16 + 1), drawn, "{at:?}");
+        }
+    }
     // Painter's order.
     let mut painter = Box::new(Painter::<Shader, 1500, 800>::new());
-    painter.add(instance, shader).expect("room");
+    painter.add(&instance, shader).expect("room");
     let painted = whole(|target, _| statistics.push(painter.draw(target)));
-    painter.add_culled_by_planes(&by_planes, shader).expect("room");
+    painter.add(by_planes, shader).expect("room");
     assert!(painted == whole(|target, _| painter.draw(target).map(|_| ()).expect("drawn")));
     // Lines.
     let wire =

@@ -8,7 +8,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::{
     draw_line, fill_triangle, Camera, Coordinate, Cull, DepthBuffer, Mesh, MeshInstance, Painter,
-    ScreenVertex, Viewport,
+    ScreenVertex, Viewport, WithPlanes,
 };
 use std::convert::Infallible;
 use support::bridge;
@@ -92,10 +92,11 @@ fn wild_model(rng: &mut Rng) -> ModelBits {
 
 fn draw_every_way<V: Coordinate>(
     rng: &mut Rng,
-    instance: MeshInstance<'_, V>,
+    instance: MeshInstance<'_, V, WithPlanes>,
     viewport: (i32, i32, u32, u32),
 ) -> u32 {
-    let instance = instance.with_cull([Cull::Back, Cull::None][rng.below(2)]);
+    let by_planes = instance.with_cull([Cull::Back, Cull::None][rng.below(2)]);
+    let instance = by_planes.without_planes();
     for v in 0..7 {
         let _ = instance.project(v);
     }
@@ -103,13 +104,12 @@ fn draw_every_way<V: Coordinate>(
     let mut cache = [ScreenVertex::default(); 6];
     let cache = &mut cache[..rng.below(7)];
     instance.solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
-    instance.cull_by_planes().solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
+    by_planes.solid(|face| Shader(face as u16), cache, &mut target).expect("no error");
     let mut depths = [0; 20 * 15];
     let mut depth = DepthBuffer::new(target.bounding_box(), &mut depths).expect("as large as the target");
-    instance
-        .cull_by_planes()
-        .depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target)
-        .expect("no error");
+    by_planes.depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target).expect("no error");
+    by_planes.depth_only(cache, &mut depth);
+    by_planes.pick(Point::new(9, 7), cache);
     instance.depth_tested(|face| Shader(face as u16), cache, &mut depth, &mut target).expect("no error");
     instance.depth_only(cache, &mut depth);
     instance.wireframe(Shader(1), cache, &mut target).expect("no error");
@@ -118,6 +118,10 @@ fn draw_every_way<V: Coordinate>(
     instance.points(Shader(1), &mut target).expect("no error");
     instance.polyline(Shader(1), &mut target).expect("no error");
     let (mut bin_storage, mut more) = ([0; 6], [0; 6]); // of five, and one for every 16
+    let mut faces = by_planes.bin_faces_with_depth(cache, &mut bin_storage).expect("room");
+    faces.depth_tested(|face| Shader(face as u16), &mut depth, &mut target).expect("no error");
+    let mut faces = by_planes.bin_faces(cache, &mut bin_storage).expect("room");
+    faces.solid(|face| Shader(face as u16), &mut target).expect("no error");
     let transformed = instance.transform_depth(cache);
     let mut faces = transformed.bin_faces(&mut bin_storage).expect("room");
     let mut edges = transformed.bin_edges(&mut more).expect("room");
@@ -128,7 +132,7 @@ fn draw_every_way<V: Coordinate>(
     edges.hidden_line(Shader(1), &mut depth, &mut target).expect("no error");
     let mut painter = Painter::<Shader, 30, 16>::new();
     let _ = painter.add(&instance, |_| Shader(2));
-    let _ = painter.add(&instance, |_| Shader(3));
+    let _ = painter.add(&by_planes, |_| Shader(3));
     painter.draw(&mut target).expect("no error");
     assert_eq!(target.outside, 0);
     let (x, y, width, height) = viewport;
@@ -188,7 +192,7 @@ fn extreme_objects_before_an_ordinary_camera_do_not_panic() {
         let model = wild_model(&mut rng).library();
         let faces = [(); 5].map(|()| [0; 3].map(|_| rng.below(6) as u16));
         let vertices = [(); 6].map(|()| [0; 3].map(|_| wild16(&mut rng)));
-        let mesh = Mesh::new(&vertices, rng.int(-32, 15) as i8, &faces).expect("a mesh");
+        let mesh = Mesh::new(&vertices, rng.int(-32, 15) as i8, &faces).expect("a mesh").with_planes_if_any();
         visible += draw_every_way(&mut rng, camera.place(&mesh, &model), bits.viewport);
     }
     assert!(visible > 1000, "{visible}");

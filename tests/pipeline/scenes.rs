@@ -6,9 +6,9 @@ use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565};
 use embedded_graphics_core::prelude::*;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, BinError, Camera, Cull, DepthBuffer, Frame, Mesh, Object, Painter, Picked, Picture,
-    Point3, Projection, Scalar, Scene, SceneError, ScreenVertex, Statistics, Vector3, ViewTransform,
-    Viewport, Visibility,
+    Affine, Angle, BinError, Camera, Cull, DepthBuffer, FacePlanes, Frame, Mesh, Object, Painter, Picked,
+    Picture, Point3, Projection, Scalar, Scene, SceneError, ScreenVertex, Statistics, Vector3, ViewTransform,
+    Viewport, Visibility, WithPlanes,
 };
 use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
@@ -29,13 +29,28 @@ fn meshes() -> [Mesh<'static>; 2] {
     ]
 }
 
+/// The cube with planes, and the tetrahedron without planes in the type of meshes that have them.
+fn mixed() -> [Mesh<'static, i16, WithPlanes>; 2] {
+    let [cube, tetrahedron] = meshes();
+    let normal = |face: &[u16; 3]| {
+        let [a, b, c] = face.map(|index| CUBE[usize::from(index)].map(i32::from));
+        let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+        // Along an axis.
+        let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        n.map(|c| c.signum() as i16 * i16::MAX)
+    };
+    let cube = cube.with_normals(CUBE_FACES.iter().map(normal).collect::<Vec<_>>().leak()).expect("normals");
+    let planes: [i16; 12] = cube.face_planes();
+    [cube.with_planes(planes.to_vec().leak()).expect("planes"), tetrahedron.with_planes_if_any()]
+}
+
 /// The number of a face of an object, as a color. Black, 0, is the background.
 fn number(object: usize, face: usize) -> Rgb565 {
     Rgb565::from(RawU16::new((object * 12 + face + 1) as u16))
 }
 
 /// Objects around the camera: before and behind it, near, far and beside it, some of them through others.
-fn random<'m>(rng: &mut Rng, meshes: &'m [Mesh<'m>; 2]) -> Scene<'m, usize, OBJECTS> {
+fn random<'m, P>(rng: &mut Rng, meshes: &'m [Mesh<'m, i16, P>; 2]) -> Scene<'m, usize, OBJECTS, P> {
     let mut scene = Scene::new();
     for index in 0..OBJECTS {
         let turned = Affine::<Model, World>::identity()
@@ -63,23 +78,24 @@ fn camera(rng: &mut Rng) -> Camera {
     Camera::new(&view, &lens, &viewport)
 }
 
-/// All objects of a scene, placed and drawn one by one, without culling of objects: the faces as numbers, and their depths.
-fn by_hand(scene: &Scene<'_, usize, OBJECTS>, camera: &Camera) -> (Vec<Rgb565>, Vec<u16>) {
+/// All objects of a scene, placed and drawn one by one, without culling of objects or by planes: the faces as numbers, and their
+/// depths.
+fn by_hand<P: FacePlanes>(scene: &Scene<'_, usize, OBJECTS, P>, camera: &Camera) -> (Vec<Rgb565>, Vec<u16>) {
     let mut pixels = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
     let mut depths = vec![0; pixels.len()];
     let area = rectangle(0, 0, WIDTH, HEIGHT);
     let mut picture = Picture::new(&mut pixels, area.size).expect("all pixels");
     let mut depth = DepthBuffer::new(area, &mut depths).expect("all pixels");
     for (index, object) in scene.objects().iter().enumerate() {
-        let instance = camera.place(object.mesh, &object.model).with_cull(object.cull);
+        let instance = camera.place(object.mesh, &object.model).with_cull(object.cull).without_planes();
         let shade = |face| number(index, face);
         let Ok(_) = instance.depth_tested(shade, &mut [], &mut depth, &mut picture.pixels());
     }
     (pixels, depths)
 }
 
-fn in_bands(
-    scene: &Scene<'_, usize, OBJECTS>,
+fn in_bands<P: FacePlanes>(
+    scene: &Scene<'_, usize, OBJECTS, P>,
     camera: &Camera,
     rows: u32,
     cache: usize,
@@ -96,7 +112,7 @@ fn in_bands(
     let mut picture = Picture::new(&mut pixels, area.size).expect("all pixels");
     while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
         let mut depth = DepthBuffer::new(band.area(), &mut depths).expect("a row");
-        let shade = |object: &Object<'_, usize>| {
+        let shade = |object: &Object<'_, usize, P>| {
             let index = object.material;
             move |face| number(index, face)
         };
@@ -109,10 +125,15 @@ fn in_bands(
 
 #[test]
 fn a_scene_is_its_objects_drawn_by_hand() {
-    let (mut rng, meshes) = (Rng::new(0xe1), meshes());
+    drawn_scenes(&meshes());
+    drawn_scenes(&mixed());
+}
+
+fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
+    let mut rng = Rng::new(0xe1);
     let (mut culled, mut drawn, mut clipped) = (0, 0, 0);
     for _ in 0..60 {
-        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
+        let (scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
         let (wanted, _) = by_hand(&scene, &camera);
         for (rows, cache) in [(1, usize::MAX), (7, 30), (HEIGHT, 0)] {
             let (found, statistics) = in_bands(&scene, &camera, rows, cache);
@@ -127,7 +148,7 @@ fn a_scene_is_its_objects_drawn_by_hand() {
         let mut picture = Picture::new(&mut pixels, Size::new(WIDTH, HEIGHT)).expect("all pixels");
         let mut depth = DepthBuffer::new(rectangle(0, 0, WIDTH, HEIGHT), &mut depths).expect("all pixels");
         let mut asked = Vec::new();
-        let shade = |object: &Object<'_, usize>| {
+        let shade = |object: &Object<'_, usize, P>| {
             let index = object.material;
             asked.push(index);
             move |face| number(index, face)
@@ -154,10 +175,15 @@ fn a_scene_is_its_objects_drawn_by_hand() {
 
 #[test]
 fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
-    let (mut rng, meshes, mut colored) = (Rng::new(0xe2), meshes(), 0);
+    painted_scenes(&meshes());
+    painted_scenes(&mixed());
+}
+
+fn painted_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
+    let (mut rng, mut colored) = (Rng::new(0xe2), 0);
     for _ in 0..30 {
         // Painters draw beyond a far plane that does not clip; scenes cull there.
-        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng).with_far_clip(true));
+        let (scene, camera) = (random(&mut rng, meshes), camera(&mut rng).with_far_clip(true));
         let draw = |painter: &mut Painter<Rgb565, 600, 600>| {
             let mut pixels = vec![Rgb565::BLACK; (WIDTH * HEIGHT) as usize];
             let mut picture = Picture::new(&mut pixels, Size::new(WIDTH, HEIGHT)).expect("all pixels");
@@ -165,7 +191,7 @@ fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
             pixels
         };
         let (mut painter, mut hands) = (Box::new(Painter::new()), Box::new(Painter::new()));
-        let shade = |object: &Object<'_, usize>| {
+        let shade = |object: &Object<'_, usize, P>| {
             let index = object.material;
             move |face| number(index, face)
         };
@@ -185,10 +211,15 @@ fn a_scene_in_painters_order_is_its_objects_in_a_painter() {
 /// depth-tested drawing shows.
 #[test]
 fn picking_finds_the_face_that_is_drawn() {
-    let (mut rng, meshes) = (Rng::new(0xe3), meshes());
+    picked_scenes(&meshes());
+    picked_scenes(&mixed());
+}
+
+fn picked_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
+    let mut rng = Rng::new(0xe3);
     let (mut hits, mut misses, mut points) = (0, 0, 0);
     for _ in 0..12 {
-        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
+        let (scene, camera) = (random(&mut rng, meshes), camera(&mut rng));
         let (picture, depths) = by_hand(&scene, &camera);
         let placed = scene.place(&camera);
         let mut cache = [ScreenVertex::EMPTY; 8];

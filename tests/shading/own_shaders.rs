@@ -15,7 +15,7 @@ use example::scene::{self, BOARD, FOG_COLOR, FOG_RANGE, GLASS, NEAR_FAR, SIZE, S
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Camera, DepthBuffer, Mesh, MeshInstance, Painter, Picture, Projection, Scalar, ScreenVertex,
-    SpanShader, Target, Window,
+    SpanShader, Target, Window, WithPlanes,
 };
 
 type V = [f64; 3];
@@ -162,7 +162,7 @@ fn a_shader_gets_depth_and_w_whichever_call_draws_it() {
     for projection in [projection, oblique] {
         let camera = Camera::new(&view, &projection, &viewport);
         for (quad, wall) in [(&scene::FLOOR, false), (&scene::WALL, true)] {
-            let mesh = Mesh::new(quad, 0, &scene::QUAD).expect("a quad");
+            let mesh = Mesh::new(quad, 0, &scene::QUAD).expect("a quad").with_planes_if_any();
             let instance = camera.place(&mesh, &model);
             let draw = |way: usize| {
                 let mut pixels = vec![SKY; count];
@@ -186,21 +186,22 @@ fn a_shader_gets_depth_and_w_whichever_call_draws_it() {
 /// Draws at once, with depth, by planes, by a painter or from bins.
 fn draw<S: SpanShader<Rgb888>, T: Target<Color = Rgb888, Error = Infallible>>(
     way: usize,
-    instance: &MeshInstance<'_>,
+    by_planes: &MeshInstance<'_, i16, WithPlanes>,
     area: Rectangle,
     shade: impl FnMut(usize) -> S,
     target: &mut T,
 ) {
+    let instance = by_planes.without_planes();
     let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4], [0; 3]);
     let mut depths = vec![0; (area.size.width * area.size.height) as usize];
     let mut depth = DepthBuffer::new(area, &mut depths).expect("as many depths");
     let Ok(()) = match way {
         0 => instance.depth_tested(shade, &mut cache, &mut depth, target).map(|_| ()),
         1 => instance.solid(shade, &mut cache, target).map(|_| ()),
-        2 => instance.cull_by_planes().solid(shade, &mut cache, target).map(|_| ()),
+        2 => by_planes.solid(shade, &mut cache, target).map(|_| ()),
         3 => {
             let mut painter = Painter::<S, 32, 16>::new();
-            painter.add(instance, shade).expect("room");
+            painter.add(&instance, shade).expect("room");
             painter.draw(target).map(|_| ())
         }
         _ => instance.transform_depth(&mut cache).bin_faces(&mut bins).expect("room").solid(shade, target),

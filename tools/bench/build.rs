@@ -50,14 +50,18 @@ fn write_model(text: &mut String, name: &str, model: &Value) -> Result<()> {
     writeln!(text, "pub static {name}: Model = Model {{")?;
     writeln!(
         text,
-        "mesh: mesh({}, -{k}, {}, {}, {}, {}),",
+        "mesh: mesh({}, -{k}, {}, {}, {}),",
         slice(&vertices),
         slice(&faces),
         slice(&normals),
-        slice(&planes),
         slice(&edges)
     )?;
     writeln!(text, "axes: {:?}, distance: {distance}, reference: [{front}, {writes}] }};", [x, y, z])?;
+    writeln!(
+        text,
+        "pub static {name}_BY_PLANES: Model<WithPlanes> = by_planes(&{name}, {});",
+        slice(&planes)
+    )?;
     Ok(())
 }
 

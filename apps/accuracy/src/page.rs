@@ -26,7 +26,7 @@ and CI checks that it is current (`-- --check`). The reference is f64 from the s
 angles, eyes, vertices and matrices, never the library's own intermediate results (`tests/support/src/oracle`). All inputs come from
 a seeded generator. Every bound on this page stands in the documentation of the function and is asserted by the test named
 beside it. That a bound is at most twice the largest error found is asserted for the functions of `tests/bounds.rs`; the
-margins of `Camera::visibility` and `MeshInstance::cull_by_planes` are derived, and err on the safe side. A Cortex-M0, whose multiplier
+margins of `Camera::visibility` and of culling by planes are derived, and err on the safe side. A Cortex-M0, whose multiplier
 keeps 32 bits, computes the same bits as all other cores (`both_forms_give_the_same_bits`, `tests/device`), so this page
 holds for it too.
 ";
@@ -84,7 +84,7 @@ Bounds that other tests hold, with their own measurements:
 | `Camera::unproject` | half a sub-pixel and half a step, and `project`'s own error, carried back | `unproject_gives_the_projected_point_back` |
 | `Camera::ray` | 2⁻¹⁵ and 2⁻²⁷ of the distance, and `project`'s own error, carried back | the same |
 | `Camera::visibility` | 2⁻²⁰ of size and distance, on the safe side | `s5_bounding_spheres_are_classified_as_their_vertices` |
-| `MeshInstance::cull_by_planes`: the eye behind a plane | known beyond 1/290 of the eye's distance or the mesh's largest coordinate, on the safe side | `faces_are_left_out_only_where_the_eye_is_behind_their_plane` |
+| `Mesh::with_planes`: the eye behind a plane | known beyond 1/290 of the eye's distance or the mesh's largest coordinate, on the safe side | `faces_are_left_out_only_where_the_eye_is_behind_their_plane` |
 | `MeshInstance::depth_tested`, between the corners | 0.54 step; beyond 512 px ½ + 2⁻¹³ + 2⁻¹⁷ a column and a row; 1.1 on the far plane | `d2_…` in `raster/depth.rs` |
 | `MeshInstance::wireframe_depth_tested`, `hidden_line`: the depth of a line | ½ + n·2⁻¹⁷ + 2⁻¹³ step, n pixels from an end, at least 1; a line whose two ends lie in one pixel is tested by its nearer end | `depth_along_a_line_is_that_of_the_point_on_it` |
 | `MeshInstance::hidden_line` | 99.8 % of what is seen is drawn; nothing more than two steps behind what is nearest at the pixel's centre, but for the edge's own faces | `tests/pipeline/hidden_lines.rs` |

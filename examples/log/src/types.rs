@@ -23,7 +23,6 @@ pub(crate) fn log() {
 
     let instance = camera(40).place(&mesh, &Affine::identity());
     debug!("{}", instance);
-    debug!("{}", instance.cull_by_planes());
     let transformed = instance.transform(&mut cache);
     debug!("{}", transformed);
     debug!("{}", transformed.bin_faces(&mut face_bins).expect("room"));

@@ -4,11 +4,11 @@ use crate::bridge::draw::Shader;
 use crate::cut::before_rounding;
 use crate::input::Scene;
 use crate::{draw, sums_up, Drawing};
-use pinhole::{Mesh, MeshInstance, ScreenVertex};
+use pinhole::{Mesh, MeshInstance, ScreenVertex, WithPlanes};
 use std::cell::RefCell;
 
 /// Drawn with and without, and the faces that each drew.
-fn both(scene: &Scene, instance: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2] {
+fn both(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>) -> [(Drawing, Vec<usize>); 2] {
     [false, true].map(|by_planes| {
         let faces = RefCell::new(Vec::new());
         let shade = |face| {
@@ -17,8 +17,8 @@ fn both(scene: &Scene, instance: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2
         };
         let mut cache = vec![ScreenVertex::EMPTY; scene.cache];
         let drawing = draw(scene, |target| match by_planes {
-            true => instance.cull_by_planes().solid(shade, &mut cache, target),
-            false => instance.solid(shade, &mut cache, target),
+            true => instance.solid(shade, &mut cache, target),
+            false => instance.without_planes().solid(shade, &mut cache, target),
         });
         sums_up(drawing.statistics, instance.mesh().faces().len());
         (drawing, faces.into_inner())
@@ -27,7 +27,7 @@ fn both(scene: &Scene, instance: &MeshInstance<'_>) -> [(Drawing, Vec<usize>); 2
 
 /// Whether a face is a front face before its corners are rounded to sub-pixels, by more than the error of screen positions can
 /// make of an edge-on face. `None` if a corner has no screen position, or numbers leave their range.
-fn is_front(scene: &Scene, instance: &MeshInstance<'_>, face: [u16; 3]) -> Option<bool> {
+fn is_front(scene: &Scene, instance: &MeshInstance<'_, i16, WithPlanes>, face: [u16; 3]) -> Option<bool> {
     let (error, _) = before_rounding(scene, face)?;
     let place = |index: u16| {
         let place = instance.project_unsnapped(index.into())?;
@@ -43,17 +43,17 @@ fn is_front(scene: &Scene, instance: &MeshInstance<'_>, face: [u16; 3]) -> Optio
 }
 
 pub(crate) fn check(scene: &Scene) {
-    scene.with_instance(&scene.faces, &[], |instance| {
-        let [(plain, _), (by_planes, _)] = both(scene, instance);
-        assert_eq!(by_planes.statistics, plain.statistics, "without planes: {scene:?}");
-        assert!(by_planes.target.calls == plain.target.calls, "without planes: {scene:?}");
-    });
-    let normals: Vec<[i16; 3]> = scene.faces.iter().map(|&face| normal(scene, face)).collect();
+    let camera = scene.camera.library().with_far_clip(scene.far_clip);
     let mesh = Mesh::new(&scene.vertices, scene.exponent, &scene.faces).expect("a mesh");
+    let without = mesh.with_planes_if_any();
+    let instance = camera.place(&without, &scene.model.library()).with_cull(scene.cull);
+    let [(plain, _), (by_planes, _)] = both(scene, &instance);
+    assert_eq!(by_planes.statistics, plain.statistics, "without planes: {scene:?}");
+    assert!(by_planes.target.calls == plain.target.calls, "without planes: {scene:?}");
+    let normals: Vec<[i16; 3]> = scene.faces.iter().map(|&face| normal(scene, face)).collect();
     let mesh = mesh.with_normals(&normals).expect("one for each face");
     let planes: Vec<i16> = (0..normals.len()).map(|face| mesh.face_plane(face)).collect();
     let mesh = mesh.with_planes(&planes).expect("one for each face");
-    let camera = scene.camera.library().with_far_clip(scene.far_clip);
     let instance = camera.place(&mesh, &scene.model.library()).with_cull(scene.cull);
     let [(_, plain), (_, by_planes)] = both(scene, &instance);
     for &face in plain.iter().filter(|face| !by_planes.contains(face)) {

@@ -1,5 +1,6 @@
 //! What can be chosen, each against its definition in `f64`.
 
+use pinhole::MeshError;
 use pinhole_import::{import, Axis, Centre, Edges, ImportedMesh, Options, Problem};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -424,7 +425,7 @@ fn flash_is_counted() {
 fn planes_are_those_of_the_finished_mesh() {
     let options = Options { reorder: true, planes: true, ..Options::default() };
     let made = import(&block(), &options).unwrap();
-    let mesh = made.mesh().unwrap();
+    let mesh = made.mesh_with_planes().unwrap();
     assert_eq!(mesh.planes(), mesh.face_planes::<12>());
     assert_eq!(mesh.planes(), made.planes);
 
@@ -444,6 +445,10 @@ fn planes_are_those_of_the_finished_mesh() {
     // Nothing else is different, and by default there are none.
     let plain = import(&path, &Options { planes: false, ..options }).unwrap();
     assert_eq!(plain, ImportedMesh { planes: Vec::new(), ..made });
+    assert_eq!(
+        plain.mesh_with_planes().unwrap_err(),
+        MeshError::PlaneCount { faces: plain.faces.len(), planes: 0 }
+    );
     assert!(plain.mesh().unwrap().planes().is_empty() && !Options::default().planes);
 }
 

@@ -30,7 +30,7 @@ and points, in bands and dirty rectangles, from two cameras, one of them made at
 opt-level 3.
 
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the templates do: faster, and larger. The other rows in bands
-draw into it as into any DrawTarget (`&mut band`). *By planes* is `MeshInstance::cull_by_planes()`, of a mesh with planes.
+draw into it as into any DrawTarget (`&mut band`). *By planes* is of a mesh with planes (`Mesh::with_planes`), the only image whose mesh has them.
 *Without clipping* is `MeshInstance::without_clipping()`: of the two frames, only the cube that stays in view is drawn whole.
 Its faces are lit by `RigidLambert`, which takes rotations. The goal
 of the wireframe is for that image: cutting costs more code than it did when the goal was set, and saves a third of the time of near

@@ -32,15 +32,15 @@ one frame; `Statistics` tells how many faces were drawn. A constant marked *more
 anyway:
 
 * *frame*: 1.
-* *vertex*: every vertex of the mesh, also with early culling by planes (`MeshInstance::cull_by_planes`): there the constant is
+* *vertex*: every vertex of the mesh, also with early culling by planes (`Mesh::with_planes`): there the constant is
   for clearing the vertex cache, and transforming the vertices of visible faces is part of *face drawn*.
 * *face left out*: a back face; about half the faces of a closed mesh. *Face outside*: all its corners lie in front of the near
-  plane, or all far beyond one border of the picture (with `cull_by_planes`, count it as left out). *Face drawn*: every other
+  plane, or all far beyond one border of the picture (of a mesh with planes, count it as left out). *Face drawn*: every other
   face, even if it lies outside the picture.
 * *large face*: a drawn face that is higher than 31 rows, crosses the left or right border of the picture, or is cut by a clip
   plane.
 * *face to be clipped*: a corner in front of the near plane or far outside the picture, but not outside; there is none if the
-  whole object is in front of the camera. *Face cut*: a face to be clipped that is drawn. With `cull_by_planes`, all faces to be
+  whole object is in front of the camera. *Face cut*: a face to be clipped that is drawn. Of a mesh with planes, all faces to be
   clipped are front faces, and nearly all are cut.
 * *row of a face*: over all drawn faces, the rows of pixels in each. *Pixel of a face*: over all drawn faces, the pixels in each,
   hidden later or not.

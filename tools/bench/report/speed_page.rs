@@ -31,8 +31,8 @@ of the picture, and the set-up before a frame: camera, light, the model's transf
 anyone would use it: the size of the picture is a variable, everything is clipped, statistics are counted; the
 compiler knows none of the numbers. Opt-level 3, fat LTO.
 
-The torus and the icosphere have a normal and a plane (`Mesh::with_planes`, 2 bytes) with each face, and are drawn by
-`MeshInstance::cull_by_planes`: most back faces are culled before their vertices are transformed, and a vertex that only back
+The torus and the icosphere have a normal and a plane (`Mesh::with_planes`, 2 bytes) with each face, and are so drawn by
+early back-face culling: most back faces are culled before their vertices are transformed, and a vertex that only back
 faces use is never transformed. Figures for these meshes without planes are [below](#by-planes-and-without).
 
 [profile.md](profile.md) shows where the instructions of a frame go, stage by stage; with [growth.md](growth.md) you can estimate
@@ -92,7 +92,7 @@ records and executes (without depth: draws what it has recorded); S1 of EG are i
 const NO_PLANES: &str = "
 ## By planes and without
 
-S3, S4 and S8 as above, and again from the same mesh without planes and without `MeshInstance::cull_by_planes`: the
+S3, S4 and S8 as above, and again from the same mesh without planes: the
 same pose and frame, and the same picture, compared by checksum. S1 and S2 are always drawn without planes. *Flash* is the
 additional flash of culling by planes, in bytes: the planes, 2 for each face, and code.
 

@@ -2,7 +2,7 @@
 
 #[cfg(not(target_os = "none"))]
 use crate::scene::Scene;
-use crate::scene::{lit, rigidly_lit, Model, CUBE, SIZE};
+use crate::scene::{by_planes, lit, rigidly_lit, Model, CUBE, CUBE_BY_PLANES, SIZE};
 use core::convert::Infallible;
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -16,8 +16,8 @@ use pinhole::space::{Model as ModelSpace, World};
 #[cfg(not(target_os = "none"))]
 use pinhole::ScreenVertex;
 use pinhole::{
-    Affine, Angle, Camera, Lambert, Mesh, MeshInstance, Point3, Projection, RigidLambert, Scalar, Vector3,
-    ViewTransform, Viewport,
+    Affine, Angle, Camera, FacePlanes, Lambert, Mesh, MeshInstance, Point3, Projection, RigidLambert, Scalar,
+    Vector3, ViewTransform, Viewport, WithPlanes,
 };
 
 /// A program that draws a frame of each of [`cubes`], one after the other: the second one is cut, so what cutting takes of
@@ -25,10 +25,13 @@ use pinhole::{
 #[macro_export]
 macro_rules! image {
     ($cube:ident, $($name:ident: $type:ty = $start:expr,)* $body:block) => {
+        $crate::image!([$crate::scene::Model; $crate::image::cubes] $cube, $($name: $type = $start,)* $body);
+    };
+    ([$model:ty; $cubes:path] $cube:ident, $($name:ident: $type:ty = $start:expr,)* $body:block) => {
         $crate::firmware!($($name: $type = $start,)* {
             #[allow(clippy::too_many_arguments)] // the variables of the largest
-            fn frame($cube: &'static $crate::scene::Model, $($name: &mut $type),*) -> Option<()> $body
-            for cube in $crate::image::cubes() {
+            fn frame($cube: &'static $model, $($name: &mut $type),*) -> Option<()> $body
+            for cube in $cubes() {
                 frame(cube, $($name),*)?;
             }
             Some(())
@@ -53,7 +56,7 @@ macro_rules! depth_in_bands {
                 let $light = $light.as_ref()?;
                 let mut $faces = instance.transform_depth(corners).bin_faces(bin_storage);
                 let $faces = $faces.as_mut().ok()?;
-                let $mesh = instance.mesh();
+                let $mesh = &cube.mesh;
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut $band) = frame.next_band(strip).ok()? {
                     let mut $depth = pinhole::DepthBuffer::new($band.area(), storage).ok()?;
@@ -66,25 +69,25 @@ macro_rules! depth_in_bands {
     };
 }
 
-/// [`image!`] of lit faces in bands, into the bands' pixels: `$bin` bins the faces.
+/// [`image!`] of lit faces in bands, into the bands' pixels.
 #[macro_export]
 macro_rules! solid_in_bands {
-    (|$instance:ident, $corners:ident, $bin_storage:ident| $bin:expr) => {
+    ($model:ty; $cubes:path) => {
         $crate::image!(
-            cube,
-            $corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
-            $bin_storage: [u16; $crate::image::BIN_STORAGE] = [0; $crate::image::BIN_STORAGE],
+            [$model; $cubes] cube,
+            corners: [pinhole::ScreenVertex; $crate::image::CORNERS] = [pinhole::ScreenVertex::EMPTY; $crate::image::CORNERS],
+            bin_storage: [u16; $crate::image::BIN_STORAGE] = [0; $crate::image::BIN_STORAGE],
             strip: [u8; $crate::bands::bytes($crate::image::ROWS)] = [0; $crate::bands::bytes($crate::image::ROWS)],
             {
                 let scene = $crate::image::Turntable::new();
-                let $instance = scene.place(cube);
+                let instance = scene.place(cube);
                 let light = scene.light();
                 let light = light.as_ref()?;
-                let mut faces = $bin;
+                let mut faces = instance.bin_faces(corners, bin_storage);
                 let faces = faces.as_mut().ok()?;
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut band) = frame.next_band(strip).ok()? {
-                    let Ok(()) = faces.solid($crate::scene::flat($instance.mesh(), light), &mut band.pixels());
+                    let Ok(()) = faces.solid($crate::scene::flat(cube.mesh.normals(), light), &mut band.pixels());
                     band.send(&mut $crate::image::Sink).ok()?;
                 }
                 Some(())
@@ -98,17 +101,28 @@ macro_rules! solid_in_bands {
 /// there are: it makes the code of a frame once.
 pub fn cubes() -> &'static [Model] {
     static CUBES: [Model; 2] = {
-        let Model { mesh: cube, axes, distance, reference } = CUBE;
-        let Ok(large) = Mesh::new(cube.vertices(), cube.exponent() + 1, cube.faces()) else {
-            panic!("faces")
-        };
-        let Ok(large) = large.with_normals(cube.normals()) else { panic!("normals") };
-        let Ok(large) = large.with_planes(cube.planes()) else { panic!("planes") };
-        let Ok(large) = large.with_edges(cube.edges()) else { panic!("edges") };
-        let near = Model { mesh: large, axes, distance: 3 << 16, reference };
-        [Model { mesh: cube, axes, distance, reference }, near]
+        let Model { mesh, axes, distance, reference } = CUBE;
+        [Model { mesh, axes, distance, reference }, large()]
     };
     black_box(CUBES.as_slice())
+}
+
+/// [`cubes`] with face planes.
+pub fn cubes_by_planes() -> &'static [Model<WithPlanes>] {
+    static CUBES: [Model<WithPlanes>; 2] = {
+        let planes = CUBE_BY_PLANES.mesh.planes();
+        [by_planes(&CUBE, planes), by_planes(&large(), planes)]
+    };
+    black_box(CUBES.as_slice())
+}
+
+/// At compile time: the cube that is cut.
+const fn large() -> Model {
+    let Model { mesh: cube, axes, reference, .. } = CUBE;
+    let Ok(large) = Mesh::new(cube.vertices(), cube.exponent() + 1, cube.faces()) else { panic!("faces") };
+    let Ok(large) = large.with_normals(cube.normals()) else { panic!("normals") };
+    let Ok(mesh) = large.with_edges(cube.edges()) else { panic!("edges") };
+    Model { mesh, axes, distance: 3 << 16, reference }
 }
 
 /// What the book's chapter on budgets says that they take of a frame; on a Cortex-M0 a mesh takes more.
@@ -153,7 +167,7 @@ impl Turntable {
 
     /// Of the camera the compiler does not see that there is but one.
     #[inline(always)]
-    pub fn place(&self, cube: &'static Model) -> MeshInstance<'static> {
+    pub fn place<P: FacePlanes>(&self, cube: &'static Model<P>) -> MeshInstance<'static, i16, P> {
         black_box(&CAMERA).place(&cube.mesh, &self.model)
     }
 

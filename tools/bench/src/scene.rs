@@ -6,8 +6,8 @@ use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::space::{Model as ModelSpace, World};
 use pinhole::{
-    Affine, Angle, Camera, Dim, Gouraud, Lambert, Lit, Mesh, MeshInstance, Point3, Projection, RigidLambert,
-    Scalar, Vector3, ViewTransform, Viewport,
+    Affine, Angle, Camera, Dim, FacePlanes, Gouraud, Lambert, Lit, Mesh, MeshInstance, Point3, Projection,
+    RigidLambert, Scalar, Vector3, ViewTransform, Viewport, WithPlanes, WithoutPlanes,
 };
 
 /// Width and height of a frame.
@@ -23,9 +23,9 @@ pub const fn area() -> Rectangle {
     Rectangle::new(Point::zero(), Size::new(SIZE, SIZE))
 }
 
-/// What `build.rs` makes of a model.
-pub struct Model {
-    pub mesh: Mesh<'static>,
+/// What `build.rs` makes of a model: of each one without face planes and one with them.
+pub struct Model<P = WithoutPlanes> {
+    pub mesh: Mesh<'static, i16, P>,
     /// Where the object's axes point in the world, in 2⁻¹⁶.
     pub(crate) axes: [[i32; 3]; 3],
     /// Of the eye from the origin, in 2⁻¹⁶.
@@ -34,7 +34,7 @@ pub struct Model {
     pub reference: [u32; 2],
 }
 
-impl Model {
+impl<P> Model<P> {
     /// What its lists take of flash.
     pub const fn bytes(&self) -> usize {
         size_of_val(self.mesh.vertices())
@@ -65,40 +65,50 @@ const fn mesh(
     exponent: i8,
     faces: &'static [[u16; 3]],
     normals: &'static [[i16; 3]],
-    planes: &'static [i16],
     edges: &'static [[u16; 2]],
 ) -> Mesh<'static> {
     let Ok(mesh) = Mesh::new(vertices, exponent, faces) else { panic!("faces") };
     let Ok(mesh) = mesh.with_normals(normals) else { panic!("normals") };
-    let Ok(mesh) = mesh.with_planes(planes) else { panic!("planes") };
     let Ok(mesh) = mesh.with_edges(edges) else { panic!("edges") };
     mesh
 }
 
+/// At compile time: the model with these planes.
+pub(crate) const fn by_planes(model: &Model, planes: &'static [i16]) -> Model<WithPlanes> {
+    let Model { mesh, axes, distance, reference } = model;
+    let Ok(mesh) = mesh.with_planes(planes) else { panic!("planes") };
+    Model { mesh, axes: *axes, distance: *distance, reference: *reference }
+}
+
 /// A model before its camera: set up before the frame.
-pub struct Scene {
-    mesh: Mesh<'static>,
+pub struct Scene<P = WithoutPlanes> {
+    mesh: Mesh<'static, i16, P>,
     model: Affine<ModelSpace, World>,
     camera: Camera,
 }
 
-impl Scene {
+impl<P: FacePlanes> Scene<P> {
     /// Of a model as it is shown.
     #[inline(always)]
-    pub fn new(model: &'static Model) -> Option<Self> {
+    pub fn new(model: &'static Model<P>) -> Option<Self> {
         let model = black_box(model);
         Some(Self { mesh: model.mesh, camera: model.camera()?, model: model.turned() })
     }
 
     /// Of any mesh, turned to these axes, from an eye that looks at the origin, in 2⁻¹⁶.
     #[inline(always)]
-    pub fn viewed(mesh: Mesh<'static>, axes: [[i32; 3]; 3], eye: [i32; 3], size: Size) -> Option<Self> {
+    pub fn viewed(
+        mesh: Mesh<'static, i16, P>,
+        axes: [[i32; 3]; 3],
+        eye: [i32; 3],
+        size: Size,
+    ) -> Option<Self> {
         Some(Self { mesh, camera: camera(eye, size)?, model: turned(axes) })
     }
 
     /// The first thing in every frame.
     #[inline(always)]
-    pub fn place(&self) -> MeshInstance<'_> {
+    pub fn place(&self) -> MeshInstance<'_, i16, P> {
         self.camera.place(&self.mesh, &self.model)
     }
 
@@ -109,7 +119,7 @@ impl Scene {
     /// Lambert-flat.
     #[inline(always)]
     pub fn shade<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
-        flat(&self.mesh, light)
+        flat(self.mesh.normals(), light)
     }
 }
 
@@ -152,8 +162,8 @@ impl Light for RigidLambert {
 
 /// Each face in the light that its normal has.
 #[inline(always)]
-pub fn flat<'s>(mesh: &'s Mesh<'s>, light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
-    |face| match mesh.normals().get(face) {
+pub fn flat<'s>(normals: &'s [[i16; 3]], light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
+    |face| match normals.get(face) {
         Some(&normal) => FACE.dim(light.level(normal)),
         None => FACE,
     }

@@ -13,8 +13,8 @@ use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
     draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim, DirtyRegions,
-    Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object, Painter, Picture, Scalar,
-    ScreenVertex, ShadeTable, SpanShader, Target, Tracked, TransferCost,
+    FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object, Painter, Picture,
+    Scalar, ScreenVertex, ShadeTable, SpanShader, Target, Tracked, TransferCost, WithPlanes,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -22,8 +22,8 @@ struct Scene<'a, C> {
     camera: Camera,
     model: Affine<Model, World>,
     light: Lambert,
-    mesh: Mesh<'a>,
-    wide_mesh: Mesh<'a, Scalar>,
+    mesh: Mesh<'a, i16, WithPlanes>,
+    wide_mesh: Mesh<'a, Scalar, WithPlanes>,
     colours: &'a [(C, [i16; 3])],
     corners: &'a mut [ScreenVertex],
     depth: &'a mut [u16],
@@ -75,21 +75,22 @@ fn shade<D: DrawTarget<Color: Dim + Channels + pinhole::PixelFormat>>(
 
 fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>(
     scene: &mut Scene<'_, D::Color>,
-    instance: &MeshInstance<'_>,
+    by_planes: &MeshInstance<'_, i16, WithPlanes>,
     shade: impl Fn(usize) -> I,
     target: &mut D,
 ) {
+    let instance = by_planes.without_planes();
     let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(background, _)) = colours.first() else { return };
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     report(instance.solid(&shade, corners, target));
-    report(instance.cull_by_planes().solid(&shade, corners, target));
+    report(by_planes.solid(&shade, corners, target));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(instance.depth_tested(&shade, corners, &mut depth, target));
-        report(instance.cull_by_planes().depth_tested(&shade, corners, &mut depth, target));
+        report(by_planes.depth_tested(&shade, corners, &mut depth, target));
     }
     let mut painter = Painter::<I, 20, 20>::new();
-    report(painter.add(instance, &shade));
+    report(painter.add(&instance, &shade));
     let mut frame = Frame::new(area, background);
     let order = painter.order();
     match frame.next_band(strip) {
@@ -100,14 +101,12 @@ fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>
                 Ok(mut faces) => report(faces.solid(&shade, &mut band)),
                 error => report(error.map(|_| ())),
             }
-            match instance.cull_by_planes().bin_faces(corners, bin_storage) {
+            match by_planes.bin_faces(corners, bin_storage) {
                 Ok(mut faces) => report(faces.solid(&shade, &mut band)),
                 error => report(error.map(|_| ())),
             }
-            match (
-                instance.cull_by_planes().bin_faces_with_depth(corners, bin_storage),
-                DepthBuffer::new(band.area(), depth),
-            ) {
+            match (by_planes.bin_faces_with_depth(corners, bin_storage), DepthBuffer::new(band.area(), depth))
+            {
                 (Ok(mut faces), Ok(mut depth)) => report(faces.depth_tested(&shade, &mut depth, &mut band)),
                 _ => drop(black_box(Some(0))),
             }
@@ -132,9 +131,10 @@ fn fill_all<D: DrawTarget<Color: pinhole::PixelFormat>, I: SpanShader<D::Color>>
 /// Lines, and what else may come, in a band.
 fn draw_edges<D: DrawTarget<Color: pinhole::PixelFormat>>(
     scene: &mut Scene<'_, D::Color>,
-    instance: &MeshInstance<'_>,
+    by_planes: &MeshInstance<'_, i16, WithPlanes>,
     target: &mut D,
 ) {
+    let instance = by_planes.without_planes();
     let Scene { colours, corners, depth, bin_storage, strip, .. } = scene;
     let Some(&(colour, _)) = colours.first() else { return };
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
@@ -157,6 +157,10 @@ fn draw_edges<D: DrawTarget<Color: pinhole::PixelFormat>>(
     {
         faces.depth_only(&mut depth);
     }
+    black_box(instance.bin_faces(corners, bin_storage).is_ok());
+    black_box(by_planes.transform(corners).bin_faces(bin_storage).is_ok());
+    let projected = by_planes.transform_depth(corners);
+    black_box(projected.bin_faces(bin_storage).is_ok());
     match (projected.bin_edges(bin_storage), DepthBuffer::new(band.area(), depth)) {
         (Ok(mut edges), Ok(mut depth)) => {
             report(edges.hidden_line(colour, &mut depth, &mut band));
@@ -174,9 +178,10 @@ fn draw_edges<D: DrawTarget<Color: pinhole::PixelFormat>>(
 
 fn draw_instance<D: DrawTarget<Color: Dim>, V: Coordinate>(
     scene: &mut Scene<'_, D::Color>,
-    instance: &MeshInstance<'_, V>,
+    by_planes: &MeshInstance<'_, V, WithPlanes>,
     target: &mut D,
 ) {
+    let instance = by_planes.without_planes();
     let Scene { light, colours, corners, depth, painter, .. } = scene;
     let Some(&(wire, _)) = colours.first() else { return };
     let mut shade = |face: usize| {
@@ -186,13 +191,13 @@ fn draw_instance<D: DrawTarget<Color: Dim>, V: Coordinate>(
     report(instance.project(any() as usize));
     report(instance.wireframe(wire, corners, target));
     report(instance.solid(&mut shade, corners, target));
-    report(instance.cull_by_planes().solid(&mut shade, corners, target));
-    report(painter.add(instance, &mut shade));
+    report(by_planes.solid(&mut shade, corners, target));
+    report(painter.add(&instance, &mut shade));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     match DepthBuffer::new(area, depth) {
         Ok(mut depth) => {
             report(instance.depth_tested(&mut shade, corners, &mut depth, target));
-            report(instance.cull_by_planes().depth_tested(&mut shade, corners, &mut depth, target));
+            report(by_planes.depth_tested(&mut shade, corners, &mut depth, target));
             report(depth.at(Point::new(any(), any())).ok_or(()));
             depth.clear();
         }
@@ -253,9 +258,10 @@ entries! {
 /// Pixels in memory, of a picture and of a band: one colour per face, and shaders that vary.
 fn draw_pixels<T: Target<Color = Rgb565>>(
     scene: &mut Scene<'_, Rgb565>,
-    instance: &MeshInstance<'_>,
+    by_planes: &MeshInstance<'_, i16, WithPlanes>,
     target: &mut T,
 ) {
+    let instance = by_planes.without_planes();
     let Scene { light, corners, depth, .. } = scene;
     let shade = |face: usize| Rgb565::new(face as u8, 0, 0).dim(light.level([any() as i16, 0, 0]));
     let smooth = |_| Gouraud::new([Rgb888::new(any() as u8, 0, 0); 3]);
@@ -265,13 +271,13 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     report(instance.solid(shade, corners, target));
     report(instance.solid(smooth, corners, target));
     report(instance.solid(shaded, corners, target));
-    report(instance.cull_by_planes().solid(shade, corners, target));
+    report(by_planes.solid(shade, corners, target));
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     if let Ok(mut depth) = DepthBuffer::new(area, depth) {
         report(instance.depth_tested(shade, corners, &mut depth, target));
         report(instance.depth_tested(smooth, corners, &mut depth, target));
         report(instance.depth_tested(shaded, corners, &mut depth, target));
-        report(instance.cull_by_planes().depth_tested(smooth, corners, &mut depth, target));
+        report(by_planes.depth_tested(smooth, corners, &mut depth, target));
         report(instance.hidden_line(Rgb565::new(3, 2, 1), corners, &mut depth, target));
     }
     if let Some(corner) = ScreenPoint::from_subpixels(any(), any()) {
@@ -285,7 +291,11 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
 }
 
 #[unsafe(no_mangle)]
-fn entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memory: &mut [Rgb565]) {
+fn entry_pixels_of_picture(
+    scene: &mut Scene<'_, Rgb565>,
+    mesh: &Mesh<'_, i16, WithPlanes>,
+    memory: &mut [Rgb565],
+) {
     match Picture::new(memory, Size::new(any() as u32, any() as u32)) {
         Ok(mut picture) => {
             draw(scene, &mut picture);
@@ -301,7 +311,7 @@ fn entry_pixels_of_picture(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, memor
 }
 
 #[unsafe(no_mangle)]
-fn entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &mut [u8]) {
+fn entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, WithPlanes>, strip: &mut [u8]) {
     let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
     let Ok(Some(mut band)) = Frame::new(area, Rgb565::new(0, 1, 0)).next_band(strip) else { return };
     let instance = scene.camera.place(mesh, &scene.model);
@@ -309,8 +319,18 @@ fn entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_>, strip: &
 }
 
 #[unsafe(no_mangle)]
-fn entry_pick(camera: &Camera, model: &Affine<Model, World>, mesh: &Mesh<'_>, cache: &mut [ScreenVertex]) {
+fn entry_pick(
+    camera: &Camera,
+    model: &Affine<Model, World>,
+    mesh: &Mesh<'_, i16, WithPlanes>,
+    cache: &mut [ScreenVertex],
+) {
     let instance = camera.place(mesh, model);
+    pick(camera, &instance, cache);
+    pick(camera, &instance.without_planes(), cache);
+}
+
+fn pick<P: FacePlanes>(camera: &Camera, instance: &MeshInstance<'_, i16, P>, cache: &mut [ScreenVertex]) {
     let picked = instance.pick(Point::new(any(), any()), cache);
     report(picked.and_then(|picked| picked.point(camera)).ok_or(()));
     report(instance.transform_depth(cache).pick(Point::new(any(), any())).ok_or(()));
@@ -320,6 +340,23 @@ fn entry_pick(camera: &Camera, model: &Affine<Model, World>, mesh: &Mesh<'_>, ca
 fn entry_scene<'m>(
     scene: &mut pinhole::Scene<'m, Rgb565, 5>,
     mesh: &'m Mesh<'m>,
+    model: &Affine<Model, World>,
+) {
+    change(scene, mesh, model);
+}
+
+#[unsafe(no_mangle)]
+fn entry_scene_with_planes<'m>(
+    scene: &mut pinhole::Scene<'m, Rgb565, 5, WithPlanes>,
+    mesh: &'m Mesh<'m, i16, WithPlanes>,
+    model: &Affine<Model, World>,
+) {
+    change(scene, mesh, model);
+}
+
+fn change<'m, P: FacePlanes>(
+    scene: &mut pinhole::Scene<'m, Rgb565, 5, P>,
+    mesh: &'m Mesh<'m, i16, P>,
     model: &Affine<Model, World>,
 ) {
     let object = Object::new(mesh, *model, Rgb565::new(any() as u8, 0, 0)).with_cull(Cull::None);
@@ -332,16 +369,39 @@ fn entry_scene<'m>(
     black_box(scene.objects());
 }
 
+type SceneStorage<'s> = (&'s mut [ScreenVertex], &'s mut [u16], &'s mut [u16]);
+
 #[unsafe(no_mangle)]
 fn entry_draw_scene(
     scene: &pinhole::Scene<'_, Rgb565, 5>,
     camera: &Camera,
-    (cache, bins, depth): (&mut [ScreenVertex], &mut [u16], &mut [u16]),
+    storage: SceneStorage<'_>,
+    painter: &mut Painter<Rgb565, 100, 100>,
+    target: &mut Wire<Rgb565>,
+) {
+    draw_scene(scene, camera, storage, painter, target);
+}
+
+#[unsafe(no_mangle)]
+fn entry_draw_scene_with_planes(
+    scene: &pinhole::Scene<'_, Rgb565, 5, WithPlanes>,
+    camera: &Camera,
+    storage: SceneStorage<'_>,
+    painter: &mut Painter<Rgb565, 100, 100>,
+    target: &mut Wire<Rgb565>,
+) {
+    draw_scene(scene, camera, storage, painter, target);
+}
+
+fn draw_scene<P: FacePlanes>(
+    scene: &pinhole::Scene<'_, Rgb565, 5, P>,
+    camera: &Camera,
+    (cache, bins, depth): SceneStorage<'_>,
     painter: &mut Painter<Rgb565, 100, 100>,
     target: &mut Wire<Rgb565>,
 ) {
     let placed = scene.place(camera);
-    let shade = |object: &Object<'_, Rgb565>| {
+    let shade = |object: &Object<'_, Rgb565, P>| {
         let color = object.material;
         move |face: usize| color.dim(face as u16)
     };

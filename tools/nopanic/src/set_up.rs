@@ -11,7 +11,7 @@ use pinhole::{
     MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, ProjectError, Projected, Projection,
     ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere,
     Statistics, StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError,
-    Viewport, ViewportError, Visibility, Window,
+    Viewport, ViewportError, Visibility, Window, WithPlanes,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -115,7 +115,7 @@ entries! {
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
-    entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static>, MeshError> { mesh.with_planes(p) }
+    entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static, i16, WithPlanes>, MeshError> { mesh.with_planes(p) }
     entry_face_planes(mesh: &Mesh<'static>, face: usize) -> ([i16; 9], i16) { (mesh.face_planes(), mesh.face_plane(face)) }
     entry_wide_face_planes(mesh: &Mesh<'static, Scalar>) -> [i16; 9] { mesh.face_planes() }
     entry_vertex_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_vertex_normals(n) }

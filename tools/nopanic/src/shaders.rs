@@ -9,7 +9,7 @@ use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
     CornerValues, DepthBuffer, Memory, MeshInstance, Painter, PainterError, PictureError, Pixels,
-    ScreenVertex, Shader, SpanShader, Statistics, StoredPixel,
+    ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -73,19 +73,20 @@ fn area() -> Rectangle {
 
 #[unsafe(no_mangle)]
 fn entry_shader_of_own(
-    instance: &MeshInstance<'_>,
+    by_planes: &MeshInstance<'_, i16, WithPlanes>,
     cache: &mut [ScreenVertex],
     cells: &mut [u16],
     depths: &mut [u16],
 ) -> Result<[Statistics; 4], PictureError> {
+    let instance = by_planes.without_planes();
     let mut target = Pixels::<Rgb565, u16>::new(cells, area())?;
     let Ok(solid) = instance.solid(|_| shader(), cache, &mut target);
-    let Ok(culled) = instance.cull_by_planes().solid(|_| shader(), cache, &mut target);
+    let Ok(culled) = by_planes.solid(|_| shader(), cache, &mut target);
     let [mut tested, mut kept] = [Statistics::default(); 2];
     if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
         let Ok(statistics) = instance.depth_tested(|_| shader(), cache, &mut depth, &mut target);
         tested = statistics;
-        kept = instance.cull_by_planes().depth_only(cache, &mut depth);
+        kept = by_planes.depth_only(cache, &mut depth);
     }
     Ok([solid, culled, tested, kept])
 }
@@ -93,9 +94,9 @@ fn entry_shader_of_own(
 #[unsafe(no_mangle)]
 fn entry_painter_by_planes(
     painter: &mut Painter<Everything, 20, 20>,
-    instance: &MeshInstance<'_>,
+    instance: &MeshInstance<'_, i16, WithPlanes>,
 ) -> Result<(), PainterError> {
-    painter.add_culled_by_planes(&instance.cull_by_planes(), |_| shader())
+    painter.add(instance, |_| shader())
 }
 
 #[unsafe(no_mangle)]

@@ -13,7 +13,7 @@ use pinhole::{
     edge_faces, Affine, Band, Channels, Coordinate, DepthBuffer, Dim, DirtyRegions, Frame, Gouraud,
     Hierarchy, Lit, Mesh, MeshInstance, Node, NormalMatrix, NumberError, Outcode, PixelFormat,
     PlanarProjection, Point3, Scalar, ShadeTable, StoredPixel, TransformedMesh, Vector3, ViewTransform,
-    Viewport,
+    Viewport, WithPlanes,
 };
 
 macro_rules! entries {
@@ -70,7 +70,8 @@ entries! {
     entry_nodes(local: Affine<Model, Model>) -> [Node; 2] { [Node::root(local), Node::child(any() as u16, local)] }
     entry_node<'n>(node: &'n Node) -> (&'n Affine<Model, Model>, &'n Affine<Model, World>) { (node.local(), node.world()) }
     entry_hierarchy_node<'h>(hierarchy: &'h Hierarchy<'_>) -> (Option<&'h Affine<Model, World>>, &'h [Node]) { (hierarchy.world(any() as usize), hierarchy.nodes()) }
-    entry_instance_mesh<'p>(instance: &'p MeshInstance<'_>) -> &'p Mesh<'p> { instance.mesh() }
+    entry_instance_mesh<'p>(instance: &MeshInstance<'p, i16, WithPlanes>) -> (Mesh<'p, i16, WithPlanes>, Mesh<'p>) { (instance.mesh(), instance.without_planes().mesh()) }
+    entry_mesh_planes(mesh: Mesh<'static, i16, WithPlanes>) -> (Mesh<'static>, Mesh<'static, i16, WithPlanes>) { (mesh.without_planes(), mesh.without_planes().with_planes_if_any()) }
 
     entry_band_bytes<'b>(band: &'b Band<'_, Rgb565>) -> &'b [u8] { band.bytes() }
     entry_frame_area(frame: &Frame<Rgb565>) -> Rectangle { frame.area() }

@@ -51,12 +51,13 @@ fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
 #[inline(never)]
 fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<()> {
     painter.clear();
-    painter.add(&Turntable::new().place(cube), scene::flat(&cube.mesh, light)).ok()
+    painter.add(&Turntable::new().place(cube), scene::flat(cube.mesh.normals(), light)).ok()
 }
 
 /// Draws dithered faces with hidden lines, then in all other ways.
 #[inline(never)]
 fn draw(
+    cube: &'static Model,
     Object { instance, light }: &Object,
     painter: &mut Order,
     dirty: &mut DirtyRegions<2>,
@@ -67,7 +68,7 @@ fn draw(
     let mut faces = projected.bin_faces(bin_storage);
     let mut edges = projected.bin_edges(edge_bin_storage);
     let (faces, edges) = (faces.as_mut().ok()?, edges.as_mut().ok()?);
-    let (mesh, order) = (instance.mesh(), painter.order());
+    let (mesh, order) = (&cube.mesh, painter.order());
     dirty.mark(faces.bounds());
     for &area in &dirty.take() {
         let mut frame = Frame::new(area, scene::BACKGROUND);
@@ -76,7 +77,7 @@ fn draw(
             faces
                 .depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band)
                 .ok()?;
-            faces.solid(scene::flat(mesh, light), &mut band).ok()?;
+            faces.solid(scene::flat(mesh.normals(), light), &mut band).ok()?;
             edges.hidden_line(scene::LINE, &mut depth, &mut band).ok()?;
             edges.depth_tested(scene::LINE, &mut depth, &mut band).ok()?;
             edges.draw(scene::LINE, &mut band).ok()?;
@@ -98,6 +99,6 @@ image!(
         place(cube, objects)?;
         let object = objects.first()?;
         record(cube, &object.light, painter)?;
-        draw(object, painter, dirty, buffers)
+        draw(cube, object, painter, dirty, buffers)
     }
 );

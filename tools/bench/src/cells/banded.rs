@@ -1,12 +1,11 @@
 //! S3 in bands of 8 and of 16 rows, as many pixels sent as a frame has, and the same frame in one piece. Both clear the
 //! picture and set the object's transform up in each frame. The mesh has no planes.
 
-use super::three::TORUS_WITHOUT;
 use super::{count, Counted, Deep, Plain, TORUS};
 use crate::bands::{self, bytes, pixels, Storage};
 use crate::board::Clock;
 use crate::measure::Display;
-use crate::scene::{area, Scene, BACKGROUND};
+use crate::scene::{self, area, Scene, BACKGROUND};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use pinhole::{DepthBuffer, ScreenVertex};
@@ -45,7 +44,7 @@ impl<const BYTES: usize, const DEPTHS: usize> Strip<BYTES, DEPTHS> {
 pub fn s3_bands<const BYTES: usize, const DEPTHS: usize>(
     memory: &mut Strip<BYTES, DEPTHS>,
 ) -> Option<Counted> {
-    let scene = Scene::new(&TORUS_WITHOUT)?;
+    let scene = Scene::new(&scene::TORUS)?;
     let light = scene.light()?;
     count_bands(&mut |display| bands::solid(black_box(&scene), black_box(&light), memory.storage(), display))
 }
@@ -53,7 +52,7 @@ pub fn s3_bands<const BYTES: usize, const DEPTHS: usize>(
 pub fn s3_bands_z<const BYTES: usize, const DEPTHS: usize>(
     memory: &mut Strip<BYTES, DEPTHS>,
 ) -> Option<Counted> {
-    let scene = Scene::new(&TORUS_WITHOUT)?;
+    let scene = Scene::new(&scene::TORUS)?;
     let light = scene.light()?;
     count_bands(&mut |display| bands::depth(black_box(&scene), black_box(&light), memory.storage(), display))
 }
@@ -70,7 +69,7 @@ fn count_bands(frame: &mut dyn FnMut(&mut Display) -> Option<()>) -> Option<Coun
 }
 
 pub fn s3_full(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
-    let scene = Scene::new(&TORUS_WITHOUT)?;
+    let scene = Scene::new(&scene::TORUS)?;
     let light = scene.light()?;
     count(frame, &mut |picture| {
         let (scene, light) = black_box((&scene, &light));
@@ -82,7 +81,7 @@ pub fn s3_full(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
 }
 
 pub fn s3_full_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
-    let scene = Scene::new(&TORUS_WITHOUT)?;
+    let scene = Scene::new(&scene::TORUS)?;
     let light = scene.light()?;
     count(frame, &mut |picture| {
         let (scene, light) = black_box((&scene, &light));

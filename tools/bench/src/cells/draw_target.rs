@@ -8,7 +8,7 @@ use crate::scene::{self, area, Model, Scene, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565, Rgb888, RgbColor};
 use pinhole::raster::Pixel;
-use pinhole::{draw_line, fill_triangle, DepthBuffer, ShadeTable};
+use pinhole::{draw_line, fill_triangle, DepthBuffer, FacePlanes, ShadeTable};
 
 pub fn s1_dt(memory: &mut Plain<CUBE>) -> Option<Counted> {
     wire(&scene::CUBE, memory)
@@ -31,43 +31,40 @@ fn wire<const N: usize>(model: &'static Model, memory: &mut Plain<N>) -> Option<
 }
 
 pub fn s2_dt(memory: &mut Plain<CUBE>) -> Option<Counted> {
-    flat::<false, _>(&scene::CUBE, memory)
+    flat(&scene::CUBE, memory)
 }
 
 pub fn s3_dt(memory: &mut Plain<TORUS>) -> Option<Counted> {
-    flat::<true, _>(&scene::TORUS, memory)
+    flat(&scene::TORUS_BY_PLANES, memory)
 }
 
 pub fn s2_dt_z(memory: &mut Deep<CUBE>) -> Option<Counted> {
-    flat_z::<false, _>(&scene::CUBE, memory)
+    flat_z(&scene::CUBE, memory)
 }
 
 pub fn s3_dt_z(memory: &mut Deep<TORUS>) -> Option<Counted> {
-    flat_z::<true, _>(&scene::TORUS, memory)
+    flat_z(&scene::TORUS_BY_PLANES, memory)
 }
 
 #[inline(always)]
-fn flat<const PLANES: bool, const N: usize>(
-    model: &'static Model,
+fn flat<P: FacePlanes, const N: usize>(
+    model: &'static Model<P>,
     Plain { frame, corners }: &mut Plain<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
     let (light, instance) = (scene.light()?, scene.place());
     count_screen(frame, &mut |screen| {
         let (instance, light) = black_box((&instance, &light));
-        let shade = scene::flat(instance.mesh(), light);
-        let Ok(statistics) = match PLANES {
-            true => instance.cull_by_planes().solid(shade, corners, screen),
-            false => instance.solid(shade, corners, screen),
-        };
+        let shade = scene::flat(instance.mesh().normals(), light);
+        let Ok(statistics) = instance.solid(shade, corners, screen);
         black_box(statistics);
         Some(())
     })
 }
 
 #[inline(always)]
-fn flat_z<const PLANES: bool, const N: usize>(
-    model: &'static Model,
+fn flat_z<P: FacePlanes, const N: usize>(
+    model: &'static Model<P>,
     Deep { frame, depth, corners }: &mut Deep<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
@@ -75,11 +72,8 @@ fn flat_z<const PLANES: bool, const N: usize>(
     count_screen(frame, &mut |screen| {
         let (instance, light) = black_box((&instance, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let shade = scene::flat(instance.mesh(), light);
-        let Ok(statistics) = match PLANES {
-            true => instance.cull_by_planes().depth_tested(shade, corners, &mut depth, screen),
-            false => instance.depth_tested(shade, corners, &mut depth, screen),
-        };
+        let shade = scene::flat(instance.mesh().normals(), light);
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, screen);
         black_box(statistics);
         Some(())
     })
@@ -87,7 +81,7 @@ fn flat_z<const PLANES: bool, const N: usize>(
 
 pub fn s8_dt_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
     let Deep { frame, depth, corners } = deep;
-    let scene = Scene::new(&scene::TORUS)?;
+    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
     let (light, instance) = (scene.light()?, scene.place());
     let white = ShadeTable::new(Rgb888::WHITE);
     count_screen(frame, &mut |screen| {
@@ -95,7 +89,7 @@ pub fn s8_dt_z(Smooth { deep, levels }: &mut Smooth<TORUS>) -> Option<Counted> {
         light.levels(black_box(&TORUS_NORMALS), levels);
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let shade = |face| white.lit(instance.mesh().corners_of(face, levels));
-        let Ok(statistics) = instance.cull_by_planes().depth_tested(shade, corners, &mut depth, screen);
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, screen);
         black_box(statistics);
         Some(())
     })

@@ -126,10 +126,10 @@ pub const NO_PLANES: &[Known] = &[
 /// Flash of a scene's face planes, in bytes.
 #[cfg(not(target_os = "none"))]
 pub fn planes(scene: &str) -> usize {
-    use crate::scene::{ICO, TORUS};
+    use crate::scene::{ICO_BY_PLANES, TORUS_BY_PLANES};
     match scene {
-        "S3" | "S8" => size_of_val(TORUS.mesh.planes()),
-        "S4" => size_of_val(ICO.mesh.planes()),
+        "S3" | "S8" => size_of_val(TORUS_BY_PLANES.mesh.planes()),
+        "S4" => size_of_val(ICO_BY_PLANES.mesh.planes()),
         _ => 0,
     }
 }
@@ -138,15 +138,15 @@ pub fn planes(scene: &str) -> usize {
 #[cfg(not(target_os = "none"))]
 pub fn data(scene: &str) -> usize {
     use crate::lists::{COLOURS, LINES, SCREEN, TORUS_NORMALS, TRIANGLES};
-    use crate::scene::{CUBE, ICO, TORUS};
+    use crate::scene::{CUBE, ICO_BY_PLANES, TORUS_BY_PLANES};
     match scene {
         "S1" | "S2" => CUBE.bytes(),
-        "S3" => TORUS.bytes(),
-        "S4" => ICO.bytes(),
+        "S3" => TORUS_BY_PLANES.bytes(),
+        "S4" => ICO_BY_PLANES.bytes(),
         "S5" => size_of_val(&SCREEN),
         "S6" => size_of_val(&LINES),
         "S7" => size_of_val(&TRIANGLES) + size_of_val(&COLOURS),
-        "S8" => TORUS.bytes() + size_of_val(&TORUS_NORMALS),
+        "S8" => TORUS_BY_PLANES.bytes() + size_of_val(&TORUS_NORMALS),
         _ => 0,
     }
 }

@@ -9,25 +9,12 @@ use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 #[cfg(not(target_os = "none"))]
 use pinhole::ScreenVertex;
-use pinhole::{DepthBuffer, Mesh, ShadeTable};
-
-/// The torus and the icosphere without planes, for a firmware that has no planes in its flash.
-pub(super) static TORUS_WITHOUT: Model = without(&scene::TORUS);
-static ICO_WITHOUT: Model = without(&scene::ICO);
+use pinhole::{DepthBuffer, FacePlanes, Mesh, ShadeTable};
 
 /// The torus with its edges alone, for wireframes.
 pub(super) static TORUS_EDGED: Model = edged(&scene::TORUS, &TORUS_EDGES);
 
-/// At compile time.
-pub(super) const fn without(model: &Model) -> Model {
-    let Model { mesh: with, axes, distance, reference } = model;
-    let Ok(mesh) = Mesh::new(with.vertices(), with.exponent(), with.faces()) else { panic!("faces") };
-    let Ok(mesh) = mesh.with_normals(with.normals()) else { panic!("normals") };
-    let Ok(mesh) = mesh.with_edges(with.edges()) else { panic!("edges") };
-    Model { mesh, axes: *axes, distance: *distance, reference: *reference }
-}
-
-/// At compile time: without normals and planes.
+/// At compile time: without normals.
 const fn edged(model: &Model, edges: &'static [[u16; 2]]) -> Model {
     let Model { mesh, axes, distance, reference } = model;
     let Ok(mesh) = Mesh::new(mesh.vertices(), mesh.exponent(), mesh.faces()) else { panic!("faces") };
@@ -57,68 +44,65 @@ pub(super) fn wire<const N: usize>(model: &'static Model, memory: &mut Plain<N>)
 }
 
 pub fn s2(memory: &mut Plain<CUBE>) -> Option<Counted> {
-    flat::<false, _>(&scene::CUBE, memory)
+    flat(&scene::CUBE, memory)
 }
 
 pub fn s3(memory: &mut Plain<TORUS>) -> Option<Counted> {
-    flat::<true, _>(&scene::TORUS, memory)
+    flat(&scene::TORUS_BY_PLANES, memory)
 }
 
 pub fn s4(memory: &mut Plain<ICO>) -> Option<Counted> {
-    flat::<true, _>(&scene::ICO, memory)
+    flat(&scene::ICO_BY_PLANES, memory)
 }
 
 pub fn s2_z(memory: &mut Deep<CUBE>) -> Option<Counted> {
-    flat_z::<false, _>(&scene::CUBE, memory)
+    flat_z(&scene::CUBE, memory)
 }
 
 pub fn s3_z(memory: &mut Deep<TORUS>) -> Option<Counted> {
-    flat_z::<true, _>(&scene::TORUS, memory)
+    flat_z(&scene::TORUS_BY_PLANES, memory)
 }
 
 pub fn s4_z(memory: &mut Deep<ICO>) -> Option<Counted> {
-    flat_z::<true, _>(&scene::ICO, memory)
+    flat_z(&scene::ICO_BY_PLANES, memory)
 }
 
 pub fn s3_no_planes(memory: &mut Plain<TORUS>) -> Option<Counted> {
-    flat::<false, _>(&TORUS_WITHOUT, memory)
+    flat(&scene::TORUS, memory)
 }
 
 pub fn s4_no_planes(memory: &mut Plain<ICO>) -> Option<Counted> {
-    flat::<false, _>(&ICO_WITHOUT, memory)
+    flat(&scene::ICO, memory)
 }
 
 pub fn s3_z_no_planes(memory: &mut Deep<TORUS>) -> Option<Counted> {
-    flat_z::<false, _>(&TORUS_WITHOUT, memory)
+    flat_z(&scene::TORUS, memory)
 }
 
 pub fn s4_z_no_planes(memory: &mut Deep<ICO>) -> Option<Counted> {
-    flat_z::<false, _>(&ICO_WITHOUT, memory)
+    flat_z(&scene::ICO, memory)
 }
 
-/// A light level for each face, culled by its plane or not.
+/// A light level for each face.
 #[inline(always)]
-pub(super) fn flat<const PLANES: bool, const N: usize>(
-    model: &'static Model,
+pub(super) fn flat<P: FacePlanes, const N: usize>(
+    model: &'static Model<P>,
     Plain { frame, corners }: &mut Plain<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
     let (light, instance) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
         let (instance, light) = black_box((&instance, &light));
-        let (shade, mut pixels) = (scene::flat(instance.mesh(), light), picture.pixels());
-        let Ok(statistics) = match PLANES {
-            true => instance.cull_by_planes().solid(shade, corners, &mut pixels),
-            false => instance.solid(shade, corners, &mut pixels),
-        };
+        let (shade, mut pixels) = (scene::flat(instance.mesh().normals(), light), picture.pixels());
+        let Ok(statistics) = instance.solid(shade, corners, &mut pixels);
         black_box(statistics);
         Some(())
     })
 }
 
 #[inline(always)]
-pub(super) fn flat_z<const PLANES: bool, const N: usize>(
-    model: &'static Model,
+pub(super) fn flat_z<P: FacePlanes, const N: usize>(
+    model: &'static Model<P>,
     Deep { frame, depth, corners }: &mut Deep<N>,
 ) -> Option<Counted> {
     let scene = Scene::new(model)?;
@@ -126,28 +110,25 @@ pub(super) fn flat_z<const PLANES: bool, const N: usize>(
     count(frame, &mut |picture| {
         let (instance, light) = black_box((&instance, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let (shade, mut pixels) = (scene::flat(instance.mesh(), light), picture.pixels());
-        let Ok(statistics) = match PLANES {
-            true => instance.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
-            false => instance.depth_tested(shade, corners, &mut depth, &mut pixels),
-        };
+        let (shade, mut pixels) = (scene::flat(instance.mesh().normals(), light), picture.pixels());
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut pixels);
         black_box(statistics);
         Some(())
     })
 }
 
 pub fn s8_z(memory: &mut Smooth<TORUS>) -> Option<Counted> {
-    smooth_z::<true>(&scene::TORUS, memory)
+    smooth_z(&scene::TORUS_BY_PLANES, memory)
 }
 
 pub fn s8_z_no_planes(memory: &mut Smooth<TORUS>) -> Option<Counted> {
-    smooth_z::<false>(&TORUS_WITHOUT, memory)
+    smooth_z(&scene::TORUS, memory)
 }
 
 /// The light at each vertex, and between them smoothly.
 #[inline(always)]
-fn smooth_z<const PLANES: bool>(
-    model: &'static Model,
+fn smooth_z<P: FacePlanes>(
+    model: &'static Model<P>,
     Smooth { deep, levels }: &mut Smooth<TORUS>,
 ) -> Option<Counted> {
     let Deep { frame, depth, corners } = deep;
@@ -160,10 +141,7 @@ fn smooth_z<const PLANES: bool>(
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         let (shade, mut pixels) =
             (|face| white.lit(instance.mesh().corners_of(face, levels)), picture.pixels());
-        let Ok(statistics) = match PLANES {
-            true => instance.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut pixels),
-            false => instance.depth_tested(shade, corners, &mut depth, &mut pixels),
-        };
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut pixels);
         black_box(statistics);
         Some(())
     })

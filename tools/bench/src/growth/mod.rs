@@ -19,7 +19,10 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use pinhole::{BinnedFaces, Cull, DepthBuffer, Frame, Lambert, Mesh, MeshInstance, Picture, ScreenVertex};
+use pinhole::{
+    BinnedFaces, Cull, DepthBuffer, FacePlanes, Frame, Lambert, Mesh, MeshInstance, Picture, ScreenVertex,
+    WithPlanes,
+};
 
 /// Of the largest picture.
 const PIXELS: usize = 480 * 320;
@@ -103,11 +106,11 @@ impl Case {
         WAYS.into_iter().flatten().copied().filter(move |way| asked || !way.asks_planes())
     }
 
-    fn scene(&self) -> Option<Scene> {
+    fn scene(&self) -> Option<Scene<WithPlanes>> {
         self.scene_of(self.what.mesh()?)
     }
 
-    fn scene_of(&self, mesh: Mesh<'static>) -> Option<Scene> {
+    fn scene_of<P: FacePlanes>(&self, mesh: Mesh<'static, i16, P>) -> Option<Scene<P>> {
         // Turned as S3's torus; what is land stays level.
         let axes = black_box(if self.level { LEVEL } else { crate::scene::TORUS.axes });
         let [width, height] = self.size;
@@ -117,18 +120,20 @@ impl Case {
     /// The instructions of a whole frame, its clears too.
     pub fn count(&self, way: Way, memory: &mut Memory, clock: &mut Clock) -> Option<u32> {
         let scene = self.scene()?;
-        let (instance, light) = (scene.place().with_cull(self.cull), scene.light()?);
-        let (instance, light, size) = black_box((&instance, &light, Size::new(self.size[0], self.size[1])));
+        let (by_planes, light) = (scene.place().with_cull(self.cull), scene.light()?);
+        let instance = by_planes.without_planes();
+        let size = Size::new(self.size[0], self.size[1]);
+        let (instance, by_planes, light, size) = black_box((&instance, &by_planes, &light, size));
         let mut good = None;
         let instructions = clock.count(&mut || {
             good = match way {
                 Way::Lines => lines(instance, size, memory),
                 Way::Faces => faces(instance, light, size, memory),
                 Way::Depth => depth(instance, light, size, memory),
-                Way::PlaneCulled => facing(instance, light, size, memory),
-                Way::FacingDepth => facing_depth(instance, light, size, memory),
+                Way::PlaneCulled => faces(by_planes, light, size, memory),
+                Way::FacingDepth => depth(by_planes, light, size, memory),
                 Way::Bands(rows) => bands(instance, light, size, rows, memory),
-                Way::FacingBands(rows) => facing_bands(instance, light, size, rows, memory),
+                Way::FacingBands(rows) => bands(by_planes, light, size, rows, memory),
             }
         })?;
         good.map(|()| instructions)
@@ -143,70 +148,45 @@ fn lines(instance: &MeshInstance<'_>, size: Size, memory: &mut Memory) -> Option
     Some(())
 }
 
-fn faces(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn faces<P: FacePlanes>(
+    instance: &MeshInstance<'_, i16, P>,
+    light: &Lambert,
+    size: Size,
+    memory: &mut Memory,
+) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
-    let shade = flat(instance.mesh(), light);
+    let shade = flat(instance.mesh().normals(), light);
     let Ok(statistics) = instance.solid(shade, &mut memory.corners, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn depth(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
+fn depth<P: FacePlanes>(
+    instance: &MeshInstance<'_, i16, P>,
+    light: &Lambert,
+    size: Size,
+    memory: &mut Memory,
+) -> Option<()> {
     let Memory { pixels, depth, corners, .. } = memory;
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-    let shade = flat(instance.mesh(), light);
+    let shade = flat(instance.mesh().normals(), light);
     let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
     black_box(statistics);
     Some(())
 }
 
-fn facing(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
-    let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
-    let Ok(()) = picture.clear(BACKGROUND);
-    let shade = flat(instance.mesh(), light);
-    let Ok(statistics) = instance.cull_by_planes().solid(shade, &mut memory.corners, &mut picture.pixels());
-    black_box(statistics);
-    Some(())
-}
-
-fn facing_depth(instance: &MeshInstance<'_>, light: &Lambert, size: Size, memory: &mut Memory) -> Option<()> {
-    let Memory { pixels, depth, corners, .. } = memory;
-    let mut picture = Picture::new(pixels, size).ok()?;
-    let Ok(()) = picture.clear(BACKGROUND);
-    let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-    let shade = flat(instance.mesh(), light);
-    let Ok(statistics) =
-        instance.cull_by_planes().depth_tested(shade, corners, &mut depth, &mut picture.pixels());
-    black_box(statistics);
-    Some(())
-}
-
-fn bands(
-    instance: &MeshInstance<'_>,
+fn bands<P: FacePlanes>(
+    instance: &MeshInstance<'_, i16, P>,
     light: &Lambert,
     size: Size,
     rows: u32,
     memory: &mut Memory,
 ) -> Option<()> {
     let Memory { depth, corners, bin_storage, strip, .. } = memory;
-    let projected = instance.transform_depth(corners);
-    let faces = projected.bin_faces(bin_storage).ok()?;
-    in_bands(faces, instance, light, size, strip_of(strip, size, rows)?, depth)
-}
-
-fn facing_bands(
-    instance: &MeshInstance<'_>,
-    light: &Lambert,
-    size: Size,
-    rows: u32,
-    memory: &mut Memory,
-) -> Option<()> {
-    let Memory { depth, corners, bin_storage, strip, .. } = memory;
-    let facing = instance.cull_by_planes();
-    let faces = facing.bin_faces_with_depth(corners, bin_storage).ok()?;
+    let faces = instance.bin_faces_with_depth(corners, bin_storage).ok()?;
     in_bands(faces, instance, light, size, strip_of(strip, size, rows)?, depth)
 }
 
@@ -215,9 +195,9 @@ fn strip_of(strip: &mut [u8], size: Size, rows: u32) -> Option<&mut [u8]> {
     strip.get_mut(..Frame::<Rgb565>::strip_bytes(size.width, rows))
 }
 
-fn in_bands(
+fn in_bands<P: FacePlanes>(
     mut faces: BinnedFaces<'_, i16, true>,
-    instance: &MeshInstance<'_>,
+    instance: &MeshInstance<'_, i16, P>,
     light: &Lambert,
     size: Size,
     strip: &mut [u8],
@@ -226,7 +206,8 @@ fn in_bands(
     let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) = faces.depth_tested(flat(instance.mesh(), light), &mut depth, &mut band.pixels());
+        let Ok(()) =
+            faces.depth_tested(flat(instance.mesh().normals(), light), &mut depth, &mut band.pixels());
         black_box(band.bytes());
     }
     black_box(faces.statistics());

@@ -1,6 +1,6 @@
 //! Meshes of 10 to 20 000 triangles, which `build.rs` makes.
 
-use pinhole::Mesh;
+use pinhole::{Mesh, WithPlanes};
 
 /// A mesh that is not checked yet: the compiler would take long.
 pub(super) struct Shape {
@@ -13,7 +13,7 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    pub(super) fn mesh(&self) -> Option<Mesh<'static>> {
+    pub(super) fn mesh(&self) -> Option<Mesh<'static, i16, WithPlanes>> {
         let mesh = Mesh::new(self.vertices, self.exponent, self.faces).ok()?;
         mesh.with_normals(self.normals).ok()?.with_planes(self.planes).ok()?.with_edges(self.edges).ok()
     }

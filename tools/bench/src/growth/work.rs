@@ -191,7 +191,8 @@ fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
 impl Case {
     pub fn work(&self, way: Way) -> Option<Work> {
         let scene = self.scene()?;
-        let instance = scene.place().with_cull(self.cull);
+        let by_planes = scene.place().with_cull(self.cull);
+        let instance = by_planes.without_planes();
         let mesh = instance.mesh();
         let [width, height] = self.size;
         let mut watch = Watch::new(Size::new(width, height));
@@ -210,7 +211,7 @@ impl Case {
             BACKGROUND
         };
         let Ok(statistics) = match way.asks_planes() {
-            true => instance.cull_by_planes().solid(shade, &mut [], &mut watch),
+            true => by_planes.solid(shade, &mut [], &mut watch),
             false => instance.solid(shade, &mut [], &mut watch),
         };
         let kinds: Vec<Kind> = seen.iter().map(|&face| self.kind(&instance, face)).collect();
