@@ -61,7 +61,7 @@ pub(crate) const IMAGES: &[Image] = &[
     Image {
         name: "wireframe_inside",
         says: "wireframe, without clipping",
-        goal: Some(6 << 10),
+        goal: Some(5 << 10),
         without: NO_FACES,
     },
     Image { name: "wireframe", says: "wireframe", goal: None, without: NO_FACES },
@@ -73,7 +73,12 @@ pub(crate) const IMAGES: &[Image] = &[
     },
     Image { name: "wireframe_bands", says: "wireframe in bands", goal: None, without: NO_FACES },
     Image { name: "solid", says: "flat faces", goal: None, without: NO_DEPTH },
-    Image { name: "solid_inside", says: "flat faces, without clipping", goal: None, without: NO_DEPTH },
+    Image {
+        name: "solid_inside",
+        says: "flat faces, without clipping",
+        goal: Some(8_909), // 8.7 KiB
+        without: NO_DEPTH,
+    },
     Image { name: "picture", says: "flat faces, into a picture in memory", goal: None, without: NO_DEPTH },
     Image {
         name: "solid_bands",
@@ -87,11 +92,17 @@ pub(crate) const IMAGES: &[Image] = &[
         goal: None,
         without: NO_DEPTH,
     },
-    Image { name: "depth", says: "flat faces with depth", goal: Some(10 << 10), without: FLAT },
+    Image { name: "depth", says: "flat faces with depth", goal: Some(15_155), without: FLAT }, // 14.8 KiB
+    Image {
+        name: "depth_stretched",
+        says: "flat faces with depth, of an object that may be stretched",
+        goal: None,
+        without: FLAT,
+    },
     Image {
         name: "depth_inside",
         says: "flat faces with depth, without clipping",
-        goal: None,
+        goal: Some(11_878), // 11.6 KiB
         without: FLAT,
     },
     Image { name: "depth_bands", says: "flat faces with depth in bands", goal: None, without: FLAT },

@@ -32,9 +32,8 @@ opt-level 3.
 Rows with `pixels()` draw into a band's memory (`&mut band.pixels()`), as the templates do: faster, and larger. The other rows in bands
 draw into it as into any DrawTarget (`&mut band`). *By planes* is of a mesh with planes (`Mesh::with_planes`), the only image whose mesh has them.
 *Without clipping* is `MeshInstance::without_clipping()`: of the two frames, only the cube that stays in view is drawn whole.
-Its faces are lit by `RigidLambert`, which takes rotations. The goal
-of the wireframe is for that image: cutting costs more code than it did when the goal was set, and saves a third of the time of near
-objects.
+Flat faces that are not in bands are lit by `RigidLambert`, which takes rotations, and all others by `Lambert`, which also takes
+objects that are stretched.
 
 The target, the shader, and the closure that gives a face its shader are type parameters: each closure type instantiates the
 drawing code again, even if two closures return equal colours. A call in a loop over objects is linked once, and so are

@@ -14,7 +14,7 @@ image!(
     memory: [Rgb565; pixels(ROWS)] = [scene::BACKGROUND; pixels(ROWS)],
     {
         let scene = Turntable::new();
-        let light = scene.light()?;
+        let light = scene.rigid_light()?;
         let instance = scene.place(cube);
         let mut picture = Picture::new(memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
         let Ok(_) = instance.solid(scene::flat(cube.mesh.normals(), &light), corners, &mut picture.pixels());

@@ -6,7 +6,7 @@ use pinhole::ScreenVertex;
 
 image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], {
     let scene = Turntable::new();
-    let light = scene.light()?;
+    let light = scene.rigid_light()?;
     let instance = scene.place(cube);
     instance.solid(scene::flat(cube.mesh.normals(), &light), corners, &mut Sink).ok()?;
     Some(())
