@@ -41,8 +41,9 @@ pub use scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use shading::{
-    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,
-    Shader, SpanShader, TableShader,
+    Accuracy, Channels, CornerValues, Dim, Dithered, Flat, Gouraud, IndexedTexels, Lambert, LightError, Lit,
+    RigidLambert, ShadeTable, Shader, SpanShader, TableShader, TexelSlice, Texels, Texture, TextureError,
+    Textured,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,

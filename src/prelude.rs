@@ -36,8 +36,9 @@ pub use crate::scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
-    Channels, CornerValues, Dim, Dithered, Flat, Gouraud, Lambert, LightError, Lit, RigidLambert, ShadeTable,
-    Shader, SpanShader, TableShader,
+    Accuracy, Channels, CornerValues, Dim, Dithered, Flat, Gouraud, IndexedTexels, Lambert, LightError, Lit,
+    RigidLambert, ShadeTable, Shader, SpanShader, TableShader, TexelSlice, Texels, Texture, TextureError,
+    Textured,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{

@@ -100,6 +100,12 @@ public_types![
     Scissor,
     ShadeTable<Plain>,
     TableShader<'static, Plain>,
+    Accuracy,
+    IndexedTexels<'static, Plain, 1>,
+    TexelSlice<'static, Plain>,
+    Texture<Plain>,
+    TextureError,
+    Textured<Plain>,
     ScreenPoint,
     Side,
     Span,
@@ -123,7 +129,7 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 3] = ["ChannelGradients", "DitheredColor", "TableGradient"];
+const NOT_NAMED: [&str; 4] = ["ChannelGradients", "DitheredColor", "TableGradient", "TextureGradients"];
 
 #[test]
 fn no_public_type_is_missing() {

@@ -17,30 +17,36 @@ use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 /// Fills a triangle with the colours that `span_colors` gives for each span, if the target's pixels lie in memory; otherwise
 /// draws nothing and returns `false`.
 #[inline(always)]
-pub(crate) fn triangle<T: Target, R: Iterator<Item = T::Color>>(
+pub(crate) fn triangle<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = T::Color>>(
     triangle: &Triangle<'_>,
     scissor: &Scissor,
     target: &mut T,
-    span_colors: impl Fn(Span) -> R,
+    runs: impl Fn(Span) -> R,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    fill(memory, triangle, scissor, |span| span_colors(span).map(StoredPixel::stored));
+    fill(memory, triangle, scissor, |span| {
+        runs(span).map(|(width, run)| (width, run.map(StoredPixel::stored)))
+    });
     true
 }
 
 #[inline(never)] // its loop needs all registers
-fn fill<S: PixelStore, R: Iterator<Item = S::Cell>>(
+fn fill<S: PixelStore, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = S::Cell>>(
     memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
-    span_cells: impl Fn(Span) -> R,
+    runs: impl Fn(Span) -> R,
 ) {
     let (cells, scratch) = memory.parts();
     let layout = scratch.layout;
     each_span(triangle, scissor, |span| {
         let from = layout.at(span.x, span.y);
-        if let Some(cells) = cells.get_mut(from..from.wrapping_add(span.width as usize)) {
-            cells.iter_mut().zip(span_cells(span)).for_each(|(pixel, cell)| *pixel = cell);
+        if let Some(mut cells) = cells.get_mut(from..from.wrapping_add(span.width as usize)) {
+            for (width, run) in runs(span) {
+                let Some((pixels, rest)) = cells.split_at_mut_checked(width as usize) else { return };
+                pixels.iter_mut().zip(run).for_each(|(pixel, cell)| *pixel = cell);
+                cells = rest;
+            }
         }
     });
 }
@@ -48,26 +54,28 @@ fn fill<S: PixelStore, R: Iterator<Item = S::Cell>>(
 /// [`triangle`] for the pixels that are nearer than the depth buffer; declines too if the depth buffer does not
 /// [have the layout of the memory](DepthTarget::is_aligned).
 #[inline(always)]
-pub(crate) fn triangle_nearer<T: Target, R: Iterator<Item = T::Color>>(
+pub(crate) fn triangle_nearer<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = T::Color>>(
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
-    span_colors: impl Fn(Span) -> R,
+    runs: impl Fn(Span) -> R,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
     let depths = depth.buffer.values_mut();
-    fill_nearer(memory, triangle, scissor, depths, |span| span_colors(span).map(StoredPixel::stored));
+    fill_nearer(memory, triangle, scissor, depths, |span| {
+        runs(span).map(|(width, run)| (width, run.map(StoredPixel::stored)))
+    });
     true
 }
 
 #[inline(never)] // its loop needs all registers
-fn fill_nearer<S: PixelStore, R: Iterator<Item = S::Cell>>(
+fn fill_nearer<S: PixelStore, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = S::Cell>>(
     memory: &mut PixelRows<S>,
     triangle: &DepthTriangle<'_>,
     scissor: &Scissor,
     depths: &mut [u16],
-    span_cells: impl Fn(Span) -> R,
+    runs: impl Fn(Span) -> R,
 ) {
     let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
     let step = gradient.step();
@@ -76,12 +84,20 @@ fn fill_nearer<S: PixelStore, R: Iterator<Item = S::Cell>>(
     each_span(&triangle.triangle, scissor, |span| {
         let from = layout.at(span.x, span.y);
         let to = from.wrapping_add(span.width as usize);
-        if let (Some(cells), Some(depths)) = (cells.get_mut(from..to), depths.get_mut(from..to)) {
+        if let (Some(mut cells), Some(mut depths)) = (cells.get_mut(from..to), depths.get_mut(from..to)) {
             let mut z = gradient.at(span.x, span.y);
-            for ((pixel, stored), cell) in cells.iter_mut().zip(depths).zip(span_cells(span)) {
-                put_nearer(pixel, stored, z, cell);
-                z = z.wrapping_add(step);
-                keep_rolled();
+            for (width, run) in runs(span) {
+                let (Some((pixels, more)), Some((stored, further))) =
+                    (cells.split_at_mut_checked(width as usize), depths.split_at_mut_checked(width as usize))
+                else {
+                    return;
+                };
+                for ((pixel, stored), cell) in pixels.iter_mut().zip(stored).zip(run) {
+                    put_nearer(pixel, stored, z, cell);
+                    z = z.wrapping_add(step);
+                    keep_rolled();
+                }
+                (cells, depths) = (more, further);
             }
         }
     });

@@ -8,16 +8,20 @@ use crate::math::num::reciprocal;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CornerValues {
     depths: [i32; 3],
-    inverse_w: [i32; 3],
+    w: [i32; 3],
 }
 
 impl CornerValues {
     /// From depths in 16.8, and positive w in any unit.
-    pub(crate) fn new(depths: [i32; 3], w: [i32; 3]) -> Self {
-        // 1/w = mantissa · 2^(shift − 61), mantissa 2³⁰ … 2³¹ − 1: the smallest w has the largest shift.
-        let reciprocals = w.map(|w| reciprocal(w.max(1)));
-        let most = reciprocals.iter().fold(0, |most, r| r.shift.max(most));
-        Self { depths, inverse_w: reciprocals.map(|r| r.mantissa >> most.wrapping_sub(r.shift).min(31)) }
+    #[inline(always)]
+    pub(crate) const fn new(depths: [i32; 3], w: [i32; 3]) -> Self {
+        Self { depths, w }
+    }
+
+    /// w, in the unit of the face's vertices. Those of one face may be compared, as multiples of each other.
+    #[inline(always)]
+    pub(super) const fn w(&self) -> [i32; 3] {
+        self.w
     }
 
     /// Depths in 1/256 of a step: 0 near … 65534·256 + 119 far, linear on the screen. Zeros if the shader does not
@@ -31,9 +35,17 @@ impl CornerValues {
     ///
     /// The unknown factor is the same for the three corners, but differs from triangle to triangle: divide interpolated values
     /// of one triangle (u/w by 1/w), but do not compare values of two triangles.
-    pub const fn inverse_w(&self) -> [i32; 3] {
-        self.inverse_w
+    pub fn inverse_w(&self) -> [i32; 3] {
+        inverse_w(self.w)
     }
+}
+
+/// What [`CornerValues::inverse_w`] returns.
+pub(super) fn inverse_w(w: [i32; 3]) -> [i32; 3] {
+    // 1/w = mantissa · 2^(shift − 61), mantissa 2³⁰ … 2³¹ − 1: the smallest w has the largest shift.
+    let reciprocals = w.map(|w| reciprocal(w.max(1)));
+    let most = reciprocals.iter().fold(0, |most, r| r.shift.max(most));
+    reciprocals.map(|r| r.mantissa >> most.wrapping_sub(r.shift).min(31))
 }
 
 #[cfg(test)]

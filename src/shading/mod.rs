@@ -13,6 +13,7 @@ mod shader;
 mod smooth;
 mod table;
 mod table_shader;
+mod texture;
 
 pub use channels::Channels;
 pub use corner_values::CornerValues;
@@ -26,3 +27,4 @@ pub use lambert::{Lambert, LightError, RigidLambert};
 pub use lit::Lit;
 pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};
+pub use texture::{Accuracy, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured};

@@ -4,7 +4,7 @@ use super::CornerValues;
 use crate::clip::Varying;
 use crate::raster::{Span, Triangle};
 use crate::shading::TableShader;
-use core::iter::repeat;
+use core::iter::{once, repeat};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a face is filled with: a colour, or colours that vary over the face. Every draw call takes a closure that returns a
@@ -172,6 +172,14 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// The colours of a span, one row high, from left to right: at least `span.width` of them. Spans contain only pixels that
     /// the triangle covers.
     fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C>;
+
+    /// The colours of a span as runs, from left to right: the width of each, and its colours, at least as many. Override it if
+    /// colours are cheap to compute within a run, and not across: for targets whose pixels lie in memory it is called instead of
+    /// [`span`](Self::span), and must give the same colours.
+    #[inline(always)]
+    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = C>)> {
+        once((span.width, Self::span(setup, span)))
+    }
 
     /// The colours of a span, one row high, from left to right, given the colours of its stored pixels. Called instead of
     /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. The iterator must take one colour from `stored`

@@ -9,3 +9,4 @@ mod light;
 mod own_shaders;
 mod scene;
 mod shade_table;
+mod textures;

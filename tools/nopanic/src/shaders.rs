@@ -8,8 +8,9 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
-    CornerValues, DepthBuffer, Memory, MeshInstance, Painter, PainterError, PictureError, Pixels,
-    ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, WithPlanes,
+    Accuracy, CornerValues, DepthBuffer, IndexedTexels, Memory, MeshInstance, Painter, PainterError,
+    PictureError, Pixels, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels,
+    Texture, TextureError, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -97,6 +98,67 @@ fn entry_painter_by_planes(
     instance: &MeshInstance<'_, i16, WithPlanes>,
 ) -> Result<(), PainterError> {
     painter.add(instance, |_| shader())
+}
+
+/// Draws a texture by the calls that differ in how rows are cut into runs.
+fn textured<S: Texels<Color = Rgb565>>(
+    texels: S,
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    let accuracy = [Accuracy::Quarter, Accuracy::Eighth, Accuracy::Sixteenth];
+    let accuracy = accuracy.get(any() as usize).copied().unwrap_or_default();
+    let texture = Texture::new(texels).with_accuracy(accuracy).with_exponent(any() as i8)?;
+    let shade = |_| texture.at([[any() as i16, any() as i16]; 3]);
+    let [mut solid, mut tested] = [Statistics::default(); 2];
+    if let Ok(mut target) = Pixels::<Rgb565, u16>::new(cells, area()) {
+        let Ok(statistics) = instance.solid(shade, cache, &mut target);
+        solid = statistics;
+        if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
+            let Ok(statistics) = instance.depth_tested(shade, cache, &mut depth, &mut target);
+            tested = statistics;
+        }
+    }
+    Ok([solid, tested])
+}
+
+#[unsafe(no_mangle)]
+fn entry_texture_of_known_size(
+    texels: &[[Rgb565; 64]; 32],
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    textured(texels, instance, cache, cells, depths)
+}
+
+#[unsafe(no_mangle)]
+fn entry_texture_of_any_size(
+    texels: &[Rgb565],
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    let texels = TexelSlice::new(texels, any() as usize, any() as usize)?;
+    textured(texels, instance, cache, cells, depths)
+}
+
+#[unsafe(no_mangle)]
+fn entry_texture_with_palette(
+    texels: &[u8],
+    palettes: [&[Rgb565]; 2],
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    let [palette, other] = palettes;
+    let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?;
+    textured(texels.with_palette(other)?, instance, cache, cells, depths)
 }
 
 #[unsafe(no_mangle)]

@@ -78,6 +78,13 @@ cells! {
     "cell_s6_dt": Frame, cells::s6_dt;
     "cell_s7_dt": Frame, cells::s7_dt;
     "cell_s8_dt_z": Smooth<TORUS>, cells::s8_dt_z;
+    // Textures on the torus, on a floor, on one that is rolled, and on one that reaches the horizon.
+    "cell_x1": Plain<TORUS>, cells::x1;
+    "cell_x1_z": Deep<TORUS>, cells::x1_z;
+    "cell_x2": Plain<4>, cells::x2;
+    "cell_x2_z": Deep<4>, cells::x2_z;
+    "cell_x3": Plain<4>, cells::x3;
+    "cell_x4": Plain<4>, cells::x4;
     // S3 in one piece with the clear of the picture, and in bands.
     "cell_s3_full": Plain<TORUS>, cells::s3_full;
     "cell_s3_full_z": Deep<TORUS>, cells::s3_full_z;

@@ -7,6 +7,7 @@ mod draw_target;
 mod memory;
 mod moving;
 mod screen;
+mod textured;
 mod three;
 mod two;
 
@@ -18,6 +19,7 @@ pub use memory::{Deep, Frame, Plain, Smooth};
 pub use moving::f50_in_view;
 pub use moving::{f50, f50_wire, f50_z, t1};
 pub use screen::Screen;
+pub use textured::{x1, x1_z, x2, x2_z, x3, x4};
 #[cfg(not(target_os = "none"))]
 pub use three::placed;
 pub use three::{s1, s2, s2_z, s3, s3_wire, s3_z, s4, s4_z, s8_z};
@@ -104,6 +106,13 @@ pub const USER_CELLS: &[Known] = &[
     ("S6", "dt", || s6_dt(&mut boxed(Frame::NEW))),
     ("S7", "dt", || s7_dt(&mut boxed(Frame::NEW))),
     ("S8", "dt-z", || s8_dt_z(&mut boxed(Smooth::NEW))),
+    // Textures.
+    ("X1", "plain", || x1(&mut boxed(Plain::NEW))),
+    ("X1", "z", || x1_z(&mut boxed(Deep::NEW))),
+    ("X2", "plain", || x2(&mut boxed(Plain::NEW))),
+    ("X2", "z", || x2_z(&mut boxed(Deep::NEW))),
+    ("X3", "plain", || x3(&mut boxed(Plain::NEW))),
+    ("X4", "plain", || x4(&mut boxed(Plain::NEW))),
     // In one piece, the clear of the picture counted, and in bands.
     ("S3", "full", || s3_full(&mut boxed(Plain::NEW))),
     ("S3", "full-z", || s3_full_z(&mut boxed(Deep::NEW))),

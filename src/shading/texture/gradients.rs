@@ -1,0 +1,247 @@
+//! Texture coordinates over a triangle.
+
+use super::mapping::{Accuracy, Textured};
+use super::texels::Texels;
+use crate::math::num::{leading_zeros, mul_high, reciprocal_of_positive};
+use crate::math::unrolled::map3;
+use crate::raster::{Gradient, GradientSetup, Triangle};
+use crate::shading::corner_values::inverse_w;
+
+/// Texture coordinates over a triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Gradients {
+    /// u and v in 2⁻³² of the sides, linear on the screen: all corners are about as far away, or the projection is parallel.
+    Affine([Gradient; 2]),
+    Perspective(Perspective),
+}
+
+/// Texture coordinates that are not linear on the screen. With q = 1/w, the numbers q, s = (u − u₀)·q and t = (v − v₀)·q are, and
+/// a pixel has u = u₀ + s/q. u₀ and v₀ are those of the farthest corner, where q is least exact: there s = t = 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Perspective {
+    /// In 2⁻³⁰ of their range over the triangle: 0 … 2³⁰ for q, and 2²⁹ more than s and t, which are −2²⁹ … 2²⁹.
+    q: Gradient,
+    st: [Gradient; 2],
+    /// u₀ and v₀ in 2⁻³² of the sides.
+    origin: [u32; 2],
+    /// A [`Sample`]'s unit is 2^this of 2⁻³² of the sides: [`LARGEST_RUN`] … 22, so that the steps over a run are exact.
+    up: [u8; 2],
+    /// The right shift from s/q in 2⁻²⁹ to a sample's unit: at least 2.
+    down: [u8; 2],
+    /// The right shift of the lesser q to what |Δu·Δq| may be in 2²⁸: see [`is_linear`].
+    tolerance: [u8; 2],
+    /// The binary logarithm of the widest run.
+    pub(super) largest_run: u32,
+}
+
+/// Texture coordinates relative to those of the farthest corner, in the unit of [`Perspective::up`], and q, at a pixel's centre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    /// At most 2²⁷.
+    uv: [i32; 2],
+    /// 1 … 2³¹ − 1; 0 for none.
+    q: i32,
+}
+
+impl Sample {
+    /// No coordinates: nothing is linear from here or to here.
+    pub(super) const NONE: Self = Self { uv: [0; 2], q: 0 };
+
+    #[inline(always)]
+    pub(super) const fn is_none(&self) -> bool {
+        self.q == 0
+    }
+}
+
+/// The widest run is 64 pixels.
+const LARGEST_RUN: u32 = 6;
+
+impl Gradients {
+    pub(super) fn new<S: Texels>(shader: &Textured<S>, triangle: &Triangle<'_>) -> Self {
+        let [[ua, va], [ub, vb], [uc, vc]] = shader.uv;
+        let (u, v) = ([ua, ub, uc], [va, vb, vc]);
+        let ranges @ [(_, width), (_, height)] = [range(&u), range(&v)];
+        let [w, h] =
+            tolerance(shader, shader.texture.unit.map(|unit| u32::from(unit).wrapping_sub(FRACTION)));
+        // (1/w₀ − 1/w₁)/(1/w₁) = (w₁ − w₀)/w₀.
+        let (nearest, apart) = range(&shader.w);
+        if is_linear(width as u32, apart as u32, nearest, w)
+            && is_linear(height as u32, apart as u32, nearest, h)
+        {
+            return Self::affine(shader, triangle, [u, v], ranges);
+        }
+        Self::Perspective(Perspective::new(shader, triangle))
+    }
+
+    fn affine<S>(
+        shader: &Textured<S>,
+        triangle: &Triangle<'_>,
+        values: [[i32; 3]; 2],
+        ranges: [(i32, i32); 2],
+    ) -> Self {
+        let setup = GradientSetup::new(triangle);
+        let margin = if setup.extent.is_large() { LARGE_MARGIN } else { MARGIN };
+        let gradient = |values: [i32; 3], (least, extent): (i32, i32), unit: u8| {
+            // As fine as short numerators of the set-up allow, so that margin and error are small against the extent.
+            let unit = i32::from(unit);
+            let finer = (unit - 16).min(leading_zeros(extent as u32) - 15).max(0) & 15; // 2¹⁷, or more that is given
+            let extent = extent << finer;
+            let (low, high) = (margin.min(extent >> 1), (extent - margin).max(extent >> 1));
+            let inside = |value: i32| ((value - least) << finer).max(low).min(high);
+            // In 2^−(FRACTION + 8 + finer) units.
+            let Gradient { origin, right, down } = setup.through(&map3(values, inside));
+            let up = (unit - 16 - finer) & 31;
+            Gradient { origin: origin << up, right: right << up, down: down << up }
+                .add_bias((least as u32) << ((unit - FRACTION as i32) & 31))
+        };
+        let ([u, v], [u_range, v_range], [u_unit, v_unit]) = (values, ranges, shader.texture.unit);
+        Self::Affine([gradient(u, u_range, u_unit), gradient(v, v_range, v_unit)])
+    }
+}
+
+/// What keeps coordinates between those of the corners in spite of the error of [`GradientSetup::through`], in units of its
+/// values: w columns and h rows from the first corner that is less than ((w + h)/2 + 34 + 1552)/256, and w + h is at most 1026
+/// within 512 pixels.
+const MARGIN: i32 = 9;
+
+/// [`MARGIN`] for triangles of up to 2¹⁴ columns and rows.
+const LARGE_MARGIN: i32 = 71;
+
+const FRACTION: u32 = Textured::<()>::FRACTION;
+
+/// The least value, and the difference between the largest and it: less than 2²⁴.
+fn range(&[a, b, c]: &[i32; 3]) -> (i32, i32) {
+    let least = a.min(b).min(c);
+    (least, a.max(b).max(c) - least)
+}
+
+/// The right shifts of [`Perspective::tolerance`], for coordinates in units of 2^`up` of 2⁻³² of the sides.
+#[inline(always)]
+fn tolerance<S: Texels>(shader: &Textured<S>, up: [u32; 2]) -> [u8; 2] {
+    let accuracy = match shader.texture.accuracy {
+        Accuracy::Quarter => 2,
+        Accuracy::Eighth => 3,
+        Accuracy::Sixteenth => 4,
+    };
+    // A unit is 2^(up + bits − 32) texel: |Δu·Δq| ≤ 4·2^−accuracy texels · q, in 2²⁸. 5 … 30, as up is 6 … 24.
+    let ([u, v], [w, h]) = (up, shader.texture.texels.size_bits());
+    [(accuracy + u + w).wrapping_sub(6) as u8, (accuracy + v + h).wrapping_sub(6) as u8]
+}
+
+/// Whether coordinates that are s/q may be interpolated linearly between two points, given the magnitudes of the differences
+/// of coordinate, below 2²⁸, and of q, and the lesser q: they are then off by less than |Δu|·|Δq|/(4·q).
+///
+/// The product is compared in units of 2²⁸, rounded down, with q, also rounded down: `false` where that leaves a doubt.
+#[inline(always)]
+fn is_linear(du: u32, dq: u32, q: i32, tolerance: u8) -> bool {
+    let product = (u64::from(du << 4) * u64::from(dq)) >> 32;
+    (product as u32) < (q as u32) >> (tolerance & 31)
+}
+
+impl Perspective {
+    fn new<S: Texels>(shader: &Textured<S>, triangle: &Triangle<'_>) -> Self {
+        // Below 2²², so that there is room for samples beside the triangle.
+        let q = inverse_w(shader.w).map(|q| (q >> 9).max(1));
+        // The farthest corner first: errors of gradients grow with the distance from the first corner.
+        let ([qa, qb, qc], [a, b, c], [ua, ub, uc]) = (q, triangle.corners, shader.uv);
+        let (q, corners, uv) = if qb < qa && qb <= qc {
+            ([qb, qc, qa], [b, c, a], [ub, uc, ua])
+        } else if qc < qa {
+            ([qc, qa, qb], [c, a, b], [uc, ua, ub])
+        } else {
+            (q, triangle.corners, shader.uv)
+        };
+        let turned = Triangle { corners, ..*triangle };
+        let setup = GradientSetup::new(&turned);
+        let [origin, ..] = uv;
+        let differences = uv.map(|uv| [uv[0] - origin[0], uv[1] - origin[1]]); // below 2²⁴
+        let largest = differences.iter().flatten().fold(0, |bits, d| bits | d.unsigned_abs());
+        let n = 32 - leading_zeros(largest); // |difference| < 2^n, 0 … 24
+        let st = [0, 1].map(|axis| {
+            let times_q = |i: usize| {
+                let product = i64::from(differences[i][axis]) * i64::from(q[i]); // below 2^(n + 22)
+                ((product + (1 << n)) >> (n + 1)) as i32 + (1 << 21)
+            };
+            setup.through(&[times_q(0), times_q(1), times_q(2)])
+        });
+        let unit = shader.texture.unit.map(i32::from);
+        // s/q in 2⁻²⁷ is a coordinate in 2^(n + unit − 34) of 2⁻³² of the side.
+        let full = unit.map(|unit| unit + n - 34);
+        let up = full.map(|full| full.max(LARGEST_RUN as i32) as u32); // at most 22
+        Self {
+            q: setup.through(&q),
+            st,
+            origin: [0, 1].map(|axis| (origin[axis] as u32) << ((unit[axis] - FRACTION as i32) & 31)),
+            up: up.map(|up| up as u8),
+            down: [0, 1].map(|axis| (2 + up[axis] as i32 - full[axis]) as u8), // at most 26
+            tolerance: tolerance(shader, up),
+            largest_run: largest_run(triangle),
+        }
+    }
+
+    /// The coordinates at a pixel; [`Sample::NONE`] beyond the horizon and far beside the triangle.
+    #[inline(never)] // called from three places
+    pub(super) fn sample(&self, x: i32, y: i32) -> Sample {
+        let (q, [s, t]) = self.at(x, y);
+        if q <= 0 || s.unsigned_abs().max(t.unsigned_abs()) > q as u32 {
+            return Sample::NONE;
+        }
+        self.divided(q, [s, t])
+    }
+
+    /// The coordinates at a pixel of the triangle.
+    pub(super) fn nearest_sample(&self, x: i32, y: i32) -> Sample {
+        let (q, st) = self.at(x, y);
+        let q = q.max(1);
+        self.divided(q, st.map(|s| s.clamp(-q, q)))
+    }
+
+    #[inline(always)]
+    fn at(&self, x: i32, y: i32) -> (i32, [i32; 2]) {
+        let [s, t] = self.st.map(|gradient| gradient.at(x, y).wrapping_sub(1 << 29) as i32);
+        (self.q.at(x, y) as i32, [s, t])
+    }
+
+    /// s/q and t/q, for |s|, |t| ≤ q.
+    #[inline(always)]
+    fn divided(&self, q: i32, [s, t]: [i32; 2]) -> Sample {
+        let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
+        let divided = |s: i32, down: u8| mul_high(s << (r.shift & 31), r.mantissa) >> (down & 31);
+        let [u, v] = self.down;
+        Sample { uv: [divided(s, u), divided(t, v)], q }
+    }
+
+    /// Whether coordinates between two samples may be interpolated linearly.
+    #[inline(always)]
+    pub(super) fn is_linear(&self, left: &Sample, right: &Sample) -> bool {
+        let (q, dq) = (left.q.min(right.q), left.q.abs_diff(right.q));
+        let ([a, b], [c, d], [u, v]) = (left.uv, right.uv, self.tolerance);
+        is_linear(a.abs_diff(c), dq, q, u) && is_linear(b.abs_diff(d), dq, q, v)
+    }
+
+    /// The coordinates of a sample, in 2⁻³² of the sides.
+    #[inline(always)]
+    pub(super) fn phases(&self, &Sample { uv: [u, v], .. }: &Sample) -> [u32; 2] {
+        let ([a, b], [m, n]) = (self.origin, self.up);
+        [a.wrapping_add((u as u32) << (m & 31)), b.wrapping_add((v as u32) << (n & 31))]
+    }
+
+    /// The change per pixel between two samples, 2^`bits` pixels from each other; exact, as `bits` is at most [`LARGEST_RUN`].
+    #[inline(always)]
+    pub(super) fn step(&self, left: &Sample, right: &Sample, bits: u32) -> [u32; 2] {
+        let ([a, b], [c, d], [m, n]) = (left.uv, right.uv, self.up);
+        let shift = |up: u8| u32::from(up).wrapping_sub(bits) & 31;
+        [((c - a) as u32) << shift(m), ((d - b) as u32) << shift(n)]
+    }
+}
+
+/// The binary logarithm of the widest run: at most the widest span of the triangle, A/H with twice the area A and the height H,
+/// so that a gradient changes by no more over it than over the triangle; 64 pixels at most.
+fn largest_run(triangle: &Triangle<'_>) -> u32 {
+    let [a, b, c] = triangle.corners.map(|corner| corner.y);
+    let height = (a.max(b).max(c) - a.min(b).min(c)) as u32; // not 0, as the area is not
+    let area_bits = 64 - triangle.area.unsigned_abs().leading_zeros() as i32;
+    let height_bits = 32 - leading_zeros(height);
+    // In sub-pixels A/H is at least 2^(area_bits − height_bits − 1).
+    (area_bits - height_bits - 1 - 8).clamp(0, LARGEST_RUN as i32) as u32
+}

@@ -1,0 +1,203 @@
+//! Where the texels of a texture come from.
+
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// Texels in rows: a texture's picture, or a formula. Both sides have a power of two of texels, so that repeating the picture
+/// takes no instruction.
+///
+/// `&[[C; W]; H]` has its size in its type, which is the fastest; [`TexelSlice`] has it at run time;
+/// [`IndexedTexels`](crate::IndexedTexels) looks colours up in a palette. A formula implements the trait, too:
+///
+/// ```
+/// use embedded_graphics::pixelcolor::BinaryColor;
+/// use pinhole::Texels;
+/// /// A chessboard of 8 × 8 texels.
+/// #[derive(Clone, Copy)]
+/// struct Chessboard;
+/// impl Texels for Chessboard {
+///     type Color = BinaryColor;
+///     fn size_bits(&self) -> [u32; 2] {
+///         [3, 3]
+///     }
+///     fn texel(&self, u: u32, v: u32) -> BinaryColor {
+///         BinaryColor::from((u ^ v) >> 29 & 1 == 0)
+///     }
+/// }
+/// assert_eq!(Chessboard.texel(0, 1 << 29), BinaryColor::Off);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no source of texels",
+    label = "not `Texels`",
+    note = "pass `&[[C; W]; H]`, a `TexelSlice` or `IndexedTexels` to `Texture::new`, or implement `Texels` for a type of your own"
+)]
+pub trait Texels: Copy {
+    /// The colour of a texel.
+    type Color: PixelColor;
+
+    /// The binary logarithms of the numbers of columns and rows: 3 … 8 each.
+    fn size_bits(&self) -> [u32; 2];
+
+    /// The colour of the texel that holds a point: `u` from the left and `v` from the top, in 2⁻³² of the width and of the
+    /// height. The texel's column is `u >> (32 − bits)`, rounded down.
+    fn texel(&self, u: u32, v: u32) -> Self::Color;
+}
+
+/// The index of the column or row that holds `coordinate`, in 2⁻³² of a side with 2^`bits` of them; `bits` is 1 … 31.
+#[inline(always)]
+pub(super) const fn index(coordinate: u32, bits: u32) -> usize {
+    (coordinate >> (32u32.wrapping_sub(bits) & 31)) as usize // below 2^bits
+}
+
+/// The binary logarithm of a side, which the compiler checks.
+const fn side_bits(side: usize) -> u32 {
+    assert!(
+        side.is_power_of_two() && side >= 8 && side <= 256,
+        "a texture's side is 8, 16, 32, 64, 128 or 256"
+    );
+    side.trailing_zeros()
+}
+
+impl<C: PixelColor, const W: usize, const H: usize> Texels for &[[C; W]; H] {
+    type Color = C;
+
+    #[inline(always)]
+    fn size_bits(&self) -> [u32; 2] {
+        const { [side_bits(W), side_bits(H)] }
+    }
+
+    #[inline(always)]
+    fn texel(&self, u: u32, v: u32) -> C {
+        let [w, h] = self.size_bits();
+        // The remainders change nothing; they tell the compiler that both indices exist.
+        self[index(v, h) % H][index(u, w) % W]
+    }
+}
+
+/// Why texels do not make a texture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum TextureError {
+    /// A side is not 8, 16, 32, 64, 128 or 256 texels.
+    Side {
+        /// The given number of columns or rows.
+        side: usize,
+    },
+    /// There are fewer texels than width times height.
+    Texels {
+        /// How many elements of the slice the texture needs.
+        needed: usize,
+        /// How many there are.
+        given: usize,
+    },
+    /// The palette has fewer colours than texels can name.
+    Palette {
+        /// How many colours the texture needs.
+        needed: usize,
+        /// How many there are.
+        given: usize,
+    },
+    /// The exponent of the texture coordinates' unit is outside of −15 … 0.
+    Exponent {
+        /// The given exponent.
+        exponent: i8,
+    },
+}
+
+impl core::fmt::Display for TextureError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Side { side } => {
+                write!(f, "a side of {side} texels: resize the picture to 8, 16, 32, 64, 128 or 256 a side")
+            }
+            Self::Texels { needed, given } => {
+                write!(f, "the slice has {given} elements, but a texture of this size needs {needed}")
+            }
+            Self::Palette { needed, given } => {
+                write!(f, "the palette has {given} colours, but the texels can name {needed}: append some")
+            }
+            Self::Exponent { exponent } => {
+                write!(f, "texture coordinates in 2^{exponent} of a side: the exponent must be -15 to 0")
+            }
+        }
+    }
+}
+
+impl core::error::Error for TextureError {}
+
+/// The binary logarithms of width and height.
+pub(super) const fn checked_bits(width: usize, height: usize) -> Result<[u32; 2], TextureError> {
+    let sides = [width, height];
+    let mut i = 0;
+    while i < 2 {
+        let side = sides[i];
+        if !side.is_power_of_two() || side < 8 || side > 256 {
+            return Err(TextureError::Side { side });
+        }
+        i += 1;
+    }
+    Ok([width.trailing_zeros(), height.trailing_zeros()])
+}
+
+/// Texels in a slice, row by row, the upper row first, with a size that is known at run time. A pixel takes two to four
+/// instructions more than with `&[[C; W]; H]`.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use pinhole::{TexelSlice, Texels};
+/// let picture: Vec<Gray8> = (0..8 * 16).map(Gray8::new).collect();
+/// let texels = TexelSlice::new(&picture, 8, 16)?;
+/// // Half of the width, a quarter of the height.
+/// assert_eq!(texels.texel(1 << 31, 1 << 30), Gray8::new(4 * 8 + 4));
+/// # Ok::<(), pinhole::TextureError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TexelSlice<'t, C> {
+    texels: &'t [C],
+    bits: [u32; 2],
+    /// What stands for a texel that does not exist: there is none.
+    first: C,
+}
+
+impl<'t, C: PixelColor> TexelSlice<'t, C> {
+    /// Texels of a picture of `width` columns and `height` rows.
+    ///
+    /// # Errors
+    ///
+    /// [`TextureError::Side`] if a side is not 8, 16, 32, 64, 128 or 256, and [`TextureError::Texels`] if the slice is shorter
+    /// than `width * height`.
+    pub const fn new(texels: &'t [C], width: usize, height: usize) -> Result<Self, TextureError> {
+        let bits = match checked_bits(width, height) {
+            Ok(bits) => bits,
+            Err(error) => return Err(error),
+        };
+        let (needed, given) = (width * height, texels.len());
+        match texels.first() {
+            Some(&first) if given >= needed => Ok(Self { texels, bits, first }),
+            _ => Err(TextureError::Texels { needed, given }),
+        }
+    }
+}
+
+impl<C: PixelColor> Texels for TexelSlice<'_, C> {
+    type Color = C;
+
+    #[inline(always)]
+    fn size_bits(&self) -> [u32; 2] {
+        self.bits
+    }
+
+    #[inline(always)]
+    fn texel(&self, u: u32, v: u32) -> C {
+        let [w, h] = self.bits;
+        let texel = self.texels.get(index(v, h) << (w & 31) | index(u, w));
+        texel.copied().unwrap_or(self.first)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for TexelSlice<'_, C> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let [w, h] = self.bits;
+        defmt::write!(f, "{=u32} x {=u32} texels", 1 << w, 1 << h);
+    }
+}

@@ -1,0 +1,181 @@
+//! X1 to X4: textures. X1: S3's torus, with a picture of 64 × 64 texels once round; X2: a floor over the whole picture, whose
+//! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
+//! by 20 degrees that reaches the horizon, a thousand times as far away.
+
+use super::{count, Counted, Deep, Plain, TORUS};
+use crate::scene::{self, area, Scene, SIZE};
+use core::hint::black_box;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::Rgb565;
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Texture, Vector3, ViewTransform,
+    Viewport,
+};
+
+/// A side of the picture, in texels.
+const SIDE: usize = 64;
+
+/// A colour of its own for each texel but for a few.
+static PICTURE: [[Rgb565; SIDE]; SIDE] = {
+    let mut picture = [[Rgb565::new(0, 0, 0); SIDE]; SIDE];
+    let mut at = 0;
+    while at < SIDE * SIDE {
+        let (x, y) = (at % SIDE, at / SIDE);
+        picture[y][x] = Rgb565::new((x / 2) as u8, y as u8, (31 - (x + y) / 4) as u8);
+        at += 1;
+    }
+    picture
+};
+
+/// Rings of the torus, and vertices of a ring.
+const RINGS: u16 = 25;
+const RING: u16 = 20;
+
+/// Texture coordinates of the corners of each face of the torus, in 1/16 texel.
+static TORUS_UV: [[[i16; 2]; 3]; 1000] = {
+    let faces = scene::TORUS.mesh.faces();
+    let mut uv = [[[0; 2]; 3]; 1000];
+    let mut face = 0;
+    while face < 1000 {
+        let [first, ..] = faces[face];
+        let mut corner = 0;
+        while corner < 3 {
+            let vertex = faces[face][corner];
+            // Once round: a vertex on the seam is 0 for one face, and the number of vertices for another.
+            let ring = unwound(vertex / RING, first / RING, RINGS);
+            let at = unwound(vertex % RING, first % RING, RING);
+            let full = 16 * SIDE as i32;
+            uv[face][corner] = [(ring * full / RINGS as i32) as i16, (at * full / RING as i32) as i16];
+            corner += 1;
+        }
+        face += 1;
+    }
+    uv
+};
+
+/// A number modulo `count`, next to the number `by`.
+const fn unwound(number: u16, by: u16, count: u16) -> i32 {
+    let (number, by, count) = (number as i32, by as i32, count as i32);
+    if number - by > count / 2 {
+        number - count
+    } else if by - number > count / 2 {
+        number + count
+    } else {
+        number
+    }
+}
+
+/// The two faces of a quad.
+const QUAD: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+
+/// A quad before an eye at the origin, and how many texels lie along its sides.
+struct Floor {
+    mesh: Mesh<'static>,
+    texels: i16,
+}
+
+const fn floor(corners: &'static [[i16; 3]; 4], exponent: i8, texels: i16) -> Floor {
+    let Ok(mesh) = Mesh::new(corners, exponent, &QUAD) else { panic!("faces") };
+    Floor { mesh, texels }
+}
+
+static X2: Floor = floor(
+    &[[-1025, -1025, -1741], [1025, -1025, -1741], [5729, 5729, -9728], [-5729, 5729, -9728]],
+    -10,
+    128,
+);
+static X3: Floor =
+    floor(&[[-5136, -3525, -410], [6001, 1669, -410], [6001, 1669, -9728], [-5136, -3525, -9728]], -10, 64);
+static X4: Floor = floor(
+    &[[-27052, -9880, -29], [27074, 9820, -29], [27074, 9820, -32000], [-27052, -9880, -32000]],
+    -5,
+    1600,
+);
+
+/// An eye at the origin, which looks along −z.
+#[inline(never)]
+fn camera() -> Option<Camera> {
+    let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
+    let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).ok()?;
+    let (near, far) = (Scalar::from_bits(black_box(1 << 15)), Scalar::from_bits(black_box(2000 << 16)));
+    let size = Size::new(SIZE, SIZE);
+    let lens = Projection::perspective(Angle::degrees(black_box(60)), size, near, far).ok()?;
+    Some(Camera::new(&view, &lens, &Viewport::new(Point::zero(), size).ok()?))
+}
+
+#[inline(always)]
+fn plain(floor: &'static Floor, Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+    let (camera, floor) = (camera()?, black_box(floor));
+    let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
+    let texture = Texture::new(&PICTURE);
+    let t = floor.texels.wrapping_mul(16);
+    let uv = [[0, t], [t, t], [t, 0], [0, 0]];
+    count(frame, &mut |picture| {
+        let (instance, texture, uv) = black_box((&instance, &texture, &uv));
+        let mesh = instance.mesh();
+        let shade = |face| texture.at(mesh.corners_of(face, uv));
+        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+#[inline(always)]
+fn deep(floor: &'static Floor, Deep { frame, depth, corners }: &mut Deep<4>) -> Option<Counted> {
+    let (camera, floor) = (camera()?, black_box(floor));
+    let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
+    let texture = Texture::new(&PICTURE);
+    let t = floor.texels.wrapping_mul(16);
+    let uv = [[0, t], [t, t], [t, 0], [0, 0]];
+    count(frame, &mut |picture| {
+        let (instance, texture, uv) = black_box((&instance, &texture, &uv));
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let mesh = instance.mesh();
+        let shade = |face| texture.at(mesh.corners_of(face, uv));
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn x1(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
+    let (texture, instance) = (Texture::new(&PICTURE), scene.place());
+    count(frame, &mut |picture| {
+        let (instance, texture) = black_box((&instance, &texture));
+        let shade = |face: usize| texture.at(TORUS_UV.get(face).copied().unwrap_or_default());
+        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn x1_z(Deep { frame, depth, corners }: &mut Deep<TORUS>) -> Option<Counted> {
+    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
+    let (texture, instance) = (Texture::new(&PICTURE), scene.place());
+    count(frame, &mut |picture| {
+        let (instance, texture) = black_box((&instance, &texture));
+        let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
+        let shade = |face: usize| texture.at(TORUS_UV.get(face).copied().unwrap_or_default());
+        let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+pub fn x2(memory: &mut Plain<4>) -> Option<Counted> {
+    plain(&X2, memory)
+}
+
+pub fn x2_z(memory: &mut Deep<4>) -> Option<Counted> {
+    deep(&X2, memory)
+}
+
+pub fn x3(memory: &mut Plain<4>) -> Option<Counted> {
+    plain(&X3, memory)
+}
+
+pub fn x4(memory: &mut Plain<4>) -> Option<Counted> {
+    plain(&X4, memory)
+}
