@@ -9,12 +9,14 @@ mod picture;
 mod stop;
 
 use clock::Clock;
+use core::ops::ControlFlow::{Break, Continue};
 use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
 use embedded_hal::spi::MODE_3;
 use panel::Panel;
-use picture::{Picture, BANDS, FIRST_BAND, ROWS, SCREEN};
+use picture::Picture;
 use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
 use rp2040_hal as hal;
 use rp2040_hal::fugit::RateExtU32;
@@ -35,6 +37,9 @@ const CRYSTAL: u32 = 12_000_000;
 const MEGAHERTZ: u32 = 125;
 /// Frames of a turn.
 const FRAMES: u32 = 120;
+const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
+/// Rows of a band: more are faster, and take more memory.
+const ROWS: u32 = 8;
 
 #[hal::entry]
 fn main() -> ! {
@@ -72,23 +77,28 @@ fn main() -> ! {
     let channel = p.DMA.split(&mut p.RESETS).ch0;
     let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
 
-    let picture = Picture::new(&MODEL, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
+    let picture = Picture::new(&MODEL, SCREEN, &mut mesh.cache, &mut mesh.bins, &mut strip.depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
     // The first to leave is black.
-    let mut transfer = panel.send(&FIRST_BAND, &mut other.colors);
+    let first_band = Rectangle::new(SCREEN.top_left, Size::new(SCREEN.size.width, ROWS));
+    let mut transfer = panel.send(&first_band, &mut other.colors);
     loop {
         for frame in 0..FRAMES {
             let start = clock.cycles();
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
-            for _ in 0..BANDS {
-                let band = turned.next_band(free).unwrap_or_else(|problem| stop(problem));
-                let area = band.area();
-                let (panel, sent) = transfer.wait();
-                transfer = panel.send(&area, band.into_bytes());
-                free = sent;
-            }
+            free = loop {
+                match turned.band_or_strip(free).unwrap_or_else(|problem| stop(problem)) {
+                    Break(strip) => break strip,
+                    Continue(band) => {
+                        let area = band.area();
+                        let (panel, sent) = transfer.wait();
+                        transfer = panel.send(&area, band.into_bytes());
+                        free = sent;
+                    }
+                }
+            };
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
             defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, turned.statistics());
         }

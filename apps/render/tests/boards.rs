@@ -1,0 +1,121 @@
+//! The templates for boards draw one picture: each `picture.rs` is compiled here and draws the same models, at angles of a turn,
+//! on displays whose heights are and are not multiples of the strip's rows. All pixels must be equal.
+
+#![allow(unreachable_pub)] // the templates' files, which are right as files of their own
+
+use embedded_graphics::pixelcolor::{raw::RawU16, Rgb565};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::{Angle, Frame, Mesh, ScreenVertex, Statistics};
+use pinhole_apps_support::canvas::Canvas;
+use std::ops::ControlFlow::{Break, Continue};
+use std::path::Path;
+
+#[path = "../../../boards/any-cortex-m/src/picture.rs"]
+mod any_cortex_m;
+#[path = "../../../boards/rp2040-st7789/src/picture.rs"]
+mod rp2040;
+#[path = "../../../boards/stm32f4-ili9341/src/picture.rs"]
+mod stm32f4;
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const ROWS: u32 = 8;
+/// What no template draws.
+const UNSENT: Rgb565 = Rgb565::MAGENTA;
+
+struct Buffers {
+    cache: Vec<ScreenVertex>,
+    bins: Vec<u16>,
+    strip: Vec<u8>,
+    depths: Vec<u16>,
+}
+
+impl Buffers {
+    fn new(mesh: &Mesh<'_>, size: Size) -> Self {
+        Self {
+            cache: vec![ScreenVertex::EMPTY; mesh.cache_len()],
+            bins: vec![0; mesh.face_bins_len()],
+            strip: vec![0; Frame::<Rgb565>::strip_bytes(size.width, ROWS)],
+            depths: vec![0; (size.width * ROWS) as usize],
+        }
+    }
+}
+
+/// The picture of a template whose `draw` takes a DrawTarget.
+macro_rules! drawn {
+    ($board:ident, $mesh:expr, $size:expr, $turn:expr) => {{
+        let (mesh, screen) = ($mesh, Rectangle::new(Point::zero(), $size));
+        let Buffers { mut cache, mut bins, mut strip, mut depths } = Buffers::new(mesh, $size);
+        let mut memory = $board::Memory::new(&mut cache, &mut bins, &mut strip, &mut depths);
+        let mut canvas = Canvas::new($size, UNSENT);
+        let camera = $board::camera(mesh, screen).unwrap();
+        let statistics = $board::draw(mesh, &camera, $turn, &mut memory, &mut canvas).unwrap();
+        (canvas, statistics)
+    }};
+}
+
+/// The picture of the RP2040's template: its bands go through a window of the panel in wire order, two strips by turns.
+fn sent_by_dma(mesh: &Mesh<'_>, size: Size, turn: Angle) -> (Canvas<Rgb565>, Statistics) {
+    let screen = Rectangle::new(Point::zero(), size);
+    let Buffers { mut cache, mut bins, mut strip, mut depths } = Buffers::new(mesh, size);
+    let mut other = strip.clone();
+    let whole = strip.len();
+    let (mut free, mut sent): (&mut [u8], &mut [u8]) = (&mut strip, &mut other);
+    let mut canvas = Canvas::new(size, UNSENT);
+    let mut picture = rp2040::Picture::new(mesh, screen, &mut cache, &mut bins, &mut depths).unwrap();
+    // A frame that was given up leaves nothing behind.
+    let _ = picture.turned(Angle::degrees(77)).unwrap().band_or_strip(free).unwrap();
+    let mut turned = picture.turned(turn).unwrap();
+    loop {
+        match turned.band_or_strip(free).unwrap() {
+            Break(strip) => {
+                assert_eq!(strip.len(), whole, "a strip that is shorter would draw ever shorter bands");
+                break;
+            }
+            Continue(band) => {
+                let (area, bytes) = (band.area(), band.into_bytes());
+                let colors =
+                    bytes.as_chunks().0.iter().map(|pair| RawU16::new(u16::from_be_bytes(*pair)).into());
+                canvas.fill_contiguous(&area, colors).unwrap();
+                (free, sent) = (sent, bytes);
+            }
+        }
+    }
+    let statistics = turned.statistics();
+    (canvas, statistics)
+}
+
+/// Whether the templates draw one picture of a model, each pixel of it, and neither an empty nor a full one.
+fn compare(model: &str) {
+    let model = pinhole_import::import(
+        &Path::new(ROOT).join(model),
+        &pinhole_import::Options { fit: Some(2.0), ..pinhole_import::Options::default() },
+    );
+    let model = model.unwrap();
+    let mesh = model.mesh().unwrap();
+    for (width, height) in [(240, 240), (96, 61), (61, 96), (320, 5)] {
+        let size = Size::new(width, height);
+        for degrees in [0, 33, 123, 270] {
+            let turn = Angle::degrees(degrees);
+            let (first, counted) = drawn!(any_cortex_m, &mesh, size, turn);
+            let others = [drawn!(stm32f4, &mesh, size, turn), sent_by_dma(&mesh, size, turn)];
+            for ((other, statistics), board) in others.iter().zip(["stm32f4-ili9341", "rp2040-st7789"]) {
+                let differing = first.pixels().iter().zip(other.pixels()).filter(|(a, b)| a != b).count();
+                assert_eq!((differing, statistics), (0, &counted), "{board}: {size:?}, {degrees} degrees");
+            }
+            let pixels = first.pixels();
+            let background = pixels.iter().filter(|color| **color == Rgb565::BLACK).count();
+            assert!(!pixels.contains(&UNSENT) && (1..pixels.len()).contains(&background), "{size:?}");
+        }
+    }
+}
+
+#[test]
+fn the_templates_draw_one_picture_of_a_gear() {
+    compare("boards/any-cortex-m/model.stl");
+}
+
+#[test]
+fn the_templates_draw_one_picture_of_a_teapot() {
+    compare("assets/teapot.obj");
+}
