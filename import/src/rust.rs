@@ -15,8 +15,10 @@ pub fn is_constant_name(name: &str) -> bool {
 
 impl ImportedMesh {
     /// The mesh as Rust source: the constant `name`, a `pinhole::Mesh<'static>` over lists that are there once, or of type
-    /// `pinhole::Mesh<'static, i16, pinhole::WithPlanes>` if it has planes; where `I16F16` can hold it, `name_OFFSET`; and `name_COLORS`, a `pinhole::FaceColors`, and `name_TEXTURE`, a
-    /// `pinhole::TextureCoords`, where the file has these. For a module, or for `include!`, also of several such files. Its documentation
+    /// `pinhole::Mesh<'static, i16, pinhole::WithPlanes>` if it has planes; `name_COLORS`,
+    /// an `Option<pinhole::FaceColors>`, which is `None` where the file has no materials, so that one program draws models with
+    /// and without them; where the file has texture coordinates, `name_TEXTURE`, a `pinhole::TextureCoords`; and where `I16F16`
+    /// can hold it, `name_OFFSET`. For a module, or for `include!`, also of several such files. Its documentation
     /// has the name of `file`, sizes and errors, and `maker`, by which it was made. `None` if `name` is not
     /// [the name of a constant](crate::is_constant_name).
     ///
@@ -78,21 +80,27 @@ impl ImportedMesh {
         Some(out)
     }
 
-    /// The constants `name_COLORS` and `name_TEXTURE`, where there is anything to put in them.
+    /// The constant `name_COLORS`, and `name_TEXTURE` where there is anything to put in it.
     fn write_materials(&self, out: &mut String, name: &str) {
         let kept = "#[rustfmt::skip]\n#[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n";
-        if !self.face_colors.is_empty() {
+        if self.face_colors.is_empty() {
+            let _ = write!(
+                out,
+                "\n/// The colours of the faces of [`{name}`]: none, as its file has no materials.\n{kept}\
+                 pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = None;\n"
+            );
+        } else {
             let bytes = size_of_val(&self.palette[..]) + self.face_colors.len();
             let _ = write!(
                 out,
                 "\n/// The colours of the faces of [`{name}`]: {} colours; {bytes} bytes of flash.\n{kept}\
-                 pub const {name}_COLORS: pinhole::FaceColors<'static> = {{\n",
+                 pub const {name}_COLORS: Option<pinhole::FaceColors<'static>> = {{\n",
                 self.palette.len(),
             );
             nested(out, "PALETTE: [[u8; 3]", &self.palette);
             nested(out, "FACES: [u8", &self.face_colors);
             out.push_str(
-                "    let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else { panic!() };\n    colors\n};\n",
+                "    let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else { panic!() };\n    Some(colors)\n};\n",
             );
         }
         if !self.texture_faces.is_empty() {

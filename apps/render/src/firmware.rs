@@ -3,9 +3,9 @@
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
-use pinhole::{Angle, Frame, Mesh, ScreenVertex, Statistics};
+use pinhole::{Angle, Frame, ScreenVertex, Statistics};
 use pinhole_apps_support::canvas::Canvas;
-use pinhole_import::Options;
+use pinhole_import::{ImportedMesh, Options};
 
 #[allow(unreachable_pub)] // as a file of its own it is right
 #[path = "../../../boards/any-cortex-m/src/picture.rs"]
@@ -26,33 +26,36 @@ pub fn options(given: &Options) -> Options {
     Options { up, flip, fix_winding, two_sided, ..script::options() }
 }
 
-/// Draws a frame, the mesh turned by an angle, into any target in 16-bit colour. The first frame of the firmware is at angle 0.
+/// Draws a frame, the model turned by an angle, into any target in 16-bit colour. The first frame of the firmware is at angle 0.
 ///
 /// # Errors
 ///
 /// What the firmware would log before it stops.
 pub fn draw<D: DrawTarget<Color = Rgb565>>(
-    mesh: &Mesh<'_>,
+    model: &ImportedMesh,
     turn: Angle,
     display: &mut D,
-) -> Result<Statistics, &'static str> {
+) -> Result<Statistics, String> {
+    let mesh = model.mesh().map_err(|e| e.to_string())?;
+    let colors = model.colors().map_err(|e| e.to_string())?;
     let screen = display.bounding_box();
     let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
     let mut bins = vec![0; mesh.face_bins_len()];
     let mut strip = vec![0; Frame::<Rgb565>::strip_bytes(screen.size.width, ROWS)];
     let mut depths = vec![0; (screen.size.width * ROWS) as usize];
     let mut memory = picture::Memory::new(&mut cache, &mut bins, &mut strip, &mut depths);
-    let camera = picture::camera(mesh, screen)?;
-    picture::draw(mesh, &camera, turn, &mut memory, display)
+    let camera = picture::camera(&mesh, screen)?;
+    let color = |face: usize| colors.map_or(picture::COLOR, |colors| colors.color(face));
+    Ok(picture::draw(&mesh, color, &camera, turn, &mut memory, display)?)
 }
 
-/// The first frame on a display of a size.
+/// The frame at an angle, on a display of a size.
 ///
 /// # Errors
 ///
 /// As [`draw`].
-pub fn first_frame(mesh: &Mesh<'_>, size: Size) -> Result<(Canvas<Rgb565>, Statistics), &'static str> {
+pub fn frame(model: &ImportedMesh, turn: Angle, size: Size) -> Result<(Canvas<Rgb565>, Statistics), String> {
     let mut canvas = Canvas::new(size, Rgb565::MAGENTA);
-    let statistics = draw(mesh, Angle::ZERO, &mut canvas)?;
+    let statistics = draw(model, turn, &mut canvas)?;
     Ok((canvas, statistics))
 }

@@ -17,7 +17,7 @@ mod used;
 
 use embedded_graphics::{geometry::Size, pixelcolor::Rgb888};
 use options::Options;
-use pinhole::Statistics;
+use pinhole::{Angle, Statistics};
 use pinhole_apps_support::{command, files, still};
 use pinhole_render::model::Look;
 use pinhole_render::paint::Subject;
@@ -123,9 +123,8 @@ fn firmware(options: &Options, size: Size) -> Result<(), String> {
     let model = &options.scene;
     let imported = pinhole_import::import(model, &firmware::options(&options.import));
     let imported = imported.map_err(|e| e.to_string())?;
-    let mesh = imported.mesh().map_err(|e| format!("{}: {e}", model.display()))?;
     let (canvas, statistics) =
-        firmware::first_frame(&mesh, size).map_err(|e| format!("{}: {e}", model.display()))?;
+        firmware::frame(&imported, Angle::ZERO, size).map_err(|e| format!("{}: {e}", model.display()))?;
     if let Some(path) = &options.png {
         let pixels: Vec<Rgb888> = canvas.pixels().iter().map(|&colour| colour.into()).collect();
         let png = still::png(size, &pixels).map_err(|e| e.to_string())?;
@@ -142,7 +141,7 @@ fn firmware(options: &Options, size: Size) -> Result<(), String> {
         model.display(),
         size.width,
         size.height,
-        mesh.faces().len(),
+        imported.faces.len(),
     ))?;
     command::say(format_args!("{}: in firmware: {}", model.display(), imported.size()))?;
     command::warn(model, &imported.warnings);

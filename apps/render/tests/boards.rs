@@ -1,7 +1,7 @@
 //! The templates for boards draw one picture: each `picture.rs` is compiled here and draws the same models, at angles of a turn,
 //! on displays whose heights are and are not multiples of the strip's rows. All pixels must be equal.
 
-#![allow(unreachable_pub)] // the templates' files, which are right as files of their own
+#![allow(dead_code, unreachable_pub)] // the files of the templates, which are right as files of their own
 
 use embedded_graphics::pixelcolor::{raw::RawU16, Rgb565};
 use embedded_graphics::prelude::*;
@@ -22,6 +22,11 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROWS: u32 = 8;
 /// What no template draws.
 const UNSENT: Rgb565 = Rgb565::MAGENTA;
+
+/// A colour for each face.
+fn color(face: usize) -> Rgb565 {
+    Rgb565::new(face as u8 % 31 + 1, 63, (face >> 5) as u8 % 32)
+}
 
 struct Buffers {
     cache: Vec<ScreenVertex>,
@@ -49,7 +54,7 @@ macro_rules! drawn {
         let mut memory = $board::Memory::new(&mut cache, &mut bins, &mut strip, &mut depths);
         let mut canvas = Canvas::new($size, UNSENT);
         let camera = $board::camera(mesh, screen).unwrap();
-        let statistics = $board::draw(mesh, &camera, $turn, &mut memory, &mut canvas).unwrap();
+        let statistics = $board::draw(mesh, color, &camera, $turn, &mut memory, &mut canvas).unwrap();
         (canvas, statistics)
     }};
 }
@@ -64,10 +69,10 @@ fn sent_by_dma(mesh: &Mesh<'_>, size: Size, turn: Angle) -> (Canvas<Rgb565>, Sta
     let mut canvas = Canvas::new(size, UNSENT);
     let mut picture = rp2040::Picture::new(mesh, screen, &mut cache, &mut bins, &mut depths).unwrap();
     // A frame that was given up leaves nothing behind.
-    let _ = picture.turned(Angle::degrees(77)).unwrap().band_or_strip(free).unwrap();
+    let _ = picture.turned(Angle::degrees(77)).unwrap().band_or_strip(color, free).unwrap();
     let mut turned = picture.turned(turn).unwrap();
     loop {
-        match turned.band_or_strip(free).unwrap() {
+        match turned.band_or_strip(color, free).unwrap() {
             Break(strip) => {
                 assert_eq!(strip.len(), whole, "a strip that is shorter would draw ever shorter bands");
                 break;

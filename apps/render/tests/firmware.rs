@@ -16,20 +16,37 @@ const SIZE: (usize, usize) = (96, 64);
 /// A gear of 300 mm with a hole, z up: a closed mesh.
 #[test]
 fn the_preview_of_an_stl_file_is_the_firmwares_picture() {
-    compare("boards/any-cortex-m/model.stl");
+    compare("gear", |_| Path::new(ROOT).join("boards/any-cortex-m/model.stl"));
 }
 
-/// The teapot, y up: an open mesh of 992 faces.
+/// The teapot, y up: an open mesh of 992 faces, here of two materials.
 #[test]
-fn the_preview_of_an_obj_file_is_the_firmwares_picture() {
-    compare("assets/teapot.obj");
+fn the_preview_of_an_obj_file_with_materials_is_the_firmwares_picture() {
+    let preview = compare("teapot", |folder| {
+        let teapot = fs::read_to_string(Path::new(ROOT).join("assets/teapot.obj")).expect("the teapot");
+        let (vertices, faces) = teapot.split_at(teapot.find("\nf ").expect("faces"));
+        let half = faces.len() / 2 + faces[faces.len() / 2..].find('\n').expect("another face");
+        let (first, second) = faces.split_at(half);
+        let painted = format!("mtllib teapot.mtl\n{vertices}\nusemtl tea{first}\nusemtl milk{second}");
+        fs::write(folder.join("teapot.mtl"), "newmtl tea\nKd 1 0 0\nnewmtl milk\nKd 0 0 1\n")
+            .expect("teapot.mtl");
+        fs::write(folder.join("teapot.obj"), painted).expect("teapot.obj");
+        folder.join("teapot.obj")
+    });
+    // Red and blue, in light and shade.
+    let (red, blue) = (
+        preview.iter().filter(|[r, g, b]| *r > 0 && [*g, *b] == [0; 2]).count(),
+        preview.iter().filter(|[r, g, b]| *b > 0 && [*r, *g] == [0; 2]).count(),
+    );
+    let drawn = preview.iter().filter(|color| **color != [0; 3]).count();
+    assert!(red > 100 && blue > 100 && red + blue == drawn, "{red} red, {blue} blue, {drawn} drawn");
 }
 
-fn compare(model: &str) {
-    let model = Path::new(ROOT).join(model);
-    let name = model.file_stem().expect("a name").to_string_lossy().into_owned();
+/// Compares both pictures of a model, which is made in a folder, and gives the preview.
+fn compare(name: &str, model: impl FnOnce(&Path) -> PathBuf) -> Vec<[u8; 3]> {
     let folder = Folder(std::env::temp_dir().join(format!("pinhole-firmware-{name}-{}", std::process::id())));
     fs::create_dir_all(&folder.0).expect("a folder");
+    let model = model(&folder.0);
     let preview = preview(&model, &folder.0.join("preview.png"));
     // Neither empty nor full, and in light and shade.
     let mut colours = preview.clone();
@@ -46,6 +63,7 @@ fn compare(model: &str) {
         let differing = shown.iter().zip(&preview).filter(|(shown, preview)| shown != preview).count();
         assert_eq!(differing, 0, "pixels of {}", preview.len());
     }
+    preview
 }
 
 /// The pixels that the command writes, row by row.
@@ -79,6 +97,10 @@ fn shown(firmware: &Path, model: &Path) -> Vec<[u8; 3]> {
     run(Command::new("bash").arg(Path::new(ROOT).join("boards/new")).arg("any-cortex-m").arg(firmware));
     let file = format!("model.{}", model.extension().expect("an extension").to_string_lossy());
     fs::copy(model, firmware.join(&file)).expect("the model");
+    let library = model.with_extension("mtl");
+    if library.exists() {
+        fs::copy(&library, firmware.join(library.file_name().expect("a name"))).expect("its materials");
+    }
     edit(&firmware.join("build.rs"), "\"model.stl\"", &format!("\"{file}\""));
     // The emulated board's memory, and a display that prints what it gets.
     fs::copy(Path::new(ROOT).join("memory.x"), firmware.join("memory.x")).expect("memory.x");

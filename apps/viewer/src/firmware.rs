@@ -108,8 +108,7 @@ pub(crate) fn template(step: u32, picture: &mut Canvas<Rgb888>) -> Sent {
         let file = include_bytes!("../../../assets/teapot.obj");
         pinhole_import::read_obj(file, "teapot.obj".as_ref()).expect("a model")
     });
-    let mesh = TEAPOT.mesh().expect("a mesh");
-    pinhole_render::firmware::draw(&mesh, Angle::degrees(step as i32 % 360), &mut screen)
+    pinhole_render::firmware::draw(&TEAPOT, Angle::degrees(step as i32 % 360), &mut screen)
         .expect("a display takes everything");
     screen.sent
 }

@@ -51,11 +51,13 @@ fn main() -> ! {
 
     let mut display = Display::new();
     let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
+    // A constant: what the model does not have is left out when this is compiled.
+    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
     loop {
         for frame in 0..FRAMES {
             let start = clock.cycles();
             let turn = Angle::turns(frame as i32, FRAMES);
-            let drawn = picture::draw(&MODEL, &camera, turn, &mut memory, &mut display);
+            let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display);
             let statistics = drawn.unwrap_or_else(|problem| stop(problem));
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
             defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics);

@@ -9,7 +9,8 @@ use pinhole::{
 };
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
-const COLOR: Rgb565 = Rgb565::CSS_GOLD;
+/// Of a model without materials.
+pub const COLOR: Rgb565 = Rgb565::CSS_GOLD;
 /// Light on faces that are turned away from the lamp; full light is 256.
 const AMBIENT: u16 = 48;
 
@@ -41,9 +42,10 @@ pub fn camera(mesh: &Mesh<'_>, screen: Rectangle) -> Result<Camera, &'static str
         .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")
 }
 
-/// Draws the mesh, turned about the y axis, and sends it to the display band by band.
+/// Draws the mesh, turned about the y axis, and sends it to the display band by band. `color` gives the colour of each face.
 pub fn draw<D: DrawTarget<Color = Rgb565>>(
     mesh: &Mesh<'_>,
+    color: impl Fn(usize) -> Rgb565,
     camera: &Camera,
     turn: Angle,
     memory: &mut Memory<'_>,
@@ -63,7 +65,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     while let Some(mut band) = frame.next_band(memory.strip).map_err(|_| "the strip is shorter than a row")? {
         let depth = DepthBuffer::new(band.area(), memory.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
-        let Ok(()) = faces.depth_tested(|face| COLOR.dim(level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) = faces.depth_tested(|face| color(face).dim(level(face)), &mut depth, &mut band.pixels());
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
         band.send(display).map_err(|_| "the display refused the pixels")?;
     }

@@ -83,13 +83,15 @@ fn main() -> ! {
     // The first to leave is black.
     let first_band = Rectangle::new(SCREEN.top_left, Size::new(SCREEN.size.width, ROWS));
     let mut transfer = panel.send(&first_band, &mut other.colors);
+    // A constant: what the model does not have is left out when this is compiled.
+    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
     loop {
         for frame in 0..FRAMES {
             let start = clock.cycles();
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
             free = loop {
-                match turned.band_or_strip(free).unwrap_or_else(|problem| stop(problem)) {
+                match turned.band_or_strip(color, free).unwrap_or_else(|problem| stop(problem)) {
                     Break(strip) => break strip,
                     Continue(band) => {
                         let area = band.area();

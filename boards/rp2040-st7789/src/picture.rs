@@ -10,7 +10,8 @@ use pinhole::{
 };
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
-const COLOR: Rgb565 = Rgb565::CSS_GOLD;
+/// Of a model without materials.
+pub const COLOR: Rgb565 = Rgb565::CSS_GOLD;
 /// Light on faces that are turned away from the lamp; full light is 256.
 const AMBIENT: u16 = 48;
 
@@ -71,10 +72,11 @@ impl<'a> Picture<'a> {
 }
 
 impl Turned<'_> {
-    /// The next band of the frame, drawn, or after the last one the strip back. The display's height need not be a multiple of
+    /// The next band of the frame, drawn, or after the last one the strip back. `color` gives the colour of each face. The display's height need not be a multiple of
     /// the strip's rows: a band that has too few of its own begins higher up.
     pub fn band_or_strip<'s>(
         &mut self,
+        color: impl Fn(usize) -> Rgb565,
         strip: &'s mut [u8],
     ) -> Result<ControlFlow<&'s mut [u8], Band<'s, Rgb565>>, &'static str> {
         let mut band = match self.frame.band_or_strip(strip).map_err(|_| "the strip is shorter than a row")? {
@@ -85,7 +87,8 @@ impl Turned<'_> {
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let (mesh, light) = (self.mesh, &self.light);
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let Ok(()) = self.faces.depth_tested(|face| COLOR.dim(level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) =
+            self.faces.depth_tested(|face| color(face).dim(level(face)), &mut depth, &mut band.pixels());
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
         Ok(ControlFlow::Continue(band))
     }

@@ -252,8 +252,9 @@ fn the_source_holds_lists_that_stand_beside_the_mesh() {
         "GENERATED=1 cargo test -p pinhole-import writes it"
     );
     assert_eq!(PAINTED, mesh.mesh().unwrap());
-    let (colors, texture): (FaceColors<'_>, TextureCoords<'_>) = (PAINTED_COLORS, PAINTED_TEXTURE);
-    assert_eq!(Some(colors), mesh.colors().unwrap());
+    let (colors, texture): (Option<FaceColors<'_>>, TextureCoords<'_>) = (PAINTED_COLORS, PAINTED_TEXTURE);
+    assert_eq!(colors, mesh.colors().unwrap());
+    let colors = colors.unwrap();
     assert_eq!(Some(texture), mesh.texture().unwrap());
     assert_eq!(colors.faces().len() + texture.faces().len(), 2 * PAINTED.faces().len());
     // Not the mesh's, so not in its size.

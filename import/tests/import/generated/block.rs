@@ -42,6 +42,11 @@ pub const BLOCK: pinhole::Mesh<'static, i16, pinhole::WithPlanes> = {
     mesh
 };
 
+/// The colours of the faces of [`BLOCK`]: none, as its file has no materials.
+#[rustfmt::skip]
+#[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
+pub const BLOCK_COLORS: Option<pinhole::FaceColors<'static>> = None;
+
 /// What was subtracted from the vertices of [`BLOCK`], in model units: bits of `I16F16`.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // not every scene puts it back

@@ -28,7 +28,7 @@ pub const PAINTED: pinhole::Mesh<'static> = {
 /// The colours of the faces of [`PAINTED`]: 2 colours; 10 bytes of flash.
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash
-pub const PAINTED_COLORS: pinhole::FaceColors<'static> = {
+pub const PAINTED_COLORS: Option<pinhole::FaceColors<'static>> = {
     static PALETTE: [[u8; 3]; 2] = [
         [0,128,255], [153,51,0],
     ];
@@ -36,7 +36,7 @@ pub const PAINTED_COLORS: pinhole::FaceColors<'static> = {
         0, 1, 1, 0,
     ];
     let Ok(colors) = pinhole::FaceColors::new(&PALETTE, &FACES) else { panic!() };
-    colors
+    Some(colors)
 };
 
 /// The texture coordinates of the faces of [`PAINTED`]: 12 pairs; 72 bytes of flash.
