@@ -1,3 +1,4 @@
+use crate::script;
 use std::error::Error;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -5,7 +6,8 @@ use std::path::{Path, PathBuf};
 /// Why a file could not be turned into a mesh: the file, the line where that is known, and what is wrong with it.
 ///
 /// Its `Display` is one line, `file:line: problem`, and so is its `Debug`: that is what a `build.rs` prints whose `main` returns
-/// the error.
+/// the error. It says what to do by the options of the command line, but from [`build`](crate::build) by the fields of
+/// [`Options`](crate::Options).
 pub struct ImportError {
     /// The file, as the caller named it.
     pub file: PathBuf,
@@ -13,6 +15,8 @@ pub struct ImportError {
     pub line: Option<usize>,
     /// The problem.
     pub problem: Problem,
+    /// Whether the message is for the user of a build script, who has no command line.
+    pub(crate) in_script: bool,
 }
 
 /// The problems that a model can have.
@@ -73,7 +77,7 @@ pub enum Problem {
 impl Problem {
     /// The problem with the file it stands in.
     pub(crate) fn at(self, file: &Path, line: Option<usize>) -> ImportError {
-        ImportError { file: file.to_owned(), line, problem: self }
+        ImportError { file: file.to_owned(), line, problem: self, in_script: false }
     }
 }
 
@@ -98,16 +102,16 @@ impl fmt::Display for Problem {
             Problem::NoFaces => f.write_str("has no faces: export the model as a mesh"),
             Problem::NoArea(faces) => write!(f, "has no face with an area, as all {faces} are points or lines: export the model as a mesh"),
             Problem::TooManyVertices(n) => {
-                write!(f, "has {n} vertices, more than the 65536 of a mesh: use --decimate N, or split the model")
+                write!(f, "has {n} vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model")
             }
             Problem::TooManyFaces(n) => {
-                write!(f, "has {n} faces, more than the 65535 that can be named beside edges: leave out --edge-faces, or use --decimate N")
+                write!(f, "has {n} faces, more than the 65535 that can be named beside edges: leave out --edge-faces, or use pinhole-import --decimate N")
             }
-            Problem::Extent(extent) => write!(f, "has an extent of {extent:e}, out of range: use another unit, or --fit LENGTH"),
+            Problem::Extent(extent) => write!(f, "has an extent of {extent:e}, out of range: use another unit, or pinhole-import --fit LENGTH"),
             Problem::Exponent(exponent) => {
                 write!(
                     f,
-                    "needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: use another unit, or --fit LENGTH"
+                    "needs a step of 2^{exponent}, but a mesh has 2^-32 to 2^15: use another unit, or pinhole-import --fit LENGTH"
                 )
             }
             Problem::Options(what) => f.write_str(what),
@@ -130,7 +134,10 @@ impl fmt::Display for ImportError {
         if let Some(line) = self.line {
             write!(f, "{line}:")?;
         }
-        write!(f, " {}", self.problem)
+        match self.in_script {
+            true => write!(f, " {}", script::in_script(&self.problem.to_string())),
+            false => write!(f, " {}", self.problem),
+        }
     }
 }
 

@@ -181,7 +181,7 @@ impl ImportedMesh {
             (self.flash_bytes(), size_of_val(&self.edges[..]) + size_of_val(&self.edge_faces[..]));
         let remedy = if edges > 0 { "--edges none or --decimate N" } else { "--decimate N" };
         let message = format!(
-            "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, use {remedy}"
+            "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, use pinhole-import {remedy}"
         );
         (bytes > MANY).then_some(Warning { line: None, message })
     }
@@ -190,7 +190,7 @@ impl ImportedMesh {
     pub(crate) fn too_many_for_bands(&self) -> Option<Warning> {
         let faces = self.faces.len();
         let message = format!(
-            "{faces} faces, more than the 65535 that can be drawn in bands: use --decimate N, or split the model"
+            "{faces} faces, more than the 65535 that can be drawn in bands: use pinhole-import --decimate N, or split the model"
         );
         (faces > usize::from(u16::MAX)).then_some(Warning { line: None, message })
     }

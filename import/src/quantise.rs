@@ -168,10 +168,11 @@ pub(crate) fn make(
         };
         warn(topology.twisted, "edges between faces of opposite winding", faults.twisted, then);
         let (inside_out, first) = parts.inside_out();
-        let then = if inside_out == parts.parts.len() {
-            "the outside shows nothing: use --flip, unless it is a room seen from inside"
-        } else {
-            "their outside shows nothing: use --fix-winding"
+        let then = match (inside_out == parts.parts.len(), options.flip) {
+            (true, false) => "the outside shows nothing: use --flip, unless it is a room seen from inside",
+            (true, true) => "the outside shows nothing: leave out --flip, unless it is a room seen from inside",
+            (false, false) => "their outside shows nothing: use --fix-winding",
+            (false, true) => "their outside shows nothing: use --fix-winding instead of --flip",
         };
         let what = format!("parts inside out: {inside_out} of {}", parts.parts.len());
         if let Some(first) = first {

@@ -39,10 +39,10 @@ fn a_hundred_thousand_triangles_take_little_memory() {
     // 6 bytes a vertex and its normal, a face and its normal, and 4 an edge.
     let bytes = 12 * 50_000 + 12 * 100_000 + 4 * 150_000;
     let wanted = format!(
-        "size in flash: {bytes} bytes, 600000 of them for edges; if that is too much, use --edges none or --decimate N"
+        "size in flash: {bytes} bytes, 600000 of them for edges; if that is too much, use pinhole-import --edges none or --decimate N"
     );
     let bands =
-        "100000 faces, more than the 65535 that can be drawn in bands: use --decimate N, or split the model";
+        "100000 faces, more than the 65535 that can be drawn in bands: use pinhole-import --decimate N, or split the model";
     assert_eq!(mesh.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(), [&wanted, bands]);
     let source = mesh.to_rust_mesh("TORUS", &file, "a test").unwrap();
     let elements = source.lines().filter(|line| line.starts_with("        ["));

@@ -372,7 +372,7 @@ fn a_hundred_thousand_triangles_are_one_picture_and_a_warning_of_their_size() {
     // 225² vertices, 2·224² faces and normals, and 3·224² + 2·224 edges.
     let (edges, others) = (4 * (3 * 224 * 224 + 2 * 224), 6 * 225 * 225 + 12 * 2 * 224 * 224);
     let size = format!(
-        "size in flash: {} bytes, {edges} of them for edges; if that is too much, use --edges none",
+        "size in flash: {} bytes, {edges} of them for edges; if that is too much, use pinhole-import --edges none",
         edges + others
     );
     assert!(said[1].starts_with(&size), "{said:?}");
@@ -381,7 +381,7 @@ fn a_hundred_thousand_triangles_are_one_picture_and_a_warning_of_their_size() {
 #[test]
 fn more_vertices_than_a_mesh_has_are_refused_for_firmware_and_shown_as_such() {
     let path = file("vast.obj", field(300));
-    let problem = "has 90000 vertices, more than the 65536 of a mesh: use --decimate N, or split the model";
+    let problem = "has 90000 vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model";
     let error = pinhole_import::import(&path, &NONE).unwrap_err().to_string();
     assert_eq!(error, format!("{}: {problem}", path.display()));
     let (rendered, said) = in_render(&path, &NONE).unwrap();

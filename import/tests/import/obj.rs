@@ -289,7 +289,7 @@ fn a_mesh_has_at_most_65536_vertices() {
     assert!(matches!(problem, Problem::TooManyVertices(65537)), "{problem:?}");
     assert_eq!(
         problem.to_string(),
-        "has 65537 vertices, more than the 65536 of a mesh: use --decimate N, or split the model"
+        "has 65537 vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model"
     );
 }
 

@@ -323,7 +323,7 @@ fn what_no_mesh_holds_can_be_shown_and_says_so() {
     }
     let path = file("field.obj", &text);
     let error = import(&path, &Options::default()).unwrap_err();
-    let problem = "has 90000 vertices, more than the 65536 of a mesh: use --decimate N, or split the model";
+    let problem = "has 90000 vertices, more than the 65536 of a mesh: use pinhole-import --decimate N, or split the model";
     assert_eq!(error.to_string(), format!("{}: {problem}", path.display()));
     let shown = preview(&path, &Options::default()).unwrap();
     assert_eq!(shown.triangles.faces.len(), 2 * 299 * 299);
