@@ -154,8 +154,9 @@ pub(crate) fn texture(
                 out.coords.push(coord);
                 out.coords.len() - 1
             });
-            *corner = u16::try_from(number)
-                .map_err(|_| "there are more than 65536: use pinhole-import --decimate N, or split the model")?;
+            *corner = u16::try_from(number).map_err(|_| {
+                "there are more than 65536: use pinhole-import --decimate N, or split the model"
+            })?;
         }
         out.faces.push(corners);
     }

@@ -170,7 +170,9 @@ pub(crate) fn make(
         let (inside_out, first) = parts.inside_out();
         let then = match (inside_out == parts.parts.len(), options.flip) {
             (true, false) => "the outside shows nothing: use --flip, unless it is a room seen from inside",
-            (true, true) => "the outside shows nothing: leave out --flip, unless it is a room seen from inside",
+            (true, true) => {
+                "the outside shows nothing: leave out --flip, unless it is a room seen from inside"
+            }
             (false, false) => "their outside shows nothing: use --fix-winding",
             (false, true) => "their outside shows nothing: use --fix-winding instead of --flip",
         };

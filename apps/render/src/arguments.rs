@@ -1,10 +1,10 @@
 //! The options and their help.
 
+use crate::paint::Mode;
+use crate::picture::Format;
+use crate::projections::Named;
+use crate::{firmware, import};
 use clap::{value_parser, Arg, ArgAction, Command};
-use pinhole_render::import;
-use pinhole_render::paint::Mode;
-use pinhole_render::picture::Format;
-use pinhole_render::projections::Named;
 use std::path::PathBuf;
 
 const FORMATS: &str = r#"pinhole-render MODEL.stl draws target/render/MODEL.png; add --up y if the model lies on its side. Examples:
@@ -12,7 +12,8 @@ const FORMATS: &str = r#"pinhole-render MODEL.stl draws target/render/MODEL.png;
   pinhole-render MODEL.obj --from 60,30 --colour gold --background '#203040' --size 320x240
   pinhole-render MODEL.obj --format gray4 --size 128x64        the look of an OLED
   pinhole-render MODEL.obj --gif OUT.gif                       one turn around the model
-  pinhole-render MODEL.stl --firmware                          the firmware's picture, pixel by pixel
+  pinhole-render firmware/model.stl --firmware                 the picture of the firmware in this folder, pixel by pixel
+  pinhole-render firmware/model.stl --firmware --gif OUT.gif   its 120 frames
   pinhole-render MODEL.obj --ascii                             as text; --ascii=braille is finer
 
 SCENE.json:
@@ -35,7 +36,7 @@ frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
 /// What the template's code decides, and other outputs.
-const NOT_IN_FIRMWARE: [&str; 16] = [
+const NOT_IN_FIRMWARE: [&str; 14] = [
     "ascii",
     "background",
     "colour",
@@ -43,9 +44,7 @@ const NOT_IN_FIRMWARE: [&str; 16] = [
     "format",
     "fov",
     "frame",
-    "frames",
     "from",
-    "gif",
     "ids",
     "mode",
     "no-dither",
@@ -134,18 +133,25 @@ pub(crate) fn command() -> Command {
         ))
         .args(import::arguments())
         .arg(
-            flag(
-                "firmware",
-                "Draw the first frame of firmware made from boards/any-cortex-m [default --size: 240x240]",
-            )
-            .conflicts_with_all(NOT_IN_FIRMWARE),
+            Arg::new("firmware")
+                .long("firmware")
+                .value_name("FRAME")
+                .num_args(0..=1)
+                .require_equals(true)
+                .default_missing_value("0")
+                .value_parser(value_parser!(u32).range(..i64::from(firmware::FRAMES)))
+                .help(
+                    "Draw frame FRAME, 0 to 119, of firmware with this model: by the src/picture.rs of the project that it \
+                     lies in, else by that of boards/any-cortex-m [default --size: 240x240]",
+                )
+                .conflicts_with_all(NOT_IN_FIRMWARE),
         )
         .arg(file("gif", "Write a film of one turn around the mesh"))
         .arg(
             Arg::new("frames")
                 .long("frames")
                 .value_name("N")
-                .help("Frames of the film, 2 to 360 [default: 36]")
+                .help("Frames of the film, 2 to 360 [default: 36; all 120 with --firmware]")
                 .value_parser(value_parser!(u32).range(2..=360)),
         )
         .after_help(FORMATS)

@@ -1,11 +1,11 @@
 //! A picture as text, one character for 2 × 4 pixels: characters are about twice as high as wide, so these pixels are square.
 
+use crate::paint::{Style, Subject};
+use crate::picture::{luma, picture, Format};
+use crate::quantised::Quantised;
+use crate::scene::Scene;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole::Statistics;
-use pinhole_render::paint::{Style, Subject};
-use pinhole_render::picture::{luma, picture, Format};
-use pinhole_render::quantised::Quantised;
-use pinhole_render::scene::Scene;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Characters {

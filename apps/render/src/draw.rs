@@ -1,14 +1,14 @@
 //! The visible triangle of each pixel and its depth, for other programs.
 
+use crate::parts::parts;
+use crate::quantised::Quantised;
+use crate::scene::Scene;
 use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, Statistics};
 use pinhole_apps_support::canvas::Canvas;
-use pinhole_render::parts::parts;
-use pinhole_render::quantised::Quantised;
-use pinhole_render::scene::Scene;
 
 /// A "colour" that holds the index of the visible triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,11 +1,13 @@
-//! Pictures as firmware made from a template draws them: the build script and the drawing code of `boards/any-cortex-m` are
-//! compiled here, too.
+//! Pictures as firmware draws them: by the build script and the drawing code of `boards/any-cortex-m`, which are compiled here,
+//! too, or by those of a project that was made from a template, which are compiled when they are needed (`apps/preview`).
 
 use embedded_graphics::pixelcolor::Rgb565;
-use embedded_graphics::prelude::*;
-use pinhole::{Angle, Frame, ScreenVertex, Statistics};
+use pinhole::{Angle, Statistics};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::{ImportedMesh, Options};
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
 
 #[allow(unreachable_pub)] // as a file of its own it is right
 #[path = "../../../boards/any-cortex-m/src/picture.rs"]
@@ -14,48 +16,188 @@ mod picture;
 #[path = "../../../boards/any-cortex-m/build.rs"]
 mod script;
 
+crate::draws_into_a_target!(picture);
+
+/// Frames of a turn, as the templates' `main.rs` have it.
+pub const FRAMES: u32 = 120;
+
 /// Rows of a band. Any number gives the same pixels.
-const ROWS: u32 = 8;
+pub const ROWS: u32 = 8;
 
-/// The display for which the template is written.
-pub const SIZE: Size = Size::new(240, 240);
-
-/// What the template's build script asks of the importer, with the axis, the winding and the sides that were asked for here.
-pub fn options(given: &Options) -> Options {
-    let Options { up, flip, fix_winding, two_sided, .. } = *given;
-    Options { up, flip, fix_winding, two_sided, ..script::options() }
+/// What firmware is made of, compiled for the host.
+pub struct Code {
+    /// The folder of the project, if it is not the template that this program has.
+    pub project: Option<&'static str>,
+    /// What the build script asks of the importer.
+    pub options: fn() -> Options,
+    /// Draws the model, turned by an angle: the first frame is at angle 0. The error is what the firmware would log before it
+    /// stops.
+    pub draw: fn(&ImportedMesh, Angle, &mut Canvas<Rgb565>) -> Result<Statistics, String>,
 }
 
-/// Draws a frame, the model turned by an angle, into any target in 16-bit colour. The first frame of the firmware is at angle 0.
+/// The template `boards/any-cortex-m`.
+pub const TEMPLATE: Code = Code { project: None, options: script::options, draw };
+
+/// What the build script asks of the importer, and what was asked for here.
+pub fn options(code: &Code, given: &Options) -> Options {
+    let own = (code.options)();
+    Options {
+        up: given.up.or(own.up),
+        flip: given.flip || own.flip,
+        fix_winding: given.fix_winding || own.fix_winding,
+        two_sided: given.two_sided || own.two_sided,
+        ..own
+    }
+}
+
+/// Defines `draw`, which draws a model by the module of a `picture.rs` into any target in 16-bit colour: for those which have
+/// `camera` and `draw`.
+#[macro_export]
+macro_rules! draws_into_a_target {
+    ($picture:ident) => {
+        /// Draws the model, turned by an angle, as firmware does.
+        ///
+        /// # Errors
+        ///
+        /// What the firmware would log before it stops.
+        pub fn draw<D>(
+            model: &pinhole_import::ImportedMesh,
+            turn: pinhole::Angle,
+            display: &mut D,
+        ) -> Result<pinhole::Statistics, String>
+        where
+            D: embedded_graphics::draw_target::DrawTarget<Color = embedded_graphics::pixelcolor::Rgb565>,
+        {
+            let mesh = model.mesh().map_err(|e| e.to_string())?;
+            let colors = model.colors().map_err(|e| e.to_string())?;
+            let color = |face: usize| colors.map_or($picture::COLOR, |colors| colors.color(face));
+            let screen = display.bounding_box();
+            let mut buffers = $crate::firmware::Buffers::new(&mesh, screen.size.width);
+            let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
+            let mut memory = $picture::Memory::new(cache, bins, strip, depths);
+            let camera = $picture::camera(&mesh, screen)?;
+            Ok($picture::draw(&mesh, color, &camera, turn, &mut memory, display)?)
+        }
+    };
+}
+
+/// As [`draws_into_a_target!`], for a `picture.rs` that gives its bands to DMA: one with `Picture` and `Turned`.
+#[macro_export]
+macro_rules! draws_bands {
+    ($picture:ident) => {
+        /// Draws the model, turned by an angle, as firmware does.
+        ///
+        /// # Errors
+        ///
+        /// What the firmware would log before it stops.
+        pub fn draw<D>(
+            model: &pinhole_import::ImportedMesh,
+            turn: pinhole::Angle,
+            display: &mut D,
+        ) -> Result<pinhole::Statistics, String>
+        where
+            D: embedded_graphics::draw_target::DrawTarget<Color = embedded_graphics::pixelcolor::Rgb565>,
+        {
+            let mesh = model.mesh().map_err(|e| e.to_string())?;
+            let colors = model.colors().map_err(|e| e.to_string())?;
+            let color = |face: usize| colors.map_or($picture::COLOR, |colors| colors.color(face));
+            let screen = display.bounding_box();
+            let mut buffers = $crate::firmware::Buffers::new(&mesh, screen.size.width);
+            let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
+            let mut picture = $picture::Picture::new(&mesh, screen, cache, bins, depths)?;
+            let mut turned = picture.turned(turn)?;
+            let mut free = &mut strip[..];
+            while let std::ops::ControlFlow::Continue(band) = turned.band_or_strip(color, free)? {
+                band.send(display).map_err(|_| "the display refused the pixels")?;
+                free = band.into_bytes();
+            }
+            Ok(turned.statistics())
+        }
+    };
+}
+
+/// The memory of a frame.
+pub struct Buffers {
+    /// A vertex cache.
+    pub cache: Vec<pinhole::ScreenVertex>,
+    /// Bins of faces.
+    pub bins: Vec<u16>,
+    /// A strip of [`ROWS`] rows.
+    pub strip: Vec<u8>,
+    /// The depths of its pixels.
+    pub depths: Vec<u16>,
+}
+
+impl Buffers {
+    /// Memory for a mesh on a display of a width.
+    pub fn new(mesh: &pinhole::Mesh<'_>, width: u32) -> Self {
+        Self {
+            cache: vec![pinhole::ScreenVertex::EMPTY; mesh.cache_len()],
+            bins: vec![0; mesh.face_bins_len()],
+            strip: vec![0; pinhole::Frame::<Rgb565>::strip_bytes(width, ROWS)],
+            depths: vec![0; (width * ROWS) as usize],
+        }
+    }
+}
+
+/// The folder of the project that a model lies in, if it draws by other code than the template `boards/any-cortex-m`: the
+/// nearest folder that has `build.rs` and `src/picture.rs`.
+pub fn project(model: &Path) -> Option<PathBuf> {
+    let model = model.canonicalize().ok()?;
+    let files = ["src/picture.rs", "build.rs"];
+    let folder =
+        model.ancestors().skip(1).find(|folder| files.iter().all(|file| folder.join(file).is_file()))?;
+    // Without what a checkout may change of the ends of lines.
+    let text = |text: String| text.replace('\r', "");
+    let is_ours = |(file, ours): (&str, &str)| {
+        std::fs::read_to_string(folder.join(file)).is_ok_and(|theirs| text(theirs) == text(ours.into()))
+    };
+    let ours = [
+        include_str!("../../../boards/any-cortex-m/src/picture.rs"),
+        include_str!("../../../boards/any-cortex-m/build.rs"),
+    ];
+    (!files.into_iter().zip(ours).all(is_ours)).then(|| folder.to_path_buf())
+}
+
+/// The variable that names the project to `pinhole-preview`, when that is built and when it runs.
+pub const PROJECT: &str = "PINHOLE_PROJECT";
+
+/// Runs this command line by `pinhole-preview`, which is this program with the code of a project.
 ///
 /// # Errors
 ///
-/// What the firmware would log before it stops.
-pub fn draw<D: DrawTarget<Color = Rgb565>>(
-    model: &ImportedMesh,
-    turn: Angle,
-    display: &mut D,
-) -> Result<Statistics, String> {
-    let mesh = model.mesh().map_err(|e| e.to_string())?;
-    let colors = model.colors().map_err(|e| e.to_string())?;
-    let screen = display.bounding_box();
-    let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
-    let mut bins = vec![0; mesh.face_bins_len()];
-    let mut strip = vec![0; Frame::<Rgb565>::strip_bytes(screen.size.width, ROWS)];
-    let mut depths = vec![0; (screen.size.width * ROWS) as usize];
-    let mut memory = picture::Memory::new(&mut cache, &mut bins, &mut strip, &mut depths);
-    let camera = picture::camera(&mesh, screen)?;
-    let color = |face: usize| colors.map_or(picture::COLOR, |colors| colors.color(face));
-    Ok(picture::draw(&mesh, color, &camera, turn, &mut memory, display)?)
-}
-
-/// The frame at an angle, on a display of a size.
-///
-/// # Errors
-///
-/// As [`draw`].
-pub fn frame(model: &ImportedMesh, turn: Angle, size: Size) -> Result<(Canvas<Rgb565>, Statistics), String> {
-    let mut canvas = Canvas::new(size, Rgb565::MAGENTA);
-    let statistics = draw(model, turn, &mut canvas)?;
-    Ok((canvas, statistics))
+/// A message where that does not build.
+pub fn run_in(project: &Path) -> Result<ExitCode, String> {
+    let here = std::env::current_exe().map_err(|e| format!("this program does not find itself: {e}"))?;
+    let (folder, name) =
+        (here.parent().unwrap_or(Path::new("")), format!("pinhole-preview{}", std::env::consts::EXE_SUFFIX));
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(["build", "--quiet", "--package", "pinhole-preview", "--profile"]);
+    cargo.arg(match folder.file_name().and_then(OsStr::to_str) {
+        Some("debug") | None => "dev",
+        Some(profile) => profile,
+    });
+    if let Some(target_dir) = folder.parent() {
+        cargo.arg("--target-dir").arg(target_dir); // what both programs use is built already
+    }
+    // Not in the folder of the firmware, whose configuration is for the microcontroller.
+    cargo.current_dir(root).env(PROJECT, project);
+    let needs = "the preview takes the functions that the templates have there: `options` of build.rs, and of src/picture.rs \
+                 `camera` and `draw`, or `Picture` and `Turned`";
+    match cargo.status() {
+        Ok(status) if status.success() => {}
+        Ok(_) => {
+            return Err(format!("{}: does not build on the host, as said above; {needs}", project.display()))
+        }
+        Err(e) => {
+            return Err(format!("{}: cargo, which builds its preview, does not run: {e}", project.display()))
+        }
+    }
+    let run =
+        Command::new(folder.join(&name)).args(std::env::args_os().skip(1)).env(PROJECT, project).status();
+    match run {
+        Ok(status) => Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(2))),
+        Err(e) => Err(format!("{}: does not run: {e}", folder.join(name).display())),
+    }
 }

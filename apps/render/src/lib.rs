@@ -2,16 +2,25 @@
 //! window.
 #![allow(missing_docs)] // modules of two programs, not an interface
 
+mod arguments;
+mod ascii;
+mod colours;
+mod draw;
 pub mod firmware;
 pub mod import;
 mod json;
 mod light;
 pub mod model;
 mod normals;
+mod options;
 pub mod paint;
+mod palette;
 pub mod parts;
 pub mod picture;
+pub mod program;
 pub mod projections;
 pub mod quantised;
 pub mod scene;
 pub mod style;
+mod turntable;
+mod used;

@@ -3,23 +3,23 @@
 use crate::arguments::{command, names};
 use crate::ascii::Characters;
 use crate::colours;
+use crate::import;
+use crate::model::{Fit, Look};
+use crate::paint::{Mode, Style};
+use crate::picture::Format;
+use crate::projections::Named;
+use crate::scene::LARGEST;
+use crate::style;
 use clap::ArgMatches;
 use embedded_graphics::geometry::Size;
 use pinhole_import::Axis;
-use pinhole_render::import;
-use pinhole_render::model::{Fit, Look};
-use pinhole_render::paint::{Mode, Style};
-use pinhole_render::picture::Format;
-use pinhole_render::projections::Named;
-use pinhole_render::scene::LARGEST;
-use pinhole_render::style;
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Options {
     pub(crate) scene: PathBuf,
     pub(crate) png: Option<PathBuf>,
     pub(crate) gif: Option<PathBuf>,
-    pub(crate) frames: u32,
+    pub(crate) frames: Option<u32>,
     pub(crate) ids: Option<PathBuf>,
     pub(crate) depth: Option<PathBuf>,
     pub(crate) used: Option<PathBuf>,
@@ -31,8 +31,8 @@ pub(crate) struct Options {
     pub(crate) import: pinhole_import::Options,
     /// The camera for a mesh; `None` for a scene, which has its own.
     pub(crate) look: Option<Look>,
-    /// Whether the picture is that of the template's firmware.
-    pub(crate) firmware: bool,
+    /// The frame of the firmware that is drawn in place of the program's own picture.
+    pub(crate) firmware: Option<u32>,
     /// Whether no output was named, so that the picture goes to the default file.
     pub(crate) unasked: bool,
 }
@@ -53,8 +53,8 @@ pub(crate) fn read() -> Result<Options, String> {
     let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
     let (style, format) = style(&mut given)?;
     let import = import::options(&given);
-    let firmware = given.get_flag("firmware");
-    if firmware && !import::is_model(&scene) {
+    let firmware: Option<u32> = given.get_one("firmware").copied();
+    if firmware.is_some() && !import::is_model(&scene) {
         return Err("--firmware: draws a model: use it with .obj and .stl".into());
     }
     let look = look(&mut given, &scene, ascii.is_some())?;
@@ -85,7 +85,6 @@ pub(crate) fn read() -> Result<Options, String> {
     if let Some(name) = painted.filter(|_| png.is_none() && gif.is_none()) {
         return Err(format!("--{name}: applies to pictures alone: give --png FILE too"));
     }
-    let frames = frames.unwrap_or(36);
     Ok(Options {
         scene,
         png,
@@ -184,7 +183,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
     // Other programs read these outputs and rely on their defaults.
     let raw = ["ids", "depth", "used"].iter().any(|name| given.contains_id(name));
     let usual = match (ascii, raw || given.contains_id("gif")) {
-        _ if given.get_flag("firmware") => "240x240",
+        _ if given.contains_id("firmware") => "240x240",
         (true, _) => "160x120",
         (false, true) => "320x240",
         (false, false) => "640x480",

@@ -1,14 +1,14 @@
 //! A film of a mesh that turns once, as a GIF.
 
+use crate::model::{self, Fit, Look};
+use crate::paint::{Style, Subject};
 use crate::palette::Palette;
+use crate::picture::{picture, Format};
+use crate::quantised::Quantised;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
 use pinhole_apps_support::animation::Animation;
 use pinhole_import::Triangles;
-use pinhole_render::model::{self, Fit, Look};
-use pinhole_render::paint::{Style, Subject};
-use pinhole_render::picture::{picture, Format};
-use pinhole_render::quantised::Quantised;
 use std::error::Error;
 
 /// Duration of a turn in 1/100 s.
@@ -33,12 +33,16 @@ pub(crate) fn gif(
         let subject = subject.get_or_insert_with(|| Subject::new(&used, style.mode));
         pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
     }
-    let palette = Palette::of(pictures.iter().flatten());
-    encode(look, &pictures, &palette).map_err(|e| e.to_string())
+    film(Size::new(look.width, look.height), &pictures)
 }
 
-fn encode(look: &Look, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec<u8>, Box<dyn Error>> {
-    let mut film = Animation::new(Vec::new(), Size::new(look.width, look.height), &palette.colours)?;
+/// A film of pictures, which lasts one [`TURN`].
+pub(crate) fn film(size: Size, pictures: &[Vec<Rgb888>]) -> Result<Vec<u8>, String> {
+    encode(size, pictures, &Palette::of(pictures.iter().flatten())).map_err(|e| e.to_string())
+}
+
+fn encode(size: Size, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut film = Animation::new(Vec::new(), size, &palette.colours)?;
     // Frame times are rounded from the start of the film, so that any number of frames lasts one TURN.
     let moment = |frame: usize| frame as u32 * TURN / pictures.len() as u32;
     for (frame, pixels) in pictures.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Writes a scene as JSON with every digit of its numbers.
 
-use pinhole_render::scene::{Matrix, Scene};
+use crate::scene::{Matrix, Scene};
 use std::fmt::{Display, Write};
 
 pub(crate) fn json(scene: &Scene) -> String {

@@ -1,0 +1,25 @@
+//! Finds the project whose picture is compiled: that which the variable `PINHOLE_PROJECT` names, or the RP2040's template.
+
+use std::path::PathBuf;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    println!("cargo::rerun-if-env-changed=PINHOLE_PROJECT");
+    println!("cargo::rerun-if-changed=build.rs");
+    let template = concat!(env!("CARGO_MANIFEST_DIR"), "/../../boards/rp2040-st7789");
+    let project =
+        std::env::var_os("PINHOLE_PROJECT").map_or(template.into(), PathBuf::from).canonicalize()?;
+    let (picture, script) = (project.join("src/picture.rs"), project.join("build.rs"));
+    // That it changes matters here for the macro alone; the compiler notices for itself that it reads another text.
+    println!("cargo::rerun-if-changed={}", picture.display());
+    let is_in_bands = std::fs::read_to_string(&picture)?.contains("struct Turned");
+    let draws = if is_in_bands { "draws_bands" } else { "draws_into_a_target" };
+    let project = project.to_str().ok_or("the path of the project is not UTF-8")?;
+    let code = format!(
+        "#[allow(dead_code, unreachable_pub)]\n#[path = {picture:?}]\nmod picture;\n\
+         #[allow(dead_code, unreachable_pub)]\n#[path = {script:?}]\nmod script;\n\
+         pinhole_render::{draws}!(picture);\n\
+         const PROJECT: &str = {project:?};\n"
+    );
+    std::fs::write(PathBuf::from(std::env::var_os("OUT_DIR").ok_or("no OUT_DIR")?).join("project.rs"), code)?;
+    Ok(())
+}

@@ -1,0 +1,217 @@
+//! The command: from its options to its output files.
+
+use crate::firmware::{self, Code};
+use crate::model::Look;
+use crate::options::{self, Options};
+use crate::paint::Subject;
+use crate::quantised::{self, Quantised};
+use crate::scene::Scene;
+use crate::{ascii, turntable, used};
+use crate::{import, model, picture};
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use pinhole::{Angle, Statistics};
+use pinhole_apps_support::{canvas::Canvas, command, files, still};
+use std::cell::LazyCell;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Runs the command. `code` draws the firmware's picture.
+pub fn run(code: &Code) -> ExitCode {
+    command::run(|| -> Result<ExitCode, String> {
+        let options = options::read()?;
+        match options
+            .firmware
+            .filter(|_| code.project.is_none())
+            .and_then(|_| firmware::project(&options.scene))
+        {
+            Some(project) => firmware::run_in(&project),
+            None => draw(&options, code).map(|()| ExitCode::SUCCESS),
+        }
+    })
+}
+
+fn draw(options: &Options, code: &Code) -> Result<(), String> {
+    let named = |e: String| format!("{}: {e}", options.scene.display());
+    let apart = |input: &Path| files::apart(input, options.outputs());
+    apart(&options.scene)?;
+    if let (Some(frame), Some(look)) = (options.firmware, &options.look) {
+        return as_firmware(options, code, frame, Size::new(look.width, look.height));
+    }
+    let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
+    let mut imported = None;
+    let scene = match &options.look {
+        Some(look) => {
+            let mut model = import::read(&options.scene, &options.import)?;
+            model.libraries.iter().try_for_each(|library| apart(library))?;
+            let look = &Look { up: model.up, ..*look };
+            if let Some(path) = &options.gif {
+                let mesh = (&model.triangles, &model.colors[..]);
+                let film =
+                    turntable::gif(mesh, look, &options.style, options.format, options.frames.unwrap_or(36));
+                outputs.push((path, film.map_err(named)?));
+            }
+            let triangles = std::mem::take(&mut model.triangles);
+            let colors = std::mem::take(&mut model.colors);
+            imported = Some(model);
+            model::scene(triangles, colors, look)?
+        }
+        None => {
+            let scene = Scene::read(&options.scene)?;
+            scene.mesh_file.as_deref().map_or(Ok(()), apart)?;
+            scene
+        }
+    };
+    let (quantised, used) = Quantised::settle(&scene).map_err(named)?;
+    // The statistics of any one output: all outputs draw the same faces or edges.
+    let (mut statistics, mut text) = (None, None);
+    if options.ids.is_some() || options.depth.is_some() {
+        let solid = crate::draw::solid(&used, &quantised).map_err(named)?;
+        if let Some(path) = &options.ids {
+            let ids = solid.ids.pixels().iter().flat_map(|seen| seen.index().to_le_bytes());
+            outputs.push((path, ids.collect()));
+        }
+        if let Some(path) = &options.depth {
+            outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
+        }
+        statistics = Some(solid.statistics);
+    }
+    let subject = LazyCell::new(|| Subject::new(&used, options.style.mode));
+    let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);
+    if let Some(path) = &options.png {
+        let (pixels, drawn) = picture().map_err(named)?;
+        let size = Size::new(used.width, used.height);
+        outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
+        statistics = Some(drawn);
+    }
+    if let Some(characters) = options.ascii {
+        let from = (&used, &quantised);
+        let (lines, drawn) = ascii::text(&subject, from, &options.style, characters).map_err(named)?;
+        text = Some(lines);
+        statistics = Some(drawn);
+    }
+    if let Some(path) = &options.used {
+        outputs.push((path, used::json(&used).into()));
+    }
+    let told = options.stats || options.unasked || (outputs.is_empty() && text.is_none());
+    if told && statistics.is_none() {
+        statistics = Some(picture().map_err(named)?.1);
+    }
+    if let Some(folder) = options.png.as_deref().and_then(Path::parent).filter(|_| options.unasked) {
+        command::folder(folder)?;
+    }
+    files::write(&outputs)?;
+    if let Some(text) = &text {
+        command::say(text.trim_end_matches('\n'))?;
+    }
+    let parts = if options.style.mode.of_lines() { subject.parts.len() } else { 1 };
+    tell(options, &scene, &used, parts, statistics.filter(|_| told), &outputs)?;
+    if let Some(model) = &imported {
+        if let Some(size) = import::size(model).filter(|_| told) {
+            command::say(format_args!("{}: {size}", options.scene.display()))?;
+        }
+        command::warn(&options.scene, &model.warnings);
+    }
+    Ok(())
+}
+
+/// A frame of firmware with this model, or its turn as a film.
+fn as_firmware(options: &Options, code: &Code, frame: u32, size: Size) -> Result<(), String> {
+    let model = &options.scene;
+    let named = |e: String| format!("{}: {e}", model.display());
+    let imported = pinhole_import::import(model, &firmware::options(code, &options.import));
+    let imported = imported.map_err(|e| e.to_string())?;
+    imported.libraries.iter().try_for_each(|library| files::apart(library, options.outputs()))?;
+    let picture = |frame: u32, frames: u32| {
+        let mut canvas = Canvas::new(size, Rgb565::MAGENTA);
+        let turn = Angle::turns(frame as i32, frames); // both below 2¹⁰
+        let statistics = (code.draw)(&imported, turn, &mut canvas).map_err(named)?;
+        let pixels: Vec<Rgb888> = canvas.pixels().iter().map(|&colour| colour.into()).collect();
+        Ok::<_, String>((pixels, statistics))
+    };
+    let (pixels, statistics) = picture(frame, firmware::FRAMES)?;
+    let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
+    if let Some(path) = &options.gif {
+        let frames = options.frames.unwrap_or(firmware::FRAMES);
+        let pictures: Result<Vec<_>, String> =
+            (0..frames).map(|frame| Ok(picture(frame, frames)?.0)).collect();
+        outputs.push((path, turntable::film(size, &pictures?)?));
+    }
+    if let Some(path) = &options.png {
+        outputs.push((path, still::png(size, &pixels).map_err(|e| e.to_string())?));
+        if let Some(folder) = path.parent().filter(|_| options.unasked) {
+            command::folder(folder)?;
+        }
+    }
+    files::write(&outputs)?;
+    for (path, bytes) in &outputs {
+        command::say(format_args!("{}: {} bytes", path.display(), bytes.len()))?;
+    }
+    let Statistics { drawn, culled, clipped, outside, degenerate, .. } = statistics;
+    command::say(format_args!(
+        "{}: frame {frame} of {}, {} x {} pixels; of {} faces {drawn} drawn ({clipped} of them clipped), {culled} culled, \
+         {outside} outside, {degenerate} without area",
+        model.display(),
+        firmware::FRAMES,
+        size.width,
+        size.height,
+        imported.faces.len(),
+    ))?;
+    command::say(format_args!("{}: in firmware: {}", model.display(), imported.size()))?;
+    if let Some(project) = code.project {
+        command::say(format_args!("{project}: drawn by its src/picture.rs and build.rs"))?;
+    }
+    command::warn(model, &imported.warnings);
+    if options.import != pinhole_import::Options::default() {
+        command::complain(format_args!(
+            "{}: note: set the same in the `Options` of the project's build.rs, so that the firmware draws this picture",
+            model.display()
+        ));
+    }
+    Ok(())
+}
+
+fn tell(
+    options: &Options,
+    scene: &Scene,
+    used: &Scene,
+    parts: usize,
+    statistics: Option<Statistics>,
+    outputs: &[(&Path, Vec<u8>)],
+) -> Result<(), String> {
+    if let Some(Statistics { drawn, culled, clipped, outside, degenerate, .. }) = statistics {
+        let (what, count) = match options.style.mode.of_lines() {
+            false => ("triangles".into(), scene.triangles.len()),
+            true => {
+                let edges = match parts {
+                    1 => "edges".into(),
+                    // Each part draws all edges of its own faces.
+                    parts => format!("edges (in {parts} parts; edges between parts count twice)"),
+                };
+                (edges, (drawn + outside) as usize)
+            }
+        };
+        command::say(format_args!(
+            "{}: {} x {} pixels, {} vertices; of {count} {what} {drawn} drawn ({clipped} of them clipped), \
+             {culled} culled, {outside} outside, {degenerate} without area",
+            options.scene.display(),
+            scene.width,
+            scene.height,
+            scene.vertices.len(),
+        ))?;
+    }
+    if options.stats {
+        let (part, pixels) = quantised::moved(scene, used);
+        command::say(format_args!(
+            "rounding to the crate's number formats moves a vertex by at most {part:.2e} of the mesh's extent, and by at \
+             most {pixels:.2e} px on the screen"
+        ))?;
+    }
+    for (path, bytes) in outputs {
+        command::say(format_args!("{}: {} bytes", path.display(), bytes.len()))?;
+    }
+    if outputs.is_empty() && options.ascii.is_none() {
+        command::say("nothing was written: give --png, --ids, --depth or --used")?;
+    }
+    Ok(())
+}
