@@ -3,18 +3,19 @@
 use embedded_graphics::pixelcolor::{Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Angle, PixelFormat};
+use pinhole::{Angle, PixelFormat, Statistics};
 use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::ImportedMesh;
 use show::{Display, Scratch, Screen, SolarSystem, FRAMES, SIZE, SOLAR_SYSTEM};
 use std::cell::Cell;
 use std::convert::Infallible;
-use std::sync::LazyLock;
 
 pub(crate) use show::teapot;
 
 #[path = "../../../examples/oled/show/mod.rs"]
 mod show;
+
+use pinhole_render::firmware::FRAMES as FRAMES_OF_A_TURN;
 
 /// How many frames of the window show one frame of the OLED.
 const PACE: u32 = 8;
@@ -101,16 +102,16 @@ impl Display for Panel<'_> {
     }
 }
 
-/// The teapot as firmware from the template draws it.
-pub(crate) fn template(step: u32, picture: &mut Canvas<Rgb888>) -> Sent {
+/// The model as the firmware of the template draws it, at a point in time, and what was sent.
+pub(crate) fn template(
+    model: &ImportedMesh,
+    step: u32,
+    picture: &mut Canvas<Rgb888>,
+) -> Result<(Sent, Statistics), String> {
     let mut screen = Colours { size: picture.size(), picture, sent: Sent::default() };
-    static TEAPOT: LazyLock<ImportedMesh> = LazyLock::new(|| {
-        let file = include_bytes!("../../../assets/teapot.obj");
-        pinhole_import::read_obj(file, "teapot.obj".as_ref()).expect("a model")
-    });
-    pinhole_render::firmware::draw(&TEAPOT, Angle::degrees(step as i32 % 360), &mut screen)
-        .expect("a display takes everything");
-    screen.sent
+    let turn = Angle::turns((step % FRAMES_OF_A_TURN) as i32, FRAMES_OF_A_TURN);
+    let statistics = pinhole_render::firmware::draw(model, turn, &mut screen)?;
+    Ok((screen.sent, statistics))
 }
 
 struct Colours<'a> {

@@ -17,8 +17,10 @@ use pinhole_render::style;
 /// Statistics of the last frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shown {
-    /// Statistics of faces, or of edges where the mode draws edges; all zero for the scenes of the firmware examples.
+    /// Statistics of faces, or of edges where the mode draws edges; all zero for the OLED's scene.
     pub statistics: Statistics,
+    /// Why the firmware cannot draw the model, in one line.
+    pub problem: Option<String>,
     /// Bands sent.
     pub bands: usize,
     /// Pixels sent.
@@ -134,7 +136,7 @@ impl Viewer {
         })?;
         let Report { statistics, bands, bytes, pixels } = report;
         let bytes = bytes + bands * usize::from(TransferCost::MIPI_DCS);
-        Ok(Shown { statistics, bands, pixels, bytes, areas })
+        Ok(Shown { statistics, problem: None, bands, pixels, bytes, areas })
     }
 
     fn firmware(&mut self, state: &State) -> Shown {
@@ -143,12 +145,22 @@ impl Viewer {
             let Ok(()) = self.display.fill_solid(&all, Rgb888::new(24, 26, 30));
             self.oled.forget();
         }
-        let sent = match state.thing {
-            Thing::Template => Some(firmware::template(state.step, &mut self.display)),
-            _ => self.oled.draw(state.step, state.rows.unwrap_or(u32::MAX), &mut self.display),
+        let (sent, statistics) = match state.thing {
+            Thing::Template => {
+                let display = &mut self.display;
+                let drawn = self.source.in_firmware().and_then(|model| firmware::template(model, state.step, display));
+                match drawn {
+                    Ok((sent, statistics)) => (Some(sent), statistics),
+                    Err(problem) => return Shown { problem: Some(problem), ..Shown::default() },
+                }
+            }
+            _ => {
+                let rows = state.rows.unwrap_or(u32::MAX);
+                (self.oled.draw(state.step, rows, &mut self.display), Statistics::default())
+            }
         };
         // The panel shows one frame during several of the window's.
         let Some(Sent { areas, pixels, bytes }) = sent else { return self.shown.clone() };
-        Shown { statistics: Statistics::default(), bands: areas.len(), pixels, bytes, areas }
+        Shown { statistics, problem: None, bands: areas.len(), pixels, bytes, areas }
     }
 }

@@ -76,11 +76,31 @@ fn name<T: PartialEq>(all: &[(&'static str, T)], one: T) -> &'static str {
     all.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)
 }
 
+/// A message in lines of at most 48 characters, which is the width of a small display.
+fn wrapped(message: &str) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in message.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) if line.chars().count() + word.chars().count() < 48 => *line += &format!(" {word}"),
+            _ => lines.push(word.into()),
+        }
+    }
+    lines
+}
+
 fn information(state: &State, shown: &Shown, time: Option<Duration>) -> Vec<String> {
     let mut lines = Vec::new();
     match state.thing {
         Thing::Oled => lines.push("examples/oled: its panel, gray4".into()),
-        Thing::Template => lines.push("boards/any-cortex-m: rgb565, bands of 8 rows".into()),
+        Thing::Template => match &shown.problem {
+            None => lines.push("in firmware: boards/any-cortex-m, rgb565, bands of 8 rows".into()),
+            Some(problem) => {
+                lines.push("not for firmware:".into());
+                lines.extend(wrapped(problem));
+                return lines;
+            }
+        },
         Thing::Model => {
             let dithered = if state.dither && !state.mode.of_lines() { " dithered" } else { "" };
             lines.push(format!(

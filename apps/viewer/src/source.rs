@@ -4,10 +4,11 @@ use crate::firmware;
 use crate::state::State;
 use embedded_graphics::geometry::Size;
 use pinhole_apps_support::files;
-use pinhole_import::{Axis, Options, Preview, Triangles};
-use pinhole_render::import;
+use pinhole_import::{Axis, ImportedMesh, Options, Preview, Triangles};
+use pinhole_render::{firmware as template, import};
 use pinhole_render::model::{self, Fit, Look};
 use pinhole_render::scene::{Matrix, Scene};
+use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 
 /// A mesh, with a camera if its file has one.
@@ -21,6 +22,10 @@ pub struct Source {
     file: Option<PathBuf>,
     /// What the importer says of a model.
     imported: Option<Preview>,
+    /// How it was imported.
+    options: Options,
+    /// The mesh that firmware of the template has, or why it has none: imported when it is shown.
+    in_firmware: OnceCell<Result<ImportedMesh, String>>,
 }
 
 impl Source {
@@ -36,12 +41,21 @@ impl Source {
             let positions = own.vertices.iter().map(|&v| in_the_world(&own, v)).collect();
             let mesh = Triangles { positions, faces: own.triangles.clone() };
             let (colors, file) = (own.colors.clone(), Some(file.into()));
-            return Ok(Self { mesh, colors, up: Axis::Y, own: Some(own), file, imported: None });
+            return Ok(Self { mesh, colors, up: Axis::Y, own: Some(own), file, ..Self::built_in() });
         }
         let mut model = import::read(file, options)?;
         let mesh = std::mem::take(&mut model.triangles);
         let (colors, file) = (std::mem::take(&mut model.colors), Some(file.into()));
-        Ok(Self { mesh, colors, up: model.up, own: None, file, imported: Some(model) })
+        Ok(Self {
+            mesh,
+            colors,
+            up: model.up,
+            own: None,
+            file,
+            imported: Some(model),
+            options: options.clone(),
+            in_firmware: OnceCell::new(),
+        })
     }
 
     /// The teapot of the firmware examples.
@@ -52,7 +66,32 @@ impl Source {
             positions: teapot.vertices().iter().map(|v| v.map(|c| f64::from(c) * step)).collect(),
             faces: teapot.faces().iter().map(|face| face.map(usize::from)).collect(),
         };
-        Self { mesh, colors: Vec::new(), up: Axis::Y, own: None, file: None, imported: None }
+        Self {
+            mesh,
+            colors: Vec::new(),
+            up: Axis::Y,
+            own: None,
+            file: None,
+            imported: None,
+            options: Options::default(),
+            in_firmware: OnceCell::new(),
+        }
+    }
+
+    /// The mesh that firmware made from the template has of the model: of the teapot where there is none. The error says why
+    /// there is no such mesh.
+    pub(crate) fn in_firmware(&self) -> Result<&ImportedMesh, String> {
+        let make = || match (&self.file, &self.imported) {
+            (Some(file), Some(_)) => {
+                let options = template::options(&template::TEMPLATE, &self.options);
+                pinhole_import::import(file, &options).map_err(|e| e.to_string())
+            }
+            _ => {
+                let file = include_bytes!("../../../assets/teapot.obj");
+                pinhole_import::read_obj(file, "teapot.obj".as_ref()).map_err(|e| e.to_string())
+            }
+        };
+        self.in_firmware.get_or_init(make).as_ref().map_err(Clone::clone)
     }
 
     /// Warnings about a model, in the importer's words.
