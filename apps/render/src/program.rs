@@ -129,7 +129,11 @@ fn as_firmware(options: &Options, code: &Code, frame: u32, size: Size) -> Result
         let pixels: Vec<Rgb888> = canvas.pixels().iter().map(|&colour| colour.into()).collect();
         Ok::<_, String>((pixels, statistics))
     };
-    let (pixels, statistics) = picture(frame, firmware::FRAMES)?;
+    let first = picture(frame, firmware::FRAMES);
+    if first.is_err() {
+        command::warn(model, &imported.warnings); // they say what to do
+    }
+    let (pixels, statistics) = first?;
     let mut outputs: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &options.gif {
         let frames = options.frames.unwrap_or(firmware::FRAMES);

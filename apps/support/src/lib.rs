@@ -2,6 +2,7 @@
 //! written completely or not at all, pictures in memory, and PNG and GIF files.
 
 pub mod animation;
+pub mod bodies;
 pub mod canvas;
 pub mod command;
 pub mod files;

@@ -148,7 +148,10 @@ impl Viewer {
         let (sent, statistics) = match state.thing {
             Thing::Template => {
                 let display = &mut self.display;
-                let drawn = self.source.in_firmware().and_then(|model| firmware::template(model, state.step, display));
+                let drawn = self
+                    .source
+                    .in_firmware()
+                    .and_then(|model| firmware::template(model, state.step, display));
                 match drawn {
                     Ok((sent, statistics)) => (Some(sent), statistics),
                     Err(problem) => return Shown { problem: Some(problem), ..Shown::default() },

@@ -5,9 +5,9 @@ use crate::state::State;
 use embedded_graphics::geometry::Size;
 use pinhole_apps_support::files;
 use pinhole_import::{Axis, ImportedMesh, Options, Preview, Triangles};
-use pinhole_render::{firmware as template, import};
 use pinhole_render::model::{self, Fit, Look};
 use pinhole_render::scene::{Matrix, Scene};
+use pinhole_render::{firmware as template, import};
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 

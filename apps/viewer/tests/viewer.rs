@@ -1,9 +1,12 @@
 //! What keys do, and what goes to the display for it: without a window.
 
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
+use pinhole::Angle;
+use pinhole_apps_support::canvas::Canvas;
 use pinhole_import::Options;
+use pinhole_render::firmware;
 use pinhole_viewer::{Action, Source, State, Viewer};
 use std::collections::BTreeSet;
 use std::convert::Infallible;
@@ -332,6 +335,47 @@ fn the_firmware_s_scenes_are_its_pictures() {
     viewer.draw(&state).unwrap();
     let met = colours(viewer.pixels());
     assert!(met.contains(&[0; 3]) && met.iter().filter(|[r, g, b]| r > g && g > b).count() >= 2, "{met:?}");
+}
+
+/// The third scene is the file's model as firmware draws it, or says why there is none.
+#[test]
+fn the_firmware_s_model_is_the_user_s() {
+    let text = "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    let path = file("own.obj", text);
+    let options = firmware::options(&firmware::TEMPLATE, &Options::default());
+    let model = pinhole_import::import(&path, &options).unwrap();
+    let mut viewer = Viewer::new(read(&path).unwrap(), SIZE);
+    let mut state = pressed("m m space");
+    for frame in 0..3 {
+        let mut wanted = Canvas::new(SIZE, Rgb565::MAGENTA);
+        let turn = Angle::turns(frame, firmware::FRAMES);
+        let statistics = firmware::draw(&model, turn, &mut wanted).unwrap();
+        let shown = viewer.draw(&state).unwrap();
+        assert_eq!((shown.statistics, &shown.problem), (statistics, &None));
+        assert_eq!(shown.pixels, wanted.pixels().len());
+        let wanted: Vec<Rgb888> = wanted.pixels().iter().map(|color| (*color).into()).collect();
+        assert!(wanted == viewer.pixels(), "frame {frame}");
+        state.tick();
+    }
+
+    // 90 000 vertices: the model is shown, and in place of the firmware's picture what is wrong.
+    let mut vast = String::new();
+    for (x, y) in (0..300).flat_map(|y| (0..300).map(move |x| (x, y))) {
+        vast += &format!("v {x} 0 {y}\n");
+    }
+    for a in (0..299).flat_map(|y| (0..299).map(move |x| 300 * y + x + 1)) {
+        vast += &format!("f {} {} {}\nf {} {} {}\n", a, a + 300, a + 301, a, a + 301, a + 1);
+    }
+    let mut viewer = Viewer::new(read(&file("vast.obj", &vast)).unwrap(), SIZE);
+    assert_eq!(viewer.draw(&pressed("")).unwrap().problem, None);
+    let problem = viewer.draw(&state).unwrap().problem.clone().unwrap();
+    assert!(problem.contains("has 90000 vertices, more than the 65536 of a mesh: use"), "{problem}");
+    let mut written = Notes { pixels: vec![Rgb888::BLACK; (SIZE.width * SIZE.height) as usize] };
+    let Ok(()) = viewer.show(&state, None, &mut written);
+    assert!(
+        written.pixels.iter().filter(|color| color.r() > 200).count() > 300,
+        "it is written in the window"
+    );
 }
 
 fn file(name: &str, text: &str) -> PathBuf {
