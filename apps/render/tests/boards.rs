@@ -124,3 +124,40 @@ fn the_templates_draw_one_picture_of_a_gear() {
 fn the_templates_draw_one_picture_of_a_teapot() {
     compare("assets/teapot.obj");
 }
+
+/// The preview counts frames as the templates do.
+#[test]
+fn the_templates_turn_in_as_many_frames_as_the_preview() {
+    let wanted = format!("\nconst FRAMES: u32 = {};\n", pinhole_render::firmware::FRAMES);
+    for board in ["any-cortex-m", "rp2040-st7789", "stm32f4-ili9341"] {
+        let main =
+            std::fs::read_to_string(Path::new(ROOT).join("boards").join(board).join("src/main.rs")).unwrap();
+        assert!(main.contains(&wanted), "{board}");
+    }
+}
+
+/// Which code draws a model with `--firmware`: that of the project it lies in, unless it is the template that is compiled in.
+#[test]
+fn a_model_is_drawn_by_the_project_that_it_lies_in() {
+    let of = |file: &str| pinhole_render::firmware::project(&Path::new(ROOT).join(file));
+    assert_eq!(of("boards/any-cortex-m/model.stl"), None);
+    assert_eq!(of("assets/teapot.obj"), None);
+    let rp2040 = Path::new(ROOT).join("boards/rp2040-st7789").canonicalize().unwrap();
+    assert_eq!(of("boards/rp2040-st7789/model.stl"), Some(rp2040));
+    // A copy, and then one with another colour.
+    let copy = Path::new(env!("CARGO_TARGET_TMPDIR")).join("boards-copy");
+    std::fs::create_dir_all(copy.join("src")).unwrap();
+    std::fs::create_dir_all(copy.join("parts")).unwrap();
+    for file in ["build.rs", "model.stl", "src/picture.rs"] {
+        std::fs::copy(Path::new(ROOT).join("boards/any-cortex-m").join(file), copy.join(file)).unwrap();
+    }
+    std::fs::copy(copy.join("model.stl"), copy.join("parts/gear.stl")).unwrap();
+    for file in ["model.stl", "parts/gear.stl"] {
+        assert_eq!(pinhole_render::firmware::project(&copy.join(file)), None);
+    }
+    let picture = std::fs::read_to_string(copy.join("src/picture.rs")).unwrap();
+    std::fs::write(copy.join("src/picture.rs"), picture.replace("CSS_GOLD", "CSS_TEAL")).unwrap();
+    for file in ["model.stl", "parts/gear.stl"] {
+        assert_eq!(pinhole_render::firmware::project(&copy.join(file)), Some(copy.canonicalize().unwrap()));
+    }
+}

@@ -1,6 +1,11 @@
 //! What `pinhole-render` draws for people: pictures without any option, projections, colours, films, text.
 
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use pinhole::Angle;
+use pinhole_apps_support::canvas::Canvas;
 use pinhole_apps_support::testing::{refusal, Program};
+use pinhole_render::firmware;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -504,6 +509,32 @@ fn a_film_goes_once_around() {
     assert!(differ > 2000, "{differ}");
 }
 
+/// Any frame of the firmware, and all of them as a film.
+#[test]
+fn firmware_is_shown_frame_by_frame() {
+    let gear = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../boards/any-cortex-m/model.stl");
+    let options = firmware::options(&firmware::TEMPLATE, &pinhole_import::Options::default());
+    let model = pinhole_import::import(&gear, &options).unwrap();
+    let wanted = |frame: i32, frames: u32| -> Vec<[u8; 3]> {
+        let mut canvas = Canvas::new(Size::new(64, 48), Rgb565::MAGENTA);
+        firmware::draw(&model, Angle::turns(frame, frames), &mut canvas).unwrap();
+        let pixel = |color: &Rgb565| Rgb888::from(*color);
+        canvas.pixels().iter().map(pixel).map(|c| [c.r(), c.g(), c.b()]).collect()
+    };
+    assert!(wanted(0, 120) != wanted(7, 120));
+    for (option, frame) in [("--firmware", 0), ("--firmware=7", 7), ("--firmware=119", 119)] {
+        let picture = Picture::of("frame", &gear, &[option, "--size", "64x48"]);
+        assert!(picture.pixels == wanted(frame, 120), "{option}");
+    }
+    let (width, frames) = film("turn", &gear, &["--firmware", "--size", "64x48"]);
+    assert_eq!((width, frames.len()), (64, 120));
+    for (number, (_, pixels)) in (0..).zip(&frames) {
+        assert!(*pixels == wanted(number, 120), "frame {number}");
+    }
+    let (_, frames) = film("few", &gear, &["--firmware", "--size", "64x48", "--frames", "5"]);
+    assert!(frames.len() == 5 && frames[3].1 == wanted(3, 5));
+}
+
 #[test]
 fn text_has_the_picture_s_shape() {
     let cube = write(&RENDER.folder("people", "text"), "cube.obj", obj([1.0; 3]));
@@ -566,6 +597,8 @@ fn messages_for_bad_options_name_the_alternatives() {
         (&["--frames", "12"], &["--frames: ", "--gif"]),
         (&["--gif", gif, "--frames", "1"], &["--frames", "2..=360"]),
         (&["--gif", gif, "--png", gif], &["--gif: names the same file as --png"]),
+        (&["--firmware=120"], &["--firmware", "120 is not in 0..120"]),
+        (&["--firmware", "--mode", "flat"], &["--firmware", "cannot be used with", "--mode"]),
         (&["--size", "640"], &["--size: 640", "320x240"]),
     ] {
         let said = refusal(&RENDER.run(&[&[text(&mesh)], options].concat()));
