@@ -2,8 +2,8 @@
 
 use crate::camera::ScreenVertex;
 
-/// Vertex cache and bin storage for one mesh, or for several meshes drawn one after the other. [`mesh_buffers!`](crate::mesh_buffers)
-/// makes one with the lengths that a mesh needs, and the macro `MeshBuffers!` names the type.
+/// Vertex cache and bin storage for one mesh, for several meshes drawn one after the other, or for a
+/// [`Scene`](crate::Scene). [`mesh_buffers!`](crate::mesh_buffers) makes one with the lengths that these need, and the macro `MeshBuffers!` names the type.
 ///
 /// It takes 8 bytes per vertex, and 2 per face or edge and per 16 of them.
 ///
@@ -72,7 +72,8 @@ impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize> defmt::Fo
 }
 
 /// Declares vertex cache and bin storage for one or more `const` meshes that are drawn one after the other: [`MeshBuffers`] with
-/// the lengths of the largest one.
+/// the lengths of the largest one. `mesh_buffers!([MESH; 8], [OTHER; 1])` is for a [`Scene`](crate::Scene), whose objects are
+/// binned at the same time: for as many of each mesh as can be visible, with the sum of their lengths.
 ///
 /// `mesh_buffers!(MESH)` is for faces, `mesh_buffers!(edges: MESH)` for a wireframe, and `mesh_buffers!(faces, edges: MESH)` for
 /// hidden lines. [`MeshBuffers!`](macro@crate::MeshBuffers) with equal arguments is the type, for statics:
@@ -93,11 +94,16 @@ impl<const VERTICES: usize, const BINS: usize, const EDGE_BINS: usize> defmt::Fo
 /// # let _ = &BUFFERS.0;
 /// let shared = mesh_buffers!(TRIANGLE, POINTS);
 /// assert_eq!((shared.cache.len(), shared.bins.len()), (9, 2)); // a face, and one for up to 16 faces
+/// let scene = mesh_buffers!([TRIANGLE; 20], [POINTS; 1]);
+/// assert_eq!((scene.cache.len(), scene.bins.len()), (20 * 3 + 9, 20 * 2));
 /// ```
 #[macro_export]
 macro_rules! mesh_buffers {
     ($($kind:ident),+: $($mesh:expr),+ $(,)?) => {
         <$crate::MeshBuffers!($($kind),+: $($mesh),+)>::new()
+    };
+    ($([$mesh:expr; $count:expr]),+ $(,)?) => {
+        <$crate::MeshBuffers!($([$mesh; $count]),+)>::new()
     };
     ($($mesh:expr),+ $(,)?) => {
         <$crate::MeshBuffers!($($mesh),+)>::new()
@@ -119,6 +125,12 @@ macro_rules! MeshBuffers {
             { $crate::largest(&[$($mesh.cache_len()),+]) },
             { $crate::largest(&[$($mesh.face_bins_len()),+]) },
             { $crate::largest(&[$($mesh.edge_bins_len()),+]) },
+        >
+    };
+    ($([$mesh:expr; $count:expr]),+ $(,)?) => {
+        $crate::MeshBuffers<
+            { 0 $(+ $mesh.cache_len() * $count)+ },
+            { 0 $(+ $mesh.face_bins_len() * $count)+ },
         >
     };
     ($($mesh:expr),+ $(,)?) => {

@@ -66,7 +66,8 @@ impl core::error::Error for SceneError {}
 /// Up to `OBJECTS` objects. In every frame: [`place`](Self::place) those that a camera sees, [bin](PlacedScene::bin_faces) their
 /// faces, and draw band by band.
 ///
-/// `M` is the material of an object, any type: a colour, or a number by which a closure finds more.
+/// `M` is the material of an object, any type, such as a colour. The closure that shades gets the object's index too, by which it
+/// finds what else is stored elsewhere.
 ///
 /// `P` says whether the meshes have face planes, and is of one type for all objects. Where only some have, take either
 /// [`Mesh::without_planes`] of those, or, if they are the large ones, [`Mesh::with_planes_if_any`] of the others.
@@ -80,27 +81,30 @@ impl core::error::Error for SceneError {}
 /// use pinhole::{prelude::*, Angle};
 /// const VERTICES: [[i16; 3]; 4] = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
 /// const FACES: [[u16; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-/// let mesh = Mesh::new(&VERTICES, 0, &FACES)?;
+/// const MESH: Mesh<'static> = match Mesh::new(&VERTICES, 0, &FACES) {
+///     Ok(mesh) => mesh,
+///     Err(_) => panic!("faces"),
+/// };
 /// let mut scene = Scene::<Rgb565, 20>::new();
 /// for (number, color) in (-10..).zip([Rgb565::CSS_GOLD, Rgb565::CSS_TEAL].into_iter().cycle().take(20)) {
 ///     let moved = Affine::identity().rotate_y(Angle::degrees(9 * number)).translate(Vector3::from_ints(3 * number as i16, 0, 0));
-///     scene.add(Object::new(&mesh, moved, color))?;
+///     scene.add(Object::new(&MESH, moved, color))?;
 /// }
 /// let mut display = MockDisplay::<Rgb565>::new();
 /// let viewport = Viewport::new(Point::zero(), display.size())?;
 /// let view = ViewTransform::orbit(Point3::from_ints(0, 0, 0), Scalar::from_num(12), Angle::ZERO, Angle::degrees(20));
 /// let lens = Projection::perspective(Angle::degrees(40), viewport.size(), Scalar::from_num(1), Scalar::from_num(40))?;
 /// let camera = Camera::new(&view, &lens, &viewport);
-/// let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 4 * 8], [0; 5 * 8]); // for 8 visible objects
+/// let mut buffers = mesh_buffers!([MESH; 8]); // for 8 visible objects
 /// let mut strip = strip_buffers!(Rgb565, 64, 8);
 ///
 /// let placed = scene.place(&camera);
-/// let mut faces = placed.bin_faces(&mut cache, &mut bins)?;
+/// let mut faces = placed.bin_faces(&mut buffers.cache, &mut buffers.bins)?;
 /// let mut frame = Frame::new(display.bounding_box(), Rgb565::BLACK);
 /// while let Some(mut band) = frame.next_band(&mut strip.colors)? {
 ///     let mut depth = DepthBuffer::new(band.area(), &mut strip.depths)?;
 ///     // Once for each object in the band, and then for each of its faces.
-///     let shade = |object: &Object<'_, Rgb565>| {
+///     let shade = |_index: usize, object: &Object<'_, Rgb565>| {
 ///         let color = object.material;
 ///         move |face: usize| color.dim(64 * (face as u16 + 1))
 ///     };
@@ -152,6 +156,26 @@ impl<'m, M, const OBJECTS: usize, P> Scene<'m, M, OBJECTS, P> {
         &mut self.objects
     }
 
+    /// A sphere around all objects, in world units: for a [camera that frames](Camera::framing) the scene. It is made of the
+    /// objects' [spheres](Object::sphere), by [`Sphere::transformed`] and [`Sphere::around`]. A scene without objects has no radius.
+    ///
+    /// ```
+    /// use embedded_graphics::geometry::{Point, Size};
+    /// use pinhole::{meshes::CUBE, prelude::*, Angle};
+    /// let mut scene = Scene::<(), 2>::new();
+    /// for x in [-3, 3] {
+    ///     scene.add(Object::new(&CUBE, Affine::identity().translate(Vector3::from_ints(x, 0, 0)), ()))?;
+    /// }
+    /// let viewport = Viewport::new(Point::zero(), Size::new(240, 240))?;
+    /// let sphere = scene.bounding_sphere();
+    /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))?;
+    /// assert_eq!(scene.place(&camera).len(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn bounding_sphere(&self) -> Sphere {
+        Sphere::around(self.objects.iter().map(|object| object.sphere.transformed(&object.model)))
+    }
+
     /// Removes all objects.
     pub fn clear(&mut self) {
         self.objects.clear();
@@ -197,7 +221,13 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     /// The objects that may be seen, in the order of the scene, with their instances: for all that instances can do beside what
     /// this type does, such as wireframes.
     pub fn iter(&self) -> impl Iterator<Item = (&'s Object<'m, M, P>, &MeshInstance<'m, i16, P>)> {
-        self.instances.iter().filter_map(|(index, instance)| Some((self.objects.get(*index)?, instance)))
+        self.indexed().map(|(_, object, instance)| (object, instance))
+    }
+
+    /// With the indices of the objects in the scene.
+    fn indexed(&self) -> impl Iterator<Item = (usize, &'s Object<'m, M, P>, &MeshInstance<'m, i16, P>)> {
+        let object = |index: usize| self.objects.get(index);
+        self.instances.iter().filter_map(move |(index, instance)| Some((*index, object(*index)?, instance)))
     }
 
     /// How many vertices all visible objects have: the length of a vertex cache with room for all of them.
@@ -210,8 +240,8 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
         self.instances.iter().map(|(_, instance)| instance.mesh().face_bins_len()).sum()
     }
 
-    /// Draws all objects with a depth test, in one piece. `shade` is called once for each visible object, and what it returns once
-    /// for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows from the object's
+    /// Draws all objects with a depth test, in one piece. `shade` is called once for each visible object, with its index in the
+    /// scene, and what it returns once for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows from the object's
     /// material: Rust cannot infer this for a closure in a variable. The objects share the vertex cache one after the other: it should have
     /// room for the largest mesh, and may be shorter. [`MeshInstance::depth_tested`] says how faces are drawn.
     ///
@@ -220,14 +250,14 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     /// The target's error, at the first span that it refuses.
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
         &self,
-        mut shade: impl FnMut(&'s Object<'m, M, P>) -> F,
+        mut shade: impl FnMut(usize, &'s Object<'m, M, P>) -> F,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let mut statistics = Statistics::NONE;
-        for (object, instance) in self.iter() {
-            statistics = statistics.and(instance.depth_tested(shade(object), cache, depth, target)?);
+        for (index, object, instance) in self.indexed() {
+            statistics = statistics.and(instance.depth_tested(shade(index, object), cache, depth, target)?);
         }
         Ok(statistics)
     }
@@ -240,10 +270,10 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
     /// [`PainterError`] if an object has no room. The objects before it are stored then.
     pub fn paint<S: Shader, F: FnMut(usize) -> S, const VERTICES: usize, const FACES: usize>(
         &self,
-        mut shade: impl FnMut(&'s Object<'m, M, P>) -> F,
+        mut shade: impl FnMut(usize, &'s Object<'m, M, P>) -> F,
         painter: &mut Painter<S, VERTICES, FACES>,
     ) -> Result<(), PainterError> {
-        self.iter().try_for_each(|(object, instance)| painter.add(instance, shade(object)))
+        self.indexed().try_for_each(|(index, object, instance)| painter.add(instance, shade(index, object)))
     }
 
     /// The visible point in a pixel of the target, without drawing: the object, the face and the depth that
@@ -276,29 +306,31 @@ impl<'s, 'm, M, const OBJECTS: usize, P: FacePlanes> PlacedScene<'s, 'm, M, OBJE
         if given < needed {
             return Err(BinError::Storage { needed, given });
         }
-        let (mut cache, mut bins, mut objects) = (cache, bins, Vec::new());
-        for (object, instance) in self.iter() {
+        let (mut cache, mut bins, mut binned) = (cache, bins, Vec::new());
+        for (index, instance) in &self.instances {
             let vertices = instance.mesh().cache_len().min(cache.len());
             let (own_cache, other_cache) = cache.split_at_mut_checked(vertices).unwrap_or_default();
             let numbers = instance.mesh().face_bins_len();
             let (own_bins, other_bins) = bins.split_at_mut_checked(numbers).unwrap_or_default();
             (cache, bins) = (other_cache, other_bins);
             let faces = instance.bin_faces_with_depth(own_cache, own_bins)?;
-            let _ = objects.push((object, faces)); // both have the capacity `OBJECTS`
+            let _ = binned.push((*index, faces)); // both have the capacity `OBJECTS`
         }
-        Ok(BinnedScene { objects })
+        Ok(BinnedScene { objects: self.objects, binned })
     }
 }
 
 /// The faces of all visible objects, binned for bands. [`PlacedScene::bin_faces`] makes it; [`Scene`] has an example.
 #[derive(Debug)]
 pub struct BinnedScene<'f, 'm, M, const OBJECTS: usize, P = WithoutPlanes> {
-    objects: Vec<(&'f Object<'m, M, P>, BinnedFaces<'f, i16, true>), OBJECTS>,
+    objects: &'f [Object<'m, M, P>],
+    /// The visible objects by their indices.
+    binned: Vec<(usize, BinnedFaces<'f, i16, true>), OBJECTS>,
 }
 
 impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
-    /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band, and
-    /// what it returns once for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows
+    /// Draws the faces that lie in a band, with a depth test. `shade` is called once for each object whose bounds meet the band,
+    /// with its index in the scene, and what it returns once for each face that is drawn, with the face's index. Write the closure in the call itself where it borrows
     /// from the object's material: Rust cannot infer this for a closure in a variable. The picture of all bands is, pixel by pixel, that of
     /// [`PlacedScene::depth_tested`].
     ///
@@ -307,14 +339,15 @@ impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
     /// The target's error, at the first span that it refuses.
     pub fn depth_tested<T: Target, S: SpanShader<T::Color>, F: FnMut(usize) -> S>(
         &mut self,
-        mut shade: impl FnMut(&'f Object<'m, M, P>) -> F,
+        mut shade: impl FnMut(usize, &'f Object<'m, M, P>) -> F,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<(), T::Error> {
         let area = target.area();
-        for (object, faces) in &mut self.objects {
-            if !faces.bounds().intersection(&area).is_zero_sized() {
-                faces.depth_tested(shade(object), depth, target)?;
+        for (index, faces) in &mut self.binned {
+            let is_in_band = !faces.bounds().intersection(&area).is_zero_sized();
+            if let Some(object) = self.objects.get(*index).filter(|_| is_in_band) {
+                faces.depth_tested(shade(*index, object), depth, target)?;
             }
         }
         Ok(())
@@ -322,7 +355,7 @@ impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
 
     /// Stores the depth of the faces that lie in a band, and draws nothing: see [`BinnedFaces::depth_only`].
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
-        for (_, faces) in &mut self.objects {
+        for (_, faces) in &mut self.binned {
             faces.depth_only(depth);
         }
     }
@@ -330,12 +363,12 @@ impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
     /// The objects with their binned faces, in the order of the scene: for the [bounds](BinnedFaces::bounds) of each, which
     /// [`Tracked`](crate::Tracked) takes.
     pub fn iter(&self) -> impl Iterator<Item = (&'f Object<'m, M, P>, &BinnedFaces<'f, i16, true>)> {
-        self.objects.iter().map(|(object, faces)| (*object, faces))
+        self.binned.iter().filter_map(|(index, faces)| Some((self.objects.get(*index)?, faces)))
     }
 
     /// Counts for the whole frame, summed over all visible objects, whichever bands were drawn.
     pub fn statistics(&self) -> Statistics {
-        self.objects.iter().fold(Statistics::NONE, |sum, (_, faces)| sum.and(faces.statistics()))
+        self.binned.iter().fold(Statistics::NONE, |sum, (_, faces)| sum.and(faces.statistics()))
     }
 }
 
@@ -349,7 +382,7 @@ const _: () = {
     } else {
         placed <= 212
     });
-    assert!(size_of::<(&'static Object<'static, ()>, BinnedFaces<'static, i16, true>)>() == 92);
+    assert!(size_of::<(usize, BinnedFaces<'static, i16, true>)>() == 92);
 };
 
 // Materials are not printed: they need not implement `Format`.
@@ -377,6 +410,6 @@ impl<M, const OBJECTS: usize, P: FacePlanes> defmt::Format for PlacedScene<'_, '
 #[cfg(feature = "defmt")]
 impl<M, const OBJECTS: usize, P> defmt::Format for BinnedScene<'_, '_, M, OBJECTS, P> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=usize} objects binned: {}", self.objects.len(), self.statistics());
+        defmt::write!(f, "{=usize} objects binned: {}", self.binned.len(), self.statistics());
     }
 }

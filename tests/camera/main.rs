@@ -11,5 +11,6 @@ mod projection_family;
 mod random_projections;
 mod ranges;
 mod setup_errors;
+mod spheres;
 mod vertex_chain;
 mod worked_by_hand;

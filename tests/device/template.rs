@@ -71,9 +71,141 @@ fn links_firmware(target: &str, entry: &str) {
     static ONE: Mutex<()> = Mutex::new(());
     let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = Folder::new(target);
-    let [commands, preview] = blocks(FIRMWARE, "sh").try_into().expect("two blocks of commands");
+    let [commands, model, preview] = blocks(FIRMWARE, "sh").try_into().expect("three blocks of commands");
     // The README says to set the target in .cargo/config.toml, whose value this variable replaces.
     folder.shell(&commands, &[("CARGO_BUILD_TARGET", target)]);
+    let symbols = symbols(target);
+    let names: Vec<&str> = symbols.lines().filter_map(|line| line.split_whitespace().last()).collect();
+    assert!(names.contains(&entry) && names.iter().any(|name| name.contains("depth_tested")), "{symbols}");
+    let unwanted = |name: &&str| is_float_routine(name) || name.contains("core3fmt");
+    assert_eq!(names.into_iter().filter(unwanted).collect::<Vec<_>>(), [""; 0], "{target}");
+    // What follows is the same for all targets.
+    if target == "thumbv6m-none-eabi" {
+        previews(&folder, &model, &preview);
+        is_set_as_the_readme_says(&folder, target);
+    }
+}
+
+/// Follows the README's steps 3 and 4: the picture is that of the model, and then of a changed `src/picture.rs`.
+fn previews(folder: &Folder, model: &str, preview: &str) {
+    let picture = folder.path.join("target/render/model.png");
+    let drawn = |commands: &str| {
+        folder.shell(&format!("cd firmware\n{commands}"), &[]);
+        fs::read(&picture).expect("the preview")
+    };
+    // The README's first picture, which has the gear of the template.
+    let gear = drawn(preview);
+    assert!(gear == fs::read(Path::new(ROOT).join("docs/part.png")).expect("docs/part.png"));
+    fs::write(folder.path.join("bracket.stl"), pinhole_apps_support::bodies::stl(&plate()))
+        .expect("bracket.stl");
+    let plate = drawn(&format!("{model}{preview}"));
+    assert!(plate != gear);
+
+    let code = folder.path.join("firmware/src/picture.rs");
+    let text = fs::read_to_string(&code).expect("picture.rs");
+    let [gold, teal] = ["Rgb565::CSS_GOLD", "Rgb565::CSS_TEAL"];
+    assert_eq!(text.matches(gold).count(), 1);
+    fs::write(&code, text.replace(gold, teal)).expect("picture.rs");
+    let changed = drawn(preview);
+    fs::write(&code, text).expect("picture.rs");
+    let [plate, changed] = [&plate, &changed].map(|png| pixels(png));
+    // Gold has more red than blue, teal no red; the outline is one.
+    let is_gold = |&[r, g, b]: &[u8; 3]| r > g && g > b;
+    let is_teal = |&[r, g, b]: &[u8; 3]| r == 0 && g > 0 && b > 0;
+    let drawn = plate.iter().filter(|color| **color != [0; 3]).count();
+    assert!(drawn > 5000 && plate.iter().filter(|color| is_gold(color)).count() == drawn);
+    let differing = plate.iter().zip(&changed).filter(|(plate, changed)| is_gold(plate) != is_teal(changed));
+    assert_eq!(differing.count(), 0);
+}
+
+/// A plate of 300 mm as a CAD program has it, z up, with a hole.
+fn plate() -> pinhole_apps_support::bodies::Body {
+    use pinhole_apps_support::bodies::{circle, prism};
+    // The corner of the square in a direction: the larger coordinate is 150.
+    let square = circle(32, |i| {
+        let (sin, cos) = (std::f64::consts::TAU * i as f64 / 32.0).sin_cos();
+        150.0 / sin.abs().max(cos.abs())
+    });
+    prism(&square, &circle(32, |_| 60.0), 20.0)
+}
+
+/// The pixels of a PNG file.
+fn pixels(png: &[u8]) -> Vec<[u8; 3]> {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().expect("a PNG");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
+    let info = reader.next_frame(&mut bytes).expect("a picture");
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    bytes.truncate(info.buffer_size());
+    bytes.as_chunks().0.to_vec()
+}
+
+/// Follows the README's steps 5 and 6: each line of its table is in the template, once, and is set to another chip and display.
+/// The image is then linked for these.
+fn is_set_as_the_readme_says(folder: &Folder, target: &str) {
+    let readme = read("README.md");
+    let (_, section) = readme.split_once(FIRMWARE).expect("the steps");
+    let cell = |text: &str| text.trim().trim_matches('`').to_string();
+    let lines: Vec<[String; 2]> = section
+        .lines()
+        .map_while(|line| (!line.starts_with("## ")).then_some(line.trim()))
+        .filter(|line| line.starts_with("| `"))
+        .map(|line| {
+            line.split('|')
+                .skip(1)
+                .take(2)
+                .map(cell)
+                .collect::<Vec<_>>()
+                .try_into()
+                .expect("a file and a line")
+        })
+        .collect();
+    // An nRF51822, as it is in data sheets, and a display of 128 x 160 pixels.
+    let chip = [
+        format!("target = \"{target}\""),
+        "runner = \"probe-rs run --chip nRF51822_xxAB\"".into(),
+        "FLASH : ORIGIN = 0x00000000, LENGTH = 128K".into(),
+        "RAM   : ORIGIN = 0x20000000, LENGTH = 16K".into(),
+        "const MEGAHERTZ: u32 = 64;".into(),
+        "pub const SIZE: Size = Size::new(128, 160);".into(),
+    ];
+    assert_eq!(lines.len(), chip.len(), "{lines:?}");
+    for ([file, line], new) in lines.iter().zip(&chip) {
+        let file = folder.path.join("firmware").join(file);
+        let text = fs::read_to_string(&file).expect("a file of the template");
+        let found = text.matches(line.as_str()).count();
+        // The line of a chip is there for every core of its kind.
+        assert!(
+            if line.starts_with("runner") { found >= 1 } else { found == 1 },
+            "{}: {line}",
+            file.display()
+        );
+        let word = line.split(['=', ':']).next();
+        assert_eq!(word, new.split(['=', ':']).next(), "it sets what the README names");
+        fs::write(&file, text.replace(line.as_str(), new)).expect("a file of the template");
+    }
+    // Step 6: a driver, here one that counts pixels.
+    let display = folder.path.join("firmware/src/display.rs");
+    let text = fs::read_to_string(&display).expect("display.rs");
+    let stand_in = "pixels.into_iter().for_each(|pixel| _ = black_box(pixel));";
+    assert_eq!(text.matches(stand_in).count(), 1);
+    fs::write(&display, text.replace(stand_in, "black_box(pixels.into_iter().count());"))
+        .expect("display.rs");
+
+    folder.shell("cd firmware\ncargo build --release", &[("CARGO_BUILD_TARGET", target)]);
+    let symbols = symbols(target);
+    let address = |name: &str| -> u64 {
+        let line = symbols.lines().find(|line| line.split_whitespace().last() == Some(name));
+        let line = line.unwrap_or_else(|| panic!("no {name}: {symbols}"));
+        u64::from_str_radix(line.split_whitespace().next().unwrap_or(""), 16).expect("an address")
+    };
+    assert!(address("Reset") < 128 << 10, "in the chip's flash");
+    assert_eq!(address("_stack_start"), 0x2000_0000 + (16 << 10), "the end of its RAM");
+}
+
+/// The symbols of the firmware's image, one a line.
+fn symbols(target: &str) -> String {
     let image = cross_folder().join(target).join("release/any-cortex-m");
     let nm = Command::new("bash")
         .args(["tools/cross", "bash", "-c", "\"$NM\" \"$1\"", "nm"])
@@ -81,17 +213,7 @@ fn links_firmware(target: &str, entry: &str) {
         .current_dir(ROOT)
         .output()
         .expect("bash");
-    let symbols = String::from_utf8_lossy(&nm.stdout).into_owned();
-    let names: Vec<&str> = symbols.lines().filter_map(|line| line.split_whitespace().last()).collect();
-    assert!(names.contains(&entry) && names.iter().any(|name| name.contains("depth_tested")), "{symbols}");
-    let unwanted = |name: &&str| is_float_routine(name) || name.contains("core3fmt");
-    assert_eq!(names.into_iter().filter(unwanted).collect::<Vec<_>>(), [""; 0], "{target}");
-    // The preview is the same for all targets: the README's first picture, which has the gear of the template.
-    if target == "thumbv6m-none-eabi" {
-        folder.shell(&format!("cd firmware\n{preview}"), &[]);
-        let drawn = fs::read(folder.path.join("target/render/model.png")).expect("the preview");
-        assert!(drawn == fs::read(Path::new(ROOT).join("docs/part.png")).expect("docs/part.png"));
-    }
+    String::from_utf8_lossy(&nm.stdout).into_owned()
 }
 
 /// Whether the two boards' templates have the files that they share with the first one, word by word.

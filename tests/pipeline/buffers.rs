@@ -2,7 +2,9 @@
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
-use pinhole::{mesh_buffers, strip_buffers, BinError, Camera, Cull, Mesh, Viewport};
+use pinhole::{
+    mesh_buffers, strip_buffers, BinError, Camera, Cull, Mesh, MeshBuffers, Object, Scene, Viewport,
+};
 use pinhole::{Affine, Angle, Frame};
 
 const VERTICES: [[i16; 3]; 3] = [[-9, -9, 0], [9, -9, 0], [0, 9, 0]];
@@ -66,4 +68,23 @@ fn strips_have_room_for_their_rows_and_no_more() {
     assert_eq!(strip.depths.len(), 13 * 5);
     const WIDTH: usize = 240; // a length of any integer type
     assert_eq!(strip_buffers!(Rgb565, WIDTH, 8, no depth).colors.len(), 3840);
+}
+
+/// The objects of a scene are binned at the same time: each has its own part of both buffers.
+#[test]
+fn a_scene_has_room_for_all_its_objects_and_no_more() {
+    const OBJECTS: usize = 3;
+    let mut buffers = mesh_buffers!([FEW; OBJECTS], [MANY; 1]);
+    assert_eq!((buffers.cache.len(), buffers.bins.len()), (4 * 3, 3 * (16 + 1) + 17 + 2));
+    let mut scene = Scene::<(), 4>::new();
+    for mesh in [&FEW, &FEW, &FEW, &MANY] {
+        scene.add(Object::new(mesh, Affine::identity(), ()).with_cull(Cull::None)).expect("room for four");
+    }
+    let camera = camera();
+    let placed = scene.place(&camera);
+    assert_eq!((placed.cache_len(), placed.face_bins_len()), (buffers.cache.len(), buffers.bins.len()));
+    assert!(placed.bin_faces(&mut buffers.cache, &mut buffers.bins).is_ok());
+    assert!(placed.bin_faces(&mut buffers.cache, &mut buffers.bins[1..]).is_err());
+    static SCENE: MeshBuffers!([FEW; OBJECTS], [MANY; 1]) = mesh_buffers!([FEW; OBJECTS], [MANY; 1]);
+    assert_eq!(SCENE.cache.len(), mesh_buffers!([FEW; 4]).cache.len());
 }

@@ -112,8 +112,8 @@ fn in_bands<P: FacePlanes>(
     let mut picture = Picture::new(&mut pixels, area.size).expect("all pixels");
     while let Some(mut band) = frame.next_band(&mut strip).expect("a row") {
         let mut depth = DepthBuffer::new(band.area(), &mut depths).expect("a row");
-        let shade = |object: &Object<'_, usize, P>| {
-            let index = object.material;
+        let shade = |index: usize, object: &Object<'_, usize, P>| {
+            assert_eq!(index, object.material);
             move |face| number(index, face)
         };
         let Ok(()) = faces.depth_tested(shade, &mut depth, &mut band.pixels());
@@ -148,8 +148,8 @@ fn drawn_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
         let mut picture = Picture::new(&mut pixels, Size::new(WIDTH, HEIGHT)).expect("all pixels");
         let mut depth = DepthBuffer::new(rectangle(0, 0, WIDTH, HEIGHT), &mut depths).expect("all pixels");
         let mut asked = Vec::new();
-        let shade = |object: &Object<'_, usize, P>| {
-            let index = object.material;
+        let shade = |index: usize, object: &Object<'_, usize, P>| {
+            assert_eq!(index, object.material);
             asked.push(index);
             move |face| number(index, face)
         };
@@ -191,8 +191,8 @@ fn painted_scenes<P: FacePlanes>(meshes: &[Mesh<'_, i16, P>; 2]) {
             pixels
         };
         let (mut painter, mut hands) = (Box::new(Painter::new()), Box::new(Painter::new()));
-        let shade = |object: &Object<'_, usize, P>| {
-            let index = object.material;
+        let shade = |index: usize, object: &Object<'_, usize, P>| {
+            assert_eq!(index, object.material);
             move |face| number(index, face)
         };
         scene.place(&camera).paint(shade, &mut painter).expect("room for all faces");

@@ -25,14 +25,14 @@ impl Chart {
         self.picked = picked.map(|picked| picked.object);
     }
 
-    fn bars(&self) -> Scene<'static, usize, 12> {
+    fn bars(&self) -> Scene<'static, (), 12> {
         let mut bars = Scene::new();
         for (bar, &value) in self.values.iter().enumerate() {
             let (x, z) = (3 * (bar as i16 % 4) - 4, 3 * (bar as i16 / 4) - 3);
             let height = Scalar::from_num(value) / 24; // half of it, as the cube is 2 high
             let up = Vector3::new(x.into(), height, z.into());
             let model = Affine::scale_axes(Scalar::ONE, height, Scalar::ONE).translate(up);
-            bars.add(Object::new(&CUBE, model, bar)).expect("room for 12");
+            bars.add(Object::new(&CUBE, model, ())).expect("room for 12");
         }
         bars
     }
@@ -46,11 +46,10 @@ impl Chart {
 
     pub fn draw<D: DrawTarget<Color = Rgb565>>(&self, display: &mut D) -> Result<(), D::Error> {
         let mut strip = strip_buffers!(Rgb565, 240, 8);
-        let (mut cache, mut bins) =
-            ([ScreenVertex::EMPTY; 12 * CUBE.cache_len()], [0; 12 * CUBE.face_bins_len()]);
+        let mut buffers = mesh_buffers!([CUBE; 12]);
         let (scene, camera) = (self.bars(), self.camera());
         let placed = scene.place(&camera);
-        let mut bars = placed.bin_faces(&mut cache, &mut bins).expect("room for all bars");
+        let mut bars = placed.bin_faces(&mut buffers.cache, &mut buffers.bins).expect("room for all bars");
         let light = Lambert::new(&Affine::identity(), Vector3::from_ints(2, 4, 3), 120).expect("a direction");
         let mut text = heapless::String::<16>::new();
         if let Some(bar) = self.picked {
@@ -60,8 +59,8 @@ impl Chart {
         let mut frame = Frame::new(SCREEN, Rgb565::new(3, 6, 6));
         while let Some(mut band) = frame.next_band(&mut strip.colors).expect("room for a row") {
             let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).expect("room for a row");
-            let shade = |bar: &Object<'_, usize>| {
-                let picked = self.picked == Some(bar.material);
+            let shade = |bar: usize, _: &Object<'_, ()>| {
+                let picked = self.picked == Some(bar);
                 let color = if picked { Rgb565::CSS_ORANGE } else { Rgb565::CSS_LIGHT_STEEL_BLUE };
                 move |face: usize| color.dim(light.level(CUBE.normals()[face]))
             };

@@ -38,14 +38,13 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     (eye, heading): (Point3<World>, Angle),
     display: &mut D,
 ) -> Result<Statistics, D::Error> {
-    let (mut cache, mut bins) =
-        ([ScreenVertex::EMPTY; 50 * CUBE.cache_len()], [0; 50 * CUBE.face_bins_len()]);
+    let mut buffers = mesh_buffers!([CUBE; 50]);
     let mut strip = strip_buffers!(Rgb565, SIZE.width, 8);
     let gaze = Vector3::new(-heading.sin(), Scalar::ZERO, -heading.cos());
     let view = ViewTransform::look_along(eye, gaze, Vector3::from_ints(0, 1, 0)).expect("a level gaze");
     let viewport = Viewport::new(Point::zero(), SIZE).expect("a small display");
     let placed = town.place(&Camera::new(&view, &LENS, &viewport));
-    let mut houses = placed.bin_faces(&mut cache, &mut bins).expect("room for all houses");
+    let mut houses = placed.bin_faces(&mut buffers.cache, &mut buffers.bins).expect("room for all houses");
     // No house is turned, so one light serves all.
     let light = Lambert::new(&Affine::identity(), Vector3::from_ints(3, 4, 2), 130).expect("a direction");
 
@@ -55,7 +54,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
         let ground = Rectangle::new(Point::new(0, 120), Size::new(320, 120));
         let Ok(()) = band.fill_solid(&ground, Rgb565::new(11, 28, 10));
         let mut depth = DepthBuffer::new(band.area(), &mut strip.depths).expect("room for a row");
-        let shade = |house: &Object<'_, Rgb565>| {
+        let shade = |_, house: &Object<'_, Rgb565>| {
             let color = house.material;
             move |face: usize| color.dim(light.level(CUBE.normals()[face]))
         };

@@ -39,12 +39,12 @@ impl TransferCost {
 /// The rectangles of a target that a new frame changes: those drawn in the last frame, which have to be erased, and those drawn
 /// in this frame. It takes 16 bytes of memory per rectangle, and computes with integers only.
 ///
-/// In every frame, first [`mark`](Self::mark) the rectangle of each object that is drawn. Then [`take`](Self::take) the dirty
-/// rectangles and draw the background and the objects in each of them. Pixels outside do not change. Two marks are merged where
-/// the rectangle around both takes no more bytes to send than the two separately.
+/// In every frame, first [show](Tracked::show) each object by a [`Tracked`] of its own: what has not changed is not sent. Then
+/// [`take`](Self::take) the dirty rectangles and draw the background and the objects in each of them. Pixels outside do not change.
+/// Two rectangles are merged where the rectangle around both takes no more bytes to send than the two separately.
 ///
-/// An object at rest need not be marked. When it starts to move, mark both its old and its new rectangle. In the frame after it
-/// stops its rectangle is sent once more. [`Tracked`] does this for each object, and sends nothing while nothing changes.
+/// An object that changes in every frame can do without: [`mark`](Self::mark) the rectangle that it is drawn in. That is sent in
+/// the frame and once more in the next one, which erases it, whether anything has changed or not.
 ///
 /// `N` is the largest number of rectangles that are stored per frame, and the largest number returned by `take`. A moving
 /// object needs two, its old and its new rectangle; with a third, the corners of the enclosing rectangle that lie in neither
@@ -52,11 +52,33 @@ impl TransferCost {
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
-/// use pinhole::{DirtyRegions, TransferCost, PixelFormat};
+/// use pinhole::{DirtyRegions, PixelFormat, Tracked, TransferCost};
 /// let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
 /// let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::BITS, TransferCost::MIPI_DCS));
 /// let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
 ///
+/// let mut ball = Tracked::new();
+/// let sent = [20, 20, 24].map(|x| {
+///     ball.show((), at(x, 50), &mut dirty);
+///     dirty.take()
+/// });
+/// assert_eq!(sent[0], [screen]); // a new target shows anything
+/// assert_eq!(sent[1], []); // nothing has changed
+/// assert_eq!(sent[2], [Rectangle::new(Point::new(20, 50), Size::new(14, 10))]); // the old and the new rectangle
+/// ball.hide(&mut dirty);
+/// dirty.take();
+/// dirty.invalidate(); // for example after an error of the target
+/// assert_eq!(dirty.take(), [screen]);
+/// ```
+///
+/// Without [`Tracked`], each mark is sent twice:
+///
+/// ```
+/// # use embedded_graphics::{geometry::{Point, Size}, pixelcolor::Rgb565, primitives::Rectangle};
+/// # use pinhole::{DirtyRegions, TransferCost, PixelFormat};
+/// # let screen = Rectangle::new(Point::zero(), Size::new(240, 240));
+/// # let mut dirty = DirtyRegions::<4>::new(screen, TransferCost::new(Rgb565::BITS, TransferCost::MIPI_DCS));
+/// # let at = |x, y| Rectangle::new(Point::new(x, y), Size::new(10, 10));
 /// dirty.mark(at(20, 50));
 /// assert_eq!(dirty.take(), [screen]); // a new target shows anything
 /// dirty.mark(at(200, 50));
@@ -65,8 +87,6 @@ impl TransferCost {
 /// assert_eq!(dirty.take(), [Rectangle::new(Point::new(200, 50), Size::new(11, 10))]);
 /// assert_eq!(dirty.take(), [at(201, 50)]); // erased
 /// assert_eq!(dirty.take(), []);
-/// dirty.invalidate(); // for example after an error of the target
-/// assert_eq!(dirty.take(), [screen]);
 /// ```
 ///
 /// A frame, drawn in bands of its dirty rectangles:
@@ -74,14 +94,15 @@ impl TransferCost {
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
 /// use embedded_graphics::primitives::{Circle, PrimitiveStyle};
-/// use pinhole::{DirtyRegions, Frame, TransferCost, PixelFormat};
+/// use pinhole::{DirtyRegions, Frame, PixelFormat, Tracked, TransferCost};
 /// let mut display = MockDisplay::<Gray8>::new();
 /// display.set_allow_overdraw(true);
 /// let mut dirty = DirtyRegions::<4>::new(display.bounding_box(), TransferCost::new(Gray8::BITS, 11));
 /// let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+/// let mut tracked = Tracked::new();
 /// for x in [5, 9, 30] {
 ///     let ball = Circle::new(Point::new(x, 20), 12).into_styled(PrimitiveStyle::with_fill(Gray8::WHITE));
-///     dirty.mark(ball.bounding_box()); // for a mesh: `BinnedFaces::bounds`
+///     tracked.show((), ball.bounding_box(), &mut dirty); // for a mesh: `BinnedFaces::bounds`
 ///     for area in dirty.take() {
 ///         let mut frame = Frame::new(area, Gray8::BLACK);
 ///         while let Some(mut band) = frame.next_band(&mut strip)? {
@@ -161,7 +182,8 @@ impl<const N: usize> DirtyRegions<N> {
         self.area
     }
 
-    /// Marks a rectangle that this frame draws; parts outside the area are ignored.
+    /// Marks a rectangle that this frame draws, and that the next frame erases: it is sent in both, also where the picture in it
+    /// stays as it is. [`Tracked`] sends it only when it changes. Parts outside the area are ignored.
     pub fn mark(&mut self, rectangle: Rectangle) {
         let bytes = self.transfer_bytes();
         if let Some(cells) = self.cells(&rectangle) {

@@ -366,7 +366,7 @@ fn change<'m, P: FacePlanes>(
         2 => *scene = pinhole::Scene::default(),
         _ => scene.objects_mut().iter_mut().for_each(|object| object.model = *model),
     }
-    black_box(scene.objects());
+    black_box((scene.objects(), scene.bounding_sphere()));
 }
 
 type SceneStorage<'s> = (&'s mut [ScreenVertex], &'s mut [u16], &'s mut [u16]);
@@ -401,9 +401,9 @@ fn draw_scene<P: FacePlanes>(
     target: &mut Wire<Rgb565>,
 ) {
     let placed = scene.place(camera);
-    let shade = |object: &Object<'_, Rgb565, P>| {
+    let shade = |index: usize, object: &Object<'_, Rgb565, P>| {
         let color = object.material;
-        move |face: usize| color.dim(face as u16)
+        move |face: usize| color.dim((face + index) as u16)
     };
     black_box((
         placed.len(),

@@ -162,6 +162,8 @@ entries! {
     entry_frustum_visibility(frustum: &Frustum, s: &Sphere, a: &Affine<Model, World>) -> Visibility { frustum.visibility(s, a) }
     entry_bounding_sphere(mesh: &Mesh<'static>) -> Sphere { mesh.bounding_sphere() }
     entry_wide_bounding_sphere(mesh: &Mesh<'static, Scalar>) -> Sphere { mesh.bounding_sphere() }
+    entry_sphere_around(spheres: &[Sphere]) -> Sphere { Sphere::around(spheres.iter().copied().chain([Sphere::new(Point3::from_ints(1, 2, 3), Scalar::from_bits(any()))])) }
+    entry_sphere_transformed(s: &Sphere, a: &Affine<Model, World>) -> Sphere { s.transformed(a) }
     entry_outcode(p: &ClipPoint) -> Outcode { p.outcode() }
     entry_clip_line(a: ClipPoint, b: ClipPoint) -> Option<(ClipPoint, ClipPoint)> { clip::line(a, b) }
     entry_clip_triangle(corners: [clip::ClipVertex<3>; 3]) -> usize { core::hint::black_box(clip::triangle(corners)).len() }
