@@ -6,9 +6,8 @@ use crate::page::{number, Page};
 const BEGIN: &str = "<!-- table: cargo run --release -p pinhole-pages -->\n";
 const END: &str = "<!-- end of table -->\n";
 
-/// Memory of other libraries for the torus with depth: measured once, with the targets of `tools/bench/targets.txt`.
-const CODE: &str = "small3dlib 6 KB, tgx 31 to 45 KB";
-const RAM: &str = "tgx 230 KB, small3dlib 345 KB";
+/// Memory of other libraries for the torus with depth: its header says how it was measured.
+const PEERS: &str = "tools/bench/peers.txt";
 
 pub(crate) fn with_table() -> Result<String, String> {
     let readme = super::read("README.md")?;
@@ -65,14 +64,53 @@ fn speed(lines: &mut Vec<String>) -> Result<(), String> {
 }
 
 fn memory(lines: &mut Vec<String>) -> Result<(), String> {
+    let peers = Peer::all()?;
+    let others = |bytes: fn(&Peer) -> u64| {
+        let mut all: Vec<&Peer> = peers.iter().collect();
+        all.sort_by_key(|peer| bytes(peer));
+        let one = |peer: &&Peer| format!("{} {} KB", peer.library, (bytes(peer) + 500) / 1000);
+        all.iter().map(one).collect::<Vec<_>>().join(", ")
+    };
     let bands = Page::read("docs/bands.md")?;
     let ram = bands.row("RAM", &["S3"])?.get("together")?;
     lines.push(format!(
-        "| RAM for that frame in bands, with the stack, in bytes | {ram} | a whole frame: {RAM} |"
+        "| RAM for that frame in bands, with the stack, in bytes | {ram} | a whole frame: {} |",
+        others(|peer| peer.depth + peer.frame)
     ));
     let speed = Page::read("docs/speed.md")?;
     let torus = speed.row("Memory", &["S3", "z"])?;
     let code = number(torus.get("flash")?)? - number(torus.get("of that, data")?)?;
-    lines.push(format!("| code for that frame, not in bands, in bytes | {} | {CODE} |", grouped(code)));
+    lines.push(format!(
+        "| code for that frame, not in bands, in bytes | {} | {} |",
+        grouped(code),
+        others(|peer| peer.code)
+    ));
     Ok(())
+}
+
+/// A library's memory, in bytes.
+struct Peer {
+    library: String,
+    code: u64,
+    depth: u64,
+    frame: u64,
+}
+
+impl Peer {
+    fn all() -> Result<Vec<Self>, String> {
+        let text = super::read(PEERS)?;
+        let peer = |line: &str| {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let unread = || format!("{PEERS}: {line}: is not a library and its code, depth and frame");
+            let [library, code, depth, frame] = words[..] else { return Err(unread()) };
+            let bytes = |word: &str| word.parse::<u64>().map_err(|_| unread());
+            Ok(Self {
+                library: library.into(),
+                code: bytes(code)?,
+                depth: bytes(depth)?,
+                frame: bytes(frame)?,
+            })
+        };
+        text.lines().filter(|line| !line.starts_with('#')).map(peer).collect()
+    }
 }

@@ -2,11 +2,9 @@
 
 use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_graphics_core::prelude::*;
-use pinhole::*;
+use pinhole::{prelude::*, Angle};
 
 include!(concat!(env!("OUT_DIR"), "/block.rs"));
-
-const FACES: usize = BLOCK.faces().len();
 
 /// Draws the block as seen from (3, 2, 4), two units long about the origin.
 pub(crate) fn draw<D: DrawTarget<Color = Gray8>>(display: &mut D) -> Result<(), D::Error> {
@@ -19,10 +17,10 @@ pub(crate) fn draw<D: DrawTarget<Color = Gray8>>(display: &mut D) -> Result<(), 
     let model = Affine::identity();
     let light = Lambert::new(&model, Vector3::from_ints(2, 4, 1), 40).expect("a direction");
 
-    let mut corners = [ScreenVertex::EMPTY; BLOCK.vertices().len()];
-    let mut bin_storage = [0; FACES + FACES.div_ceil(16)];
+    let mut buffers = mesh_buffers!(BLOCK);
     let instance = Camera::new(&view, &lens, &viewport).place(&BLOCK, &model);
-    let mut faces = instance.transform(&mut corners).bin_faces(&mut bin_storage).expect("room for the faces");
+    let faces = instance.transform(&mut buffers.cache).bin_faces(&mut buffers.bins);
+    let mut faces = faces.expect("room for the faces");
     let level = |face: usize| BLOCK.normals().get(face).map_or(0, |&normal| light.level(normal));
     faces.solid(|face| Gray8::new((level(face) * 255 / 256) as u8), display).map(|_| ())
 }
