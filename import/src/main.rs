@@ -50,7 +50,10 @@ fn command() -> Command {
         .arg(
             choice("edges", &["all", "feature", "none"])
                 .default_value("all")
-                .help("Which edges: all, feature (creases and borders only), or none"),
+                .help(
+                    "Which edges: all of all triangles; feature, those where the surface turns by more than --feature-angle, \
+                     or ends, so that flat faces have no diagonals; or none",
+                ),
         )
         .arg(
             number("feature-angle")

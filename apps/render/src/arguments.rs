@@ -4,6 +4,7 @@ use crate::paint::Mode;
 use crate::picture::Format;
 use crate::projections::Named;
 use crate::{firmware, import};
+use clap::builder::PossibleValuesParser;
 use clap::{value_parser, Arg, ArgAction, Command};
 use std::path::PathBuf;
 
@@ -36,11 +37,13 @@ frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
 /// What the template's code decides, and other outputs.
-const NOT_IN_FIRMWARE: [&str; 14] = [
+const NOT_IN_FIRMWARE: [&str; 16] = [
     "ascii",
     "background",
     "colour",
     "depth",
+    "edges",
+    "feature-angle",
     "format",
     "fov",
     "frame",
@@ -96,6 +99,18 @@ pub(crate) fn command() -> Command {
             "MODE",
             format!("{modes} [default: solid: smooth shading, except over sharp edges]"),
         ))
+        .arg(
+            text(
+                "edges",
+                "EDGES",
+                "Lines to draw: all edges of all triangles, or feature, those where the surface turns by more than \
+                 --feature-angle, or ends [default: all; in hidden-line those where it turns by more than 1 degree, so that flat \
+                 faces show no diagonals]"
+                    .into(),
+            )
+            .value_parser(PossibleValuesParser::new(["all", "feature"])),
+        )
+        .arg(angle("feature-angle", "How far the surface turns at a feature edge, 0 to 180 [default: 30]"))
         .arg(
             text(
                 "colour",

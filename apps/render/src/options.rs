@@ -26,6 +26,8 @@ pub(crate) struct Options {
     pub(crate) ascii: Option<Characters>,
     pub(crate) style: Style,
     pub(crate) format: Format,
+    /// The degrees by which the surface turns at an edge that is drawn, at least; `None` draws all edges.
+    pub(crate) least_turn: Option<f64>,
     pub(crate) stats: bool,
     /// How the model is imported.
     pub(crate) import: pinhole_import::Options,
@@ -52,6 +54,7 @@ pub(crate) fn read() -> Result<Options, String> {
     let painted = ["colour", "background", "format"].into_iter().find(|name| given.contains_id(name));
     let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
     let (style, format) = style(&mut given)?;
+    let least_turn = edges(&given, style.mode)?;
     let import = import::options(&given);
     let firmware: Option<u32> = given.get_one("firmware").copied();
     if firmware.is_some() && !import::is_model(&scene) {
@@ -96,6 +99,7 @@ pub(crate) fn read() -> Result<Options, String> {
         ascii,
         style,
         format,
+        least_turn,
         stats,
         import,
         look,
@@ -131,6 +135,28 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
     let (colour, background) = (colour("colour")?, colour("background")?);
     let dither = format.wants_dither() && !given.get_flag("no-dither");
     Ok((style::chosen(mode, format, colour, background, dither), format))
+}
+
+/// The edges that a mode of lines draws.
+fn edges(given: &ArgMatches, mode: Mode) -> Result<Option<f64>, String> {
+    let angle = given.get_one::<f64>("feature-angle").copied();
+    let edges = given.get_one::<String>("edges").map(String::as_str);
+    if let Some(name) =
+        ["edges", "feature-angle"].into_iter().find(|name| given.contains_id(name) && !mode.of_lines())
+    {
+        return Err(format!("--{name}: needs --mode wireframe or hidden-line"));
+    }
+    if edges == Some("all") && angle.is_some() {
+        return Err("--feature-angle: is that of --edges feature".into());
+    }
+    if let Some(angle) = angle.filter(|angle| !(0.0..=180.0).contains(angle)) {
+        return Err(format!("--feature-angle: {angle} is not from 0 to 180"));
+    }
+    Ok(match edges {
+        Some("all") => None,
+        Some(_) => angle.or(Some(30.0)),
+        None => angle.or(mode.least_turn()),
+    })
 }
 
 /// The options of the camera, which are for meshes alone.

@@ -43,6 +43,15 @@ impl Mode {
         matches!(self, Self::Wireframe | Self::HiddenLine)
     }
 
+    /// The degrees by which the surface turns at an edge that is drawn, at least; `None` draws all edges. Where hidden lines are
+    /// left out, the diagonals of flat faces are, too: they are edges of the triangles, not of the model.
+    pub const fn least_turn(self) -> Option<f64> {
+        match self {
+            Self::HiddenLine => Some(1.0),
+            _ => None,
+        }
+    }
+
     /// The crease angle in degrees, up to which shading is smooth.
     fn crease(self) -> f64 {
         match self {
@@ -72,11 +81,17 @@ pub struct Subject {
 }
 
 impl Subject {
+    /// The data that a mode needs, with the edges that are usual in it.
     pub fn new(scene: &Scene, mode: Mode) -> Self {
+        Self::with_edges(scene, mode, mode.least_turn())
+    }
+
+    /// As [`Subject::new`], with the edges at which the surface turns by more than some degrees, or ends, or with all.
+    pub fn with_edges(scene: &Scene, mode: Mode, degrees: Option<f64>) -> Self {
         let mut parts = parts(&scene.vertices, &scene.triangles);
         let mut normals = Vec::new();
         if mode.of_lines() {
-            parts.iter_mut().for_each(Part::find_edges);
+            parts.iter_mut().for_each(|part| part.find_edges(&scene.vertices, degrees));
         } else {
             normals = normals::corners(&scene.vertices, &scene.triangles, mode.crease());
         }

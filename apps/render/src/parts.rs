@@ -51,7 +51,24 @@ pub fn parts(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Vec<Part> {
 }
 
 impl Part {
-    pub fn find_edges(&mut self) {
+    /// Finds the edges at which the surface turns by more than some degrees, or ends, or all: the diagonals of flat faces turn
+    /// by nothing. `all` are the mesh's vertices.
+    pub fn find_edges(&mut self, all: &[[f64; 3]], degrees: Option<f64>) {
+        let at = |vertex: u16| all[self.indices[usize::from(vertex) - 1]]; // the first one is no face's
+        let normal = |face: u16| {
+            let [a, b, c] = self.faces[usize::from(face)].map(at);
+            let ([ax, ay, az], [bx, by, bz]) =
+                ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+            [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+        };
+        let turns = |faces: &[u16]| {
+            let (&[a, b], Some(degrees)) = (faces, degrees) else { return true };
+            let (n, m) = (normal(a), normal(b));
+            let dot: f64 = (0..3).map(|i| n[i] * m[i]).sum();
+            let cross = [n[1] * m[2] - n[2] * m[1], n[2] * m[0] - n[0] * m[2], n[0] * m[1] - n[1] * m[0]];
+            let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
+            sine.atan2(dot).to_degrees() > degrees
+        };
         let mut edges = BTreeMap::<[u16; 2], Vec<u16>>::new();
         for (number, &[a, b, c]) in self.faces.iter().enumerate() {
             for [a, b] in [[a, b], [b, c], [c, a]] {
@@ -60,7 +77,7 @@ impl Part {
             }
         }
         let pair = |faces: &[u16]| [0, 1].map(|i| faces.get(i).copied().unwrap_or(Mesh::<Scalar>::NO_FACE));
-        for (edge, faces) in edges {
+        for (edge, faces) in edges.into_iter().filter(|(_, faces)| turns(faces)) {
             for two in faces.chunks(2) {
                 self.edges.push(edge);
                 self.beside.push(pair(two));

@@ -47,8 +47,14 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             let look = &Look { up: model.up, ..*look };
             if let Some(path) = &options.gif {
                 let mesh = (&model.triangles, &model.colors[..]);
-                let film =
-                    turntable::gif(mesh, look, &options.style, options.format, options.frames.unwrap_or(36));
+                let film = turntable::gif(
+                    mesh,
+                    look,
+                    &options.style,
+                    options.format,
+                    options.least_turn,
+                    options.frames.unwrap_or(36),
+                );
                 outputs.push((path, film.map_err(named)?));
             }
             let triangles = std::mem::take(&mut model.triangles);
@@ -76,7 +82,7 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
         }
         statistics = Some(solid.statistics);
     }
-    let subject = LazyCell::new(|| Subject::new(&used, options.style.mode));
+    let subject = LazyCell::new(|| Subject::with_edges(&used, options.style.mode, options.least_turn));
     let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);
     if let Some(path) = &options.png {
         let (pixels, drawn) = picture().map_err(named)?;

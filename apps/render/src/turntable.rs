@@ -19,6 +19,7 @@ pub(crate) fn gif(
     look: &Look,
     style: &Style,
     format: Format,
+    least_turn: Option<f64>,
     frames: u32,
 ) -> Result<Vec<u8>, String> {
     let mut pictures = Vec::new();
@@ -30,7 +31,7 @@ pub(crate) fn gif(
         let fit = if look.fit == Fit::Outline { Fit::Turn } else { look.fit };
         let look = Look { yaw, fit, ..*look };
         let (quantised, used) = Quantised::settle(&model::scene(mesh.clone(), colors.to_vec(), &look)?)?;
-        let subject = subject.get_or_insert_with(|| Subject::new(&used, style.mode));
+        let subject = subject.get_or_insert_with(|| Subject::with_edges(&used, style.mode, least_turn));
         pictures.push(picture(subject, (&used, &quantised), style, format)?.0);
     }
     film(Size::new(look.width, look.height), &pictures)

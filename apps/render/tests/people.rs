@@ -413,6 +413,19 @@ fn modes_are_what_they_say() {
     assert!(wire.iter().zip(&less).all(|(wire, less)| *wire || !less));
     let count = |drawn: &[bool]| drawn.iter().filter(|d| **d).count();
     assert!(count(&less) < count(&wire) * 3 / 4 && count(&less) > count(&wire) / 4);
+    // Of a cube's edges no mode of lines but the wireframe has the six diagonals, unless it is asked for all; its sides meet at 90
+    // degrees.
+    let edges = |mode: &str, options: &[&str]| -> u32 {
+        let done = RENDER.run(&[&[text(&cube), "--mode", mode, "--stats"], options].concat());
+        assert!(done.status.success(), "{done:?}");
+        let said = String::from_utf8(done.stdout).unwrap();
+        said.split("; of ").nth(1).and_then(|rest| rest.split(' ').next()?.parse().ok()).expect("a count")
+    };
+    assert_eq!([edges("wireframe", &[]), edges("hidden-line", &[])], [18, 12]);
+    assert_eq!(edges("hidden-line", &["--edges", "all"]), 18);
+    assert_eq!(edges("wireframe", &["--edges", "feature"]), 12);
+    assert_eq!(edges("wireframe", &["--feature-angle", "89"]), 12);
+    assert_eq!(edges("hidden-line", &["--edges", "feature", "--feature-angle", "91"]), 0);
     // The lines lie inside the outline, or outside by half a line's width: half a pixel.
     let [a, b] = [flat.drawn(), less].map(|drawn| extent(&drawn, 100));
     assert!(a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| a.abs_diff(*b) <= 1), "{a:?} {b:?}");
@@ -428,13 +441,14 @@ fn lines_of_large_meshes_are_all_there() {
     let grid: String = vertices.chain(faces).collect();
     let file = write(&RENDER.folder("people", "grid"), "grid.obj", grid);
     for mode in ["wireframe", "hidden-line"] {
-        let front = ["--projection", "front", "--frame", "outline", "--size", "80x80"];
+        let front = ["--projection", "front", "--frame", "outline", "--size", "80x80", "--edges", "all"];
         let picture = Picture::of(mode, &file, &[&front[..], &["--mode", mode]].concat());
         // 92 of 100 columns and rows, and each of their pixels has an edge.
         let drawn = picture.drawn().iter().filter(|drawn| **drawn).count();
         assert!(drawn.abs_diff(80 * 80 * 92 * 92 / 10_000) < 160, "{mode}: {drawn}");
         // 45 000 triangles are three times 21 845 at most; an edge where two parts meet is in both.
-        let done = RENDER.run(&[text(&file), "--projection", "front", "--mode", mode, "--stats"]);
+        let done =
+            RENDER.run(&[text(&file), "--projection", "front", "--mode", mode, "--edges", "all", "--stats"]);
         let said = String::from_utf8(done.stdout).unwrap();
         assert!(said.contains(" edges (in 3 parts; edges between parts count twice) "), "{said}");
     }
@@ -597,6 +611,13 @@ fn messages_for_bad_options_name_the_alternatives() {
         (&["--frames", "12"], &["--frames: ", "--gif"]),
         (&["--gif", gif, "--frames", "1"], &["--frames", "2..=360"]),
         (&["--gif", gif, "--png", gif], &["--gif: names the same file as --png"]),
+        (&["--edges", "some"], &["--edges", "all, feature"]),
+        (&["--edges", "feature"], &["--edges: needs --mode wireframe or hidden-line"]),
+        (
+            &["--mode", "wireframe", "--edges", "all", "--feature-angle", "9"],
+            &["--feature-angle: is that of"],
+        ),
+        (&["--mode", "wireframe", "--feature-angle", "200"], &["--feature-angle: 200 is not from 0 to 180"]),
         (&["--firmware=120"], &["--firmware", "120 is not in 0..120"]),
         (&["--firmware", "--mode", "flat"], &["--firmware", "cannot be used with", "--mode"]),
         (&["--size", "640"], &["--size: 640", "320x240"]),

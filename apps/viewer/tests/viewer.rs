@@ -172,7 +172,8 @@ fn statistics_are_those_of_what_was_sent() {
         [s.drawn, s.culled, s.outside, s.degenerate].iter().sum::<u32>()
     };
     assert_eq!((faces("f"), faces("g"), faces("k")), (992, 992, 992));
-    assert_eq!((faces("w"), faces("l")), (1520, 1520));
+    // At 391 of its edges the surface turns by at most a degree, by the vertices of assets/teapot.obj: hidden lines leave these out.
+    assert_eq!((faces("w"), faces("l")), (1520, 1520 - 391));
     assert_eq!(of("k").statistics.culled, 0);
     // Of a closed mesh about half the faces are turned away.
     let culled = of("").statistics.culled;
