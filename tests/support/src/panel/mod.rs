@@ -53,8 +53,16 @@ pub struct Controller {
     /// What came over the wire since the last [`count`](Self::count).
     bytes: usize,
     windows: usize,
+    /// The pixels of the last memory write.
+    filled: u32,
+    /// Whether the glass shows each color as its complement.
+    inverted: bool,
     /// Commands and pixels that the next command cut off, and that had no effect.
     pub cut_off: usize,
+    /// Windows that the next command found with fewer pixels than they have.
+    pub partly_filled: usize,
+    /// Pixels after the last one of a window: they begin it again.
+    pub overfilled: usize,
     pub errors: Vec<String>,
 }
 
@@ -80,7 +88,11 @@ impl Controller {
             on: false,
             bytes: 0,
             windows: 0,
+            filled: 0,
+            inverted: false,
             cut_off: 0,
+            partly_filled: 0,
+            overfilled: 0,
             errors: Vec::new(),
         }
     }
@@ -93,6 +105,32 @@ impl Controller {
     /// Bytes and windows (memory writes) since the last call.
     pub fn count(&mut self) -> (usize, usize) {
         (std::mem::take(&mut self.bytes), std::mem::take(&mut self.windows))
+    }
+
+    /// As after the reset line was low, and after the command SWRESET: the memory stays.
+    pub fn reset(&mut self) {
+        let memory = std::mem::take(&mut self.memory);
+        let errors = std::mem::take(&mut self.errors);
+        let Self { bytes, windows, cut_off, partly_filled, overfilled, bgr, .. } = *self;
+        let new = Self::new();
+        *self = Self { memory, bytes, windows, cut_off, partly_filled, overfilled, bgr, errors, ..new };
+    }
+
+    /// Whether the inversion of colors is switched on.
+    pub fn inverted(&self) -> bool {
+        self.inverted
+    }
+
+    /// The window, if the last byte has filled its last pixel: first and last column, first and last row.
+    pub fn completed(&self) -> Option<((u16, u16), (u16, u16))> {
+        let complete = self.state == State::Pixels(Vec::new()) && self.filled == self.window_pixels();
+        complete.then_some((self.columns, self.rows))
+    }
+
+    /// At most 240 times 320.
+    fn window_pixels(&self) -> u32 {
+        let length = |(from, to): (u16, u16)| u32::from(to - from) + 1;
+        length(self.columns) * length(self.rows)
     }
 
     fn wrong(&mut self, what: impl Into<String>) {
@@ -112,23 +150,25 @@ impl Controller {
     fn command(&mut self, command: u8) {
         match std::mem::replace(&mut self.state, State::Parameters(command, 0, Vec::new())) {
             State::Parameters(_, missing, _) => self.cut_off += usize::from(missing > 0),
-            State::Pixels(part) => self.cut_off += usize::from(!part.is_empty()),
+            State::Pixels(part) => {
+                self.cut_off += usize::from(!part.is_empty());
+                self.partly_filled += usize::from(self.filled < self.window_pixels());
+            }
         }
         let parameters = match command {
             0x01 => {
-                // Software reset; the memory stays.
-                let memory = std::mem::take(&mut self.memory);
-                let (bytes, windows, cut_off) = (self.bytes, self.windows, self.cut_off);
-                let errors = std::mem::take(&mut self.errors);
-                *self = Self { memory, bytes, windows, cut_off, errors, bgr: self.bgr, ..Self::new() };
+                self.reset();
                 0
             }
             0x11 => {
                 self.awake = true;
                 0
             }
-            0x13 => 0,        // normal mode
-            0x20 | 0x21 => 0, // inversion is the glass's matter
+            0x13 => 0, // normal mode
+            0x20 | 0x21 => {
+                self.inverted = command == 0x21;
+                0
+            }
             0x29 => {
                 self.on = true;
                 0
@@ -136,6 +176,7 @@ impl Controller {
             0x2a | 0x2b => 4,
             0x2c => {
                 self.windows += 1;
+                self.filled = 0;
                 self.cursor = (self.columns.0, self.rows.0);
                 if !(self.awake && self.on) {
                     self.wrong("pixels before the display is awake and on");
@@ -219,6 +260,8 @@ impl Controller {
 
     /// Writes where the cursor stands and moves it on, row by row through the window and round again.
     fn store(&mut self, pixel: u32) {
+        self.overfilled += usize::from(self.filled >= self.window_pixels());
+        self.filled = self.filled.saturating_add(1);
         let (column, row) = self.cursor;
         let has = |bit| self.access & bit != 0;
         let (mut x, mut y) = if has(EXCHANGE) { (row, column) } else { (column, row) };

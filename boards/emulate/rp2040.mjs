@@ -1,0 +1,131 @@
+// Runs an image on an emulated RP2040 and reports what its SPI bus and its pins do: see events.mjs.
+//
+//   node rp2040.mjs ROM IMAGE modules=FOLDER spi=0 select=17 command=20 watch=21 log=ADDRESS
+//
+// ROM and IMAGE are ELF files. `modules` is the folder with node_modules, `select` and `command` are the pins at the display's CS and D/C, `watch` other pins whose
+// changes are reported, separated by commas, and `log` the address of the image's RTT control block. rp2040js counts cycles
+// as the Cortex-M0+ does; flash is as fast as RAM, because misses of its cache are not modelled, nor is the second core.
+
+import { createRequire } from 'node:module';
+import { segments } from './elf.mjs';
+import { BYTE, LOG, PIN, TIME, WAITED, flush, report } from './events.mjs';
+import { crc32, FLASH } from './boot.mjs';
+
+const [rom, image, ...rest] = process.argv.slice(2);
+const options = Object.fromEntries(rest.map((option) => option.split('=')));
+const number = (name) => Number(options[name]);
+const { ConsoleLogger, GPIOPinState, LogLevel, RP2040 } = createRequire(`${options.modules}/`)('rp2040js');
+
+const mcu = new RP2040();
+mcu.logger = new ConsoleLogger(LogLevel.Error, true);
+const { clock, core } = mcu;
+
+function fail(problem) {
+  flush();
+  console.error(`${problem}, at ${core.PC.toString(16)} after ${(clock.nanos / 1e6).toFixed(3)} ms`);
+  process.exit(1);
+}
+
+// Boot ROM, flash, and what the chip's ROM asks of the second stage of booting.
+for (const { address, bytes } of segments(rom)) {
+  for (let i = 0; i + 3 < bytes.length; i += 4) mcu.bootrom[(address + i) / 4] = bytes.readUInt32LE(i);
+}
+mcu.reset();
+for (const { address, bytes } of segments(image)) mcu.flash.set(bytes, address - FLASH);
+if (crc32(mcu.flash.subarray(0, 252)) !== mcu.flashView.getUint32(252, true)) fail('no second stage of booting: its CRC is wrong');
+mcu.onBreak = (code) => {
+  const letters = String.fromCharCode(core.registers[1] & 0xff, core.registers[1] >> 8);
+  fail(code === 1 ? `boot.s has no function ${letters}` : code === 2 ? 'HardFault' : `breakpoint ${code}`);
+};
+
+// Levels of pins: not driven counts as high, as if pulled up.
+const levels = Array.from(mcu.gpio, () => true);
+const watched = (options.watch ?? '').split(',').filter(Boolean).map(Number);
+mcu.gpio.forEach((pin, index) =>
+  pin.addListener((state) => {
+    levels[index] = state !== GPIOPinState.Low;
+    if (watched.includes(index)) report(PIN, index | (levels[index] ? 0x80 : 0), clock.nanos);
+  }),
+);
+
+// The bus. A byte takes its bits' time; the display takes D/C at the last bit, and must be selected from the first one.
+const spi = mcu.spi[number('spi')];
+const [select, command] = [number('select'), number('command')];
+let shifted = 0;
+let unselected = false;
+const arrived = clock.createAlarm(() => {
+  const lines = (levels[command] ? 1 : 0) | (unselected || levels[select] ? 2 : 0);
+  if (spi.dataBits === 16) report(BYTE | lines, shifted >> 8, clock.nanos - spi.dataBits / 2 * 1e9 / spi.clockFrequency);
+  report(BYTE | lines, shifted & 0xff, clock.nanos);
+  spi.completeTransmit(0);
+});
+spi.onTransmit = (value) => {
+  const { control0, dataBits, clockFrequency } = spi;
+  // Mode 0 or 3: the display takes a bit when the clock rises.
+  if (((control0 >> 6) & 1) !== ((control0 >> 7) & 1)) fail('the SPI is neither in mode 0 nor in mode 3');
+  if (dataBits !== 8 && dataBits !== 16) fail(`an SPI frame of ${dataBits} bits`);
+  shifted = value;
+  unselected = levels[select];
+  arrived.schedule((dataBits * 1e9) / clockFrequency);
+};
+
+// Waiting: the core polls a status that says that SPI or DMA are busy, or it sleeps. Polls apart by more than a loop takes do
+// not belong together.
+const LOOP = 100;
+let [waited, polled] = [0, 0];
+function poll() {
+  if (clock.nanos - polled < LOOP * cycle) waited += clock.nanos - polled;
+  else if (waited > 0) reportWaiting();
+  polled = clock.nanos;
+}
+function reportWaiting() {
+  report(WAITED, 0, waited);
+  waited = 0;
+}
+const [BUSY, CHANNELS, CONTROL] = [1 << 24, 0x300, [0x0c, 0x10, 0x20, 0x30]];
+const readDma = mcu.dma.readUint32.bind(mcu.dma);
+mcu.dma.readUint32 = (offset) => {
+  const value = readDma(offset);
+  if (offset < CHANNELS && CONTROL.includes(offset & 0x3f) && value & BUSY) poll();
+  return value;
+};
+const [SSPSR, BSY] = [0x0c, 1 << 4];
+const readSpi = spi.readUint32.bind(spi);
+spi.readUint32 = (offset) => {
+  const value = readSpi(offset);
+  if (offset === SSPSR && value & BSY) poll();
+  return value;
+};
+
+// The log: what the image has put into the first channel of RTT is taken out.
+const rtt = number('log');
+const [BUFFER, SIZE, WRITTEN, READ] = [28, 32, 36, 40].map((offset) => rtt + offset);
+function takeLog() {
+  const [start, size, end] = [BUFFER, SIZE, WRITTEN].map((address) => mcu.readUint32(address));
+  let read = mcu.readUint32(READ);
+  // Before the image has copied the initial values, the block holds anything.
+  if (start < 0x20000000 || start + size > 0x20042000 || end >= size || read >= size) return;
+  for (; read !== end; read = (read + 1) % size) report(LOG, mcu.readUint8(start + read), clock.nanos);
+  mcu.writeUint32(READ, end);
+}
+
+const INTERVAL = 100_000;
+let cycle = 8;
+for (let next = INTERVAL; ; ) {
+  for (let i = 0; i < 1000; i++) {
+    if (core.waiting) {
+      const sleep = clock.nanosToNextAlarm;
+      if (sleep <= 0 && !clock.nextAlarm) fail('the core sleeps, and nothing would wake it');
+      waited += sleep;
+      clock.tick(sleep);
+    } else {
+      clock.tick(core.executeInstruction() * cycle);
+    }
+  }
+  cycle = 1e9 / mcu.clkSys;
+  if (clock.nanos >= next) {
+    if (Number.isFinite(rtt)) takeLog();
+    report(TIME, 0, clock.nanos);
+    next = clock.nanos + INTERVAL;
+  }
+}

@@ -1,0 +1,68 @@
+//! The boards that are emulated. A new one is a file here, which draws its pictures on the host, and a row of [`BOARDS`].
+
+mod rp2040_st7789;
+
+use std::path::Path;
+use support::panel::Held;
+
+/// A firmware of `boards`, and what is soldered to its microcontroller.
+pub(crate) struct Board {
+    /// Its folder in `boards`.
+    pub(crate) name: &'static str,
+    pub(crate) chip: Chip,
+    pub(crate) display: Display,
+    /// Frames of a turn, after which pictures repeat.
+    pub(crate) frames: u32,
+    pub(crate) pictures: MakePictures,
+}
+
+/// The microcontroller and its wires to the display, by the numbers of pins.
+pub(crate) enum Chip {
+    Rp2040 { spi: u8, select: u8, command: u8, reset: u8 },
+}
+
+impl Chip {
+    pub(crate) fn reset(&self) -> u8 {
+        match *self {
+            Self::Rp2040 { reset, .. } => reset,
+        }
+    }
+}
+
+/// A display controller behind a glass.
+pub(crate) struct Display {
+    pub(crate) width: u16,
+    pub(crate) height: u16,
+    pub(crate) held: Held,
+    /// Whether the glass has blue where others have red.
+    pub(crate) bgr: bool,
+    /// Whether the glass shows right colors only with inversion on.
+    pub(crate) inverted: bool,
+    /// The shortest bit on the bus, in nanoseconds.
+    pub(crate) bit: u64,
+}
+
+/// The pixels of a frame of the turn as the display's memory stores them, row by row.
+pub(crate) type Pictures = Box<dyn FnMut(u32) -> Result<Vec<u32>, String>>;
+/// From the model that the board draws.
+pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
+
+pub(crate) const BOARDS: &[Board] = &[Board {
+    name: "rp2040-st7789",
+    chip: Chip::Rp2040 { spi: 0, select: 17, command: 20, reset: 21 },
+    display: Display {
+        width: 240,
+        height: 240,
+        held: Held::Upright,
+        bgr: false,
+        inverted: true,
+        bit: 16, // the data sheet's limit
+    },
+    frames: 120,
+    pictures: rp2040_st7789::pictures,
+}];
+
+/// Imports a board's model as its build script does.
+fn import(model: &Path, options: &pinhole_import::Options) -> Result<pinhole_import::ImportedMesh, String> {
+    pinhole_import::import(model, options).map_err(|error| error.to_string())
+}

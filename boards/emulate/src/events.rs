@@ -1,0 +1,75 @@
+//! What an emulator reports: the records that `events.mjs` and `events.py` write.
+
+use std::io::{self, Read};
+
+/// Something that happened on the board, and when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Event {
+    /// Nanoseconds since power on.
+    pub(crate) time: u64,
+    pub(crate) what: What,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum What {
+    /// A byte on the bus has ended: the D/C line at its last bit, and whether the display was selected all the time.
+    Byte { byte: u8, data: bool, selected: bool },
+    /// A watched pin has changed.
+    Pin { number: u8, high: bool },
+    /// A byte of the log.
+    Log(u8),
+    /// The core has waited this many nanoseconds for the bus.
+    Waited(u64),
+    /// Time passes.
+    Time,
+}
+
+impl Event {
+    /// The next one, or none if the emulator has ended.
+    pub(crate) fn read(from: &mut impl Read) -> io::Result<Option<Self>> {
+        let mut record = [0; 8];
+        match from.read_exact(&mut record) {
+            Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => return Ok(None),
+            result => result?,
+        }
+        let [value, kind, time @ ..] = record;
+        let [a, b, c, d, e, f] = time;
+        let time = u64::from_le_bytes([a, b, c, d, e, f, 0, 0]);
+        let (time, what) = match kind {
+            0x00..=0x03 => {
+                (time, What::Byte { byte: value, data: kind & 1 != 0, selected: kind & 2 == 0 })
+            }
+            0x10 => (time, What::Pin { number: value & 0x7f, high: value & 0x80 != 0 }),
+            0x20 => (time, What::Log(value)),
+            0x30 => (0, What::Waited(time)),
+            0x40 => (time, What::Time),
+            _ => return Err(io::Error::other(format!("the emulator's output is damaged: kind {kind:#04x}"))),
+        };
+        Ok(Some(Self { time, what }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn records_are_read_in_their_order() {
+        let records = [
+            [0xab, 1, 0x01, 0x02, 0, 0, 0, 0],
+            [0x11, 2, 0, 0, 0, 0, 0, 0x80],
+            [0x95, 0x10, 5, 0, 0, 0, 0, 0],
+            [7, 0x30, 9, 0, 0, 0, 0, 0],
+        ];
+        let mut input = records.as_flattened();
+        let mut read = || Event::read(&mut input).expect("records").expect("one more");
+        let byte = What::Byte { byte: 0xab, data: true, selected: true };
+        assert_eq!(read(), Event { time: 0x201, what: byte });
+        let byte = What::Byte { byte: 0x11, data: false, selected: false };
+        assert_eq!(read(), Event { time: 0x8000_0000_0000, what: byte });
+        assert_eq!(read(), Event { time: 5, what: What::Pin { number: 0x15, high: true } });
+        assert_eq!(read(), Event { time: 0, what: What::Waited(9) });
+        assert_eq!(Event::read(&mut input).expect("an end"), None);
+        assert!(Event::read(&mut &[0, 0x55, 0, 0, 0, 0, 0, 0][..]).is_err());
+    }
+}

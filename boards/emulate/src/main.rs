@@ -1,0 +1,158 @@
+//! Runs a board's firmware on an emulated microcontroller, and compares every frame that reaches its display with the host's
+//! drawing of the same scene, over a whole turn. `boards/emulate/run` calls it, with what it needs:
+//!
+//! ```text
+//! boards/emulate/run rp2040-st7789 IMAGE
+//! ```
+//!
+//! An emulator (`rp2040.mjs`, `stm32f411.py`) reports the bytes on the bus, the pins, the log and the time; the display is a
+//! model of its controller, which this program shares with the tests of the library (`tests/support/src/panel`). The first byte
+//! that a real display would not have taken ends the run with an error.
+
+mod boards;
+mod events;
+mod log;
+mod timing;
+mod watch;
+
+use boards::{Board, Chip, BOARDS};
+use clap::{value_parser, Arg, Command};
+use events::{Event, What};
+use pinhole_apps_support::command::{matches, run, say};
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+use std::process::{self, ExitCode, Stdio};
+use watch::{Frame, Watch};
+
+/// The longest time for which no frame may end, in nanoseconds.
+const PATIENCE: u64 = 2_000_000_000;
+
+fn main() -> ExitCode {
+    run(|| {
+        let mut given = matches(arguments())?;
+        let name: String = given.remove_one("board").ok_or("no board")?;
+        let image: PathBuf = given.remove_one("image").ok_or("no image")?;
+        let tools: PathBuf = given.remove_one("tools").ok_or("no tools")?;
+        let frames: Option<u32> = given.remove_one("frames");
+        let board = BOARDS.iter().find(|board| board.name == name);
+        let board = board.ok_or_else(|| {
+            let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
+            format!("{name}: not an emulated board; they are {}", names.join(", "))
+        })?;
+        let frames = emulate(board, &image, &tools, frames.unwrap_or(board.frames))
+            .map_err(|problem| format!("{name}: {problem}"))?;
+        say(format_args!("{name}: {}", summary(&frames)))?;
+        Ok::<_, String>(ExitCode::SUCCESS)
+    })
+}
+
+fn arguments() -> Command {
+    let tools = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/emulate");
+    Command::new("emulate")
+        .about("Runs a board's firmware on an emulated microcontroller and compares every frame with the host's")
+        .arg(Arg::new("board").value_name("BOARD").required(true).help("Its folder in boards"))
+        .arg(
+            Arg::new("image")
+                .value_name("IMAGE")
+                .required(true)
+                .value_parser(value_parser!(PathBuf))
+                .help("The linked firmware, an ELF file"),
+        )
+        .arg(
+            Arg::new("frames")
+                .long("frames")
+                .value_name("N")
+                .value_parser(value_parser!(u32).range(2..))
+                .help("Frames to compare, in place of a turn"),
+        )
+        .arg(
+            Arg::new("tools")
+                .long("tools")
+                .value_name("DIR")
+                .value_parser(value_parser!(PathBuf))
+                .default_value(tools)
+                .help("Where boards/emulate/run has installed the emulators"),
+        )
+}
+
+/// The frames that the firmware has shown; all were as the host draws them.
+fn emulate(board: &Board, image: &Path, tools: &Path, frames: u32) -> Result<Vec<Frame>, String> {
+    let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
+    let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(board.name).join("model.stl");
+    let mut watch = Watch::new(board, (board.pictures)(&model)?);
+    let mut log = tables.decoder();
+
+    let mut emulator = emulator(&board.chip, image, tools, tables.address);
+    emulator.stdin(Stdio::null()).stdout(Stdio::piped());
+    let running = emulator.spawn().map_err(|error| format!("{:?}: {error}", emulator.get_program()))?;
+    let mut running = Running(running);
+    let mut events = BufReader::with_capacity(1 << 16, running.0.stdout.take().ok_or("no output")?);
+    let mut last_line = String::from("nothing");
+    while watch.frames().len() < frames as usize {
+        let Some(event) = Event::read(&mut events).map_err(|error| error.to_string())? else {
+            let status = running.0.wait().map_err(|error| error.to_string())?;
+            return Err(format!("the emulator has ended, {status}"));
+        };
+        let at = |problem: String| {
+            let shown = watch.frames().len();
+            format!("{problem}, at {:.3} ms, after {shown} frames", event.time as f64 / 1e6)
+        };
+        if let What::Log(byte) = event.what {
+            if let Some(line) = log.line(byte).map_err(at)? {
+                if line.is_problem {
+                    return Err(at(format!("the firmware logs: {}", line.text)));
+                }
+                last_line = line.text;
+            }
+        }
+        let since = watch.frames().last().map_or(0, |frame| frame.time);
+        if event.time > since + PATIENCE {
+            return Err(at(format!("no frame for {} s; the last line of the log: {last_line}", PATIENCE / 1_000_000_000)));
+        }
+        let shown = watch.frames().len();
+        let what = |problem| format!("{problem}, at {:.3} ms, after {shown} frames", event.time as f64 / 1e6);
+        watch.event(event).map_err(what)?;
+    }
+    Ok(watch.frames().to_vec())
+}
+
+/// The command that runs an image on an emulated chip.
+fn emulator(chip: &Chip, image: &Path, tools: &Path, log: u64) -> process::Command {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    match *chip {
+        Chip::Rp2040 { spi, select, command, reset } => {
+            let mut node = process::Command::new("node");
+            node.arg(folder.join("rp2040.mjs"));
+            node.arg(tools.join("rom/thumbv6m-none-eabi/release/boot-rom")).arg(image);
+            node.arg(format!("modules={}", tools.join("node").display()));
+            node.args([format!("spi={spi}"), format!("select={select}"), format!("command={command}")]);
+            node.args([format!("watch={reset}"), format!("log={log}")]);
+            node
+        }
+    }
+}
+
+/// An emulator, which ends when nobody looks at it any more.
+struct Running(process::Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill(); // it may have ended
+        let _ = self.0.wait();
+    }
+}
+
+/// What a run was: between the ends of the first frame and the last one.
+fn summary(frames: &[Frame]) -> String {
+    let [first, .., last] = frames else { return "no time between frames".into() };
+    let (count, time) = (frames.len() - 1, last.time - first.time);
+    let bytes: usize = frames[1..].iter().map(|frame| frame.bytes).sum();
+    format!(
+        "{} frames equal, {:.1} frames/s, {:.0} % of the time waiting for the bus, {} bytes a frame",
+        frames.len(),
+        count as f64 * 1e9 / time as f64,
+        (last.waited - first.waited) as f64 * 100.0 / time as f64,
+        bytes / count
+    )
+}

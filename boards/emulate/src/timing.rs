@@ -1,0 +1,119 @@
+//! The waiting times of a display controller.
+//!
+//! After the data sheets' chapters on reset, on the commands SWRESET, SLPIN and SLPOUT, and on the timing of the reset line
+//! (Sitronix ST7789V; Ilitek ILI9341): they ask for the same times.
+
+const US: u64 = 1000;
+const MS: u64 = 1000 * US;
+/// The shortest pulse that resets the controller for sure.
+const RESET_PULSE: u64 = 10 * US;
+/// From the end of a reset, or from a command that changes the power supply, to the next command.
+const SUPPLY: u64 = 5 * MS;
+/// From a reset, or from the other sleep command, to a sleep command.
+const SLEEP: u64 = 120 * MS;
+
+const SWRESET: u8 = 0x01;
+const SLPIN: u8 = 0x10;
+const SLPOUT: u8 = 0x11;
+
+/// When the controller takes what.
+#[derive(Debug)]
+pub(crate) struct Timing {
+    /// Since when the reset line is low, while it is.
+    reset: Option<u64>,
+    /// The earliest time of any command, and why.
+    any: (u64, &'static str),
+    /// The earliest time of a command that begins or ends sleep.
+    sleep: (u64, &'static str),
+}
+
+impl Timing {
+    /// Powered on at time 0, which is a reset.
+    pub(crate) fn new() -> Self {
+        Self { reset: None, any: (SUPPLY, "power on"), sleep: (SLEEP, "power on") }
+    }
+
+    /// The reset line has changed. Whether it has reset the controller.
+    pub(crate) fn reset_line(&mut self, high: bool, time: u64) -> Result<bool, String> {
+        if !high {
+            self.reset.get_or_insert(time);
+            return Ok(false);
+        }
+        let Some(since) = self.reset.take() else { return Ok(false) };
+        let pulse = time - since;
+        if pulse < RESET_PULSE {
+            return Err(format!("a reset pulse of {pulse} ns: the controller needs {RESET_PULSE} ns"));
+        }
+        self.any = (time + SUPPLY, "reset");
+        self.sleep = (time + SLEEP, "reset");
+        Ok(true)
+    }
+
+    /// A command.
+    pub(crate) fn command(&mut self, command: u8, time: u64) -> Result<(), String> {
+        if self.reset.is_some() {
+            return Err(format!("command {command:#04x} while the reset line is low"));
+        }
+        let sleeps = matches!(command, SLPIN | SLPOUT);
+        let earliest = [Some(self.any), sleeps.then_some(self.sleep)];
+        if let Some((earliest, why)) = earliest.into_iter().flatten().find(|(earliest, _)| time < *earliest) {
+            let early = (earliest - time).div_ceil(US);
+            return Err(format!("command {command:#04x} is {early} µs too early after {why}"));
+        }
+        match command {
+            SWRESET => {
+                self.any = (time + SUPPLY, "SWRESET");
+                self.sleep = (time + SLEEP, "SWRESET");
+            }
+            SLPIN => {
+                self.any = (time + SUPPLY, "SLPIN");
+                self.sleep = (time + SLEEP, "SLPIN");
+            }
+            SLPOUT => {
+                self.any = (time + SUPPLY, "SLPOUT");
+                self.sleep = (time + SLEEP, "SLPOUT");
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const INVON: u8 = 0x21;
+
+    #[test]
+    fn a_patient_driver_is_let_through() {
+        let mut timing = Timing::new();
+        assert_eq!(timing.reset_line(true, 0), Ok(false));
+        assert_eq!(timing.reset_line(false, 100), Ok(false));
+        assert_eq!(timing.reset_line(true, 100 + 10_000), Ok(true));
+        assert_eq!(timing.command(INVON, 5_010_100), Ok(()));
+        assert_eq!(timing.command(SLPOUT, 120_010_100), Ok(()));
+        assert_eq!(timing.command(INVON, 125_010_100), Ok(()));
+        assert_eq!(timing.command(SWRESET, 125_010_101), Ok(()));
+        assert_eq!(timing.command(SLPOUT, 245_010_101), Ok(()));
+    }
+
+    #[test]
+    fn each_time_that_is_too_short_is_an_error() {
+        let refusal = |timing: &mut Timing, command, time| timing.command(command, time).expect_err("too early");
+        let mut timing = Timing::new();
+        assert_eq!(refusal(&mut timing, INVON, 4_999_000), "command 0x21 is 1 µs too early after power on");
+        assert_eq!(refusal(&mut timing, SLPOUT, 119_000_000), "command 0x11 is 1000 µs too early after power on");
+        timing.command(SWRESET, 5_000_000).expect("late enough");
+        assert_eq!(refusal(&mut timing, INVON, 9_999_999), "command 0x21 is 1 µs too early after SWRESET");
+        assert_eq!(refusal(&mut timing, SLPOUT, 124_000_000), "command 0x11 is 1000 µs too early after SWRESET");
+        timing.command(SLPOUT, 125_000_000).expect("late enough");
+        assert_eq!(refusal(&mut timing, INVON, 129_999_000), "command 0x21 is 1 µs too early after SLPOUT");
+        assert_eq!(refusal(&mut timing, SLPIN, 244_000_000), "command 0x10 is 1000 µs too early after SLPOUT");
+
+        timing.reset_line(false, 300_000_000).expect("a pulse begins");
+        assert_eq!(refusal(&mut timing, INVON, 300_000_001), "command 0x21 while the reset line is low");
+        let pulse = timing.reset_line(true, 300_009_999).expect_err("too short");
+        assert_eq!(pulse, "a reset pulse of 9999 ns: the controller needs 10000 ns");
+    }
+}
