@@ -6,15 +6,13 @@
 // changes are reported, separated by commas, and `log` the address of the image's RTT control block. rp2040js counts cycles
 // as the Cortex-M0+ does; flash is as fast as RAM, because misses of its cache are not modelled, nor is the second core.
 
-import { createRequire } from 'node:module';
-import { segments } from './elf.mjs';
+import { loadFlash, loadRom, rp2040js } from './boot.mjs';
 import { BYTE, LOG, PIN, TIME, WAITED, flush, report } from './events.mjs';
-import { crc32, FLASH } from './boot.mjs';
 
 const [rom, image, ...rest] = process.argv.slice(2);
 const options = Object.fromEntries(rest.map((option) => option.split('=')));
 const number = (name) => Number(options[name]);
-const { ConsoleLogger, GPIOPinState, LogLevel, RP2040 } = createRequire(`${options.modules}/`)('rp2040js');
+const { ConsoleLogger, GPIOPinState, LogLevel, RP2040 } = rp2040js(options.modules);
 
 const mcu = new RP2040();
 mcu.logger = new ConsoleLogger(LogLevel.Error, true);
@@ -26,13 +24,8 @@ function fail(problem) {
   process.exit(1);
 }
 
-// Boot ROM, flash, and what the chip's ROM asks of the second stage of booting.
-for (const { address, bytes } of segments(rom)) {
-  for (let i = 0; i + 3 < bytes.length; i += 4) mcu.bootrom[(address + i) / 4] = bytes.readUInt32LE(i);
-}
-mcu.reset();
-for (const { address, bytes } of segments(image)) mcu.flash.set(bytes, address - FLASH);
-if (crc32(mcu.flash.subarray(0, 252)) !== mcu.flashView.getUint32(252, true)) fail('no second stage of booting: its CRC is wrong');
+loadRom(mcu, rom);
+loadFlash(mcu, image);
 mcu.onBreak = (code) => {
   const letters = String.fromCharCode(core.registers[1] & 0xff, core.registers[1] >> 8);
   fail(code === 1 ? `boot.s has no function ${letters}` : code === 2 ? 'HardFault' : `breakpoint ${code}`);

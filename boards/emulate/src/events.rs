@@ -36,9 +36,7 @@ impl Event {
         let [a, b, c, d, e, f] = time;
         let time = u64::from_le_bytes([a, b, c, d, e, f, 0, 0]);
         let (time, what) = match kind {
-            0x00..=0x03 => {
-                (time, What::Byte { byte: value, data: kind & 1 != 0, selected: kind & 2 == 0 })
-            }
+            0x00..=0x03 => (time, What::Byte { byte: value, data: kind & 1 != 0, selected: kind & 2 == 0 }),
             0x10 => (time, What::Pin { number: value & 0x7f, high: value & 0x80 != 0 }),
             0x20 => (time, What::Log(value)),
             0x30 => (0, What::Waited(time)),

@@ -49,7 +49,9 @@ fn main() -> ExitCode {
 fn arguments() -> Command {
     let tools = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/emulate");
     Command::new("emulate")
-        .about("Runs a board's firmware on an emulated microcontroller and compares every frame with the host's")
+        .about(
+            "Runs a board's firmware on an emulated microcontroller and compares every frame with the host's",
+        )
         .arg(Arg::new("board").value_name("BOARD").required(true).help("Its folder in boards"))
         .arg(
             Arg::new("image")
@@ -108,7 +110,10 @@ fn emulate(board: &Board, image: &Path, tools: &Path, frames: u32) -> Result<Vec
         }
         let since = watch.frames().last().map_or(0, |frame| frame.time);
         if event.time > since + PATIENCE {
-            return Err(at(format!("no frame for {} s; the last line of the log: {last_line}", PATIENCE / 1_000_000_000)));
+            return Err(at(format!(
+                "no frame for {} s; the last line of the log: {last_line}",
+                PATIENCE / 1_000_000_000
+            )));
         }
         let shown = watch.frames().len();
         let what = |problem| format!("{problem}, at {:.3} ms, after {shown} frames", event.time as f64 / 1e6);

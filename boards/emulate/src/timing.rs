@@ -100,16 +100,26 @@ mod tests {
 
     #[test]
     fn each_time_that_is_too_short_is_an_error() {
-        let refusal = |timing: &mut Timing, command, time| timing.command(command, time).expect_err("too early");
+        let refusal =
+            |timing: &mut Timing, command, time| timing.command(command, time).expect_err("too early");
         let mut timing = Timing::new();
         assert_eq!(refusal(&mut timing, INVON, 4_999_000), "command 0x21 is 1 µs too early after power on");
-        assert_eq!(refusal(&mut timing, SLPOUT, 119_000_000), "command 0x11 is 1000 µs too early after power on");
+        assert_eq!(
+            refusal(&mut timing, SLPOUT, 119_000_000),
+            "command 0x11 is 1000 µs too early after power on"
+        );
         timing.command(SWRESET, 5_000_000).expect("late enough");
         assert_eq!(refusal(&mut timing, INVON, 9_999_999), "command 0x21 is 1 µs too early after SWRESET");
-        assert_eq!(refusal(&mut timing, SLPOUT, 124_000_000), "command 0x11 is 1000 µs too early after SWRESET");
+        assert_eq!(
+            refusal(&mut timing, SLPOUT, 124_000_000),
+            "command 0x11 is 1000 µs too early after SWRESET"
+        );
         timing.command(SLPOUT, 125_000_000).expect("late enough");
         assert_eq!(refusal(&mut timing, INVON, 129_999_000), "command 0x21 is 1 µs too early after SLPOUT");
-        assert_eq!(refusal(&mut timing, SLPIN, 244_000_000), "command 0x10 is 1000 µs too early after SLPOUT");
+        assert_eq!(
+            refusal(&mut timing, SLPIN, 244_000_000),
+            "command 0x10 is 1000 µs too early after SLPOUT"
+        );
 
         timing.reset_line(false, 300_000_000).expect("a pulse begins");
         assert_eq!(refusal(&mut timing, INVON, 300_000_001), "command 0x21 while the reset line is low");

@@ -64,7 +64,9 @@ impl<'a> Watch<'a> {
         }
         // An emulator rounds times to a nanosecond.
         let shortest = 8 * self.board.display.bit - 1;
-        if let Some(took) = self.last_byte.replace(time).map(|last| time - last).filter(|took| *took < shortest) {
+        if let Some(took) =
+            self.last_byte.replace(time).map(|last| time - last).filter(|took| *took < shortest)
+        {
             return Err(format!("a byte in {took} ns: the display needs {} ns", shortest + 1));
         }
         if !data {
@@ -106,9 +108,14 @@ impl<'a> Watch<'a> {
         let (shown, wanted) =
             (self.controller.picture(display.held, width, height), (self.pictures)(number)?);
         if shown.len() != wanted.len() {
-            return Err(format!("frame {number}: {} pixels, and the host draws {}", shown.len(), wanted.len()));
+            return Err(format!(
+                "frame {number}: {} pixels, and the host draws {}",
+                shown.len(),
+                wanted.len()
+            ));
         }
-        let mut differing = shown.iter().zip(&wanted).enumerate().filter(|(_, (shown, wanted))| shown != wanted);
+        let mut differing =
+            shown.iter().zip(&wanted).enumerate().filter(|(_, (shown, wanted))| shown != wanted);
         if let Some((first, (shown, wanted))) = differing.next() {
             return Err(format!(
                 "frame {number} differs in {} pixels, the first in column {}, row {}: {shown:#06x} in place of {wanted:#06x}",
