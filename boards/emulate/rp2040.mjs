@@ -1,10 +1,11 @@
 // Runs an image on an emulated RP2040 and reports what its SPI bus and its pins do: see events.mjs.
 //
-//   node rp2040.mjs ROM IMAGE modules=FOLDER spi=0 select=17 command=20 watch=21 log=ADDRESS
+//   node rp2040.mjs ROM IMAGE modules=FOLDER spi=0 wires=18,19 select=17 command=20 watch=21 log=ADDRESS
 //
-// ROM and IMAGE are ELF files. `modules` is the folder with node_modules, `select` and `command` are the pins at the display's CS and D/C, `watch` other pins whose
-// changes are reported, separated by commas, and `log` the address of the image's RTT control block. rp2040js counts cycles
-// as the Cortex-M0+ does; flash is as fast as RAM, because misses of its cache are not modelled, nor is the second core.
+// ROM and IMAGE are ELF files. `modules` is the folder with node_modules, `wires` the pins of clock and data, `select` and
+// `command` those at the display's CS and D/C, `watch` pins whose changes are reported, separated by commas, and `log` the
+// address of the image's RTT control block. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
+// misses of its cache are not modelled, nor is the second core.
 
 import { loadFlash, loadRom, rp2040js } from './boot.mjs';
 import { BYTE, LOG, PIN, TIME, WAITED, flush, report } from './events.mjs';
@@ -33,21 +34,24 @@ mcu.onBreak = (code) => {
 
 // Levels of pins: not driven counts as high, as if pulled up.
 const levels = Array.from(mcu.gpio, () => true);
+const [select, command] = [number('select'), number('command')];
+let unselected = false; // at any time of the byte that is being sent
 const watched = (options.watch ?? '').split(',').filter(Boolean).map(Number);
 mcu.gpio.forEach((pin, index) =>
   pin.addListener((state) => {
     levels[index] = state !== GPIOPinState.Low;
+    if (index === select && levels[index]) unselected = true;
     if (watched.includes(index)) report(PIN, index | (levels[index] ? 0x80 : 0), clock.nanos);
   }),
 );
 
 // The bus. A byte takes its bits' time; the display takes D/C at the last bit, and must be selected from the first one.
 const spi = mcu.spi[number('spi')];
-const [select, command] = [number('select'), number('command')];
+const FUNCTION_SPI = 1;
+const wires = options.wires.split(',').map(Number);
 let shifted = 0;
-let unselected = false;
 const arrived = clock.createAlarm(() => {
-  const lines = (levels[command] ? 1 : 0) | (unselected || levels[select] ? 2 : 0);
+  const lines = (levels[command] ? 1 : 0) | (unselected ? 2 : 0);
   if (spi.dataBits === 16) report(BYTE | lines, shifted >> 8, clock.nanos - spi.dataBits / 2 * 1e9 / spi.clockFrequency);
   report(BYTE | lines, shifted & 0xff, clock.nanos);
   spi.completeTransmit(0);
@@ -56,6 +60,9 @@ spi.onTransmit = (value) => {
   const { control0, dataBits, clockFrequency } = spi;
   // Mode 0 or 3: the display takes a bit when the clock rises.
   if (((control0 >> 6) & 1) !== ((control0 >> 7) & 1)) fail('the SPI is neither in mode 0 nor in mode 3');
+  for (const pin of wires) {
+    if (mcu.gpio[pin].functionSelect !== FUNCTION_SPI) fail(`pin ${pin} is not the SPI's`);
+  }
   if (dataBits !== 8 && dataBits !== 16) fail(`an SPI frame of ${dataBits} bits`);
   shifted = value;
   unselected = levels[select];

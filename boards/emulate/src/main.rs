@@ -126,12 +126,13 @@ fn emulate(board: &Board, image: &Path, tools: &Path, frames: u32) -> Result<Vec
 fn emulator(chip: &Chip, image: &Path, tools: &Path, log: u64) -> process::Command {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     match *chip {
-        Chip::Rp2040 { spi, select, command, reset } => {
+        Chip::Rp2040 { spi, clock, data, select, command, reset } => {
             let mut node = process::Command::new("node");
             node.arg(folder.join("rp2040.mjs"));
             node.arg(tools.join("rom/thumbv6m-none-eabi/release/boot-rom")).arg(image);
             node.arg(format!("modules={}", tools.join("node").display()));
-            node.args([format!("spi={spi}"), format!("select={select}"), format!("command={command}")]);
+            node.args([format!("spi={spi}"), format!("wires={clock},{data}")]);
+            node.args([format!("select={select}"), format!("command={command}")]);
             node.args([format!("watch={reset}"), format!("log={log}")]);
             node
         }

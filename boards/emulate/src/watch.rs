@@ -129,3 +129,178 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boards::{Chip, Display};
+    use support::panel::Held;
+
+    /// A display of 2 × 2 pixels, which shows one picture.
+    const BOARD: Board = Board {
+        name: "test",
+        chip: Chip::Rp2040 { spi: 0, clock: 0, data: 1, select: 2, command: 3, reset: 4 },
+        display: Display { width: 2, height: 2, held: Held::Upright, bgr: false, inverted: true, bit: 16 },
+        frames: 1,
+        pictures: |_| Err("no model".into()),
+    };
+    const PIXELS: [u8; 8] = [0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc, 0xde, 0xf0];
+    const MS: u64 = 1_000_000;
+
+    /// What a driver sends, with the time since what it has sent before.
+    struct Driver {
+        watch: Watch<'static>,
+        time: u64,
+        /// The time that a byte takes.
+        byte: u64,
+        /// Commands that it forgets.
+        forgets: &'static [u8],
+    }
+
+    impl Driver {
+        fn new(forgets: &'static [u8]) -> Self {
+            let picture = vec![0x1234, 0x5678, 0x9abc, 0xdef0];
+            let watch = Watch::new(&BOARD, Box::new(move |_| Ok(picture.clone())));
+            Self { watch, time: 0, byte: 128, forgets }
+        }
+
+        fn send(&mut self, wait: u64, command: u8, parameters: &[u8]) -> Result<(), String> {
+            if self.forgets.contains(&command) {
+                return Ok(());
+            }
+            self.time += wait;
+            self.byte(command, false, true)?;
+            parameters.iter().try_for_each(|&byte| self.byte(byte, true, true))
+        }
+
+        fn byte(&mut self, byte: u8, data: bool, selected: bool) -> Result<(), String> {
+            self.time += self.byte;
+            self.watch.event(Event { time: self.time, what: What::Byte { byte, data, selected } })
+        }
+
+        fn pin(&mut self, wait: u64, number: u8, high: bool) -> Result<(), String> {
+            self.time += wait;
+            self.watch.event(Event { time: self.time, what: What::Pin { number, high } })
+        }
+
+        /// Up to the window of the whole display.
+        fn start(&mut self) -> Result<(), String> {
+            self.send(120 * MS, 0x11, &[])?;
+            self.send(5 * MS, 0x36, &[0])?;
+            self.send(0, 0x21, &[])?;
+            self.send(0, 0x3a, &[0x55])?;
+            self.send(0, 0x29, &[])?;
+            self.window(1)
+        }
+
+        fn window(&mut self, last_row: u8) -> Result<(), String> {
+            self.send(0, 0x2a, &[0, 0, 0, 1])?;
+            self.send(0, 0x2b, &[0, 0, 0, last_row])
+        }
+    }
+
+    #[test]
+    fn a_frame_ends_with_the_last_pixel() {
+        let mut driver = Driver::new(&[]);
+        driver.start().expect("a start");
+        driver.send(0, 0x2c, &PIXELS[..7]).expect("pixels");
+        assert_eq!(driver.watch.frames(), []);
+        driver.byte(PIXELS[7], true, true).expect("the last one");
+        let bytes = 1 + 2 + 1 + 2 + 1 + 5 + 5 + 1 + 8;
+        assert_eq!(driver.watch.frames(), [Frame { time: driver.time, waited: 0, bytes }]);
+
+        driver.watch.event(Event { time: 0, what: What::Waited(7) }).expect("it may wait");
+        driver.send(0, 0x2c, &PIXELS).expect("the same window again");
+        assert_eq!(driver.watch.frames()[1], Frame { time: driver.time, waited: 7, bytes: 9 });
+    }
+
+    #[test]
+    fn what_no_display_would_take_is_an_error() {
+        let error = |driver: &mut Driver, act: &dyn Fn(&mut Driver) -> Result<(), String>| {
+            act(driver).expect_err("an error")
+        };
+        let after_start = |act: &dyn Fn(&mut Driver) -> Result<(), String>| {
+            let mut driver = Driver::new(&[]);
+            driver.start().expect("a start");
+            error(&mut driver, act)
+        };
+        assert_eq!(after_start(&|driver| driver.byte(0x2c, false, false)), "byte 0x2c while CS is high");
+        let fewer = "a window with fewer pixels than it has room for";
+        assert_eq!(
+            after_start(&|driver| {
+                driver.send(0, 0x2c, &PIXELS[..6])?;
+                driver.window(1)
+            }),
+            fewer
+        );
+        let more = "a window with more pixels than it has room for";
+        assert_eq!(
+            after_start(&|driver| {
+                driver.window(0)?;
+                driver.send(0, 0x2c, &PIXELS)
+            }),
+            more
+        );
+        let cut_off = "a command or a pixel is cut off by the next command";
+        assert_eq!(
+            after_start(&|driver| {
+                driver.send(0, 0x2a, &[0, 0, 0])?;
+                driver.send(0, 0x2c, &[])
+            }),
+            cut_off
+        );
+        let differs = "frame 0 differs in 4 pixels, the first in column 0, row 0: 0x3412 in place of 0x1234";
+        let swapped = [0x34, 0x12, 0x78, 0x56, 0xbc, 0x9a, 0xf0, 0xde];
+        assert_eq!(after_start(&|driver| driver.send(0, 0x2c, &swapped)), differs);
+        let unknown = "unknown command 0xff";
+        assert_eq!(after_start(&|driver| driver.send(0, 0xff, &[])), unknown);
+        assert_eq!(
+            after_start(&|driver| {
+                driver.byte = 126;
+                driver.send(0, 0x2c, &PIXELS)
+            }),
+            "a byte in 126 ns: the display needs 128 ns"
+        );
+        let pulse = "a reset pulse of 9999 ns: the controller needs 10000 ns";
+        assert_eq!(
+            after_start(&|driver| {
+                driver.pin(0, 4, false)?;
+                driver.pin(9999, 4, true)
+            }),
+            pulse
+        );
+        // A reset in between: all has to be set up again.
+        let asleep = "pixels before the inversion is as the glass needs it";
+        assert_eq!(
+            after_start(&|driver| {
+                driver.pin(0, 4, false)?;
+                driver.pin(10_000, 4, true)?;
+                driver.send(5 * MS, 0x2c, &PIXELS)
+            }),
+            asleep
+        );
+        // Another pin is nothing to the display.
+        let mut driver = Driver::new(&[]);
+        driver
+            .start()
+            .and_then(|()| driver.pin(0, 5, false))
+            .and_then(|()| driver.pin(1, 5, true))
+            .expect("no reset");
+    }
+
+    #[test]
+    fn each_command_of_the_start_is_needed() {
+        let asleep = "pixels before the display is awake and on";
+        let inversion = "pixels before the inversion is as the glass needs it";
+        for (forgotten, problem) in [
+            (&[0x11], asleep),
+            (&[0x29], asleep),
+            (&[0x21], inversion),
+            (&[0x3a], "pixels before their format"),
+        ] {
+            let mut driver = Driver::new(forgotten);
+            let error = driver.start().and_then(|()| driver.send(0, 0x2c, &PIXELS)).expect_err("an error");
+            assert_eq!(error, problem, "{forgotten:x?}");
+        }
+    }
+}

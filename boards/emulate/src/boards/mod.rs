@@ -18,7 +18,7 @@ pub(crate) struct Board {
 
 /// The microcontroller and its wires to the display, by the numbers of pins.
 pub(crate) enum Chip {
-    Rp2040 { spi: u8, select: u8, command: u8, reset: u8 },
+    Rp2040 { spi: u8, clock: u8, data: u8, select: u8, command: u8, reset: u8 },
 }
 
 impl Chip {
@@ -49,7 +49,7 @@ pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
 
 pub(crate) const BOARDS: &[Board] = &[Board {
     name: "rp2040-st7789",
-    chip: Chip::Rp2040 { spi: 0, select: 17, command: 20, reset: 21 },
+    chip: Chip::Rp2040 { spi: 0, clock: 18, data: 19, select: 17, command: 20, reset: 21 },
     display: Display {
         width: 240,
         height: 240,

@@ -1,0 +1,178 @@
+//! Firmware with a fault fails on the emulated board, for the reason that it should. Each is a copy of the template in which
+//! a few words are replaced, built and linked as the template is.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::{Mutex, PoisonError};
+
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+/// Enough for a fault that only the second frame shows.
+const FRAMES: &str = "2";
+
+struct Template {
+    board: &'static str,
+    target: &'static str,
+}
+
+/// A text of a file, and what replaces it.
+type Edit = (&'static str, &'static str, &'static str);
+
+const RP2040: Template = Template { board: "rp2040-st7789", target: "thumbv6m-none-eabi" };
+
+/// The last bytes are still in the bus's queue when CS rises.
+#[test]
+fn without_flush_the_rp2040_deselects_the_display_too_early() {
+    let flush = "bus.flush().is_err() || select.set_high().is_err()";
+    RP2040.fails(&[("src/panel.rs", flush, "select.set_high().is_err()")], "while CS is high");
+}
+
+#[test]
+fn a_window_that_is_too_narrow_is_overfilled() {
+    let window = "SetColumnAddress::new(left, right)";
+    let narrow = "SetColumnAddress::new(left, right - 1)";
+    RP2040.fails(&[("src/panel.rs", window, narrow)], "a window with more pixels than it has room for");
+}
+
+#[test]
+fn a_window_that_is_too_high_is_not_filled() {
+    let window = "SetPageAddress::new(top, bottom)";
+    let high = "SetPageAddress::new(top, bottom + 1)";
+    RP2040.fails(&[("src/panel.rs", window, high)], "a window with fewer pixels than it has room for");
+}
+
+#[test]
+fn swapped_bytes_are_other_colors() {
+    let swap =
+        "{ let bytes = band.into_bytes(); for pair in bytes.chunks_exact_mut(2) { pair.reverse() } bytes }";
+    RP2040.fails(&[("src/main.rs", "band.into_bytes()", swap)], "frame 0 differs in");
+}
+
+#[test]
+fn without_waiting_the_reset_is_too_short() {
+    let hasty = "struct Hasty;\nimpl DelayNs for Hasty { fn delay_ns(&mut self, _: u32) {} }\n/// At rest";
+    let edits = [
+        ("src/panel.rs", "/// At rest", hasty),
+        ("src/panel.rs", "builder.init(delay)", "{ let _ = delay; builder.init(&mut Hasty) }"),
+    ];
+    RP2040.fails(&edits, "a reset pulse of");
+}
+
+/// The template itself passes: what the mutants fail for is their fault.
+#[test]
+fn the_template_itself_passes() {
+    RP2040.passes(&[]);
+}
+
+impl Template {
+    /// Builds it with the edits, and runs it: the run must end with this problem.
+    #[track_caller]
+    fn fails(&self, edits: &[Edit], problem: &str) {
+        let Some(output) = self.run(edits) else { return };
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && said.contains(problem), "not {problem:?} but {output:?}");
+    }
+
+    #[track_caller]
+    fn passes(&self, edits: &[Edit]) {
+        let Some(output) = self.run(edits) else { return };
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert!(
+            output.status.success() && said.contains(&format!(": {FRAMES} frames equal, ")),
+            "{output:?}"
+        );
+    }
+
+    /// None if the tools are missing.
+    fn run(&self, edits: &[Edit]) -> Option<Output> {
+        if !self.has_tools() {
+            return None;
+        }
+        let folder = Folder::new();
+        let image = self.build(edits, &folder.0);
+        let output = Command::new(env!("CARGO_BIN_EXE_emulate"))
+            .arg(self.board)
+            .arg(image)
+            .args(["--frames", FRAMES])
+            .stdin(Stdio::null())
+            .output();
+        Some(output.expect("the program was built"))
+    }
+
+    fn build(&self, edits: &[Edit], folder: &Path) -> PathBuf {
+        // One at a time: all are built into one folder, and cargo takes them for one package, which it builds again where a file
+        // is newer than what it has built.
+        static ONE: Mutex<()> = Mutex::new(());
+        let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
+        let copy = folder.join("firmware");
+        run(Command::new("bash").arg(Path::new(ROOT).join("boards/new")).arg(self.board).arg(&copy));
+        for (file, from, to) in edits {
+            let file = copy.join(file);
+            let text = fs::read_to_string(&file).expect("a file of the template");
+            assert_eq!(text.matches(from).count(), 1, "{}: {from}", file.display());
+            fs::write(&file, text.replace(from, to)).expect("a file of the copy");
+        }
+        let target_dir = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+        let target_dir = target_dir.unwrap_or_else(|| Path::new(ROOT).join("target/cross"));
+        let mut build = Command::new("bash");
+        build.arg(Path::new(ROOT).join("tools/cross"));
+        build.args([env!("CARGO"), "build", "--quiet", "--release", "--locked", "--target", self.target]);
+        build.env("CARGO_TARGET_DIR", &target_dir).current_dir(&copy);
+        // These would replace the flags of the template.
+        build.env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+        run(&mut build);
+        let image = folder.join("image");
+        fs::copy(target_dir.join(self.target).join("release").join(self.board), &image).expect("the image");
+        image
+    }
+
+    /// Whether the compiler for the target and the emulators are there. If not, the test says so; with `CI` set it fails.
+    fn has_tools(&self) -> bool {
+        let checks = [["tools/cross", "--check", self.target], ["boards/emulate/run", "--check", ""]];
+        let lacking: String = checks
+            .iter()
+            .filter_map(|check| {
+                let check = check.iter().filter(|word| !word.is_empty());
+                match Command::new("bash").args(check).current_dir(ROOT).output() {
+                    Ok(output) if output.status.success() => None,
+                    Ok(output) => Some(String::from_utf8_lossy(&output.stderr).into_owned()),
+                    Err(error) => Some(format!("bash: {error}\n")),
+                }
+            })
+            .collect();
+        if lacking.is_empty() {
+            return true;
+        }
+        assert!(std::env::var_os("CI").is_none(), "{}: {lacking}", self.board);
+        // Not by eprintln, which the test harness shows only when a test fails.
+        let skipped = format!("\nSKIPPED, NOT TESTED: faulty firmware for {}\n{lacking}", self.board);
+        std::io::stderr().write_all(skipped.as_bytes()).expect("stderr");
+        false
+    }
+}
+
+fn run(command: &mut Command) {
+    let output = command.stdin(Stdio::null()).output().expect("a command");
+    assert!(output.status.success(), "{command:?}\n{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// A temporary folder outside the repository, so that the repository's `.cargo/config.toml` does not apply.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new() -> Self {
+        use std::sync::atomic::{AtomicU32, Ordering};
+        static NUMBER: AtomicU32 = AtomicU32::new(0);
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let folder = std::env::temp_dir().join(format!("pinhole-emulate-{}-{number}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        Self(folder)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
