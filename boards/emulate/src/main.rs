@@ -136,6 +136,15 @@ fn emulator(chip: &Chip, image: &Path, tools: &Path, log: u64) -> process::Comma
             node.args([format!("watch={reset}"), format!("log={log}")]);
             node
         }
+        Chip::Stm32f411 { clock, data, select, command, reset } => {
+            let mut python = process::Command::new(tools.join("python/bin/python"));
+            python.arg(folder.join("stm32f411.py")).arg(image);
+            python.args([format!("wires={clock},{data}"), format!("select={select}")]);
+            python.args([format!("command={command}"), format!("watch={reset}"), format!("log={log}")]);
+            // No compiled modules beside the sources.
+            python.env("PYTHONDONTWRITEBYTECODE", "1");
+            python
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The boards that are emulated. A new one is a file here, which draws its pictures on the host, and a row of [`BOARDS`].
 
 mod rp2040_st7789;
+mod stm32f4_ili9341;
 
 use std::path::Path;
 use support::panel::Held;
@@ -18,13 +19,16 @@ pub(crate) struct Board {
 
 /// The microcontroller and its wires to the display, by the numbers of pins.
 pub(crate) enum Chip {
+    /// Pins of SPI0 or SPI1.
     Rp2040 { spi: u8, clock: u8, data: u8, select: u8, command: u8, reset: u8 },
+    /// Pins of port A, with SPI1.
+    Stm32f411 { clock: u8, data: u8, select: u8, command: u8, reset: u8 },
 }
 
 impl Chip {
     pub(crate) fn reset(&self) -> u8 {
         match *self {
-            Self::Rp2040 { reset, .. } => reset,
+            Self::Rp2040 { reset, .. } | Self::Stm32f411 { reset, .. } => reset,
         }
     }
 }
@@ -47,20 +51,36 @@ pub(crate) type Pictures = Box<dyn FnMut(u32) -> Result<Vec<u32>, String>>;
 /// From the model that the board draws.
 pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
 
-pub(crate) const BOARDS: &[Board] = &[Board {
-    name: "rp2040-st7789",
-    chip: Chip::Rp2040 { spi: 0, clock: 18, data: 19, select: 17, command: 20, reset: 21 },
-    display: Display {
-        width: 240,
-        height: 240,
-        held: Held::Upright,
-        bgr: false,
-        inverted: true,
-        bit: 16, // the data sheet's limit
+pub(crate) const BOARDS: &[Board] = &[
+    Board {
+        name: "rp2040-st7789",
+        chip: Chip::Rp2040 { spi: 0, clock: 18, data: 19, select: 17, command: 20, reset: 21 },
+        display: Display {
+            width: 240,
+            height: 240,
+            held: Held::Upright,
+            bgr: false,
+            inverted: true,
+            bit: 16, // the data sheet's limit
+        },
+        frames: rp2040_st7789::FRAMES,
+        pictures: rp2040_st7789::pictures,
     },
-    frames: 120,
-    pictures: rp2040_st7789::pictures,
-}];
+    Board {
+        name: "stm32f4-ili9341",
+        chip: Chip::Stm32f411 { clock: 5, data: 7, select: 4, command: 3, reset: 2 },
+        display: Display {
+            width: 320,
+            height: 240,
+            held: Held::LandscapeMirrored,
+            bgr: true,
+            inverted: false,
+            bit: 40, // beyond the data sheet, as the board's README says
+        },
+        frames: stm32f4_ili9341::FRAMES,
+        pictures: stm32f4_ili9341::pictures,
+    },
+];
 
 /// Imports a board's model as its build script does.
 fn import(model: &Path, options: &pinhole_import::Options) -> Result<pinhole_import::ImportedMesh, String> {

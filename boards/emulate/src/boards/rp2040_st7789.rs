@@ -11,7 +11,8 @@ mod picture;
 #[path = "../../../rp2040-st7789/build.rs"]
 mod script;
 
-const FRAMES: u32 = 120;
+/// As in the firmware's `src/main.rs`.
+pub(crate) const FRAMES: u32 = 120;
 
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
     let imported = super::import(model, &script::options())?;
