@@ -13,6 +13,8 @@ export const LOG = 0x20;
 export const WAITED = 0x30;
 /** Nothing but the time. */
 export const TIME = 0x40;
+/** The emulator has broken the bus, as it was asked to. */
+export const BROKEN = 0x50;
 
 const buffer = Buffer.alloc(1 << 16);
 let filled = 0;

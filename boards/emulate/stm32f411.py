@@ -18,7 +18,7 @@ from unicorn import UC_ARCH_ARM, UC_HOOK_BLOCK, UC_HOOK_MEM_INVALID, UC_MODE_MCL
 from unicorn import arm_const as arm
 
 import cortex_m4
-from events import BYTE, LOG, PIN, TIME, WAITED, flush, report
+from events import BROKEN, BYTE, LOG, PIN, TIME, WAITED, flush, report
 
 FLASH, RAM, RAM_SIZE = 0x0800_0000, 0x2000_0000, 128 << 10
 HSI, HSE = 16_000_000, 25_000_000
@@ -52,7 +52,7 @@ clock = Clock()
 class Registers:
     """A peripheral: registers that keep what is written, but for those that a subclass names `read_XX` and `write_XX`."""
 
-    enabled_by = None
+    clocked = True
 
     def __init__(self):
         self.words = {}
@@ -64,26 +64,33 @@ class Registers:
 
     def read(self, offset):
         clock.cycles += PERIPHERAL
-        self.check()
+        if not self.clocked:
+            problem(f"{type(self).__name__} is used without its clock")
         handler = self.reads.get(offset)
         return handler() if handler else self.words.get(offset, 0)
 
     def write(self, offset, value):
         clock.cycles += PERIPHERAL
-        self.check()
+        if not self.clocked:
+            problem(f"{type(self).__name__} is used without its clock")
         handler = self.writes.get(offset)
         if handler:
             handler(value)
         else:
             self.words[offset] = value
-
-    def check(self):
-        if self.enabled_by and not rcc.words.get(self.enabled_by[0], 0) >> self.enabled_by[1] & 1:
-            problem(f"{type(self).__name__} is used without its clock")
+            spi.bit_cycles = None  # it may have another clock or other pins
 
 
 class Rcc(Registers):
     CR, PLLCFGR, CFGR, AHB1ENR, APB2ENR = 0x00, 0x04, 0x08, 0x30, 0x44
+
+    def write_30(self, value):
+        self.words[self.AHB1ENR] = value
+        gpio.clocked = bool(value & 1)
+
+    def write_44(self, value):
+        self.words[self.APB2ENR] = value
+        spi.clocked = bool(value >> 12 & 1)
 
     def write_00(self, value):  # CR: an oscillator or a PLL that is on is ready
         self.words[self.CR] = value | sum((value >> on & 1) << on + 1 for on in (0, 16, 24))
@@ -97,6 +104,7 @@ class Rcc(Registers):
         if value >> 4 & 0x8 or not frequency:
             problem(f"RCC_CFGR {value:#x} is not modelled")
         clock.set(frequency)
+        spi.bit_cycles = None
 
     def apb2_divisor(self):
         prescaler = self.words.get(self.CFGR, 0) >> 13 & 7
@@ -109,11 +117,12 @@ class Power(Registers):
 
 
 class GpioA(Registers):
-    enabled_by = (Rcc.AHB1ENR, 0)
+    clocked = False
     MODER, ODR = 0x00, 0x14
 
     def write_00(self, value):
         self.words[self.MODER] = value
+        spi.bit_cycles = None
         self.drive(self.words.get(self.ODR, 0))
 
     def write_14(self, value):
@@ -153,7 +162,7 @@ class GpioA(Registers):
 class Spi1(Registers):
     """A byte that waits, a byte that is shifted out, and a byte that was shifted in."""
 
-    enabled_by = (Rcc.APB2ENR, 12)
+    clocked = False
     CR1, CR2, SR, DR = 0x00, 0x04, 0x08, 0x0C
     CPHA, CPOL, MASTER, ENABLED, LSB_FIRST, DFF = (1 << bit for bit in (0, 1, 2, 6, 7, 11))
     RXNE, TXE, OVR, BSY = (1 << bit for bit in (0, 1, 6, 7))
@@ -163,7 +172,9 @@ class Spi1(Registers):
         self.waiting = self.shifting = None
         self.end = 0  # of the byte that is shifted, in cycles
         self.received = self.overrun = self.unselected = False
-        self.polled = (0, -1)  # the last status that was read, and when, if nothing has happened since
+        self.bit_cycles = None  # cycles of a bit, once SPI1 is found to be set up
+        self.polled = (None, 0, 0)  # the status that was read last, when and in which block, if nothing has happened since
+        self.rounds = {}  # cycles of a loop that waits, by the block that it is entered with
         self.sent = 0
         self.fail_at = int(options.get("overrun", -1))
 
@@ -173,7 +184,10 @@ class Spi1(Registers):
             levels = gpio.levels()
             lines = (levels >> command & 1) | self.unselected << 1
             report(BYTE | lines, self.shifting, clock.time(self.end))
-            self.overrun |= self.received or self.sent == self.fail_at
+            self.overrun |= self.received
+            if self.sent == self.fail_at:
+                self.overrun = True
+                report(BROKEN, 0, clock.time(self.end))
             self.received = True
             self.sent += 1
             byte, self.shifting, self.waiting = self.waiting, None, None
@@ -181,6 +195,13 @@ class Spi1(Registers):
                 self.shift(byte, self.end)
 
     def shift(self, byte, now):
+        if self.bit_cycles is None:
+            self.bit_cycles = self.set_up()
+        self.shifting = byte
+        self.unselected = bool(gpio.levels() >> select & 1)
+        self.end = now + 8 * self.bit_cycles
+
+    def set_up(self):
         control = self.words.get(self.CR1, 0)
         if control & (self.MASTER | self.ENABLED) != self.MASTER | self.ENABLED:
             problem("SPI1 is written while it is no master, or not enabled")
@@ -191,9 +212,7 @@ class Spi1(Registers):
         for pin in wires:
             if not gpio.is_connected(pin):
                 problem(f"PA{pin} is not SPI1's")
-        self.shifting = byte
-        self.unselected = bool(gpio.levels() >> select & 1)
-        self.end = now + 8 * (2 << (control >> 3 & 7)) * rcc.apb2_divisor()
+        return (2 << (control >> 3 & 7)) * rcc.apb2_divisor()
 
     def status(self):
         return (
@@ -205,27 +224,31 @@ class Spi1(Registers):
 
     def read_08(self):
         self.settle()
-        status, (last, when) = self.status(), self.polled
-        if status == last and self.shifting is not None:
-            # A loop that waits for the end of the byte: its rounds until then go by at once.
-            round_ = clock.cycles - when
-            rounds = -(-(self.end - clock.cycles) // round_)
-            waited.add(when, clock.cycles + rounds * round_)
-            clock.cycles += rounds * round_
-            self.settle()
-            status = self.status()
-        self.polled = (status, clock.cycles)
+        status, (last, when, where) = self.status(), self.polled
+        if self.shifting is not None:
+            # A loop that waits for the end of the byte is known once it has read the same status twice. Its rounds until the end
+            # go by at once.
+            if status == last:
+                self.rounds[where] = clock.cycles - when
+            round_ = self.rounds.get(where if status == last else current)
+            if round_:
+                wait = -(-(self.end - clock.cycles) // round_) * round_
+                waited.cycles += wait
+                clock.cycles += wait
+                self.settle()
+                status = self.status()
+        self.polled = (status, clock.cycles, current)
         return status
 
     def read_0c(self):
         self.settle()
-        self.polled = (0, -1)
+        self.polled = (None, 0, 0)
         self.received = self.overrun = False
         return 0xFF
 
     def write_0c(self, value):
         self.settle()
-        self.polled = (0, -1)
+        self.polled = (None, 0, 0)
         if self.shifting is None:
             self.shift(value & 0xFF, clock.cycles)
         elif self.waiting is None:
@@ -240,16 +263,13 @@ class Waited:
     def __init__(self):
         self.cycles = 0
 
-    def add(self, since, until):
-        self.cycles += until - since
-
     def report(self):
         report(WAITED, 0, self.cycles * 1_000_000_000 // clock.frequency)
         self.cycles = 0
 
 
 class System(Registers):
-    """SysTick, and of the rest of the core's own registers only what is written."""
+    """SysTick. Interrupts of peripherals are not modelled."""
 
     CSR, RVR = 0x10, 0x14
 
@@ -283,37 +303,51 @@ uc.ctl_set_cpu_model(arm.UC_CPU_ARM_CORTEX_M4)
 uc.mem_map(FLASH, 512 << 10)
 uc.mem_map(RAM, RAM_SIZE)
 PERIPHERALS, BIT_BAND, BIT_BAND_SIZE = 0x4000_0000, 0x4200_0000, 32 << 20
-peripherals = {0x4000_7000: power, 0x4001_3000: spi, 0x4002_0000: gpio, 0x4002_3800: rcc, 0xE000_E000: system}
-for base, peripheral in peripherals.items():
-    # Unicorn maps pages of 4 KB, a peripheral has 1 KB.
-    before = base & 0xFFF
-    uc.mmio_map(
-        base - before,
-        0x1000,
-        lambda _uc, offset, _size, _data, p=peripheral, b=before: p.read(offset - b),
-        None,
-        lambda _uc, offset, _size, value, _data, p=peripheral, b=before: p.write(offset - b, value),
-        None,
-    )
+PAGE, BLOCK = 0x1000, 0x400  # Unicorn maps pages; a peripheral has a block
+blocks = {
+    0x4000_7000: power,
+    0x4001_3000: spi,
+    0x4002_0000: gpio,
+    0x4002_3800: rcc,
+    0x4002_3C00: Registers(),  # flash interface: wait states and caches
+    0xE000_E000: system,
+    0xE000_EC00: Registers(),  # system control block
+}
+
+
+def peripheral(address):
+    found = blocks.get(address & -BLOCK)
+    if found is None:
+        problem(f"nothing is modelled at {address:#010x}")
+    return found or Registers()
+
+
+def read(_uc, offset, _size, page):
+    return peripheral(page + offset).read(offset & BLOCK - 1)
+
+
+def write(_uc, offset, _size, value, page):
+    peripheral(page + offset).write(offset & BLOCK - 1, value)
 
 
 def bit(alias):
-    """The peripheral, the register and the bit of a word of the bit-band alias."""
+    """The register and the bit of a word of the bit-band alias."""
     byte = PERIPHERALS + (alias >> 5)
-    base = max((base for base in peripherals if base <= byte), default=None)
-    return peripherals[base], (byte - base) & ~3, (byte & 3) * 8 + (alias >> 2 & 7)
+    return peripheral(byte), byte & BLOCK - 4, (byte & 3) * 8 + (alias >> 2 & 7)
 
 
 def read_bit(_uc, alias, _size, _data):
-    peripheral, offset, number = bit(alias)
-    return peripheral.read(offset) >> number & 1
+    registers, offset, number = bit(alias)
+    return registers.read(offset) >> number & 1
 
 
 def write_bit(_uc, alias, _size, value, _data):
-    peripheral, offset, number = bit(alias)
-    peripheral.write(offset, peripheral.read(offset) & ~(1 << number) | (value & 1) << number)
+    registers, offset, number = bit(alias)
+    registers.write(offset, registers.read(offset) & ~(1 << number) | (value & 1) << number)
 
 
+for page in {address & -PAGE for address in blocks}:
+    uc.mmio_map(page, PAGE, read, page, write, page)
 uc.mmio_map(BIT_BAND, BIT_BAND_SIZE, read_bit, None, write_bit, None)
 
 failure = None

@@ -58,9 +58,12 @@ fn main() -> ! {
             let start = clock.cycles();
             let turn = Angle::turns(frame as i32, FRAMES);
             let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display);
-            let statistics = drawn.unwrap_or_else(|problem| stop(problem));
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
-            defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics);
+            match drawn {
+                Ok(statistics) => defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics),
+                // An error of the bus, for instance. The next frame opens its own windows and sends every pixel again.
+                Err(problem) => defmt::error!("frame {=u32}: {=str}", frame, problem),
+            }
         }
     }
 }

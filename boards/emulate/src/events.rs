@@ -22,6 +22,8 @@ pub(crate) enum What {
     Waited(u64),
     /// Time passes.
     Time,
+    /// The bus has broken, as it was asked to.
+    Broken,
 }
 
 impl Event {
@@ -41,6 +43,7 @@ impl Event {
             0x20 => (time, What::Log(value)),
             0x30 => (0, What::Waited(time)),
             0x40 => (time, What::Time),
+            0x50 => (time, What::Broken),
             _ => return Err(io::Error::other(format!("the emulator's output is damaged: kind {kind:#04x}"))),
         };
         Ok(Some(Self { time, what }))

@@ -34,12 +34,13 @@ fn main() -> ExitCode {
         let image: PathBuf = given.remove_one("image").ok_or("no image")?;
         let tools: PathBuf = given.remove_one("tools").ok_or("no tools")?;
         let frames: Option<u32> = given.remove_one("frames");
+        let break_at: Option<u32> = given.remove_one("break-bus");
         let board = BOARDS.iter().find(|board| board.name == name);
         let board = board.ok_or_else(|| {
             let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
             format!("{name}: not an emulated board; they are {}", names.join(", "))
         })?;
-        let frames = emulate(board, &image, &tools, frames.unwrap_or(board.frames))
+        let frames = emulate(board, &image, &tools, frames.unwrap_or(board.frames), break_at)
             .map_err(|problem| format!("{name}: {problem}"))?;
         say(format_args!("{name}: {}", summary(&frames)))?;
         Ok::<_, String>(ExitCode::SUCCESS)
@@ -68,6 +69,11 @@ fn arguments() -> Command {
                 .help("Frames to compare, in place of a turn"),
         )
         .arg(
+            Arg::new("break-bus").long("break-bus").value_name("BYTE").value_parser(value_parser!(u32)).help(
+                "Let the bus fail with this byte: the firmware must log it, and show whole frames again",
+            ),
+        )
+        .arg(
             Arg::new("tools")
                 .long("tools")
                 .value_name("DIR")
@@ -78,46 +84,61 @@ fn arguments() -> Command {
 }
 
 /// The frames that the firmware has shown; all were as the host draws them.
-fn emulate(board: &Board, image: &Path, tools: &Path, frames: u32) -> Result<Vec<Frame>, String> {
+fn emulate(
+    board: &Board,
+    image: &Path,
+    tools: &Path,
+    frames: u32,
+    break_at: Option<u32>,
+) -> Result<Vec<Frame>, String> {
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
     let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(board.name).join("model.stl");
     let mut watch = Watch::new(board, (board.pictures)(&model)?);
     let mut log = tables.decoder();
 
+    if break_at.is_some() && matches!(board.chip, Chip::Rp2040 { .. }) {
+        return Err("nothing on its bus can fail".into());
+    }
     let mut emulator = emulator(&board.chip, image, tools, tables.address);
+    if let Some(byte) = break_at {
+        emulator.arg(format!("overrun={byte}"));
+    }
     emulator.stdin(Stdio::null()).stdout(Stdio::piped());
     let running = emulator.spawn().map_err(|error| format!("{:?}: {error}", emulator.get_program()))?;
     let mut running = Running(running);
     let mut events = BufReader::with_capacity(1 << 16, running.0.stdout.take().ok_or("no output")?);
-    let mut last_line = String::from("nothing");
+    let mut last_line = String::from("none");
+    let mut problems = 0;
     while watch.frames().len() < frames as usize {
         let Some(event) = Event::read(&mut events).map_err(|error| error.to_string())? else {
             let status = running.0.wait().map_err(|error| error.to_string())?;
             return Err(format!("the emulator has ended, {status}"));
         };
-        let at = |problem: String| {
-            let shown = watch.frames().len();
-            format!("{problem}, at {:.3} ms, after {shown} frames", event.time as f64 / 1e6)
-        };
+        let shown = watch.frames().len();
+        let at = |problem| format!("{problem}, at {:.3} ms, after {shown} frames", event.time as f64 / 1e6);
         if let What::Log(byte) = event.what {
             if let Some(line) = log.line(byte).map_err(at)? {
-                if line.is_problem {
+                if line.is_problem && break_at.is_none() {
                     return Err(at(format!("the firmware logs: {}", line.text)));
+                }
+                if line.is_problem {
+                    say(format_args!("{}: the firmware logs: {}", board.name, line.text))?;
+                    problems += 1;
+                    watch.lose_frame();
                 }
                 last_line = line.text;
             }
         }
         let since = watch.frames().last().map_or(0, |frame| frame.time);
         if event.time > since + PATIENCE {
-            return Err(at(format!(
-                "no frame for {} s; the last line of the log: {last_line}",
-                PATIENCE / 1_000_000_000
-            )));
+            let seconds = PATIENCE / 1_000_000_000;
+            return Err(at(format!("no frame for {seconds} s; the last line of the log: {last_line}")));
         }
-        let shown = watch.frames().len();
-        let what = |problem| format!("{problem}, at {:.3} ms, after {shown} frames", event.time as f64 / 1e6);
-        watch.event(event).map_err(what)?;
+        watch.event(event).map_err(at)?;
+    }
+    if break_at.is_some() && problems == 0 {
+        return Err("the bus has broken, and the firmware has not logged it".into());
     }
     Ok(watch.frames().to_vec())
 }

@@ -15,6 +15,10 @@ pub(crate) struct Watch<'a> {
     last_byte: Option<u64>,
     waited: u64,
     frames: Vec<Frame>,
+    /// Frames that the firmware has given up.
+    lost: u32,
+    /// Whether the bus has broken since the last whole frame: what was on its way may be cut off.
+    broken: bool,
 }
 
 /// A frame that the display has got completely.
@@ -32,12 +36,26 @@ impl<'a> Watch<'a> {
     pub(crate) fn new(board: &'a Board, pictures: Pictures) -> Self {
         let controller = Controller::new();
         let controller = if board.display.bgr { controller.with_bgr() } else { controller };
-        let (timing, last_byte, waited, frames) = (Timing::new(), None, 0, Vec::new());
-        Self { board, pictures, controller, timing, last_byte, waited, frames }
+        Self {
+            board,
+            pictures,
+            controller,
+            timing: Timing::new(),
+            last_byte: None,
+            waited: 0,
+            frames: Vec::new(),
+            lost: 0,
+            broken: false,
+        }
     }
 
     pub(crate) fn frames(&self) -> &[Frame] {
         &self.frames
+    }
+
+    /// The firmware logs that it has given up a frame.
+    pub(crate) fn lose_frame(&mut self) {
+        self.lost += 1;
     }
 
     /// Takes an event that is not of the log. An error says what no display would show, or what differs.
@@ -52,6 +70,10 @@ impl<'a> Watch<'a> {
             }
             What::Waited(time) => {
                 self.waited += time;
+                Ok(())
+            }
+            What::Broken => {
+                self.broken = true;
                 Ok(())
             }
             What::Pin { .. } | What::Log(_) | What::Time => Ok(()),
@@ -85,8 +107,11 @@ impl<'a> Watch<'a> {
     }
 
     /// What the controller would not have understood.
-    fn refusals(&self) -> Result<(), String> {
-        let controller = &self.controller;
+    fn refusals(&mut self) -> Result<(), String> {
+        let controller = &mut self.controller;
+        if self.broken {
+            (controller.partly_filled, controller.cut_off) = (0, 0);
+        }
         if let Some(error) = controller.errors.first() {
             Err(error.clone())
         } else if controller.partly_filled > 0 {
@@ -103,7 +128,7 @@ impl<'a> Watch<'a> {
     /// The last pixel of a frame has arrived.
     fn frame(&mut self, time: u64) -> Result<(), String> {
         let display = &self.board.display;
-        let number = self.frames.len() as u32 % self.board.frames;
+        let number = (self.frames.len() as u32 + self.lost) % self.board.frames;
         let (width, height) = (usize::from(display.width), usize::from(display.height));
         let (shown, wanted) =
             (self.controller.picture(display.held, width, height), (self.pictures)(number)?);
@@ -125,6 +150,7 @@ impl<'a> Watch<'a> {
             ));
         }
         let (bytes, _) = self.controller.count();
+        self.broken = false;
         self.frames.push(Frame { time, waited: self.waited, bytes });
         Ok(())
     }

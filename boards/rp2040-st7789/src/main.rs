@@ -1,5 +1,5 @@
 //! An RP2040 with an ST7789 on SPI: your model turns, drawn into one strip while DMA sends the other, and each frame logs its time
-//! and what was drawn. Compiled, not run on hardware.
+//! and what was drawn. Run on an emulated RP2040, not on hardware.
 #![no_std]
 #![no_main]
 

@@ -11,7 +11,7 @@ use support::panel::framebuffer::Framebuffer;
 use support::panel::screen::StoredPixel;
 
 /// As in the firmware's `src/main.rs`.
-pub(crate) const FRAMES: u32 = 120;
+pub(crate) const FRAMES: u32 = 48;
 const SIZE: Size = Size::new(320, 240);
 
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {

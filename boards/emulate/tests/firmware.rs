@@ -1,5 +1,5 @@
-//! Firmware with a fault fails on the emulated board, for the reason that it should. Each is a copy of the template in which
-//! a few words are replaced, built and linked as the template is.
+//! Firmware with a fault fails on the emulated board, for the reason that it should, and a bus that fails does no lasting harm.
+//! Each firmware is a copy of the template in which a few words are replaced, built and linked as the template is.
 
 use std::fs;
 use std::io::Write;
@@ -20,6 +20,7 @@ struct Template {
 type Edit = (&'static str, &'static str, &'static str);
 
 const RP2040: Template = Template { board: "rp2040-st7789", target: "thumbv6m-none-eabi" };
+const STM32: Template = Template { board: "stm32f4-ili9341", target: "thumbv7em-none-eabihf" };
 
 /// The last bytes are still in the bus's queue when CS rises.
 #[test]
@@ -61,31 +62,100 @@ fn without_waiting_the_reset_is_too_short() {
 
 /// The template itself passes: what the mutants fail for is their fault.
 #[test]
-fn the_template_itself_passes() {
-    RP2040.passes(&[]);
+fn the_template_for_the_rp2040_passes() {
+    RP2040.passes(&[], &[]);
+}
+
+/// The window is that of a glass whose columns run the other way.
+#[test]
+fn a_wrong_orientation_mirrors_the_picture_of_the_stm32() {
+    STM32.fails(
+        &[("src/main.rs", ".rotate(Rotation::Deg90).flip_vertical()", ".rotate(Rotation::Deg90)")],
+        "frame 0 differs in",
+    );
+}
+
+#[test]
+fn swapped_bytes_are_other_colors_on_the_stm32() {
+    let swapped = "{
+        use embedded_graphics_core::pixelcolor::{raw::RawU16, IntoStorage};
+        Rgb565::from(RawU16::new(COLOR.dim(level(face)).into_storage().swap_bytes()))
+    }";
+    STM32.fails(&[("src/picture.rs", "COLOR.dim(level(face))", swapped)], "frame 0 differs in");
+}
+
+#[test]
+fn a_bus_that_is_too_fast_is_noticed_on_the_stm32() {
+    STM32.fails(&[("src/main.rs", "MODE_0, 25.MHz()", "MODE_0, 50.MHz()")], "a byte in 160 ns");
+}
+
+#[test]
+fn a_bus_mode_that_the_display_does_not_have_is_noticed_on_the_stm32() {
+    let edits =
+        [("src/main.rs", "spi::MODE_0}", "spi::MODE_1}"), ("src/main.rs", "spi, MODE_0,", "spi, MODE_1,")];
+    STM32.fails(&edits, "neither in mode 0 nor in mode 3");
+}
+
+#[test]
+fn without_waiting_the_reset_is_too_short_on_the_stm32() {
+    let wait = "cortex_m::asm::delay(time.div_ceil(1000) * MEGAHERTZ);";
+    STM32.fails(&[("src/main.rs", wait, "let _ = time;")], "a reset pulse of");
+}
+
+/// With byte 100 000, in the middle of the first frame, SPI1 reports an overrun. The frame is lost, and the next one as well, as the HAL
+/// clears the error only there; the two after are compared, pixel by pixel.
+#[test]
+fn a_bus_error_is_logged_and_the_frames_after_it_are_whole() {
+    let said = STM32.passes(&[], &["--break-bus", "100000"]);
+    assert!(said.is_none_or(|said| {
+        said.contains("logs: frame 0: the display refused the pixels")
+            && said.contains("logs: frame 1: the display refused the pixels")
+            && !said.contains("logs: frame 2")
+    }));
+}
+
+#[test]
+fn firmware_that_gives_up_after_a_bus_error_fails() {
+    let log = "defmt::error!(\"frame {=u32}: {=str}\", frame, problem)";
+    let edits = [("src/main.rs", log, "stop(problem)")];
+    let problem = "no frame for 2 s; the last line of the log: the display refused the pixels";
+    STM32.ends(&edits, &["--break-bus", "100000"], problem);
+}
+
+#[test]
+fn a_bus_error_during_the_start_is_logged() {
+    let problem = "no frame for 2 s; the last line of the log: the display does not start";
+    STM32.ends(&[], &["--break-bus", "3"], problem);
 }
 
 impl Template {
     /// Builds it with the edits, and runs it: the run must end with this problem.
     #[track_caller]
     fn fails(&self, edits: &[Edit], problem: &str) {
-        let Some(output) = self.run(edits) else { return };
+        self.ends(edits, &[], problem);
+    }
+
+    #[track_caller]
+    fn ends(&self, edits: &[Edit], options: &[&str], problem: &str) {
+        let Some(output) = self.run(edits, options) else { return };
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success() && said.contains(problem), "not {problem:?} but {output:?}");
     }
 
+    /// The run must end well. What it prints; none if the tools are missing.
     #[track_caller]
-    fn passes(&self, edits: &[Edit]) {
-        let Some(output) = self.run(edits) else { return };
-        let said = String::from_utf8_lossy(&output.stdout);
+    fn passes(&self, edits: &[Edit], options: &[&str]) -> Option<String> {
+        let output = self.run(edits, options)?;
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
         assert!(
             output.status.success() && said.contains(&format!(": {FRAMES} frames equal, ")),
             "{output:?}"
         );
+        Some(said)
     }
 
     /// None if the tools are missing.
-    fn run(&self, edits: &[Edit]) -> Option<Output> {
+    fn run(&self, edits: &[Edit], options: &[&str]) -> Option<Output> {
         if !self.has_tools() {
             return None;
         }
@@ -95,6 +165,7 @@ impl Template {
             .arg(self.board)
             .arg(image)
             .args(["--frames", FRAMES])
+            .args(options)
             .stdin(Stdio::null())
             .output();
         Some(output.expect("the program was built"))
