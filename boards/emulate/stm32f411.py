@@ -386,7 +386,8 @@ def take_log():
     uc.mem_write(log + 40, struct.pack("<I", end))
 
 
-COUNTDOWN, SPIN = (0x3801, 0xD1FD), (0xBF10, 0xE7FD)  # subs r0, #1; bne to itself; yield; b to itself
+COUNTDOWN = (0x3801, 0xD1FD)  # subs r0, #1; bne to it
+YIELD = 0xBF10
 INTERVAL = 10_000  # cycles from one look at the log to the next
 RETURN = 0x1000_0000  # where exception handlers return to; the chip has nothing there
 costs = {}
@@ -413,17 +414,14 @@ def block(_uc, address, size, _data):
 
 
 def skip(address, size, cost):
-    """Many rounds of a loop that only counts down or only waits go by at once, up to the next look."""
+    """Many rounds of a loop that only counts down go by at once, up to the next look."""
     first, second = struct.unpack("<HH", uc.mem_read(address, 4)) if size == 4 else (0, 0)
-    rounds = max(due - clock.cycles, 0) // cost
     if (first & 0xF8FF, second) == COUNTDOWN:
         register = arm.UC_ARM_REG_R0 + (first >> 8 & 7)
         count = uc.reg_read(register)
-        rounds = min(rounds, count - 1)
+        rounds = min(max(due - clock.cycles, 0) // cost, count - 1)
         uc.reg_write(register, count - rounds)
-    elif (first, second) != SPIN:
-        return
-    clock.cycles += rounds * cost
+        clock.cycles += rounds * cost
 
 
 def look():
@@ -465,14 +463,20 @@ uc.hook_add(UC_HOOK_BLOCK, block)
 uc.hook_add(UC_HOOK_MEM_INVALID, invalid)
 stack, start = struct.unpack("<II", uc.mem_read(FLASH, 8))
 uc.reg_write(arm.UC_ARM_REG_SP, stack)
-try:
-    while failure is None:
+while failure is None:
+    try:
         uc.emu_start(start, 0xFFFF_FFFF)
-        if exception and failure is None:
-            exception = False
-            systick()
-        start = uc.reg_read(arm.UC_ARM_REG_PC) | 1
-except UcError as error:
-    failure = failure or str(error)
+    except UcError as error:
+        # Unicorn stops after a `yield`, with which the firmware says that it only waits: until the next look.
+        (before,) = struct.unpack("<H", uc.mem_read(uc.reg_read(arm.UC_ARM_REG_PC) - 2, 2))
+        if before == YIELD:
+            clock.cycles = max(clock.cycles, due)
+            look()
+        else:
+            problem(str(error))
+    if exception and failure is None:
+        exception = False
+        systick()
+    start = uc.reg_read(arm.UC_ARM_REG_PC) | 1
 flush()
 sys.exit(f"{failure}, at {uc.reg_read(arm.UC_ARM_REG_PC):#010x} after {clock.time() / 1e6:.3f} ms")
