@@ -13,6 +13,8 @@ export const LOG = 0x20;
 export const WAITED = 0x30;
 /** Nothing but the time. */
 export const TIME = 0x40;
+/** In place of the time: how long a byte takes on the bus, from now on. */
+export const CLOCK = 0x60;
 /** The emulator has broken the bus, as it was asked to. */
 export const BROKEN = 0x50;
 

@@ -3,7 +3,7 @@
 import os
 import struct
 
-BYTE, PIN, LOG, WAITED, TIME, BROKEN = 0x00, 0x10, 0x20, 0x30, 0x40, 0x50
+BYTE, PIN, LOG, WAITED, TIME, BROKEN, CLOCK = 0x00, 0x10, 0x20, 0x30, 0x40, 0x50, 0x60
 _records = bytearray()
 _pack = struct.Struct("<Q").pack
 

@@ -8,7 +8,7 @@
 // misses of its cache are not modelled, nor is the second core.
 
 import { loadFlash, loadRom, rp2040js } from './boot.mjs';
-import { BYTE, LOG, PIN, TIME, WAITED, flush, report } from './events.mjs';
+import { BYTE, CLOCK, LOG, PIN, TIME, WAITED, flush, report } from './events.mjs';
 
 const [rom, image, ...rest] = process.argv.slice(2);
 const options = Object.fromEntries(rest.map((option) => option.split('=')));
@@ -49,10 +49,10 @@ mcu.gpio.forEach((pin, index) =>
 const spi = mcu.spi[number('spi')];
 const FUNCTION_SPI = 1;
 const wires = options.wires.split(',').map(Number);
-let shifted = 0;
+let [shifted, byteTime] = [0, 0];
 const arrived = clock.createAlarm(() => {
   const lines = (levels[command] ? 1 : 0) | (unselected ? 2 : 0);
-  if (spi.dataBits === 16) report(BYTE | lines, shifted >> 8, clock.nanos - spi.dataBits / 2 * 1e9 / spi.clockFrequency);
+  if (spi.dataBits === 16) report(BYTE | lines, shifted >> 8, clock.nanos - byteTime);
   report(BYTE | lines, shifted & 0xff, clock.nanos);
   spi.completeTransmit(0);
 });
@@ -64,6 +64,7 @@ spi.onTransmit = (value) => {
     if (mcu.gpio[pin].functionSelect !== FUNCTION_SPI) fail(`pin ${pin} is not the SPI's`);
   }
   if (dataBits !== 8 && dataBits !== 16) fail(`an SPI frame of ${dataBits} bits`);
+  if (byteTime !== 8e9 / clockFrequency) report(CLOCK, 0, (byteTime = 8e9 / clockFrequency));
   shifted = value;
   unselected = levels[select];
   arrived.schedule((dataBits * 1e9) / clockFrequency);

@@ -18,7 +18,7 @@ from unicorn import UC_ARCH_ARM, UC_HOOK_BLOCK, UC_HOOK_MEM_INVALID, UC_MODE_MCL
 from unicorn import arm_const as arm
 
 import cortex_m4
-from events import BROKEN, BYTE, LOG, PIN, TIME, WAITED, flush, report
+from events import BROKEN, BYTE, CLOCK, LOG, PIN, TIME, WAITED, flush, report
 
 FLASH, RAM, RAM_SIZE = 0x0800_0000, 0x2000_0000, 128 << 10
 HSI, HSE = 16_000_000, 25_000_000
@@ -212,7 +212,9 @@ class Spi1(Registers):
         for pin in wires:
             if not gpio.is_connected(pin):
                 problem(f"PA{pin} is not SPI1's")
-        return (2 << (control >> 3 & 7)) * rcc.apb2_divisor()
+        bit_cycles = (2 << (control >> 3 & 7)) * rcc.apb2_divisor()
+        report(CLOCK, 0, 8 * bit_cycles * 1_000_000_000 // clock.frequency)
+        return bit_cycles
 
     def status(self):
         return (

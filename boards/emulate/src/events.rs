@@ -22,6 +22,8 @@ pub(crate) enum What {
     Waited(u64),
     /// Time passes.
     Time,
+    /// A byte on the bus takes this many nanoseconds from now on.
+    Clock(u64),
     /// The bus has broken, as it was asked to.
     Broken,
 }
@@ -44,6 +46,7 @@ impl Event {
             0x30 => (0, What::Waited(time)),
             0x40 => (time, What::Time),
             0x50 => (time, What::Broken),
+            0x60 => (0, What::Clock(time)),
             _ => return Err(io::Error::other(format!("the emulator's output is damaged: kind {kind:#04x}"))),
         };
         Ok(Some(Self { time, what }))
@@ -61,6 +64,10 @@ mod tests {
             [0x11, 2, 0, 0, 0, 0, 0, 0x80],
             [0x95, 0x10, 5, 0, 0, 0, 0, 0],
             [7, 0x30, 9, 0, 0, 0, 0, 0],
+            [7, 0x60, 128, 0, 0, 0, 0, 0],
+            [0, 0x50, 3, 0, 0, 0, 0, 0],
+            [0, 0x40, 4, 0, 0, 0, 0, 0],
+            [0x21, 0x20, 6, 0, 0, 0, 0, 0],
         ];
         let mut input = records.as_flattened();
         let mut read = || Event::read(&mut input).expect("records").expect("one more");
@@ -70,6 +77,10 @@ mod tests {
         assert_eq!(read(), Event { time: 0x8000_0000_0000, what: byte });
         assert_eq!(read(), Event { time: 5, what: What::Pin { number: 0x15, high: true } });
         assert_eq!(read(), Event { time: 0, what: What::Waited(9) });
+        assert_eq!(read(), Event { time: 0, what: What::Clock(128) });
+        assert_eq!(read(), Event { time: 3, what: What::Broken });
+        assert_eq!(read(), Event { time: 4, what: What::Time });
+        assert_eq!(read(), Event { time: 6, what: What::Log(0x21) });
         assert_eq!(Event::read(&mut input).expect("an end"), None);
         assert!(Event::read(&mut &[0, 0x55, 0, 0, 0, 0, 0, 0][..]).is_err());
     }

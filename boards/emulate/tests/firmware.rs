@@ -97,9 +97,9 @@ fn a_bus_mode_that_the_display_does_not_have_is_noticed_on_the_stm32() {
 }
 
 #[test]
-fn without_waiting_the_reset_is_too_short_on_the_stm32() {
+fn without_waiting_the_first_command_is_too_early_on_the_stm32() {
     let wait = "cortex_m::asm::delay(time.div_ceil(1000) * MEGAHERTZ);";
-    STM32.fails(&[("src/main.rs", wait, "let _ = time;")], "a reset pulse of");
+    STM32.fails(&[("src/main.rs", wait, "let _ = time;")], "command 0x36 is 5000 µs too early after reset");
 }
 
 /// With byte 100 000, in the middle of the first frame, SPI1 reports an overrun. The frame is lost, and the next one as well, as the HAL
