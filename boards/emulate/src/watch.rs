@@ -1,6 +1,6 @@
 //! Follows the events of a board: what its display shows, whether the controller would take it, and the time of each frame.
 
-use crate::boards::{Board, Pictures};
+use crate::boards::{Board, Pictures, Sends};
 use crate::events::{Event, What};
 use crate::timing::Timing;
 use support::panel::Controller;
@@ -17,6 +17,9 @@ pub(crate) struct Watch<'a> {
     lost: u32,
     /// Whether the bus has broken since the last whole frame: what was on its way may be cut off.
     broken: bool,
+    /// The last picture that was shown, and the one that is expected: see [`Sends::Changes`].
+    last: Vec<u32>,
+    next: Vec<u32>,
 }
 
 /// A frame that the display has got completely.
@@ -43,6 +46,8 @@ impl<'a> Watch<'a> {
             frames: Vec::new(),
             lost: 0,
             broken: false,
+            last: Vec::new(),
+            next: Vec::new(),
         }
     }
 
@@ -98,6 +103,7 @@ impl<'a> Watch<'a> {
         self.refusals()?;
         let last_pixel = (self.board.display.width - 1, self.board.display.height - 1);
         match self.controller.completed().filter(|_| data) {
+            Some(_) if self.board.sends == Sends::Changes && !self.frames.is_empty() => self.changes(time),
             Some(((_, right), (_, bottom))) if (right, bottom) == last_pixel => self.frame(time),
             _ => Ok(()),
         }
@@ -146,9 +152,41 @@ impl<'a> Watch<'a> {
                 first / width
             ));
         }
+        self.shown(time, wanted)
+    }
+
+    /// A rectangle of a frame has arrived.
+    fn changes(&mut self, time: u64) -> Result<(), String> {
+        let display = &self.board.display;
+        let width = usize::from(display.width);
+        let shown = self.controller.picture(display.held, width, display.height.into());
+        let number = self.frames.len() as u32 % self.board.frames;
+        let mut pixels = shown.iter().zip(self.last.iter().zip(&self.next));
+        if let Some(at) = pixels.position(|(shown, (last, next))| shown != last && shown != next) {
+            return Err(format!(
+                "before frame {number}, column {}, row {} is {:#06x}, in place of {:#06x} as before, or {:#06x}",
+                at % width,
+                at / width,
+                shown[at],
+                self.last[at],
+                self.next[at]
+            ));
+        }
+        if shown == self.next {
+            return self.shown(time, shown);
+        }
+        Ok(())
+    }
+
+    /// The display shows the next picture.
+    fn shown(&mut self, time: u64, picture: Vec<u32>) -> Result<(), String> {
         let (bytes, _) = self.controller.count();
         self.broken = false;
         self.frames.push(Frame { time, waited: self.waited, bytes });
+        if self.board.sends == Sends::Changes {
+            self.last = picture;
+            self.next = (self.pictures)(self.frames.len() as u32 % self.board.frames)?;
+        }
         Ok(())
     }
 }
@@ -165,6 +203,7 @@ mod tests {
         chip: Chip::Rp2040 { spi: 0, clock: 0, data: 1, select: 2, command: 3, reset: 4 },
         display: Display { width: 2, height: 2, held: Held::Upright, bgr: false, inverted: true, bit: 16 },
         frames: 1,
+        sends: Sends::All,
         pictures: |_| Err("no model".into()),
     };
     const PIXELS: [u8; 8] = [0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc, 0xde, 0xf0];

@@ -1,5 +1,6 @@
 //! The boards that are emulated. A new one is a file here, which draws its pictures on the host, and a row of [`BOARDS`].
 
+mod rp2040_embassy;
 mod rp2040_st7789;
 mod stm32f4_ili9341;
 
@@ -14,7 +15,18 @@ pub(crate) struct Board {
     pub(crate) display: Display,
     /// Frames of a turn, after which pictures repeat.
     pub(crate) frames: u32,
+    pub(crate) sends: Sends,
     pub(crate) pictures: MakePictures,
+}
+
+/// What a frame sends after the first one, and so how its end shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sends {
+    /// All pixels: a frame ends with the last one.
+    All,
+    /// Rectangles that contain what has changed: a frame ends when the display shows the next picture. Until then each pixel is
+    /// that of one picture or the next.
+    Changes,
 }
 
 /// The microcontroller and its wires to the display, by the numbers of pins.
@@ -54,17 +66,19 @@ pub(crate) type MakePictures = fn(&Path) -> Result<Pictures, String>;
 pub(crate) const BOARDS: &[Board] = &[
     Board {
         name: "rp2040-st7789",
-        chip: Chip::Rp2040 { spi: 0, clock: 18, data: 19, select: 17, command: 20, reset: 21 },
-        display: Display {
-            width: 240,
-            height: 240,
-            held: Held::Upright,
-            bgr: false,
-            inverted: true,
-            bit: 16, // the data sheet's limit
-        },
+        chip: PICO,
+        display: ST7789,
         frames: rp2040_st7789::FRAMES,
+        sends: Sends::All,
         pictures: rp2040_st7789::pictures,
+    },
+    Board {
+        name: "rp2040-embassy",
+        chip: PICO,
+        display: ST7789,
+        frames: rp2040_embassy::FRAMES,
+        sends: Sends::Changes,
+        pictures: rp2040_embassy::pictures,
     },
     Board {
         name: "stm32f4-ili9341",
@@ -78,9 +92,20 @@ pub(crate) const BOARDS: &[Board] = &[
             bit: 40, // beyond the data sheet, as the board's README says
         },
         frames: stm32f4_ili9341::FRAMES,
+        sends: Sends::All,
         pictures: stm32f4_ili9341::pictures,
     },
 ];
+
+const PICO: Chip = Chip::Rp2040 { spi: 0, clock: 18, data: 19, select: 17, command: 20, reset: 21 };
+const ST7789: Display = Display {
+    width: 240,
+    height: 240,
+    held: Held::Upright,
+    bgr: false,
+    inverted: true,
+    bit: 16, // the data sheet's limit
+};
 
 /// Imports a board's model as its build script does.
 fn import(model: &Path, options: &pinhole_import::Options) -> Result<pinhole_import::ImportedMesh, String> {
