@@ -9,6 +9,7 @@
 //! 7. [Number formats and errors](ch7_numbers)
 //! 8. [From embedded-gfx and embedded-3dgfx](ch8_porting)
 //! 9. [Cookbook](ch9_cookbook): seven whole programs, with their pictures
+//! 10. [Measuring on your board](ch10_measuring): clock cycles, waiting, bytes, and logs
 //!
 //! The module exists in the documentation only: it has nothing to import.
 
@@ -45,4 +46,5 @@ pub mod ch7_numbers {}
 #[doc = include_str!("ch8_porting.md")]
 pub mod ch8_porting {}
 
+pub mod ch10_measuring;
 pub mod ch9_cookbook;
