@@ -9,7 +9,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-#[allow(unreachable_pub)] // as a file of its own it is right
+#[allow(dead_code, unreachable_pub)] // as a file of its own it is right; the bytes are the firmware's
 #[path = "../../../boards/any-cortex-m/src/picture.rs"]
 mod picture;
 #[allow(dead_code, unreachable_pub)] // its `main` is for cargo
@@ -76,7 +76,7 @@ macro_rules! draws_into_a_target {
             let $crate::firmware::Buffers { cache, bins, strip, depths } = &mut buffers;
             let mut memory = $picture::Memory::new(cache, bins, strip, depths);
             let camera = $picture::camera(&mesh, screen)?;
-            Ok($picture::draw(&mesh, color, &camera, turn, &mut memory, display)?)
+            Ok($picture::draw(&mesh, color, &camera, turn, &mut memory, display)?.statistics)
         }
     };
 }

@@ -1,4 +1,4 @@
-//! Your model turns on your display, and each frame logs its time and what was drawn. Yours to change: `model.stl` with its name
+//! Your model turns on your display, and each frame logs its time, its bytes and what was drawn. Yours to change: `model.stl` with its name
 //! in `build.rs`, `src/display.rs`, `memory.x`, `.cargo/config.toml`, and the clock below.
 #![no_std]
 #![no_main]
@@ -15,7 +15,7 @@ use cortex_m::singleton;
 use defmt_rtt as _; // logs go through the probe; without one they are dropped
 use display::{Display, SIZE};
 use embedded_graphics_core::{geometry::Dimensions, pixelcolor::Rgb565};
-use picture::Memory;
+use picture::{Drawn, Memory};
 use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
 #[cfg(target_arch = "riscv32")]
 use riscv::singleton;
@@ -60,7 +60,9 @@ fn main() -> ! {
             let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display);
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
             match drawn {
-                Ok(statistics) => defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics),
+                Ok(Drawn { statistics, bytes }) => {
+                    defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
+                }
                 // An error of the bus, for instance. The next frame opens its own windows and sends every pixel again.
                 Err(problem) => defmt::error!("frame {=u32}: {=str}", frame, problem),
             }

@@ -42,6 +42,13 @@ pub fn camera(mesh: &Mesh<'_>, screen: Rectangle) -> Result<Camera, &'static str
         .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")
 }
 
+/// What a frame was.
+pub struct Drawn {
+    pub statistics: Statistics,
+    /// Of the pixels that were sent, without those of commands.
+    pub bytes: u32,
+}
+
 /// Draws the mesh, turned about the y axis, and sends it to the display band by band. `color` gives the colour of each face.
 pub fn draw<D: DrawTarget<Color = Rgb565>>(
     mesh: &Mesh<'_>,
@@ -50,7 +57,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     turn: Angle,
     memory: &mut Memory<'_>,
     display: &mut D,
-) -> Result<Statistics, &'static str> {
+) -> Result<Drawn, &'static str> {
     let model = Affine::rotation_y(turn);
     let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), AMBIENT).map_err(|_| "no light")?;
     let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
@@ -62,12 +69,14 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
         "no room for all faces: the bins are of another mesh, or it has more than 65535 faces"
     })?;
     let mut frame = Frame::new(display.bounding_box(), BACKGROUND);
+    let mut bytes = 0;
     while let Some(mut band) = frame.next_band(memory.strip).map_err(|_| "the strip is shorter than a row")? {
         let depth = DepthBuffer::new(band.area(), memory.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let Ok(()) = faces.depth_tested(|face| color(face).dim(level(face)), &mut depth, &mut band.pixels());
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
         band.send(display).map_err(|_| "the display refused the pixels")?;
+        bytes += band.bytes().len() as u32; // of any display, less than 2³²
     }
-    Ok(faces.statistics())
+    Ok(Drawn { statistics: faces.statistics(), bytes })
 }

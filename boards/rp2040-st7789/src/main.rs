@@ -90,11 +90,13 @@ fn main() -> ! {
             let start = clock.cycles();
             let turned = picture.turned(Angle::turns(frame as i32, FRAMES));
             let mut turned = turned.unwrap_or_else(|problem| stop(problem));
+            let mut bytes = 0;
             free = loop {
                 match turned.band_or_strip(color, free).unwrap_or_else(|problem| stop(problem)) {
                     Break(strip) => break strip,
                     Continue(band) => {
                         let area = band.area();
+                        bytes += band.bytes().len() as u32; // of all bands, 115 200
                         let (panel, sent) = transfer.wait();
                         transfer = panel.send(&area, band.into_bytes());
                         free = sent;
@@ -102,7 +104,8 @@ fn main() -> ! {
                 }
             };
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
-            defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, turned.statistics());
+            let statistics = turned.statistics();
+            defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! An STM32F411 with an ILI9341 on SPI: your model turns, and each frame logs its time and what was drawn. Run on an
+//! An STM32F411 with an ILI9341 on SPI: your model turns, and each frame logs its time, its bytes and what was drawn. Run on an
 //! emulated STM32F411, not on hardware.
 #![no_std]
 #![no_main]
@@ -16,7 +16,7 @@ use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::interface::SpiInterface;
 use mipidsi::options::{ColorOrder, Orientation, Rotation};
 use mipidsi::{models::ILI9341Rgb565, Builder};
-use picture::Memory;
+use picture::{Drawn, Memory};
 use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
 use stm32f4xx_hal::gpio::Speed;
 use stm32f4xx_hal::{
@@ -89,7 +89,9 @@ fn main() -> ! {
             let drawn = picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display);
             let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
             match drawn {
-                Ok(statistics) => defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics),
+                Ok(Drawn { statistics, bytes }) => {
+                    defmt::info!("frame {=u32}: {=u32} us, {=u32} bytes, {}", frame, time, bytes, statistics);
+                }
                 // An error of the bus, for instance. The next frame opens its own windows and sends every pixel again.
                 Err(problem) => defmt::error!("frame {=u32}: {=str}", frame, problem),
             }
