@@ -360,4 +360,34 @@ mod tests {
             assert_eq!(error, problem, "{forgotten:x?}");
         }
     }
+
+    /// Frames that send what has changed: first 0x1234 … 0xdef0, then the same with a last pixel of 0x1111.
+    #[test]
+    fn a_frame_of_changes_ends_when_the_display_shows_it() {
+        const CHANGING: Board = Board { sends: Sends::Changes, frames: 2, ..BOARD };
+        let pictures = |frame| Ok(vec![0x1234, 0x5678, 0x9abc, [0xdef0, 0x1111][frame as usize]]);
+        let start = || {
+            let mut driver = Driver::new(&[]);
+            driver.watch = Watch::new(&CHANGING, Box::new(pictures));
+            driver.start().expect("a start");
+            driver.send(0, 0x2c, &PIXELS).expect("the first frame");
+            assert_eq!(driver.watch.frames().len(), 1);
+            driver
+        };
+        let row = |driver: &mut Driver, pixels: [u8; 4]| {
+            driver.send(0, 0x2b, &[0, 1, 0, 1])?;
+            driver.send(0, 0x2c, &pixels)
+        };
+        let mut driver = start();
+        row(&mut driver, [0x9a, 0xbc, 0xde, 0xf0]).expect("the row as before");
+        assert_eq!(driver.watch.frames().len(), 1);
+        row(&mut driver, [0x9a, 0xbc, 0x11, 0x11]).expect("the row as it should be");
+        assert_eq!(driver.watch.frames().len(), 2);
+        row(&mut driver, [0x9a, 0xbc, 0xde, 0xf0]).expect("the first picture again");
+        assert_eq!(driver.watch.frames().len(), 3);
+
+        let error = row(&mut start(), [0x9a, 0xbd, 0x11, 0x11]).expect_err("another pixel");
+        let expected = "before frame 1, column 0, row 1 is 0x9abd, in place of 0x9abc as before, or 0x9abc";
+        assert_eq!(error, expected);
+    }
 }

@@ -20,6 +20,7 @@ struct Template {
 type Edit = (&'static str, &'static str, &'static str);
 
 const RP2040: Template = Template { board: "rp2040-st7789", target: "thumbv6m-none-eabi" };
+const EMBASSY: Template = Template { board: "rp2040-embassy", target: "thumbv6m-none-eabi" };
 const STM32: Template = Template { board: "stm32f4-ili9341", target: "thumbv7em-none-eabihf" };
 
 /// The last bytes are still in the bus's queue when CS rises.
@@ -67,6 +68,12 @@ fn the_template_for_the_rp2040_passes() {
 }
 
 /// The window is that of a glass whose columns run the other way.
+#[test]
+fn a_frame_of_changes_that_is_left_out_is_noticed() {
+    let skip = "picture.turned(step + i32::from(number == 1))?";
+    EMBASSY.fails(&[("src/tasks.rs", "picture.turned(step)?", skip)], "before frame 1, column");
+}
+
 #[test]
 fn a_wrong_orientation_mirrors_the_picture_of_the_stm32() {
     STM32.fails(
