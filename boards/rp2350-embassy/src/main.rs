@@ -42,7 +42,7 @@ static BANDS: ConstStaticCell<[Strip; 3]> = ConstStaticCell::new([const { Strip:
 static STRIPS: StaticCell<Strips> = StaticCell::new();
 
 static EXECUTOR: StaticCell<Executor> = StaticCell::new();
-/// For tasks that do not wait until a band is drawn: an interrupt runs them, which timer and DMA interrupt in turn.
+/// For tasks that do not wait until a band is drawn: an interrupt runs them.
 static URGENT: InterruptExecutor = InterruptExecutor::new();
 
 #[allow(unsafe_code)]

@@ -1,0 +1,23 @@
+//! Converts the model, and tells the linker which scripts there are.
+
+use pinhole_import::{build, Edges, Options};
+use std::path::Path;
+
+/// An STL file, which has z up, or an OBJ file, which has y up: for another axis, set `up` below.
+const FILE: &str = "model.stl";
+
+/// What the importer makes of the file: a mesh 2 units long, which suits the camera whatever the file's unit is, with the
+/// normals of its faces for the light, and without edges, which this picture does not draw.
+pub fn options() -> Options {
+    Options { fit: Some(2.0), edges: Edges::None, ..Options::default() }
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // Writes model.rs with the constant MODEL, which src/main.rs includes.
+    build(Path::new(FILE), "MODEL", &options())?;
+
+    // The linker scripts of esp-hal and of defmt.
+    println!("cargo::rustc-link-arg-bins=-Tlinkall.x");
+    println!("cargo::rustc-link-arg-bins=-Tdefmt.x");
+    Ok(())
+}
