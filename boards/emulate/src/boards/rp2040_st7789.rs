@@ -1,36 +1,34 @@
 //! The pictures of `boards/rp2040-st7789`, whose drawing code and build script are compiled here, too.
 
 use super::Pictures;
-use pinhole::{Angle, ScreenVertex};
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb565;
+use pinhole::Angle;
 use std::path::Path;
+use support::panel::framebuffer::Framebuffer;
+use support::panel::screen::StoredPixel;
 
-#[allow(dead_code, unreachable_pub)] // as a file of its own it is right; the first transfer is the firmware's
+#[allow(dead_code, unreachable_pub)] // as a file of its own it is right
 #[path = "../../../rp2040-st7789/src/picture.rs"]
 mod picture;
 #[allow(dead_code, unreachable_pub)] // its `main` is for cargo
 #[path = "../../../rp2040-st7789/build.rs"]
 mod script;
+#[allow(unreachable_pub)] // as the macro writes it
+mod drawing {
+    use super::picture;
+    pinhole_render::draws_bands!(picture);
+}
 
 /// As in the firmware's `src/main.rs`.
 pub(crate) const FRAMES: u32 = 120;
+const SIZE: Size = Size::new(240, 240);
 
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
     let imported = super::import(model, &script::options())?;
     Ok(Box::new(move |frame| {
-        let mesh = imported.mesh().map_err(|error| error.to_string())?;
-        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
-        let mut bins = vec![0; mesh.face_bins_len()];
-        let pixels = picture::FIRST_BAND.size.width as usize * picture::ROWS as usize;
-        let mut depths = vec![0; pixels];
-        let mut strip = vec![0; 2 * pixels];
-        let mut picture = picture::Picture::new(&mesh, &mut cache, &mut bins, &mut depths)?;
-        let mut turned = picture.turned(Angle::turns(frame as i32, FRAMES))?;
-        let mut stored = Vec::new();
-        for _ in 0..picture::BANDS {
-            let bytes = turned.next_band(&mut strip)?.into_bytes();
-            // As on the bus: the high byte first.
-            stored.extend(bytes.as_chunks().0.iter().map(|&pair| u32::from(u16::from_be_bytes(pair))));
-        }
-        Ok(stored)
+        let mut picture = Framebuffer::new(SIZE, Rgb565::new(31, 0, 31));
+        drawing::draw(&imported, Angle::turns(frame as i32, FRAMES), &mut picture)?;
+        Ok(picture.pixels().iter().map(|color| color.stored()).collect())
     }))
 }
