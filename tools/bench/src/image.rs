@@ -87,7 +87,7 @@ macro_rules! solid_in_bands {
                 let faces = faces.as_mut().ok()?;
                 let mut frame = pinhole::Frame::new($crate::scene::area(), $crate::scene::BACKGROUND);
                 while let Some(mut band) = frame.next_band(strip).ok()? {
-                    let Ok(()) = faces.solid($crate::scene::flat(cube.mesh.normals(), light), &mut band.pixels());
+                    let Ok(()) = faces.solid($crate::scene::flat(&cube.mesh, light), &mut band.pixels());
                     band.send(&mut $crate::image::Sink).ok()?;
                 }
                 Some(())

@@ -119,7 +119,7 @@ impl<P: FacePlanes> Scene<P> {
     /// Lambert-flat.
     #[inline(always)]
     pub fn shade<'s>(&'s self, light: &'s Lambert) -> impl Fn(usize) -> Rgb565 + 's {
-        flat(self.mesh.normals(), light)
+        flat(&self.mesh, light)
     }
 }
 
@@ -162,8 +162,20 @@ impl Light for RigidLambert {
 
 /// Each face in the light that its normal has.
 #[inline(always)]
-pub fn flat<'s>(normals: &'s [[i16; 3]], light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
-    |face| match normals.get(face) {
+pub fn flat<'s, P>(mesh: &'s Mesh<'s, i16, P>, light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
+    |face| face_in_light(mesh.normals().get(face), light)
+}
+
+/// [`flat`] where an instance has the mesh. The images of which flash is measured hold the mesh, one word where the list of normals
+/// is two: up to 40 bytes at opt-level s.
+#[inline(always)]
+pub fn flat_of_normals<'s>(normals: &'s [[i16; 3]], light: &'s impl Light) -> impl Fn(usize) -> Rgb565 + 's {
+    |face| face_in_light(normals.get(face), light)
+}
+
+#[inline(always)]
+fn face_in_light(normal: Option<&[i16; 3]>, light: &impl Light) -> Rgb565 {
+    match normal {
         Some(&normal) => FACE.dim(light.level(normal)),
         None => FACE,
     }

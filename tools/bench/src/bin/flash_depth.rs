@@ -23,7 +23,7 @@ fn draw(
     let instance = Turntable::new().place(cube);
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
     let mut depth = DepthBuffer::new(area, storage).ok()?;
-    instance.depth_tested(scene::flat(cube.mesh.normals(), light), corners, &mut depth, &mut Sink).ok()?;
+    instance.depth_tested(scene::flat(&cube.mesh, light), corners, &mut depth, &mut Sink).ok()?;
     Some(())
 }
 

@@ -9,8 +9,8 @@ const IMAGE: usize = position(
 );
 
 depth_in_bands!(|faces, mesh, light, depth, band| match IMAGE {
-    0 => faces.depth_tested(scene::flat(mesh.normals(), light), &mut depth, &mut band).ok()?,
-    1 => faces.depth_tested(scene::flat(mesh.normals(), light), &mut depth, &mut band.pixels()).ok()?,
+    0 => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band).ok()?,
+    1 => faces.depth_tested(scene::flat(mesh, light), &mut depth, &mut band.pixels()).ok()?,
     2 => faces.depth_tested(scene::smooth(mesh, light), &mut depth, &mut band).ok()?,
     _ =>
         faces.depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band).ok()?,

@@ -13,6 +13,6 @@ image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], 
     let instance = scene.place(cube).without_clipping();
     let area = Rectangle::new(Point::zero(), Size::new(scene::SIZE, ROWS));
     let mut depth = DepthBuffer::new(area, storage).ok()?;
-    instance.depth_tested(scene::flat(cube.mesh.normals(), &light), corners, &mut depth, &mut Sink).ok()?;
+    instance.depth_tested(scene::flat(&cube.mesh, &light), corners, &mut depth, &mut Sink).ok()?;
     Some(())
 });

@@ -51,7 +51,7 @@ fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
 #[inline(never)]
 fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<()> {
     painter.clear();
-    painter.add(&Turntable::new().place(cube), scene::flat(cube.mesh.normals(), light)).ok()
+    painter.add(&Turntable::new().place(cube), scene::flat(&cube.mesh, light)).ok()
 }
 
 /// Draws dithered faces with hidden lines, then in all other ways.
@@ -77,7 +77,7 @@ fn draw(
             faces
                 .depth_tested(|face| scene::smooth(mesh, light)(face).dithered(), &mut depth, &mut band)
                 .ok()?;
-            faces.solid(scene::flat(mesh.normals(), light), &mut band).ok()?;
+            faces.solid(scene::flat(mesh, light), &mut band).ok()?;
             edges.hidden_line(scene::LINE, &mut depth, &mut band).ok()?;
             edges.depth_tested(scene::LINE, &mut depth, &mut band).ok()?;
             edges.draw(scene::LINE, &mut band).ok()?;

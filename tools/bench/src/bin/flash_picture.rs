@@ -17,7 +17,7 @@ image!(
         let light = scene.rigid_light()?;
         let instance = scene.place(cube);
         let mut picture = Picture::new(memory, black_box(Size::new(scene::SIZE, ROWS))).ok()?;
-        let Ok(_) = instance.solid(scene::flat(cube.mesh.normals(), &light), corners, &mut picture.pixels());
+        let Ok(_) = instance.solid(scene::flat(&cube.mesh, &light), corners, &mut picture.pixels());
         black_box(picture.colors());
         Some(())
     }

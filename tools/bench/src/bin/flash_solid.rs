@@ -8,6 +8,6 @@ image!(cube, corners: [ScreenVertex; CORNERS] = [ScreenVertex::EMPTY; CORNERS], 
     let scene = Turntable::new();
     let light = scene.rigid_light()?;
     let instance = scene.place(cube);
-    instance.solid(scene::flat(cube.mesh.normals(), &light), corners, &mut Sink).ok()?;
+    instance.solid(scene::flat(&cube.mesh, &light), corners, &mut Sink).ok()?;
     Some(())
 });

@@ -55,7 +55,7 @@ fn flat<P: FacePlanes, const N: usize>(
     let (light, instance) = (scene.light()?, scene.place());
     count_screen(frame, &mut |screen| {
         let (instance, light) = black_box((&instance, &light));
-        let shade = scene::flat(instance.mesh().normals(), light);
+        let shade = scene::flat_of_normals(instance.mesh().normals(), light);
         let Ok(statistics) = instance.solid(shade, corners, screen);
         black_box(statistics);
         Some(())
@@ -72,7 +72,7 @@ fn flat_z<P: FacePlanes, const N: usize>(
     count_screen(frame, &mut |screen| {
         let (instance, light) = black_box((&instance, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let shade = scene::flat(instance.mesh().normals(), light);
+        let shade = scene::flat_of_normals(instance.mesh().normals(), light);
         let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, screen);
         black_box(statistics);
         Some(())

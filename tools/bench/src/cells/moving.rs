@@ -112,7 +112,7 @@ pub fn f50(Plain { frame, corners }: &mut Plain<CUBE>) -> Option<Counted> {
     count(frame, &mut |picture| {
         black_box(fifty.frame(|camera, mesh, model| {
             let light = scene::lit(model)?;
-            let (shade, mut pixels) = (scene::flat(mesh.normals(), &light), picture.pixels());
+            let (shade, mut pixels) = (scene::flat(mesh, &light), picture.pixels());
             let Ok(statistics) = camera.place(mesh, model).solid(shade, corners, &mut pixels);
             black_box(statistics);
             Some(())
@@ -127,7 +127,7 @@ pub fn f50_z(Deep { frame, depth, corners }: &mut Deep<CUBE>) -> Option<Counted>
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
         black_box(fifty.frame(|camera, mesh, model| {
             let light = scene::lit(model)?;
-            let (shade, mut pixels) = (scene::flat(mesh.normals(), &light), picture.pixels());
+            let (shade, mut pixels) = (scene::flat(mesh, &light), picture.pixels());
             let Ok(statistics) =
                 camera.place(mesh, model).depth_tested(shade, corners, &mut depth, &mut pixels);
             black_box(statistics);

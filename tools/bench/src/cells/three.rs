@@ -93,7 +93,8 @@ pub(super) fn flat<P: FacePlanes, const N: usize>(
     let (light, instance) = (scene.light()?, scene.place());
     count(frame, &mut |picture| {
         let (instance, light) = black_box((&instance, &light));
-        let (shade, mut pixels) = (scene::flat(instance.mesh().normals(), light), picture.pixels());
+        let (shade, mut pixels) =
+            (scene::flat_of_normals(instance.mesh().normals(), light), picture.pixels());
         let Ok(statistics) = instance.solid(shade, corners, &mut pixels);
         black_box(statistics);
         Some(())
@@ -110,7 +111,8 @@ pub(super) fn flat_z<P: FacePlanes, const N: usize>(
     count(frame, &mut |picture| {
         let (instance, light) = black_box((&instance, &light));
         let mut depth = DepthBuffer::new(black_box(area()), &mut depth.0).ok()?;
-        let (shade, mut pixels) = (scene::flat(instance.mesh().normals(), light), picture.pixels());
+        let (shade, mut pixels) =
+            (scene::flat_of_normals(instance.mesh().normals(), light), picture.pixels());
         let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut pixels);
         black_box(statistics);
         Some(())

@@ -13,7 +13,7 @@ pub use cases::{Case, CASES};
 pub use work::{names, Work, ALL, SOME};
 
 use crate::board::Clock;
-use crate::scene::{flat, Scene, BACKGROUND, LINE};
+use crate::scene::{flat_of_normals, Scene, BACKGROUND, LINE};
 use core::hint::black_box;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -156,7 +156,7 @@ fn faces<P: FacePlanes>(
 ) -> Option<()> {
     let mut picture = Picture::new(&mut memory.pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
-    let shade = flat(instance.mesh().normals(), light);
+    let shade = flat_of_normals(instance.mesh().normals(), light);
     let Ok(statistics) = instance.solid(shade, &mut memory.corners, &mut picture.pixels());
     black_box(statistics);
     Some(())
@@ -172,7 +172,7 @@ fn depth<P: FacePlanes>(
     let mut picture = Picture::new(pixels, size).ok()?;
     let Ok(()) = picture.clear(BACKGROUND);
     let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), size), depth).ok()?;
-    let shade = flat(instance.mesh().normals(), light);
+    let shade = flat_of_normals(instance.mesh().normals(), light);
     let Ok(statistics) = instance.depth_tested(shade, corners, &mut depth, &mut picture.pixels());
     black_box(statistics);
     Some(())
@@ -206,8 +206,11 @@ fn in_bands<P: FacePlanes>(
     let mut frame = Frame::new(Rectangle::new(Point::zero(), size), BACKGROUND);
     while let Some(mut band) = frame.next_band(strip).ok()? {
         let mut depth = DepthBuffer::new(band.area(), depth).ok()?;
-        let Ok(()) =
-            faces.depth_tested(flat(instance.mesh().normals(), light), &mut depth, &mut band.pixels());
+        let Ok(()) = faces.depth_tested(
+            flat_of_normals(instance.mesh().normals(), light),
+            &mut depth,
+            &mut band.pixels(),
+        );
         black_box(band.bytes());
     }
     black_box(faces.statistics());
