@@ -156,7 +156,7 @@ pub(crate) fn command() -> Command {
                 .default_missing_value("0")
                 .value_parser(value_parser!(u32).range(..i64::from(firmware::FRAMES)))
                 .help(
-                    "Draw frame FRAME, 0 to 119, of firmware with this model: by the src/picture.rs of the project that it \
+                    "Draw frame FRAME, 0 to 119 of a turn, of firmware with this model: by the src/picture.rs of the project that it \
                      lies in, else by that of boards/any-cortex-m [default --size: 240x240]",
                 )
                 .conflicts_with_all(NOT_IN_FIRMWARE),

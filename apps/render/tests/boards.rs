@@ -54,8 +54,9 @@ macro_rules! drawn {
         let mut memory = $board::Memory::new(&mut cache, &mut bins, &mut strip, &mut depths);
         let mut canvas = Canvas::new($size, UNSENT);
         let camera = $board::camera(mesh, screen).unwrap();
-        let statistics = $board::draw(mesh, color, &camera, $turn, &mut memory, &mut canvas).unwrap();
-        (canvas, statistics)
+        let drawn = $board::draw(mesh, color, &camera, $turn, &mut memory, &mut canvas).unwrap();
+        assert_eq!(drawn.bytes, $size.width * $size.height * 2, "each pixel once");
+        (canvas, drawn.statistics)
     }};
 }
 
@@ -125,11 +126,11 @@ fn the_templates_draw_one_picture_of_a_teapot() {
     compare("assets/teapot.obj");
 }
 
-/// The preview counts frames as the templates do.
+/// The preview counts frames as these templates do; the STM32F411's, whose bus is slow, turns in fewer.
 #[test]
 fn the_templates_turn_in_as_many_frames_as_the_preview() {
     let wanted = format!("\nconst FRAMES: u32 = {};\n", pinhole_render::firmware::FRAMES);
-    for board in ["any-cortex-m", "rp2040-st7789", "stm32f4-ili9341"] {
+    for board in ["any-cortex-m", "rp2040-st7789"] {
         let main =
             std::fs::read_to_string(Path::new(ROOT).join("boards").join(board).join("src/main.rs")).unwrap();
         assert!(main.contains(&wanted), "{board}");
