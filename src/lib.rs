@@ -32,9 +32,9 @@ pub use math::{
 #[doc(hidden)]
 pub use pipeline::largest;
 pub use pipeline::{
-    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, MeshBuffers,
-    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene, SceneError,
-    Statistics, TransformedMesh,
+    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
+    MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene,
+    SceneError, SplitBins, SplitTransform, Statistics, TransformedMesh,
 };
 pub use scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,

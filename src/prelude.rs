@@ -27,9 +27,9 @@ pub use crate::math::{
     Outcode, Point3, Quaternion, QuaternionError, Scalar, Sphere, Vector3,
 };
 pub use crate::pipeline::{
-    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, MeshInstance, Object,
-    Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene, SceneError, Statistics,
-    TransformedMesh,
+    draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
+    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene, SceneError,
+    SplitBins, SplitTransform, Statistics, TransformedMesh,
 };
 pub use crate::scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,

@@ -1,5 +1,6 @@
-//! Every public type can be logged by defmt. A list of all types is compared with the sources and, with the feature
-//! (`cargo test --features defmt --test format`), checked by the compiler. `examples/log` tests the output on a device.
+//! Every public type can be logged by defmt, and can be sent to another core and shared with it. A list of all types is compared
+//! with the sources and checked by the compiler: the former with the feature (`cargo test --features defmt --test format`), the
+//! latter always. `examples/log` tests the output on a device.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -17,6 +18,14 @@ macro_rules! public_types {
             struct Plain;
             fn is_format<T: defmt::Format>() {}
             $(is_format::<$name $(<$($parameter),*>)?>();)*
+        }
+
+        #[allow(dead_code)] // that it compiles is the test
+        fn all_are_send_and_sync() {
+            use pinhole::{clip::*, raster::*, space::*, *};
+            struct Plain;
+            fn is_send_and_sync<T: Send + Sync>() {}
+            $(is_send_and_sync::<$name $(<$($parameter),*>)?>();)*
         }
     };
 }
@@ -60,6 +69,10 @@ public_types![
     Inside<Plain>,
     HierarchyError,
     Frustum,
+    HalfBins<'static, i16, true>,
+    SplitBins<'static, i16, true>,
+    HalfTransform<'static, i16, true>,
+    SplitTransform<'static, i16, true>,
     InverseError,
     Lambert,
     LeastRun<'static, Plain, 1>,

@@ -1,6 +1,6 @@
 //! Primitives of a mesh, faces or edges, that are binned once and drawn band by band.
 
-use super::bins::Bins;
+use super::bins::{BinError, Bins};
 use super::draw_region::{pixels, DrawRegion};
 use super::statistics::Statistics;
 use super::vertex_cache::TransformedMesh;
@@ -26,6 +26,17 @@ impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
     ) -> Self {
         let bins = Bins::new(storage, count, pixels(transformed.instance.area()));
         Self { transformed, bins, statistics: Statistics::NONE }
+    }
+
+    /// Two sets of the same primitives, each for bands of its own; `cursor` is the second one's storage.
+    #[inline(always)]
+    pub(super) fn fork<'b>(
+        &'b mut self,
+        cursor: &'b mut [u16],
+    ) -> Result<[Binned<'b, V, DEPTH>; 2], BinError> {
+        let Self { transformed, ref mut bins, statistics } = *self;
+        let forks = bins.fork(cursor)?;
+        Ok(forks.map(|bins| Binned { transformed, bins, statistics }))
     }
 
     /// A rectangle around the pixels of all primitives; empty if there are none.

@@ -122,6 +122,17 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         })
     }
 
+    /// Splits the binned edges into two, one for each of two cores, as [`BinnedFaces::fork`](crate::BinnedFaces::fork) splits
+    /// faces. `cursor` is the second one's storage, one number per 16 edges of the mesh, rounded up.
+    ///
+    /// # Errors
+    ///
+    /// [`BinError::Storage`] if `cursor` is too short; the error says how many numbers are needed.
+    #[inline(never)] // the result is large
+    pub fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[BinnedEdges<'b, V, DEPTH>; 2], BinError> {
+        Ok(self.0.fork(cursor)?.map(BinnedEdges))
+    }
+
     /// Counts for the whole frame, whichever bands were drawn.
     pub const fn statistics(&self) -> Statistics {
         self.0.statistics

@@ -91,7 +91,7 @@ fn bin<'a, V: Coordinate + 'a, const DEPTH: bool>(
 
 /// Culls and clips faces and puts those that are drawn to the sort.
 #[inline(never)] // its frame is gone when the faces are sorted
-fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
+pub(super) fn count_faces<'a, V: Coordinate + 'a, const DEPTH: bool>(
     source: impl FaceSource,
     cache: &mut impl VertexCache<'a, V, DEPTH>,
     sort: &mut BinSort<'_, '_>,
@@ -259,6 +259,56 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
                 fill(&triangle.triangle, shader, &region.scissor, IN_BAND, band)
             })
         })
+    }
+
+    /// Splits the binned faces into two, one for each of two cores: both draw from the same list of faces and the same
+    /// vertices, and neither writes to them. `cursor` is the second one's storage, one number per 16 faces of the mesh,
+    /// rounded up. When both are dropped, the binned faces can be drawn or forked again; a fork can be forked, for more cores.
+    ///
+    /// Every fork draws any band, and the pixels of a band do not depend on who draws it. Bands from top to bottom are fastest:
+    /// a band above the last one of this fork begins again at the top of the bins. [`Frame::nth_band`](crate::Frame::nth_band)
+    /// gives each core its bands.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{prelude::*, Angle};
+    /// use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+    /// # let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], 0, &[[0, 1, 2]])?;
+    /// # let mut display = MockDisplay::<Gray8>::new();
+    /// # let viewport = Viewport::new(Point::zero(), display.size())?;
+    /// # let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let (mut cache, mut bins, mut cursor) = ([ScreenVertex::EMPTY; 3], [0; 2], [0; 1]);
+    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// let mut faces = instance.transform(&mut cache).bin_faces(&mut bins)?;
+    /// let forks = faces.fork(&mut cursor)?;
+    ///
+    /// // Each core takes the next band that no one has: eight rows of 64 pixels.
+    /// let (frame, next) = (Frame::new(display.bounding_box(), Gray8::BLACK), AtomicU32::new(0));
+    /// let draw = |mut faces: BinnedFaces<'_>| {
+    ///     let mut sent = Vec::new();
+    ///     let mut strip = [0; Frame::<Gray8>::strip_bytes(64, 8)];
+    ///     while let Some(mut band) = frame.nth_band(next.fetch_add(1, Relaxed), &mut strip).expect("a row") {
+    ///         let Ok(()) = faces.solid(|_| Gray8::WHITE, &mut band.pixels());
+    ///         sent.push((band.area(), band.colors().collect::<Vec<_>>()));
+    ///     }
+    ///     sent
+    /// };
+    /// let sent = std::thread::scope(|scope| {
+    ///     forks.map(|faces| scope.spawn(|| draw(faces))).map(|core| core.join().expect("no panic"))
+    /// });
+    /// for (area, colors) in sent.iter().flatten() {
+    ///     display.fill_contiguous(area, colors.iter().copied())?;
+    /// }
+    /// assert_eq!(display.get_pixel(Point::new(32, 32)), Some(Gray8::WHITE));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`BinError::Storage`] if `cursor` is too short; the error says how many numbers are needed.
+    #[inline(never)] // the result is large
+    pub fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[BinnedFaces<'b, V, DEPTH>; 2], BinError> {
+        Ok(self.0.fork(cursor)?.map(BinnedFaces))
     }
 
     /// Counts for the whole frame, whichever bands were drawn. `drawn` includes faces that cover no pixel.

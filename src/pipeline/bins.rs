@@ -15,10 +15,10 @@ const BINS: usize = 64;
 /// The visible primitives of a mesh, sorted for bands, in memory that the caller provides.
 #[derive(Debug)]
 pub(super) struct Bins<'s> {
-    /// Indices of primitives, bin after bin.
-    order: &'s mut [u16],
+    /// Indices of primitives, bin after bin: [forks](Self::fork) share them. Empty before the sort.
+    order: &'s [u16],
     /// A bit for each primitive of the mesh: set if the primitive is active, that is, it has begun and not ended. During the
-    /// sort: set if the primitive is visible.
+    /// sort: set if the primitive is visible, and behind these bits lies the storage of `order`.
     active: &'s mut [u16],
     /// The first row of the first bin.
     top: i32,
@@ -44,13 +44,26 @@ pub(super) struct BinSort<'b, 's> {
     ends: [u16; BINS],
 }
 
+/// The primitives that were counted in a part of the mesh: their sum is that of the mesh.
+#[derive(Debug)]
+pub(super) struct Counts {
+    visible: usize,
+    bounds: Scissor,
+    bins: [u16; BINS],
+}
+
+impl Counts {
+    pub(super) const NONE: Self = Self { visible: 0, bounds: Scissor::UNION_IDENTITY, bins: [0; BINS] };
+}
+
 /// Why faces or edges were not binned. After an error none of them is binned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum BinError {
     /// The bin storage is too short: provide at least `needed` numbers.
     Storage {
-        /// One number per visible face or edge, and one per 16 faces or edges of the mesh, rounded up.
+        /// One number per visible face or edge, and one per 16 faces or edges of the mesh, rounded up; the latter alone for
+        /// the second cursor of a [fork](crate::BinnedFaces::fork).
         needed: usize,
         /// The length of the bin storage.
         given: usize,
@@ -84,15 +97,28 @@ impl<'s> Bins<'s> {
     /// Empty bins for `items` primitives that may be drawn in a viewport.
     #[inline(never)] // once per frame, like most of this file: code size matters more than speed
     pub(super) fn new(storage: &'s mut [u16], items: usize, viewport: Scissor) -> Self {
-        let words = items.div_ceil(16);
-        // The list comes first, then the bits. `make_room` reports storage that is too short even for the bits.
-        let list = storage.len().saturating_sub(words);
-        let (order, active) = storage.split_at_mut_checked(list).unwrap_or_default();
-        active.fill(0);
+        // `make_room` reports storage that is too short even for the bits.
+        let words = items.div_ceil(16).min(storage.len());
+        storage.get_mut(..words).unwrap_or_default().fill(0);
+        Self::over(storage, viewport)
+    }
+
+    /// Bins over storage whose bits are set, or zero.
+    #[inline(always)]
+    pub(super) fn over(storage: &'s mut [u16], viewport: Scissor) -> Self {
         let rows = viewport.rows();
         let height = rows.end.saturating_sub(rows.start).max(1).unsigned_abs();
         let shift = (26 - (height - 1).leading_zeros().min(26)) % 32; // (height − 1) >> shift < 64
-        Self { order, active, top: rows.start, shift, activated: 0, next: 0, row: i32::MIN, bounds: viewport }
+        Self {
+            order: &[],
+            active: storage,
+            top: rows.start,
+            shift,
+            activated: 0,
+            next: 0,
+            row: i32::MIN,
+            bounds: viewport,
+        }
     }
 
     /// Begins the sort: [add](BinSort::add) each primitive in the order of the mesh, then [finish](BinSort::finish) the sort.
@@ -100,6 +126,44 @@ impl<'s> Bins<'s> {
     pub(super) fn sort(&mut self) -> BinSort<'_, 's> {
         let viewport = core::mem::replace(&mut self.bounds, Scissor::UNION_IDENTITY);
         BinSort { bins: self, viewport, ends: [0; BINS] }
+    }
+
+    /// The sort of primitives that were counted in two parts, whose bits are set: [finish](BinSort::finish) it.
+    pub(super) fn sort_counted(&mut self, parts: [&Counts; 2]) -> BinSort<'_, 's> {
+        let mut sort = self.sort();
+        for counts in parts {
+            sort.bins.activated += counts.visible; // at most all items
+            sort.bins.bounds = sort.bins.bounds.union(&counts.bounds);
+            for (end, count) in sort.ends.iter_mut().zip(&counts.bins) {
+                keep_rolled();
+                *end = end.wrapping_add(*count); // at most all items
+            }
+        }
+        sort
+    }
+
+    /// Two cursors over these bins, each for bands of its own: they share the list of primitives, and `cursor` holds the second
+    /// one's bits. The first one uses the bits of these bins, which begin again at their next band.
+    ///
+    /// # Errors
+    ///
+    /// [`BinError::Storage`] if `cursor` has fewer numbers than the bits take.
+    pub(super) fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[Bins<'b>; 2], BinError> {
+        let (needed, given) = (self.active.len(), cursor.len());
+        let second = cursor.get_mut(..needed).ok_or(BinError::Storage { needed, given })?;
+        // No band begins below this row: the first band of each of the three clears its bits.
+        self.row = i32::MAX;
+        let Bins { order, top, shift, activated, next, row, bounds, .. } = *self;
+        Ok([&mut *self.active, second].map(|active| Bins {
+            order,
+            active,
+            top,
+            shift,
+            activated,
+            next,
+            row,
+            bounds,
+        }))
     }
 
     /// The bounding box of the visible primitives inside the viewport.
@@ -179,7 +243,12 @@ impl<'s> Bins<'s> {
     }
 }
 
-impl BinSort<'_, '_> {
+impl<'s> BinSort<'_, 's> {
+    /// The primitives counted so far, in place of a sort.
+    pub(super) fn into_counts(self) -> Counts {
+        Counts { visible: self.bins.activated, bounds: self.bins.bounds, bins: self.ends }
+    }
+
     /// Counts a primitive with this bounding box if it meets the viewport.
     #[inline(never)] // code size matters more than speed: once per visible primitive
     pub(super) fn add(&mut self, item: usize, bounds: &Scissor) {
@@ -211,35 +280,37 @@ impl BinSort<'_, '_> {
         items: usize,
         first_row: impl FnMut(usize) -> i32,
     ) -> Result<(), BinError> {
-        self.make_room(items)?;
-        self.distribute(first_row);
+        let order = self.make_room(items)?;
+        self.distribute(order, first_row);
         Ok(())
     }
 
-    /// Checks the storage, and turns counts into the indices at which bins begin.
+    /// Checks the storage, turns counts into the indices at which bins begin, and returns the storage of the list.
     #[inline(never)]
-    fn make_room(&mut self, items: usize) -> Result<(), BinError> {
+    fn make_room(&mut self, items: usize) -> Result<&'s mut [u16], BinError> {
         if items > usize::from(u16::MAX) {
             return Err(BinError::TooMany { items });
         }
-        let Bins { order, active, activated, .. } = &mut *self.bins;
-        let (needed, given) = (*activated + items.div_ceil(16), order.len() + active.len());
+        let Bins { active, activated, .. } = &mut *self.bins;
+        let words = items.div_ceil(16);
+        let (needed, given) = (*activated + words, active.len());
         if given < needed {
             return Err(BinError::Storage { needed, given });
         }
-        *order = core::mem::take(order).get_mut(..*activated).unwrap_or_default();
+        let (bits, order) = core::mem::take(active).split_at_mut_checked(words).unwrap_or_default();
+        *active = bits;
         let mut sum = 0u16;
         for end in &mut self.ends {
             keep_rolled();
             let count = core::mem::replace(end, sum);
             sum = sum.wrapping_add(count); // all counted primitives, in the end
         }
-        Ok(())
+        Ok(order.get_mut(..*activated).unwrap_or_default())
     }
 
-    /// Moves the index of each counted primitive to its bin.
+    /// Writes the index of each counted primitive to `order`, into its bin.
     #[inline(always)]
-    fn distribute(&mut self, mut first_row: impl FnMut(usize) -> i32) {
+    fn distribute(&mut self, order: &'s mut [u16], mut first_row: impl FnMut(usize) -> i32) {
         for word in 0..self.bins.active.len() {
             let mut remaining = self.bins.active.get_mut(word).map_or(0, core::mem::take);
             while remaining != 0 {
@@ -247,13 +318,14 @@ impl BinSort<'_, '_> {
                 remaining &= remaining.wrapping_sub(1);
                 let bin = self.bins.bin(first_row(item));
                 if let Some(end) = self.ends.get_mut(bin) {
-                    if let Some(entry) = self.bins.order.get_mut(usize::from(*end)) {
+                    if let Some(entry) = order.get_mut(usize::from(*end)) {
                         *entry = item as u16; // fewer than 65536
                     }
                     *end = end.wrapping_add(1); // at most all items
                 }
             }
         }
+        self.bins.order = order;
         self.bins.activated = 0;
         // Each primitive meets the viewport, but may extend beyond it.
         self.bins.bounds = self.bins.bounds.clipped_to(&self.viewport);

@@ -7,6 +7,7 @@ use super::instance::AnyInstance;
 use crate::camera::PlaneEye;
 use crate::math::hints::keep_rolled;
 use crate::math::Coordinate;
+use core::ops::Range;
 
 /// Pushes faces of a mesh into the face loop.
 pub(super) trait FaceSource {
@@ -40,6 +41,20 @@ impl FaceSource for MeshOrder {
             left = rest;
         }
         Ok(())
+    }
+}
+
+/// Some faces in the order of the mesh, with indices from 0.
+pub(super) struct PartOrder(pub(super) Range<usize>);
+
+impl FaceSource for PartOrder {
+    #[inline(always)]
+    fn push<E>(
+        self,
+        faces: &[[u16; 3]],
+        visit: impl FnMut(usize, &[u16; 3]) -> Result<bool, E>,
+    ) -> Result<(), E> {
+        MeshOrder.push(faces.get(self.0).unwrap_or_default(), visit)
     }
 }
 

@@ -353,6 +353,32 @@ impl<'f, 'm, M, const OBJECTS: usize, P> BinnedScene<'f, 'm, M, OBJECTS, P> {
         Ok(())
     }
 
+    /// Splits the binned faces of all objects into two, one for each of two cores, as [`BinnedFaces::fork`] splits those of one
+    /// mesh. `cursor` is the second one's storage: for each object one number per 16 faces of its mesh, rounded up.
+    /// [`PlacedScene::face_bins_len`] numbers are always enough.
+    ///
+    /// # Errors
+    ///
+    /// [`BinError::Storage`] if `cursor` is too short; the error says how many numbers the first object without room needs, and
+    /// how many are left for it.
+    pub fn fork<'b>(
+        &'b mut self,
+        cursor: &'b mut [u16],
+    ) -> Result<[BinnedScene<'b, 'm, M, OBJECTS, P>; 2], BinError> {
+        let (mut cursor, mut first, mut second) = (cursor, Vec::new(), Vec::new());
+        for (index, faces) in &mut self.binned {
+            let faces_of_mesh = self.objects.get(*index).map_or(0, |object| object.mesh.faces().len());
+            let numbers = faces_of_mesh.div_ceil(16).min(cursor.len());
+            let (own, other) = cursor.split_at_mut_checked(numbers).unwrap_or_default();
+            cursor = other;
+            let [ours, theirs] = faces.fork(own)?;
+            let _ = first.push((*index, ours)); // all three have the capacity `OBJECTS`
+            let _ = second.push((*index, theirs));
+        }
+        let objects = self.objects;
+        Ok([BinnedScene { objects, binned: first }, BinnedScene { objects, binned: second }])
+    }
+
     /// Stores the depth of the faces that lie in a band, and draws nothing: see [`BinnedFaces::depth_only`].
     pub fn depth_only(&mut self, depth: &mut DepthBuffer<'_>) {
         for (_, faces) in &mut self.binned {

@@ -197,10 +197,15 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
     pub(super) fn new(instance: &'a AnyInstance<'_, V>, cache: &'a mut [ScreenVertex]) -> Self {
         let far = DEPTH || instance.vertex_transform().clips_at_far();
         transform_all::<V, DEPTH>(instance.vertex_transform(), far, instance.mesh().vertices, cache);
+        Self::of_full_cache(instance, cache)
+    }
+
+    /// The mesh with a cache whose vertices are all transformed.
+    #[inline(always)]
+    pub(super) fn of_full_cache(instance: &'a AnyInstance<'_, V>, cache: &'a [ScreenVertex]) -> Self {
         // With depth, `opaque` hides the length of the cache: comparing with a register takes one instruction, with many
         // constants two. Without depth no register is left for the length, and the constant is better.
-        let cache: &[ScreenVertex] = if DEPTH { opaque(cache) } else { cache };
-        Self::with_cache(instance, DEPTH, cache)
+        Self::with_cache(instance, DEPTH, if DEPTH { opaque(cache) } else { cache })
     }
 
     /// A view of a cache that already holds screen vertices. `far`: whether faces are clipped at the far plane.

@@ -119,6 +119,21 @@ impl<C: PixelFormat> Frame<C> {
         Ok(Some(band))
     }
 
+    /// Band `index` of the frame, counted from 0 at the top, filled with the background: for bands that several cores draw,
+    /// each into a strip of its own. All strips must have equal lengths. A band has as many rows as fit in the strip, the last
+    /// one as many as are left. `None` below the frame. This is independent of the bands made so far, and does not count as one.
+    /// [`BinnedFaces::fork`](crate::BinnedFaces::fork) has an example.
+    ///
+    /// # Errors
+    ///
+    /// [`BandError`] when the strip has no room for a row.
+    pub fn nth_band<'s>(&self, index: u32, strip: &'s mut [u8]) -> Result<Option<Band<'s, C>>, BandError> {
+        let rows = strip.len().checked_div(row_bytes::<C>(self.area.size.width)).unwrap_or(0);
+        // Beyond 2³² rows there is no band: `next_band` says so of saturated rows.
+        let done = index.saturating_mul(u32::try_from(rows).unwrap_or(u32::MAX));
+        Self { area: self.area, background: self.background, done }.next_band(strip)
+    }
+
     /// The next band, or the strip back after the last one: for transfers by DMA that own their buffer, such as those of
     /// embedded-dma. [`next_band`](Self::next_band) would keep such a strip at the end of the frame.
     ///

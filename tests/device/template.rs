@@ -219,14 +219,16 @@ fn symbols(target: &str) -> String {
 /// Templates are standalone, so that what they share is in each of them, word by word.
 #[test]
 fn the_templates_share_their_files() {
-    let everywhere: [&[&str]; 2] = [
+    let everywhere: [&[&str]; 3] = [
+        &["rp2040-two-cores"],
         &["any-cortex-m", "stm32f4-ili9341", "rp2040-st7789", "esp32c3-st7789"],
         &["rp2040-embassy", "rp2350-embassy", "nrf52840-embassy", "stm32-ssd1306"],
     ];
     let everywhere = everywhere.concat();
-    let shared: [(&[&str], &[&str]); 5] = [
+    let shared: [(&[&str], &[&str]); 6] = [
+        (&["rp2040-st7789", "rp2040-two-cores"], &["src/panel.rs"]),
         (&everywhere, &["src/stop.rs", "model.stl", ".gitignore"]),
-        (&["any-cortex-m", "stm32f4-ili9341", "rp2040-st7789"], &["src/clock.rs"]),
+        (&["any-cortex-m", "stm32f4-ili9341", "rp2040-st7789", "rp2040-two-cores"], &["src/clock.rs"]),
         (&["any-cortex-m", "stm32f4-ili9341", "esp32c3-st7789"], &["src/picture.rs"]),
         (&["rp2040-embassy", "rp2350-embassy", "nrf52840-embassy", "stm32-ssd1306"], &["src/input.rs"]),
         (

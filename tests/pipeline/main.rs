@@ -19,4 +19,5 @@ mod painter;
 mod polylines;
 mod scenes;
 mod tracked;
+mod two_cores;
 mod view_volume;

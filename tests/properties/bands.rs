@@ -6,15 +6,15 @@ use embedded_graphics_core::pixelcolor::{Gray4, Gray8, GrayColor};
 use embedded_graphics_core::prelude::*;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Band, BinError, BinnedEdges, BinnedFaces, Cull, DepthBuffer, Frame, Mesh, Painter, PixelFormat,
-    ScreenVertex, Statistics,
+    Band, BinError, BinnedEdges, BinnedFaces, Cull, DepthBuffer, Frame, Mesh, MeshInstance, Painter,
+    PaintersOrder, PixelFormat, ScreenVertex, Statistics, TransformedMesh,
 };
 use proptest::prelude::*;
 use support::bridge;
 use support::oracle::target::Recorder;
 
 #[derive(Clone, Copy, Debug)]
-enum Way {
+pub(crate) enum Way {
     Solid(Cull),
     Depth(Cull),
     Wireframe,
@@ -24,7 +24,7 @@ enum Way {
     Painter,
 }
 
-const WAYS: [Way; 8] = [
+pub(crate) const WAYS: [Way; 8] = [
     Way::Solid(Cull::Back),
     Way::Solid(Cull::None),
     Way::Depth(Cull::Back),
@@ -35,10 +35,10 @@ const WAYS: [Way; 8] = [
     Way::Painter,
 ];
 
-const BACKGROUND: Gray8 = Gray8::new(200);
+pub(crate) const BACKGROUND: Gray8 = Gray8::new(200);
 const LINE: Gray8 = Gray8::new(77);
 
-fn colour(face: usize) -> Gray8 {
+pub(crate) fn colour(face: usize) -> Gray8 {
     Gray8::new(face as u8)
 }
 
@@ -53,7 +53,7 @@ fn mesh(scene: &Scene) -> Mesh<'_> {
 }
 
 /// In one piece onto a target that is not the library's; what is not drawn is background.
-fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) {
+pub(crate) fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) {
     let (camera, model, mesh) = (scene.camera.library(), scene.model.library(), mesh(scene));
     let (instance, mut corners) = (camera.place(&mesh, &model), [ScreenVertex::EMPTY; 16]);
     let mut target = Recorder::new(area);
@@ -91,17 +91,37 @@ fn reference(scene: &Scene, way: Way, area: Rectangle) -> (Vec<u8>, Statistics) 
 }
 
 /// The bin storage that one frame needs.
-enum Recorded<'a> {
+pub(crate) enum Recorded<'a> {
     Solid(BinnedFaces<'a>),
     Depth(BinnedFaces<'a, i16, true>),
     Wireframe(BinnedEdges<'a>),
     /// Whether hidden lines are removed.
     Lines(Box<(BinnedFaces<'a, i16, true>, BinnedEdges<'a, i16, true>, bool)>),
     Painter(Box<Painter<Gray8, 128, 64>>),
+    Order(PaintersOrder<'a, Gray8>),
 }
 
 impl Recorded<'_> {
-    fn draw(&mut self, band: &mut Band<'_, Gray8>) {
+    /// For two cores: `cursors` are the second one's storage.
+    pub(crate) fn fork<'b>(&'b mut self, cursors: &'b mut [[u16; 1]; 2]) -> [Recorded<'b>; 2] {
+        let [cursor, other] = cursors;
+        match self {
+            Self::Solid(faces) => faces.fork(cursor).expect("room").map(Recorded::Solid),
+            Self::Depth(faces) => faces.fork(cursor).expect("room").map(Recorded::Depth),
+            Self::Wireframe(edges) => edges.fork(cursor).expect("room").map(Recorded::Wireframe),
+            Self::Lines(lines) => {
+                let (faces, edges, hidden) = &mut **lines;
+                let [first, second] = faces.fork(cursor).expect("room");
+                let [first_edges, second_edges] = edges.fork(other).expect("room");
+                [(first, first_edges, *hidden), (second, second_edges, *hidden)]
+                    .map(|lines| Recorded::Lines(Box::new(lines)))
+            }
+            Self::Painter(painter) => [painter.order(); 2].map(Recorded::Order),
+            Self::Order(order) => [*order; 2].map(Recorded::Order),
+        }
+    }
+
+    pub(crate) fn draw(&mut self, band: &mut Band<'_, Gray8>) {
         let Ok(()) = match self {
             Self::Solid(faces) => faces.solid(colour, band),
             Self::Depth(faces) => {
@@ -122,16 +142,18 @@ impl Recorded<'_> {
                 }
             }
             Self::Painter(painter) => painter.order().draw(band),
+            Self::Order(order) => order.draw(band),
         };
     }
 
-    fn statistics(&mut self) -> Statistics {
+    pub(crate) fn statistics(&mut self) -> Statistics {
         match self {
             Self::Solid(faces) => faces.statistics(),
             Self::Depth(faces) => faces.statistics(),
             Self::Wireframe(edges) => edges.statistics(),
             Self::Lines(lines) => lines.1.statistics(),
             Self::Painter(painter) => painter.order().statistics(),
+            Self::Order(order) => order.statistics(),
         }
     }
 
@@ -141,12 +163,56 @@ impl Recorded<'_> {
             Self::Depth(faces) => Some(faces.bounds()),
             Self::Wireframe(edges) => Some(edges.bounds()),
             Self::Lines(lines) => Some(lines.1.bounds()),
-            Self::Painter(_) => None,
+            Self::Painter(_) | Self::Order(_) => None,
         }
     }
 }
 
+/// The stages before bands are drawn: on one core, or on several.
+pub(crate) trait Stages {
+    fn transform<'a>(instance: &'a MeshInstance<'_>, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a>;
+    fn transform_depth<'a>(
+        instance: &'a MeshInstance<'_>,
+        cache: &'a mut [ScreenVertex],
+    ) -> TransformedMesh<'a, i16, true>;
+    fn bin_faces<'a, const DEPTH: bool>(
+        mesh: TransformedMesh<'a, i16, DEPTH>,
+        bin_storage: &'a mut [u16],
+    ) -> Result<BinnedFaces<'a, i16, DEPTH>, BinError>;
+}
+
+struct OneCore;
+
+impl Stages for OneCore {
+    fn transform<'a>(instance: &'a MeshInstance<'_>, cache: &'a mut [ScreenVertex]) -> TransformedMesh<'a> {
+        instance.transform(cache)
+    }
+
+    fn transform_depth<'a>(
+        instance: &'a MeshInstance<'_>,
+        cache: &'a mut [ScreenVertex],
+    ) -> TransformedMesh<'a, i16, true> {
+        instance.transform_depth(cache)
+    }
+
+    fn bin_faces<'a, const DEPTH: bool>(
+        mesh: TransformedMesh<'a, i16, DEPTH>,
+        bin_storage: &'a mut [u16],
+    ) -> Result<BinnedFaces<'a, i16, DEPTH>, BinError> {
+        mesh.bin_faces(bin_storage)
+    }
+}
+
 fn record<R>(
+    scene: &Scene,
+    way: Way,
+    corners: &mut [ScreenVertex],
+    then: impl FnOnce(&mut Recorded<'_>) -> R,
+) -> R {
+    record_by::<OneCore, R>(scene, way, corners, then)
+}
+
+pub(crate) fn record_by<S: Stages, R>(
     scene: &Scene,
     way: Way,
     corners: &mut [ScreenVertex],
@@ -160,17 +226,17 @@ fn record<R>(
     };
     let mut recorded = match way {
         Way::Solid(_) => {
-            Recorded::Solid(instance.transform(corners).bin_faces(&mut bin_storage).expect("room"))
+            Recorded::Solid(S::bin_faces(S::transform(&instance, corners), &mut bin_storage).expect("room"))
         }
-        Way::Depth(_) => {
-            Recorded::Depth(instance.transform_depth(corners).bin_faces(&mut bin_storage).expect("room"))
-        }
+        Way::Depth(_) => Recorded::Depth(
+            S::bin_faces(S::transform_depth(&instance, corners), &mut bin_storage).expect("room"),
+        ),
         Way::Wireframe => {
-            Recorded::Wireframe(instance.transform(corners).bin_edges(&mut bin_storage).expect("room"))
+            Recorded::Wireframe(S::transform(&instance, corners).bin_edges(&mut bin_storage).expect("room"))
         }
         Way::DepthLines | Way::HiddenLines => {
-            let projected = instance.transform_depth(corners);
-            let faces = projected.bin_faces(&mut bin_storage).expect("room");
+            let projected = S::transform_depth(&instance, corners);
+            let faces = S::bin_faces(projected, &mut bin_storage).expect("room");
             let edges = projected.bin_edges(&mut more).expect("room");
             Recorded::Lines(Box::new((faces, edges, matches!(way, Way::HiddenLines))))
         }
@@ -183,7 +249,7 @@ fn record<R>(
     then(&mut recorded)
 }
 
-fn banded(recorded: &mut Recorded<'_>, area: Rectangle, heights: &[u32]) -> Vec<u8> {
+pub(crate) fn banded(recorded: &mut Recorded<'_>, area: Rectangle, heights: &[u32]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut frame = Frame::new(area, BACKGROUND);
     for &height in heights.iter().cycle() {

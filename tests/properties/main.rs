@@ -12,6 +12,7 @@ mod raster;
 mod scenes;
 mod strategies;
 mod transforms;
+mod two_cores;
 
 use proptest::test_runner::{Config, RngSeed};
 

@@ -1,5 +1,6 @@
 //! The scene once more in bands: recorded once, drawn strip by strip into targets of their own, with depth strips. All
-//! strips together show what was drawn in one piece, and that is what the immediate functions draw.
+//! strips together show what was drawn in one piece, and that is what the immediate functions draw. Then once more by two forks,
+//! as two cores draw it: the input says which of them draws which strip.
 
 use crate::bridge::draw::Shader;
 use crate::input::Scene;
@@ -15,6 +16,21 @@ fn rows(area: Rectangle, height: u32) -> impl Iterator<Item = Rectangle> {
     (0..area.size.height).step_by(height as usize).map(move |down| {
         let top_left = area.top_left + Point::new(0, down as i32);
         Rectangle::new(top_left, Size::new(area.size.width, height.min(area.size.height - down)))
+    })
+}
+
+/// A picture drawn in bands by two forks; the lowest bits of `deal` say whose each band is.
+fn strips_of_two<F>(
+    area: Rectangle,
+    height: u32,
+    mut deal: u32,
+    mut forks: [F; 2],
+    draw: impl Fn(&mut F, &mut DepthBuffer<'_>, &mut Recorder<Shader>),
+) -> Pixels {
+    strips(area, height, |depth, target| {
+        let [first, second] = &mut forks;
+        draw(if deal & 1 == 0 { first } else { second }, depth, target);
+        deal = deal.rotate_right(1);
     })
 }
 
@@ -61,6 +77,9 @@ pub(crate) fn check(scene: &Scene) {
         Point::new(area.right as i32 - 1, area.bottom as i32 - 1),
     );
     let height = scene.cache as u32 % area.size.height + 1;
+    // As good as random.
+    let deal =
+        scene.vertices.iter().flatten().fold(0, |sum: u32, &c| sum.rotate_left(5) ^ u32::from(c as u16));
     let shader = |face: usize| Shader(face as u16);
     let whole = |draw: &mut dyn FnMut(&mut DepthBuffer<'_>, &mut Recorder<Shader>)| {
         strips(area, area.size.height, draw)
@@ -82,10 +101,32 @@ pub(crate) fn check(scene: &Scene) {
             "{scene:?}"
         );
 
+        let (mut cursor, mut other) = ([0xffff; 4], [0xffff; 4]); // more than a scene needs
+        let forks = faces.fork(&mut cursor).expect("a cursor");
+        assert!(
+            solid
+                == strips_of_two(area, height, deal, forks, |faces, _, target| faces
+                    .solid(shader, target)
+                    .unwrap()),
+            "two cores: {scene:?}"
+        );
+        let forks = edges.fork(&mut other).expect("a cursor");
+        assert!(
+            lines
+                == strips_of_two(area, height, deal, forks, |edges, _, target| edges
+                    .draw(Shader(7), target)
+                    .unwrap()),
+            "two cores: {scene:?}"
+        );
+
         let mut corners = vec![ScreenVertex::EMPTY; scene.cache];
-        let projected = instance.transform_depth(&mut corners);
+        let mut split = instance.split_transform_depth(&mut corners);
+        let [first_half, second_half] = split.halves();
+        second_half.transform();
+        first_half.transform();
+        let projected = split.finish();
         let mut faces: BinnedFaces<'_, i16, true> =
-            record(third, |bin_storage| projected.bin_faces(bin_storage));
+            record(third, |bin_storage| projected.split_bin_faces(bin_storage).finish());
         let mut edges: BinnedEdges<'_, i16, true> =
             record(fourth, |bin_storage| projected.bin_edges(bin_storage));
         let tested = whole(&mut |depth, target| {
@@ -111,5 +152,19 @@ pub(crate) fn check(scene: &Scene) {
             edges.depth_tested(Shader(7), depth, target).unwrap();
         });
         assert!(nearer == banded, "nearer lines: {scene:?}");
+
+        let forks = faces.fork(&mut cursor).expect("a cursor");
+        let banded = strips_of_two(area, height, deal, forks, |faces, depth, target| {
+            faces.depth_tested(shader, depth, target).unwrap();
+        });
+        assert!(tested == banded, "depth, two cores: {scene:?}");
+        let [faces, other_faces] = faces.fork(&mut cursor).expect("a cursor");
+        let [edges, other_edges] = edges.fork(&mut other).expect("a cursor");
+        let forks = [(faces, edges), (other_faces, other_edges)];
+        let banded = strips_of_two(area, height, deal, forks, |(faces, edges), depth, target| {
+            faces.depth_only(depth);
+            edges.hidden_line(Shader(7), depth, target).unwrap();
+        });
+        assert!(hidden == banded, "hidden lines, two cores: {scene:?}");
     });
 }

@@ -67,7 +67,7 @@ impl Speed {
     }
 }
 
-fn parse(text: &str, lines: &mut Lines) -> Result<()> {
+pub(crate) fn parse(text: &str, lines: &mut Lines) -> Result<()> {
     for line in text.lines() {
         let (key, rest) =
             line.match_indices(',').nth(2).map(|(at, _)| line.split_at(at)).ok_or("three keys")?;

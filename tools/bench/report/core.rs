@@ -26,20 +26,29 @@ impl Core {
 
     /// What a firmware prints.
     pub(crate) fn run(self, image: &Path) -> Result<String> {
-        let output = self.emulate(image).output()?;
+        self.run_on(self.name, image)
+    }
+
+    /// What a firmware for this core prints on a board of `tools/bench/emulate`.
+    pub(crate) fn run_on(self, board: &str, image: &Path) -> Result<String> {
+        let output = emulate(board, image).output()?;
         let (printed, console) = (String::from_utf8(output.stdout)?, String::from_utf8_lossy(&output.stderr));
         if !output.status.success() {
             let image = image.display();
-            return Err(format!("{image} on {}: {}\n{printed}{console}", self.name, output.status).into());
+            return Err(format!("{image} on {board}: {}\n{printed}{console}", output.status).into());
         }
         Ok(printed)
     }
 
     /// Its board; further arguments are QEMU's.
     pub(crate) fn emulate(self, image: &Path) -> Command {
-        let mut command = Command::new("bash");
-        command.arg("emulate").arg(self.name).arg(image);
-        command.current_dir(crate::cross::BENCH).stdin(Stdio::null());
-        command
+        emulate(self.name, image)
     }
+}
+
+fn emulate(board: &str, image: &Path) -> Command {
+    let mut command = Command::new("bash");
+    command.arg("emulate").arg(board).arg(image);
+    command.current_dir(crate::cross::BENCH).stdin(Stdio::null());
+    command
 }

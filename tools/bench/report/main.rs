@@ -1,5 +1,5 @@
-//! Measures instructions of frames and of their stages, instructions and RAM of drawing in bands, and each feature's flash and
-//! stack; writes `docs/speed.md`, `docs/profile.md`, `docs/growth.md`, `docs/bands.md` and
+//! Measures instructions of frames and of their stages, instructions and RAM of drawing in bands, instructions of two cores, and
+//! each feature's flash and stack; writes `docs/speed.md`, `docs/profile.md`, `docs/growth.md`, `docs/bands.md`, `docs/cores.md` and
 //! `docs/footprint.md`. `tools/bench/run` starts it.
 
 mod bands;
@@ -33,6 +33,7 @@ mod stages;
 mod targets;
 mod timing;
 mod trace;
+mod two_cores;
 mod user_page;
 mod validate;
 
@@ -48,7 +49,7 @@ const M0: &str = "thumbv6m-none-eabi";
 const M3: &str = "thumbv7m-none-eabi";
 
 const USAGE: &str = "\
-tools/bench/run [--check | --rebase] [speed | profile | growth | bands | footprint ...]
+tools/bench/run [--check | --rebase] [speed | profile | growth | bands | cores | footprint ...]
 tools/bench/run guard [--rebase]
 tools/bench/run cells [SCENE...] [VARIANT...] [M0 | M3 | M4F | RV32]
 tools/bench/run cycles [SCENE...] [VARIANT...] [M0 | M0+ | M3 | M4 | M33]

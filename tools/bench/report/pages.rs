@@ -6,7 +6,7 @@ use crate::cross::Build;
 use crate::speed_page::{self, Figures};
 use crate::{
     bands_page, chips, cycles, cycles_page, footprint, footprint_page, growth, growth_page, profile,
-    profile_page, rivals, scenes, targets, Result, M3,
+    profile_page, rivals, scenes, targets, two_cores, Result, M3,
 };
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -15,10 +15,12 @@ pub(crate) enum Page {
     Profile,
     Growth,
     Bands,
+    Cores,
     Footprint,
 }
 
-pub(crate) const PAGES: [Page; 5] = [Page::Speed, Page::Profile, Page::Growth, Page::Bands, Page::Footprint];
+pub(crate) const PAGES: [Page; 6] =
+    [Page::Speed, Page::Profile, Page::Growth, Page::Bands, Page::Cores, Page::Footprint];
 
 impl Page {
     pub(crate) const fn name(self) -> &'static str {
@@ -27,6 +29,7 @@ impl Page {
             Self::Profile => "profile",
             Self::Growth => "growth",
             Self::Bands => "bands",
+            Self::Cores => "cores",
             Self::Footprint => "footprint",
         }
     }
@@ -47,6 +50,7 @@ impl Page {
                 growth_page::text(compiler, &growth::measure()?, &per_instruction)
             }
             Self::Bands => bands_page::text(compiler, &measure_bands(failures)?),
+            Self::Cores => two_cores::text(compiler, &two_cores::measure(&bands::host()?, failures)?),
             Self::Footprint => footprint_page::text(compiler, &footprint::measure(rebase, failures)?),
         })
     }

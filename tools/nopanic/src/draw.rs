@@ -422,6 +422,14 @@ fn draw_scene<P: FacePlanes>(
             faces.depth_only(&mut depth);
             report(faces.depth_tested(shade, &mut depth, target));
             black_box((faces.statistics(), faces.iter().count()));
+            let mut cursor = [0; 9];
+            match faces.fork(&mut cursor) {
+                Ok([mut ours, mut theirs]) => {
+                    report(ours.depth_tested(shade, &mut depth, target));
+                    theirs.depth_only(&mut depth);
+                }
+                error => report(error.map(|_| ())),
+            };
         }
         error => report(error.map(|_| ())),
     };
@@ -463,6 +471,67 @@ fn entry_raster_screen_point() -> Option<ScreenPoint> {
 #[unsafe(no_mangle)]
 fn entry_band_or_strip(frame: &mut Frame<Rgb565>, strip: &mut [u8]) {
     report(frame.band_or_strip(strip));
+}
+
+/// Draws with faces, and with a fork of them.
+#[unsafe(no_mangle)]
+fn entry_two_cores(
+    instance: &MeshInstance<'_>,
+    (cache, bins, edge_bins): (&mut [ScreenVertex], &mut [u16], &mut [u16]),
+    (cursor, other): (&mut [u16], &mut [u16]),
+    (frame, strip): (&Frame<Rgb565>, &mut [u8]),
+) {
+    let Ok(Some(mut band)) = frame.nth_band(any() as u32, strip) else { return };
+    let mut split = instance.split_transform(cache);
+    let [ours, theirs] = split.halves();
+    match any() {
+        0 => ours.transform(),
+        _ => theirs.transform(),
+    }
+    let transformed = split.finish();
+    let mut split = transformed.split_bin_faces(bins);
+    let [ours, theirs] = split.halves();
+    match any() {
+        0 => ours.count(),
+        _ => theirs.count(),
+    }
+    let Ok(mut faces) = split.finish() else { return };
+    let shade = |face: usize| Rgb565::new(face as u8, 0, 0);
+    match faces.fork(cursor) {
+        Ok([mut ours, mut theirs]) => {
+            report(ours.solid(shade, &mut band));
+            report(theirs.solid(shade, &mut band));
+        }
+        error => report(error.map(|_| ())),
+    }
+    report(faces.solid(shade, &mut band));
+    let Ok(mut edges) = transformed.bin_edges(edge_bins) else { return };
+    match edges.fork(other) {
+        Ok([mut ours, mut theirs]) => {
+            report(ours.draw(Rgb565::new(1, 2, 3), &mut band));
+            report(theirs.draw(Rgb565::new(1, 2, 3), &mut band));
+        }
+        error => report(error.map(|_| ())),
+    }
+}
+
+/// [`entry_two_cores`] with depth.
+#[unsafe(no_mangle)]
+fn entry_two_cores_with_depth(
+    instance: &MeshInstance<'_>,
+    (cache, bins, cursor): (&mut [ScreenVertex], &mut [u16], &mut [u16]),
+    (frame, strip, depth): (&Frame<Rgb565>, &mut [u8], &mut [u16]),
+) {
+    let mut split = instance.split_transform_depth(cache);
+    let [ours, theirs] = split.halves();
+    ours.transform();
+    theirs.transform();
+    let Ok(mut faces) = split.finish().split_bin_faces(bins).finish() else { return };
+    let Ok([mut ours, mut theirs]) = faces.fork(cursor) else { return };
+    let Ok(Some(mut band)) = frame.nth_band(any() as u32, strip) else { return };
+    let Ok(mut depth) = DepthBuffer::new(band.area(), depth) else { return };
+    report(ours.depth_tested(|face| Rgb565::new(face as u8, 0, 0), &mut depth, &mut band));
+    theirs.depth_only(&mut depth);
 }
 
 #[unsafe(no_mangle)]

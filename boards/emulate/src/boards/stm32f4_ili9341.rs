@@ -15,7 +15,8 @@ pub(crate) const FRAMES: u32 = 48;
 const SIZE: Size = Size::new(320, 240);
 
 pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
-    let imported = super::import(model, &firmware::options(&firmware::TEMPLATE, &pinhole_import::Options::default()))?;
+    let imported =
+        super::import(model, &firmware::options(&firmware::TEMPLATE, &pinhole_import::Options::default()))?;
     Ok(Box::new(move |frame| {
         let mut picture = Framebuffer::new(SIZE, Rgb565::new(31, 0, 31));
         firmware::draw(&imported, Angle::turns(frame as i32, FRAMES), &mut picture)?;

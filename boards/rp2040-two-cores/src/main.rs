@@ -1,0 +1,114 @@
+//! An RP2040 with an ST7789 on SPI: your model turns, drawn by both cores into one strip while DMA sends the other, and each frame
+//! logs its time and what was drawn. Compiled, not run on hardware.
+#![no_std]
+#![no_main]
+
+mod both_cores;
+mod clock;
+mod panel;
+mod picture;
+mod stop;
+
+use both_cores::{serve, OtherCore};
+use clock::Clock;
+use cortex_m::singleton;
+use defmt_rtt as _; // logs go through the probe; without one they are dropped
+use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_hal::spi::MODE_3;
+use panel::Panel;
+use picture::{area, Memory, Picture, ROWS, SCREEN};
+use pinhole::{mesh_buffers, strip_buffers, Angle, MeshBuffers, StripBuffers};
+use rp2040_hal as hal;
+use rp2040_hal::fugit::RateExtU32;
+use rp2040_hal::multicore::{Multicore, Stack};
+use rp2040_hal::{dma::DMAExt, gpio::Pins, pac, Clock as _, Sio, Spi, Timer, Watchdog};
+use stop::stop;
+
+include!(concat!(env!("OUT_DIR"), "/model.rs"));
+
+/// The second stage of booting, for the flash on a Pico.
+#[allow(unsafe_code)]
+#[link_section = ".boot2"]
+#[used]
+static BOOT2: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
+
+/// The second core's, in words: 8 KB. Drawing takes less than 3 KB (docs/footprint.md).
+static STACK: Stack<2048> = Stack::new();
+
+/// Of the crystal.
+const CRYSTAL: u32 = 12_000_000;
+/// The core's clock, as `init_clocks_and_plls` sets it.
+const MEGAHERTZ: u32 = 125;
+/// Frames of a turn.
+const FRAMES: u32 = 120;
+
+#[hal::entry]
+fn main() -> ! {
+    // In statics, so that the linker says if they do not fit, and DMA may own the strips. The rest of RAM is the stack.
+    let mesh = singleton!(: MeshBuffers!(MODEL) = mesh_buffers!(MODEL));
+    let cursor =
+        singleton!(: [u16; MODEL.faces().len().div_ceil(16)] = [0; MODEL.faces().len().div_ceil(16)]);
+    let strip = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, 2 * ROWS) = strip_buffers!(Rgb565, SCREEN.size.width, 2 * ROWS));
+    let other = singleton!(: StripBuffers!(Rgb565, SCREEN.size.width, 2 * ROWS, no depth) = strip_buffers!(Rgb565, SCREEN.size.width, 2 * ROWS, no depth));
+    let (Some(mesh), Some(cursor), Some(strip), Some(other)) = (mesh, cursor, strip, other) else {
+        stop("the buffers are in use")
+    };
+
+    let (Some(core), Some(mut p)) = (pac::CorePeripherals::take(), pac::Peripherals::take()) else {
+        stop("the peripherals are in use")
+    };
+    let mut watchdog = Watchdog::new(p.WATCHDOG);
+    let clocks = hal::clocks::init_clocks_and_plls(
+        CRYSTAL,
+        p.XOSC,
+        p.CLOCKS,
+        p.PLL_SYS,
+        p.PLL_USB,
+        &mut p.RESETS,
+        &mut watchdog,
+    );
+    let Ok(clocks) = clocks else { stop("the clocks do not start") };
+    let clock = Clock::start(core.SYST);
+    let mut delay = Timer::new(p.TIMER, &mut p.RESETS, &clocks);
+
+    let mut sio = Sio::new(p.SIO);
+    let mut cores = Multicore::new(&mut p.PSM, &mut p.PPB, &mut sio.fifo);
+    let (Some(stack), [_, second]) = (STACK.take(), cores.cores()) else { stop("the second core's stack") };
+    let other_core = OtherCore::new(|| second.spawn(stack, || serve()));
+    let Ok(mut other_core) = other_core else { stop("the second core does not start") };
+
+    let pins = Pins::new(p.IO_BANK0, p.PADS_BANK0, sio.gpio_bank0, &mut p.RESETS);
+    let bus = Spi::<_, _, _, 8>::new(p.SPI0, (pins.gpio19.into_function(), pins.gpio18.into_function()))
+        .init(&mut p.RESETS, clocks.peripheral_clock.freq(), 62_500_000.Hz(), MODE_3);
+    let [select, command, reset] = [
+        pins.gpio17.into_push_pull_output().into_dyn_pin(),
+        pins.gpio20.into_push_pull_output().into_dyn_pin(),
+        pins.gpio21.into_push_pull_output().into_dyn_pin(),
+    ];
+    let channel = p.DMA.split(&mut p.RESETS).ch0;
+    let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
+
+    let (depths, other_depths) = strip.depths.split_at_mut(strip.depths.len() / 2);
+    let depths = [depths, other_depths];
+    let memory = Memory { cache: &mut mesh.cache, bins: &mut mesh.bins, cursor, depths };
+    let mut picture = Picture::new(&MODEL, memory).unwrap_or_else(|problem| stop(problem));
+    let mut free: &'static mut [u8] = &mut strip.colors;
+    // The first to leave is black.
+    let mut transfer = Some(panel.send(&area(0), &mut other.colors));
+    loop {
+        for frame in 0..FRAMES {
+            let start = clock.cycles();
+            let turn = Angle::turns(frame as i32, FRAMES);
+            let drawn = picture.draw(turn, &mut other_core, free, |strip, pixels| {
+                let Some(running) = transfer.take() else { stop("the display is in use") };
+                let (panel, sent) = running.wait();
+                transfer = Some(panel.send(&area(strip), pixels));
+                sent
+            });
+            let (statistics, strip) = drawn.unwrap_or_else(|problem| stop(problem));
+            free = strip;
+            let time = clock.cycles().wrapping_sub(start) / MEGAHERTZ;
+            defmt::info!("frame {=u32}: {=u32} us, {}", frame, time, statistics);
+        }
+    }
+}
