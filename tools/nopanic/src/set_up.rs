@@ -116,9 +116,9 @@ entries! {
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
     entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static, i16, WithPlanes>, MeshError> { mesh.with_planes(p) }
-    entry_mesh_lists(mesh: &Mesh<'static>) -> ((Vertices, Faces, Edges, Edges), (Vertices, &'static [i16], i8)) {
-        ((mesh.vertices(), mesh.faces(), mesh.edges(), mesh.edge_faces()), (mesh.normals(), mesh.planes(), mesh.exponent()))
-    }
+    entry_mesh_lists(mesh: &Mesh<'static>) -> [Vertices; 2] { [mesh.vertices(), mesh.normals()] }
+    entry_mesh_edges(mesh: &Mesh<'static>) -> (Faces, [Edges; 2]) { (mesh.faces(), [mesh.edges(), mesh.edge_faces()]) }
+    entry_mesh_numbers(mesh: &Mesh<'static>) -> (&'static [i16], i8) { (mesh.planes(), mesh.exponent()) }
     entry_face_planes(mesh: &Mesh<'static>, face: usize) -> ([i16; 9], i16) { (mesh.face_planes(), mesh.face_plane(face)) }
     entry_wide_face_planes(mesh: &Mesh<'static, Scalar>) -> [i16; 9] { mesh.face_planes() }
     entry_vertex_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_vertex_normals(n) }
