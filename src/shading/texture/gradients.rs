@@ -153,27 +153,27 @@ impl Perspective {
         };
         let turned = Triangle { corners, ..*triangle };
         let setup = GradientSetup::new(&turned);
-        let [origin, ..] = uv;
-        let differences = uv.map(|uv| [uv[0] - origin[0], uv[1] - origin[1]]); // below 2²⁴
-        let largest = differences.iter().flatten().fold(0, |bits, d| bits | d.unsigned_abs());
-        let n = 32 - leading_zeros(largest); // |difference| < 2^n, 0 … 24
-        let st = [0, 1].map(|axis| {
-            let times_q = |i: usize| {
-                let product = i64::from(differences[i][axis]) * i64::from(q[i]); // below 2^(n + 22)
-                ((product + (1 << n)) >> (n + 1)) as i32 + (1 << 21)
-            };
-            setup.through(&[times_q(0), times_q(1), times_q(2)])
-        });
-        let unit = shader.texture.unit.map(i32::from);
+        let ([_, q1, q2], [[u, v], [u1, v1], [u2, v2]]) = (q, uv);
+        let (du, dv) = ([u1 - u, u2 - u], [v1 - v, v2 - v]); // below 2²⁴
+        let magnitude = |[a, b]: [i32; 2]| a.unsigned_abs() | b.unsigned_abs();
+        let n = 32 - leading_zeros(magnitude(du) | magnitude(dv)); // |difference| < 2^n, 0 … 24
+        let times = |difference: i32, q: i32| {
+            let product = i64::from(difference) * i64::from(q); // below 2^(n + 22)
+            ((product + (1 << (n & 31))) >> ((n + 1) & 31)) as i32 + (1 << 21)
+        };
+        let gradient = |[a, b]: [i32; 2]| setup.through(&[1 << 21, times(a, q1), times(b, q2)]);
+        let [u_unit, v_unit] = shader.texture.unit.map(i32::from);
+        let phase = |c: i32, unit: i32| (c as u32) << ((unit - FRACTION as i32) & 31);
         // s/q in 2⁻²⁷ is a coordinate in 2^(n + unit − 34) of 2⁻³² of the side.
-        let full = unit.map(|unit| unit + n - 34);
-        let up = full.map(|full| full.max(LARGEST_RUN as i32) as u32); // at most 22
+        let (u_full, v_full) = (u_unit + n - 34, v_unit + n - 34);
+        let (u_up, v_up) = (u_full.max(LARGEST_RUN as i32), v_full.max(LARGEST_RUN as i32)); // at most 22
+        let up = [u_up as u32, v_up as u32];
         Self {
             q: setup.through(&q),
-            st,
-            origin: [0, 1].map(|axis| (origin[axis] as u32) << ((unit[axis] - FRACTION as i32) & 31)),
-            up: up.map(|up| up as u8),
-            down: [0, 1].map(|axis| (2 + up[axis] as i32 - full[axis]) as u8), // at most 26
+            st: [gradient(du), gradient(dv)],
+            origin: [phase(u, u_unit), phase(v, v_unit)],
+            up: [u_up as u8, v_up as u8],
+            down: [(2 + u_up - u_full) as u8, (2 + v_up - v_full) as u8], // at most 26
             tolerance: tolerance(shader, up),
             largest_run: largest_run(triangle),
         }
