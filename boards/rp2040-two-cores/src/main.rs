@@ -88,18 +88,21 @@ fn main() -> ! {
     let channel = p.DMA.split(&mut p.RESETS).ch0;
     let panel = Panel::new(bus, channel, select, command, reset, &mut delay);
 
-    let (depths, other_depths) = strip.depths.split_at_mut(strip.depths.len() / 2);
+    let half = strip.depths.len() / 2;
+    let (depths, other_depths) = strip.depths.split_at_mut(half);
     let depths = [depths, other_depths];
     let memory = Memory { cache: &mut mesh.cache, bins: &mut mesh.bins, cursor, depths };
     let mut picture = Picture::new(&MODEL, memory).unwrap_or_else(|problem| stop(problem));
     let mut free: &'static mut [u8] = &mut strip.colors;
     // The first to leave is black.
     let mut transfer = Some(panel.send(&area(0), &mut other.colors));
+    // A constant: what the model does not have is left out when this is compiled.
+    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
     loop {
         for frame in 0..FRAMES {
             let start = clock.cycles();
             let turn = Angle::turns(frame as i32, FRAMES);
-            let drawn = picture.draw(turn, &mut other_core, free, |strip, pixels| {
+            let drawn = picture.draw(color, turn, &mut other_core, free, |strip, pixels| {
                 let Some(running) = transfer.take() else { stop("the display is in use") };
                 let (panel, sent) = running.wait();
                 transfer = Some(panel.send(&area(strip), pixels));

@@ -19,7 +19,8 @@ pub const STRIPS: u32 = SCREEN.size.height / (2 * ROWS);
 const _: () = assert!(SCREEN.size.height % (2 * ROWS) == 0);
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
-const COLOR: Rgb565 = Rgb565::CSS_GOLD;
+/// Of a model without materials.
+pub const COLOR: Rgb565 = Rgb565::CSS_GOLD;
 /// Light on faces that are turned away from the lamp; full light is 256.
 const AMBIENT: u16 = 48;
 
@@ -54,10 +55,11 @@ impl<'a> Picture<'a> {
         Ok(Self { mesh, camera, memory })
     }
 
-    /// Draws a frame into strip after strip. `send` gets each with its number and returns the strip for the next one, in the end the
+    /// Draws a frame into strip after strip. `color` gives the colour of each face. `send` gets each with its number and returns the strip for the next one, in the end the
     /// one that is free.
     pub fn draw(
         &mut self,
+        color: impl Fn(usize) -> Rgb565 + Copy + Send + Sync,
         turn: Angle,
         other: &mut OtherCore,
         mut free: &'static mut [u8],
@@ -68,7 +70,7 @@ impl<'a> Picture<'a> {
         let model = Affine::rotation_y(turn);
         let light = Lambert::new(&model, Vector3::from_ints(2, 3, 4), AMBIENT).map_err(|_| "no light")?;
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let shade = |face: usize| COLOR.dim(level(face));
+        let shade = |face: usize| color(face).dim(level(face));
 
         // Vertices to the screen, visible faces into the bins of the bands.
         let instance = camera.place(mesh, &model);
