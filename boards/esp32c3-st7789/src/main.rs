@@ -67,11 +67,13 @@ fn main() -> ! {
     let Ok(mut display) = display else { stop("the display does not start") };
 
     let camera = picture::camera(&MODEL, display.bounding_box()).unwrap_or_else(|problem| stop(problem));
+    // A constant: what the model does not have is left out when this is compiled.
+    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
     loop {
         for frame in 0..FRAMES {
             let start = Instant::now();
             let turn = Angle::turns(frame as i32, FRAMES);
-            match picture::draw(&MODEL, &camera, turn, &mut memory, &mut display) {
+            match picture::draw(&MODEL, color, &camera, turn, &mut memory, &mut display) {
                 Ok(Drawn { statistics, bytes }) => {
                     let time = start.elapsed().as_micros();
                     defmt::info!("frame {=u32}: {=u64} us, {=u32} bytes, {}", frame, time, bytes, statistics);

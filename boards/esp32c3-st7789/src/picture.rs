@@ -9,7 +9,8 @@ use pinhole::{
 };
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
-const COLOR: Rgb565 = Rgb565::CSS_GOLD;
+/// Of a model without materials.
+pub const COLOR: Rgb565 = Rgb565::CSS_GOLD;
 /// Light on faces that are turned away from the lamp; full light is 256.
 const AMBIENT: u16 = 48;
 
@@ -48,9 +49,10 @@ pub struct Drawn {
     pub bytes: u32,
 }
 
-/// Draws the mesh, turned about the y axis, and sends it to the display band by band.
+/// Draws the mesh, turned about the y axis, and sends it to the display band by band. `color` gives the colour of each face.
 pub fn draw<D: DrawTarget<Color = Rgb565>>(
     mesh: &Mesh<'_>,
+    color: impl Fn(usize) -> Rgb565,
     camera: &Camera,
     turn: Angle,
     memory: &mut Memory<'_>,
@@ -71,7 +73,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     while let Some(mut band) = frame.next_band(memory.strip).map_err(|_| "the strip is shorter than a row")? {
         let depth = DepthBuffer::new(band.area(), memory.depths);
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
-        let Ok(()) = faces.depth_tested(|face| COLOR.dim(level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) = faces.depth_tested(|face| color(face).dim(level(face)), &mut depth, &mut band.pixels());
         // Text and icons of embedded-graphics go on top here: a band is a DrawTarget.
         band.send(display).map_err(|_| "the display refused the pixels")?;
         bytes += band.bytes().len() as u32; // of any display, less than 2³²

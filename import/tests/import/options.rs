@@ -174,7 +174,7 @@ fn faces_are_turned_over() {
     let mesh = import(&block(), &Options { flip: true, ..Options::default() }).unwrap();
     assert_eq!(mesh.volume(), -8.0);
     let doubt: Vec<_> = mesh.warnings.iter().map(ToString::to_string).collect();
-    let wanted = "parts inside out: 1 of 1, the first at line 9; the outside shows nothing: use --flip, unless it is a room seen from inside";
+    let wanted = "parts inside out: 1 of 1, the first at line 9; the outside shows nothing: leave out --flip, unless it is a room seen from inside";
     assert_eq!(doubt, [wanted]);
 }
 
@@ -403,9 +403,9 @@ fn what_a_mesh_cannot_hold_says_what_to_do() {
     let error = import(&path, &Options::default()).unwrap_err();
     assert!(matches!(error.problem, Problem::Exponent(-82)), "{error}"); // half of 1e-20 is 24178 · 2^-82
     assert!(
-        error
-            .to_string()
-            .contains("needs a step of 2^-82, but a mesh has 2^-32 to 2^15: use another unit, or --fit"),
+        error.to_string().contains(
+            "needs a step of 2^-82, but a mesh has 2^-32 to 2^15: use another unit, or pinhole-import --fit"
+        ),
         "{error}"
     );
     assert!(import(&path, &Options { fit: Some(1.0), ..Options::default() }).is_ok());
