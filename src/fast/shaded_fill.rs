@@ -4,7 +4,8 @@
 //!   of nearer pixels.
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory; with depth, only where the depth buffer is
 //!   laid out as the memory is.
-//! - **Gain**: the shader's colours are stored in one loop with the edge walker. With depth, the shader is called once per row,
+//! - **Gain**: the shader's colours are stored in one loop with the edge walker, run by run (`SpanShader::runs`), so that a
+//!   shader computes what a run has in common once. With depth, the shader is called once per row,
 //!   not once per run of visible pixels. Not measured alone.
 //! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/twins.rs`.
 

@@ -101,7 +101,8 @@ impl Sphere {
         let (x, y, z) = ([a, d, g], [b, e, h], [c, f, i]);
         let (xy, yz, zx) = (dot(x, y), dot(y, z), dot(z, x));
         let squares = (dot(x, x) + xy + zx).max(dot(y, y) + xy + yz).max(dot(z, z) + yz + zx); // ≤ 9·2⁵⁸
-                                                                                               // A quarter of the stretch, in 2^(exponent − 28), rounded up: coefficients lost up to a half each, the root as much.
+
+        // A quarter of the stretch, in 2^(exponent − 28), rounded up: coefficients lost up to a half each, the root as much.
         let stretch = (sqrt(squares) >> 1) as i32 + 4; // ≤ 3·2²⁸ + 4
         let radius = mul_translation(stretch, exponent - 28, i64::from(self.radius.to_bits().max(0)) << 16);
         // Up, and the rounding of the centre, within 0.87 + 2⁻¹⁶.

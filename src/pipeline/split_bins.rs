@@ -89,7 +89,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> SplitBins<'a, V, DEPTH> {
     ///
     /// # Errors
     ///
-    /// Those of [`TransformedMesh::bin_faces`], for the same reasons.
+    /// The errors of [`TransformedMesh::bin_faces`], for the same reasons.
     #[inline(never)] // the result is large
     pub fn finish(mut self) -> Result<BinnedFaces<'a, V, DEPTH>, BinError> {
         for half in self.halves() {

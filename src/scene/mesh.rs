@@ -667,7 +667,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
         self.data.exponent
     }
 
-    /// What is drawn of the mesh.
+    /// The mesh's lists and the exponent of its vertices, whether it has planes or not.
     #[inline(always)]
     pub(crate) const fn data(&self) -> &MeshData<'a, V> {
         &self.data

@@ -174,7 +174,7 @@ fn every_way<V: Coordinate>(
     let transformed = by_planes.transform_depth(&mut full);
     let mut faces = transformed.bin_faces(&mut storage).expect("room");
     assert!(deep == bands(rng, |band, depth| faces.depth_tested(shader, depth, band).expect("drawn")));
-    // What is picked in a pixel is what is drawn there.
+    // The face that is picked in a pixel is the face that is drawn there.
     for _ in 0..4 {
         let at = (rng.below(WIDTH as usize) as i32, rng.below(HEIGHT as usize) as i32);
         let (pixel, drawn) = (at.into(), deep.get(&at).map(|(shader, _)| shader.0));

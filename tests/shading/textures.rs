@@ -395,7 +395,7 @@ fn texels_of_every_format_and_size_are_where_the_picture_has_them() {
         let colors: Vec<Rgb888> = stored.iter().map(|&i| palette[usize::from(i)]).collect();
         let slice = TexelSlice::new(&colors, width, height).unwrap();
         let indexed = IndexedTexels::<_, 8>::new(&stored, width, height, &palette).unwrap();
-        // The same bytes as texels of fewer bits: the high bits first.
+        // These bytes as texels of 4, 2 and 1 bits, which begin in the high bits.
         let four = IndexedTexels::<_, 4>::new(&stored, width, height, &palette).unwrap();
         let two = IndexedTexels::<_, 2>::new(&stored, width, height, &palette).unwrap();
         let one = IndexedTexels::<_, 1>::new(&stored, width, height, &palette[..2]).unwrap();

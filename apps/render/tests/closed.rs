@@ -228,7 +228,7 @@ fn interlocked_parts_are_right() {
     is_right("closed-chain.stl", &chain);
 }
 
-/// What is not right is seen: without a depth buffer, in mesh order, a gear's hole and a torus are drawn wrongly.
+/// The comparison finds wrong pixels: without a depth buffer, in mesh order, a gear's hole and a torus are drawn wrongly.
 #[test]
 fn the_judge_finds_what_is_drawn_in_mesh_order() {
     for (name, body) in [("order-gear.stl", gear()), ("order-torus.stl", torus(3.0, 1.2, 32, 16))] {

@@ -36,8 +36,8 @@ pub type Strips = Channel<'static, CriticalSectionRawMutex, Strip>;
 /// Whether a band has not reached the display since the last frame began.
 static FAILED: AtomicBool = AtomicBool::new(false);
 
-/// Draws the model at step 0, and from then on as the encoder and the button say. It returns only what the next frame cannot
-/// mend, such as a strip without room for a row.
+/// Draws the model at step 0, and from then on as the encoder and the button say. It returns only errors that every frame
+/// would repeat, such as a strip without room for a row.
 pub async fn draw(
     picture: &mut Picture<'_>,
     mut strips: Sender<'_, CriticalSectionRawMutex, Strip>,

@@ -16,8 +16,8 @@ const WINDOW_BYTES: u16 = 12;
 type Display<Bus> = Ssd1306Async<Bus, DisplaySize128x64, BufferedGraphicsModeAsync<DisplaySize128x64>>;
 
 /// Shows the model at step 0, and from then on as the encoder and the button say. An error of the bus is logged, the display is
-/// set up again, and everything is sent. It returns only what the next frame cannot mend, such as a strip without room for a
-/// row.
+/// set up again, and everything is sent. It returns only errors that every frame would repeat, such as a strip without room
+/// for a row.
 pub async fn show<Bus: AsyncWriteOnlyDataCommand>(
     display: &mut Display<Bus>,
     picture: &mut Picture<'_>,

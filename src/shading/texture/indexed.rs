@@ -66,7 +66,7 @@ impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
         }
     }
 
-    /// The same texels with other colours.
+    /// These texels with the colours of another palette.
     ///
     /// # Errors
     ///
