@@ -115,6 +115,12 @@ pub(crate) const IMAGES: &[Image] = &[
     Image { name: "gouraud", says: "smooth faces with depth in bands", goal: None, without: &[DITHER] },
     Image { name: "dither", says: "dithered faces with depth in bands", goal: None, without: &[] },
     Image { name: "everything", says: "everything", goal: Some(20 << 10), without: &[] },
+    Image {
+        name: "everything_inside",
+        says: "everything, without clipping",
+        goal: Some(34_304), // 33.5 KiB
+        without: &[Part("pipeline/clip_face.rs", None)],
+    },
 ];
 
 /// Links everything that other images must not link.

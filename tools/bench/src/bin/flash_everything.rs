@@ -1,16 +1,21 @@
-//! All ways to draw, in bands; a camera made at run time; dirty rectangles.
+//! All ways to draw, in bands; a camera made at run time; dirty rectangles. `everything_inside` draws without clipping.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use bench::bands::{bytes, pixels};
 use bench::image::{Sink, Turntable, BIN_STORAGE, CORNERS, ROWS};
 use bench::scene::Model;
-use bench::{image, scene};
+use bench::{image, position, scene};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use heapless::Vec;
-use pinhole::{DepthBuffer, DirtyRegions, Frame, Lambert, MeshInstance, Painter, ScreenVertex, TransferCost};
+use pinhole::{
+    Coordinate, DepthBuffer, DirtyRegions, Frame, Lambert, MeshInstance, Painter, ScreenVertex, TransferCost,
+};
 
 /// Faces of the cube, and of the triangles that clipping makes of them.
 const FACES: usize = 12;
 type Order = Painter<Rgb565, { 4 * CORNERS }, { 2 * FACES }>;
+
+/// Whether this is the image that links no clipping.
+const INSIDE: bool = position(env!("CARGO_BIN_NAME"), &["flash_everything", "flash_everything_inside"]) == 1;
 
 /// An object with its light, which live as long as the frame.
 struct Object {
@@ -51,14 +56,20 @@ fn place(cube: &'static Model, objects: &mut Vec<Object, 1>) -> Option<()> {
 #[inline(never)]
 fn record(cube: &'static Model, light: &Lambert, painter: &mut Order) -> Option<()> {
     painter.clear();
-    painter.add(&Turntable::new().place(cube), scene::flat(&cube.mesh, light)).ok()
+    let (instance, shade) = (Turntable::new().place(cube), scene::flat(&cube.mesh, light));
+    if INSIDE {
+        painter.add(&instance.without_clipping(), shade).ok()
+    } else {
+        painter.add(&instance, shade).ok()
+    }
 }
 
 /// Draws dithered faces with hidden lines, then in all other ways.
 #[inline(never)]
-fn draw(
+fn draw<V: Coordinate<Stored = i16>>(
     cube: &'static Model,
-    Object { instance, light }: &Object,
+    instance: &MeshInstance<'static, V>,
+    light: &Lambert,
     painter: &mut Order,
     dirty: &mut DirtyRegions<2>,
     buffers: &mut Buffers,
@@ -99,6 +110,11 @@ image!(
         place(cube, objects)?;
         let object = objects.first()?;
         record(cube, &object.light, painter)?;
-        draw(cube, object, painter, dirty, buffers)
+        let Object { instance, light } = object;
+        if INSIDE {
+            draw(cube, &instance.without_clipping(), light, painter, dirty, buffers)
+        } else {
+            draw(cube, instance, light, painter, dirty, buffers)
+        }
     }
 );
