@@ -108,6 +108,8 @@ fn fill_low<S: PixelStore, F: DepthFill<S::Cell>>(
 ) {
     match Low::new(&triangle.triangle, scissor, memory.scratch()) {
         Some(low) => fill_rows(low, triangle, memory, depth.values_mut(), fill),
+        // Close up, most of these triangles lie beside the picture.
+        None if triangle.triangle.is_beside(scissor) => {}
         None => fill_any(memory, triangle, scissor, depth, fill),
     }
 }
@@ -145,7 +147,7 @@ fn fill_any<S: PixelStore, F: DepthFill<S::Cell>>(
     }
     let (mut gradients, depths) = (fill.set_up(triangle), depth.values_mut());
     let (cells, RowScratch { layout, .. }) = memory.parts();
-    let mut trapezoid = Trapezoid::default();
+    let mut trapezoid = Trapezoid::without_rows();
     while trapezoids.trapezoid(&mut trapezoid) {
         let start @ RowOrigin { x, y, .. } = RowOrigin { x: trapezoid.x, y: trapezoid.y, shear: 0 };
         let mut filler = fill.rows(&mut gradients, cells, depths, start);

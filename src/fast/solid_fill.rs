@@ -72,6 +72,8 @@ fn fill_low<S: PixelStore>(
 ) {
     match Low::new(triangle, scissor, memory.scratch()) {
         Some(low) => fill_rows(low, memory, pair),
+        // Close up, most of these triangles lie beside the picture.
+        None if triangle.is_beside(scissor) => {}
         None => {
             let (cells, scratch) = memory.parts();
             fill_any(cells, scratch.layout, triangle, scissor, pair);
@@ -95,7 +97,7 @@ fn fill_any<Cell: Copy>(
     scissor: &Scissor,
     pair: [Cell; 2],
 ) {
-    let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::default());
+    let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::without_rows());
     while triangle.trapezoid(&mut trapezoid) {
         match trapezoid.as_rectangle(layout.stride as i32) {
             // A face wider than the picture is clipped at both sides: its rows join into one run.

@@ -3,7 +3,6 @@
 use super::edge::{first_row, Edge32};
 use super::triangle::{area, sort_by_y};
 use super::{Scissor, ScreenPoint, Span, Trapezoid, Triangle};
-use crate::math::hints::opaque;
 
 /// The trapezoids of a triangle inside a scissor, top to bottom. A trapezoid ends at the middle corner, where an edge
 /// enters or leaves the scissor's columns, and where an edge must be set up again to stay exact.
@@ -16,9 +15,10 @@ pub(crate) struct AnyTriangle {
     long: Edge32,
     /// The rows at which `short` and `long` must be set up again.
     until: [i32; 2],
-    /// The scissor's columns.
+    /// The scissor's columns, and whether the triangle reaches beyond them.
     left: i32,
     right: i32,
+    is_beyond: bool,
     /// Whether the middle corner lies to the left of `long`.
     middle_is_left: bool,
     /// The corners, sorted by y.
@@ -39,6 +39,7 @@ impl AnyTriangle {
             until: [i32::MIN; 2],
             left: scissor.left,
             right: scissor.right,
+            is_beyond: bounds.left < scissor.left || bounds.right > scissor.right,
             middle_is_left,
             corners,
         }
@@ -69,7 +70,9 @@ impl AnyTriangle {
         let rows = self.end.min(short_until).min(long_until) - y;
         let edges = if self.middle_is_left { [short, long] } else { [long, short] };
         *trapezoid = Trapezoid { x: 0, y, rows, edges };
-        trapezoid.clip_columns(self.left, self.right);
+        if self.is_beyond {
+            trapezoid.clip_columns(self.left, self.right);
+        }
         self.short.advance(trapezoid.rows);
         self.long.advance(trapezoid.rows);
         self.row += trapezoid.rows;
@@ -105,12 +108,7 @@ pub(crate) struct Spans {
 impl Spans {
     #[inline]
     pub(crate) fn new(triangle: &Triangle<'_>, scissor: &Scissor) -> Self {
-        // Edges that the compiler does not know: it would clear a trapezoid of zeros by a library function.
-        let edges = [Edge32::vertical(opaque(0)); 2];
-        Self {
-            trapezoid: Trapezoid { x: 0, y: 0, rows: 0, edges },
-            below: AnyTriangle::new(triangle, scissor),
-        }
+        Self { trapezoid: Trapezoid::without_rows(), below: AnyTriangle::new(triangle, scissor) }
     }
 
     /// Whether the triangle has no row inside the scissor; valid before the first span is taken.

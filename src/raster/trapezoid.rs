@@ -2,10 +2,10 @@
 
 use super::edge::{Edge32, EdgeWalker};
 use super::Span;
-use crate::math::hints::keep_rolled;
+use crate::math::hints::{keep_rolled, opaque};
 
 /// Consecutive rows between two straight edges that lie inside the scissor's columns.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Trapezoid<E> {
     /// The column that the edges count from.
     pub(crate) x: i32,
@@ -78,6 +78,13 @@ impl<E: EdgeWalker> Trapezoid<E> {
 }
 
 impl Trapezoid<Edge32> {
+    /// A trapezoid that has no row.
+    #[inline(always)]
+    pub(crate) fn without_rows() -> Self {
+        // Edges that the compiler does not know: it would clear a trapezoid of zeros by a library function.
+        Self { x: 0, y: 0, rows: 0, edges: [Edge32::vertical(opaque(0)); 2] }
+    }
+
     /// The first column and the number of pixels, if the trapezoid is a rectangle of this width.
     #[inline(always)]
     pub(crate) fn as_rectangle(&self, width: i32) -> Option<(i32, i32)> {

@@ -38,6 +38,13 @@ impl<'v> Triangle<'v> {
         (self.corners, self.area) = (corners, area);
     }
 
+    /// Whether the triangle lies to the left or to the right of the scissor: it covers no pixel of it.
+    #[inline(always)]
+    pub(crate) fn is_beside(&self, scissor: &Scissor) -> bool {
+        let bounds = Scissor::bounding_box(&self.corners);
+        bounds.left >= scissor.right || bounds.right <= scissor.left
+    }
+
     #[inline(always)]
     pub(crate) fn corners(&self) -> &[ScreenPoint; 3] {
         &self.corners
