@@ -1,24 +1,28 @@
 """Runs an image on an emulated STM32F411 and reports what its SPI bus and its pins do: see events.mjs.
 
-    python stm32f411.py IMAGE wires=5,7 select=4 command=3 watch=2 log=ADDRESS
+    python stm32f411.py IMAGE hooks=FILE wires=5,7 select=4 command=3 watch=2 log=ADDRESS
 
 The core is Unicorn's Cortex-M4. Here are the peripherals that the firmware uses, after the reference manual RM0383: RCC, as
 far as clocks start and switch; GPIOA; SPI1 as a master that sends; SysTick with its exception. `wires`, `select`, `command` and
 `watch` are pins of port A: clock and data of SPI1, the display's CS and D/C, and those whose changes are reported, separated
 by commas. `log` is the address of the image's RTT control block. `overrun=N` sets SPI1's overrun flag once, with byte N.
 
+`hooks` is the library of hooks/, which does what happens in every basic block and for every byte.
+
 Time is counted in cycles of basic blocks (cortex_m4.py), with 2 more for an access to a peripheral. Flash answers at once:
 the chip's prefetch and caches hide most of its wait states.
 """
 
+import ctypes
 import struct
 import sys
 
-from unicorn import UC_ARCH_ARM, UC_HOOK_BLOCK, UC_HOOK_MEM_INVALID, UC_MODE_MCLASS, UC_MODE_THUMB, Uc, UcError
+from unicorn import UC_ARCH_ARM, UC_ERR_OK, UC_HOOK_BLOCK, UC_HOOK_MEM_INVALID, UC_MODE_MCLASS, UC_MODE_THUMB, Uc, UcError
 from unicorn import arm_const as arm
+from unicorn.unicorn_py3.unicorn import uclib
 
 import cortex_m4
-from events import BROKEN, BYTE, CLOCK, LOG, PIN, TIME, WAITED, flush, report
+from events import CLOCK, LOG, PIN, TIME, WAITED, write_all
 
 FLASH, RAM, RAM_SIZE = 0x0800_0000, 0x2000_0000, 128 << 10
 HSI, HSE = 16_000_000, 25_000_000
@@ -31,19 +35,82 @@ wires = [int(pin) for pin in options["wires"].split(",")]
 watched = [int(pin) for pin in options.get("watch", "").split(",") if pin]
 
 
+NUMBERS = "cycles since nanoseconds frequency due current after repeated levels select command clocked waiting shifting end"
+NUMBERS += " received overrun unselected bit_cycles polled polled_at polled_in sent fail_at waited filled"
+WORD = ctypes.c_uint64
+FUNCTIONS = {
+    "cost": ctypes.CFUNCTYPE(WORD, WORD, ctypes.c_uint32),
+    "look": ctypes.CFUNCTYPE(None),
+    "skip": ctypes.CFUNCTYPE(None, WORD, WORD),
+    "set_up": ctypes.CFUNCTYPE(WORD),
+    "no_room": ctypes.CFUNCTYPE(None),
+    "flush": ctypes.CFUNCTYPE(None),
+    "read": ctypes.CFUNCTYPE(WORD, WORD),
+    "write": ctypes.CFUNCTYPE(None, WORD, WORD),
+}
+NONE = (1 << 64) - 1
+
+
+class Hooks(ctypes.Structure):
+    """As in hooks/src/lib.rs."""
+
+    _fields_ = [(name, WORD) for name in NUMBERS.split()]
+    _fields_ += FUNCTIONS.items()
+    _fields_ += [("records", WORD * 8192), ("costs", ctypes.c_uint16 * (256 << 10)), ("rounds", ctypes.c_uint32 * (256 << 10))]
+
+
+library = ctypes.CDLL(options["hooks"])
+hooks = Hooks(frequency=HSI, levels=0xFFFF, select=select, command=command, fail_at=int(options.get("overrun", NONE)))
+hooks.waiting = hooks.shifting = hooks.polled = NONE
+if library.hooks_size() != ctypes.sizeof(hooks):
+    sys.exit(f"{options['hooks']}: of another version: run boards/emulate/run --build")
+library.hooks_read.restype = WORD
+library.hooks_report.argtypes = [ctypes.c_void_p, WORD, WORD, WORD]
+library.hooks_read.argtypes = [ctypes.c_void_p, WORD, ctypes.c_uint32, ctypes.c_void_p]
+library.hooks_write.argtypes = [ctypes.c_void_p, WORD, ctypes.c_uint32, WORD, ctypes.c_void_p]
+
+
+def hook(function):
+    """Lets the library call a function by its name. An exception would not get through the library: it ends the run."""
+
+    def guarded(*arguments):
+        try:
+            return function(*arguments)
+        except Exception as error:  # whatever it is
+            problem(f"{type(error).__name__}: {error}")
+            return 0
+
+    setattr(hooks, function.__name__, FUNCTIONS[function.__name__](guarded))
+    return function
+
+
+def report(kind, value, nanoseconds):
+    library.hooks_report(ctypes.addressof(hooks), kind, value, nanoseconds)
+
+
+@hook
+def flush():
+    length = 8 * hooks.filled
+    hooks.filled = 0
+    write_all(memoryview(hooks.records).cast("B")[:length])
+
+
 class Clock:
     """Cycles since power on, and their time: the frequency changes once or twice."""
 
-    def __init__(self):
-        self.cycles = 0
-        self.since, self.nanoseconds, self.frequency = 0, 0, HSI
+    @property
+    def cycles(self):
+        return hooks.cycles
 
-    def time(self, cycles=None):
-        cycles = self.cycles if cycles is None else cycles
-        return self.nanoseconds + (cycles - self.since) * 1_000_000_000 // self.frequency
+    @cycles.setter
+    def cycles(self, cycles):
+        hooks.cycles = cycles
+
+    def time(self):
+        return hooks.nanoseconds + (hooks.cycles - hooks.since) * 1_000_000_000 // hooks.frequency
 
     def set(self, frequency):
-        self.nanoseconds, self.since, self.frequency = self.time(), self.cycles, frequency
+        hooks.nanoseconds, hooks.since, hooks.frequency = self.time(), hooks.cycles, frequency
 
 
 clock = Clock()
@@ -78,7 +145,7 @@ class Registers:
             handler(value)
         else:
             self.words[offset] = value
-            spi.bit_cycles = None  # it may have another clock or other pins
+            hooks.bit_cycles = 0  # SPI1 may have another clock or other pins
 
 
 class Rcc(Registers):
@@ -90,7 +157,7 @@ class Rcc(Registers):
 
     def write_44(self, value):
         self.words[self.APB2ENR] = value
-        spi.clocked = bool(value >> 12 & 1)
+        spi.clocked = hooks.clocked = bool(value >> 12 & 1)
 
     def write_00(self, value):  # CR: an oscillator or a PLL that is on is ready
         self.words[self.CR] = value | sum((value >> on & 1) << on + 1 for on in (0, 16, 24))
@@ -104,7 +171,7 @@ class Rcc(Registers):
         if value >> 4 & 0x8 or not frequency:
             problem(f"RCC_CFGR {value:#x} is not modelled")
         clock.set(frequency)
-        spi.bit_cycles = None
+        hooks.bit_cycles = 0
 
     def apb2_divisor(self):
         prescaler = self.words.get(self.CFGR, 0) >> 13 & 7
@@ -122,7 +189,7 @@ class GpioA(Registers):
 
     def write_00(self, value):
         self.words[self.MODER] = value
-        spi.bit_cycles = None
+        hooks.bit_cycles = 0
         self.drive(self.words.get(self.ODR, 0))
 
     def write_14(self, value):
@@ -141,17 +208,15 @@ class GpioA(Registers):
             if changed >> pin & 1:
                 report(PIN, pin | (self.levels() >> pin & 1) << 7, clock.time())
         if self.levels() >> select & 1:
-            spi.unselected = True
+            hooks.unselected = 1
 
     def update(self):
         mode = self.words.get(self.MODER, 0)
         outputs = sum((mode >> 2 * pin & 3 == 1) << pin for pin in range(16))
-        self.level = self.words.get(self.ODR, 0) | ~outputs & 0xFFFF
-
-    level = 0xFFFF
+        hooks.levels = self.words.get(self.ODR, 0) | ~outputs & 0xFFFF
 
     def levels(self):
-        return self.level
+        return hooks.levels
 
     def is_connected(self, pin):
         """Whether a pin is SPI1's: alternate function 5."""
@@ -160,48 +225,25 @@ class GpioA(Registers):
 
 
 class Spi1(Registers):
-    """A byte that waits, a byte that is shifted out, and a byte that was shifted in."""
+    """Its control registers. Status and data are the library's."""
 
     clocked = False
-    CR1, CR2, SR, DR = 0x00, 0x04, 0x08, 0x0C
+    CR1, SR, DR = 0x00, 0x08, 0x0C
     CPHA, CPOL, MASTER, ENABLED, LSB_FIRST, DFF = (1 << bit for bit in (0, 1, 2, 6, 7, 11))
-    RXNE, TXE, OVR, BSY = (1 << bit for bit in (0, 1, 6, 7))
 
-    def __init__(self):
-        super().__init__()
-        self.waiting = self.shifting = None
-        self.end = 0  # of the byte that is shifted, in cycles
-        self.received = self.overrun = self.unselected = False
-        self.bit_cycles = None  # cycles of a bit, once SPI1 is found to be set up
-        self.polled = (None, 0, 0)  # the status that was read last, when and in which block, if nothing has happened since
-        self.rounds = {}  # cycles of a loop that waits, by the block that it is entered with
-        self.sent = 0
-        self.fail_at = int(options.get("overrun", -1))
+    def read(self, offset):
+        if self.clocked and offset in (self.SR, self.DR):
+            return library.hooks_read(None, offset, 4, ctypes.addressof(hooks))
+        return super().read(offset)
 
-    def settle(self):
-        """What has happened until now."""
-        while self.shifting is not None and self.end <= clock.cycles:
-            levels = gpio.levels()
-            lines = (levels >> command & 1) | self.unselected << 1
-            report(BYTE | lines, self.shifting, clock.time(self.end))
-            self.overrun |= self.received
-            if self.sent == self.fail_at:
-                self.overrun = True
-                report(BROKEN, 0, clock.time(self.end))
-            self.received = True
-            self.sent += 1
-            byte, self.shifting, self.waiting = self.waiting, None, None
-            if byte is not None:
-                self.shift(byte, self.end)
-
-    def shift(self, byte, now):
-        if self.bit_cycles is None:
-            self.bit_cycles = self.set_up()
-        self.shifting = byte
-        self.unselected = bool(gpio.levels() >> select & 1)
-        self.end = now + 8 * self.bit_cycles
+    def write(self, offset, value):
+        if self.clocked and offset == self.DR:
+            library.hooks_write(None, offset, 4, value, ctypes.addressof(hooks))
+        else:
+            super().write(offset, value)
 
     def set_up(self):
+        """Cycles of a bit."""
         control = self.words.get(self.CR1, 0)
         if control & (self.MASTER | self.ENABLED) != self.MASTER | self.ENABLED:
             problem("SPI1 is written while it is no master, or not enabled")
@@ -213,61 +255,8 @@ class Spi1(Registers):
             if not gpio.is_connected(pin):
                 problem(f"PA{pin} is not SPI1's")
         bit_cycles = (2 << (control >> 3 & 7)) * rcc.apb2_divisor()
-        report(CLOCK, 0, 8 * bit_cycles * 1_000_000_000 // clock.frequency)
+        report(CLOCK, 0, 8 * bit_cycles * 1_000_000_000 // hooks.frequency)
         return bit_cycles
-
-    def status(self):
-        return (
-            (self.RXNE if self.received else 0)
-            | (self.TXE if self.waiting is None else 0)
-            | (self.OVR if self.overrun else 0)
-            | (self.BSY if self.shifting is not None else 0)
-        )
-
-    def read_08(self):
-        self.settle()
-        status, (last, when, where) = self.status(), self.polled
-        if self.shifting is not None:
-            # A loop that waits for the end of the byte is known once it has read the same status twice. Its rounds until the end
-            # go by at once.
-            if status == last:
-                self.rounds[where] = clock.cycles - when
-            round_ = self.rounds.get(where if status == last else current)
-            if round_:
-                wait = -(-(self.end - clock.cycles) // round_) * round_
-                waited.cycles += wait
-                clock.cycles += wait
-                self.settle()
-                status = self.status()
-        self.polled = (status, clock.cycles, current)
-        return status
-
-    def read_0c(self):
-        self.settle()
-        self.polled = (None, 0, 0)
-        self.received = self.overrun = False
-        return 0xFF
-
-    def write_0c(self, value):
-        self.settle()
-        self.polled = (None, 0, 0)
-        if self.shifting is None:
-            self.shift(value & 0xFF, clock.cycles)
-        elif self.waiting is None:
-            self.waiting = value & 0xFF
-        else:
-            problem("SPI1 has no room for another byte")
-
-
-class Waited:
-    """The time that the core has waited, which is reported from time to time."""
-
-    def __init__(self):
-        self.cycles = 0
-
-    def report(self):
-        report(WAITED, 0, self.cycles * 1_000_000_000 // clock.frequency)
-        self.cycles = 0
 
 
 class System(Registers):
@@ -298,7 +287,7 @@ class System(Registers):
         return self.start + self.period() if self.words.get(self.CSR, 0) & 3 == 3 else None
 
 
-rcc, power, gpio, spi, system, waited = Rcc(), Power(), GpioA(), Spi1(), System(), Waited()
+rcc, power, gpio, spi, system = Rcc(), Power(), GpioA(), Spi1(), System()
 
 uc = Uc(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS)
 uc.ctl_set_cpu_model(arm.UC_CPU_ARM_CORTEX_M4)
@@ -348,8 +337,30 @@ def write_bit(_uc, alias, _size, value, _data):
     registers.write(offset, registers.read(offset) & ~(1 << number) | (value & 1) << number)
 
 
-for page in {address & -PAGE for address in blocks}:
+@hook
+def set_up():
+    return spi.set_up()
+
+
+@hook
+def no_room():
+    problem("SPI1 has no room for another byte")
+
+
+def check(status):
+    if status != UC_ERR_OK:
+        raise UcError(status)
+
+
+# Unicorn calls the library's functions itself, with the structure that is shared.
+shared = ctypes.addressof(hooks)
+SPI1_PAGE = 0x4001_3000
+for page in {address & -PAGE for address in blocks} - {SPI1_PAGE}:
     uc.mmio_map(page, PAGE, read, page, write, page)
+# The library calls these for what is neither SPI1's status nor its data.
+hooks.read = FUNCTIONS["read"](lambda offset: read(None, offset, 4, SPI1_PAGE))
+hooks.write = FUNCTIONS["write"](lambda offset, value: write(None, offset, 4, value, SPI1_PAGE))
+check(uclib.uc_mmio_map(uc._uch, SPI1_PAGE, PAGE, library.hooks_read, shared, library.hooks_write, shared))
 uc.mmio_map(BIT_BAND, BIT_BAND_SIZE, read_bit, None, write_bit, None)
 
 failure = None
@@ -392,52 +403,41 @@ COUNTDOWN = (0x3801, 0xD1FD)  # subs r0, #1; bne to it
 YIELD = 0xBF10
 INTERVAL = 10_000  # cycles from one look at the log to the next
 RETURN = 0x1000_0000  # where exception handlers return to; the chip has nothing there
-costs = {}
-after = current = due = repeated = 0
 exception = False
 
 
-def block(_uc, address, size, _data):
-    """A basic block begins."""
-    global after, current, repeated
-    cost = costs.get(address)
-    if cost is None:
-        cost = costs[address] = cortex_m4.cycles(uc.mem_read(address, size))
-    clock.cycles += cost if address == after else cost + cortex_m4.TAKEN
-    after = address + size
-    if address == current:
-        repeated += 1
-        if repeated > 100:
-            skip(address, size, cost + cortex_m4.TAKEN)
-    else:
-        current, repeated = address, 0
-    if clock.cycles >= due:
-        look()
+@hook
+def cost(address, size):
+    """Cycles of a basic block."""
+    return cortex_m4.cycles(uc.mem_read(address, size))
 
 
-def skip(address, size, cost):
-    """Many rounds of a loop that only counts down go by at once, up to the next look."""
-    first, second = struct.unpack("<HH", uc.mem_read(address, 4)) if size == 4 else (0, 0)
+@hook
+def skip(address, cost):
+    """Many rounds of a loop of 4 bytes that only counts down go by at once, up to the next look."""
+    first, second = struct.unpack("<HH", uc.mem_read(address, 4))
     if (first & 0xF8FF, second) == COUNTDOWN:
         register = arm.UC_ARM_REG_R0 + (first >> 8 & 7)
         count = uc.reg_read(register)
-        rounds = min(max(due - clock.cycles, 0) // cost, count - 1)
+        rounds = min(max(hooks.due - hooks.cycles, 0) // cost, count - 1)
         uc.reg_write(register, count - rounds)
-        clock.cycles += rounds * cost
+        hooks.cycles += rounds * cost
 
 
+@hook
 def look():
     """What is not looked at in every block."""
-    global due, exception
+    global exception
     take_log()
-    waited.report()
+    report(WAITED, 0, hooks.waited * 1_000_000_000 // hooks.frequency)  # since the last look
+    hooks.waited = 0
     report(TIME, 0, clock.time())
-    due = clock.cycles + INTERVAL
+    hooks.due = hooks.cycles + INTERVAL
     if system.due() is not None:
         if clock.cycles >= system.due():
             exception = True
             uc.emu_stop()
-        due = min(due, system.due())
+        hooks.due = min(hooks.due, system.due())
 
 
 def systick():
@@ -461,7 +461,9 @@ def invalid(_uc, _kind, address, _size, _value, _data):
 
 load(image)
 uc.mem_map(RETURN, 0x1000)
-uc.hook_add(UC_HOOK_BLOCK, block)
+handle = ctypes.c_size_t()
+everywhere = 1, 0
+check(uclib.uc_hook_add(uc._uch, ctypes.byref(handle), UC_HOOK_BLOCK, library.hooks_block, shared, *everywhere))
 uc.hook_add(UC_HOOK_MEM_INVALID, invalid)
 stack, start = struct.unpack("<II", uc.mem_read(FLASH, 8))
 uc.reg_write(arm.UC_ARM_REG_SP, stack)
@@ -472,7 +474,7 @@ while failure is None:
         # Unicorn stops after a `yield`, with which the firmware says that it only waits: until the next look.
         (before,) = struct.unpack("<H", uc.mem_read(uc.reg_read(arm.UC_ARM_REG_PC) - 2, 2))
         if before == YIELD:
-            clock.cycles = max(clock.cycles, due)
+            clock.cycles = max(clock.cycles, hooks.due)
             look()
         else:
             problem(str(error))

@@ -160,6 +160,9 @@ fn emulator(chip: &Chip, image: &Path, tools: &Path, log: u64) -> process::Comma
         Chip::Stm32f411 { clock, data, select, command, reset } => {
             let mut python = process::Command::new(tools.join("python/bin/python"));
             python.arg(folder.join("stm32f411.py")).arg(image);
+            let hooks = format!("{}hooks{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+            let hooks = tools.join("hooks/release").join(hooks);
+            python.arg(format!("hooks={}", hooks.display()));
             python.args([format!("wires={clock},{data}"), format!("select={select}")]);
             python.args([format!("command={command}"), format!("watch={reset}"), format!("log={log}")]);
             // No compiled modules beside the sources.
