@@ -334,7 +334,7 @@ fn matcap_coordinates_are_within_their_bound() {
                 assert!((128..=32_640).contains(&ours));
                 worst = worst.max(error);
             }
-            let texel = (i32::from(v) * 8 >> 15) * 16 + (i32::from(u) * 16 >> 15);
+            let texel = ((i32::from(v) * 8) >> 15) * 16 + ((i32::from(u) * 16) >> 15);
             assert_eq!(i32::from(matcap.color(Numbered, n).luma()), texel);
         }
     }
