@@ -3,8 +3,8 @@
 use crate::math::float::{ldexp, to_fixed};
 use crate::math::num::{self, add};
 use crate::math::unit::{cross, cross_units, is_zero, normalise};
-use crate::math::{Angle, Point3, Row, Scalar, Vector3};
-use crate::space::{View, World};
+use crate::math::{Affine, Angle, NormalMatrix, Point3, Row, Scalar, Vector3};
+use crate::space::{Model, View, World};
 
 /// The rigid transform from world space to view space, `V = R · T(−eye)`:
 ///
@@ -366,6 +366,20 @@ impl ViewTransform {
         let relative = [relative(0), relative(1), relative(2)];
         let image = self.rotation_rows().map(|row| row.apply(&relative));
         Point3::from_bits(image.map(crate::math::to_scalar))
+    }
+
+    /// The normal matrix from model to view space of an object with the transform `model`, such as [`Matcap`](crate::Matcap)
+    /// takes. Components of the normals that it gives are within 2⁻¹⁵ and κ·2⁻²⁹, where κ is the largest scale factor of `model`
+    /// divided by its smallest.
+    ///
+    /// ```
+    /// use pinhole::{space::{Model, World}, Affine, Point3, Side, ViewTransform};
+    /// let from_the_right = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Right);
+    /// let normals = from_the_right.normals(&Affine::<Model, World>::identity());
+    /// assert_eq!(normals.apply([32767, 0, 0]), [0, 0, 32767]); // +x points to the viewer
+    /// ```
+    pub fn normals(&self, model: &Affine<Model, World>) -> NormalMatrix<Model, View> {
+        model.normals().rotated(&self.rows)
     }
 
     /// The eye in 2⁻³² world units, exact: −2⁴⁷ … 2⁴⁷.

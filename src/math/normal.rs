@@ -1,6 +1,6 @@
 //! The normal matrix of an affine transform.
 
-use super::affine::cofactors;
+use super::affine::{cofactors, matrix_product};
 use super::hints::opaque_next;
 use super::num::dot;
 use super::unit::normalise;
@@ -60,6 +60,14 @@ impl<A, B> NormalMatrix<A, B> {
         let ([x, y, z], normal) = (&self.rows, normal.map(i32::from)); // three products of at most 2⁴⁵
         let image = [dot(x, &normal), dot(y, &normal), dot(z, &normal)];
         to_q15(normalise(&image))
+    }
+
+    /// The transform of normals from `A` to `C`: this one, then the rotation with these rows, in 2⁻³⁰.
+    #[inline(never)] // set-up: code size counts, speed does not
+    pub(crate) fn rotated<C>(&self, rotation: &[[i32; 3]; 3]) -> NormalMatrix<A, C> {
+        let mut rows = [[0; 3]; 3];
+        matrix_product(rotation, 0, &self.rows, 0, &mut rows); // the factor of all rows does not matter
+        NormalMatrix { rows, ends: PhantomData }
     }
 
     pub(crate) const fn rows(&self) -> &[[i32; 3]; 3] {

@@ -229,7 +229,7 @@ impl RigidLambert {
 
 /// Whether the transform is conformal: its rows are orthogonal and of equal length within 2⁻¹⁰, so that the error in angles
 /// changes light by less than a level.
-fn is_conformal(rows: &[[i32; 3]; 3]) -> bool {
+pub(super) fn is_conformal(rows: &[[i32; 3]; 3]) -> bool {
     let [x, ..] = rows;
     let length = dot(x, x); // 3·2⁶⁰ at most, like the other products
     let (mut conformal, mut i) = (true, 0);

@@ -9,7 +9,7 @@ use support::oracle::chain::{self, Affine, V3};
 use support::oracle::rng::Rng;
 
 /// The normal through the inverse transpose: the cofactors, which are det · inverse transpose.
-fn normal(model: &Affine, n: V3) -> V3 {
+pub(crate) fn normal(model: &Affine, n: V3) -> V3 {
     let [a, b, c] = model.m;
     // Rows of the cofactor matrix.
     let cofactors = [chain::cross(b, c), chain::cross(c, a), chain::cross(a, b)];

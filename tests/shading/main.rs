@@ -6,6 +6,7 @@ mod cut_faces;
 mod dithered;
 mod gouraud;
 mod light;
+mod lights;
 mod own_shaders;
 mod scene;
 mod shade_table;

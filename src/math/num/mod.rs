@@ -18,7 +18,7 @@ pub(crate) use product::{dot, mul_called, mul_high, mul_wide, row_times, transpo
 pub(crate) use reciprocal::{reciprocal, reciprocal_of_large, reciprocal_of_positive, Reciprocal};
 pub(crate) use saturating::{add, evaluate, mul_translation, SATURATED};
 pub(crate) use scaling::{scale, scale_to_word, scale_word};
-pub(crate) use square_root::sqrt;
+pub(crate) use square_root::{sqrt, sqrt_word};
 
 #[cfg(test)]
 /// `n · 2^exponent`, rounded to nearest (ties up).

@@ -2,16 +2,17 @@
 
 use crate::any;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
 use pinhole::raster::{Pixel, ScreenPoint};
 use pinhole::space::{Canonical, Model, Ndc, View, World};
 use pinhole::{
-    clip, Affine, Angle, AxisError, Camera, ClipPoint, FaceColors, FramingError, Frustum, Hierarchy,
-    HierarchyError, InverseError, Lambert, LightError, MaterialError, MatrixError, Mesh, MeshBuffers,
-    MeshError, Node, NumberError, Outcode, PlanarProjection, Point3, ProjectError, Projected, Projection,
-    ProjectionError, Quaternion, QuaternionError, Ray, ReferenceVolume, RigidLambert, Scalar, Side, Sphere,
-    Statistics, StripBuffers, TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError,
-    Viewport, ViewportError, Visibility, Window, WithPlanes,
+    clip, Affine, Angle, AxisError, BlinnPhong, Camera, ClipPoint, DirectionalLight, FaceColors,
+    FramingError, Frustum, Hierarchy, HierarchyError, InverseError, Lambert, LightError, Lights, Matcap,
+    MaterialError, MatrixError, Mesh, MeshBuffers, MeshError, Node, NumberError, Outcode, PlanarProjection,
+    Point3, PointLight, ProjectError, Projected, Projection, ProjectionError, Quaternion, QuaternionError,
+    Ray, ReferenceVolume, RigidLambert, Scalar, ShadeTable, Side, Sphere, Statistics, StripBuffers,
+    TextureCoords, VanishingPoint, Vector3, ViewTransform, ViewTransformError, Viewport, ViewportError,
+    Visibility, Window, WithPlanes,
 };
 
 type Vertices = &'static [[i16; 3]];
@@ -105,6 +106,17 @@ entries! {
     entry_rigid_light(model: &Affine<Model, World>, ambient: u16) -> Result<RigidLambert, LightError> { RigidLambert::new(model, vector(), ambient) }
     entry_rigid_level(light: &RigidLambert, normal: [i16; 3]) -> u16 { light.level(normal) }
     entry_rigid_levels(light: &RigidLambert, normals: &[[i16; 3]], levels: &mut [u16]) -> () { light.levels(normals, levels) }
+    entry_lights(model: &Affine<Model, World>, lights: &[DirectionalLight; 3], ambient: u16) -> Result<Lights<3>, LightError> { Lights::new(model, lights, ambient) }
+    entry_lights_levels(light: &Lights<3>, normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level([any() as i16; 3]) }
+    entry_blinn_phong(model: &Affine<Model, World>, ambient: u16, shininess: u16) -> Result<BlinnPhong, LightError> { BlinnPhong::new(model, vector(), vector(), ambient, shininess) }
+    entry_blinn_phong_levels(light: &BlinnPhong, normals: &[[i16; 3]], levels: &mut [u16]) -> u16 { light.levels(normals, levels); light.level([any() as i16; 3]) }
+    entry_highlight_table(color: Rgb888, highlight: Rgb888) -> [ShadeTable<Rgb565>; 1] { [ShadeTable::with_highlight(color, highlight)] }
+    entry_point_light(model: &Affine<Model, World>, exponent: i8, strength: u16) -> PointLight { PointLight::new(model, exponent, point(), scalar(), strength) }
+    entry_point_light_level(light: &PointLight, position: [i16; 3], normal: [i16; 3]) -> u16 { light.level(position, normal) }
+    entry_point_light_levels(light: &PointLight, vertices: &[[i16; 3]], normals: &[[i16; 3]], levels: &mut [u16]) -> () { light.add_levels(vertices, normals, levels) }
+    entry_view_normals(view: &ViewTransform, model: &Affine<Model, World>) -> Matcap { Matcap::new(&view.normals(model)) }
+    entry_matcap_coords(matcap: &Matcap, normals: &[[i16; 3]], coords: &mut [[i16; 2]]) -> [i16; 2] { matcap.all_coords(normals, coords); matcap.coords([any() as i16; 3]) }
+    entry_matcap_color(matcap: &Matcap, ball: &[[Rgb565; 32]; 32], normal: [i16; 3]) -> Rgb565 { matcap.color(ball, normal) }
     entry_statistics(a: Statistics, b: Statistics) -> Statistics { a.and(b) }
     entry_mesh(v: Vertices, exponent: i8, f: Faces) -> Result<Mesh<'static>, MeshError> { Mesh::new(v, exponent, f) }
     entry_wide_mesh(v: WideVertices, f: Faces) -> Result<Mesh<'static, Scalar>, MeshError> { Mesh::from_fixed(v, f) }

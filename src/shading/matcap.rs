@@ -1,0 +1,91 @@
+//! Material captures: a picture of a lit ball, looked up by the normal.
+
+use super::lambert::is_conformal;
+use super::normal_space::{dot_words, to_words};
+use super::Texels;
+use crate::math::unit::normalise;
+use crate::math::NormalMatrix;
+use crate::space::{Model, View};
+
+/// A material capture: the picture of a ball, with all light and reflections on it, looked up by the normal in view space. It is
+/// the cheapest shiny look: a face costs six multiplications and one texel, a vertex six multiplications.
+///
+/// The ball fills the picture. A face whose normal points to the viewer shows its middle; one whose normal points up shows its
+/// upper rim. The picture turns with the camera, not with the object. (Sloan et al., *The lit sphere: a model for capturing
+/// NPR shading from art*, 2001.)
+///
+/// [`color`](Self::color) is the colour of a flat face. For smooth faces, [`coords`](Self::coords) gives texture coordinates of
+/// vertices, by which [`Texture::at`](crate::Texture::at) draws the picture; its exponent is [`EXPONENT`](Self::EXPONENT).
+///
+/// **Error.** Coordinates are within 2⁻¹⁴ of the picture's side of `½ + 127/256 · (x, −y)` for the exact unit normal (x, y, z)
+/// in view space; κ, the largest scale factor of the model transform divided by its smallest, adds κ·2⁻³⁰. The rim lies 1/256 of a
+/// side inside the picture, so that interpolated coordinates do not leave it.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, GrayColor};
+/// use pinhole::{space::{Model, World}, Affine, Matcap, Point3, Side, ViewTransform};
+/// // A ball of 8 × 8 texels, lit from above.
+/// const BALL: [[Gray8; 8]; 8] = [[Gray8::WHITE; 8], [Gray8::new(224); 8], [Gray8::new(192); 8], [Gray8::new(160); 8],
+///     [Gray8::new(128); 8], [Gray8::new(96); 8], [Gray8::new(64); 8], [Gray8::new(32); 8]];
+/// let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
+/// let matcap = Matcap::new(&view.normals(&Affine::<Model, World>::identity()));
+/// assert_eq!(matcap.coords([0, 0, 32767]), [16384, 16384]); // the middle
+/// assert_eq!(matcap.color(&BALL, [0, 32767, 0]), Gray8::WHITE);
+/// assert_eq!(matcap.color(&BALL, [0, -32767, 0]), Gray8::new(32));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Matcap {
+    normals: NormalMatrix<Model, View>,
+    /// If the transform is conformal: the x and y axes of view space in model space, in 2⁻¹⁵.
+    axes: Option<[[i16; 3]; 2]>,
+}
+
+impl Matcap {
+    /// The exponent of the unit of [`coords`](Self::coords), for [`Texture::with_exponent`](crate::Texture::with_exponent).
+    pub const EXPONENT: i8 = -15;
+
+    /// Sets up the look-up for one object and one view, from [`ViewTransform::normals`](crate::ViewTransform::normals).
+    #[inline(never)] // set-up: its stack frame is gone before faces are drawn
+    pub fn new(normals: &NormalMatrix<Model, View>) -> Self {
+        let rows = normals.rows();
+        let [x, y, _] = rows;
+        let axes = is_conformal(rows).then(|| [x, y].map(|row| to_words(normalise(&row.map(i64::from)))));
+        Self { normals: *normals, axes }
+    }
+
+    /// The point of the picture for this unit normal (model space, in 2⁻¹⁵), `[u, v]` in 2⁻¹⁵ of the picture's sides: u to the
+    /// right, v down, 128 … 32640. The [type](Self) has the formula and the error.
+    #[inline(always)]
+    pub fn coords(&self, normal: [i16; 3]) -> [i16; 2] {
+        let [x, y] = match self.axes {
+            // In 2⁻³⁰, below 2³¹; the half of a unit rounds.
+            Some(axes) => axes.map(|axis| (dot_words(normal, axis).saturating_add(1 << 14)) >> 15),
+            None => self.transformed(normal),
+        };
+        // |x| ≤ 2¹⁵, but for a normal that is too long.
+        let part = |c: i32| ((1 << 14) + ((c.clamp(-32_768, 32_768) * 127 + 128) >> 8)) as i16; // 128 … 32640
+        [part(x), part(-y)]
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn transformed(&self, normal: [i16; 3]) -> [i32; 2] {
+        let [x, y, _] = self.normals.apply(normal).map(i32::from);
+        [x, y]
+    }
+
+    /// Writes the [`coords`](Self::coords) of each normal to `coords`, up to the end of the shorter slice.
+    pub fn all_coords(&self, normals: &[[i16; 3]], coords: &mut [[i16; 2]]) {
+        for (coords, &normal) in coords.iter_mut().zip(normals) {
+            *coords = self.coords(normal);
+        }
+    }
+
+    /// The colour of a flat face with this unit normal (model space, in 2⁻¹⁵): the texel at [`coords`](Self::coords).
+    #[inline(always)]
+    pub fn color<T: Texels>(&self, ball: T, normal: [i16; 3]) -> T::Color {
+        let [u, v] = self.coords(normal).map(|c| (c as u32) << 17); // not negative, 15 bits
+        ball.texel(u, v)
+    }
+}

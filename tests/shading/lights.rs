@@ -1,0 +1,360 @@
+//! Several lights, highlights, point lights and material captures against f64, each within its documented bound, which is at most
+//! twice the largest error met.
+
+use super::light::normal;
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
+use pinhole::{
+    BlinnPhong, DirectionalLight, Lambert, LightError, Lights, Matcap, PointLight, ShadeTable, Texels,
+};
+use support::bridge::pair::{bits, random_view, ModelBits, Step, ONE};
+use support::bridge::{point, scalar, vector};
+use support::oracle::chain::{self, V3};
+use support::oracle::rng::Rng;
+
+/// A rotation, possibly a uniform scale or a mirror, or any scale with a rotation before and after; moved about. The second value is whether it is stretched.
+fn random_model(rng: &mut Rng) -> (ModelBits, bool) {
+    let mut model = ModelBits::random_rotation(rng);
+    let stretched = rng.one_in(3);
+    if stretched {
+        model.0.push(Step::Scale(
+            [0; 3].map(|_| (f64::from(ONE) * rng.log(0.2, 5.0)) as i32 * [1, -1][rng.below(2)]),
+        ));
+        model.0.extend(ModelBits::random_rotation(rng).0);
+    } else if rng.one_in(2) {
+        let size = (f64::from(ONE) * rng.log(0.01, 50.0)) as i32;
+        model.0.push(Step::Scale([0; 3].map(|_| size * [1, -1][rng.below(2)])));
+    }
+    model.0.push(Step::Move([0; 3].map(|_| rng.int(-100 << 16, 100 << 16) as i32)));
+    (model, stretched)
+}
+
+/// A vector of any length, as bits, long enough that its direction is not one of few.
+fn random_vector(rng: &mut Rng) -> [i32; 3] {
+    let length = rng.log(0.01, 30_000.0);
+    bits(rng.direction().map(|c| c * length)).expect("in range")
+}
+
+/// A unit normal in 2⁻¹⁵.
+fn random_normal(rng: &mut Rng) -> [i16; 3] {
+    rng.direction().map(|c| (c * 32767.0).round() as i16)
+}
+
+fn unit(bits: [i32; 3]) -> V3 {
+    chain::normalise(chain::fx3(bits))
+}
+
+#[test]
+fn sums_of_lights_are_within_their_bound() {
+    let mut rng = Rng::new(0xA1);
+    let mut worst = [0.0f64; 2];
+    for _ in 0..20_000 {
+        let (model, stretched) = random_model(&mut rng);
+        let lights = [(); 4].map(|()| (random_vector(&mut rng), rng.int(0, 300) as u16));
+        let ambient = rng.int(0, 80) as u16;
+        let ours = Lights::new(
+            &model.library(),
+            &lights.map(|(towards, strength)| DirectionalLight { towards: vector(towards), strength }),
+            ambient,
+        )
+        .expect("lights");
+        let exact = model.exact();
+        for _ in 0..5 {
+            let n = random_normal(&mut rng);
+            let world = normal(&exact, n.map(f64::from));
+            let parts = lights.map(|(towards, strength)| {
+                f64::from(strength.min(256)) * chain::dot(world, unit(towards)).max(0.0)
+            });
+            let level = (f64::from(ambient) + parts.iter().sum::<f64>()).min(256.0);
+            let error = (f64::from(ours.level(n)) - level).abs();
+            let bound = 0.5 + 4.0 / 64.0;
+            assert!(error <= bound, "{error} off: {model:?} {lights:?} {n:?}");
+            worst[usize::from(stretched)] = worst[usize::from(stretched)].max(error);
+        }
+    }
+    println!("within {worst:?} levels");
+    assert!(worst[0] > 0.5 && worst[1] > 0.5, "{worst:?}");
+}
+
+#[test]
+fn one_light_and_no_light_are_lights() {
+    let model = ModelBits::default().library();
+    let towards = vector([ONE, 2 * ONE, -ONE]);
+    let one = Lights::new(&model, &[DirectionalLight { towards, strength: 200 }], 56).expect("a light");
+    let lambert = Lambert::new(&model, towards, 56).expect("a light");
+    let mut rng = Rng::new(0xA2);
+    let mut levels = [0; 100];
+    let normals = [(); 100].map(|()| random_normal(&mut rng));
+    one.levels(&normals, &mut levels);
+    for (level, normal) in levels.into_iter().zip(normals) {
+        assert_eq!(level, one.level(normal));
+        // Both are within 1 of the exact level.
+        assert!(level.abs_diff(lambert.level(normal)) <= 1);
+    }
+    let dark = Lights::new(&model, &[], 300).expect("no light");
+    assert_eq!(dark.level([0, 0, 32767]), 256);
+    let zero = DirectionalLight { towards: vector([0; 3]), strength: 9 };
+    assert_eq!(Lights::new(&model, &[zero], 0), Err(LightError::ZeroDirection));
+    // Many full lights do not wrap.
+    let full = [DirectionalLight { towards: vector([0, 0, ONE]), strength: 256 }; 9];
+    assert_eq!(Lights::new(&model, &full, 256).expect("lights").level([0, 0, 32767]), 256);
+}
+
+/// A level by the documentation's formula.
+fn blinn_phong(n: V3, l: V3, v: V3, ambient: f64, shininess: i32) -> f64 {
+    let lit = chain::dot(n, l);
+    let diffuse = 0.75 * (ambient + (256.0 - ambient) * lit.max(0.0));
+    let half = chain::normalise([0, 1, 2].map(|i| l[i] + v[i]));
+    let shine = if lit > 0.0 { chain::dot(n, half).max(0.0).powi(shininess) } else { 0.0 };
+    diffuse + (256.0 - diffuse) * shine
+}
+
+#[test]
+fn highlights_are_within_their_bound() {
+    let mut rng = Rng::new(0xA3);
+    let mut worst = [0.0f64; 9];
+    for _ in 0..60_000 {
+        let (model, _) = random_model(&mut rng);
+        let (light, viewer) = (random_vector(&mut rng), random_vector(&mut rng));
+        let (l, v) = (unit(light), unit(viewer));
+        if chain::dot(l, v) < -0.999 {
+            continue; // nearly opposite: half of nothing
+        }
+        let (ambient, power) = (rng.int(0, 256) as u16, rng.below(9));
+        // Rounded down to a power of two.
+        let shininess = (1 << power) + rng.below(1 << power) as u16;
+        let ours =
+            BlinnPhong::new(&model.library(), vector(light), vector(viewer), ambient, shininess).expect("ok");
+        let exact = model.exact();
+        let half = chain::normalise([0, 1, 2].map(|i| l[i] + v[i]));
+        for i in 0..8 {
+            // Half of the normals near the highlight, for a rigid model.
+            let near = chain::normalise(chain::mul3(
+                &[0, 1, 2].map(|i| [0, 1, 2].map(|j| exact.m[j][i])),
+                [0, 1, 2].map(|i| half[i] + 0.1 * rng.real(-1.0, 1.0)),
+            ));
+            let n = if i % 2 == 0 { near } else { rng.direction() };
+            let n = n.map(|c| (c * 32767.0).round() as i16);
+            let world = normal(&exact, n.map(f64::from));
+            if chain::dot(world, l).abs() < (-13f64).exp2() {
+                continue; // the light grazes
+            }
+            let level = blinn_phong(world, l, v, f64::from(ambient), 1 << power);
+            let error = (f64::from(ours.level(n)) - level).abs();
+            let bound = 0.625 + f64::from(1 << power) / 64.0;
+            assert!(error <= bound, "{error} off, 2^{power}: {model:?} {light:?} {viewer:?} {n:?}");
+            worst[power] = worst[power].max(error);
+        }
+    }
+    println!("within {worst:.3?} levels");
+    for (power, worst) in worst.into_iter().enumerate() {
+        assert!(0.625 + f64::from(1 << power) / 64.0 <= 2.0 * worst, "2^{power}: {worst}");
+    }
+}
+
+#[test]
+fn highlights_end_where_light_does() {
+    let model = ModelBits::default().library();
+    let up = vector([0, 0, ONE]);
+    assert_eq!(BlinnPhong::new(&model, vector([0; 3]), up, 0, 8), Err(LightError::ZeroDirection));
+    assert_eq!(BlinnPhong::new(&model, up, vector([0; 3]), 0, 8), Err(LightError::ZeroDirection));
+    // The light straight behind: what faces the viewer is unlit, and nothing shines.
+    let behind = BlinnPhong::new(&model, vector([0, 0, -ONE]), up, 64, 8).expect("a light");
+    assert_eq!(behind.level([0, 0, 32767]), 48);
+    assert_eq!(behind.level([0, 0, -32767]), 192);
+    // No shininess counts as 1, more than 256 as 256.
+    let [none, one] = [0, 1].map(|shininess| BlinnPhong::new(&model, up, up, 0, shininess));
+    assert_eq!(none, one);
+    let [most, more] = [256, u16::MAX].map(|shininess| BlinnPhong::new(&model, up, up, 0, shininess));
+    assert_eq!(most, more);
+    let light = BlinnPhong::new(&model, up, up, 0, 32).expect("a light");
+    let mut levels = [7; 3];
+    light.levels(&[[0, 0, 32767], [0, 0, -32767]], &mut levels);
+    assert_eq!(levels, [256, 0, 7]);
+}
+
+#[test]
+fn tables_with_a_highlight_are_the_nearest_colors() {
+    let (color, highlight) = (Rgb888::new(200, 13, 90), Rgb888::new(255, 240, 0));
+    let table = ShadeTable::<Rgb888>::with_highlight(color, highlight);
+    let narrow = ShadeTable::<Rgb565>::with_highlight(color, highlight);
+    let gray = ShadeTable::<Gray8>::with_highlight(color, highlight);
+    let mut worst = 0.0f64;
+    for index in 0..256 {
+        let part = index as f64 / 255.0;
+        let mix = |a: u8, b: u8| {
+            let (a, b) = (f64::from(a), f64::from(b));
+            if part <= 0.75 {
+                a * part / 0.75
+            } else {
+                a + (b - a) * (part - 0.75) * 4.0
+            }
+        };
+        let [r, g, b] =
+            [mix(color.r(), highlight.r()), mix(color.g(), highlight.g()), mix(color.b(), highlight.b())];
+        let ours = table.colors()[index];
+        let small = narrow.colors()[index];
+        let luma = (77.0 * r + 150.0 * g + 29.0 * b) / 256.0;
+        let pairs = [
+            (ours.r(), r),
+            (ours.g(), g),
+            (ours.b(), b),
+            (small.r(), r * 31.0 / 255.0),
+            (small.g(), g * 63.0 / 255.0),
+            (small.b(), b * 31.0 / 255.0),
+            (gray.colors()[index].luma(), luma),
+        ];
+        for (ours, exact) in pairs {
+            worst = worst.max((f64::from(ours) - exact).abs());
+        }
+    }
+    assert!(worst <= 0.5 + 1.0 / 128.0 && worst > 0.25, "{worst}");
+    assert_eq!(table.colors()[0], Rgb888::BLACK);
+    assert_eq!(table.colors()[255], highlight);
+}
+
+#[test]
+fn point_lights_are_within_their_bound() {
+    let mut rng = Rng::new(0xA4);
+    let [mut worst, mut near] = [0.0f64; 2];
+    let mut lit = 0;
+    for _ in 0..60_000 {
+        let (model, _) = random_model(&mut rng);
+        let exact = model.exact();
+        let exponent = rng.int(-16, -8) as i8;
+        let vertex = [0; 3].map(|_| rng.int(-32768, 32767) as i16);
+        let at = exact.apply(chain::vertex(vertex, exponent));
+        // Distances from a ten-thousandth of the range to a little beyond it.
+        let range = (rng.log(0.25, 4000.0) * 65536.0) as i32;
+        let distance = chain::fx(range) * rng.log(0.0001, 1.1);
+        let direction = rng.direction();
+        let Some(position) = bits([0, 1, 2].map(|i| at[i] + distance * direction[i])) else { continue };
+        let strength = rng.int(0, 256) as u16;
+        let ours = PointLight::new(&model.library(), exponent, point(position), scalar(range), strength);
+        let n = random_normal(&mut rng);
+        let towards = [0, 1, 2].map(|i| chain::fx(position[i]) - at[i]);
+        let (r, range) = (chain::length(towards), chain::fx(range));
+        let spread = (0..3).map(|i| chain::length(exact.m[i])).fold(0.0, f64::max)
+            * 2.0
+            * 32768.0
+            * f64::from(exponent).exp2();
+        if spread > 64.0 * range {
+            continue; // larger than the bound allows
+        }
+        let fade = (1.0 - (r / range).powi(2)).max(0.0).powi(2);
+        let cosine = chain::dot(normal(&exact, n.map(f64::from)), chain::normalise(towards)).max(0.0);
+        let level = f64::from(strength) * cosine * fade;
+        let error = (f64::from(ours.level(vertex, n)) - level).abs();
+        let bound = 0.625 + range / r * (-15f64).exp2();
+        assert!(error <= bound, "{error} off: {model:?} {vertex:?} 2^{exponent} {position:?} {range} {n:?}");
+        worst = worst.max(error / bound);
+        if r < range / 1000.0 {
+            near = near.max((error - 0.5) * r / range);
+        }
+        lit += usize::from(level > 1.0);
+    }
+    println!("{worst:.3} of the bound; 2^{:.2} range/r; {lit} lit", near.log2());
+    assert!(worst > 0.5 && near > (-16f64).exp2() && lit > 5_000, "{worst} {near} {lit}");
+}
+
+#[test]
+fn point_lights_without_range_light_nothing() {
+    let model = ModelBits::default().library();
+    let up = [0, 0, 32767];
+    let light = |exponent, z: i32, range: i32| {
+        PointLight::new(&model, exponent, point([0, 0, z]), scalar(range), 256).level([0; 3], up)
+    };
+    for range in [0, -1, i32::MIN] {
+        assert_eq!(light(0, 1, range), 0, "{range}");
+    }
+    // The smallest range, the largest, a light at the vertex, and steps of a mesh that are longer than any range.
+    assert_eq!(light(-10, 1, 2), 144);
+    assert_eq!(light(0, 1 << 30, i32::MAX), 144);
+    assert_eq!(light(0, 0, ONE), 0);
+    assert_eq!(light(15, 1, 2), 0);
+    assert_eq!(light(-32, 1, 2), 144);
+    // Any model, any place, any exponent: no overflow.
+    let mut rng = Rng::new(0xA5);
+    for _ in 0..20_000 {
+        let model = ModelBits(vec![
+            Step::X(rng.bits()),
+            Step::Scale([0; 3].map(|_| rng.bits() as i32)),
+            Step::Move([0; 3].map(|_| rng.bits() as i32)),
+        ]);
+        let place = point([0; 3].map(|_| rng.bits() as i32));
+        let exponent = rng.int(-32, 15) as i8;
+        let range = rng.bits() as i32 >> rng.below(31);
+        let light = PointLight::new(&model.library(), exponent, place, scalar(range), u16::MAX);
+        let vertex = [0; 3].map(|_| rng.bits() as i16);
+        assert!(light.level(vertex, random_normal(&mut rng)) <= 256);
+        assert!(light.level(vertex, [i16::MIN; 3]) <= 256);
+    }
+}
+
+#[test]
+fn levels_of_point_lights_add_up() {
+    let model = ModelBits::default().library();
+    let light = PointLight::new(&model, 0, point([0, 0, 2 * ONE]), scalar(4 * ONE), 256);
+    let (vertices, up) = ([[0; 3], [0, 0, 1], [9, 0, 0]], [0, 0, 32767]);
+    let mut levels = [100, 200, 30, 44];
+    light.add_levels(&vertices, &[up; 3], &mut levels);
+    assert_eq!(levels, [244, 256, 30, 44]);
+}
+
+/// Texels that are numbered, 16 × 8 of them.
+#[derive(Clone, Copy)]
+struct Numbered;
+
+impl Texels for Numbered {
+    type Color = Gray8;
+    fn size_bits(&self) -> [u32; 2] {
+        [4, 3]
+    }
+    fn texel(&self, u: u32, v: u32) -> Gray8 {
+        Gray8::new(((v >> 29) * 16 + (u >> 28)) as u8)
+    }
+}
+
+#[test]
+fn matcap_coordinates_are_within_their_bound() {
+    let mut rng = Rng::new(0xA6);
+    let mut worst = 0.0f64;
+    for _ in 0..20_000 {
+        let (model, _) = random_model(&mut rng);
+        let view = random_view(&mut rng);
+        let (ours, exact) = (view.library().expect("a view"), view.exact());
+        let matcap = Matcap::new(&ours.normals(&model.library()));
+        let model = model.exact();
+        for _ in 0..5 {
+            let n = random_normal(&mut rng);
+            let [x, y, _] = chain::mul3(&exact.rows, normal(&model, n.map(f64::from)));
+            let [u, v] = matcap.coords(n);
+            for (ours, exact) in [(u, x), (v, -y)] {
+                let error = (f64::from(ours) / 32768.0 - (0.5 + 127.0 / 256.0 * exact)).abs();
+                assert!(error <= (-14f64).exp2(), "{error}: {view:?} {n:?}");
+                assert!((128..=32_640).contains(&ours));
+                worst = worst.max(error);
+            }
+            let texel = ((i32::from(v) * 8) >> 15) * 16 + ((i32::from(u) * 16) >> 15);
+            assert_eq!(i32::from(matcap.color(Numbered, n).luma()), texel);
+        }
+    }
+    println!("within 2^{:.2} of a side", worst.log2());
+    assert!((-14f64).exp2() <= 2.0 * worst, "2^{:.2}", worst.log2());
+}
+
+#[test]
+fn matcap_coordinates_of_a_list_are_those_of_each_normal() {
+    let mut rng = Rng::new(0xA7);
+    let view = random_view(&mut rng).library().expect("a view");
+    let matcap = Matcap::new(&view.normals(&ModelBits::default().library()));
+    let normals = [(); 9].map(|()| random_normal(&mut rng));
+    let mut coords = [[5; 2]; 10];
+    matcap.all_coords(&normals, &mut coords);
+    for (coords, normal) in coords.into_iter().zip(normals) {
+        assert_eq!(coords, matcap.coords(normal));
+    }
+    assert_eq!(coords[9], [5; 2]);
+    // A normal that is too long stays in the picture.
+    let [u, v] = matcap.coords([i16::MIN; 3]);
+    assert!([u, v].iter().all(|c| (128..=32_640).contains(c)), "{u} {v}");
+}
