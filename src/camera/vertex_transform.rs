@@ -480,6 +480,17 @@ mod tests {
                     );
                     assert_eq!(packed.point, wide.point, "{vertex:?}");
                     assert!(!depth || packed.depth == wide.depth, "{vertex:?}: {packed:?} {wide:?}");
+                    // Rounding to nearest moves by at most half a unit, of 2²⁴.
+                    let snapped = [wide.point.x, wide.point.y, wide.depth].map(|v| i64::from(v) << 24);
+                    for (axis, (snapped, exact)) in
+                        snapped.into_iter().zip(transform.unsnapped(&h)).enumerate()
+                    {
+                        let is_clamped = axis == 2 && wide.depth == FARTHEST && exact > snapped;
+                        assert!(
+                            is_clamped || (snapped - exact).abs() <= 1 << 23,
+                            "{vertex:?} {axis}: {snapped} {exact}"
+                        );
+                    }
                     positions += 1;
                 }
             }
