@@ -41,9 +41,9 @@ pub use scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use shading::{
-    Accuracy, Channels, CornerValues, Dim, Dithered, Flat, Gouraud, IndexedTexels, Lambert, LightError, Lit,
-    RigidLambert, ShadeTable, Shader, SpanShader, TableShader, TexelSlice, Texels, Texture, TextureError,
-    Textured,
+    Accuracy, Channels, ColorKeyed, CornerValues, Dim, Dithered, Flat, Gouraud, IndexKeyed, IndexedTexels,
+    Lambert, LightError, Lit, RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, TableShader,
+    TexelSlice, Texels, Texture, TextureError, Textured,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,

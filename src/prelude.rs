@@ -36,9 +36,9 @@ pub use crate::scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
-    Accuracy, Channels, CornerValues, Dim, Dithered, Flat, Gouraud, IndexedTexels, Lambert, LightError, Lit,
-    RigidLambert, ShadeTable, Shader, SpanShader, TableShader, TexelSlice, Texels, Texture, TextureError,
-    Textured,
+    Accuracy, Channels, ColorKeyed, CornerValues, Dim, Dithered, Flat, Gouraud, IndexKeyed, IndexedTexels,
+    Lambert, LightError, Lit, RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, TableShader,
+    TexelSlice, Texels, Texture, TextureError, Textured,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{

@@ -9,6 +9,7 @@ mod gouraud;
 mod lambert;
 mod levels;
 mod lit;
+mod screen_door;
 mod shader;
 mod smooth;
 mod table;
@@ -25,6 +26,9 @@ pub use gouraud::Gouraud;
 pub(crate) use gouraud::{ChannelGradients, Nearest};
 pub use lambert::{Lambert, LightError, RigidLambert};
 pub use lit::Lit;
+pub use screen_door::ScreenDoor;
 pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};
-pub use texture::{Accuracy, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured};
+pub use texture::{
+    Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured,
+};
