@@ -119,11 +119,14 @@ public_types![
     ShadeTable<Plain>,
     TableShader<'static, Plain>,
     Accuracy,
+    ColorKeyed<Plain, Plain>,
+    IndexKeyed<'static, Plain, 1>,
     IndexedTexels<'static, Plain, 1>,
     TexelSlice<'static, Plain>,
     Texture<Plain>,
     TextureError,
     Textured<Plain>,
+    ScreenDoor<Flat>,
     ScreenPoint,
     Side,
     Span,
@@ -147,7 +150,8 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 4] = ["ChannelGradients", "DitheredColor", "TableGradient", "TextureGradients"];
+const NOT_NAMED: [&str; 5] =
+    ["ChannelGradients", "DitheredColor", "ScreenDoorSetup", "TableGradient", "TextureGradients"];
 
 #[test]
 fn no_public_type_is_missing() {

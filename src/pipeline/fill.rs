@@ -4,10 +4,10 @@
 //! call before that loop attaches a fast path, which may decline. All fast paths decline with `--cfg pinhole_plain`, and for
 //! targets whose pixels do not lie in memory.
 
-use crate::fast::{self, depth_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill};
+use crate::fast::{self, depth_fill, kept_fill, line_fill, line_pixels, shaded_fill, solid_fill, table_fill};
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
-use crate::surface::{drawable, DepthTarget, PixelStore, StoredPixel, Target};
+use crate::surface::{drawable, each_run, DepthTarget, PixelStore, StoredPixel, Target};
 use core::cell::Cell;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: the triangle
@@ -22,6 +22,9 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
 ) -> Result<(), T::Error> {
     if S::READS_PIXELS {
         return blend(triangle, shader, scissor, target);
+    }
+    if S::LEAVES_OUT {
+        return fill_kept(triangle, shader, scissor, target);
     }
     if let Some(color) = shader.solid_color() {
         if solid_fill::triangle(triangle, color, scissor, is_clipped, target) {
@@ -60,6 +63,9 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
 ) -> Result<(), T::Error> {
     if S::READS_PIXELS {
         return blend_nearer(triangle, shader, scissor, depth, target);
+    }
+    if S::LEAVES_OUT || !S::WRITES_DEPTH {
+        return fill_kept_nearer(triangle, shader, scissor, depth, target);
     }
     if let Some(color) = shader.solid_color() {
         if depth_fill::triangle_nearer(triangle, color, scissor, is_clipped, depth, target) {
@@ -130,6 +136,59 @@ fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
     depth.buffer.test(span, gradient, |visible| target.fill_run(visible, span_colors(visible)))
 }
 
+/// [`fill`] for a shader that leaves out pixels.
+#[inline(never)] // its stack frame is gone when it returns
+fn fill_kept<T: Target, S: SpanShader<T::Color>>(
+    triangle: &Triangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let setup = shader.set_up(triangle);
+    if kept_fill::triangle(triangle, scissor, target, |span| S::kept(&setup, span)) {
+        return Ok(());
+    }
+    fast::spans(triangle, scissor).try_for_each(|span| {
+        let mut is_kept = kept_pixels::<T, S>(&setup, span);
+        let kept = (0..span.width as u16).map(|_| is_kept()); // the guard band is narrower than 2¹⁶
+        each_run(span, kept, |run| target.fill_run(run, S::span(&setup, run)))
+    })
+}
+
+/// [`fill_nearer`] for a shader that leaves out pixels, or whose depth is not stored.
+#[inline(never)] // its stack frame is gone when it returns
+fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
+    triangle: &DepthTriangle<'_>,
+    shader: &S,
+    scissor: &Scissor,
+    depth: &mut DepthTarget<'_, '_>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let setup = shader.set_up(&triangle.triangle);
+    let runs = |span| S::kept(&setup, span);
+    let is_drawn = match S::WRITES_DEPTH {
+        true => kept_fill::triangle_nearer::<true, _, _, _>(triangle, scissor, depth, target, runs),
+        false => kept_fill::triangle_nearer::<false, _, _, _>(triangle, scissor, depth, target, runs),
+    };
+    if is_drawn {
+        return Ok(());
+    }
+    let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
+    fast::spans(&triangle.triangle, scissor).try_for_each(|span| {
+        let is_kept = kept_pixels::<T, S>(&setup, span);
+        depth.buffer.test_kept(span, &gradient, is_kept, S::WRITES_DEPTH, |run| {
+            target.fill_run(run, S::span(&setup, run))
+        })
+    })
+}
+
+/// Whether a shader draws the pixels of a span: each call answers for the next one, from left to right.
+#[inline(always)]
+fn kept_pixels<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span) -> impl FnMut() -> bool {
+    let mut colors = S::kept(setup, span).flat_map(|(width, run)| run.take(width as usize));
+    move || colors.next().flatten().is_some()
+}
+
 /// [`fill`] for a shader that reads the stored pixels.
 #[inline(never)] // its stack frame is gone when it returns
 fn blend<T: Target, S: SpanShader<T::Color>>(
@@ -155,10 +214,16 @@ fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
     let (setup, gradient) =
         (shader.set_up(&triangle.triangle), fast::depth_gradient(&triangle.triangle, &triangle.depths));
     fast::spans(&triangle.triangle, scissor).try_for_each(|span| {
-        depth.buffer.test(span, &gradient, |visible| {
-            blend_span::<T, S>(&setup, visible, target);
-            Ok(())
-        })
+        depth.buffer.test_kept(
+            span,
+            &gradient,
+            || true,
+            S::WRITES_DEPTH,
+            |visible| {
+                blend_span::<T, S>(&setup, visible, target);
+                Ok(())
+            },
+        )
     })
 }
 
@@ -168,6 +233,8 @@ fn blend_span<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span, 
         // The compiler evaluates this for shaders that do not read pixels, too.
         let readable = !S::READS_PIXELS || <T::Store as PixelStore>::READABLE;
         assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
+        let one = !(S::READS_PIXELS && S::LEAVES_OUT);
+        assert!(one, "a shader that reads pixels returns the stored color of pixels that it leaves out");
     }
     let Some(row) = target.memory().and_then(|memory| memory.row(span.x, span.y, span.width)) else { return };
     // A pixel is read before it is written: the shader takes one stored colour for each colour that it returns.
@@ -226,7 +293,7 @@ mod tests {
     use super::*;
     use crate::math::random::Random;
     use crate::raster::{area, ScreenPoint};
-    use crate::shading::{Gouraud, ShadeTable};
+    use crate::shading::{Gouraud, ScreenDoor, ShadeTable, Shader};
     use crate::surface::{DepthBuffer, Memory, PictureError, PixelFormat, StoredPixel};
     use core::convert::Infallible;
     use embedded_graphics_core::geometry::{Point, Size};
@@ -357,6 +424,35 @@ mod tests {
         color: u16,
     }
 
+    /// A colour whose depth is tested and not stored.
+    #[derive(Clone, Copy)]
+    struct Tested(Rgb565);
+
+    impl Shader for Tested {
+        type Varying = ();
+
+        fn sub_face(&self, _: [(); 3]) -> Self {
+            *self
+        }
+    }
+
+    impl SpanShader<Rgb565> for Tested {
+        type Setup = Rgb565;
+        const WRITES_DEPTH: bool = false;
+
+        fn set_up(&self, _: &Triangle<'_>) -> Rgb565 {
+            self.0
+        }
+
+        fn span(color: &Rgb565, _: Span) -> impl Iterator<Item = Rgb565> {
+            core::iter::repeat(*color)
+        }
+
+        fn solid_color(&self) -> Option<Rgb565> {
+            Some(self.0)
+        }
+    }
+
     impl Draw for Item {
         fn draw<T: Target<Color = Rgb565, Error = Infallible>>(
             &self,
@@ -384,6 +480,12 @@ mod tests {
                 3 => fill(flat, &smooth, &scissor, is_clipped, target),
                 4 => fill_nearer(&triangle, &color, &depth_scissor, is_clipped, depth, target),
                 5 => fill_nearer(&triangle, &table, &depth_scissor, is_clipped, depth, target),
+                7 => fill(flat, &ScreenDoor::new(smooth, 40), &scissor, is_clipped, target),
+                8 => {
+                    let door = ScreenDoor::new(smooth, self.color as u8 & 63);
+                    fill_nearer(&triangle, &door, &depth_scissor, is_clipped, depth, target)
+                }
+                9 => fill_nearer(&triangle, &Tested(color), &depth_scissor, is_clipped, depth, target),
                 _ => fill_nearer(&triangle, &smooth, &depth_scissor, is_clipped, depth, target),
             };
         }
@@ -412,6 +514,9 @@ mod tests {
         items
     }
 
+    /// All kinds of items.
+    const ALL: &[usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
+
     const AREA: Rectangle = Rectangle::new(Point::new(-45, -33), Size::new(97, 71));
 
     #[test]
@@ -420,7 +525,7 @@ mod tests {
         let one_row_more = Rectangle::new(AREA.top_left, AREA.size + Size::new(0, 1));
         let elsewhere = Rectangle::new(Point::new(-60, -20), Size::new(97, 60));
         for depth_area in [AREA, one_row_more, elsewhere] {
-            for kinds in [&[0][..], &[1], &[2], &[3], &[4], &[5], &[6], &[0, 1, 2, 3, 4, 5, 6]] {
+            for kinds in [&[0][..], &[1], &[2], &[3], &[4], &[5], &[6], &[7], &[8], &[4, 9], ALL] {
                 let mut drawn = 0;
                 for _ in 0..12 {
                     let items = items(random, 60, kinds);
@@ -431,13 +536,34 @@ mod tests {
         }
     }
 
+    /// A shader that does not write depth draws before what is stored, and leaves the depth buffer as it is.
+    #[test]
+    fn depth_is_tested_and_not_stored() {
+        let random = &mut Random(27);
+        let mut drawn = 0;
+        for _ in 0..12 {
+            let mut twins = Twins::new(AREA, AREA);
+            let behind = items(random, 60, &[4]);
+            twins.compare(AREA, &behind).expect("cells");
+            let (depths, pixels) = (twins.depths[0].clone(), twins.plain.pixels.clone());
+            for item in items(random, 60, &[9]) {
+                let mut buffer = DepthBuffer::new(AREA, &mut twins.depths[0]).expect("as many numbers");
+                buffer.values_mut().copy_from_slice(&depths);
+                item.draw(&mut twins.plain, &mut buffer);
+                assert!(buffer.values() == depths);
+            }
+            drawn += twins.plain.pixels.iter().zip(&pixels).filter(|(new, old)| new != old).count();
+        }
+        assert!(drawn > 1_000, "{drawn}");
+    }
+
     #[test]
     fn thin_and_wide_targets_get_the_pixels_of_the_plain_path() {
         let random = &mut Random(26);
         for size in [Size::new(1, 300), Size::new(2, 90), Size::new(399, 3), Size::new(64, 1)] {
             let area = Rectangle::new(Point::new(-20, -2), size);
             for _ in 0..20 {
-                let items = items(random, 60, &[0, 1, 2, 3, 4, 5, 6]);
+                let items = items(random, 60, ALL);
                 Twins::new(area, area).compare(area, &items).expect("cells");
             }
         }

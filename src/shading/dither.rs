@@ -90,7 +90,7 @@ impl<C: Channels> DitheredColor<C> {
 }
 
 /// The Bayer matrix as thresholds in 1/128: twice each rank, plus 1.
-const PATTERN: [[u8; 8]; 8] = {
+pub(super) const PATTERN: [[u8; 8]; 8] = {
     let mut pattern = [[0; 8]; 8];
     let mut y = 0;
     while y < 8 {

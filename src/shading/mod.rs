@@ -14,6 +14,7 @@ mod lit;
 mod matcap;
 mod normal_space;
 mod point_light;
+mod screen_door;
 mod shader;
 mod smooth;
 mod table;
@@ -34,6 +35,9 @@ pub use lights::{DirectionalLight, Lights};
 pub use lit::Lit;
 pub use matcap::Matcap;
 pub use point_light::PointLight;
+pub use screen_door::ScreenDoor;
 pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};
-pub use texture::{Accuracy, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured};
+pub use texture::{
+    Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured,
+};

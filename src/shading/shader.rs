@@ -166,6 +166,14 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// [`Band`](crate::Band), or a target of your own that has memory.
     const READS_PIXELS: bool = false;
 
+    /// Whether the shader leaves out pixels, by [`kept`](Self::kept): others see what is behind the face there. A shader that
+    /// [reads pixels](Self::READS_PIXELS) must not: it returns the stored colour instead.
+    const LEAVES_OUT: bool = false;
+
+    /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for
+    /// translucent faces, behind which others may still be seen.
+    const WRITES_DEPTH: bool = true;
+
     /// Sets up the shader for a triangle, whose corners are in the order of the face's vertices.
     fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup;
 
@@ -179,6 +187,47 @@ pub trait SpanShader<C: PixelColor>: Shader {
     #[inline(always)]
     fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = C>)> {
         once((span.width, Self::span(setup, span)))
+    }
+
+    /// The colours of a span as [`runs`](Self::runs), with `None` for each pixel that is left out. Called if
+    /// [`LEAVES_OUT`](Self::LEAVES_OUT) is true; the other pixels must have the colours that [`span`](Self::span) gives. Depth is
+    /// stored for pixels that are drawn, and for no others.
+    ///
+    /// Targets whose pixels lie in memory are drawn to from this alone. Others get each run of drawn pixels by a call of their own,
+    /// with the colours that `span` gives for the run.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor};
+    /// use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, Shader, SpanShader};
+    /// /// Every third column of a face.
+    /// #[derive(Clone, Copy)]
+    /// struct Bars;
+    /// impl Shader for Bars {
+    ///     type Varying = ();
+    ///     fn sub_face(&self, _: [(); 3]) -> Self {
+    ///         *self
+    ///     }
+    /// }
+    /// impl SpanShader<BinaryColor> for Bars {
+    ///     type Setup = ();
+    ///     const LEAVES_OUT: bool = true;
+    ///     fn set_up(&self, _: &Triangle<'_>) {}
+    ///     fn span(_: &(), _: Span) -> impl Iterator<Item = BinaryColor> {
+    ///         core::iter::repeat(BinaryColor::On)
+    ///     }
+    ///     fn kept(_: &(), span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<BinaryColor>>)> {
+    ///         core::iter::once((span.width, (span.x..).map(|x| (x % 3 == 0).then_some(BinaryColor::On))))
+    ///     }
+    /// }
+    /// let mut display = MockDisplay::new();
+    /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
+    /// fill_triangle([corner(0, 0), corner(7, 0), corner(0, 7)], Bars, &mut display)?;
+    /// display.assert_pattern(&["#  #  #", "#  #  ", "#  # ", "#  #", "#  ", "# ", "#"]);
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
+    #[inline(always)]
+    fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
+        Self::runs(setup, span).map(|(width, run)| (width, run.map(Some)))
     }
 
     /// The colours of a span, one row high, from left to right, given the colours of its stored pixels. Called instead of

@@ -1,8 +1,8 @@
 //! The depth buffer, and the depth test.
 
 use super::block_fill::fill_words;
-use super::inside;
 use super::target::Target;
+use super::{each_run, inside};
 use crate::math::hints::keep_rolled;
 use crate::raster::{Gradient, Scissor, Span};
 use bytemuck::pod_align_to_mut;
@@ -146,31 +146,35 @@ impl<'a> DepthBuffer<'a> {
         &mut self,
         span: Span,
         gradient: &Gradient,
-        mut visible: impl FnMut(Span) -> Result<(), E>,
+        visible: impl FnMut(Span) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.test_kept(span, gradient, || true, true, visible)
+    }
+
+    /// [`test`](Self::test) for those pixels for which `is_kept` returns `true`: it is called once for each pixel, from left to
+    /// right. `writes`: whether depths are stored; a constant.
+    #[inline(always)]
+    pub(crate) fn test_kept<E>(
+        &mut self,
+        span: Span,
+        gradient: &Gradient,
+        mut is_kept: impl FnMut() -> bool,
+        writes: bool,
+        visible: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
         let Some(row) = self.row(span.x, span.y, span.width) else { return Ok(()) };
         let (mut z, step) = (gradient.at(span.x, span.y), gradient.step());
-        let mut is_nearer = |stored: &mut u16| {
+        let is_nearer = |stored: &mut u16| {
             let depth = (z >> 16) as u16;
             z = z.wrapping_add(step);
-            let is_nearer = depth < *stored;
+            let is_visible = is_kept() && depth < *stored;
             keep_rolled(); // it would not be faster
-            if is_nearer {
+            if is_visible && writes {
                 *stored = depth;
             }
-            is_nearer
+            is_visible
         };
-        let end = span.x + span.width;
-        let mut pixels = row.iter_mut();
-        // `any` stops after the first pixel that is nearer, `all` after the first that is not, so `pixels.len()` gives both
-        // ends of the run.
-        while pixels.any(&mut is_nearer) {
-            let first = end - 1 - pixels.len() as i32;
-            let to_the_end = pixels.all(&mut is_nearer);
-            let width = end - pixels.len() as i32 - i32::from(!to_the_end) - first;
-            visible(Span { x: first, width, ..span })?;
-        }
-        Ok(())
+        each_run(span, row.iter_mut().map(is_nearer), visible)
     }
 
     /// Calls `visible` for each run of pixels of a line's span for which `is_seen` returns `true`. `is_seen` gets a pixel's

@@ -4,10 +4,13 @@
 mod bands;
 mod cut_faces;
 mod dithered;
+mod every_target;
 mod gouraud;
+mod keyed;
 mod light;
 mod lights;
 mod own_shaders;
 mod scene;
+mod screen_door;
 mod shade_table;
 mod textures;

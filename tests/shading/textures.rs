@@ -14,10 +14,10 @@ use pinhole::{
 };
 use support::oracle::rng::Rng;
 
-const SIDE: u32 = 240;
-const FOV: f64 = 60.0;
-const NEAR: f64 = 1.0;
-const FAR: f64 = 2000.0;
+pub(crate) const SIDE: u32 = 240;
+pub(crate) const FOV: f64 = 60.0;
+pub(crate) const NEAR: f64 = 1.0;
+pub(crate) const FAR: f64 = 2000.0;
 
 /// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,18 +64,18 @@ impl DrawTarget for Screen {
     }
 }
 
-type V = [f64; 3];
+pub(crate) type V = [f64; 3];
 
 /// Corners in view space, which is the world here, in units of 2^exponent, and texture coordinates in 1/16 texel.
-struct Scene {
-    vertices: Vec<[i16; 3]>,
-    exponent: i8,
-    faces: Vec<[u16; 3]>,
-    uv: Vec<[i16; 2]>,
+pub(crate) struct Scene {
+    pub(crate) vertices: Vec<[i16; 3]>,
+    pub(crate) exponent: i8,
+    pub(crate) faces: Vec<[u16; 3]>,
+    pub(crate) uv: Vec<[i16; 2]>,
 }
 
 impl Scene {
-    fn camera() -> Camera {
+    pub(crate) fn camera() -> Camera {
         let viewport = Viewport::new(Point::zero(), Size::new(SIDE, SIDE)).unwrap();
         let number = |v: f64| Scalar::from_num(v);
         let lens =
@@ -96,7 +96,7 @@ impl Scene {
     }
 
     /// u and v in texels at a point of the screen, in pixels, of a face.
-    fn exact(&self, face: usize, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn exact(&self, face: usize, [x, y]: [f64; 2]) -> [f64; 2] {
         let scale = (FOV.to_radians() / 2.0).tan();
         let half = f64::from(SIDE) / 2.0;
         let ray = [(x - half) / half * scale, (half - y) / half * scale, -1.0];
@@ -141,14 +141,14 @@ impl Scene {
     }
 }
 
-fn volume(a: V, b: V, c: V) -> f64 {
+pub(crate) fn volume(a: V, b: V, c: V) -> f64 {
     a[0] * (b[1] * c[2] - b[2] * c[1])
         + a[1] * (b[2] * c[0] - b[0] * c[2])
         + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
 /// A quad in front of the camera, turned about the line of sight by `roll` degrees, with 4·`tiles` repetitions.
-fn quad(corners: [[f64; 3]; 4], roll: f64, texels: i16, exponent: i8) -> Scene {
+pub(crate) fn quad(corners: [[f64; 3]; 4], roll: f64, texels: i16, exponent: i8) -> Scene {
     let (s, c) = roll.to_radians().sin_cos();
     let turned = corners.map(|[x, y, z]| [c * x - s * y, s * x + c * y, z]);
     let scale = 2f64.powi(-i32::from(exponent));
@@ -162,16 +162,16 @@ fn quad(corners: [[f64; 3]; 4], roll: f64, texels: i16, exponent: i8) -> Scene {
 }
 
 /// A floor from `near` to `far` ahead, one unit below the eye, `half` units to each side.
-fn floor(near: f64, far: f64, half: f64) -> [[f64; 3]; 4] {
+pub(crate) fn floor(near: f64, far: f64, half: f64) -> [[f64; 3]; 4] {
     [[-half, -1.0, -near], [half, -1.0, -near], [half, -1.0, -far], [-half, -1.0, -far]]
 }
 
 /// A wall along the line of sight, a thousand times as far at its end.
-const WALL: [[f64; 3]; 4] =
+pub(crate) const WALL: [[f64; 3]; 4] =
     [[-1.0, -30.0, -1.2], [-1.0, 30.0, -1.2], [-1.0, 30.0, -1200.0], [-1.0, -30.0, -1200.0]];
 
 /// Random triangles before the near plane and across it, most of them slender or far to the side.
-fn soup(seed: u64, reach: i64, texels: i64) -> Scene {
+pub(crate) fn soup(seed: u64, reach: i64, texels: i64) -> Scene {
     let mut rng = Rng::new(seed);
     let mut scene = Scene { vertices: vec![], exponent: -6, faces: vec![], uv: vec![] };
     for i in 0..120u16 {
@@ -230,7 +230,7 @@ impl Texels for Colored {
 }
 
 /// A DrawTarget that is not the library's.
-struct Display(Vec<Rgb888>);
+pub(crate) struct Display(pub(crate) Vec<Rgb888>);
 
 impl OriginDimensions for Display {
     fn size(&self) -> Size {

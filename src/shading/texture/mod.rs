@@ -6,11 +6,13 @@
 
 mod gradients;
 mod indexed;
+mod keyed;
 mod mapping;
 mod runs;
 mod texels;
 mod textured;
 
 pub use indexed::IndexedTexels;
+pub use keyed::{ColorKeyed, IndexKeyed};
 pub use mapping::{Accuracy, Texture, Textured};
 pub use texels::{TexelSlice, Texels, TextureError};

@@ -40,6 +40,15 @@ pub trait Texels: Copy {
     /// The colour of the texel that holds a point: `u` from the left and `v` from the top, in 2⁻³² of the width and of the
     /// height. The texel's column is `u >> (32 − bits)`, rounded down.
     fn texel(&self, u: u32, v: u32) -> Self::Color;
+
+    /// Whether some texels are transparent: then [`kept_texel`](Self::kept_texel) is called instead of [`texel`](Self::texel).
+    const KEYED: bool = false;
+
+    /// The colour of the [`texel`](Self::texel) that holds a point, or `None` if it is transparent: the pixel is left out.
+    #[inline(always)]
+    fn kept_texel(&self, u: u32, v: u32) -> Option<Self::Color> {
+        Some(self.texel(u, v))
+    }
 }
 
 /// The index of the column or row that holds `coordinate`, in 2⁻³² of a side with 2^`bits` of them; `bits` is 1 … 31.

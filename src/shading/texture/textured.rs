@@ -39,6 +39,7 @@ pub struct TextureGradients<S> {
 
 impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     type Setup = TextureGradients<S>;
+    const LEAVES_OUT: bool = S::KEYED;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> TextureGradients<S> {
         TextureGradients { texels: self.texture.texels, gradients: Gradients::new(self, triangle) }
@@ -56,5 +57,15 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
         let texels = setup.texels;
         Runs::new(&setup.gradients, span)
             .map(move |(width, line)| (width, line.map(move |[u, v]| texels.texel(u, v))))
+    }
+
+    #[inline(always)]
+    fn kept(
+        setup: &TextureGradients<S>,
+        span: Span,
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<S::Color>>)> {
+        let texels = setup.texels;
+        Runs::new(&setup.gradients, span)
+            .map(move |(width, line)| (width, line.map(move |[u, v]| texels.kept_texel(u, v))))
     }
 }

@@ -8,9 +8,9 @@ use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
-    Accuracy, CornerValues, DepthBuffer, IndexedTexels, Memory, MeshInstance, Painter, PainterError,
-    PictureError, Pixels, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels,
-    Texture, TextureError, WithPlanes,
+    Accuracy, ColorKeyed, CornerValues, DepthBuffer, IndexKeyed, IndexedTexels, Memory, MeshInstance,
+    Painter, PainterError, PictureError, Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics,
+    StoredPixel, TexelSlice, Texels, Texture, TextureError, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -159,6 +159,40 @@ fn entry_texture_with_palette(
     let [palette, other] = palettes;
     let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?;
     textured(texels.with_palette(other)?, instance, cache, cells, depths)
+}
+
+#[unsafe(no_mangle)]
+fn entry_texture_with_key(
+    texels: &[u8],
+    palette: &[Rgb565],
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 4], TextureError> {
+    let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, palette)?;
+    let [solid, tested] = textured(IndexKeyed::new(texels, any() as u8), instance, cache, cells, depths)?;
+    let key = Rgb565::load(any() as u16);
+    let [other_solid, other_tested] = textured(ColorKeyed::new(texels, key), instance, cache, cells, depths)?;
+    Ok([solid, tested, other_solid, other_tested])
+}
+
+#[unsafe(no_mangle)]
+fn entry_screen_door(
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], PictureError> {
+    let mut target = Pixels::<Rgb565, u16>::new(cells, area())?;
+    let shade = |_| ScreenDoor::new(Rgb565::load(any() as u16), any() as u8);
+    let Ok(solid) = instance.solid(shade, cache, &mut target);
+    let mut tested = Statistics::default();
+    if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
+        let Ok(statistics) = instance.depth_tested(shade, cache, &mut depth, &mut target);
+        tested = statistics;
+    }
+    Ok([solid, tested])
 }
 
 #[unsafe(no_mangle)]

@@ -1,0 +1,130 @@
+//! Texels of which one colour, or one index, is transparent.
+
+use super::indexed::IndexedTexels;
+use super::texels::Texels;
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// Texels of which one colour is transparent, as magenta often is in sprites: a pixel that would show it is left out, and its
+/// depth is not stored. Wraps every source of [`Texels`].
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+/// use pinhole::{
+///     Affine, Angle, Camera, ColorKeyed, Mesh, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport,
+/// };
+/// // A square that shows a picture of 8 × 8 texels once: its right half is left out.
+/// const KEY: Rgb565 = Rgb565::MAGENTA;
+/// static PICTURE: [[Rgb565; 8]; 8] = [[Rgb565::RED, Rgb565::RED, Rgb565::RED, Rgb565::RED, KEY, KEY, KEY, KEY]; 8];
+/// const UV: [[i16; 2]; 4] = [[0, 128], [128, 128], [128, 0], [0, 0]];
+/// let mesh = Mesh::new(&[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], 0, &[[0, 1, 2], [0, 2, 3]])?;
+/// # let viewport = Viewport::new(Point::zero(), Size::new(32, 32))?;
+/// # let camera = Camera::new(
+/// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+/// #     &Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(9))?,
+/// #     &viewport,
+/// # );
+/// # let instance = camera.place(&mesh, &Affine::identity());
+/// # let mut display = MockDisplay::new();
+/// let texture = Texture::new(ColorKeyed::new(&PICTURE, KEY));
+/// instance.solid(|face| texture.at(mesh.corners_of(face, &UV)), &mut [], &mut display)?;
+/// assert_eq!(display.get_pixel(Point::new(12, 16)), Some(Rgb565::RED));
+/// assert_eq!(display.get_pixel(Point::new(20, 16)), None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ColorKeyed<S, C> {
+    texels: S,
+    key: C,
+}
+
+impl<S: Texels> ColorKeyed<S, S::Color> {
+    /// These texels without those of the colour `key`.
+    pub const fn new(texels: S, key: S::Color) -> Self {
+        Self { texels, key }
+    }
+}
+
+impl<S: Texels> Texels for ColorKeyed<S, S::Color> {
+    type Color = S::Color;
+    const KEYED: bool = true;
+
+    #[inline(always)]
+    fn size_bits(&self) -> [u32; 2] {
+        self.texels.size_bits()
+    }
+
+    #[inline(always)]
+    fn texel(&self, u: u32, v: u32) -> S::Color {
+        self.texels.texel(u, v)
+    }
+
+    #[inline(always)]
+    fn kept_texel(&self, u: u32, v: u32) -> Option<S::Color> {
+        self.texels.kept_texel(u, v).filter(|color| *color != self.key)
+    }
+}
+
+/// [`IndexedTexels`] of which one index is transparent: a pixel that would show it is left out, and its depth is not stored. Its
+/// colour in the palette is never shown, and another index of equal colour is.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+/// use pinhole::{IndexKeyed, IndexedTexels, Texels};
+/// const PALETTE: [Rgb565; 2] = [Rgb565::BLACK, Rgb565::YELLOW];
+/// let rows = [0b1000_0000, 0, 0, 0, 0, 0, 0, 0b0000_0001];
+/// let texels = IndexKeyed::new(IndexedTexels::<_, 1>::new(&rows, 8, 8, &PALETTE)?, 0);
+/// assert_eq!(texels.kept_texel(0, 0), Some(Rgb565::YELLOW));
+/// assert_eq!(texels.kept_texel(1 << 29, 0), None);
+/// # Ok::<(), pinhole::TextureError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct IndexKeyed<'t, C, const BITS: u32> {
+    texels: IndexedTexels<'t, C, BITS>,
+    key: u8,
+}
+
+impl<'t, C: PixelColor, const BITS: u32> IndexKeyed<'t, C, BITS> {
+    /// These texels without those of the index `key`; an index of 2^`BITS` or more leaves out nothing.
+    pub const fn new(texels: IndexedTexels<'t, C, BITS>, key: u8) -> Self {
+        Self { texels, key }
+    }
+}
+
+impl<C: PixelColor, const BITS: u32> Texels for IndexKeyed<'_, C, BITS> {
+    type Color = C;
+    const KEYED: bool = true;
+
+    #[inline(always)]
+    fn size_bits(&self) -> [u32; 2] {
+        self.texels.size_bits()
+    }
+
+    #[inline(always)]
+    fn texel(&self, u: u32, v: u32) -> C {
+        self.texels.texel(u, v)
+    }
+
+    #[inline(always)]
+    fn kept_texel(&self, u: u32, v: u32) -> Option<C> {
+        let index = self.texels.index_at(u, v);
+        if index == u32::from(self.key) {
+            return None;
+        }
+        Some(self.texels.color(index))
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S, C> defmt::Format for ColorKeyed<S, C> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let _ = self; // texels and colours may have no format
+        defmt::write!(f, "texels, one colour transparent");
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C, const BITS: u32> defmt::Format for IndexKeyed<'_, C, BITS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{}, index {=u8} transparent", self.texels, self.key);
+    }
+}
