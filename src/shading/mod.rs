@@ -25,6 +25,8 @@ pub use gouraud::Gouraud;
 pub(crate) use gouraud::{ChannelGradients, Nearest};
 pub use lambert::{Lambert, LightError, RigidLambert};
 pub use lit::Lit;
+pub(crate) use shader::DrawRuns;
 pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};
+pub(crate) use texture::Line;
 pub use texture::{Accuracy, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured};

@@ -13,4 +13,5 @@ mod textured;
 
 pub use indexed::IndexedTexels;
 pub use mapping::{Accuracy, Texture, Textured};
+pub(crate) use runs::Line;
 pub use texels::{TexelSlice, Texels, TextureError};
