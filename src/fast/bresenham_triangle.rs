@@ -53,18 +53,6 @@ impl<const CLIP_ROWS: bool> BresenhamTriangle<CLIP_ROWS> {
         let (first, end) = (below_top(scissor.top), end.min(below_top(scissor.bottom)));
         Some(Self { top: top.max(scissor.top), first, end })
     }
-
-    /// Calls `draw` with the span of each row in which the triangle covers a pixel.
-    #[inline(always)]
-    pub(crate) fn each_span(self, scratch: &mut RowScratch, mut draw: impl FnMut(Span)) {
-        let mut y = self.top;
-        self.each(scratch, |_, left, right| {
-            if let Some(span) = span(left, y, right) {
-                draw(span);
-            }
-            y += 1;
-        });
-    }
 }
 
 impl<const CLIP_ROWS: bool> Rows for BresenhamTriangle<CLIP_ROWS> {
@@ -342,11 +330,6 @@ mod tests {
 
             let spans = spans(walk, &mut scratch, random);
             assert_covered(&spans, &corners, &scissor);
-            let columns = &mut RowScratch::of_columns();
-            let again = BresenhamTriangle::<false>::new(&triangle, &scissor, columns).unwrap();
-            let mut drawn = Vec::new();
-            again.each_span(columns, |span| drawn.push(span));
-            assert_eq!(drawn, spans);
             walked += 1;
         }
         assert!(walked > 1000 && refused > 1000, "{walked} {refused}");

@@ -8,7 +8,7 @@
 //!   measured alone.
 //! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`.
 
-use super::{depth_gradient, each_span, memory_of};
+use super::{depth_gradient, memory_of, spans};
 use crate::math::hints::keep_rolled;
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
 use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
@@ -38,7 +38,7 @@ fn fill<S: PixelStore, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = Option<S
 ) {
     let (cells, scratch) = memory.parts();
     let layout = scratch.layout;
-    each_span(triangle, scissor, |span| {
+    spans(triangle, scissor).for_each(|span| {
         let from = layout.at(span.x, span.y);
         if let Some(mut cells) = cells.get_mut(from..from.wrapping_add(span.width as usize)) {
             for (width, run) in runs(span) {
@@ -94,7 +94,7 @@ fn fill_nearer<
     let step = gradient.step();
     let (cells, scratch) = memory.parts();
     let layout = scratch.layout;
-    each_span(&triangle.triangle, scissor, |span| {
+    spans(&triangle.triangle, scissor).for_each(|span| {
         let from = layout.at(span.x, span.y);
         let to = from.wrapping_add(span.width as usize);
         if let (Some(mut cells), Some(mut depths)) = (cells.get_mut(from..to), depths.get_mut(from..to)) {

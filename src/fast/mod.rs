@@ -12,8 +12,8 @@
 //! | tier | domain | row ends | core | gain of the tier |
 //! |---|---|---|---|---|
 //! | [`Small`]: [`SmallTriangle`](small_triangle) with [`OneDivision`](edge20) | 32 × 30, inside the scissor | 12.20 in 32 bits; one division for an edge's value, one for its step | all but Cortex-M0 | not measured alone |
-//! | [`Low`] and [`Inside`], the middle tier: [`SmallTriangle`](small_triangle) with [`TwoDivisions`](edge20) | 2040 × 32, rows clipped | 12.20 in 32 bits; two divisions each | all but Cortex-M0 | S3 takes 9 % fewer instructions on an M3, 4.5 % with depth; nothing on an M0 |
-//! | all three: `BresenhamTriangle` (`bresenham_triangle.rs`) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | edges by reciprocals instead take 12 % more instructions on S3, 11 % on S4 and S7 |
+//! | [`Low`], the middle tier: [`SmallTriangle`](small_triangle) with [`TwoDivisions`](edge20) | 2040 × 32, rows clipped | 12.20 in 32 bits; two divisions each | all but Cortex-M0 | S3 takes 9 % fewer instructions on an M3, 4.5 % with depth; nothing on an M0 |
+//! | both: `BresenhamTriangle` (`bresenham_triangle.rs`) | 31 rows, rows clipped | integers and an error term; no rounding | Cortex-M0 | edges by reciprocals instead take 12 % more instructions on S3, 11 % on S4 and S7 |
 //! | [`AnyTriangle`](crate::raster::AnyTriangle), the definition | any in the guard band | 32.32 in 64 bits; a reciprocal and two corrections | all | – |
 //!
 //! Gradients of triangles within 32 pixels have a fast path, too: [`tiny_gradient`].
@@ -44,6 +44,6 @@ mod tiny_gradient;
 use attach::memory_of;
 pub(crate) use back_face::is_back_face;
 pub(crate) use rows::{RowOrigin, Rows};
-pub(crate) use spans::{each_span, spans};
-pub(crate) use tiers::{Inside, Low, LowSpans, Small};
+pub(crate) use spans::spans;
+pub(crate) use tiers::{Low, LowSpans, Small};
 pub(crate) use tiny_gradient::{depth_and_light_gradients, depth_gradient};

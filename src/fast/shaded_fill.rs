@@ -5,101 +5,272 @@
 //! - **Domain**: every triangle and shader, on a target whose pixels lie in memory; with depth, only where the depth buffer is
 //!   laid out as the memory is.
 //! - **Gain**: the shader's colours are stored in one loop with the edge walker, run by run (`SpanShader::runs`), so that a
-//!   shader computes what a run has in common once. With depth, the shader is called once per row,
-//!   not once per run of visible pixels. Not measured alone.
+//!   shader computes what a run has in common once. With depth, the shader is called once per row, not once per run of visible
+//!   pixels. Texels are stored eight in a turn, with depth where the depth buffer is still clear: 7.4 instructions for a texel
+//!   in place of 11 on an M3.
 //! - **Test**: `memory_gets_the_pixels_and_depths_of_the_plain_path` in `pipeline/fill.rs`, and `tests/raster/twins.rs`.
 
-use super::depth_fill::put_nearer;
-use super::{depth_gradient, each_span, memory_of};
-use crate::math::hints::keep_rolled;
-use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
+use super::depth_fill::{is_clear, put_nearer, BLOCK};
+use super::{depth_gradient, memory_of, Low, RowOrigin, Rows};
+use crate::math::hints::{keep_rolled, opaque};
+use crate::math::unrolled::each8;
+use crate::raster::{AnyTriangle, DepthTriangle, Gradient, PixelLayout, Scissor, Span, Trapezoid, Triangle};
+use crate::shading::{DrawRuns, Line, SpanShader};
 use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 
-/// Fills a triangle with the colours that `span_colors` gives for each span, if the target's pixels lie in memory; otherwise
-/// draws nothing and returns `false`.
+/// Fills a triangle with the colours of a shader that is set up for it, if the target's pixels lie in memory; otherwise draws
+/// nothing and returns `false`.
 #[inline(always)]
-pub(crate) fn triangle<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = T::Color>>(
+pub(crate) fn triangle<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
+    setup: &S::Setup,
     scissor: &Scissor,
     target: &mut T,
-    runs: impl Fn(Span) -> R,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    fill(memory, triangle, scissor, |span| {
-        runs(span).map(|(width, run)| (width, run.map(StoredPixel::stored)))
-    });
+    S::draw_runs(setup, Fill { memory, triangle, scissor });
     true
 }
 
+/// A triangle and the memory that it is filled into.
+struct Fill<'a, 't, S> {
+    memory: &'a mut PixelRows<S>,
+    triangle: &'a Triangle<'t>,
+    scissor: &'a Scissor,
+}
+
+impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for Fill<'_, '_, S> {
+    #[inline(always)]
+    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = C>>(self, runs: impl Fn(Span) -> R) {
+        let Self { memory, triangle, scissor } = self;
+        fill(memory, triangle, scissor, |cells, _, span| {
+            each_run(cells, runs(span), |pixels, run| {
+                pixels.iter_mut().zip(run).for_each(|(pixel, color)| *pixel = color.stored());
+            });
+        });
+    }
+
+    #[inline(always)]
+    fn lines<R: Iterator<Item = (i32, Line)>>(
+        self,
+        lines: impl Fn(Span) -> R,
+        texel: impl Fn([u32; 2]) -> C + Copy,
+    ) {
+        let Self { memory, triangle, scissor } = self;
+        fill(memory, triangle, scissor, |cells, _, span| {
+            let texel = texel; // in a register
+            each_run(cells, lines(span), |pixels, line| put_line(pixels, line, texel));
+        });
+    }
+}
+
+/// Calls `put` with the pixels of each run.
+#[inline(always)]
+fn each_run<Cell, Q>(
+    mut cells: &mut [Cell],
+    runs: impl Iterator<Item = (i32, Q)>,
+    put: impl Fn(&mut [Cell], Q),
+) {
+    for (width, run) in runs {
+        let Some((pixels, rest)) = cells.split_at_mut_checked(width as usize) else { return };
+        put(pixels, run);
+        cells = rest;
+    }
+}
+
+/// Stores the texels of a run.
+#[inline(always)]
+fn put_line<Cell, C: StoredPixel<Cell>>(pixels: &mut [Cell], mut line: Line, texel: impl Fn([u32; 2]) -> C) {
+    let (blocks, rest) = pixels.as_chunks_mut::<BLOCK>();
+    for pixels in blocks {
+        each8(pixels, |pixel| *pixel = texel(line.advance()).stored());
+        line.at = opaque(line.at); // LLVM would keep multiples of the steps on the stack
+    }
+    for i in 0..BLOCK - 1 {
+        let Some(pixel) = rest.get_mut(i) else { return };
+        *pixel = texel(line.advance()).stored();
+    }
+}
+
+/// Calls `row` with the cells of each row, the index of the first one, and its span.
 #[inline(never)] // its loop needs all registers
-fn fill<S: PixelStore, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = S::Cell>>(
+fn fill<S: PixelStore>(
     memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
-    runs: impl Fn(Span) -> R,
+    mut row: impl FnMut(&mut [S::Cell], usize, Span),
 ) {
-    let (cells, scratch) = memory.parts();
-    let layout = scratch.layout;
-    each_span(triangle, scissor, |span| {
-        let from = layout.at(span.x, span.y);
-        if let Some(mut cells) = cells.get_mut(from..from.wrapping_add(span.width as usize)) {
-            for (width, run) in runs(span) {
-                let Some((pixels, rest)) = cells.split_at_mut_checked(width as usize) else { return };
-                pixels.iter_mut().zip(run).for_each(|(pixel, cell)| *pixel = cell);
-                cells = rest;
-            }
+    let Some(low) = Low::new(triangle, scissor, memory.scratch()) else {
+        // Close up, most of these triangles lie beside the picture.
+        if triangle.is_beside(scissor) {
+            return;
         }
+        let (cells, scratch) = memory.parts();
+        return fill_any(cells, scratch.layout, triangle, scissor, row);
+    };
+    let (cells, scratch) = memory.parts();
+    let RowOrigin { x, mut y, shear } = low.start(scratch.layout);
+    let shear = shear as i32;
+    let mut x = x.wrapping_sub(shear.wrapping_mul(y));
+    low.each(scratch, |start, left, right| {
+        let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
+        if width > 0
+            && let Some(cells) = cells.get_mut(from..from.wrapping_add(width as usize))
+        {
+            row(cells, from, Span { x: x.wrapping_add(left), y, width, height: 1 });
+        }
+        (x, y) = (x.wrapping_sub(shear), y + 1);
     });
+}
+
+/// [`fill`] for any triangle.
+#[inline(never)] // its loop needs all registers
+fn fill_any<Cell>(
+    cells: &mut [Cell],
+    layout: PixelLayout,
+    triangle: &Triangle<'_>,
+    scissor: &Scissor,
+    mut row: impl FnMut(&mut [Cell], usize, Span),
+) {
+    let (mut triangle, mut trapezoid) = (AnyTriangle::new(triangle, scissor), Trapezoid::without_rows());
+    while triangle.trapezoid(&mut trapezoid) {
+        let (x, mut y) = (trapezoid.x, trapezoid.y);
+        trapezoid.each(layout.at(x, y), layout.stride, |start, left, right| {
+            let (from, width) = (start.wrapping_add(left as usize), right.wrapping_sub(left));
+            if width > 0
+                && let Some(cells) = cells.get_mut(from..from.wrapping_add(width as usize))
+            {
+                row(cells, from, Span { x: x.wrapping_add(left), y, width, height: 1 });
+            }
+            y += 1;
+        });
+    }
 }
 
 /// [`triangle`] for the pixels that are nearer than the depth buffer; declines too if the depth buffer does not
 /// [have the layout of the memory](DepthTarget::is_aligned).
 #[inline(always)]
-pub(crate) fn triangle_nearer<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = T::Color>>(
+pub(crate) fn triangle_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
+    setup: &S::Setup,
     scissor: &Scissor,
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
-    runs: impl Fn(Span) -> R,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
     let depths = depth.buffer.values_mut();
-    fill_nearer(memory, triangle, scissor, depths, |span| {
-        runs(span).map(|(width, run)| (width, run.map(StoredPixel::stored)))
-    });
+    S::draw_runs(setup, FillNearer { memory, depths, triangle, scissor });
     true
 }
 
-#[inline(never)] // its loop needs all registers
-fn fill_nearer<S: PixelStore, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = S::Cell>>(
-    memory: &mut PixelRows<S>,
-    triangle: &DepthTriangle<'_>,
-    scissor: &Scissor,
+/// A triangle, and the memory and depth buffer that it is filled into.
+struct FillNearer<'a, 't, S> {
+    memory: &'a mut PixelRows<S>,
+    depths: &'a mut [u16],
+    triangle: &'a DepthTriangle<'t>,
+    scissor: &'a Scissor,
+}
+
+impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, S> {
+    #[inline(always)]
+    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = C>>(self, runs: impl Fn(Span) -> R) {
+        let Self { memory, depths, triangle, scissor } = self;
+        let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
+        fill(memory, &triangle.triangle, scissor, |cells, from, span| {
+            each_run_nearer(
+                cells,
+                depths,
+                from,
+                span,
+                &gradient,
+                runs(span),
+                |pixels, depths, mut z, run| {
+                    for ((pixel, stored), color) in pixels.iter_mut().zip(depths).zip(run) {
+                        put_nearer(pixel, stored, z, color.stored());
+                        z = z.wrapping_add(gradient.step());
+                        keep_rolled();
+                    }
+                    z
+                },
+            );
+        });
+    }
+
+    #[inline(always)]
+    fn lines<R: Iterator<Item = (i32, Line)>>(
+        self,
+        lines: impl Fn(Span) -> R,
+        texel: impl Fn([u32; 2]) -> C + Copy,
+    ) {
+        let Self { memory, depths, triangle, scissor } = self;
+        let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
+        fill(memory, &triangle.triangle, scissor, |cells, from, span| {
+            let texel = texel; // in a register
+            each_run_nearer(cells, depths, from, span, &gradient, lines(span), |pixels, depths, z, line| {
+                put_line_nearer(pixels, depths, z, gradient.step(), line, texel)
+            });
+        });
+    }
+}
+
+/// Calls `put` with the pixels and depths of each run, and depth at its first pixel; it returns depth after the last one.
+#[inline(always)]
+fn each_run_nearer<Cell, Q>(
+    mut cells: &mut [Cell],
     depths: &mut [u16],
-    runs: impl Fn(Span) -> R,
+    from: usize,
+    span: Span,
+    gradient: &Gradient,
+    runs: impl Iterator<Item = (i32, Q)>,
+    put: impl Fn(&mut [Cell], &mut [u16], u32, Q) -> u32,
 ) {
-    let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
-    let step = gradient.step();
-    let (cells, scratch) = memory.parts();
-    let layout = scratch.layout;
-    each_span(&triangle.triangle, scissor, |span| {
-        let from = layout.at(span.x, span.y);
-        let to = from.wrapping_add(span.width as usize);
-        if let (Some(mut cells), Some(mut depths)) = (cells.get_mut(from..to), depths.get_mut(from..to)) {
-            let mut z = gradient.at(span.x, span.y);
-            for (width, run) in runs(span) {
-                let (Some((pixels, more)), Some((stored, further))) =
-                    (cells.split_at_mut_checked(width as usize), depths.split_at_mut_checked(width as usize))
-                else {
-                    return;
-                };
-                for ((pixel, stored), cell) in pixels.iter_mut().zip(stored).zip(run) {
-                    put_nearer(pixel, stored, z, cell);
-                    z = z.wrapping_add(step);
-                    keep_rolled();
-                }
-                (cells, depths) = (more, further);
+    let Some(mut depths) = depths.get_mut(from..from.wrapping_add(cells.len())) else { return };
+    let mut z = gradient.at(span.x, span.y);
+    for (width, run) in runs {
+        let (Some((pixels, more)), Some((stored, further))) =
+            (cells.split_at_mut_checked(width as usize), depths.split_at_mut_checked(width as usize))
+        else {
+            return;
+        };
+        z = put(pixels, stored, z, run);
+        (cells, depths) = (more, further);
+    }
+}
+
+/// Stores the texels of a run where its pixels are nearer than the depth buffer; returns the depth after the last one.
+#[inline(always)]
+fn put_line_nearer<Cell: Copy, C: StoredPixel<Cell>>(
+    pixels: &mut [Cell],
+    depths: &mut [u16],
+    mut z: u32,
+    step: u32,
+    mut line: Line,
+    texel: impl Fn([u32; 2]) -> C,
+) -> u32 {
+    // The lengths are equal already; this tells the compiler.
+    let Some(depths) = depths.get_mut(..pixels.len()) else { return z };
+    let ((blocks, rest), (depth_blocks, depth_rest)) =
+        (pixels.as_chunks_mut::<BLOCK>(), depths.as_chunks_mut::<BLOCK>());
+    for (pixels, depths) in blocks.iter_mut().zip(depth_blocks) {
+        if is_clear(depths) {
+            each8(depths, |stored| {
+                *stored = (z >> 16) as u16;
+                z = z.wrapping_add(step);
+            });
+            each8(pixels, |pixel| *pixel = texel(line.advance()).stored());
+        } else {
+            for (pixel, stored) in pixels.iter_mut().zip(depths) {
+                put_nearer(pixel, stored, z, texel(line.advance()).stored());
+                z = z.wrapping_add(step);
+                keep_rolled();
             }
         }
-    });
+        line.at = opaque(line.at);
+    }
+    for (pixel, stored) in rest.iter_mut().zip(depth_rest) {
+        put_nearer(pixel, stored, z, texel(line.advance()).stored());
+        z = z.wrapping_add(step);
+        keep_rolled();
+    }
+    z
 }

@@ -111,18 +111,6 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
         }
         trapezoid
     }
-
-    /// Calls `draw` with the span of each row in which the triangle covers a pixel.
-    #[inline(always)]
-    pub(crate) fn each_span(mut self, _: &mut RowScratch, mut draw: impl FnMut(Span)) {
-        // The opaque count keeps one copy of `draw`: code size counts here.
-        for _ in 0..opaque(2) {
-            let mut trapezoid = self.trapezoid();
-            while let Some(span) = trapezoid.span() {
-                draw(span);
-            }
-        }
-    }
 }
 
 impl<D: Divisor, const CLIP_ROWS: bool> Rows for SmallTriangle<D, CLIP_ROWS> {

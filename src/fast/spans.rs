@@ -1,12 +1,12 @@
-//! Spans of triangles for targets that take spans, and for shaders of memory.
+//! Spans of triangles for targets that take spans.
 //!
 //! - **Plain twin**: [`Triangle::spans`].
-//! - **Domain**: triangles within 32 rows (on a Cortex-M0 31) between the scissor's columns; [`each_span`] also needs all
-//!   rows inside the scissor. All other triangles go to the plain twin.
+//! - **Domain**: triangles within 32 rows (on a Cortex-M0 31) between the scissor's columns. All
+//!   other triangles go to the plain twin.
 //! - **Gain**: that of the triangle tiers, in the table in [`fast`](super); the iterator is not measured alone.
 //! - **Test**: `spans_are_those_of_the_plain_triangle` in this file, and `tests/raster/twins.rs`.
 
-use super::{Inside, Low, LowSpans};
+use super::{Low, LowSpans};
 use crate::raster::{self, RowScratch, Scissor, Span, Triangle};
 
 /// The spans of a triangle inside a scissor, top to bottom.
@@ -23,16 +23,6 @@ pub(crate) fn spans(triangle: &Triangle<'_>, scissor: &Scissor) -> Spans {
     match Low::new(triangle, scissor, &mut columns) {
         Some(low) => Spans::Low(LowSpans::new(low, columns)),
         None => Spans::Plain(triangle.spans(scissor)),
-    }
-}
-
-/// Calls `draw` with each span of a triangle inside the scissor, for loops that `draw` is to be inlined into.
-#[inline(always)]
-pub(crate) fn each_span(triangle: &Triangle<'_>, scissor: &Scissor, draw: impl FnMut(Span)) {
-    let columns = &mut RowScratch::of_columns();
-    match Inside::new(triangle, scissor, columns) {
-        Some(inside) => inside.each_span(columns, draw),
-        None => spans(triangle, scissor).for_each(draw),
     }
 }
 
@@ -118,9 +108,6 @@ mod tests {
             }
             assert!(!fast.is_empty() || expected.is_empty(), "{corners:?} {scissor:?}");
             assert_eq!(fast.collect::<Vec<_>>(), expected, "{corners:?} {scissor:?}");
-            let mut each = Vec::new();
-            each_span(&triangle, &scissor, |span| each.push(span));
-            assert_eq!(each, expected, "{corners:?} {scissor:?}");
         }
         assert!(low > 10_000 && plain > 10_000 || cfg!(pinhole_plain), "{low} {plain}");
     }

@@ -1,9 +1,9 @@
 //! The tiers of fast triangles, chosen by core: see the table in [`fast`](super).
 
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-pub(crate) use with_division::{Inside, Low, LowSpans, Small};
+pub(crate) use with_division::{Low, LowSpans, Small};
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-pub(crate) use without_division::{Inside, Low, LowSpans, Small};
+pub(crate) use without_division::{Low, LowSpans, Small};
 
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod with_division {
@@ -13,8 +13,6 @@ mod with_division {
 
     /// Triangles of at most 32 × 30 pixels that lie inside the scissor: most triangles of a mesh.
     pub(crate) type Small = SmallTriangle<OneDivision, false>;
-    /// Triangles of at most 32 rows that lie inside the scissor.
-    pub(crate) type Inside = SmallTriangle<TwoDivisions, false>;
     /// Triangles of at most 32 rows that lie between the left and right border of the scissor, but may begin above it or end
     /// below it.
     pub(crate) type Low = SmallTriangle<TwoDivisions, true>;
@@ -27,8 +25,6 @@ mod without_division {
 
     /// Triangles of at most 31 rows that lie inside the scissor.
     pub(crate) type Small = BresenhamTriangle<false>;
-    /// Triangles of at most 31 rows that lie inside the scissor.
-    pub(crate) type Inside = BresenhamTriangle<false>;
     /// Triangles of at most 31 rows that lie between the left and right border of the scissor, but may begin above it or end
     /// below it.
     pub(crate) type Low = BresenhamTriangle<true>;

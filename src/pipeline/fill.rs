@@ -33,7 +33,7 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
         return fill_spans(triangle, color, scissor, target);
     }
     let setup = shader.set_up(triangle);
-    if shaded_fill::triangle(triangle, scissor, target, |span| S::runs(&setup, span)) {
+    if shaded_fill::triangle::<T, S>(triangle, &setup, scissor, target) {
         return Ok(());
     }
     fast::spans(triangle, scissor).try_for_each(|span| target.fill_run(span, S::span(&setup, span)))
@@ -79,7 +79,7 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
         return Ok(());
     }
     let setup = shader.set_up(&triangle.triangle);
-    if shaded_fill::triangle_nearer(triangle, scissor, depth, target, |span| S::runs(&setup, span)) {
+    if shaded_fill::triangle_nearer::<T, S>(triangle, &setup, scissor, depth, target) {
         return Ok(());
     }
     shade_spans_nearer(triangle, scissor, depth, target, |span| S::span(&setup, span))

@@ -36,8 +36,10 @@ pub use lit::Lit;
 pub use matcap::Matcap;
 pub use point_light::PointLight;
 pub use screen_door::ScreenDoor;
+pub(crate) use shader::DrawRuns;
 pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};
+pub(crate) use texture::Line;
 pub use texture::{
     Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured,
 };

@@ -3,7 +3,7 @@
 use super::CornerValues;
 use crate::clip::Varying;
 use crate::raster::{Span, Triangle};
-use crate::shading::TableShader;
+use crate::shading::{Line, TableShader};
 use core::iter::{once, repeat};
 use embedded_graphics_core::pixelcolor::PixelColor;
 
@@ -230,6 +230,14 @@ pub trait SpanShader<C: PixelColor>: Shader {
         Self::runs(setup, span).map(|(width, run)| (width, run.map(Some)))
     }
 
+    /// Hands [`runs`](Self::runs) to a loop over the rows of a triangle, for targets whose pixels lie in memory. A shader with
+    /// several kinds of set-up overrides it, so that each kind gets a loop of its own.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn draw_runs<D: DrawRuns<C>>(setup: &Self::Setup, draw: D) {
+        draw.runs(|span| Self::runs(setup, span));
+    }
+
     /// The colours of a span, one row high, from left to right, given the colours of its stored pixels. Called instead of
     /// [`span`](Self::span) if [`READS_PIXELS`](Self::READS_PIXELS) is true. The iterator must take one colour from `stored`
     /// before it returns each colour: pixels are read and written in turn.
@@ -288,6 +296,22 @@ pub trait SpanShader<C: PixelColor>: Shader {
     #[inline(always)]
     fn table(&self) -> Option<TableShader<'_, C>> {
         None
+    }
+}
+
+/// A loop over the rows of a triangle, into memory.
+pub trait DrawRuns<C>: Sized {
+    /// Fills the triangle with the runs that `runs` returns for each span.
+    fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = C>>(self, runs: impl Fn(Span) -> R);
+
+    /// Fills the triangle with the colours of `texel` at the texture coordinates that `lines` returns for each span, as runs: the
+    /// width of each, and its coordinates.
+    fn lines<R: Iterator<Item = (i32, Line)>>(
+        self,
+        lines: impl Fn(Span) -> R,
+        texel: impl Fn([u32; 2]) -> C + Copy,
+    ) {
+        self.runs(|span| lines(span).map(|(width, line)| (width, line.map(texel))));
     }
 }
 

@@ -15,4 +15,5 @@ mod textured;
 pub use indexed::IndexedTexels;
 pub use keyed::{ColorKeyed, IndexKeyed};
 pub use mapping::{Accuracy, Texture, Textured};
+pub(crate) use runs::Line;
 pub use texels::{TexelSlice, Texels, TextureError};

@@ -1,12 +1,13 @@
 //! A row of pixels, divided into runs over which texture coordinates are linear.
 
 use super::gradients::{Gradients, Perspective, Sample};
-use crate::math::hints::keep_rolled;
-use crate::raster::Span;
+use crate::raster::{Gradient, Span};
 
 /// Texture coordinates of pixels from left to right, in 2⁻³² of the sides: linear, without end.
-pub(super) struct Line {
-    at: [u32; 2],
+#[derive(Clone, Copy)]
+pub struct Line {
+    /// The coordinates of the next pixel.
+    pub(crate) at: [u32; 2],
     step: [u32; 2],
 }
 
@@ -15,20 +16,33 @@ impl Iterator for Line {
 
     #[inline(always)]
     fn next(&mut self) -> Option<[u32; 2]> {
-        keep_rolled(); // unrolled by LLVM, the loop keeps multiples of the steps on the stack
-        let at @ [u, v] = self.at;
-        let [du, dv] = self.step;
-        self.at = [u.wrapping_add(du), v.wrapping_add(dv)];
-        Some(at)
+        Some(self.advance())
     }
 }
 
-/// The runs of a span: their widths and coordinates.
+impl Line {
+    /// The coordinates of the next pixel; advances to the pixel after it.
+    #[inline(always)]
+    pub(crate) fn advance(&mut self) -> [u32; 2] {
+        let at @ [u, v] = self.at;
+        let [du, dv] = self.step;
+        self.at = [u.wrapping_add(du), v.wrapping_add(dv)];
+        at
+    }
+
+    /// A span of a triangle over which coordinates are linear.
+    #[inline(always)]
+    pub(super) fn affine([u, v]: &[Gradient; 2], Span { x, y, .. }: Span) -> Self {
+        Self { at: [u.at(x, y), v.at(x, y)], step: [u.step(), v.step()] }
+    }
+}
+
+/// The runs of a span in perspective: their widths and coordinates.
 ///
 /// In perspective, runs end at multiples of powers of two on the screen, so that a pixel shows the same texel however its row
 /// is cut into spans, by bands, by the depth buffer or by another target.
-pub(super) struct Runs<'g> {
-    gradients: &'g Gradients,
+pub(super) struct PerspectiveRuns<'g> {
+    perspective: &'g Perspective,
     x: i32,
     y: i32,
     end: i32,
@@ -36,16 +50,16 @@ pub(super) struct Runs<'g> {
     left: Sample,
 }
 
-impl<'g> Runs<'g> {
+impl<'g> PerspectiveRuns<'g> {
     #[inline(always)]
-    pub(super) fn new(gradients: &'g Gradients, Span { x, y, width, .. }: Span) -> Self {
-        Self { gradients, x, y, end: x + width, left: Sample::NONE } // inside the guard band
+    pub(super) fn new(perspective: &'g Perspective, Span { x, y, width, .. }: Span) -> Self {
+        Self { perspective, x, y, end: x + width, left: Sample::NONE } // inside the guard band
     }
 
-    /// The next run in perspective.
+    /// The next run.
     #[inline(never)] // its loop needs all registers
-    fn run(&mut self, perspective: &Perspective) -> (i32, Line) {
-        let (x, y) = (self.x, self.y);
+    fn run(&mut self) -> (i32, Line) {
+        let (x, y, perspective) = (self.x, self.y, self.perspective);
         let mut bits = perspective.largest_run;
         let mut left_of = (x, self.left);
         // A block starts at a multiple of its size. If one that began further left were linear, it would be the last run.
@@ -75,22 +89,40 @@ impl<'g> Runs<'g> {
     }
 }
 
+impl Iterator for PerspectiveRuns<'_> {
+    type Item = (i32, Line);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<(i32, Line)> {
+        (self.x < self.end).then(|| self.run())
+    }
+}
+
+/// The runs of a span.
+pub(super) enum Runs<'g> {
+    /// The only one.
+    Affine(Option<(i32, Line)>),
+    Perspective(PerspectiveRuns<'g>),
+}
+
+impl<'g> Runs<'g> {
+    #[inline(always)]
+    pub(super) fn new(gradients: &'g Gradients, span: Span) -> Self {
+        match gradients {
+            Gradients::Affine(gradients) => Self::Affine(Some((span.width, Line::affine(gradients, span)))),
+            Gradients::Perspective(perspective) => Self::Perspective(PerspectiveRuns::new(perspective, span)),
+        }
+    }
+}
+
 impl Iterator for Runs<'_> {
     type Item = (i32, Line);
 
     #[inline(always)]
     fn next(&mut self) -> Option<(i32, Line)> {
-        let width = self.end - self.x;
-        if width <= 0 {
-            return None;
+        match self {
+            Self::Affine(run) => run.take(),
+            Self::Perspective(runs) => runs.next(),
         }
-        Some(match self.gradients {
-            Gradients::Affine([u, v]) => {
-                let (x, y) = (self.x, self.y);
-                self.x = self.end;
-                (width, Line { at: [u.at(x, y), v.at(x, y)], step: [u.step(), v.step()] })
-            }
-            Gradients::Perspective(perspective) => self.run(perspective),
-        })
     }
 }

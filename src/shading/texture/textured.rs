@@ -2,11 +2,12 @@
 
 use super::gradients::Gradients;
 use super::mapping::Textured;
-use super::runs::Runs;
+use super::runs::{Line, PerspectiveRuns, Runs};
 use super::texels::Texels;
 use crate::clip::Barycentric;
 use crate::raster::{Span, Triangle};
-use crate::shading::{CornerValues, Shader, SpanShader};
+use crate::shading::{CornerValues, DrawRuns, Shader, SpanShader};
+use core::iter::once;
 
 impl<S: Texels> Shader for Textured<S> {
     type Varying = Barycentric;
@@ -67,5 +68,19 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
         let texels = setup.texels;
         Runs::new(&setup.gradients, span)
             .map(move |(width, line)| (width, line.map(move |[u, v]| texels.kept_texel(u, v))))
+    }
+
+    #[inline(always)]
+    fn draw_runs<D: DrawRuns<S::Color>>(setup: &TextureGradients<S>, draw: D) {
+        let texels = setup.texels;
+        let texel = move |[u, v]: [u32; 2]| texels.texel(u, v);
+        match &setup.gradients {
+            Gradients::Affine(gradients) => {
+                draw.lines(|span| once((span.width, Line::affine(gradients, span))), texel);
+            }
+            Gradients::Perspective(perspective) => {
+                draw.lines(|span| PerspectiveRuns::new(perspective, span), texel);
+            }
+        }
     }
 }
