@@ -4,14 +4,15 @@
 //
 // ROM and IMAGE are ELF files. `modules` is the folder with node_modules, `wires` the pins of clock and data, `select` and
 // `command` those at the display's CS and D/C, `watch` pins whose changes are reported, separated by commas, and `log` the
-// address of the image's RTT control block. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
+// address of the image's RTT control block. `inputs` are changes of pins from outside, `MILLISECONDS:PIN=LEVEL` in the order of
+// time, separated by commas; until its first one such a pin is high, as if pulled up. rp2040js counts cycles as the Cortex-M0+ does; flash is as fast as RAM, because
 // misses of its cache are not modelled, nor is the second core.
 
 import { loadFlash, loadRom, rp2040js } from './boot.mjs';
 import { BYTE, CLOCK, LOG, PIN, TIME, WAITED, flush, report } from './events.mjs';
 
 const [rom, image, ...rest] = process.argv.slice(2);
-const options = Object.fromEntries(rest.map((option) => option.split('=')));
+const options = Object.fromEntries(rest.map((option) => option.split(/=(.*)/s)));
 const number = (name) => Number(options[name]);
 const { ConsoleLogger, GPIOPinState, LogLevel, RP2040 } = rp2040js(options.modules);
 
@@ -44,6 +45,20 @@ mcu.gpio.forEach((pin, index) =>
     if (watched.includes(index)) report(PIN, index | (levels[index] ? 0x80 : 0), clock.nanos);
   }),
 );
+
+// Pins that are driven from outside.
+const changes = (options.inputs ?? '').split(',').filter(Boolean).map((change) => change.split(/[:=]/).map(Number));
+for (const [, pin] of changes) mcu.gpio[pin].setInputValue(true);
+let driven = 0;
+const nextChange = clock.createAlarm(() => {
+  const [, pin, level] = changes[driven++];
+  mcu.gpio[pin].setInputValue(level === 1);
+  scheduleChange();
+});
+function scheduleChange() {
+  if (driven < changes.length) nextChange.schedule(Math.max(changes[driven][0] * 1e6 - clock.nanos, 0));
+}
+scheduleChange();
 
 // The bus. A byte takes its bits' time; the display takes D/C at the last bit, and must be selected from the first one.
 const spi = mcu.spi[number('spi')];

@@ -227,7 +227,10 @@ fn the_templates_share_their_files() {
     let everywhere = everywhere.concat();
     let shared: [(&[&str], &[&str]); 6] = [
         (&["rp2040-st7789", "rp2040-two-cores"], &["src/panel.rs"]),
-        (&everywhere, &["src/stop.rs", "model.stl", ".gitignore"]),
+        (
+            &everywhere,
+            &["src/stop.rs", "model.stl", ".gitignore", "cargo-generate.toml", "cargo-generate.rhai"],
+        ),
         (&["any-cortex-m", "stm32f4-ili9341", "rp2040-st7789", "rp2040-two-cores"], &["src/clock.rs"]),
         (&["any-cortex-m", "stm32f4-ili9341", "esp32c3-st7789"], &["src/picture.rs"]),
         (&["rp2040-embassy", "rp2350-embassy", "nrf52840-embassy", "stm32-ssd1306"], &["src/input.rs"]),
@@ -249,6 +252,80 @@ fn the_templates_share_their_files() {
         let file = read(&format!("boards/any-cortex-m/src/{file}"));
         assert_eq!(read(&format!("src/book/measuring/{shown}")), file, "{shown}");
     }
+}
+
+/// What cargo-generate is asked for gives the manifest that `boards/new` writes, of each template, and nothing else is replaced.
+#[test]
+fn the_templates_are_ready_for_cargo_generate() {
+    let folder = Folder::new("ready");
+    for board in templates() {
+        let read = |file: &str| read(&format!("boards/{board}/{file}"));
+        let asked = read("cargo-generate.toml");
+        assert!(asked.contains("\ninclude = [\"Cargo.toml\"]\n"), "{asked}");
+        assert!(asked.contains("\npre = [\"cargo-generate.rhai\"]\n"), "{asked}");
+        // The text that the script puts in place of `patch`, with a folder in place of the variable.
+        let script = read("cargo-generate.rhai");
+        let text = script.split_once("variable::set(\"patch\", \"").expect("a text").1;
+        let text = text.split_once("\");\n").expect("its end").0;
+        let patch = text.replace("\" + repository + \"", ROOT).replace("\\n", "\n").replace("\\\"", "\"");
+        let manifest = read("Cargo.toml");
+        let (before, rest) = manifest.split_once("{% comment %}").expect("a comment");
+        let (_, after) = rest.split_once("{% endcomment %}").expect("its end");
+        let made = format!("{before}{after}").replace("{{ patch }}", &patch);
+        assert!(!made.contains("{{") && !made.contains("{%"), "{made}");
+        folder.shell(&format!("pinhole/boards/new {board} {board}"), &[]);
+        let wanted = fs::read_to_string(folder.path.join(&board).join("Cargo.toml")).expect("Cargo.toml");
+        // `boards/new` resolves links.
+        let root = fs::canonicalize(ROOT).expect("the repository");
+        assert_eq!(without_note(&made).replace(ROOT, &root.display().to_string()), wanted, "{board}");
+    }
+}
+
+/// cargo-generate makes of each template what `boards/new` makes, file by file. To install it takes longer than all tests of this
+/// file, so that CI does not.
+#[test]
+fn cargo_generate_makes_what_boards_new_makes() {
+    let version = Command::new(env!("CARGO")).args(["generate", "--version"]).output();
+    if !version.is_ok_and(|output| output.status.success()) {
+        let skipped = "\nSKIPPED, NOT TESTED: templates by cargo generate, which is missing: cargo install cargo-generate\n";
+        std::io::stderr().write_all(skipped.as_bytes()).expect("stderr");
+        return;
+    }
+    let folder = Folder::new("generate");
+    let root = fs::canonicalize(ROOT).expect("the repository").display().to_string();
+    for board in templates() {
+        folder.shell(
+            &format!(
+                "pinhole/boards/new {board} new-{board}
+                cargo generate --path '{root}/boards/{board}' --name made-{board} --vcs none --define pinhole='{root}'
+                sed -i '/^# For cargo generate: $/d' made-{board}/Cargo.toml
+                diff -r made-{board} new-{board} >&2"
+            ),
+            &[],
+        );
+    }
+    // Without an answer it is the folder of the README's steps.
+    folder.shell(
+        &format!("cargo generate --path '{root}/boards/any-cortex-m' --name firmware --vcs none --silent"),
+        &[],
+    );
+    let manifest = fs::read_to_string(folder.path.join("firmware/Cargo.toml")).expect("Cargo.toml");
+    assert!(manifest.contains("\npinhole-import = { path = \"../pinhole/import\" }\n"), "{manifest}");
+}
+
+/// A manifest by cargo-generate without the line that says so.
+fn without_note(manifest: &str) -> String {
+    assert_eq!(manifest.matches("# For cargo generate: \n").count(), 1, "{manifest}");
+    manifest.replace("# For cargo generate: \n", "")
+}
+
+/// The folders of `boards` that are templates.
+fn templates() -> Vec<String> {
+    let folders = fs::read_dir(Path::new(ROOT).join("boards")).expect("boards");
+    let names = folders.map(|folder| folder.expect("a folder").file_name().into_string().expect("a name"));
+    let names: Vec<_> = names.filter(|name| name.contains('-')).collect();
+    assert!(names.len() >= 9, "{names:?}");
+    names
 }
 
 /// The README's figures of RAM: 8 bytes for a vertex, 2 for a face and an eighth, 32 for a column of 8 rows, and 15 KB for 500

@@ -15,7 +15,7 @@ mod log;
 mod timing;
 mod watch;
 
-use boards::{Board, Chip, BOARDS};
+use boards::{Board, Chip, Sends, BOARDS};
 use clap::{value_parser, Arg, Command};
 use events::{Event, What};
 use pinhole_apps_support::command::{matches, run, say};
@@ -35,14 +35,19 @@ fn main() -> ExitCode {
         let tools: PathBuf = given.remove_one("tools").ok_or("no tools")?;
         let frames: Option<u32> = given.remove_one("frames");
         let break_at: Option<u32> = given.remove_one("break-bus");
+        let inputs: Option<String> = given.remove_one("inputs");
         let board = BOARDS.iter().find(|board| board.name == name);
         let board = board.ok_or_else(|| {
             let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
             format!("{name}: not an emulated board; they are {}", names.join(", "))
         })?;
-        let frames = emulate(board, &image, &tools, frames.unwrap_or(board.frames), break_at)
-            .map_err(|problem| format!("{name}: {problem}"))?;
+        let run = Run { frames: frames.unwrap_or(board.frames), break_at, inputs: inputs.as_deref() };
+        let frames = emulate(board, &image, &tools, &run).map_err(|problem| format!("{name}: {problem}"))?;
         say(format_args!("{name}: {}", summary(&frames)))?;
+        if inputs.is_some() {
+            let steps: Vec<_> = frames.iter().map(|frame| frame.step.to_string()).collect();
+            say(format_args!("{name}: steps: {}", steps.join(" ")))?;
+        }
         Ok::<_, String>(ExitCode::SUCCESS)
     })
 }
@@ -73,6 +78,10 @@ fn arguments() -> Command {
                 "Let the bus fail with this byte: the firmware must log it, and show whole frames again",
             ),
         )
+        .arg(Arg::new("inputs").long("inputs").value_name("MS:PIN=LEVEL,...").help(
+            "Drive pins from outside, each from a time on: a frame then shows the step of the turn after or before the last one, \
+             and the steps are printed",
+        ))
         .arg(
             Arg::new("tools")
                 .long("tools")
@@ -83,14 +92,19 @@ fn arguments() -> Command {
         )
 }
 
-/// The frames that the firmware has shown; all were as the host draws them.
-fn emulate(
-    board: &Board,
-    image: &Path,
-    tools: &Path,
+/// What is asked of a run.
+struct Run<'a> {
+    /// Frames to compare.
     frames: u32,
+    /// The byte with which the bus fails.
     break_at: Option<u32>,
-) -> Result<Vec<Frame>, String> {
+    /// Changes of pins, as `rp2040.mjs` takes them.
+    inputs: Option<&'a str>,
+}
+
+/// The frames that the firmware has shown; all were as the host draws them.
+fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<Vec<Frame>, String> {
+    let &Run { frames, break_at, inputs } = run;
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
     let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(board.name).join("model.stl");
@@ -101,6 +115,13 @@ fn emulate(
         return Err("nothing on its bus can fail".into());
     }
     let mut emulator = emulator(&board.chip, image, tools, tables.address);
+    if let Some(inputs) = inputs {
+        if board.sends == Sends::All || !matches!(board.chip, Chip::Rp2040 { .. }) {
+            return Err("nothing is connected to its inputs".into());
+        }
+        watch.allow_steps_back();
+        emulator.arg(format!("inputs={inputs}"));
+    }
     if let Some(byte) = break_at {
         emulator.arg(format!("overrun={byte}"));
     }

@@ -17,9 +17,11 @@ pub(crate) struct Watch<'a> {
     lost: u32,
     /// Whether the bus has broken since the last whole frame: what was on its way may be cut off.
     broken: bool,
-    /// The last picture that was shown, and the one that is expected: see [`Sends::Changes`].
+    /// The last picture that was shown, and those that may be next, with their steps of the turn: see [`Sends::Changes`].
     last: Vec<u32>,
-    next: Vec<u32>,
+    next: Vec<(u32, Vec<u32>)>,
+    /// Whether the step before the last one may be next, too: an encoder turns the model.
+    steps_back: bool,
 }
 
 /// A frame that the display has got completely.
@@ -31,6 +33,8 @@ pub(crate) struct Frame {
     pub(crate) waited: u64,
     /// Bytes since the frame before.
     pub(crate) bytes: usize,
+    /// Of the turn.
+    pub(crate) step: u32,
 }
 
 impl<'a> Watch<'a> {
@@ -48,7 +52,13 @@ impl<'a> Watch<'a> {
             broken: false,
             last: Vec::new(),
             next: Vec::new(),
+            steps_back: false,
         }
+    }
+
+    /// From now on a frame may also show the step of the turn before the last one.
+    pub(crate) fn allow_steps_back(&mut self) {
+        self.steps_back = true;
     }
 
     pub(crate) fn frames(&self) -> &[Frame] {
@@ -152,7 +162,7 @@ impl<'a> Watch<'a> {
                 first / width
             ));
         }
-        self.shown(time, wanted)
+        self.shown(time, number, wanted)
     }
 
     /// A rectangle of a frame has arrived.
@@ -160,32 +170,43 @@ impl<'a> Watch<'a> {
         let display = &self.board.display;
         let width = usize::from(display.width);
         let shown = self.controller.picture(display.held, width, display.height.into());
-        let number = self.frames.len() as u32 % self.board.frames;
-        let mut pixels = shown.iter().zip(self.last.iter().zip(&self.next));
-        if let Some(at) = pixels.position(|(shown, (last, next))| shown != last && shown != next) {
-            return Err(format!(
-                "before frame {number}, column {}, row {} is {:#06x}, in place of {:#06x} as before, or {:#06x}",
-                at % width,
-                at / width,
-                shown[at],
-                self.last[at],
-                self.next[at]
-            ));
+        // The first pixel that is neither as before nor as in a picture that may be next.
+        let other = |next: &[u32]| {
+            let mut pixels = shown.iter().zip(self.last.iter().zip(next));
+            pixels.position(|(shown, (last, next))| shown != last && shown != next)
+        };
+        let [(step, expected), ..] = &self.next[..] else { return Err("no picture is expected".into()) };
+        if let Some(at) = other(expected) {
+            if self.next[1..].iter().all(|(_, next)| other(next).is_some()) {
+                return Err(format!(
+                    "before frame {step}, column {}, row {} is {:#06x}, in place of {:#06x} as before, or {:#06x}",
+                    at % width,
+                    at / width,
+                    shown[at],
+                    self.last[at],
+                    expected[at]
+                ));
+            }
         }
-        if shown == self.next {
-            return self.shown(time, shown);
+        match self.next.iter().find(|(_, next)| *next == shown) {
+            Some(&(step, _)) => self.shown(time, step, shown),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// The display shows the next picture.
-    fn shown(&mut self, time: u64, picture: Vec<u32>) -> Result<(), String> {
+    fn shown(&mut self, time: u64, step: u32, picture: Vec<u32>) -> Result<(), String> {
         let (bytes, _) = self.controller.count();
         self.broken = false;
-        self.frames.push(Frame { time, waited: self.waited, bytes });
+        self.frames.push(Frame { time, waited: self.waited, bytes, step });
         if self.board.sends == Sends::Changes {
             self.last = picture;
-            self.next = (self.pictures)(self.frames.len() as u32 % self.board.frames)?;
+            self.next.clear();
+            let turn = self.board.frames;
+            let steps = [(step + 1) % turn, (step + turn - 1) % turn];
+            for step in &steps[..if self.steps_back { 2 } else { 1 }] {
+                self.next.push((*step, (self.pictures)(*step)?));
+            }
         }
         Ok(())
     }
@@ -267,11 +288,11 @@ mod tests {
         assert_eq!(driver.watch.frames(), []);
         driver.byte(PIXELS[7], true, true).expect("the last one");
         let bytes = 1 + 2 + 1 + 2 + 1 + 5 + 5 + 1 + 8;
-        assert_eq!(driver.watch.frames(), [Frame { time: driver.time, waited: 0, bytes }]);
+        assert_eq!(driver.watch.frames(), [Frame { time: driver.time, waited: 0, bytes, step: 0 }]);
 
         driver.watch.event(Event { time: 0, what: What::Waited(7) }).expect("it may wait");
         driver.send(0, 0x2c, &PIXELS).expect("the same window again");
-        assert_eq!(driver.watch.frames()[1], Frame { time: driver.time, waited: 7, bytes: 9 });
+        assert_eq!(driver.watch.frames()[1], Frame { time: driver.time, waited: 7, bytes: 9, step: 0 });
     }
 
     #[test]

@@ -74,6 +74,23 @@ fn a_frame_of_changes_that_is_left_out_is_noticed() {
     EMBASSY.fails(&[("src/tasks.rs", "picture.turned(step)?", skip)], "before frame 1, column");
 }
 
+/// While the model turns by itself, a press of the button stops it. Then the encoder turns it by 2 clicks back, 3 forward and 4 back,
+/// and the next press lets it go on. A click is a step of the turn.
+#[test]
+fn the_encoder_and_the_button_turn_the_model() {
+    let Some(turned) = EMBASSY.steps(&[]) else { return };
+    assert_eq!(turned, [-2, 3, -4]);
+}
+
+#[test]
+fn an_encoder_whose_contacts_are_swapped_turns_the_other_way() {
+    let swapped = "[Input::new(p.PIN_11, Pull::Up), Input::new(p.PIN_10, Pull::Up)]";
+    let contacts = "[Input::new(p.PIN_10, Pull::Up), Input::new(p.PIN_11, Pull::Up)]";
+    // The 2 clicks forward belong to the turn before, and the 4 to that after.
+    let Some(turned) = EMBASSY.steps(&[("src/main.rs", contacts, swapped)]) else { return };
+    assert_eq!(turned, [-3]);
+}
+
 #[test]
 fn a_wrong_orientation_mirrors_the_picture_of_the_stm32() {
     STM32.fails(
@@ -161,6 +178,42 @@ impl Template {
         Some(said)
     }
 
+    /// The runs of steps in one direction between those at the start and at the end of a run in which the button and the encoder
+    /// are used, which all must be as the host draws them. None if the tools are missing.
+    #[track_caller]
+    fn steps(&self, edits: &[Edit]) -> Option<Vec<i32>> {
+        const BUTTON: u8 = 12;
+        let mut inputs = vec![(400, BUTTON, 0), (420, BUTTON, 1)];
+        let mut time = 500;
+        for (clicks, [leads, follows]) in [(2, [11, 10]), (3, [10, 11]), (4, [11, 10])] {
+            for _ in 0..clicks {
+                inputs.extend([(time, leads, 0), (time + 3, follows, 0)]);
+                inputs.extend([(time + 6, leads, 1), (time + 9, follows, 1)]);
+                time += 40; // a frame takes 15 ms
+            }
+        }
+        inputs.extend([(time, BUTTON, 0), (time + 20, BUTTON, 1)]);
+        let inputs: Vec<_> =
+            inputs.iter().map(|(time, pin, level)| format!("{time}:{pin}={level}")).collect();
+        let output = self.run(edits, &["--frames", "40", "--inputs", &inputs.join(",")])?;
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let steps = said.lines().find_map(|line| line.strip_prefix(&format!("{}: steps: ", self.board)));
+        let steps = steps.unwrap_or_else(|| panic!("{output:?}")).split(' ');
+        let steps: Vec<i32> = steps.map(|step| step.parse().expect("a number")).collect();
+        assert_eq!((steps.len(), steps.first()), (40, Some(&0)));
+        let differences = steps.windows(2).map(|pair| (pair[1] - pair[0] + 180) % 120 - 60);
+        let mut runs: Vec<i32> = Vec::new();
+        for difference in differences {
+            assert_eq!(difference.abs(), 1, "{steps:?}");
+            match runs.last_mut() {
+                Some(run) if run.signum() == difference => *run += difference,
+                _ => runs.push(difference),
+            }
+        }
+        assert!(runs.len() >= 2 && runs.first() > Some(&0) && runs.last() > Some(&0), "{steps:?}");
+        Some(runs[1..runs.len() - 1].to_vec())
+    }
+
     /// None if the tools are missing.
     fn run(&self, edits: &[Edit], options: &[&str]) -> Option<Output> {
         if !self.has_tools() {
@@ -171,7 +224,7 @@ impl Template {
         let output = Command::new(env!("CARGO_BIN_EXE_emulate"))
             .arg(self.board)
             .arg(image)
-            .args(["--frames", FRAMES])
+            .args(if options.contains(&"--frames") { &[][..] } else { &["--frames", FRAMES] })
             .args(options)
             .stdin(Stdio::null())
             .output();

@@ -105,6 +105,8 @@ async fn draw(empty: Sender<'static, CriticalSectionRawMutex, Strip>) {
     };
     let picture = Picture::new(&MODEL, &mut mesh.cache, &mut mesh.bins, depths);
     let mut picture = picture.unwrap_or_else(|problem| stop(problem));
-    let Err(problem) = tasks::draw(&mut picture, empty).await;
+    // A constant: what the model does not have is left out when this is compiled.
+    let color = |face: usize| MODEL_COLORS.map_or(picture::COLOR, |colors| colors.color(face));
+    let Err(problem) = tasks::draw(&mut picture, color, empty).await;
     stop(problem)
 }

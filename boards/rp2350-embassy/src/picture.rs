@@ -19,7 +19,8 @@ pub const PIXELS: usize = (SCREEN.size.width * ROWS) as usize;
 pub const STEPS: i32 = 120;
 
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
-const COLOR: Rgb565 = Rgb565::CSS_GOLD;
+/// Of a model without materials.
+pub const COLOR: Rgb565 = Rgb565::CSS_GOLD;
 const TEXT: Rgb565 = Rgb565::WHITE;
 /// Light on faces that are turned away from the lamp; full light is 256.
 const AMBIENT: u16 = 48;
@@ -81,9 +82,10 @@ impl Turned<'_> {
         [self.faces.bounds(), self.label.text().bounding_box()]
     }
 
-    /// The next band of a frame, drawn.
+    /// The next band of a frame, drawn. `color` gives the colour of each face.
     pub fn next_band<'s>(
         &mut self,
+        color: impl Fn(usize) -> Rgb565,
         frame: &mut Frame<Rgb565>,
         strip: &'s mut [u8],
     ) -> Result<Band<'s, Rgb565>, &'static str> {
@@ -93,7 +95,8 @@ impl Turned<'_> {
         let mut depth = depth.map_err(|_| "fewer depths than pixels in the strip")?;
         let (mesh, light) = (self.mesh, &self.light);
         let level = |face: usize| mesh.normals().get(face).map_or(256, |&normal| light.level(normal));
-        let Ok(()) = self.faces.depth_tested(|face| COLOR.dim(level(face)), &mut depth, &mut band.pixels());
+        let Ok(()) =
+            self.faces.depth_tested(|face| color(face).dim(level(face)), &mut depth, &mut band.pixels());
         let text = self.label.text();
         let text_box = text.bounding_box();
         // Characters outside the band would cost their time all the same.

@@ -36,10 +36,11 @@ pub type Strips = Channel<'static, CriticalSectionRawMutex, Strip>;
 /// Whether a band has not reached the display since the last frame began.
 static FAILED: AtomicBool = AtomicBool::new(false);
 
-/// Draws the model at step 0, and from then on as the encoder and the button say. It returns only errors that every frame
-/// would repeat, such as a strip without room for a row.
+/// Draws the model at step 0, and from then on as the encoder and the button say. `color` gives the colour of each face. It
+/// returns only errors that every frame would repeat, such as a strip without room for a row.
 pub async fn draw(
     picture: &mut Picture<'_>,
+    color: impl Fn(usize) -> Rgb565,
     mut strips: Sender<'_, CriticalSectionRawMutex, Strip>,
 ) -> Result<Infallible, &'static str> {
     // At most four rectangles: those of the model and of the text, before and now.
@@ -65,7 +66,7 @@ pub async fn draw(
                 let (mut frame, mut rows) = (picture::frame(area), area.size.height);
                 while rows > 0 {
                     let strip = strips.send().await;
-                    let band = turned.next_band(&mut frame, &mut strip.bytes)?;
+                    let band = turned.next_band(&color, &mut frame, &mut strip.bytes)?;
                     (strip.area, strip.len) = (band.area(), band.bytes().len());
                     rows = rows.saturating_sub(strip.area.size.height);
                     bytes += u32::from(WINDOW_BYTES) + strip.len as u32; // of all bands, less than 2¹⁷

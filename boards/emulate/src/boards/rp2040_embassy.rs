@@ -18,6 +18,8 @@ pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
     let imported = super::import(model, &script::options())?;
     Ok(Box::new(move |frame| {
         let mesh = imported.mesh().map_err(|error| error.to_string())?;
+        let colors = imported.colors().map_err(|error| error.to_string())?;
+        let color = |face: usize| colors.map_or(picture::COLOR, |colors| colors.color(face));
         let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
         let mut bins = vec![0; mesh.face_bins_len()];
         let mut depths = vec![0; picture::PIXELS];
@@ -27,7 +29,7 @@ pub(crate) fn pictures(model: &Path) -> Result<Pictures, String> {
         let mut frame = picture::frame(picture::SCREEN);
         let mut stored = Vec::new();
         for _ in 0..picture::SCREEN.size.height.div_ceil(picture::ROWS) {
-            let bytes = turned.next_band(&mut frame, &mut strip)?.into_bytes();
+            let bytes = turned.next_band(color, &mut frame, &mut strip)?.into_bytes();
             // As on the bus: the high byte first.
             stored.extend(bytes.as_chunks().0.iter().map(|&pair| u32::from(u16::from_be_bytes(pair))));
         }

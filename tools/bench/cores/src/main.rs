@@ -164,7 +164,11 @@ fn run(memory: &mut Memory, pixels: &Pixels) -> Option<()> {
         case.count::<Solid>(name, bands::solid, memory, &clock)?;
         case.count::<WithDepth>(name, bands::depth, memory, &clock)?;
     }
-    let mut other = OtherCore::new(|| Some(start_second()).ok_or(())).ok()?;
+    let start = || {
+        start_second();
+        Ok::<(), ()>(())
+    };
+    let mut other = OtherCore::new(start).ok()?;
     for (_, model) in scenes() {
         let case = Case::new(model)?;
         case.draw::<Solid>(bands::solid, memory, &mut other, &Alternating, pixels)?;
