@@ -10,6 +10,7 @@ use crate::parts::Parts;
 use crate::picture;
 use crate::weld::{weld, Welded};
 use crate::{decimate, order, Axis, Options, Problem, Step, Triangles};
+use std::path::PathBuf;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
 /// default [`Options`], and y is up.
@@ -40,6 +41,8 @@ pub(crate) struct Made {
     pub(crate) reversed: Vec<bool>,
     /// The triangles of the file, ascending, that the mesh has a second time, reversed.
     pub(crate) backs: Vec<usize>,
+    /// Files that were read beside the model.
+    pub(crate) libraries: Vec<PathBuf>,
     /// Warnings about the model, whether it fits a mesh or not.
     pub(crate) warnings: Vec<Warning>,
     /// The mesh, without the warnings, or why a mesh cannot hold the model.
@@ -231,6 +234,7 @@ pub(crate) fn make(
     let made = Made {
         reversed: in_the_file(&reversed, &exact, &last.duplicate, &last_sources, faces.len()),
         backs: of_file(&backs),
+        libraries: libraries.clone(),
         warnings,
         mesh: Err(Problem::NoFaces), // not made yet
     };
