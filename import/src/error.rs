@@ -70,6 +70,8 @@ pub enum Problem {
     Exponent(i8),
     /// An option has a value that makes no sense; the text says which.
     Options(&'static str),
+    /// A texture is wanted of a build that reads no pictures.
+    NoTextures,
     /// Decimation is wanted of a build without it.
     NoDecimation,
 }
@@ -115,6 +117,9 @@ impl fmt::Display for Problem {
                 )
             }
             Problem::Options(what) => f.write_str(what),
+            Problem::NoTextures => f.write_str(
+                "has a texture, but this build reads no pictures: install it with the feature `textures`",
+            ),
             Problem::NoDecimation => f.write_str(
                 "cannot be decimated by this build: install it with the feature `decimate`, which needs a C++ compiler",
             ),

@@ -24,7 +24,8 @@
 //! 8. edges, the faces beside them, normals, and the planes of faces are derived from what is left.
 //!
 //! The diffuse colours and texture coordinates of OBJ files stand beside the mesh: [`ImportedMesh::colors`],
-//! [`ImportedMesh::texture`].
+//! [`ImportedMesh::texture`]; and, if [`Options::texture`] asks for it, the picture that its materials name:
+//! [`ImportedMesh::picture`].
 //!
 //! Invalid input is an [`ImportError`]; doubtful input is imported, and listed in [`ImportedMesh::warnings`].
 
@@ -41,6 +42,7 @@ mod options;
 mod order;
 mod part;
 mod parts;
+mod picture;
 mod preview;
 mod quantise;
 mod rust;
@@ -52,7 +54,8 @@ mod weld;
 pub use error::{ImportError, Problem};
 pub use mesh::{ImportedMesh, Report, Topology};
 pub use model::Warning;
-pub use options::{Axis, Centre, Edges, Options};
+pub use options::{Axis, Centre, Edges, Options, TextureFormat};
+pub use picture::IndexedPicture;
 pub use preview::{preview, Preview};
 pub use quantise::quantise;
 pub use rust::is_constant_name;

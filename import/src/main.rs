@@ -9,7 +9,7 @@ use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{value_parser, Arg, ArgAction, ArgMatches, Command};
 use indicatif::{ProgressBar, ProgressStyle};
-use pinhole_import::{Centre, Edges, ImportedMesh, Options, Step};
+use pinhole_import::{Centre, Edges, ImportedMesh, Options, Step, TextureFormat};
 use say::{complain, say, warn};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -71,6 +71,17 @@ fn command() -> Command {
             flag("planes")
                 .help("The plane of each face, to leave out early what is turned away: 2 bytes a face"),
         )
+        .arg(
+            choice("texture", &["2", "4", "16", "256"])
+                .value_name("COLORS")
+                .help("Write the picture of the materials (map_Kd, PNG or BMP) as texels of 1, 2, 4 or 8 bits and a palette"),
+        )
+        .arg(
+            Arg::new("texture-color")
+                .long("texture-color")
+                .value_name("TYPE")
+                .help("The type of the palette's colours [default: embedded_graphics::pixelcolor::Rgb565]"),
+        )
         .args(arguments::arguments())
         .arg(
             choice("centre", &["box", "origin"])
@@ -120,8 +131,16 @@ fn options(given: &ArgMatches) -> Options {
         normals: matches!(word("normals"), "face" | "both"),
         planes: given.get_flag("planes"),
         vertex_normals: matches!(word("normals"), "vertex" | "both"),
+        texture: texture(given),
         ..arguments::options(given)
     }
+}
+
+fn texture(given: &ArgMatches) -> Option<TextureFormat> {
+    let word = |name: &str| given.get_one::<String>(name);
+    let colors = word("texture")?.parse().ok()?; // one of the choices
+    let default = TextureFormat::default();
+    Some(TextureFormat { colors, color: word("texture-color").cloned().unwrap_or(default.color) })
 }
 
 /// Refuses what was typed and would change nothing.
@@ -130,6 +149,9 @@ fn refuse_idle(given: &ArgMatches) -> Result<(), String> {
     let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
     if typed("feature-angle") && word("edges") != "feature" {
         return Err("--feature-angle: is that of --edges feature: give this, too".into());
+    }
+    if typed("texture-color") && !typed("texture") {
+        return Err("--texture-color: is that of --texture COLORS: give this, too".into());
     }
     if typed("name") && given.get_flag("arrays") {
         return Err("--name: is that of a mesh, and --arrays writes lists, whose names are fixed".into());
@@ -228,6 +250,16 @@ fn report(mesh: &ImportedMesh) -> String {
         report.fetches[0],
         report.fetches[1],
     );
+    if let Some(picture) = &mesh.picture {
+        text += &format!(
+            "\ntexture of {} x {} texels, {} colours: {} bytes of flash; largest error of a channel {} of 255",
+            picture.width,
+            picture.height,
+            picture.palette.len(),
+            picture.flash_bytes(),
+            picture.error
+        );
+    }
     if report.reversed > 0 {
         text += &format!("\nreversed {} faces", report.reversed);
     }

@@ -1,4 +1,4 @@
-//! Materials: diffuse colours as a palette, and texture coordinates on a grid.
+//! Materials: diffuse colours as a palette, the names of their pictures, and texture coordinates on a grid.
 
 use crate::model::{Colors, TextureFaces, Warning};
 use std::collections::HashMap;
@@ -7,22 +7,41 @@ use std::path::{Path, PathBuf};
 /// The diffuse colour of a material that has none.
 const GREY: [u8; 3] = [204; 3];
 
-/// The colour of each triangle, by its material. `None` where no triangle has a material, or no library can be read.
+/// What a library says of a material.
+#[derive(Clone, Default)]
+struct Material {
+    color: [u8; 3],
+    /// The picture of the diffuse colour, as `map_Kd` names it.
+    picture: Option<String>,
+}
+
+/// The pictures of the materials that triangles use.
+#[derive(Debug, Default)]
+pub(crate) struct Pictures {
+    /// As `map_Kd` names them, in the order of their first use.
+    pub(crate) names: Vec<String>,
+    /// How many triangles have a material without a picture, or none.
+    pub(crate) bare: usize,
+}
+
+/// The colour of each triangle, by its material, and the pictures that the materials name. No colours where no triangle has a
+/// material, or no library can be read.
 pub(crate) fn read(
     names: &[String],
     of_triangles: Vec<Option<usize>>,
     libraries: &[String],
     file: &Path,
     warnings: &mut Vec<Warning>,
-) -> Option<Colors> {
+) -> (Option<Colors>, Pictures) {
+    let mut pictures = Pictures::default();
     if names.is_empty() {
-        return None;
+        return (None, pictures);
     }
     let mut known = HashMap::new();
     let mut warn = |message| warnings.push(Warning { line: None, message });
     for name in libraries {
         match library(name, file) {
-            Ok(colors) => known.extend(colors),
+            Ok(materials) => known.extend(materials),
             Err(problem) => warn(format!(
                 "material library {name}: {problem}; its materials are grey: put it beside the model"
             )),
@@ -32,16 +51,22 @@ pub(crate) fn read(
         if libraries.is_empty() {
             warn("no material library (mtllib): faces have no colours".into());
         }
-        return None;
+        return (None, pictures);
     }
     let unknown: Vec<&String> = names.iter().filter(|name| !known.contains_key(*name)).collect();
     if let Some(first) = unknown.first() {
         let count = unknown.len();
         warn(format!("materials that no library has: {count}, the first {first}; their faces are grey"));
     }
-    let color = |material: Option<usize>| {
-        material.and_then(|number| known.get(names.get(number)?)).copied().unwrap_or(GREY)
-    };
+    let material = |number: Option<usize>| number.and_then(|number| known.get(names.get(number)?));
+    for &number in &of_triangles {
+        match material(number).and_then(|material| material.picture.as_ref()) {
+            Some(name) if !pictures.names.contains(name) => pictures.names.push(name.clone()),
+            Some(_) => {}
+            None => pictures.bare += 1,
+        }
+    }
+    let color = |number: Option<usize>| material(number).map_or(GREY, |material| material.color);
     let of_triangles: Vec<[u8; 3]> = of_triangles.into_iter().map(color).collect();
     let (colors, count) = palette(&of_triangles);
     if count > colors.palette.len() {
@@ -50,10 +75,10 @@ pub(crate) fn read(
             "colours: {count}, of which a palette holds {most}; the others become the nearest of these"
         ));
     }
-    Some(colors)
+    (Some(colors), pictures)
 }
 
-/// The file of a material library, beside the model, if it is there.
+/// The file of a material library or a picture, beside the model, if it is there.
 pub(crate) fn find(name: &str, model: &Path) -> Option<PathBuf> {
     let folder = model.parent().unwrap_or(Path::new(""));
     // A name may be written with the separators of another system.
@@ -61,21 +86,37 @@ pub(crate) fn find(name: &str, model: &Path) -> Option<PathBuf> {
     paths.into_iter().find(|path| path.is_file())
 }
 
-/// The diffuse colours of a library, by the materials' names.
-fn library(name: &str, model: &Path) -> Result<HashMap<String, [u8; 3]>, String> {
+/// The materials of a library, by their names.
+fn library(name: &str, model: &Path) -> Result<HashMap<String, Material>, String> {
     let path = find(name, model).ok_or("is not there")?;
     let bytes = crate::bytes(&path).map_err(|error| error.problem.to_string())?;
     // All else of a material is not used, and cannot be wrong.
-    let is_used = |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd"));
-    let text: String =
-        crate::text::text(&bytes).lines().filter(is_used).flat_map(|line| [line, "\n"]).collect();
+    let is_used = |line: &&str| matches!(line.split_whitespace().next(), Some("newmtl" | "Kd" | "map_Kd"));
+    // A picture without a name is none; tobj would refuse the library.
+    let is_named = |line: &&str| line.split_whitespace().nth(1).is_some();
+    let text: String = crate::text::text(&bytes)
+        .lines()
+        .filter(is_used)
+        .filter(|line| is_named(line) || !line.trim_start().starts_with("map_Kd"))
+        .flat_map(|line| [line, "\n"])
+        .collect();
     let (materials, _) = tobj::load_mtl_buf(&mut text.as_bytes())
         .map_err(|_| "cannot be understood: newmtl has a name, and Kd three numbers")?;
-    let color = |material: tobj::Material| {
+    let material = |material: tobj::Material| {
         let channel = |c: f64| (c * 255.0).round().clamp(0.0, 255.0) as u8; // NaN becomes 0
-        (material.name, material.diffuse.map_or(GREY, |diffuse| diffuse.map(channel)))
+        let color = material.diffuse.map_or(GREY, |diffuse| diffuse.map(channel));
+        (material.name, Material { color, picture: material.diffuse_texture.map(|text| file_name(&text)) })
     };
-    Ok(materials.into_iter().map(color).collect())
+    Ok(materials.into_iter().map(material).collect())
+}
+
+/// The file that `map_Kd` names: all that follows, as names may have spaces, but the last word where options come first.
+fn file_name(text: &str) -> String {
+    let name = match text.starts_with('-') {
+        true => text.split_whitespace().next_back().unwrap_or_default(),
+        false => text.trim(),
+    };
+    name.to_string()
 }
 
 /// A palette of the colours, those that are used most if there are more than 256, in the order of their first use, and how

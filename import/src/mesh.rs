@@ -2,7 +2,7 @@
 
 use crate::edges::Sides;
 use crate::grid::power_of_two;
-use crate::Warning;
+use crate::{IndexedPicture, Warning};
 use pinhole::{FaceColors, MaterialError, Mesh, MeshError, TextureCoords, WithPlanes};
 use std::path::PathBuf;
 
@@ -41,7 +41,10 @@ pub struct ImportedMesh {
     pub texture_faces: Vec<[u16; 3]>,
     /// The power of two that is the unit of the texture coordinates, in sides of a texture.
     pub texture_exponent: i8,
-    /// Files that were read beside the model: material libraries.
+    /// The picture that the materials name, if [`Options::texture`](crate::Options::texture) asks for it and the model has
+    /// texture coordinates.
+    pub picture: Option<IndexedPicture>,
+    /// Files that were read beside the model: material libraries, and a picture.
     pub libraries: Vec<PathBuf>,
     /// What was subtracted from all vertices, in model units: the centre of the bounding box, or nothing. Where `I16F16`
     /// can hold the centre, it is rounded to that (see [`quantise`](crate::quantise)).
@@ -182,6 +185,18 @@ impl ImportedMesh {
         let remedy = if edges > 0 { "--edges none or --decimate N" } else { "--decimate N" };
         let message = format!(
             "size in flash: {bytes} bytes, {edges} of them for edges; if that is too much, use pinhole-import {remedy}"
+        );
+        (bytes > MANY).then_some(Warning { line: None, message })
+    }
+
+    /// A warning, if the picture takes more flash than a small microcontroller can spare.
+    pub(crate) fn large_picture(&self) -> Option<Warning> {
+        const MANY: usize = 16 << 10;
+        let picture = self.picture.as_ref()?;
+        let bytes = picture.flash_bytes();
+        let message = format!(
+            "texture of {} x {} texels: {bytes} bytes of flash; if that is too much, reduce the picture or use --texture 16",
+            picture.width, picture.height
         );
         (bytes > MANY).then_some(Warning { line: None, message })
     }

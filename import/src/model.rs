@@ -1,5 +1,6 @@
 //! What a reader delivers: triangles, where each stands in the file, and what is doubtful.
 
+use crate::materials::Pictures;
 use crate::Triangles;
 use std::fmt;
 use std::path::PathBuf;
@@ -14,6 +15,10 @@ pub(crate) struct Model {
     pub(crate) colors: Option<Colors>,
     /// The texture coordinates of the triangles' corners, if the file has any.
     pub(crate) texture: Option<TextureFaces>,
+    /// The pictures that materials name.
+    pub(crate) pictures: Pictures,
+    /// Where pictures are beside.
+    pub(crate) file: PathBuf,
     /// Files read beside the model.
     pub(crate) libraries: Vec<PathBuf>,
 }

@@ -92,7 +92,9 @@ pub(crate) fn read(bytes: &[u8], file: &Path) -> Result<Model, ImportError> {
         );
         model.warnings.push(Warning { line: Some(line as usize), message });
     }
-    model.colors = materials::read(&materials.names, of_materials, &libraries, file, &mut model.warnings);
+    (model.colors, model.pictures) =
+        materials::read(&materials.names, of_materials, &libraries, file, &mut model.warnings);
+    model.file = file.to_path_buf();
     model.libraries = libraries.iter().filter_map(|name| materials::find(name, file)).collect();
     model.places = Places::Lines(lines);
     Ok(model)

@@ -57,6 +57,35 @@ pub struct Options {
     /// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that it does not depend on how a surface was
     /// cut into triangles.
     pub vertex_normals: bool,
+    /// The picture that the file's materials name (`map_Kd`), as a palette and texels: see
+    /// [`ImportedMesh::picture`](crate::ImportedMesh::picture). `None` reads no picture.
+    pub texture: Option<TextureFormat>,
+}
+
+/// What a picture of a material becomes. Only with the feature `textures`.
+///
+/// ```
+/// use pinhole_import::{Options, TextureFormat};
+/// // 16 colours of a display in 16-bit colour: half a byte a texel.
+/// let texture = TextureFormat { colors: 16, ..TextureFormat::default() };
+/// assert_eq!(texture.color, "embedded_graphics::pixelcolor::Rgb565");
+/// let options = Options { texture: Some(texture), ..Options::default() };
+/// # let _ = options;
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TextureFormat {
+    /// The most colours of the palette: 2, 4, 16 or 256, of 1, 2, 4 or 8 bits a texel.
+    pub colors: usize,
+    /// The type of the palette's colours in the Rust source, with its path: a colour type of embedded-graphics of three channels
+    /// or of grey. Texels then need no conversion on the display that has this type.
+    pub color: String,
+}
+
+impl Default for TextureFormat {
+    /// 256 colours, of type `embedded_graphics::pixelcolor::Rgb565`.
+    fn default() -> Self {
+        Self { colors: 256, color: "embedded_graphics::pixelcolor::Rgb565".into() }
+    }
 }
 
 impl Default for Options {
@@ -75,6 +104,7 @@ impl Default for Options {
             normals: true,
             planes: false,
             vertex_normals: false,
+            texture: None,
         }
     }
 }
@@ -95,6 +125,16 @@ impl Options {
         }
         if self.planes && !self.normals {
             return Err(Problem::Options("planes belong to the normals of faces: ask for these too"));
+        }
+        if let Some(texture) = &self.texture {
+            if !matches!(texture.colors, 2 | 4 | 16 | 256) {
+                return Err(Problem::Options("a texture has 2, 4, 16 or 256 colours"));
+            }
+            if crate::picture::channels(&texture.color).is_none() {
+                return Err(Problem::Options(
+                    "the colour type of a texture is none of Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888, Gray2, Gray4, Gray8",
+                ));
+            }
         }
         if self.edge_faces && self.edges == Edges::None {
             return Err(Problem::Options("the faces beside edges belong to edges: ask for these too"));

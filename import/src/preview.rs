@@ -14,6 +14,9 @@ pub struct Preview {
     pub triangles: Triangles,
     /// The colour of each triangle, as the mesh's palette has it; or nothing, where the file has no materials.
     pub colors: Vec<[u8; 3]>,
+    /// The texture coordinates of the corners of each triangle, u to the right and v down, in sides of a texture; or nothing, where
+    /// the file has none. The mesh has the picture.
+    pub texture: Vec<[[f64; 2]; 3]>,
     /// Files that were read beside the model: material libraries.
     pub libraries: Vec<PathBuf>,
     /// How many of the triangles are backs.
@@ -47,16 +50,27 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let up = options.up.unwrap_or(Axis::of_file(file));
     let model = read_model(file)?;
     let mut triangles = model.triangles.clone();
-    let libraries = model.libraries.clone();
+    let mut texture: Vec<[[f64; 2]; 3]> = match &model.texture {
+        Some(texture) => texture.faces.iter().map(|face| face.map(|i| texture.coords[i])).collect(),
+        None => Vec::new(),
+    };
     let mut colors: Vec<[u8; 3]> = match &model.colors {
         Some(colors) => colors.faces.iter().map(|&color| colors.palette[usize::from(color)]).collect(),
         None => Vec::new(),
     };
     let made = quantise::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
-    for (face, is_reversed) in triangles.faces.iter_mut().zip(made.reversed) {
+    for (face, is_reversed) in triangles.faces.iter_mut().zip(made.reversed.iter().copied()) {
         if is_reversed {
             *face = reversed(*face);
         }
+    }
+    for (coords, &is_reversed) in texture.iter_mut().zip(&made.reversed) {
+        if is_reversed {
+            *coords = reversed(*coords);
+        }
+    }
+    if !texture.is_empty() {
+        texture.extend(made.backs.iter().map(|&face| reversed(texture[face])).collect::<Vec<_>>());
     }
     let backs: Vec<_> = made.backs.iter().map(|&face| reversed(triangles.faces[face])).collect();
     if !colors.is_empty() {
@@ -64,15 +78,16 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     }
     let count = backs.len();
     triangles.faces.extend(backs);
+    let libraries = made.libraries;
     let mesh = made.mesh.and_then(fits);
     let mut warnings = made.warnings;
     if let Err(problem) = &mesh {
         warnings.push(Warning { line: None, message: format!("not for firmware: {problem}") });
     }
-    Ok(Preview { triangles, colors, libraries, backs: count, up, mesh, warnings })
+    Ok(Preview { triangles, colors, texture, libraries, backs: count, up, mesh, warnings })
 }
 
-fn reversed([a, b, c]: [usize; 3]) -> [usize; 3] {
+fn reversed<T>([a, b, c]: [T; 3]) -> [T; 3] {
     [a, c, b]
 }
 

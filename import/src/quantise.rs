@@ -7,8 +7,10 @@ use crate::mesh::{ImportedMesh, Report};
 use crate::model::{Model, Warning};
 use crate::normals::{cross, of_vertices, on_one_line, unit};
 use crate::parts::Parts;
+use crate::picture;
 use crate::weld::{weld, Welded};
 use crate::{decimate, order, Axis, Options, Problem, Step, Triangles};
+use std::path::PathBuf;
 
 /// Makes a mesh of triangles: welds, centres, quantises, derives edges and normals. Scales and orders nothing: it has the
 /// default [`Options`], and y is up.
@@ -39,6 +41,8 @@ pub(crate) struct Made {
     pub(crate) reversed: Vec<bool>,
     /// The triangles of the file, ascending, that the mesh has a second time, reversed.
     pub(crate) backs: Vec<usize>,
+    /// Files that were read beside the model.
+    pub(crate) libraries: Vec<PathBuf>,
     /// Warnings about the model, whether it fits a mesh or not.
     pub(crate) warnings: Vec<Warning>,
     /// The mesh, without the warnings, or why a mesh cannot hold the model.
@@ -53,7 +57,7 @@ pub(crate) fn make(
     begins: &mut dyn FnMut(Step),
 ) -> Result<Made, Problem> {
     options.check()?;
-    let Model { triangles, places, mut warnings, colors, texture, libraries } = model;
+    let Model { triangles, places, mut warnings, colors, texture, pictures, file, mut libraries } = model;
     let Triangles { positions: read, faces } = triangles;
     if faces.iter().flatten().any(|&i| i >= read.len()) {
         return Err(Problem::NoSuchVertex);
@@ -213,9 +217,24 @@ pub(crate) fn make(
         warnings.push(Warning { line: None, message });
         Texture::default()
     });
+    let mut picture = None;
+    match &options.texture {
+        Some(_) if texture.faces.is_empty() => {
+            let message = "no texture: the model has no texture coordinates".into();
+            warnings.push(Warning { line: None, message });
+        }
+        Some(format) => {
+            if let Some((path, read)) = picture::read(&pictures, &file, format, &mut warnings)? {
+                libraries.push(path);
+                picture = Some(read);
+            }
+        }
+        None => {}
+    }
     let made = Made {
         reversed: in_the_file(&reversed, &exact, &last.duplicate, &last_sources, faces.len()),
         backs: of_file(&backs),
+        libraries: libraries.clone(),
         warnings,
         mesh: Err(Problem::NoFaces), // not made yet
     };
@@ -252,6 +271,7 @@ pub(crate) fn make(
         texture_coords: texture.coords,
         texture_faces: texture.faces,
         texture_exponent: texture.exponent,
+        picture,
         libraries,
         offset: grid.centre,
         report: Report {
@@ -277,6 +297,7 @@ pub(crate) fn make(
     let mesh = ImportedMesh { planes, ..mesh };
     let mut warnings = made.warnings;
     warnings.extend(mesh.large());
+    warnings.extend(mesh.large_picture());
     warnings.extend(mesh.too_many_for_bands());
     Ok(Made { mesh: Ok(mesh), warnings, ..made })
 }

@@ -4,7 +4,7 @@ use crate::{import, part, rust, ImportError, Options, Problem};
 use std::path::{Path, PathBuf};
 
 /// What messages call an option, and what it is in a build script.
-const FIELDS: [(&str, &str); 9] = [
+const FIELDS: [(&str, &str); 10] = [
     ("pinhole-import --", "--"),
     ("--edges none", "`edges: Edges::None`"),
     ("--edge-faces", "`edge_faces`"),
@@ -13,6 +13,7 @@ const FIELDS: [(&str, &str); 9] = [
     ("--flip", "`flip: true`"),
     ("--two-sided", "`two_sided: true`"),
     ("--decimate N", DECIMATE),
+    ("install it with the feature `textures`", "give pinhole-import the feature `textures` in Cargo.toml"),
     ("install it with the feature `decimate`", "give pinhole-import the feature `decimate` in Cargo.toml"),
 ];
 const DECIMATE: &str = if cfg!(feature = "decimate") {

@@ -21,6 +21,8 @@ SCENE.json:
   {"mesh": "file.obj" | ".stl" | ".json" (relative to the scene's folder),  or  "vertices": [[x, y, z], ...], "triangles": [[a, b, c], ...],
    "model": 4x4 affine, "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) in the view volume,
    "colors": [[r, g, b], ...] of the triangles, 0 to 255 (optional),
+   "uv": [[u, v], ...] of the vertices, or [[[u, v], [u, v], [u, v]], ...] of the triangles' corners, in texels, (0, 0) at the upper left,
+   "texture": [W, H] or "FILE.png", 8 to 256 a side, powers of two, "wrap": "repeat" (optional; uv and texture belong together),
    "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (default: the picture), "cull": "none" | "back",
    "name", "source", "licence": any text, ignored}
 Matrices are row-major and multiply column vectors. A .json mesh is {"vertices": ..., "triangles": ...}.
@@ -28,7 +30,8 @@ Matrices are row-major and multiply column vectors. A .json mesh is {"vertices":
 --ids: a little-endian i32 per pixel, row by row from the top: the index of the visible triangle, or -1.
 --depth: a little-endian u16 per pixel: 0 (near) to 65534 (far), linear in z/w; 65535 where nothing is drawn.
 --used: the scene after rounding to the crate's number formats; drawing this file gives the same bits.
-With one of these three the default --size of a mesh is 320x240.
+--texels: a little-endian u16 per pixel: 0 where no triangle is, otherwise 32768 and the texel's number, row * W + column.
+With one of these four the default --size of a mesh is 320x240.
 
 An .obj or .stl is drawn as the mesh that pinhole-import makes of it, and with its warnings: z of .stl and y of .obj are up, faces
 are seen from their front alone (counter-clockwise) unless --two-sided, and the camera is that of the firmware templates, which
@@ -37,7 +40,7 @@ frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
 /// What the template's code decides, and other outputs.
-const NOT_IN_FIRMWARE: [&str; 16] = [
+const NOT_IN_FIRMWARE: [&str; 18] = [
     "ascii",
     "background",
     "colour",
@@ -53,6 +56,8 @@ const NOT_IN_FIRMWARE: [&str; 16] = [
     "no-dither",
     "pitch",
     "projection",
+    "texels",
+    "texture",
     "yaw",
 ];
 
@@ -94,6 +99,7 @@ pub(crate) fn command() -> Command {
         .arg(file("ids", "Write the visible triangle of each pixel"))
         .arg(file("depth", "Write the depth of each pixel"))
         .arg(file("used", "Write the scene rounded to the crate's number formats"))
+        .arg(file("texels", "Write the number of the texel in each pixel"))
         .arg(text(
             "mode",
             "MODE",
@@ -146,6 +152,10 @@ pub(crate) fn command() -> Command {
             "WHAT",
             "What fills the picture: sphere, about the mesh, as in firmware, or outline, larger [default: sphere]".into(),
         ))
+        .arg(
+            text("texture", "COLORS", "Show the picture of an .obj's materials in so many colours, as pinhole-import writes it".into())
+                .value_parser(PossibleValuesParser::new(["2", "4", "16", "256"])),
+        )
         .args(import::arguments())
         .arg(
             Arg::new("firmware")

@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::raw::RawU32;
 use embedded_graphics::pixelcolor::PixelColor;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
-use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, Statistics};
+use pinhole::{Cull, DepthBuffer, Mesh, ScreenVertex, SpanShader, Statistics};
 use pinhole_apps_support::canvas::Canvas;
 
 /// A "colour" that holds the index of the visible triangle.
@@ -21,7 +21,12 @@ impl PixelColor for Seen {
 impl Seen {
     const NONE: Self = Self(u32::MAX);
 
-    /// The triangle's index, -1 for none.
+    /// A pixel that shows a number of less than 31 bits.
+    pub(crate) const fn number(number: u32) -> Self {
+        Self(number)
+    }
+
+    /// The number, such as the triangle's index; -1 for none.
     pub(crate) fn index(self) -> i32 {
         self.0 as i32 // a scene of 2^31 triangles has no room in memory
     }
@@ -33,8 +38,17 @@ pub(crate) struct Solid {
     pub(crate) statistics: Statistics,
 }
 
-/// Draws all triangles with depth test.
+/// Draws the index of each triangle with depth test.
 pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, String> {
+    faces(scene, quantised, |face| Seen(face as u32))
+}
+
+/// Draws all triangles with depth test, each with the shader of its index.
+pub(crate) fn faces<S: SpanShader<Seen>>(
+    scene: &Scene,
+    quantised: &Quantised,
+    shader: impl Fn(usize) -> S,
+) -> Result<Solid, String> {
     let size = Size::new(scene.width, scene.height);
     let mut ids = Canvas::new(size, Seen::NONE);
     let mut storage = vec![0; ids.pixels().len()];
@@ -47,7 +61,7 @@ pub(crate) fn solid(scene: &Scene, quantised: &Quantised) -> Result<Solid, Strin
         let vertices = part.vertices(&quantised.vertices);
         let mesh = Mesh::from_fixed(&vertices, &part.faces).map_err(|e| e.to_string())?;
         let mut corners = vec![ScreenVertex::EMPTY; vertices.len()];
-        let id = |face: usize| Seen((part.first + face) as u32);
+        let id = |face: usize| shader(part.first + face);
         let instance = camera.place(&mesh, &quantised.model).with_cull(cull);
         let Ok(drawn) = instance.depth_tested(id, &mut corners, &mut depth, &mut ids);
         statistics = statistics.and(drawn);

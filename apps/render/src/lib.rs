@@ -22,5 +22,6 @@ pub mod projections;
 pub mod quantised;
 pub mod scene;
 pub mod style;
+pub mod texture;
 mod turntable;
 mod used;

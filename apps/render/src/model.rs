@@ -128,6 +128,7 @@ pub fn scene(mesh: Triangles, colors: Vec<[u8; 3]>, look: &Look) -> Result<Scene
         height: look.height,
         viewport: [0, 0, look.width as i32, look.height as i32], // at most 4096
         cull: true, // as firmware does unless it says otherwise; `--two-sided` adds backs
+        texture: None,
         mesh_file: None,
     })
 }

@@ -12,7 +12,7 @@ use crate::scene::LARGEST;
 use crate::style;
 use clap::ArgMatches;
 use embedded_graphics::geometry::Size;
-use pinhole_import::Axis;
+use pinhole_import::{Axis, TextureFormat};
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Options {
@@ -23,6 +23,7 @@ pub(crate) struct Options {
     pub(crate) ids: Option<PathBuf>,
     pub(crate) depth: Option<PathBuf>,
     pub(crate) used: Option<PathBuf>,
+    pub(crate) texels: Option<PathBuf>,
     pub(crate) ascii: Option<Characters>,
     pub(crate) style: Style,
     pub(crate) format: Format,
@@ -42,7 +43,10 @@ pub(crate) struct Options {
 impl Options {
     /// The files to write.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
-        [&self.png, &self.gif, &self.ids, &self.depth, &self.used].into_iter().flatten().map(PathBuf::as_path)
+        [&self.png, &self.gif, &self.ids, &self.depth, &self.used, &self.texels]
+            .into_iter()
+            .flatten()
+            .map(PathBuf::as_path)
     }
 }
 
@@ -55,20 +59,35 @@ pub(crate) fn read() -> Result<Options, String> {
     let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
     let (style, format) = style(&mut given)?;
     let least_turn = edges(&given, style.mode)?;
-    let import = import::options(&given);
+    let mut import = import::options(&given);
+    let colors: Option<String> = given.get_one("texture").cloned();
+    if colors.is_some() && !import::is_model(&scene) {
+        return Err("--texture: a scene has its own texture; use this option with .obj".into());
+    }
+    if let Some(colors) = colors.and_then(|colors| colors.parse().ok()) {
+        import.texture = Some(TextureFormat { colors, ..TextureFormat::default() });
+    }
     let firmware: Option<u32> = given.get_one("firmware").copied();
     if firmware.is_some() && !import::is_model(&scene) {
         return Err("--firmware: draws a model: use it with .obj and .stl".into());
     }
     let look = look(&mut given, &scene, ascii.is_some())?;
     let mut file = |name: &str| given.remove_one::<PathBuf>(name);
-    let [mut png, gif, ids, depth, used] = ["png", "gif", "ids", "depth", "used"].map(&mut file);
+    let [mut png, gif, ids, depth, used, texels] =
+        ["png", "gif", "ids", "depth", "used", "texels"].map(&mut file);
     let frames = given.remove_one("frames");
     if frames.is_some() && gif.is_none() {
         return Err("--frames: only a film has frames: give --gif FILE too".into());
     }
     let stats = given.get_flag("stats");
-    let outputs = [("--png", &png), ("--gif", &gif), ("--ids", &ids), ("--depth", &depth), ("--used", &used)];
+    let outputs = [
+        ("--png", &png),
+        ("--gif", &gif),
+        ("--ids", &ids),
+        ("--depth", &depth),
+        ("--used", &used),
+        ("--texels", &texels),
+    ];
     for (place, (flag, file)) in outputs.iter().enumerate() {
         let same = |earlier: &Option<PathBuf>| file.is_some() && canonical(earlier) == canonical(file);
         if let Some((other, _)) = outputs[..place].iter().find(|(_, earlier)| same(earlier)) {
@@ -96,6 +115,7 @@ pub(crate) fn read() -> Result<Options, String> {
         ids,
         depth,
         used,
+        texels,
         ascii,
         style,
         format,
@@ -207,7 +227,7 @@ fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look
     }
     let field_of_view = angle("fov", None, projection.field_of_view(), 1.0, 170.0)?;
     // Other programs read these outputs and rely on their defaults.
-    let raw = ["ids", "depth", "used"].iter().any(|name| given.contains_id(name));
+    let raw = ["ids", "depth", "used", "texels"].iter().any(|name| given.contains_id(name));
     let usual = match (ascii, raw || given.contains_id("gif")) {
         _ if given.contains_id("firmware") => "240x240",
         (true, _) => "160x120",

@@ -10,7 +10,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
     Band, BinnedEdges, BinnedFaces, Channels, Cull, DepthBuffer, Flat, Frame, Gouraud, Mesh, MeshInstance,
-    PixelFormat, Scalar, ScreenVertex, SpanShader, Statistics, TransformedMesh,
+    PixelFormat, Scalar, ScreenVertex, SpanShader, Statistics, TexelSlice, Texture, TransformedMesh,
 };
 
 /// A pixel format of a display.
@@ -180,6 +180,16 @@ pub fn paint<C: Colour>(
     let flat = |part: &Part, face| Flat::lit(colour(part, face), levels(part, face)[0]);
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
     let mut solid = Solid { parts: &subject.parts, faces: &mut faces };
+    let picture = scene.texture.as_ref().zip(quantised.texture.as_ref());
+    if let Some((colours, (texture, coords))) =
+        picture.and_then(|picture| Some((picture.0.colours::<C>()?, picture))).filter(|_| style.own_colours)
+    {
+        let [width, height] = texture.size;
+        let texels = TexelSlice::new(&colours, width, height).map_err(|e| e.to_string())?;
+        let texture = Texture::new(texels).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
+        let shader = |part: &Part, face: usize| texture.at(coords.uv[part.first + face]);
+        return out.bands(statistics, &areas, |band, depth| solid.draw(shader, depth, band));
+    }
     match (style.mode == Mode::Flat, style.dither) {
         (true, false) => out.bands(statistics, &areas, |band, depth| solid.draw(flat, depth, band)),
         (true, true) => {

@@ -6,7 +6,7 @@ use crate::options::{self, Options};
 use crate::paint::Subject;
 use crate::quantised::{self, Quantised};
 use crate::scene::Scene;
-use crate::{ascii, turntable, used};
+use crate::{ascii, texture, turntable, used};
 use crate::{import, model, picture};
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
@@ -59,12 +59,15 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             }
             let triangles = std::mem::take(&mut model.triangles);
             let colors = std::mem::take(&mut model.colors);
+            let texture = texture::of_model(&model);
             imported = Some(model);
-            model::scene(triangles, colors, look)?
+            Scene { texture, ..model::scene(triangles, colors, look)? }
         }
         None => {
             let scene = Scene::read(&options.scene)?;
             scene.mesh_file.as_deref().map_or(Ok(()), apart)?;
+            let picture = scene.texture.as_ref().and_then(|texture| texture.picture.as_ref());
+            picture.map_or(Ok(()), |(_, file)| apart(file))?;
             scene
         }
     };
@@ -81,6 +84,11 @@ fn draw(options: &Options, code: &Code) -> Result<(), String> {
             outputs.push((path, solid.depth.iter().flat_map(|d| d.to_le_bytes()).collect()));
         }
         statistics = Some(solid.statistics);
+    }
+    if let Some(path) = &options.texels {
+        let (numbers, drawn) = texture::numbers(&used, &quantised)?;
+        outputs.push((path, numbers.iter().flat_map(|number| number.to_le_bytes()).collect()));
+        statistics = Some(drawn);
     }
     let subject = LazyCell::new(|| Subject::with_edges(&used, options.style.mode, options.least_turn));
     let picture = || picture::picture(&subject, (&used, &quantised), &options.style, options.format);

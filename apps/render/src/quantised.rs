@@ -4,6 +4,7 @@
 //! to ±32768 of its own units, and eye and mesh to within 2¹³ to 2¹⁴ world units. Such scales change exponents alone.
 
 use crate::scene::Scene;
+use crate::texture::{QuantisedTexture, SceneTexture};
 use embedded_graphics::geometry::{Point, Size};
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Camera, Projection, Scalar, ViewTransform, Viewport};
@@ -12,6 +13,7 @@ pub struct Quantised {
     pub vertices: Vec<[Scalar; 3]>,
     pub model: Affine<Model, World>,
     pub viewing: ViewTransform,
+    pub texture: Option<QuantisedTexture>,
     projection: Projection,
     viewport: Viewport,
     units: Units,
@@ -68,6 +70,7 @@ impl Quantised {
             projection: Projection::from_matrix(&projection).map_err(|e| format!("projection: {e}"))?,
             viewport: Viewport::new(Point::new(left, top), Size::new(size(width)?, size(height)?))
                 .map_err(|e| format!("viewport: {e}"))?,
+            texture: scene.texture.as_ref().map(SceneTexture::quantised).transpose()?,
             units,
         })
     }
@@ -94,7 +97,8 @@ impl Quantised {
         let largest = projection[3].iter().fold(0.0f64, |a, b| a.max(b.abs()));
         let factor = if largest > 0.0 { two_to(-largest.log2().ceil() as i32) } else { 1.0 };
         let projection = projection.map(|row| row.map(|c| c * factor));
-        Scene { vertices, model, view, projection, ..like.clone() }
+        let texture = like.texture.as_ref().zip(self.texture.as_ref()).map(|(like, uv)| like.with(uv));
+        Scene { vertices, model, view, projection, texture, ..like.clone() }
     }
 
     pub fn camera(&self) -> Camera {

@@ -1,6 +1,7 @@
 //! Scene files: meshes, matrices and the size of the picture, as plain numbers.
 
 use crate::json::{Field, Json};
+use crate::texture::{self, SceneTexture};
 use pinhole_import::Triangles;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +25,8 @@ pub struct Scene {
     pub cull: bool,
     /// The colour of each triangle, or nothing.
     pub colors: Vec<[u8; 3]>,
+    /// The texture on all triangles, or none.
+    pub texture: Option<SceneTexture>,
     /// The mesh file, if the scene names one.
     pub mesh_file: Option<PathBuf>,
 }
@@ -33,7 +36,7 @@ impl Scene {
     pub fn read(file: &Path) -> Result<Self, String> {
         let json = parse(file)?;
         let problem = |e: String| format!("{}: {e}", file.display());
-        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors] =
+        let [mesh, vertices, triangles, model, view, projection, width, height, viewport, cull, colors, uv, texture, wrap] =
             Field::root(&json)
                 .fields([
                     "mesh",
@@ -47,6 +50,9 @@ impl Scene {
                     "viewport",
                     "cull",
                     "colors",
+                    "uv",
+                    "texture",
+                    "wrap",
                 ])
                 .map_err(problem)?;
         let mut mesh_file = None;
@@ -63,6 +69,8 @@ impl Scene {
             (None, vertices, triangles) => lists(vertices, triangles).map_err(problem)?,
             _ => return Err(problem("mesh: is given together with vertices or triangles".into())),
         };
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let texture = texture::read([uv, texture, wrap], folder, &triangles).map_err(problem)?;
         let Triangles { positions: vertices, faces: triangles } = triangles;
         let rest = || -> Result<Self, String> {
             let size = |field: Option<Field<'_>>, name| needed(field, name)?.integer(1, LARGEST.into());
@@ -110,6 +118,7 @@ impl Scene {
                 height: height as u32,
                 viewport,
                 cull,
+                texture,
                 mesh_file,
             })
         };

@@ -14,10 +14,26 @@ pub(crate) fn json(scene: &Scene) -> String {
         [] => String::new(),
         colors => format!(",\n\"colors\": {}", list(colors.iter().map(|color| list(color.iter())))),
     };
+    let texture = match &scene.texture {
+        None => String::new(),
+        Some(texture) => {
+            let pair = |uv: &[f64; 2]| list(uv.iter().map(|&c| decimal(c)));
+            let uv = list(texture.uv.iter().map(|corners| list(corners.iter().map(pair))));
+            let picture = match &texture.picture {
+                // From this folder, wherever the file is written to.
+                Some((_, file)) => {
+                    let file = file.canonicalize().unwrap_or_else(|_| file.clone());
+                    serde_json::Value::from(file.to_string_lossy()).to_string()
+                }
+                None => list(texture.size.iter()),
+            };
+            format!(",\n\"texture\": {picture}, \"uv\": {uv}")
+        }
+    };
     format!(
         "{{\"vertices\": {vertices},\n\"triangles\": {triangles},\n\"model\": {model},\n\"view\": {view},\n\
          \"projection\": {projection},\n\
-         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}}}\n"
+         \"width\": {width}, \"height\": {height}, \"viewport\": {viewport}, \"cull\": \"{cull}\"{colors}{texture}}}\n"
     )
 }
 

@@ -383,3 +383,158 @@ fn bad_command_lines_are_one_line() {
     // Help is no error.
     assert!(RENDER.run(&["--help"]).status.success());
 }
+
+/// A square of two triangles that fills a picture of 16 × 16, with 16 × 8 texels on it.
+fn textured() -> Value {
+    let mut scene = scene();
+    scene["vertices"] = json!([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]);
+    scene["triangles"] = json!([[0, 1, 2], [0, 2, 3]]);
+    scene["uv"] = json!([[0, 8], [16, 8], [16, 0], [0, 0]]);
+    scene["texture"] = json!([16, 8]);
+    scene["width"] = json!(16);
+    scene["height"] = json!(16);
+    scene
+}
+
+/// The numbers that `--texels` writes of a scene, and those of the scene that `--used` writes.
+fn texels(to: &Path, scene: &Value) -> Vec<u16> {
+    let file = write(to, "texels.json", scene.to_string());
+    let (texels, used) = (to.join("texels"), to.join("used.json"));
+    let done = RENDER.run(&[text(&file), "--texels", text(&texels), "--used", text(&used)]);
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    let read = || -> Vec<u16> {
+        let bytes = fs::read(&texels).unwrap();
+        bytes.chunks(2).map(|b| u16::from_le_bytes(b.try_into().unwrap())).collect()
+    };
+    let first = read();
+    let again = RENDER.run(&[text(&used), "--texels", text(&texels)]);
+    assert!(again.status.success(), "{again:?}");
+    assert_eq!(first, read(), "the scene as it is used gives other texels");
+    first
+}
+
+#[test]
+fn texels_are_numbered_row_by_row() {
+    let to = RENDER.folder("render", "texels");
+    // Pixel (i, j) has u = i + ½ and v = (j + ½)/2, in column i and row j/2.
+    let expected: Vec<u16> = (0..16).flat_map(|j| (0..16).map(move |i| 1 << 15 | j / 2 * 16 + i)).collect();
+    assert_eq!(texels(&to, &textured()), expected);
+    let mut corners = textured();
+    corners["uv"] = json!([[[0, 8], [16, 8], [16, 0]], [[0, 8], [16, 0], [0, 0]]]);
+    corners["wrap"] = json!("repeat");
+    assert_eq!(texels(&to, &corners), expected);
+    // Three pictures to the left, and one down: rounded down below zero, too.
+    let mut left = textured();
+    left["uv"] = json!([[-48, 16], [-32, 16], [-32, 8], [-48, 8]]);
+    assert_eq!(texels(&to, &left), expected);
+    // Nothing is drawn where the triangle is not.
+    let mut half = corners;
+    half["triangles"] = json!([[0, 1, 2]]);
+    half["uv"] = json!([[[0, 8], [16, 8], [16, 0]]]);
+    let half = texels(&to, &half);
+    assert_eq!(half.iter().filter(|&&number| number == 0).count(), 16 * 15 / 2);
+    assert!(half.iter().zip(&expected).all(|(&a, &b)| a == 0 || a == b));
+}
+
+#[test]
+fn texels_of_a_rolled_floor_are_those_of_rays() {
+    let to = RENDER.folder("render", "rolled");
+    let mut scene = textured();
+    // The floor y = −1, seen along −z, the camera rolled by 25°; w is 1 to 17.
+    let (sin, cos) = 25f64.to_radians().sin_cos();
+    scene["vertices"] = json!([[-9, -1, -1], [9, -1, -1], [9, -1, -17], [-9, -1, -17]]);
+    scene["uv"] = json!([[0, 64], [72, 64], [72, 0], [0, 0]]);
+    scene["texture"] = json!([64, 32]);
+    scene["view"] = json!([[cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]);
+    // Near ½, far 32, 90°.
+    let (near, far) = (0.5, 32.0);
+    let depth = [0.0, 0.0, (far + near) / (near - far), 2.0 * far * near / (near - far)];
+    scene["projection"] = json!([[1, 0, 0, 0], [0, 1, 0, 0], depth, [0, 0, -1, 0]]);
+    scene["width"] = json!(96);
+    scene["height"] = json!(96);
+    let numbers = texels(&to, &scene);
+    let (mut seen, mut equal) = (0, 0);
+    for (index, &number) in numbers.iter().enumerate() {
+        let at = |c: usize| (c as f64 + 0.5) / 48.0 - 1.0;
+        let (x, y) = (at(index % 96), -at(index / 96));
+        // Back through the roll, to the ray (x, y, −1) and the floor.
+        let (x, y) = (cos * x + sin * y, -sin * x + cos * y);
+        let t = -1.0 / y;
+        let (u, v) = (4.0 * (t * x + 9.0), 4.0 * (17.0 - t));
+        let is_on_floor = |more: f64| t > 1.0 - more && t < 17.0 + more && (t * x).abs() < 9.0 + more;
+        if number == 0 {
+            assert!(!is_on_floor(-0.1), "{index}");
+            continue;
+        }
+        assert!(is_on_floor(0.1), "{index}");
+        seen += 1;
+        let (column, row) = (f64::from(number & 63), f64::from((number & 0x7fff) >> 6));
+        // Within the bound of ¼ texel, 1/50 for the planes, and 1/64 pixel, which is up to t²/12 texels far away.
+        let shift = t * t / 12.0 / 64.0;
+        for (coordinate, texel, side) in [(u, column, 64.0), (v, row, 32.0)] {
+            let off = (coordinate - texel - 0.5f64).rem_euclid(side);
+            let off = off.min(side - off) - 0.5;
+            assert!(off <= 0.27 + shift, "{index}: {off} off at distance {t}");
+        }
+        equal += usize::from(u.floor().rem_euclid(64.0) == column && v.floor().rem_euclid(32.0) == row);
+    }
+    println!("{equal} of {seen}");
+    assert!(seen > 3000 && equal * 10 > seen * 8, "{equal} of {seen}");
+}
+
+#[test]
+fn a_picture_is_a_texture() {
+    let to = RENDER.folder("render", "picture");
+    let pixels: Vec<u8> = (0..8).flat_map(|j| (0..16).flat_map(move |i| [i * 16, j * 32, 99])).collect();
+    let mut encoder = png::Encoder::new(fs::File::create(to.join("texture.png")).unwrap(), 16, 8);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    let mut scene = textured();
+    scene["texture"] = json!("texture.png");
+    let numbers = texels(&to, &scene);
+    assert_eq!(numbers[16 * 15 + 15], 1 << 15 | 127);
+    let (file, picture) = (write(&to, "scene.json", scene.to_string()), to.join("out.png"));
+    let done = RENDER.run(&[text(&file), "--png", text(&picture)]);
+    assert!(done.status.success(), "{done:?}");
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(picture).unwrap()));
+    decoder.set_transformations(png::Transformations::EXPAND); // a palette to colours
+    let mut reader = decoder.read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let frame = reader.next_frame(&mut bytes).unwrap();
+    let samples = frame.color_type.samples();
+    assert!(samples >= 3);
+    for (index, pixel) in bytes.chunks(samples).enumerate() {
+        let (i, j) = (index % 16, index / 16);
+        assert_eq!(pixel[..3], [i as u8 * 16, (j / 2) as u8 * 32, 99], "{i}, {j}");
+    }
+}
+
+#[test]
+fn textures_that_are_none_are_refused() {
+    let to = RENDER.folder("render", "no-texture");
+    let out = to.join("texels");
+    let refused = |field: &str, value: Value, wanted: &str| {
+        let mut scene = textured();
+        scene[field] = value;
+        if scene[field].is_null() {
+            scene.as_object_mut().unwrap().remove(field);
+        }
+        let file = write(&to, "scene.json", scene.to_string());
+        let said = refusal(&RENDER.run(&[text(&file), "--texels", text(&out)]));
+        assert!(said.contains(wanted), "{said}");
+        assert!(!out.exists());
+    };
+    refused("texture", json!([16, 9]), "texture: has a side of 9, which is none of 8, 16, 32, 64, 128, 256");
+    refused("texture", json!([512, 8]), "texture: has a side of 512, which is none of");
+    refused("texture", json!([256, 256]), "has 256 x 256 texels, of which 15 bits number 32768 at most");
+    refused("texture", json!("nowhere.png"), "nowhere.png: cannot be read: ");
+    refused("texture", json!(null), "texture: is missing, and uv is given");
+    refused("uv", json!(null), "uv: is missing, and texture or wrap is given");
+    refused("uv", json!([[0, 0]]), "uv: has 1 entries, but there are 4 vertices");
+    refused("uv", json!([[[0, 0], [0, 0], [0, 0]]]), "uv: has 1 entries, but there are 2 triangles");
+    refused("uv", json!([[0, 0], [0, 0], [0, 0], [0, 1e9]]), "uv: goes beyond 32767 sides of the texture");
+    refused("wrap", json!("mirror"), "wrap: is \"mirror\" and should be \"repeat\"");
+    let file = write(&to, "bare.json", scene().to_string());
+    let said = refusal(&RENDER.run(&[text(&file), "--texels", text(&out)]));
+    assert!(said.contains("--texels: the scene has no texture"), "{said}");
+}

@@ -32,6 +32,7 @@ const NONE: Options = Options {
     normals: true,
     planes: false,
     vertex_normals: false,
+    texture: None,
 };
 const FLIP: Options = Options { flip: true, ..NONE };
 const FIX: Options = Options { fix_winding: true, ..NONE };

@@ -139,7 +139,7 @@ fn the_readme_has_the_options_of_the_help() {
     let mut known = options(&help, "--");
     known.retain(|name| !["help", "version"].contains(&name.as_str()));
     assert_eq!(options(readme, "| `--"), known);
-    assert!(known.len() == 15, "{help}");
+    assert!(known.len() == 17, "{help}");
 }
 
 #[test]
@@ -215,4 +215,43 @@ fn who_stops_reading_ends_nothing() {
         assert_eq!(done.status.code(), Some(2), "{said}");
         assert!(said.contains("standard output: cannot be written: "), "{said}");
     }
+}
+
+#[cfg(feature = "textures")]
+#[test]
+fn textures_are_written_if_asked_for() {
+    let (model, output) = (scratch("sheet.obj"), scratch("sheet.rs"));
+    std::fs::write(scratch("sheet.mtl"), "newmtl a\nmap_Kd sheet.png\n").unwrap();
+    image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([if x == y { 255 } else { 0 }, 0, 0]))
+        .save(scratch("sheet.png"))
+        .unwrap();
+    let text =
+        "mtllib sheet.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
+    std::fs::write(&model, text).unwrap();
+    let run = |options: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_pinhole-import"));
+        command.arg(&model).arg("-o").arg(&output).args(options.split_whitespace()).output().unwrap()
+    };
+    let done = run("--texture 2 --texture-color embedded_graphics_core::pixelcolor::Gray8");
+    assert!(done.status.success(), "{done:?}");
+    let source = std::fs::read_to_string(&output).unwrap();
+    // Red is 77/256 of white: 76.7, rounded down as embedded-graphics rounds luma.
+    for wanted in [
+        "pub const MESH_TEXELS: pinhole::IndexedTexels<'static, embedded_graphics_core::pixelcolor::Gray8, 1> = {",
+        "static BYTES: [u8; 8] = [\n        127, 191, 223, 239, 247, 251, 253, 254,\n    ];",
+        "Gray8::new(76), embedded_graphics_core::pixelcolor::Gray8::new(0),",
+    ] {
+        assert!(source.contains(wanted), "{wanted}\n{source}");
+    }
+    let said = String::from_utf8(done.stdout).unwrap();
+    assert!(
+        said.contains(
+            "texture of 8 x 8 texels, 2 colours: 10 bytes of flash; largest error of a channel 0 of 255"
+        ),
+        "{said}"
+    );
+    let idle = run("--texture-color Rgb565");
+    assert_eq!(idle.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&idle.stderr).into_owned();
+    assert!(said.contains("--texture-color: is that of --texture COLORS: give this, too"), "{said}");
 }

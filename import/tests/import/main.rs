@@ -10,4 +10,6 @@ mod properties;
 mod source;
 mod stl;
 mod teapot;
+#[cfg(feature = "textures")]
+mod textures;
 mod winding;

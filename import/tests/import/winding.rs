@@ -60,6 +60,7 @@ const FIX: Options = Options {
     normals: true,
     planes: false,
     vertex_normals: false,
+    texture: None,
 };
 
 /// Whether each face's normal points away from the centre of its own box, which is the one of `boxes` that it touches.

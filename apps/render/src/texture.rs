@@ -1,0 +1,180 @@
+//! Textures of scenes: coordinates, a size or a picture, and the number of the texel in each pixel.
+
+use crate::draw;
+use crate::json::Field;
+use crate::quantised::Quantised;
+use crate::scene::Scene;
+use embedded_graphics::pixelcolor::Rgb888;
+use pinhole::{Statistics, Texels, Texture};
+use pinhole_import::{Preview, Triangles};
+use std::path::{Path, PathBuf};
+
+/// A texture on all triangles of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneTexture {
+    /// The coordinates of each triangle's corners in texels: u to the right, v down, from the upper left corner.
+    pub uv: Vec<[[f64; 2]; 3]>,
+    /// Columns and rows: powers of two from 8 to 256.
+    pub size: [usize; 2],
+    /// The texels row by row, if the scene names a picture; and its file.
+    pub picture: Option<(Vec<[u8; 3]>, PathBuf)>,
+}
+
+/// Texture coordinates in the library's format: in 2^exponent of the texture's sides.
+#[derive(Clone, Debug)]
+pub struct QuantisedTexture {
+    pub uv: Vec<[[i16; 2]; 3]>,
+    pub exponent: i8,
+}
+
+/// The texture of a scene file in this folder. The error names the field.
+pub(crate) fn read(
+    fields: [Option<Field<'_>>; 3],
+    folder: &Path,
+    mesh: &Triangles,
+) -> Result<Option<SceneTexture>, String> {
+    let (uv, texture) = match fields {
+        [None, None, None] => return Ok(None),
+        [Some(uv), Some(texture), wrap] => {
+            if let Some(wrap) = wrap {
+                match wrap.text()? {
+                    "repeat" => {}
+                    "clamp" => return Err(wrap.error("is \"clamp\", which is not drawn yet: use \"repeat\"")),
+                    other => return Err(wrap.error(format_args!("is \"{other}\" and should be \"repeat\""))),
+                }
+            }
+            (uv, texture)
+        }
+        [Some(_), None, _] => return Err("texture: is missing, and uv is given".into()),
+        [None, _, _] => return Err("uv: is missing, and texture or wrap is given".into()),
+    };
+    let (size, picture) = match texture.text() {
+        Ok(name) => {
+            let path = folder.join(name);
+            let (size, texels) = read_png(&path).map_err(|problem| texture.error(problem))?;
+            (size, Some((texels, path)))
+        }
+        Err(_) => (texture.array(|side| side.integer(1, 1 << 16).map(|side| side as usize))?, None),
+    };
+    if let Some(side) = size.into_iter().find(|side| !side.is_power_of_two() || *side < 8 || *side > 256) {
+        return Err(
+            texture.error(format_args!("has a side of {side}, which is none of 8, 16, 32, 64, 128, 256"))
+        );
+    }
+    Ok(Some(SceneTexture { uv: read_uv(&uv, mesh)?, size, picture }))
+}
+
+/// A pair for each vertex, or three for each triangle.
+fn read_uv(uv: &Field<'_>, mesh: &Triangles) -> Result<Vec<[[f64; 2]; 3]>, String> {
+    let pair = |field: Field<'_>| field.array(|f| f.number());
+    let first = uv.list()?.next().map(|item| item.list().map(|mut list| list.next()));
+    let of_corners = matches!(first, Some(Ok(Some(inner))) if inner.list().is_ok());
+    let (count, what) = match of_corners {
+        true => (mesh.faces.len(), "triangles"),
+        false => (mesh.positions.len(), "vertices"),
+    };
+    let given = uv.list()?.len();
+    if given != count {
+        return Err(uv.error(format_args!("has {given} entries, but there are {count} {what}")));
+    }
+    if of_corners {
+        return uv.list()?.map(|corners| corners.array(pair)).collect();
+    }
+    let pairs = uv.list()?.map(pair).collect::<Result<Vec<[f64; 2]>, _>>()?;
+    Ok(mesh.faces.iter().map(|face| face.map(|vertex| pairs[vertex])).collect())
+}
+
+/// The size and pixels of a PNG file.
+fn read_png(path: &Path) -> Result<([usize; 2], Vec<[u8; 3]>), String> {
+    let problem = |e: &dyn std::fmt::Display| format!("{}: cannot be read: {e}", path.display());
+    let file = std::fs::File::open(path).map_err(|e| problem(&e))?;
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().map_err(|e| problem(&e))?;
+    let (width, height) = (reader.info().width as usize, reader.info().height as usize);
+    if width > 256 || height > 256 {
+        return Err(format!("{}: has {width} x {height} pixels, and may have 256 a side", path.display()));
+    }
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];
+    let frame = reader.next_frame(&mut bytes).map_err(|e| problem(&e))?;
+    let channels = frame.color_type.samples();
+    let texels = bytes.chunks_exact(channels).take(width * height).map(|pixel| match *pixel {
+        [r, g, b, ..] => [r, g, b],
+        [luma, ..] => [luma; 3],
+        [] => [0; 3],
+    });
+    Ok(([width, height], texels.collect()))
+}
+
+/// The texture of an imported model, if it has a picture.
+pub fn of_model(model: &Preview) -> Option<SceneTexture> {
+    let picture = model.mesh.as_ref().ok()?.picture.as_ref()?;
+    let size = [picture.width, picture.height];
+    let scale = |[u, v]: [f64; 2]| [u * size[0] as f64, v * size[1] as f64];
+    let texels =
+        (0..size[0] * size[1]).map(|i| picture.color(i % picture.width, i / picture.width)).collect();
+    let uv = model.texture.iter().map(|corners| corners.map(scale)).collect();
+    Some(SceneTexture { uv, size, picture: Some((texels, PathBuf::from(&picture.name))) })
+}
+
+impl SceneTexture {
+    /// Rounds coordinates to the finest unit of 2⁻¹⁵ to 1 of a side in which all fit `i16`.
+    pub fn quantised(&self) -> Result<QuantisedTexture, String> {
+        let on_grid = |uv: [f64; 2], exponent: i8| {
+            [0, 1].map(|i| (uv[i] / self.size[i] as f64 * 2f64.powi(-i32::from(exponent)) + 0.5).floor())
+        };
+        let all = || self.uv.iter().flatten();
+        let fits = |&exponent: &i8| {
+            all().flat_map(|&uv| on_grid(uv, exponent)).all(|c| (-32_768.0..=32_767.0).contains(&c))
+        };
+        let exponent = (-15..=0).find(fits).ok_or("uv: goes beyond 32767 sides of the texture")?;
+        let round = |uv: [f64; 2]| on_grid(uv, exponent).map(|c| c as i16); // it fits
+        Ok(QuantisedTexture { uv: self.uv.iter().map(|corners| corners.map(round)).collect(), exponent })
+    }
+
+    /// The texture with these coordinates instead.
+    pub fn with(&self, quantised: &QuantisedTexture) -> Self {
+        let unit = 2f64.powi(i32::from(quantised.exponent));
+        let number = |uv: [i16; 2]| [0, 1].map(|i| f64::from(uv[i]) * unit * self.size[i] as f64);
+        Self { uv: quantised.uv.iter().map(|corners| corners.map(number)).collect(), ..self.clone() }
+    }
+
+    /// The texels in a display's colours.
+    pub fn colours<C: From<Rgb888>>(&self) -> Option<Vec<C>> {
+        let (texels, _) = self.picture.as_ref()?;
+        Some(texels.iter().map(|&[r, g, b]| Rgb888::new(r, g, b).into()).collect())
+    }
+}
+
+/// Texels that show their own number, row by row.
+#[derive(Clone, Copy)]
+struct Numbered([usize; 2]);
+
+impl Texels for Numbered {
+    type Color = draw::Seen;
+
+    fn size_bits(&self) -> [u32; 2] {
+        self.0.map(usize::ilog2)
+    }
+
+    fn texel(&self, u: u32, v: u32) -> draw::Seen {
+        let [w, h] = self.size_bits();
+        draw::Seen::number((v >> (32 - h)) << w | u >> (32 - w))
+    }
+}
+
+/// For each pixel the number of its texel, with bit 15 set, or 0 where no face is drawn.
+pub(crate) fn numbers(scene: &Scene, quantised: &Quantised) -> Result<(Vec<u16>, Statistics), String> {
+    let none = "--texels: the scene has no texture: give it \"uv\" and \"texture\"";
+    let (scene_texture, coords) = scene.texture.as_ref().zip(quantised.texture.as_ref()).ok_or(none)?;
+    let [w, h] = scene_texture.size;
+    if w * h > 1 << 15 {
+        return Err(format!(
+            "--texels: the texture has {w} x {h} texels, of which 15 bits number 32768 at most"
+        ));
+    }
+    let texture = Texture::new(Numbered([w, h])).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
+    let drawn = draw::faces(scene, quantised, |face| texture.at(coords.uv[face]))?;
+    let number = |seen: &draw::Seen| u16::try_from(seen.index()).map_or(0, |number| number | 1 << 15);
+    Ok((drawn.ids.pixels().iter().map(number).collect(), drawn.statistics))
+}

@@ -1,0 +1,269 @@
+//! The picture of a material as texels that name colours of a palette.
+
+use crate::materials::Pictures;
+use crate::model::Warning;
+use crate::{Problem, TextureFormat};
+use std::path::{Path, PathBuf};
+
+/// A picture as `pinhole::IndexedTexels` borrows it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct IndexedPicture {
+    /// The file's name.
+    pub name: String,
+    /// Columns: 8, 16, 32, 64, 128 or 256.
+    pub width: usize,
+    /// Rows: 8, 16, 32, 64, 128 or 256.
+    pub height: usize,
+    /// The colours `[red, green, blue]`: 2, 4, 16 or 256. Colours that no texel uses are black.
+    pub palette: Vec<[u8; 3]>,
+    /// Texels of 1, 2, 4 or 8 bits, as the palette has 2, 4, 16 or 256 colours: row by row, the upper row first, the left texel
+    /// of a byte in its highest bits.
+    pub texels: Vec<u8>,
+    /// The type of the colours in Rust source, with its path.
+    pub color: String,
+    /// The largest difference of a channel of a texel from the picture of this size, of 255.
+    pub error: u8,
+}
+
+impl IndexedPicture {
+    /// Bits of a texel.
+    pub fn bits(&self) -> u32 {
+        self.palette.len().max(1).ilog2()
+    }
+
+    /// The colour of the texel in this column and row, `[red, green, blue]`; black outside.
+    pub fn color(&self, column: usize, row: usize) -> [u8; 3] {
+        let bits = self.bits() as usize;
+        let first = (row * self.width + column) * bits; // the texel's highest bit
+        let is_inside = column < self.width && row < self.height;
+        let byte = self.texels.get(first / 8).filter(|_| is_inside).copied();
+        let index = byte.map(|byte| usize::from(byte) >> (8 - bits - first % 8) & ((1 << bits) - 1));
+        index.and_then(|index| self.palette.get(index)).copied().unwrap_or_default()
+    }
+
+    /// The bytes that texels and palette take in flash.
+    pub fn flash_bytes(&self) -> usize {
+        let color = match channels(&self.color) {
+            Some(Channels { bits: 1..=8, .. }) => 1,
+            Some(Channels { bits: 9..=16, .. }) => 2,
+            _ => 3,
+        };
+        // In embedded-graphics a colour of 18 or 24 bits is stored in 4 bytes.
+        self.texels.len() + self.palette.len() * if color == 3 { 4 } else { color }
+    }
+
+    /// The colours as calls in Rust.
+    pub(crate) fn color_calls(&self) -> Vec<String> {
+        let Some(channels) = channels(&self.color) else { return Vec::new() }; // refused with the options
+        let call = |&color: &[u8; 3]| {
+            let levels = channels.levels(color).map(|level| level.to_string());
+            let count = if channels.is_gray { 1 } else { 3 };
+            format!("{}::new({})", self.color, levels[..count].join(", "))
+        };
+        self.palette.iter().map(call).collect()
+    }
+}
+
+/// What a colour type of embedded-graphics consists of.
+pub(crate) struct Channels {
+    is_gray: bool,
+    /// The highest level of each channel.
+    max: [u8; 3],
+    /// All channels.
+    bits: u32,
+}
+
+impl Channels {
+    /// The nearest levels, as embedded-graphics converts from `Rgb888`.
+    fn levels(&self, color: [u8; 3]) -> [u8; 3] {
+        let nearest = |value: u32, max: u8| ((value * u32::from(max) + 127) / 255) as u8; // ≤ max
+        let [r, g, b] = color.map(u32::from);
+        let [x, y, z] = self.max;
+        match self.is_gray {
+            true => [nearest((77 * r + 150 * g + 29 * b) >> 8, x), 0, 0],
+            false => [nearest(r, x), nearest(g, y), nearest(b, z)],
+        }
+    }
+}
+
+/// The channels of a colour type, by the last name of its path.
+pub(crate) fn channels(path: &str) -> Option<Channels> {
+    let name = path.rsplit("::").next()?;
+    let is_path = path.split("::").all(|name| {
+        name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+    });
+    let (is_gray, max, bits) = match name {
+        "Rgb555" | "Bgr555" => (false, [31, 31, 31], 15),
+        "Rgb565" | "Bgr565" => (false, [31, 63, 31], 16),
+        "Rgb666" | "Bgr666" => (false, [63, 63, 63], 18),
+        "Rgb888" | "Bgr888" => (false, [255, 255, 255], 24),
+        "Gray2" => (true, [3, 0, 0], 2),
+        "Gray4" => (true, [15, 0, 0], 4),
+        "Gray8" => (true, [255, 0, 0], 8),
+        _ => return None,
+    };
+    is_path.then_some(Channels { is_gray, max, bits })
+}
+
+/// Reads the picture that the materials name, in the format, and its path. What is doubtful is a warning.
+pub(crate) fn read(
+    pictures: &Pictures,
+    model: &Path,
+    format: &TextureFormat,
+    warnings: &mut Vec<Warning>,
+) -> Result<Option<(PathBuf, IndexedPicture)>, Problem> {
+    let mut warn = |message| warnings.push(Warning { line: None, message });
+    let Some(name) = pictures.names.first() else {
+        warn("no texture: no material names a picture (map_Kd)".into());
+        return Ok(None);
+    };
+    if let [_, other, ..] = &pictures.names[..] {
+        let count = pictures.names.len();
+        warn(format!(
+            "pictures of materials: {count}; only {name} is written, and faces that should show {other} show it, too: put them into one picture"
+        ));
+    }
+    if pictures.bare > 0 {
+        warn(format!("faces whose material names no picture: {}; draw them in their colours", pictures.bare));
+    }
+    let Some(path) = crate::materials::find(name, model) else {
+        warn(format!("no texture: picture {name} is not there: put it beside the model"));
+        return Ok(None);
+    };
+    match decode::indexed(&path, format)? {
+        Ok((picture, notes)) => {
+            notes.into_iter().for_each(|note| warn(format!("picture {name}: {note}")));
+            Ok(Some((path, picture)))
+        }
+        Err(problem) => {
+            warn(format!("no texture: picture {name}: {problem}"));
+            Ok(None)
+        }
+    }
+}
+
+#[cfg(not(feature = "textures"))]
+mod decode {
+    use super::IndexedPicture;
+    use crate::{Problem, TextureFormat};
+    use std::path::Path;
+
+    pub(super) fn indexed(
+        _: &Path,
+        _: &TextureFormat,
+    ) -> Result<Result<(IndexedPicture, Vec<String>), String>, Problem> {
+        Err(Problem::NoTextures)
+    }
+}
+
+#[cfg(feature = "textures")]
+mod decode {
+    use super::IndexedPicture;
+    use crate::{rust, Problem, TextureFormat};
+    use image::imageops::FilterType;
+    use std::collections::BTreeMap;
+    use std::path::Path;
+
+    /// The longest side of a picture that is read: more would take minutes, and memory.
+    const LONGEST: u32 = 8192;
+
+    /// The picture, and what was done to it; or why it is none.
+    pub(super) fn indexed(
+        path: &Path,
+        format: &TextureFormat,
+    ) -> Result<Result<(IndexedPicture, Vec<String>), String>, Problem> {
+        let opened = match open(path) {
+            Ok(opened) => opened,
+            Err(problem) => return Ok(Err(problem)),
+        };
+        let mut notes = Vec::new();
+        let read = opened.to_rgba8();
+        let transparent = read.pixels().filter(|pixel| pixel[3] < 255).count();
+        if transparent > 0 {
+            notes.push(format!("transparent pixels: {transparent}, written as if they were not"));
+        }
+        let read = opened.to_rgb8();
+        let (from, to) = ((read.width(), read.height()), (side(read.width()), side(read.height())));
+        let read = if from == to {
+            read
+        } else {
+            notes.push(format!(
+                "{} x {} pixels become {} x {}, as a side is a power of two of 8 to 256: resize the picture if it matters how",
+                from.0, from.1, to.0, to.1
+            ));
+            image::imageops::resize(&read, to.0, to.1, FilterType::Triangle)
+        };
+        let pixels: Vec<[u8; 3]> = read.pixels().map(|pixel| pixel.0).collect();
+        let (palette, indices, all) = reduce(&pixels, format.colors);
+        let difference = |(pixel, &index): (&[u8; 3], &u8)| {
+            let color = palette[usize::from(index)];
+            (0..3).map(|i| pixel[i].abs_diff(color[i])).max().unwrap_or_default()
+        };
+        let error = pixels.iter().zip(&indices).map(difference).max().unwrap_or_default();
+        if all > format.colors {
+            notes.push(format!(
+                "{all} colours become {}, a channel off by up to {error} of 255",
+                format.colors
+            ));
+        }
+        let bits = format.colors.ilog2(); // 1, 2, 4 or 8
+        let texels = indices
+            .chunks(8 / bits as usize)
+            .map(|texels| texels.iter().fold(0u32, |byte, &texel| byte << bits | u32::from(texel)) as u8)
+            .collect();
+        let name = rust::one_line(&path.file_name().unwrap_or_default().to_string_lossy()).replace('`', "'");
+        let color = format.color.clone();
+        let (width, height) = (to.0 as usize, to.1 as usize);
+        Ok(Ok((IndexedPicture { name, width, height, palette, texels, color, error }, notes)))
+    }
+
+    fn open(path: &Path) -> Result<image::DynamicImage, String> {
+        let problem = |error: &dyn std::fmt::Display| format!("cannot be read: {error}");
+        let file = std::fs::File::open(path).map_err(|e| problem(&e))?;
+        // By its first bytes, not by its name.
+        let mut reader = image::ImageReader::new(std::io::BufReader::new(file));
+        reader = reader.with_guessed_format().map_err(|e| problem(&e))?;
+        let mut limits = image::Limits::default();
+        (limits.max_image_width, limits.max_image_height) = (Some(LONGEST), Some(LONGEST));
+        reader.limits(limits);
+        if !matches!(reader.format(), Some(image::ImageFormat::Png | image::ImageFormat::Bmp)) {
+            return Err("is neither PNG nor BMP: convert it".into());
+        }
+        reader.decode().map_err(|e| problem(&e))
+    }
+
+    /// The power of two of 8 to 256 next to a side, the larger one from √2 of the smaller on.
+    fn side(given: u32) -> u32 {
+        [8, 16, 32, 64, 128].into_iter().find(|&side| given * given < 2 * side * side).unwrap_or(256)
+    }
+
+    /// A palette of so many colours, the index of each pixel's colour in it, and how many colours there are: these colours as
+    /// they are, by their first use, if the palette holds them, otherwise those that NeuQuant (Dekker 1994) finds.
+    fn reduce(pixels: &[[u8; 3]], most: usize) -> (Vec<[u8; 3]>, Vec<u8>, usize) {
+        let mut numbers = BTreeMap::new();
+        let mut palette = Vec::new();
+        for &pixel in pixels {
+            numbers.entry(pixel).or_insert_with(|| {
+                palette.push(pixel);
+                palette.len() - 1
+            });
+        }
+        let all = palette.len();
+        if all > most {
+            let rgba: Vec<u8> = pixels.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect();
+            let found = color_quant::NeuQuant::new(1, most, &rgba).color_map_rgb();
+            palette = found.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect();
+            palette.truncate(most);
+            let distance =
+                |a: [u8; 3], b: [u8; 3]| (0..3).map(|i| u32::from(a[i].abs_diff(b[i])).pow(2)).sum::<u32>();
+            for (&pixel, number) in &mut numbers {
+                let nearest = (0..palette.len()).min_by_key(|&i| distance(palette[i], pixel));
+                *number = nearest.unwrap_or_default();
+            }
+        }
+        let indices = pixels.iter().map(|pixel| numbers[pixel] as u8).collect(); // below 256
+        palette.resize(most, [0; 3]);
+        (palette, indices, all)
+    }
+}

@@ -1,0 +1,322 @@
+//! Pictures of materials, from PNG and BMP files to texels, to Rust source, and to pixels.
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::prelude::*;
+use image::{DynamicImage, Rgb, RgbImage, Rgba, RgbaImage};
+use pinhole::{
+    Affine, Angle, Camera, Picture, Point3, Projection, Scalar, Texels, Texture, Vector3, ViewTransform,
+    Viewport,
+};
+use pinhole_import::{import, ImportedMesh, Options, TextureFormat};
+use std::path::{Path, PathBuf};
+
+/// A square in the plane z = 0, with all of a picture on it.
+const SQUARE: &str = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
+    vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3 4/4\n";
+
+/// A new folder with the square, its library that names this picture, and the picture.
+fn square(test: &str, map: &str, file: &str, picture: impl Into<DynamicImage>) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("textures").join(test);
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("square.mtl"), format!("newmtl paint\nKd 1 1 1\n{map}\n")).unwrap();
+    std::fs::write(folder.join("square.obj"), SQUARE).unwrap();
+    picture.into().save(folder.join(file)).unwrap();
+    folder.join("square.obj")
+}
+
+fn with(colors: usize) -> Options {
+    Options { texture: Some(TextureFormat { colors, ..TextureFormat::default() }), ..Options::default() }
+}
+
+/// The warnings about the picture.
+fn said(mesh: &ImportedMesh) -> Vec<String> {
+    let all = mesh.warnings.iter().map(ToString::to_string);
+    all.filter(|text| !text.starts_with("open edges")).collect()
+}
+
+/// 16 × 8 pixels, each of its own colour, which 16-bit colour tells apart, too.
+fn numbered() -> RgbImage {
+    RgbImage::from_fn(16, 8, |x, y| Rgb([x as u8 * 16, y as u8 * 32, 255]))
+}
+
+#[test]
+fn texels_are_the_pictures_pixels() {
+    for file in ["numbered.png", "numbered.bmp"] {
+        let path = square(&format!("exact-{file}"), &format!("map_Kd {file}"), file, numbered());
+        let mesh = import(&path, &with(256)).unwrap();
+        assert_eq!(said(&mesh), Vec::<String>::new());
+        let picture = mesh.picture.as_ref().unwrap();
+        assert_eq!((picture.width, picture.height, picture.bits(), picture.error), (16, 8, 8, 0));
+        assert_eq!(picture.flash_bytes(), 16 * 8 + 256 * 2);
+        for (row, column) in (0..8).flat_map(|row| (0..16).map(move |column| (row, column))) {
+            assert_eq!(picture.color(column, row), [column as u8 * 16, row as u8 * 32, 255]);
+        }
+        assert_eq!(picture.color(16, 0), [0; 3]);
+        assert_eq!(mesh.libraries, [path.with_file_name("square.mtl"), path.with_file_name(file)]);
+    }
+    // The picture is only read if it is asked for.
+    let path = square("unasked", "map_Kd nowhere.png", "other.png", numbered());
+    let mesh = import(&path, &Options::default()).unwrap();
+    assert_eq!((mesh.picture, said(&import(&path, &Options::default()).unwrap()).len()), (None, 0));
+}
+
+#[test]
+fn texels_of_few_bits_fill_bytes_from_the_left() {
+    for (colors, bits) in [(2, 1), (4, 2), (16, 4)] {
+        let of = |x: u32, y: u32| ((x * 7 + y * 3) % colors) as u8;
+        let picture = RgbImage::from_fn(32, 16, |x, y| Rgb([of(x, y) * 17, 255 - of(x, y), 9]));
+        let path = square(&format!("bits-{bits}"), "map_Kd few.png", "few.png", picture.clone());
+        let mesh = import(&path, &with(colors as usize)).unwrap();
+        let read = mesh.picture.unwrap();
+        assert_eq!((read.bits(), read.texels.len()), (bits, 32 * 16 * bits as usize / 8));
+        let palette: Vec<Rgb888> = read.palette.iter().map(|&[r, g, b]| Rgb888::new(r, g, b)).collect();
+        // As the library reads them.
+        let shown = |u: u32, v: u32| -> Rgb888 {
+            match bits {
+                1 => pinhole::IndexedTexels::<_, 1>::new(&read.texels, 32, 16, &palette).unwrap().texel(u, v),
+                2 => pinhole::IndexedTexels::<_, 2>::new(&read.texels, 32, 16, &palette).unwrap().texel(u, v),
+                _ => pinhole::IndexedTexels::<_, 4>::new(&read.texels, 32, 16, &palette).unwrap().texel(u, v),
+            }
+        };
+        for (x, y, pixel) in picture.enumerate_pixels() {
+            assert_eq!(read.color(x as usize, y as usize), pixel.0);
+            assert_eq!(shown(x << 27, y << 28), Rgb888::new(pixel.0[0], pixel.0[1], pixel.0[2]));
+        }
+    }
+}
+
+#[test]
+fn more_colours_than_a_palette_holds_become_fewer() {
+    let smooth = RgbImage::from_fn(64, 64, |x, y| Rgb([x as u8 * 4, y as u8 * 4, 128]));
+    // How far a channel is off on average, against a palette of so many colours on a square grid of red and green: a quarter of
+    // a cell of 256/√n. NeuQuant weighs colours by how often they occur, and comes near that grid.
+    for (colors, bits) in [(256, 8), (16, 4), (4, 2), (2, 1)] {
+        let path = square(&format!("smooth-{bits}"), "map_Kd smooth.png", "smooth.png", smooth.clone());
+        let mesh = import(&path, &with(colors)).unwrap();
+        let read = mesh.picture.as_ref().unwrap();
+        assert_eq!(read.palette.len(), colors);
+        let (mut sum, mut worst) = (0, 0);
+        for (x, y, pixel) in smooth.enumerate_pixels() {
+            let color = read.color(x as usize, y as usize);
+            let off = [0, 1, 2].map(|i| pixel.0[i].abs_diff(color[i]));
+            sum += u32::from(off[0]) + u32::from(off[1]);
+            worst = worst.max(*off.iter().max().unwrap());
+        }
+        assert_eq!(worst, read.error);
+        let message = format!(
+            "picture smooth.png: 4096 colours become {colors}, a channel off by up to {worst} of 255"
+        );
+        assert_eq!(said(&mesh), [message]);
+        let (mean, grid) = (f64::from(sum) / 8192.0, 64.0 / (colors as f64).sqrt());
+        println!("{colors}: {mean:.1} off on average, {worst} at most; a grid {grid:.1}");
+        assert!(mean < 1.6 * grid, "{colors}: {mean} {grid}");
+    }
+}
+
+#[test]
+fn other_sizes_are_resampled() {
+    // Left half red, right half blue: the same after any resampling, but near the middle.
+    for (from, to) in
+        [((8, 256), (8, 256)), ((100, 40), (128, 32)), ((3, 1000), (8, 256)), ((90, 91), (64, 128))]
+    {
+        let halves = RgbImage::from_fn(from.0, from.1, |x, _| {
+            if 2 * x < from.0 {
+                Rgb([255, 0, 0])
+            } else {
+                Rgb([0, 0, 255])
+            }
+        });
+        let path = square(&format!("size-{}", from.0), "map_Kd halves.png", "halves.png", halves);
+        let mesh = import(&path, &with(256)).unwrap();
+        let read = mesh.picture.as_ref().unwrap();
+        assert_eq!((read.width, read.height), to);
+        let is_whole = (from.0 as usize, from.1 as usize) == to;
+        assert_eq!(said(&mesh).len(), usize::from(!is_whole), "{:?}", said(&mesh));
+        if let [text] = &said(&mesh)[..] {
+            let wanted =
+                format!("picture halves.png: {} x {} pixels become {} x {}, ", from.0, from.1, to.0, to.1);
+            assert!(text.starts_with(&wanted), "{text}");
+        }
+        assert_eq!(read.color(0, to.1 / 2), [255, 0, 0]);
+        assert_eq!(read.color(to.0 - 1, to.1 / 2), [0, 0, 255]);
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_picture_leaves_the_mesh() {
+    let doubt = |test: &str, map: &str, file: &str, picture: DynamicImage| {
+        let mesh = import(&square(test, map, file, picture), &with(16)).unwrap();
+        (mesh.picture.is_some(), mesh.texture_faces.len(), said(&mesh).join("|"))
+    };
+    let picture = || DynamicImage::from(RgbImage::from_pixel(8, 8, Rgb([1, 2, 3])));
+    let missing = "no texture: picture other.png is not there: put it beside the model";
+    assert_eq!(doubt("missing", "map_Kd other.png", "it.png", picture()), (false, 2, missing.into()));
+    let bare = "no texture: no material names a picture (map_Kd)";
+    assert_eq!(doubt("bare", "Ns 1", "it.png", picture()), (false, 2, bare.into()));
+    assert_eq!(doubt("nameless", "map_Kd", "it.png", picture()), (false, 2, bare.into()));
+    // Names with spaces and folders, and options before the name.
+    assert_eq!(
+        doubt("spaces", "map_Kd my picture.png", "my picture.png", picture()),
+        (true, 2, String::new())
+    );
+    assert_eq!(doubt("options", "map_Kd -s 1 1 1 it.png", "it.png", picture()), (true, 2, String::new()));
+    let path = square("text", "map_Kd it.png", "it.png", picture());
+    std::fs::write(path.with_file_name("it.png"), "no picture").unwrap();
+    let text = "no texture: picture it.png: is neither PNG nor BMP: convert it";
+    assert_eq!(said(&import(&path, &with(16)).unwrap()), [text]);
+    let path = square("short", "map_Kd it.png", "it.png", picture());
+    let whole = std::fs::read(path.with_file_name("it.png")).unwrap();
+    std::fs::write(path.with_file_name("it.png"), &whole[..whole.len() / 2]).unwrap();
+    assert!(said(&import(&path, &with(16)).unwrap())[0]
+        .starts_with("no texture: picture it.png: cannot be read: "));
+    let glass =
+        DynamicImage::from(RgbaImage::from_fn(8, 8, |x, _| Rgba([9, 9, 9, if x < 2 { 0 } else { 255 }])));
+    let see_through = "picture it.png: transparent pixels: 16, written as if they were not";
+    assert_eq!(doubt("glass", "map_Kd it.png", "it.png", glass), (true, 2, see_through.into()));
+    let large = DynamicImage::from(RgbImage::from_pixel(256, 128, Rgb([1, 2, 3])));
+    let path = square("large", "map_Kd it.png", "it.png", large);
+    let size = "texture of 256 x 128 texels: 33280 bytes of flash; if that is too much, reduce the picture or use --texture 16";
+    assert_eq!(said(&import(&path, &with(256)).unwrap()), [size]);
+    // Formats that there are not.
+    let path = square("format", "map_Kd it.png", "it.png", picture());
+    for (colors, color, problem) in [
+        (3, "Rgb565", "a texture has 2, 4, 16 or 256 colours"),
+        (16, "Rgb565; evil", "the colour type of a texture is none of "),
+        (16, "pixelcolor::Rgb332", "the colour type of a texture is none of "),
+    ] {
+        let options =
+            Options { texture: Some(TextureFormat { colors, color: color.into() }), ..Options::default() };
+        let text = import(&path, &options).unwrap_err().to_string();
+        assert!(text.contains(problem), "{text}");
+    }
+}
+
+#[test]
+fn several_pictures_and_bare_faces_are_named() {
+    let path = square("several", "map_Kd it.png", "it.png", numbered());
+    let library = "newmtl paint\nmap_Kd it.png\nnewmtl wood\nmap_Kd wood.png\nnewmtl bare\nKd 1 0 0\n";
+    std::fs::write(path.with_file_name("square.mtl"), library).unwrap();
+    let more = "v 0 0 1\nusemtl wood\nf 1/1 2/2 5/3\nusemtl bare\nf 2/1 3/2 5/3\n";
+    std::fs::write(&path, SQUARE.to_string() + more).unwrap();
+    let mesh = import(&path, &with(256)).unwrap();
+    let said = said(&mesh);
+    let pictures = "pictures of materials: 2; only it.png is written, and faces that should show wood.png show it, too: put them into one picture";
+    let bare = "faces whose material names no picture: 1; draw them in their colours";
+    assert!(said.contains(&pictures.into()) && said.contains(&bare.into()), "{said:?}");
+    assert_eq!(mesh.picture.unwrap().name, "it.png");
+}
+
+#[test]
+fn colours_are_rounded_as_embedded_graphics_rounds_them() {
+    let path = square("types", "map_Kd numbered.png", "numbered.png", numbered());
+    for (color, first, bytes) in [
+        ("embedded_graphics::pixelcolor::Rgb565", "embedded_graphics::pixelcolor::Rgb565::new(2, 8, 31)", 2),
+        (
+            "embedded_graphics_core::pixelcolor::Rgb888",
+            "embedded_graphics_core::pixelcolor::Rgb888::new(16, 32, 255)",
+            4,
+        ),
+        // (77 · 16 + 150 · 32 + 29 · 255)/256 = 52.4; 52 · 15/255 = 3.06.
+        ("Gray4", "Gray4::new(3)", 1),
+    ] {
+        let format = TextureFormat { colors: 256, color: color.into() };
+        let mesh = import(&path, &Options { texture: Some(format), ..Options::default() }).unwrap();
+        let picture = mesh.picture.as_ref().unwrap();
+        assert_eq!(picture.flash_bytes(), 128 + 256 * bytes);
+        let source = mesh.to_rust_mesh("SQUARE", &path, "a test").unwrap();
+        // The colour of texel (1, 1), number 17.
+        let list = source.split(&format!("PALETTE: [{color}; 256] = [")).nth(1).unwrap();
+        let call = list.split("),").nth(17).unwrap().trim();
+        assert_eq!(format!("{call})"), first);
+        let lists = mesh.to_rust("a test");
+        assert!(lists.contains("pub const TEXTURE_SIZE: [usize; 2] = [16, 8];"), "{lists}");
+        assert!(lists.contains(&format!("pub const TEXEL_PALETTE: [{color}; 256] = [")), "{lists}");
+        assert!(lists.contains("pub const TEXELS: [u8; 128] = ["), "{lists}");
+    }
+    for value in 0..=255 {
+        let color = Rgb565::from(Rgb888::new(value, value, value));
+        let nearest = |max: u32| ((u32::from(value) * max + 127) / 255) as u8;
+        assert_eq!([color.r(), color.g()], [nearest(31), nearest(63)]);
+    }
+}
+
+include!("generated/textured.rs");
+
+/// That `generated/textured.rs` compiles, and that the library draws its picture: each pixel shows the texel of a ray in f64, or
+/// one that is no further from it than the library's documentation says.
+#[test]
+fn the_source_is_drawn_without_conversion() {
+    let path = square("drawn", "map_Kd numbered.png", "numbered.png", numbered());
+    let mesh = import(&path, &with(256)).unwrap();
+    let command = "pinhole-import square.obj -o textured.rs --name TEXTURED --texture 256 --keep-order";
+    let text = mesh.to_rust_mesh("TEXTURED", &path, command).unwrap();
+    if std::env::var_os("GENERATED").is_some() {
+        let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/import/generated/textured.rs");
+        std::fs::write(here, &text).unwrap();
+    }
+    assert!(
+        text == include_str!("generated/textured.rs"),
+        "GENERATED=1 cargo test -p pinhole-import writes it"
+    );
+
+    const SIDE: u32 = 64;
+    const EYE: [f64; 3] = [1.5, 1.0, 2.5];
+    let viewport = Viewport::new(Point::zero(), Size::new_equal(SIDE)).unwrap();
+    let [x, y, z] = EYE.map(Scalar::from_num);
+    let view =
+        ViewTransform::look_at(Point3::new(x, y, z), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0));
+    let projection = Projection::perspective(
+        Angle::degrees(40),
+        viewport.size(),
+        Scalar::from_num(1),
+        Scalar::from_num(9),
+    );
+    let camera = Camera::new(&view.unwrap(), &projection.unwrap(), &viewport);
+    let texture = Texture::new(TEXTURED_TEXELS).with_exponent(TEXTURED_TEXTURE.exponent()).unwrap();
+    let mut pixels = [Rgb565::BLACK; (SIDE * SIDE) as usize];
+    let mut target = Picture::new(&mut pixels, viewport.size()).unwrap();
+    let instance = camera.place(&TEXTURED, &Affine::identity());
+    instance.solid(|face| texture.at(TEXTURED_TEXTURE.corners(face)), &mut [], &mut target.pixels()).unwrap();
+
+    let (mut equal, mut covered) = (0, 0);
+    for (index, &color) in pixels.iter().enumerate() {
+        let at = [index as u32 % SIDE, index as u32 / SIDE].map(|c| f64::from(c) + 0.5);
+        let [u, v] = seen(EYE, at, f64::from(SIDE));
+        let is_inside = |border: f64| u > border && u < 16.0 - border && v > border && v < 8.0 - border;
+        if color == Rgb565::BLACK {
+            assert!(!is_inside(0.1), "{at:?} shows nothing");
+            continue;
+        }
+        covered += 1;
+        // The number of the texel: red is 16 of 255 a column, green 32 a row.
+        let level = |level: u8, max: f64, step: f64| (f64::from(level) * 255.0 / max / step).round();
+        let texel = [level(color.r(), 31.0, 16.0), level(color.g(), 63.0, 32.0)];
+        for ((coordinate, texel), side) in [u, v].into_iter().zip(texel).zip([16.0, 8.0]) {
+            // The picture repeats: at a rim, interpolation may show its other side.
+            let away = |turns: f64| {
+                let texel = texel + turns * side;
+                (texel - coordinate).max(coordinate - texel - 1.0)
+            };
+            let off = away(0.0).min(away(-1.0)).min(away(1.0));
+            assert!(off <= 0.27, "{at:?}: {off} off");
+        }
+        equal += usize::from(texel == [u.floor(), v.floor()]);
+    }
+    assert!(covered > 800 && equal * 10 > covered * 9, "{equal} of {covered}");
+}
+
+/// The texture coordinates, in texels, of the point of the square's plane behind a point of the screen, by a ray.
+fn seen(eye: [f64; 3], [x, y]: [f64; 2], side: f64) -> [f64; 2] {
+    let unit = |v: [f64; 3]| v.map(|c| c / v.iter().map(|c| c * c).sum::<f64>().sqrt());
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    let ahead = unit(eye.map(|c| -c));
+    let right = unit(cross(ahead, [0.0, 1.0, 0.0]));
+    let up = cross(right, ahead);
+    let scale = 20f64.to_radians().tan() / (side / 2.0);
+    let ray = [0, 1, 2].map(|i| ahead[i] + scale * ((x - side / 2.0) * right[i] + (side / 2.0 - y) * up[i]));
+    let t = -eye[2] / ray[2];
+    let [x, y] = [0, 1].map(|i| eye[i] + t * ray[i]);
+    [(x + 1.0) * 8.0, (1.0 - y) * 4.0] // 16 columns and 8 rows over 2 units; row 0 is the top
+}
