@@ -120,6 +120,10 @@ public_types![
     TableShader<'static, Plain>,
     Accuracy,
     IndexedTexels<'static, Plain, 1>,
+    ClampedTexels<Plain>,
+    LitIndexedTexels<'static, Plain, 1, 2, 2>,
+    LitPalette<Plain, 2, 2>,
+    LitTextured<Plain>,
     TexelSlice<'static, Plain>,
     Texture<Plain>,
     TextureError,
@@ -147,7 +151,8 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 4] = ["ChannelGradients", "DitheredColor", "TableGradient", "TextureGradients"];
+const NOT_NAMED: [&str; 5] =
+    ["ChannelGradients", "DitheredColor", "LitTextureGradients", "TableGradient", "TextureGradients"];
 
 #[test]
 fn no_public_type_is_missing() {

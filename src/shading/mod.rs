@@ -36,4 +36,7 @@ pub use matcap::Matcap;
 pub use point_light::PointLight;
 pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};
-pub use texture::{Accuracy, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured};
+pub use texture::{
+    Accuracy, ClampedTexels, IndexedTexels, LitIndexedTexels, LitPalette, LitTexels, LitTextured, TexelSlice,
+    Texels, Texture, TextureError, Textured,
+};

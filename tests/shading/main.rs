@@ -2,12 +2,16 @@
 //! (`support::oracle::shade`) and f64 (`support::oracle::cut_faces`).
 
 mod bands;
+mod clamped_textures;
 mod cut_faces;
 mod dithered;
 mod gouraud;
 mod light;
 mod lights;
+mod lit_textures;
 mod own_shaders;
 mod scene;
 mod shade_table;
+mod texture_projections;
+mod texture_rays;
 mod textures;

@@ -14,14 +14,14 @@ use pinhole::{
 };
 use support::oracle::rng::Rng;
 
-const SIDE: u32 = 240;
+pub(crate) const SIDE: u32 = 240;
 const FOV: f64 = 60.0;
 const NEAR: f64 = 1.0;
 const FAR: f64 = 2000.0;
 
 /// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Shown([u32; 2]);
+pub(crate) struct Shown(pub(crate) [u32; 2]);
 
 impl PixelColor for Shown {
     type Raw = RawU32;
@@ -29,7 +29,7 @@ impl PixelColor for Shown {
 
 /// Texels that show their coordinates.
 #[derive(Clone, Copy)]
-struct Numbered([u32; 2]);
+pub(crate) struct Numbered(pub(crate) [u32; 2]);
 
 impl Texels for Numbered {
     type Color = Shown;
@@ -44,7 +44,7 @@ impl Texels for Numbered {
 }
 
 /// A DrawTarget that is not the library's.
-struct Screen(Vec<Option<Shown>>);
+pub(crate) struct Screen(pub(crate) Vec<Option<Shown>>);
 
 impl OriginDimensions for Screen {
     fn size(&self) -> Size {
@@ -215,7 +215,7 @@ fn texels_are_those_of_rays_within_the_chosen_error() {
 
 /// A colour of its own for nearly all coordinates, in a format that every kind of target has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Colored;
+pub(crate) struct Colored;
 
 impl Texels for Colored {
     type Color = Rgb888;
@@ -230,7 +230,7 @@ impl Texels for Colored {
 }
 
 /// A DrawTarget that is not the library's.
-struct Display(Vec<Rgb888>);
+pub(crate) struct Display(pub(crate) Vec<Rgb888>);
 
 impl OriginDimensions for Display {
     fn size(&self) -> Size {
