@@ -122,6 +122,10 @@ public_types![
     ColorKeyed<Plain, Plain>,
     IndexKeyed<'static, Plain, 1>,
     IndexedTexels<'static, Plain, 1>,
+    ClampedTexels<Plain>,
+    LitIndexedTexels<'static, Plain, 1, 2, 2>,
+    LitPalette<Plain, 2, 2>,
+    LitTextured<Plain>,
     TexelSlice<'static, Plain>,
     Texture<Plain>,
     TextureError,
@@ -150,8 +154,14 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 5] =
-    ["ChannelGradients", "DitheredColor", "ScreenDoorSetup", "TableGradient", "TextureGradients"];
+const NOT_NAMED: [&str; 6] = [
+    "ChannelGradients",
+    "DitheredColor",
+    "LitTextureGradients",
+    "ScreenDoorSetup",
+    "TableGradient",
+    "TextureGradients",
+];
 
 #[test]
 fn no_public_type_is_missing() {

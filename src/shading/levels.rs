@@ -2,6 +2,7 @@
 
 use super::{Channels, Flat};
 use crate::math::num::mul_wide;
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 /// The number of fractional bits of a level in 32 bits: all bits that the largest level does not need. A right shift by this
 /// number gives the integer part.
@@ -24,6 +25,23 @@ pub(super) fn levels<C: Channels>(color: Flat) -> [i32; 3] {
     } else {
         [level(r << 8, x), level(g << 8, y), level(b << 8, z)]
     }
+}
+
+/// The colour of the target nearest to `color` at `step`/`steps` of its light; halves are rounded up. `steps` is 1 … 255.
+#[inline(always)] // `steps` is a constant of each caller
+pub(super) fn lit<C: Channels>(color: Rgb888, step: u32, steps: u32) -> C {
+    let unit = 256 * 255 * steps;
+    let [r, g, b] = [color.r(), color.g(), color.b()].map(u32::from);
+    let [x, y, z] = C::MAX;
+    // All factors are at most 255, the first one 2⁸ times as large: less than 2³² with the half.
+    let nearest = |channel: u32, max: u8| {
+        (channel * step * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default()
+    };
+    let levels = match C::GRAY {
+        true => [nearest(luma([r, g, b]), x), 0, 0],
+        false => [nearest(r << 8, x), nearest(g << 8, y), nearest(b << 8, z)],
+    };
+    C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
 }
 
 /// The luma of Rec. 601 of these channels, times 2⁸.

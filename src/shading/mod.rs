@@ -41,5 +41,6 @@ pub use shader::{Shader, SpanShader};
 pub use table::{ShadeTable, TableShader};
 pub(crate) use texture::Line;
 pub use texture::{
-    Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured,
+    Accuracy, ClampedTexels, ColorKeyed, IndexKeyed, IndexedTexels, LitIndexedTexels, LitPalette, LitTexels,
+    LitTextured, TexelSlice, Texels, Texture, TextureError, Textured,
 };

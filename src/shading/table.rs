@@ -1,9 +1,9 @@
 //! Smooth light by table: 256 shades of one colour, computed once.
 
-use super::levels::luma;
+use super::levels::lit;
 use super::Channels;
 use crate::math::unrolled::map3;
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 
 /// A colour in 256 levels of light, computed once and looked up at every pixel: the fastest smooth light. The table takes 256
 /// colours of the target (512 bytes for `Rgb565`). [`lit`](Self::lit) makes the shader of a face, which steps one gradient and
@@ -72,19 +72,11 @@ impl<C> ShadeTable<C> {
 impl<C: Channels> ShadeTable<C> {
     /// The colours of the target nearest to `color` at 0/255, 1/255 … 255/255 of its light; halves are rounded up.
     pub fn new(color: Rgb888) -> Self {
-        const UNIT: u32 = 256 * 255 * 255;
-        let [r, g, b] = [color.r(), color.g(), color.b()].map(u32::from);
-        let [x, y, z] = C::MAX;
         let mut light = 0;
         Self([(); 256].map(|()| {
-            // All three are at most 255, the first one 2⁸ times as large: less than 2³² with the half.
-            let nearest = |channel: u32, max: u8| (channel * light * u32::from(max) + UNIT / 2) / UNIT;
-            let levels = match C::GRAY {
-                true => [nearest(luma([r, g, b]), x), 0, 0],
-                false => [nearest(r << 8, x), nearest(g << 8, y), nearest(b << 8, z)],
-            };
+            let shade = lit(color, light, 255);
             light += 1;
-            C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
+            shade
         }))
     }
 }

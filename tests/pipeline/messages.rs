@@ -1,9 +1,9 @@
 //! The message of each error says what is wrong, with its numbers, and what to change.
 
 use pinhole::{
-    AxisError, BandError, BinError, DepthBufferError, HierarchyError, InverseError, LightError, MatrixError,
-    MeshError, NumberError, PainterError, PictureError, ProjectError, ProjectionError, QuaternionError,
-    ViewTransformError, ViewportError,
+    AxisError, BandError, BinError, DepthBufferError, HierarchyError, InverseError, LightError,
+    MaterialError, MatrixError, MeshError, NumberError, PainterError, PictureError, ProjectError,
+    ProjectionError, QuaternionError, TextureError, ViewTransformError, ViewportError,
 };
 use std::collections::HashSet;
 use std::error::Error;
@@ -74,6 +74,12 @@ fn each_message_names_the_fault_and_the_way_out() {
         (Box::new(ViewportError::OutsideGuardBand), &["8192", "shrink"]),
         (Box::new(DepthBufferError { needed: 640, given: 639 }), &["640", "639", "`u16`"]),
         (Box::new(BandError { needed: 480, given: 479 }), &["479", "480", "row"]),
+        (Box::new(TextureError::Side { side: 100 }), &["100", "8, 16, 32, 64, 128 or 256", "resize"]),
+        (Box::new(TextureError::Texels { needed: 64, given: 63 }), &["63", "64", "needs"]),
+        (Box::new(TextureError::Palette { needed: 16, given: 15 }), &["15", "16", "append"]),
+        (Box::new(TextureError::Exponent { exponent: 1 }), &["2^1", "-15 to 0"]),
+        (Box::new(MaterialError::Index { face: 3, index: 9, count: 8 }), &["face 3", "9", "has 8"]),
+        (Box::new(MaterialError::Exponent { exponent: -16 }), &["2^-16", "-15 to 0"]),
         (Box::new(PictureError { needed: 320, given: 319 }), &["320", "319", "cells"]),
     ];
     let mut messages = HashSet::new();

@@ -2,6 +2,7 @@
 //! (`support::oracle::shade`) and f64 (`support::oracle::cut_faces`).
 
 mod bands;
+mod clamped_textures;
 mod cut_faces;
 mod dithered;
 mod every_target;
@@ -9,8 +10,11 @@ mod gouraud;
 mod keyed;
 mod light;
 mod lights;
+mod lit_textures;
 mod own_shaders;
 mod scene;
 mod screen_door;
 mod shade_table;
+mod texture_projections;
+mod texture_rays;
 mod textures;

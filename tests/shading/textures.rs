@@ -21,7 +21,7 @@ pub(crate) const FAR: f64 = 2000.0;
 
 /// The coordinates that a pixel shows, in 2⁻³² of the texture's sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Shown([u32; 2]);
+pub(crate) struct Shown(pub(crate) [u32; 2]);
 
 impl PixelColor for Shown {
     type Raw = RawU32;
@@ -29,7 +29,7 @@ impl PixelColor for Shown {
 
 /// Texels that show their coordinates.
 #[derive(Clone, Copy)]
-struct Numbered([u32; 2]);
+pub(crate) struct Numbered(pub(crate) [u32; 2]);
 
 impl Texels for Numbered {
     type Color = Shown;
@@ -44,7 +44,7 @@ impl Texels for Numbered {
 }
 
 /// A DrawTarget that is not the library's.
-struct Screen(Vec<Option<Shown>>);
+pub(crate) struct Screen(pub(crate) Vec<Option<Shown>>);
 
 impl OriginDimensions for Screen {
     fn size(&self) -> Size {
@@ -215,7 +215,7 @@ fn texels_are_those_of_rays_within_the_chosen_error() {
 
 /// A colour of its own for nearly all coordinates, in a format that every kind of target has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Colored;
+pub(crate) struct Colored;
 
 impl Texels for Colored {
     type Color = Rgb888;

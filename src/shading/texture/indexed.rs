@@ -110,6 +110,20 @@ impl<C: PixelColor, const BITS: u32> Texels for IndexedTexels<'_, C, BITS> {
     }
 }
 
+impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
+    /// These texels with the colours of another palette; one with less than 2^`BITS` colours does not compile.
+    pub(super) const fn with_colors<const COLORS: usize>(self, palette: &'t [C; COLORS]) -> Self {
+        const {
+            assert!(COLORS >= 1 << BITS, "a palette has a colour for each number that texels can have");
+        }
+        let first = match palette.first() {
+            Some(&first) => first,
+            None => self.first, // never
+        };
+        Self { palette, first, ..self }
+    }
+}
+
 #[cfg(feature = "defmt")]
 impl<C, const BITS: u32> defmt::Format for IndexedTexels<'_, C, BITS> {
     fn format(&self, f: defmt::Formatter<'_>) {

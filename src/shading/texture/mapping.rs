@@ -1,5 +1,6 @@
 //! A texture, and a texture on a face.
 
+use super::clamped::ClampedTexels;
 use super::texels::{Texels, TextureError};
 
 /// How far the texel that a pixel shows may be from the right one: the error of interpolation, which chooses how finely rows
@@ -19,8 +20,8 @@ pub enum Accuracy {
 /// A texture: [`Texels`], the unit of texture coordinates, and how accurately they are interpolated.
 ///
 /// **Space.** Texture coordinates are `[u, v]`, u to the right and v down: (0, 0) is the upper left corner of the picture, and
-/// the centre of its first texel is half a texel from there. The picture repeats in all directions. The unit is 1/16 texel
-/// unless [`with_exponent`](Self::with_exponent) sets another.
+/// the centre of its first texel is half a texel from there. The picture repeats in all directions, or its edge continues
+/// ([`clamped_at`](Self::clamped_at)). The unit is 1/16 texel unless [`with_exponent`](Self::with_exponent) sets another.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
@@ -60,10 +61,14 @@ pub enum Accuracy {
 ///   values decides whether coordinates are linear in between; if not, the run is halved, down to one pixel. Runs have 1 to 64
 ///   pixels, and begin and end at multiples of their length, so that a pixel does not depend on where a span begins.
 ///
-/// **Error of the planes.** u·q and q have 30 bits and the error of [`Triangle::gradient`](crate::raster::Triangle::gradient),
-/// relative to the farthest corner, where q is least. `tests/shading/textures.rs` asserts 0.02 texel for 1600 texels that reach
-/// a thousand times as far as the near plane, and for random triangles. Where coordinates are interpolated linearly, they are
-/// kept between those of the corners, which adds at most 2⁻¹³ of their range, or 1/400 texel.
+/// **Error of the planes.** u·q and q have 22 bits at the corners, and the error of
+/// [`Triangle::gradient`](crate::raster::Triangle::gradient), relative to the farthest corner, where q is least. Where this is not a
+/// shift of 1/64 pixel, a pixel may be off by up to 1000·2⁻²⁴·E·r texels, E the face's range of coordinates in texels and r the
+/// ratio of its largest w to its least: one texel at E = 64 and r = 256. `tests/shading/texture_projections.rs` asserts that up to
+/// 4096 texels and r = 32767, and meets half of it on faces that reach far out of the picture with one corner close to the eye.
+/// Most faces stay far below: `tests/shading/textures.rs` asserts 0.02 texel for floors of 1600 texels that reach a thousand times as
+/// far as the near plane, and for random triangles. Where coordinates are interpolated linearly, they are kept between those of the
+/// corners, which adds at most 2⁻¹³ of their range, or 1/400 texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Texture<S> {
     pub(super) texels: S,
@@ -103,6 +108,41 @@ impl<S: Texels> Texture<S> {
     pub fn at(&self, corners: [[i16; 2]; 3]) -> Textured<S> {
         let uv = corners.map(|uv| uv.map(|c| i32::from(c) << Textured::<S>::FRACTION));
         Textured { texture: *self, uv, w: [1 << 30; 3] }
+    }
+
+    /// [`at`](Self::at) for a picture that does not repeat: coordinates beyond it, on either side, show the nearest texel of its
+    /// edge.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
+    /// use pinhole::{Affine, Camera, Mesh, Picture, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport, Window};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let (one, two) = (Scalar::from_num(1), Scalar::from_num(2));
+    /// # let window = Window { left: -two, right: two, bottom: -two, top: two };
+    /// # let camera = Camera::new(
+    /// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+    /// #     &Projection::orthographic(window, one, Scalar::from_num(9))?,
+    /// #     &viewport,
+    /// # );
+    /// // A square that fills a picture of 64 pixels: from one width left of the texture to two widths right of it.
+    /// const UV: [[i16; 2]; 4] = [[-128, 128], [384, 128], [384, 0], [-128, 0]];
+    /// let mesh = Mesh::new(&[[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]], 0, &[[0, 1, 2], [0, 2, 3]])?;
+    /// let columns = [[0, 1, 2, 3, 4, 5, 6, 7].map(Gray8::new); 8];
+    /// let texture = Texture::new(&columns);
+    /// let mut pixels = [Gray8::WHITE; 64 * 64];
+    /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
+    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// instance.solid(|face| texture.clamped_at(mesh.corners_of(face, &UV)), &mut [], &mut picture.pixels())?;
+    /// assert_eq!([0, 15, 16, 18, 31, 32, 63].map(|x: usize| pixels[x].luma()), [0, 0, 0, 1, 7, 7, 7]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn clamped_at(&self, corners: [[i16; 2]; 3]) -> Textured<ClampedTexels<S>> {
+        // Coordinates in units of two, of which 2¹⁶ fit into 32 bits: all coordinates, and the error beyond the last one.
+        let uv = corners.map(|uv| uv.map(|c| i32::from(c) << (Textured::<S>::FRACTION - 1)));
+        // The 2¹⁷ units are 2^(unit − 15) sides.
+        let texels = ClampedTexels::new(self.texels, self.unit.map(|unit| unit.saturating_sub(15)));
+        let texture = Texture { texels, unit: [16; 2], accuracy: self.accuracy };
+        Textured { texture, uv, w: [1 << 30; 3] }
     }
 }
 

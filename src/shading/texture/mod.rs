@@ -1,19 +1,26 @@
 //! Textures: faces that show a picture, in perspective.
 //!
-//! `texels` and `indexed` say where texels come from, `mapping` what a texture on a face is, `textured` makes a shader of it,
+//! `texels` and `indexed` say where texels come from, `palette` has colours in several levels of light, `clamped` texels that do not
+//! repeat, `mapping` what a texture on a face is, `textured` makes a shader of it, `lit_textured` one with light at each corner,
 //! `gradients` interpolates texture coordinates over a triangle, and `runs` divides a row into runs of pixels over which they
 //! are linear.
 
+mod clamped;
 mod gradients;
 mod indexed;
 mod keyed;
+mod lit_textured;
 mod mapping;
+mod palette;
 mod runs;
 mod texels;
 mod textured;
 
+pub use clamped::ClampedTexels;
 pub use indexed::IndexedTexels;
 pub use keyed::{ColorKeyed, IndexKeyed};
+pub use lit_textured::{LitTexels, LitTextured};
 pub use mapping::{Accuracy, Texture, Textured};
+pub use palette::{LitIndexedTexels, LitPalette};
 pub(crate) use runs::Line;
 pub use texels::{TexelSlice, Texels, TextureError};

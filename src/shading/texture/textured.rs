@@ -38,6 +38,22 @@ pub struct TextureGradients<S> {
     gradients: Gradients,
 }
 
+impl<S: Copy> TextureGradients<S> {
+    #[inline(always)]
+    pub(super) const fn texels(&self) -> &S {
+        &self.texels
+    }
+
+    /// The runs of a span: their widths, and the texture coordinates of their pixels in 2⁻³² of the sides.
+    #[inline(always)]
+    pub(super) fn coordinates(
+        &self,
+        span: Span,
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = [u32; 2]>)> + use<'_, S> {
+        Runs::new(&self.gradients, span)
+    }
+}
+
 impl<S: Texels> SpanShader<S::Color> for Textured<S> {
     type Setup = TextureGradients<S>;
     const LEAVES_OUT: bool = S::KEYED;
@@ -56,8 +72,7 @@ impl<S: Texels> SpanShader<S::Color> for Textured<S> {
         span: Span,
     ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Color>)> {
         let texels = setup.texels;
-        Runs::new(&setup.gradients, span)
-            .map(move |(width, line)| (width, line.map(move |[u, v]| texels.texel(u, v))))
+        setup.coordinates(span).map(move |(width, line)| (width, line.map(move |[u, v]| texels.texel(u, v))))
     }
 
     #[inline(always)]

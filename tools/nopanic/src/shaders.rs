@@ -3,14 +3,14 @@
 use crate::any;
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
-    Accuracy, ColorKeyed, CornerValues, DepthBuffer, IndexKeyed, IndexedTexels, Memory, MeshInstance,
-    Painter, PainterError, PictureError, Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics,
-    StoredPixel, TexelSlice, Texels, Texture, TextureError, WithPlanes,
+    Accuracy, ColorKeyed, CornerValues, DepthBuffer, IndexKeyed, IndexedTexels, LitPalette, LitTexels,
+    Memory, MeshInstance, Painter, PainterError, PictureError, Pixels, ScreenDoor, ScreenVertex, Shader,
+    SpanShader, Statistics, StoredPixel, TexelSlice, Texels, Texture, TextureError, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -111,13 +111,38 @@ fn textured<S: Texels<Color = Rgb565>>(
     let accuracy = [Accuracy::Quarter, Accuracy::Eighth, Accuracy::Sixteenth];
     let accuracy = accuracy.get(any() as usize).copied().unwrap_or_default();
     let texture = Texture::new(texels).with_accuracy(accuracy).with_exponent(any() as i8)?;
-    let shade = |_| texture.at([[any() as i16, any() as i16]; 3]);
+    shaded(|_| texture.at([[any() as i16, any() as i16]; 3]), instance, cache, cells, depths)
+}
+
+/// [`textured`] for a picture that does not repeat, with light at each corner.
+fn clamped_and_lit<S: LitTexels<Color = Rgb565>>(
+    texels: S,
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    let texture = Texture::new(texels).with_exponent(any() as i8)?;
+    let levels = [any() as u16, any() as u16, any() as u16];
+    let shade = |_| texture.clamped_at([[any() as i16, any() as i16]; 3]);
+    shaded(shade, instance, cache, cells, depths)?;
+    shaded(|face| shade(face).lit(levels), instance, cache, cells, depths)
+}
+
+/// Draws faces into memory, without depth and with it.
+fn shaded<S: SpanShader<Rgb565>>(
+    shade: impl Fn(usize) -> S,
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
     let [mut solid, mut tested] = [Statistics::default(); 2];
     if let Ok(mut target) = Pixels::<Rgb565, u16>::new(cells, area()) {
-        let Ok(statistics) = instance.solid(shade, cache, &mut target);
+        let Ok(statistics) = instance.solid(&shade, cache, &mut target);
         solid = statistics;
         if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
-            let Ok(statistics) = instance.depth_tested(shade, cache, &mut depth, &mut target);
+            let Ok(statistics) = instance.depth_tested(&shade, cache, &mut depth, &mut target);
             tested = statistics;
         }
     }
@@ -193,6 +218,49 @@ fn entry_screen_door(
         tested = statistics;
     }
     Ok([solid, tested])
+}
+
+#[unsafe(no_mangle)]
+fn entry_lit_texture_of_known_size(
+    texels: &[[Rgb565; 64]; 32],
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    clamped_and_lit(texels, instance, cache, cells, depths)
+}
+
+#[unsafe(no_mangle)]
+fn entry_lit_texture_of_any_size(
+    texels: &[Rgb565],
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    let texels = TexelSlice::new(texels, any() as usize, any() as usize)?;
+    clamped_and_lit(texels, instance, cache, cells, depths)
+}
+
+#[unsafe(no_mangle)]
+fn entry_lit_texture_with_palette(
+    texels: &[u8],
+    colors: &[Rgb888; 17],
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 2], TextureError> {
+    let palette = LitPalette::<Rgb565, 17, 32>::new(colors);
+    let palette = LitPalette::from_rows(*palette.rows());
+    let row = palette.row(any() as u16);
+    let texels = IndexedTexels::<_, 4>::new(texels, any() as usize, any() as usize, row)?;
+    let texture = Texture::new(texels).with_palette(row);
+    shaded(|_| texture.at([[any() as i16, any() as i16]; 3]), instance, cache, cells, depths)?;
+    clamped_and_lit(texels, instance, cache, cells, depths)?;
+    textured(texels.with_lit_palette(&palette), instance, cache, cells, depths)?;
+    clamped_and_lit(texels.with_lit_palette(&palette), instance, cache, cells, depths)
 }
 
 #[unsafe(no_mangle)]

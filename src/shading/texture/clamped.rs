@@ -1,0 +1,74 @@
+//! Texels of a picture that does not repeat.
+
+use super::texels::Texels;
+
+/// Texels whose edge continues without end, where other [`Texels`] repeat: a coordinate beyond the picture, below 0 too, shows the
+/// nearest texel of the edge. [`Texture::clamped_at`](crate::Texture::clamped_at) makes it. (OpenGL: `CLAMP_TO_EDGE`.)
+///
+/// A pixel takes about eight instructions more than where the picture repeats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClampedTexels<S> {
+    texels: S,
+    /// How many widths and heights the coordinates of [`Texels::texel`] span, as binary logarithms: 1 … 17. The picture begins in
+    /// the middle of them, at coordinate 0; coordinates from 2³¹ up are negative.
+    sides: [u8; 2],
+}
+
+impl<S: Texels> ClampedTexels<S> {
+    pub(super) const fn new(texels: S, sides: [u8; 2]) -> Self {
+        Self { texels, sides }
+    }
+
+    /// u and v in 2⁻³² of the picture's sides, for coordinates that span more.
+    #[inline(always)]
+    pub(super) const fn inside(&self, u: u32, v: u32) -> [u32; 2] {
+        let [w, h] = self.sides;
+        [clamped(u, w), clamped(v, h)]
+    }
+
+    pub(super) const fn texels(&self) -> &S {
+        &self.texels
+    }
+}
+
+/// The point of the picture that is nearest to a coordinate in 2⁻³² of 2^`sides` sides, as a coordinate in 2⁻³² of one side.
+#[inline(always)]
+const fn clamped(coordinate: u32, sides: u8) -> u32 {
+    let last = u32::MAX >> (sides & 31); // 2¹⁵ − 1 … 2³¹ − 1
+    let inside = match coordinate as i32 {
+        i32::MIN..=-1 => 0,
+        _ if coordinate > last => last,
+        _ => coordinate,
+    };
+    inside << (sides & 31) // no bit is lost, and all texels have at least 2⁷ of such steps
+}
+
+impl<S: Texels> Texels for ClampedTexels<S> {
+    type Color = S::Color;
+
+    /// Those of all that coordinates span, so up to 25.
+    #[inline(always)]
+    fn size_bits(&self) -> [u32; 2] {
+        let ([w, h], [across, down]) = (self.texels.size_bits(), self.sides);
+        [w.wrapping_add(across as u32), h.wrapping_add(down as u32)]
+    }
+
+    #[inline(always)]
+    fn texel(&self, u: u32, v: u32) -> S::Color {
+        let [u, v] = self.inside(u, v);
+        self.texels.texel(u, v)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S> defmt::Format for ClampedTexels<S> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let [w, h] = self.sides;
+        defmt::write!(
+            f,
+            "texels that do not repeat, for coordinates of 2^{=u8} widths and 2^{=u8} heights",
+            w,
+            h
+        );
+    }
+}

@@ -1,0 +1,222 @@
+//! The shader of a face that shows a texture in light of its own at each corner.
+
+use super::clamped::ClampedTexels;
+use super::indexed::IndexedTexels;
+use super::mapping::Textured;
+use super::texels::{TexelSlice, Texels};
+use super::textured::TextureGradients;
+use crate::clip::Barycentric;
+use crate::math::unrolled::map3;
+use crate::raster::{Gradient, Span, Triangle};
+use crate::shading::levels::weighted_mean;
+use crate::shading::{CornerValues, Dim, Shader, SpanShader};
+
+/// [`Texels`] that can be shown in several levels of light, for [`Textured::lit`].
+///
+/// Texels whose colours can be [dimmed](Dim) are multiplied by the light at each pixel. Those of a
+/// [`LitPalette`](crate::LitPalette) are looked up in the palette's row, which is faster.
+///
+/// ```
+/// use embedded_graphics::pixelcolor::Gray8;
+/// use pinhole::LitTexels;
+/// let picture = [[Gray8::new(200); 8]; 8];
+/// assert_eq!((&picture).lit_texel(0, 0, 255), Gray8::new(200));
+/// assert_eq!((&picture).lit_texel(0, 0, 63), Gray8::new(49));
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` are no texels that can be lit",
+    label = "not `LitTexels`",
+    note = "use texels whose colors implement `Dim`, or `IndexedTexels::with_lit_palette`"
+)]
+pub trait LitTexels: Texels {
+    /// The binary logarithm of the number of levels: 1 … 8.
+    const LEVEL_BITS: u32;
+
+    /// The colour of the texel that holds a point, as [`Texels::texel`], at `level`/(2^[`LEVEL_BITS`](Self::LEVEL_BITS) − 1) of its
+    /// light. `level` is below 2^`LEVEL_BITS`.
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> Self::Color;
+}
+
+/// A colour at `level`/255 of its light.
+#[inline(always)]
+fn dimmed<C: Dim>(color: C, level: u32) -> C {
+    // 0 … 256, at most ½ from level·256/255.
+    color.dim((level + (level >> 7)) as u16)
+}
+
+impl<C: Dim, const W: usize, const H: usize> LitTexels for &[[C; W]; H] {
+    const LEVEL_BITS: u32 = 8;
+
+    #[inline(always)]
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> C {
+        dimmed(self.texel(u, v), level)
+    }
+}
+
+impl<C: Dim> LitTexels for TexelSlice<'_, C> {
+    const LEVEL_BITS: u32 = 8;
+
+    #[inline(always)]
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> C {
+        dimmed(self.texel(u, v), level)
+    }
+}
+
+impl<C: Dim, const BITS: u32> LitTexels for IndexedTexels<'_, C, BITS> {
+    const LEVEL_BITS: u32 = 8;
+
+    #[inline(always)]
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> C {
+        dimmed(self.texel(u, v), level)
+    }
+}
+
+impl<S: LitTexels> LitTexels for ClampedTexels<S> {
+    const LEVEL_BITS: u32 = S::LEVEL_BITS;
+
+    #[inline(always)]
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> S::Color {
+        let [u, v] = self.inside(u, v);
+        self.texels().lit_texel(u, v, level)
+    }
+}
+
+/// A texture on a face, with light of its own at each corner, linear in between on the screen: [`Textured::lit`] makes it.
+///
+/// **Error.** The texel is that of [`Textured`]. Its light is rounded to the nearest of the levels that the texels have, after an
+/// error of 2⁻⁹ of a level.
+///
+/// **Clipped faces** have the light of [`Gouraud`](crate::Gouraud): new corners' light is interpolated in space, and rounded to
+/// 2⁻¹⁸ of full light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct LitTextured<S> {
+    face: Textured<S>,
+    /// In 2⁻¹⁰ of 1/256 of all levels: see [`of_level`].
+    light: [i32; 3],
+}
+
+impl<S: LitTexels> Textured<S> {
+    /// This face with a level of light at each corner, 0 … 256 (more counts as 256), in the order of the face's vertices.
+    /// [`Lambert::levels`](crate::Lambert::levels) computes levels, [`Mesh::corners_of`](crate::Mesh::corners_of) picks those of a
+    /// face.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Gray8, GrayColor}, prelude::*};
+    /// use pinhole::{Affine, Camera, Mesh, Picture, Point3, Projection, Scalar, Texture, Vector3, ViewTransform, Viewport, Window};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let (one, two) = (Scalar::from_num(1), Scalar::from_num(2));
+    /// # let window = Window { left: -two, right: two, bottom: -two, top: two };
+    /// # let camera = Camera::new(
+    /// #     &ViewTransform::look_at(Point3::from_ints(0, 0, 3), Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0))?,
+    /// #     &Projection::orthographic(window, one, Scalar::from_num(9))?,
+    /// #     &viewport,
+    /// # );
+    /// // A square that fills a picture of 64 pixels, with full light on the left and none on the right.
+    /// const UV: [[i16; 2]; 4] = [[0, 128], [128, 128], [128, 0], [0, 0]];
+    /// const LEVELS: [u16; 4] = [256, 0, 0, 256]; // `Lambert::levels` computes them
+    /// let mesh = Mesh::new(&[[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]], 0, &[[0, 1, 2], [0, 2, 3]])?;
+    /// let texture = Texture::new(&[[Gray8::WHITE; 8]; 8]);
+    /// let mut pixels = [Gray8::BLACK; 64 * 64];
+    /// let mut picture = Picture::new(&mut pixels, viewport.size())?;
+    /// let instance = camera.place(&mesh, &Affine::identity());
+    /// let shade = |face| texture.at(mesh.corners_of(face, &UV)).lit(mesh.corners_of(face, &LEVELS));
+    /// instance.solid(shade, &mut [], &mut picture.pixels())?;
+    /// // 255 · (1 − (x + ½)/64)
+    /// assert_eq!([0, 31, 63].map(|x: usize| pixels[x].luma()), [253, 129, 2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn lit(self, levels: [u16; 3]) -> LitTextured<S> {
+        LitTextured { face: self, light: map3(levels, |level| of_level(level, S::LEVEL_BITS)) }
+    }
+}
+
+/// The light of a level, 0 … 256, such that [`Gradient::of_light`], which adds half of 1/256, has the nearest of 2^`bits` levels in
+/// its upper bits: ((2^bits − 1)·level/256 + ½)·256/2^bits − ½, in 2⁻¹⁰. 0 … 255·2¹⁰.
+#[inline(always)]
+const fn of_level(level: u16, bits: u32) -> i32 {
+    let level = if level > 256 { 256 } else { level as u32 };
+    let levels = (1u32 << (bits & 31)) - 1; // 1 … 255
+                                            // Below 2²⁷, rounded down by less than one unit.
+    ((((level * levels) << 10) + (1 << 17)) >> (bits & 31)) as i32 - (1 << 9)
+}
+
+impl<S: LitTexels> Shader for LitTextured<S> {
+    type Varying = Barycentric;
+    const NEEDS_W: bool = true;
+
+    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+        let light = corners.map(|corner| weighted_mean(self.light, corner.weights(), 255 << 10));
+        Self { face: self.face.sub_face(corners), light }
+    }
+
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        Self { face: self.face.with_corners(corners), ..*self }
+    }
+}
+
+/// A [`LitTextured`] face set up for a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct LitTextureGradients<S> {
+    texture: TextureGradients<S>,
+    light: Gradient,
+}
+
+impl<S: LitTexels> SpanShader<S::Color> for LitTextured<S> {
+    type Setup = LitTextureGradients<S>;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> LitTextureGradients<S> {
+        LitTextureGradients {
+            texture: self.face.set_up(triangle),
+            light: Gradient::of_light(triangle, &self.light),
+        }
+    }
+
+    fn span(setup: &LitTextureGradients<S>, span: Span) -> impl Iterator<Item = S::Color> {
+        Self::runs(setup, span).flat_map(|(width, colors)| colors.take(width as usize))
+    }
+
+    #[inline(always)]
+    fn runs(
+        setup: &LitTextureGradients<S>,
+        span: Span,
+    ) -> impl Iterator<Item = (i32, impl Iterator<Item = S::Color>)> {
+        let texels = *setup.texture.texels();
+        let (mut next, step) = (setup.light.at(span.x, span.y), setup.light.step());
+        setup.texture.coordinates(span).map(move |(width, line)| {
+            let mut light = next;
+            next = next.wrapping_add(step.wrapping_mul(width as u32));
+            let colors = line.map(move |[u, v]| {
+                let level = light >> (32u32.wrapping_sub(S::LEVEL_BITS) & 31);
+                light = light.wrapping_add(step);
+                texels.lit_texel(u, v, level)
+            });
+            (width, colors)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_level;
+
+    /// The level that a pixel shows, where [`Gradient::of_light`](crate::raster::Gradient::of_light) is off by 2⁻⁹ of 1/256.
+    #[test]
+    fn light_is_rounded_to_the_nearest_level() {
+        for bits in 1..=8 {
+            let most = (1i32 << bits) - 1;
+            for level in 0..=300u16 {
+                let light = of_level(level, bits);
+                assert!((0..=255 << 10).contains(&light), "{level} of {bits} bits: {light}");
+                for off in [-2, 2] {
+                    let shown = (light + 512 + off) >> (18 - bits);
+                    // |level/256·most − shown| ≤ ½ + 2⁻⁸, in 1/256.
+                    let apart = (i32::from(level.min(256)) * most - 256 * shown).abs();
+                    assert!(apart <= 129, "{level} of {bits} bits: {shown}");
+                }
+            }
+            let shown = |level| (of_level(level, bits) + 512) >> (18 - bits);
+            assert_eq!([shown(0), shown(256)], [0, most]);
+        }
+    }
+}

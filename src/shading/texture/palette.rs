@@ -1,0 +1,163 @@
+//! A palette in several levels of light.
+
+use super::indexed::IndexedTexels;
+use super::mapping::Texture;
+use super::texels::Texels;
+use crate::shading::levels::lit;
+use crate::shading::Channels;
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+
+/// A palette in `ROWS` levels of light, computed once: the colours of a texture with a palette in any light, without a
+/// multiplication. 16 colours in 32 levels take 1 KB as `Rgb565`. (Quake's *colormap* is such a table: Abrash, *Graphics
+/// Programming Black Book*, chapter 68.)
+///
+/// `ROWS` is 2, 4, 8 … 256. Row 0 has no light, the last row full light, and light in between is rounded to the nearest row: it is
+/// off by at most 1/(2·(`ROWS` − 1)) of full light.
+///
+/// - **Light by face** costs no instruction a pixel: [`Texture::with_palette`] takes the [`row`](Self::row) of the face's level.
+/// - **Light by vertex**, linear on the screen: [`IndexedTexels::with_lit_palette`], and [`Textured::lit`](crate::Textured::lit) for
+///   each face.
+/// - **Fog** by face or vertex: rows that go from the fog's colour to the palette's, by [`from_rows`](Self::from_rows).
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+/// use pinhole::{Dim, IndexedTexels, LitPalette, Texture};
+/// let palette = LitPalette::<Rgb565, 2, 32>::new(&[Rgb888::BLACK, Rgb888::WHITE]); // before the first frame
+/// assert_eq!(palette.row(0), &[Rgb565::BLACK; 2]);
+/// assert_eq!(palette.row(256), &[Rgb565::BLACK, Rgb565::WHITE]);
+/// assert_eq!(palette.row(99)[1], Rgb565::new(12, 24, 12));
+///
+/// let texels = IndexedTexels::<_, 1>::new(&[0x55; 8], 8, 8, palette.row(256))?;
+/// // For a face whose light is 99/256.
+/// let texture = Texture::new(texels).with_palette(palette.row(99));
+/// let by_face = texture.at([[0, 0], [128, 0], [0, 128]]);
+/// // For a face with light of its own at each corner.
+/// let texture = Texture::new(texels.with_lit_palette(&palette));
+/// let by_vertex = texture.at([[0, 0], [128, 0], [0, 128]]).lit([256, 99, 0]);
+/// # let _ = (by_face, by_vertex);
+/// # Ok::<(), pinhole::TextureError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LitPalette<C, const COLORS: usize, const ROWS: usize>([[C; COLORS]; ROWS]);
+
+impl<C, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
+    /// The binary logarithm of the number of rows, which the compiler checks: 1 … 8.
+    const ROW_BITS: u32 = {
+        assert!(
+            ROWS.is_power_of_two() && ROWS >= 2 && ROWS <= 256,
+            "a palette has 2, 4, 8, 16, 32, 64, 128 or 256 levels of light"
+        );
+        ROWS.trailing_zeros()
+    };
+
+    /// Rows of any colours, from no light to full light, or from all fog to none. It can be a constant.
+    pub const fn from_rows(rows: [[C; COLORS]; ROWS]) -> Self {
+        let _ = Self::ROW_BITS;
+        Self(rows)
+    }
+
+    /// The rows, from no light to full light.
+    pub const fn rows(&self) -> &[[C; COLORS]; ROWS] {
+        &self.0
+    }
+
+    /// The row nearest to a level of light: 0 … 256 (more counts as 256).
+    #[inline]
+    pub fn row(&self, level: u16) -> &[C; COLORS] {
+        let rows = 1usize << Self::ROW_BITS;
+        let row = (usize::from(level.min(256)) * (rows - 1) + 128) >> 8; // up to rows − 1
+        &self.0[row % ROWS] // the remainder changes nothing; it tells the compiler that the row exists
+    }
+
+    /// A row by its number, modulo the number of rows.
+    #[inline(always)]
+    const fn numbered(&self, row: u32) -> &[C; COLORS] {
+        &self.0[row as usize % ROWS]
+    }
+}
+
+impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
+    /// The colours of the target nearest to each colour at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of its light; halves are rounded up.
+    pub fn new(palette: &[Rgb888; COLORS]) -> Self {
+        let steps = (1u32 << Self::ROW_BITS) - 1;
+        let mut row = 0;
+        Self([(); ROWS].map(|()| {
+            let colors = palette.each_ref().map(|&color| lit(color, row, steps));
+            row += 1;
+            colors
+        }))
+    }
+}
+
+impl<'t, C: PixelColor, const BITS: u32> Texture<IndexedTexels<'t, C, BITS>> {
+    /// This texture with the colours of another palette, such as a [row](LitPalette::row) of a [`LitPalette`]. A palette with less
+    /// than 2^`BITS` colours does not compile.
+    #[must_use]
+    #[inline]
+    pub const fn with_palette<const COLORS: usize>(self, palette: &'t [C; COLORS]) -> Self {
+        Self { texels: self.texels.with_colors(palette), ..self }
+    }
+}
+
+/// Texels of `BITS` bits each, 1, 2, 4 or 8, that name colours of a [`LitPalette`]: for light by vertex.
+/// [`IndexedTexels::with_lit_palette`] makes them. Without [`Textured::lit`](crate::Textured::lit) they show full light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LitIndexedTexels<'t, C, const BITS: u32, const COLORS: usize, const ROWS: usize> {
+    texels: IndexedTexels<'t, C, BITS>,
+    palette: &'t LitPalette<C, COLORS, ROWS>,
+}
+
+impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
+    /// These texels in the colours of a palette in several levels of light. A palette with less than 2^`BITS` colours does not
+    /// compile.
+    pub const fn with_lit_palette<const COLORS: usize, const ROWS: usize>(
+        self,
+        palette: &'t LitPalette<C, COLORS, ROWS>,
+    ) -> LitIndexedTexels<'t, C, BITS, COLORS, ROWS> {
+        LitIndexedTexels { texels: self.with_colors(palette.numbered(u32::MAX)), palette }
+    }
+}
+
+impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> Texels
+    for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
+{
+    type Color = C;
+
+    #[inline(always)]
+    fn size_bits(&self) -> [u32; 2] {
+        self.texels.size_bits()
+    }
+
+    #[inline(always)]
+    fn texel(&self, u: u32, v: u32) -> C {
+        self.texels.texel(u, v)
+    }
+}
+
+impl<C: PixelColor, const BITS: u32, const COLORS: usize, const ROWS: usize> super::LitTexels
+    for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
+{
+    const LEVEL_BITS: u32 = LitPalette::<C, COLORS, ROWS>::ROW_BITS;
+
+    #[inline(always)]
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> C {
+        // The remainder changes nothing, as there are 2^BITS colours or more.
+        self.palette.numbered(level)[self.texels.index_at(u, v) as usize % COLORS]
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C, const COLORS: usize, const ROWS: usize> defmt::Format for LitPalette<C, COLORS, ROWS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=usize} colours in {=usize} levels of light", COLORS, ROWS);
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<C, const BITS: u32, const COLORS: usize, const ROWS: usize> defmt::Format
+    for LitIndexedTexels<'_, C, BITS, COLORS, ROWS>
+{
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{} of {}", self.texels, self.palette);
+    }
+}

@@ -1,0 +1,250 @@
+//! Textures in light, by face and by vertex, against light in f64 and the texels of unlit faces.
+
+use crate::texture_rays::{camera, library, perspective, Faces};
+use crate::textures::SIDE;
+use embedded_graphics::pixelcolor::raw::RawU32;
+use embedded_graphics::pixelcolor::{Gray8, PixelColor, Rgb565, Rgb888};
+use embedded_graphics::prelude::*;
+use pinhole::{
+    Affine, Channels, Cull, Dim, IndexedTexels, LitPalette, Mesh, Picture, Projection, Scalar, ShadeTable,
+    SpanShader, TexelSlice, Texels, Texture, Window,
+};
+use support::oracle::rng::Rng;
+
+/// The row of a palette, and the number of a colour in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry(u16, u16);
+
+impl PixelColor for Entry {
+    type Raw = RawU32;
+}
+
+/// A triangle on the screen, in sub-pixels of 1/64.
+fn random_triangle(rng: &mut Rng) -> [[i64; 2]; 3] {
+    let reach = [240 * 64, 5_000, 1_000][rng.below(3)];
+    let from = [(); 2].map(|()| rng.int(0, 240 * 64 - reach));
+    [(); 3].map(|()| from.map(|from| from + rng.int(0, reach)))
+}
+
+/// The pixels of a triangle.
+fn draw<C: PixelColor, S: SpanShader<C>>(corners: [[i64; 2]; 3], shader: S) -> Vec<Option<C>> {
+    struct Screen<C>(Vec<Option<C>>);
+    impl<C> OriginDimensions for Screen<C> {
+        fn size(&self) -> Size {
+            Size::new(SIDE, SIDE)
+        }
+    }
+    impl<C: PixelColor> DrawTarget for Screen<C> {
+        type Color = C;
+        type Error = core::convert::Infallible;
+        fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+            for Pixel(Point { x, y }, color) in pixels {
+                self.0[y as usize * SIDE as usize + x as usize] = Some(color);
+            }
+            Ok(())
+        }
+    }
+    let vertices = corners.map(|[x, y]| [x as i16, -y as i16, 0]);
+    let mesh = Mesh::new(&vertices, -6, &[[0, 1, 2]]).unwrap();
+    // A unit is a pixel, and the origin is the upper left corner.
+    let [zero, one, side] = [0, 1, SIDE].map(Scalar::from_num);
+    let window = Window { left: zero, right: side, bottom: -side, top: zero };
+    let camera = camera(&Projection::orthographic(window, -one, one).unwrap());
+    let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+    let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
+    let Ok(_) = instance.solid(|_| shader, &mut [], &mut screen);
+    screen.0
+}
+
+/// A value at a pixel's centre, linear between those of the corners.
+fn linear(corners: [[i64; 2]; 3], values: [f64; 3], pixel: usize) -> f64 {
+    let p = [pixel as i64 % i64::from(SIDE), pixel as i64 / i64::from(SIDE)].map(|c| c * 64 + 32);
+    let area = |a: [i64; 2], b: [i64; 2], c: [i64; 2]| {
+        ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) as f64
+    };
+    let [a, b, c] = corners;
+    let weights = [area(p, b, c), area(a, p, c), area(a, b, p)];
+    (0..3).map(|i| weights[i] * values[i]).sum::<f64>() / area(a, b, c)
+}
+
+/// A palette of 2^`BITS` colours in `ROWS` levels: each pixel shows the texel that it shows without light, in the nearest row.
+fn rows_are_the_nearest<const BITS: u32, const COLORS: usize, const ROWS: usize>() {
+    let mut rng = Rng::new(u64::from(BITS) * 1000 + ROWS as u64);
+    let rows = core::array::from_fn(|row| core::array::from_fn(|color| Entry(row as u16, color as u16)));
+    let palette = LitPalette::<Entry, COLORS, ROWS>::from_rows(rows);
+    let bytes: Vec<u8> = (0..32 * 16).map(|_| rng.bits() as u8).collect();
+    let plain = IndexedTexels::<_, BITS>::new(&bytes, 32, 16, palette.row(256)).unwrap();
+    let (unlit, lit) = (Texture::new(plain), Texture::new(plain.with_lit_palette(&palette)));
+    let most = (ROWS - 1) as f64;
+    let (mut pixels, mut met) = (0, vec![false; ROWS]);
+    for _ in 0..60 {
+        let corners = random_triangle(&mut rng);
+        let levels = [(); 3].map(|()| [rng.int(0, 256), 0, 256, rng.int(257, 300)][rng.below(4)] as u16);
+        let uv = [(); 3].map(|()| [(); 2].map(|()| rng.int(-700, 700) as i16));
+        let own = draw(corners, lit.at(uv).lit(levels));
+        let without = draw(corners, unlit.at(uv));
+        let edge = draw(corners, unlit.clamped_at(uv));
+        let lit_edge = draw(corners, lit.clamped_at(uv).lit(levels));
+        let full = draw(corners, lit.at(uv));
+        for (i, shown) in own.iter().enumerate() {
+            let Some(Entry(row, color)) = *shown else {
+                assert_eq!(without[i], None);
+                continue;
+            };
+            // The texel is that of the face without light, which the last row shows.
+            assert_eq!(without[i], Some(Entry(ROWS as u16 - 1, color)));
+            assert_eq!(full[i], without[i]);
+            let exact = linear(corners, levels.map(|level| f64::from(level.min(256)) / 256.0), i) * most;
+            assert!((f64::from(row) - exact).abs() <= 0.5 + 1.0 / 256.0, "row {row} for {exact}");
+            assert_eq!(lit_edge[i], edge[i].map(|Entry(_, color)| Entry(row, color)));
+            (pixels, met[usize::from(row)]) = (pixels + 1, true);
+        }
+        // By face: the row is chosen once.
+        let row = palette.row(levels[0]);
+        let by_face = draw(corners, unlit.with_palette(row).at(uv));
+        for (shown, without) in by_face.iter().zip(&without) {
+            let (Some(Entry(row, color)), Some(Entry(_, texel))) = (shown, without) else {
+                assert_eq!(shown, without);
+                continue;
+            };
+            let exact = f64::from(levels[0].min(256)) / 256.0 * most;
+            assert!(color == texel && (f64::from(*row) - exact).abs() <= 0.5, "row {row} for {exact}");
+        }
+    }
+    assert!(pixels > 30_000, "{pixels}");
+    assert!(met.iter().all(|met| *met), "{met:?}");
+}
+
+#[test]
+fn light_chooses_the_nearest_row_of_the_palette_in_every_format() {
+    rows_are_the_nearest::<1, 2, 2>();
+    rows_are_the_nearest::<1, 2, 64>();
+    rows_are_the_nearest::<2, 4, 8>();
+    rows_are_the_nearest::<4, 16, 16>();
+    rows_are_the_nearest::<4, 21, 32>();
+    rows_are_the_nearest::<8, 256, 128>();
+    rows_are_the_nearest::<8, 256, 256>();
+}
+
+/// Texels times light, of a picture and of a palette: within ½ level for rounding the product, and the light's own rounding to
+/// 1/255, which is another half, and its map to 256 levels.
+#[test]
+fn texels_are_multiplied_by_light_at_each_pixel() {
+    let mut rng = Rng::new(7);
+    let picture: [[Gray8; 32]; 64] =
+        core::array::from_fn(|_| core::array::from_fn(|_| Gray8::new(rng.bits() as u8)));
+    let flat: Vec<Gray8> = picture.iter().flatten().copied().collect();
+    let bytes: Vec<u8> = flat.iter().map(|color| color.luma()).collect();
+    let palette: Vec<Gray8> = (0..=255).map(Gray8::new).collect();
+    let texture = Texture::new(&picture);
+    let slice = Texture::new(TexelSlice::new(&flat, 32, 64).unwrap());
+    let indexed = Texture::new(IndexedTexels::<_, 8>::new(&bytes, 32, 64, &palette).unwrap());
+    let mut pixels = 0;
+    for _ in 0..60 {
+        let corners = random_triangle(&mut rng);
+        let levels = [(); 3].map(|()| [rng.int(0, 256), 0, 256][rng.below(3)] as u16);
+        let uv = [(); 3].map(|()| [(); 2].map(|()| rng.int(-700, 700) as i16));
+        let texels = draw(corners, texture.at(uv));
+        let lit = draw(corners, texture.at(uv).lit(levels));
+        assert!(lit == draw(corners, slice.at(uv).lit(levels)));
+        assert!(lit == draw(corners, indexed.at(uv).lit(levels)));
+        for (i, (shown, texel)) in lit.iter().zip(&texels).enumerate() {
+            let (Some(shown), Some(texel)) = (shown, texel) else {
+                assert_eq!(shown, texel);
+                continue;
+            };
+            let (shown, texel) = (f64::from(shown.luma()), f64::from(texel.luma()));
+            let light = linear(corners, levels.map(|level| f64::from(level) / 256.0), i);
+            let bound = 0.5 + texel * (0.5 / 255.0 + 0.5 / 256.0 + 1.0 / 65536.0);
+            assert!((shown - texel * light).abs() <= bound, "{shown} for {texel} in {light}");
+            pixels += 1;
+        }
+        // Full light changes nothing, no light leaves black.
+        assert!(draw(corners, texture.at(uv).lit([256; 3])) == texels);
+        let dark = draw(corners, texture.at(uv).lit([0; 3]));
+        assert!(dark.iter().flatten().all(|color| color.luma() == 0));
+    }
+    assert!(pixels > 50_000, "{pixels}");
+}
+
+/// With 256 rows, light is that of a shade table, whose tests have an oracle for faces that planes cut.
+#[test]
+fn light_of_cut_faces_is_that_of_a_shade_table() {
+    let mut rng = Rng::new(61);
+    let table = ShadeTable::from_colors(core::array::from_fn(|i| Gray8::new(i as u8)));
+    let rows = core::array::from_fn(|i| [Gray8::new(i as u8); 2]);
+    let palette = LitPalette::<Gray8, 2, 256>::from_rows(rows);
+    let texels = IndexedTexels::<_, 1>::new(&[0x5a; 8], 8, 8, palette.row(256)).unwrap();
+    let texture = Texture::new(texels.with_lit_palette(&palette));
+    let faces = Faces::soup(&mut rng, 120, 2000, 2500, |rng| rng.int(-4000, 4000) as i16);
+    let camera = camera(&library(&perspective(20.0))).with_far_clip(true);
+    let indices = faces.indices();
+    let levels: Vec<[u16; 3]> = indices.iter().map(|_| [(); 3].map(|()| rng.int(0, 300) as u16)).collect();
+    let (mut drawn, mut cut) = (0, 0);
+    for (face, indices) in indices.iter().enumerate() {
+        let one = [*indices];
+        let mesh = Mesh::new(&faces.vertices, faces.exponent, &one).unwrap();
+        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+        let [mut lit, mut shaded] = [(); 2].map(|()| vec![Gray8::BLACK; (SIDE * SIDE) as usize]);
+        let size = Size::new(SIDE, SIDE);
+        let mut target = Picture::new(&mut lit, size).unwrap();
+        let shade = |_| texture.at(faces.uv[face]).lit(levels[face]);
+        let Ok(statistics) = instance.solid(shade, &mut [], &mut target.pixels());
+        let mut target = Picture::new(&mut shaded, size).unwrap();
+        let Ok(_) = instance.solid(|_| table.lit(levels[face]), &mut [], &mut target.pixels());
+        assert!(lit == shaded, "face {face}");
+        drawn += lit.iter().filter(|&&level| level != Gray8::BLACK).count();
+        cut += statistics.clipped;
+    }
+    assert!(drawn > 10_000 && cut > 20, "{drawn} pixels, {cut} faces cut");
+}
+
+/// The colours of each row, by the definition, in exact fractions.
+#[test]
+fn rows_have_the_nearest_colors() {
+    fn check<C: Channels + core::fmt::Debug, const ROWS: usize>(channels: impl Fn(C) -> Vec<u8>) {
+        let mut rng = Rng::new(3);
+        let colors: [Rgb888; 20] = core::array::from_fn(|i| match i {
+            0 => Rgb888::WHITE,
+            1 => Rgb888::BLACK,
+            _ => Rgb888::new(rng.bits() as u8, rng.bits() as u8, rng.bits() as u8),
+        });
+        let palette = LitPalette::<C, 20, ROWS>::new(&colors);
+        for (row, shown) in palette.rows().iter().enumerate() {
+            for (color, &shown) in colors.iter().zip(shown) {
+                let [r, g, b] = [color.r(), color.g(), color.b()].map(u64::from);
+                let exact =
+                    if C::GRAY { vec![77 * r + 150 * g + 29 * b] } else { vec![256 * r, 256 * g, 256 * b] };
+                for ((level, exact), max) in channels(shown).into_iter().zip(exact).zip(C::MAX) {
+                    // exact/256/255 · row/(ROWS − 1) · max, halves up.
+                    let (numerator, unit) =
+                        (exact * row as u64 * u64::from(max), 256 * 255 * (ROWS as u64 - 1));
+                    assert_eq!(
+                        u64::from(level),
+                        (2 * numerator + unit) / (2 * unit),
+                        "row {row} of {color:?}"
+                    );
+                }
+            }
+        }
+    }
+    let rgb = |color: Rgb565| vec![color.r(), color.g(), color.b()];
+    check::<Rgb565, 2>(rgb);
+    check::<Rgb565, 32>(rgb);
+    check::<Rgb565, 256>(rgb);
+    check::<Rgb888, 64>(|color| vec![color.r(), color.g(), color.b()]);
+    check::<Gray8, 16>(|color| vec![color.luma()]);
+}
+
+/// A picture that is dimmed before it is drawn is a texture by face, too.
+#[test]
+fn a_dimmed_palette_lights_a_face() {
+    let colors = [Rgb565::new(31, 40, 2), Rgb565::new(4, 63, 30)];
+    let texels = IndexedTexels::<_, 1>::new(&[0x0f; 8], 8, 8, &colors).unwrap();
+    let dimmed = colors.map(|color| color.dim(100));
+    let texture = Texture::new(texels).with_palette(&dimmed);
+    let corners = [[0, 0], [0, 64 * 64], [64 * 64, 0]];
+    let shown = draw(corners, texture.at([[0, 0], [0, 128], [128, 0]]));
+    assert_eq!([shown[3], shown[40]], [Some(Rgb565::new(12, 16, 1)), Some(Rgb565::new(2, 25, 12))]);
+    assert_eq!(texels.with_palette(&dimmed).unwrap().texel(0, 0), dimmed[0]);
+}

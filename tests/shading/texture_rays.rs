@@ -1,0 +1,172 @@
+//! What a pixel of a textured face shows, by a ray in f64, whatever the projection; and pictures of a face to compare with it.
+
+use crate::textures::{Numbered, Screen, Shown, SIDE};
+use embedded_graphics::prelude::*;
+use pinhole::space::{Model, World};
+use pinhole::{Affine, Camera, Cull, Mesh, SpanShader, Viewport};
+use support::oracle::chain::{self, M4};
+use support::oracle::rng::Rng;
+
+/// Faces in view space, which is the world here, in units of 2^exponent, and texture coordinates of each corner.
+pub(crate) struct Faces {
+    pub(crate) vertices: Vec<[i16; 3]>,
+    pub(crate) exponent: i8,
+    pub(crate) uv: Vec<[[i16; 2]; 3]>,
+}
+
+impl Faces {
+    pub(crate) const fn new(exponent: i8) -> Self {
+        Self { vertices: vec![], exponent, uv: vec![] }
+    }
+
+    pub(crate) fn push(&mut self, corners: [[i16; 3]; 3], uv: [[i16; 2]; 3]) {
+        self.vertices.extend(corners);
+        self.uv.push(uv);
+    }
+
+    /// Random triangles of three sizes, about points up to `reach` to each side and up to `deep` ahead.
+    pub(crate) fn soup(
+        rng: &mut Rng,
+        count: usize,
+        reach: i64,
+        deep: i64,
+        mut uv: impl FnMut(&mut Rng) -> i16,
+    ) -> Self {
+        let mut faces = Self::new(-6);
+        for i in 0..count {
+            let middle = [rng.int(-reach, reach), rng.int(-reach, reach), -rng.int(70, deep)];
+            let size = [deep / 3, deep / 15, 40][i % 3];
+            let corners = [(); 3].map(|()| [0, 1, 2].map(|k| (middle[k] + rng.int(-size, size)) as i16));
+            let uv = [(); 3].map(|()| [(); 2].map(|()| uv(rng)));
+            faces.push(corners, uv);
+        }
+        faces
+    }
+
+    pub(crate) fn indices(&self) -> Vec<[u16; 3]> {
+        (0..self.uv.len() as u16).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()
+    }
+
+    /// What one of the faces shows alone.
+    pub(crate) fn draw<S: SpanShader<Shown>>(
+        &self,
+        face: usize,
+        camera: &Camera,
+        shader: S,
+    ) -> Vec<Option<Shown>> {
+        let index = face as u16;
+        let faces = [[3 * index, 3 * index + 1, 3 * index + 2]];
+        let mesh = Mesh::new(&self.vertices, self.exponent, &faces).unwrap();
+        let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
+        let mut screen = Screen(vec![None; (SIDE * SIDE) as usize]);
+        let Ok(_) = instance.solid(|_| shader, &mut [], &mut screen);
+        screen.0
+    }
+
+    /// The exact coordinates of a face, in units of `unit` texels, under a projection of SIDE × SIDE pixels.
+    pub(crate) fn ray(&self, face: usize, projection: &M4, unit: [f64; 2]) -> Ray {
+        let camera = chain::Camera {
+            view: chain::View { rows: chain::IDENTITY.m, eye: [0.0; 3] },
+            projection: *projection,
+            viewport: chain::Viewport::new(0, 0, SIDE, SIDE),
+        };
+        let corners = [0, 1, 2].map(|i| {
+            let at = chain::vertex(self.vertices[3 * face + i], self.exponent);
+            camera.homogeneous_screen(camera.clip(&chain::IDENTITY, at))
+        });
+        let uv = self.uv[face].map(|[u, v]| [f64::from(u) * unit[0], f64::from(v) * unit[1]]);
+        Ray { corners, uv }
+    }
+}
+
+/// One face: what lies on the ray through a point of the screen.
+pub(crate) struct Ray {
+    /// x·w, y·w and w.
+    corners: [[f64; 3]; 3],
+    /// In texels.
+    uv: [[f64; 2]; 3],
+}
+
+impl Ray {
+    /// u and v in texels.
+    fn at(&self, x: f64, y: f64) -> [f64; 2] {
+        // The corners' weights in space: Σ weight · corner is a multiple of (x, y, 1).
+        let ([a, b, c], p) = (self.corners, [x, y, 1.0]);
+        let volume = |a, b, c| chain::dot(a, chain::cross(b, c));
+        let weights = [volume(p, b, c), volume(a, p, c), volume(a, b, p)];
+        let sum: f64 = weights.iter().sum();
+        [0, 1].map(|axis| (0..3).map(|i| weights[i] * self.uv[i][axis]).sum::<f64>() / sum)
+    }
+
+    /// The least and the largest u, and those of v, of points within 1/64 pixel of a pixel's centre.
+    pub(crate) fn around(&self, pixel: usize) -> [(f64, f64); 2] {
+        let (x, y) = ((pixel as u32 % SIDE) as f64 + 0.5, (pixel as u32 / SIDE) as f64 + 0.5);
+        let near = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
+            .map(|(dx, dy)| self.at(x + dx / 64.0, y + dy / 64.0));
+        [0, 1].map(|axis| {
+            let values = near.map(|uv| uv[axis]);
+            (values.into_iter().fold(f64::MAX, f64::min), values.into_iter().fold(f64::MIN, f64::max))
+        })
+    }
+
+    /// The largest error in texels of a picture, beyond a shift of 1/64 pixel, where the picture repeats; and how many pixels there
+    /// are.
+    pub(crate) fn worst_repeated(&self, picture: &[Option<Shown>], bits: [u32; 2]) -> (f64, usize) {
+        self.worst(picture, |shown, (low, high), axis| {
+            let side = f64::from(1u32 << bits[axis]);
+            let (shown, middle) = (shown * side, (low + high) / 2.0);
+            let off = (shown - middle + side / 2.0).rem_euclid(side) - side / 2.0;
+            off.abs() - (high - low) / 2.0
+        })
+    }
+
+    /// The same where the edge of the picture continues.
+    pub(crate) fn worst_clamped(&self, picture: &[Option<Shown>], bits: [u32; 2]) -> (f64, usize) {
+        self.worst(picture, |shown, (low, high), axis| {
+            let side = f64::from(1u32 << bits[axis]);
+            let shown = shown * side;
+            (low.clamp(0.0, side) - shown).max(shown - high.clamp(0.0, side))
+        })
+    }
+
+    /// The largest of the errors of what pixels show, 0 … 1 of the picture's side.
+    fn worst(
+        &self,
+        picture: &[Option<Shown>],
+        error: impl Fn(f64, (f64, f64), usize) -> f64,
+    ) -> (f64, usize) {
+        let (mut worst, mut count) = (0.0f64, 0);
+        for (i, shown) in picture.iter().enumerate() {
+            let Some(Shown(shown)) = *shown else { continue };
+            let exact = self.around(i);
+            for axis in 0..2 {
+                worst = worst.max(error(f64::from(shown[axis]) / 2f64.powi(32), exact[axis], axis));
+            }
+            count += 1;
+        }
+        (worst, count)
+    }
+}
+
+/// A camera at the origin that looks along −z.
+pub(crate) fn camera(lens: &pinhole::Projection) -> Camera {
+    use pinhole::{Point3, Vector3, ViewTransform};
+    let viewport = Viewport::new(Point::zero(), Size::new(SIDE, SIDE)).unwrap();
+    let [eye, ahead] = [0, -1].map(|z| Point3::from_ints(0, 0, z));
+    let view = ViewTransform::look_at(eye, ahead, Vector3::from_ints(0, 1, 0)).unwrap();
+    Camera::new(&view, lens, &viewport)
+}
+
+/// 60 degrees, from 1 to `far`.
+pub(crate) fn perspective(far: f64) -> M4 {
+    chain::perspective(0x2aaa_aaab, SIDE, SIDE, 1.0, far)
+}
+
+pub(crate) fn library(matrix: &M4) -> pinhole::Projection {
+    pinhole::Projection::from_matrix(matrix).unwrap()
+}
+
+/// Texels of 2^`bits` columns and rows that show their coordinates.
+pub(crate) const fn numbered(bits: [u32; 2]) -> Numbered {
+    Numbered(bits)
+}
