@@ -12,11 +12,13 @@ mod levels;
 mod lights;
 mod lit;
 mod matcap;
+mod mix;
 mod normal_space;
 mod point_light;
 mod screen_door;
 mod shader;
 mod smooth;
+mod stroke;
 mod table;
 mod table_shader;
 mod texture;
@@ -34,9 +36,11 @@ pub use lambert::{Lambert, LightError, RigidLambert};
 pub use lights::{DirectionalLight, Lights};
 pub use lit::Lit;
 pub use matcap::Matcap;
+pub use mix::Mix;
 pub use point_light::PointLight;
 pub use screen_door::ScreenDoor;
 pub use shader::{Shader, SpanShader};
+pub use stroke::{AntiAliased, Stroke};
 pub use table::{ShadeTable, TableShader};
 pub use texture::{
     Accuracy, ColorKeyed, IndexKeyed, IndexedTexels, TexelSlice, Texels, Texture, TextureError, Textured,
