@@ -57,7 +57,7 @@ impl<C: PixelColor> Stroke<C> for C {
 /// let mut pixels = [Gray8::BLACK; 5 * 3];
 /// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
 /// let stroke = AntiAliased(Gray8::WHITE);
-/// draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, stroke, &mut picture.pixels())?;
+/// let Ok(()) = draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, stroke, &mut picture.pixels());
 /// // In column 2 the upper edge rises from 0.69 to 1.19 pixels: a triangle of 0.309 · 0.618 / 2 lies above row 1.
 /// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
 /// assert_eq!(column, [24, 236, 24]);
