@@ -85,7 +85,7 @@ impl LineCoverage {
         let from = a.0 >> 8;
         let middle = 256 * from + 128 - a.0; // −127 … 128
                                              // 24 + 24 bits, and 33 + 8 bits.
-        let top = (i64::from(a.1) << 24) + (slope * i64::from(middle) >> 8) - (i64::from(thickness) << 15);
+        let top = (i64::from(a.1) << 24) + ((slope * i64::from(middle)) >> 8) - (i64::from(thickness) << 15);
         let border = |p: i32| (p + 128) >> 8;
         Self {
             tall,
