@@ -33,6 +33,7 @@ macro_rules! public_types {
 public_types![
     Affine<Plain, Plain>,
     Angle,
+    AntiAliased<Pixel>,
     AxisError,
     Band<'static, Plain>,
     BandError,

@@ -44,10 +44,10 @@ impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
         rectangle(&self.bins.bounds())
     }
 
-    /// Activates the primitives that begin in a band. Returns the part of the viewport that lies in the band, and in the
-    /// depth buffer if there is one.
+    /// Activates the primitives that begin in a band, or up to `BEYOND` rows below it. Returns the part of the viewport that lies
+    /// in the band, and in the depth buffer if there is one.
     #[inline(always)]
-    pub(super) fn advance_to_band(
+    pub(super) fn advance_to_band<const BEYOND: i32>(
         &mut self,
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
@@ -55,7 +55,12 @@ impl<'a, V: Coordinate, const DEPTH: bool> Binned<'a, V, DEPTH> {
     ) -> DrawRegion {
         let Self { transformed, bins, .. } = self;
         let region = DrawRegion::shared(band, transformed.instance.area(), depth);
-        bins.advance_to_band(&region.scissor.rows(), |index| first_row(transformed, index));
+        let mut rows = region.scissor.rows();
+        if BEYOND != 0 && !rows.is_empty() {
+            rows = rows.start + BEYOND..rows.end + BEYOND; // inside the guard band before
+            bins.continue_at(rows.start);
+        }
+        bins.advance_to_band(&rows, |index| first_row(transformed, index));
         region
     }
 }

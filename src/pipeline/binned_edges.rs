@@ -1,7 +1,9 @@
 //! Edges that are binned once per frame and drawn band by band.
 
+use super::anti_aliased;
 use super::binned::Binned;
 use super::bins::{BinError, Bins};
+use super::bounds::bounds;
 use super::draw_region::DrawRegion;
 use super::fill::line_in_band;
 use super::hidden_line::draw_nearer;
@@ -11,7 +13,9 @@ use crate::camera::UnpackedVertex;
 use crate::math::Coordinate;
 use crate::raster::Scissor;
 use crate::scene::FacePlanes;
+use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Target};
+use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The visible edges of a mesh, binned by their first rows: each band draws only the edges that lie in it.
@@ -89,15 +93,6 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
     }
 }
 
-/// The bounding box of a line's pixels.
-#[inline(always)]
-fn bounds([from, to]: &[UnpackedVertex; 2]) -> Scissor {
-    let (from, to) = (from.point.pixel(), to.point.pixel());
-    let (left, right) = (from.x.min(to.x), from.x.max(to.x));
-    let (top, bottom) = (from.y.min(to.y), from.y.max(to.y));
-    Scissor::new(left.into(), top.into(), i32::from(right) + 1, i32::from(bottom) + 1)
-}
-
 impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     /// Draws the edges in a band: see [`MeshInstance::wireframe`](crate::MeshInstance::wireframe).
     ///
@@ -105,20 +100,25 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn draw<T: Target>(&mut self, color: T::Color, band: &mut T) -> Result<(), T::Error> {
-        let region = self.advance_to_band(&band.area(), None);
-        self.draw_lines(&region, color, band)
+    pub fn draw<T: Target, K: Stroke<T::Color>>(&mut self, stroke: K, band: &mut T) -> Result<(), T::Error> {
+        let region = self.advance_to_band::<K, T::Color>(&band.area(), None);
+        self.draw_lines(&region, stroke, band)
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_lines<T: Target>(
+    fn draw_lines<T: Target, K: Stroke<T::Color>>(
         &mut self,
         region: &DrawRegion,
-        color: T::Color,
+        stroke: K,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(region, |_, _, [from, to]| {
-            line_in_band(band, from.point.pixel(), to.point.pixel(), &region.scissor, color)
+        self.each::<K, _, _>(region, |_, _, ends| {
+            if K::IS_ANTI_ALIASED {
+                anti_aliased::edge(&ends, &region.viewport, &region.scissor, stroke, band);
+                return Ok(());
+            }
+            let [from, to] = ends;
+            line_in_band(band, from.point.pixel(), to.point.pixel(), &region.scissor, stroke.color())
         })
     }
 
@@ -139,21 +139,38 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 
     /// A rectangle inside the viewport around all visible edges: no pixel outside it is drawn. It is empty if no edge is
-    /// visible.
+    /// visible. [`AntiAliased`](crate::AntiAliased) lines may reach one pixel beyond it.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }
 
     /// Activates the edges that begin in a band. Returns the part of the viewport that lies in the band, and in the depth
     /// buffer if there is one.
+    #[inline(always)]
+    fn advance_to_band<K: Stroke<C>, C: PixelColor>(
+        &mut self,
+        band: &Rectangle,
+        depth: Option<&DepthBuffer<'_>>,
+    ) -> DrawRegion {
+        if K::IS_ANTI_ALIASED {
+            self.advance::<1>(band, depth)
+        } else {
+            self.advance::<0>(band, depth)
+        }
+    }
+
     #[inline(never)] // one copy for all draw calls
-    fn advance_to_band(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> DrawRegion {
-        self.0.advance_to_band(band, depth, TransformedMesh::first_row_of_edge)
+    fn advance<const BEYOND: i32>(
+        &mut self,
+        band: &Rectangle,
+        depth: Option<&DepthBuffer<'_>>,
+    ) -> DrawRegion {
+        self.0.advance_to_band::<BEYOND>(band, depth, TransformedMesh::first_row_of_edge)
     }
 
     /// Calls `draw` for each edge that may lie in the band of the last [`advance_to_band`](Self::advance_to_band).
     #[inline(always)]
-    fn each<E>(
+    fn each<K: Stroke<C>, C: PixelColor, E>(
         &mut self,
         region: &DrawRegion,
         mut draw: impl FnMut(&TransformedMesh<'_, V, DEPTH>, usize, [UnpackedVertex; 2]) -> Result<(), E>,
@@ -168,7 +185,8 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };
             draw(transformed, index, ends)?;
-            Ok(bounds(&ends).rows().end <= end)
+            // An anti-aliased line has pixels up to a row below those of a plain one.
+            Ok(bounds(&ends).rows().end + i32::from(K::IS_ANTI_ALIASED) <= end)
         })
     }
 }
@@ -180,25 +198,25 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn depth_tested<T: Target>(
+    pub fn depth_tested<T: Target, K: Stroke<T::Color>>(
         &mut self,
-        color: T::Color,
+        stroke: K,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let region = self.advance_to_band(&band.area(), Some(depth));
-        self.draw_depth_tested(&region, color, depth, band)
+        let region = self.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
+        self.draw_depth_tested(&region, stroke, depth, band)
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_depth_tested<T: Target>(
+    fn draw_depth_tested<T: Target, K: Stroke<T::Color>>(
         &mut self,
         region: &DrawRegion,
-        color: T::Color,
+        stroke: K,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(region, |_, _, ends| draw_nearer(&ends, color, &region.scissor, depth, band))
+        self.each::<K, _, _>(region, |_, _, ends| draw_nearer(&ends, stroke, region, depth, band))
     }
 
     /// Draws the edges in a band as [`MeshInstance::hidden_line`](crate::MeshInstance::hidden_line) does.
@@ -207,25 +225,27 @@ impl<V: Coordinate> BinnedEdges<'_, V, true> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn hidden_line<T: Target>(
+    pub fn hidden_line<T: Target, K: Stroke<T::Color>>(
         &mut self,
-        color: T::Color,
+        stroke: K,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        let region = self.advance_to_band(&band.area(), Some(depth));
-        self.draw_hidden_line(&region, color, depth, band)
+        let region = self.advance_to_band::<K, T::Color>(&band.area(), Some(depth));
+        self.draw_hidden_line(&region, stroke, depth, band)
     }
 
     #[inline(never)] // its stack frame does not exist while the bins advance
-    fn draw_hidden_line<T: Target>(
+    fn draw_hidden_line<T: Target, K: Stroke<T::Color>>(
         &mut self,
         region: &DrawRegion,
-        color: T::Color,
+        stroke: K,
         depth: &mut DepthBuffer<'_>,
         band: &mut T,
     ) -> Result<(), T::Error> {
-        self.each(region, |mesh, edge, ends| mesh.draw_hidden_line(edge, &ends, color, region, depth, band))
+        self.each::<K, _, _>(region, |mesh, edge, ends| {
+            mesh.draw_hidden_line(edge, &ends, stroke, region, depth, band)
+        })
     }
 }
 

@@ -326,7 +326,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedFaces<'_, V, DEPTH> {
     /// buffer if there is one.
     #[inline(never)] // one copy for all draw calls
     fn advance_to_band(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> DrawRegion {
-        self.0.advance_to_band(band, depth, TransformedMesh::first_row)
+        self.0.advance_to_band::<0>(band, depth, TransformedMesh::first_row)
     }
 
     /// Calls `draw` for each face that lies in the band of the last [`advance_to_band`](Self::advance_to_band).

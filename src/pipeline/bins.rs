@@ -203,6 +203,13 @@ impl<'s> Bins<'s> {
         Ok(())
     }
 
+    /// Begins again at the next band, unless the last one ended at this row: it was drawn with the same rows beyond.
+    pub(super) fn continue_at(&mut self, row: i32) {
+        if self.row != row {
+            self.row = i32::MAX;
+        }
+    }
+
     /// Activates the primitives that begin in a band or above it. `first_row` returns the row by which a primitive was sorted.
     #[inline(always)]
     pub(super) fn advance_to_band(&mut self, rows: &Range<i32>, first_row: impl Fn(usize) -> i32) {

@@ -1,9 +1,10 @@
 //! Drawing in 2D: single triangles and lines.
 
+use super::anti_aliased;
 use super::fill::{fill, line, scissor_of};
 use crate::fast::solid_fill;
 use crate::raster::{self, Pixel, Scissor, ScreenPoint, Triangle};
-use crate::shading::SpanShader;
+use crate::shading::{SpanShader, Stroke};
 use crate::surface::Target;
 
 /// Fills the pixels that a triangle covers by the rules of [`raster`](crate::raster), clipped to the target. `corners` are in
@@ -64,7 +65,16 @@ pub fn fill_triangle<T: Target, S: SpanShader<T::Color>>(
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[inline(always)]
-pub fn draw_line<T: Target>(from: Pixel, to: Pixel, color: T::Color, target: &mut T) -> Result<(), T::Error> {
+pub fn draw_line<T: Target, K: Stroke<T::Color>>(
+    from: Pixel,
+    to: Pixel,
+    stroke: K,
+    target: &mut T,
+) -> Result<(), T::Error> {
     let scissor = scissor_of(target);
-    line(target, from, to, &scissor, color)
+    if K::IS_ANTI_ALIASED {
+        anti_aliased::line_between_pixels([from, to], &scissor, stroke, target);
+        return Ok(());
+    }
+    line(target, from, to, &scissor, stroke.color())
 }

@@ -1,5 +1,6 @@
 //! Lines with a depth test: wireframes among solid objects, and hidden-line removal.
 
+use super::anti_aliased;
 use super::draw_region::DrawRegion;
 use super::face_triangles::FaceTriangles;
 use super::instance::{AnyInstance, MeshInstance};
@@ -11,6 +12,7 @@ use crate::fast;
 use crate::math::Coordinate;
 use crate::raster::{self, Gradient, LineDepth, Scissor, ScreenPoint, Span};
 use crate::scene::{FacePlanes, NO_FACE};
+use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Target};
 use heapless::Vec;
 
@@ -30,14 +32,14 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn wireframe_depth_tested<T: Target>(
+    pub fn wireframe_depth_tested<T: Target, K: Stroke<T::Color>>(
         &self,
-        color: T::Color,
+        stroke: K,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        self.any.wireframe_depth_tested(color, cache, depth, target)
+        self.any.wireframe_depth_tested(stroke, cache, depth, target)
     }
 
     /// Draws the parts of the mesh's edges that no face hides: a wireframe of a solid object, on any target, also on 1-bit
@@ -93,42 +95,42 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn hidden_line<T: Target>(
+    pub fn hidden_line<T: Target, K: Stroke<T::Color>>(
         &self,
-        color: T::Color,
+        stroke: K,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        self.any.hidden_line(color, cache, depth, target)
+        self.any.hidden_line(stroke, cache, depth, target)
     }
 }
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe_depth_tested<T: Target>(
+    fn wireframe_depth_tested<T: Target, K: Stroke<T::Color>>(
         &self,
-        color: T::Color,
+        stroke: K,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
         let mesh = TransformedMesh::<V, true>::new(self, cache);
-        each_edge(&mesh, |_, ends| draw_nearer(&ends, color, &region.scissor, depth, target))
+        each_edge(&mesh, |_, ends| draw_nearer(&ends, stroke, &region, depth, target))
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn hidden_line<T: Target>(
+    fn hidden_line<T: Target, K: Stroke<T::Color>>(
         &self,
-        color: T::Color,
+        stroke: K,
         cache: &mut [ScreenVertex],
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
         let region = DrawRegion::shared(&target.area(), self.area(), Some(depth));
         let mesh = TransformedMesh::<V, true>::new(self, cache);
-        each_edge(&mesh, |edge, ends| mesh.draw_hidden_line(edge, &ends, color, &region, depth, target))
+        each_edge(&mesh, |edge, ends| mesh.draw_hidden_line(edge, &ends, stroke, &region, depth, target))
     }
 }
 
@@ -136,11 +138,11 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
     /// Draws the pixels of an edge that are as near as the depth buffer, or where the stored depth is that of a face beside the
     /// edge.
     #[inline(always)]
-    pub(super) fn draw_hidden_line<T: Target>(
+    pub(super) fn draw_hidden_line<T: Target, K: Stroke<T::Color>>(
         &self,
         edge: usize,
         ends: &[UnpackedVertex; 2],
-        color: T::Color,
+        stroke: K,
         region: &DrawRegion,
         depth: &mut DepthBuffer<'_>,
         target: &mut T,
@@ -149,9 +151,44 @@ impl<V: Coordinate> TransformedMesh<'_, V, true> {
         loop {
             let more = self.triangles_beside(edge, first, &region.viewport, &mut beside);
             let is_beside = |stored, x, y| beside.iter().any(|triangle| triangle.is_stored(stored, x, y));
-            draw_visible(ends, false, &is_beside, color, &region.scissor, depth, target)?;
+            if K::IS_ANTI_ALIASED {
+                // Once, with all triangles: a pixel must not be mixed twice.
+                let is_beside = |stored, x, y| {
+                    is_beside(stored, x, y)
+                        || more && self.is_further_beside(edge, beside.len(), &region.viewport, stored, x, y)
+                };
+                let DrawRegion { viewport, scissor } = region;
+                anti_aliased::visible_edge(ends, false, &is_beside, viewport, scissor, stroke, depth, target);
+                return Ok(());
+            }
+            draw_visible(ends, false, &is_beside, stroke.color(), &region.scissor, depth, target)?;
             if !more {
                 return Ok(());
+            }
+            first += beside.len();
+        }
+    }
+
+    /// Whether the stored depth of a pixel belongs to a face beside an edge, from triangle number `first` on: the rare case of
+    /// more triangles than fit.
+    #[inline(never)] // its stack frame is gone when it returns
+    fn is_further_beside(
+        &self,
+        edge: usize,
+        mut first: usize,
+        viewport: &Scissor,
+        stored: u16,
+        x: i32,
+        y: i32,
+    ) -> bool {
+        loop {
+            let mut beside = Beside::new();
+            let more = self.triangles_beside(edge, first, viewport, &mut beside);
+            if beside.iter().any(|triangle| triangle.is_stored(stored, x, y)) {
+                return true;
+            }
+            if !more {
+                return false;
             }
             first += beside.len();
         }
@@ -220,14 +257,19 @@ impl TriangleBeside {
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, and stores their depth.
 #[inline(always)]
-pub(super) fn draw_nearer<T: Target>(
+pub(super) fn draw_nearer<T: Target, K: Stroke<T::Color>>(
     ends: &[UnpackedVertex; 2],
-    color: T::Color,
-    scissor: &Scissor,
+    stroke: K,
+    region: &DrawRegion,
     depth: &mut DepthBuffer<'_>,
     target: &mut T,
 ) -> Result<(), T::Error> {
-    draw_visible(ends, true, &|_, _, _| false, color, scissor, depth, target)
+    let DrawRegion { viewport, scissor } = region;
+    if K::IS_ANTI_ALIASED {
+        anti_aliased::visible_edge(ends, true, &|_, _, _| false, viewport, scissor, stroke, depth, target);
+        return Ok(());
+    }
+    draw_visible(ends, true, &|_, _, _| false, stroke.color(), scissor, depth, target)
 }
 
 /// Draws the pixels of a line that are as near as the depth buffer or nearer, or for which `is_drawn_over` is true, given the

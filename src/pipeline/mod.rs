@@ -13,10 +13,12 @@
 //!    ([`MeshInstance::bin_faces`]) or stores it to be drawn from far to near ([`Painter`]).
 //! 5. `fill.rs` draws a triangle or a line into the target, span by span.
 
+mod anti_aliased;
 mod binned;
 mod binned_edges;
 mod binned_faces;
 mod bins;
+mod bounds;
 mod buffers;
 mod clip_face;
 mod cull;

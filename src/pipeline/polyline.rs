@@ -1,5 +1,6 @@
 //! Points and polylines, for plots, tool paths and the anchors of labels.
 
+use super::anti_aliased;
 use super::draw_region::DrawRegion;
 use super::instance::{AnyInstance, MeshInstance};
 use super::statistics::Statistics;
@@ -8,6 +9,7 @@ use crate::camera::Projected;
 use crate::math::Coordinate;
 use crate::raster::{self, Pixel, Span};
 use crate::scene::FacePlanes;
+use crate::shading::Stroke;
 use crate::surface::Target;
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
@@ -49,8 +51,12 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn polyline<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        self.any.polyline(color, target)
+    pub fn polyline<T: Target, K: Stroke<T::Color>>(
+        &self,
+        stroke: K,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        self.any.polyline(stroke, target)
     }
 }
 
@@ -75,8 +81,12 @@ impl<V: Coordinate> AnyInstance<'_, V> {
     }
 
     #[inline(never)] // its stack frame is gone when it returns
-    fn polyline<T: Target>(&self, color: T::Color, target: &mut T) -> Result<Statistics, T::Error> {
-        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
+    fn polyline<T: Target, K: Stroke<T::Color>>(
+        &self,
+        stroke: K,
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let DrawRegion { scissor, viewport } = DrawRegion::new(target, self.area());
         let mut statistics = Statistics::default();
         let vertices = self.mesh().vertices;
         // `index as u16` is exact: a mesh has at most 65536 vertices.
@@ -92,13 +102,20 @@ impl<V: Coordinate> AnyInstance<'_, V> {
         // The pixel not to draw again: where the previous line ended or, for the first line, where the last one will end.
         let mut joint = if closed { first } else { None };
         for index in 1..count {
+            if K::IS_ANTI_ALIASED {
+                // Such lines end at pixel borders: no pixel is shared by two that follow one another along one axis.
+                if let Some(ends) = mesh.edge([(index - 1) as u16, index as u16], &mut statistics) {
+                    anti_aliased::edge(&ends, &viewport, &scissor, stroke, target);
+                }
+                continue;
+            }
             // An end that is clipped is no joint.
             let is_joint = pixel(index).is_some();
             match mesh.edge([(index - 1) as u16, index as u16], &mut statistics) {
                 Some([a, b]) => {
                     let (a, b) = (a.point.pixel(), b.point.pixel());
                     raster::line(a, b, &scissor, |span| match without(span, joint) {
-                        Some(span) => target.fill(span, color),
+                        Some(span) => target.fill(span, stroke.color()),
                         None => Ok(()),
                     })?;
                     joint = Some(b).filter(|_| is_joint);

@@ -1,5 +1,6 @@
 //! Wireframes: the edges of a mesh as lines.
 
+use super::anti_aliased;
 use super::draw_region::DrawRegion;
 use super::fill::line;
 use super::instance::{AnyInstance, MeshInstance};
@@ -8,6 +9,7 @@ use super::vertex_cache::TransformedMesh;
 use crate::camera::{ScreenVertex, UnpackedVertex};
 use crate::math::Coordinate;
 use crate::scene::FacePlanes;
+use crate::shading::Stroke;
 use crate::surface::Target;
 
 /// The edge loop: clips each edge and calls `draw` with the index and the ends of each edge of which clipping leaves something.
@@ -31,7 +33,7 @@ pub(super) fn each_edge<V: Coordinate, E, const DEPTH: bool>(
 }
 
 impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
-    /// Draws the mesh's edges, each as a Bresenham line of one colour. Clipping at the target's border does not change an
+    /// Draws the mesh's edges, each as a line: a Bresenham line of one colour, or [`AntiAliased`](crate::AntiAliased). Clipping at the target's border does not change an
     /// edge's pixels; an end that is clipped at the near plane, the far plane or the guard band is rounded to 1/256 px.
     ///
     /// `cache` is memory for transformed vertices. If it is as long as the mesh's vertex list, each vertex is transformed once.
@@ -42,27 +44,32 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// The target's error, at the first span that it refuses.
     #[inline(always)]
-    pub fn wireframe<T: Target>(
+    pub fn wireframe<T: Target, K: Stroke<T::Color>>(
         &self,
-        color: T::Color,
+        stroke: K,
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        self.any.wireframe(color, cache, target)
+        self.any.wireframe(stroke, cache, target)
     }
 }
 
 impl<V: Coordinate> AnyInstance<'_, V> {
     #[inline(never)] // its stack frame is gone when it returns
-    fn wireframe<T: Target>(
+    fn wireframe<T: Target, K: Stroke<T::Color>>(
         &self,
-        color: T::Color,
+        stroke: K,
         cache: &mut [ScreenVertex],
         target: &mut T,
     ) -> Result<Statistics, T::Error> {
-        let DrawRegion { scissor, .. } = DrawRegion::new(target, self.area());
-        each_edge(&TransformedMesh::<V, false>::new(self, cache), |_, [from, to]| {
-            line(target, from.point.pixel(), to.point.pixel(), &scissor, color)
+        let DrawRegion { scissor, viewport } = DrawRegion::new(target, self.area());
+        each_edge(&TransformedMesh::<V, false>::new(self, cache), |_, ends| {
+            if K::IS_ANTI_ALIASED {
+                anti_aliased::edge(&ends, &viewport, &scissor, stroke, target);
+                return Ok(());
+            }
+            let [from, to] = ends;
+            line(target, from.point.pixel(), to.point.pixel(), &scissor, stroke.color())
         })
     }
 }

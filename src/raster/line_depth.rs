@@ -32,6 +32,11 @@ impl LineDepth {
         let (p, q): (Pixel, Pixel) = (a.pixel(), b.pixel());
         let extent = |a: i16, b: i16| (i32::from(a) - i32::from(b)).abs();
         let tall = extent(p.y, q.y) > extent(p.x, q.x); // the major axis of `line`
+        Self::on_axis(tall, [a, b], [za, zb])
+    }
+
+    /// The depth along a line of which x or, if it is `tall`, y is the major axis.
+    pub(crate) fn on_axis(tall: bool, [a, b]: [ScreenPoint; 2], [za, zb]: [i32; 2]) -> Self {
         let (a, b) = if tall { (a.y, b.y) } else { (a.x, b.x) };
         let ((a, za), (b, zb)) = if a <= b { ((a, za), (b, zb)) } else { ((b, zb), (a, za)) };
         let (from, to) = (a >> 8, b >> 8);

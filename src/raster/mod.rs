@@ -43,6 +43,7 @@ pub(crate) mod edge;
 mod gradient;
 pub(crate) mod gradient_setup;
 mod line;
+mod line_coverage;
 mod line_depth;
 mod pixel_layout;
 #[cfg(test)]
@@ -63,6 +64,7 @@ pub use gradient::Gradient;
 pub(crate) use gradient_setup::GradientSetup;
 pub use line::line;
 pub(crate) use line::{LineSetup, LineSpans};
+pub(crate) use line_coverage::LineCoverage;
 pub(crate) use line_depth::LineDepth;
 pub(crate) use pixel_layout::{pixel_index, PixelLayout};
 pub(crate) use row_scratch::RowScratch;

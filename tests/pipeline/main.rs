@@ -1,6 +1,7 @@
 //! Meshes drawn by every pipeline: solid, depth-tested, in painter's order, as wireframes and in bands; culled, clipped and
 //! seen from inside; and the messages of all errors.
 
+mod anti_aliased;
 mod bands;
 mod buffers;
 mod clipped_faces;

@@ -146,7 +146,7 @@ pub fn paint<C: Colour>(
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
         return out.bands(statistics, &plan(bounds), |band, _| {
             for edges in &mut edges {
-                let Ok(()) = edges.draw(style.colour.into(), band);
+                let Ok(()) = edges.draw(C::from(style.colour), band);
             }
         });
     }
@@ -164,7 +164,7 @@ pub fn paint<C: Colour>(
             // Any part may hide any other.
             faces.iter_mut().for_each(|faces| faces.depth_only(depth));
             for edges in &mut edges {
-                let Ok(()) = edges.hidden_line(style.colour.into(), depth, band);
+                let Ok(()) = edges.hidden_line(C::from(style.colour), depth, band);
             }
         });
     }

@@ -12,9 +12,10 @@ use embedded_graphics_core::Pixel;
 use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    draw_line, fill_triangle, Affine, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim, DirtyRegions,
-    FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object, Painter, Picture,
-    Scalar, ScreenVertex, ShadeTable, SpanShader, Target, Tracked, TransferCost, WithPlanes,
+    draw_line, fill_triangle, Affine, AntiAliased, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim,
+    DirtyRegions, FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Mix, Object,
+    Painter, Picture, Scalar, ScreenVertex, ShadeTable, SpanShader, Stroke, Target, Tracked, TransferCost,
+    WithPlanes,
 };
 
 /// Things set up elsewhere, so that nothing is known of them here.
@@ -290,6 +291,32 @@ fn draw_pixels<T: Target<Color = Rgb565>>(
     report(target.draw_pixels(pixels.into_iter()));
 }
 
+/// Anti-aliased lines, in every way to draw lines.
+fn draw_anti_aliased<T: Target<Color = Rgb565>>(
+    scene: &mut Scene<'_, Rgb565>,
+    by_planes: &MeshInstance<'_, i16, WithPlanes>,
+    target: &mut T,
+) {
+    let instance = by_planes.without_planes();
+    let Scene { corners, depth, bin_storage, .. } = scene;
+    let stroke = AntiAliased(Rgb565::new(any() as u8, any() as u8, any() as u8));
+    let mixed = stroke.color().mix(Rgb565::new(any() as u8, any() as u8, any() as u8), any() as u16);
+    black_box((mixed, stroke.over(mixed, any() as u16)));
+    let [from, to] = [0; 2].map(|_| raster::Pixel { x: any() as i16, y: any() as i16 });
+    report(draw_line(from, to, stroke, target));
+    report(instance.wireframe(stroke, corners, target));
+    report(instance.polyline(stroke, target));
+    let area = Rectangle::new(Point::new(any(), any()), Size::new(any() as u32, any() as u32));
+    let Ok(mut depth) = DepthBuffer::new(area, depth) else { return };
+    report(instance.wireframe_depth_tested(stroke, corners, &mut depth, target));
+    report(instance.hidden_line(stroke, corners, &mut depth, target));
+    if let Ok(mut edges) = instance.transform_depth(corners).bin_edges(bin_storage) {
+        report(edges.draw(stroke, target));
+        report(edges.depth_tested(stroke, &mut depth, target));
+        report(edges.hidden_line(stroke, &mut depth, target));
+    }
+}
+
 #[unsafe(no_mangle)]
 fn entry_pixels_of_picture(
     scene: &mut Scene<'_, Rgb565>,
@@ -303,6 +330,7 @@ fn entry_pixels_of_picture(
             report(picture.clear(Rgb565::new(1, 1, 1)));
             let instance = scene.camera.place(mesh, &scene.model);
             draw_pixels(scene, &instance, &mut picture.pixels());
+            draw_anti_aliased(scene, &instance, &mut picture.pixels());
             draw_pixels(scene, &instance, &mut LeastRun::<_, 3>(&mut Wire(Rgb565::new(1, 1, 1))));
             black_box(picture.colors());
         }
@@ -316,6 +344,7 @@ fn entry_pixels_of_band(scene: &mut Scene<'_, Rgb565>, mesh: &Mesh<'_, i16, With
     let Ok(Some(mut band)) = Frame::new(area, Rgb565::new(0, 1, 0)).next_band(strip) else { return };
     let instance = scene.camera.place(mesh, &scene.model);
     draw_pixels(scene, &instance, &mut band.pixels());
+    draw_anti_aliased(scene, &instance, &mut band.pixels());
 }
 
 #[unsafe(no_mangle)]

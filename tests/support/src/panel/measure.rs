@@ -110,7 +110,8 @@ pub fn lines(size: Size) -> Vec<[raster::Pixel; 2]> {
 /// The bytes and windows of [`lines`], drawn with this [`LEAST_RUN`](pinhole::Target::LEAST_RUN). Asserts that the panel shows
 /// them.
 pub fn line_traffic<M: Kind<ColorFormat: Colour>, const LEAST_RUN: u16>() -> (usize, usize) {
-    let (mut screen, background, ink) = (Screen::<M>::new(), BACKGROUND.into(), Rgb888::WHITE.into());
+    let (mut screen, background, ink) =
+        (Screen::<M>::new(), BACKGROUND.into(), M::ColorFormat::from(Rgb888::WHITE));
     let mut picture = Framebuffer::new(M::SIZE, background);
     screen.display.clear(background).expect("a bus that works");
     screen.count();

@@ -75,6 +75,8 @@ cells! {
     "cell_s3_dt_z": Deep<TORUS>, cells::s3_dt_z;
     "cell_s3_dt_wire": Plain<TORUS>, cells::s3_dt_wire;
     "cell_s5_dt": Frame, cells::s5_dt;
+    // S6 anti-aliased.
+    "cell_s6_smooth": Frame, cells::s6_smooth;
     "cell_s6_dt": Frame, cells::s6_dt;
     "cell_s7_dt": Frame, cells::s7_dt;
     "cell_s8_dt_z": Smooth<TORUS>, cells::s8_dt_z;

@@ -24,7 +24,7 @@ pub use textured::{x1, x1_z, x2, x2_z, x3, x4};
 pub use three::placed;
 pub use three::{s1, s2, s2_z, s3, s3_wire, s3_z, s4, s4_z, s8_z};
 pub use three::{s3_no_planes, s3_z_no_planes, s4_no_planes, s4_z_no_planes, s8_z_no_planes};
-pub use two::{s5, s6, s7};
+pub use two::{s5, s6, s6_smooth, s7};
 
 use crate::board::{println, Clock};
 use crate::measure::Checksum;
@@ -103,6 +103,7 @@ pub const USER_CELLS: &[Known] = &[
     ("S3", "dt-z", || s3_dt_z(&mut boxed(Deep::NEW))),
     ("S3", "dt-wire", || s3_dt_wire(&mut boxed(Plain::NEW))),
     ("S5", "dt", || s5_dt(&mut boxed(Frame::NEW))),
+    ("S6", "smooth", || s6_smooth(&mut boxed(Frame::NEW))),
     ("S6", "dt", || s6_dt(&mut boxed(Frame::NEW))),
     ("S7", "dt", || s7_dt(&mut boxed(Frame::NEW))),
     ("S8", "dt-z", || s8_dt_z(&mut boxed(Smooth::NEW))),

@@ -6,7 +6,7 @@ use crate::scene::LINE;
 use core::hint::black_box;
 use embedded_graphics_core::pixelcolor::{raw::RawU16, Rgb565};
 use pinhole::raster::{Pixel, ScreenPoint};
-use pinhole::{draw_line, fill_triangle};
+use pinhole::{draw_line, fill_triangle, AntiAliased};
 
 pub fn s5(frame: &mut Frame) -> Option<Counted> {
     count(frame, &mut |picture| {
@@ -20,6 +20,16 @@ pub fn s6(frame: &mut Frame) -> Option<Counted> {
         let (colour, mut pixels) = (black_box(LINE), picture.pixels());
         for &[x0, y0, x1, y1] in black_box(&LINES) {
             let Ok(()) = draw_line(Pixel { x: x0, y: y0 }, Pixel { x: x1, y: y1 }, colour, &mut pixels);
+        }
+        Some(())
+    })
+}
+
+pub fn s6_smooth(frame: &mut Frame) -> Option<Counted> {
+    count(frame, &mut |picture| {
+        let (stroke, mut pixels) = (AntiAliased(black_box(LINE)), picture.pixels());
+        for &[x0, y0, x1, y1] in black_box(&LINES) {
+            let Ok(()) = draw_line(Pixel { x: x0, y: y0 }, Pixel { x: x1, y: y1 }, stroke, &mut pixels);
         }
         Some(())
     })

@@ -1,0 +1,94 @@
+//! Strokes: what lines are drawn with.
+
+use super::Mix;
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// What a line is drawn with: a colour, or [`AntiAliased`] with a colour. Every call that draws lines takes one.
+///
+/// Every `PixelColor` is a stroke: the pixels of a Bresenham line get the colour, on any target.
+#[diagnostic::on_unimplemented(
+    message = "lines of a target of `{C}` cannot be drawn with `{Self}`",
+    label = "not `{C}` or a stroke of it",
+    note = "pass `{C}`, the target's color type, or `AntiAliased` of it for grey and RGB colors"
+)]
+pub trait Stroke<C: PixelColor>: Copy {
+    /// Whether lines are anti-aliased. Such a stroke reads the stored pixels, so it compiles only for targets whose pixels lie in
+    /// [memory](crate::Target::memory): a [`Picture`](crate::Picture)'s or a [`Band`](crate::Band)'s `pixels()`, or a target of your
+    /// own that has memory.
+    const IS_ANTI_ALIASED: bool = false;
+
+    /// The colour of a pixel that the line covers.
+    fn color(&self) -> C;
+
+    /// The colour of a pixel that the line covers in part, 0 … 256 in 1/256 pixel, where `below` is stored. Called only if
+    /// [`IS_ANTI_ALIASED`](Self::IS_ANTI_ALIASED) is true.
+    #[inline(always)]
+    fn over(&self, below: C, coverage: u16) -> C {
+        let _ = (below, coverage);
+        self.color()
+    }
+}
+
+impl<C: PixelColor> Stroke<C> for C {
+    #[inline(always)]
+    fn color(&self) -> C {
+        *self
+    }
+}
+
+/// A stroke for anti-aliased lines, one pixel wide in every direction: each pixel is mixed with the colour by the area of it that
+/// the line covers.
+///
+/// The line is the parallelogram of the points within ½ pixel of the straight line through both ends, between two pixel borders:
+/// those nearest to the ends along the major axis (x or y, whichever changes more). So lines that follow one another along one
+/// axis, such as the edges of a curve, mix no pixel column twice and leave none out; the end of a line is off by at most ½
+/// pixel, and a line of less than that may have no pixel. Ends are not rounded to pixels across the line, unlike those of plain
+/// lines. (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
+///
+/// Coverage is within 2⁻⁹ + 2⁻¹² pixel of the area, asserted against polygons cut in f64; [`Mix`] then rounds it to 1/32 for
+/// colours of 15 and 16 bits, and each channel to nearest. A clipped line has the pixels of the line that lie inside, so bands
+/// equal one piece. Where lines cross, each is mixed over those before: the order matters, though not with one colour.
+///
+/// An edge of a mesh is drawn if the box around the pixels of its ends meets the viewport, as with a plain colour.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use pinhole::{draw_line, raster::Pixel, AntiAliased, Picture};
+/// let mut pixels = [Gray8::BLACK; 5 * 3];
+/// let mut picture = Picture::new(&mut pixels, Size::new(5, 3))?;
+/// let stroke = AntiAliased(Gray8::WHITE);
+/// let Ok(()) = draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, stroke, &mut picture.pixels());
+/// // In column 2 the upper edge rises from 0.69 to 1.19 pixels: a triangle of 0.309 · 0.618 / 2 lies above row 1.
+/// let column = [2, 7, 12].map(|i| picture.colors()[i].luma());
+/// assert_eq!(column, [24, 236, 24]);
+/// # Ok::<(), pinhole::PictureError>(())
+/// ```
+///
+/// A target whose pixels cannot be read, such as a display's driver, does not compile:
+///
+/// ```compile_fail,E0080
+/// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// # use pinhole::{draw_line, raster::Pixel, AntiAliased};
+/// let mut display = MockDisplay::<Gray8>::new();
+/// draw_line(Pixel { x: 0, y: 0 }, Pixel { x: 4, y: 2 }, AntiAliased(Gray8::WHITE), &mut display).unwrap();
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AntiAliased<C>(
+    /// The colour of the line.
+    pub C,
+);
+
+impl<C: Mix> Stroke<C> for AntiAliased<C> {
+    const IS_ANTI_ALIASED: bool = true;
+
+    #[inline(always)]
+    fn color(&self) -> C {
+        self.0
+    }
+
+    #[inline(always)]
+    fn over(&self, below: C, coverage: u16) -> C {
+        self.0.mix(below, coverage)
+    }
+}
