@@ -41,10 +41,10 @@ pub use scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use shading::{
-    Accuracy, BlinnPhong, Channels, ColorKeyed, CornerValues, Dim, DirectionalLight, Dithered, Flat, Gouraud,
-    IndexKeyed, IndexedTexels, Lambert, LightError, Lights, Lit, Matcap, PointLight, RigidLambert,
-    ScreenDoor, ShadeTable, Shader, SpanShader, TableShader, TexelSlice, Texels, Texture, TextureError,
-    Textured,
+    Accuracy, Blend, Blended, BlinnPhong, Channels, ColorKeyed, CornerValues, Dim, DirectionalLight,
+    Dithered, Flat, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, Lit,
+    Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, TableShader, TexelSlice,
+    Texels, Texture, TextureError, Textured,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,

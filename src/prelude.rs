@@ -36,10 +36,10 @@ pub use crate::scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
-    Accuracy, BlinnPhong, Channels, ColorKeyed, CornerValues, Dim, DirectionalLight, Dithered, Flat, Gouraud,
-    IndexKeyed, IndexedTexels, Lambert, LightError, Lights, Lit, Matcap, PointLight, RigidLambert,
-    ScreenDoor, ShadeTable, Shader, SpanShader, TableShader, TexelSlice, Texels, Texture, TextureError,
-    Textured,
+    Accuracy, Blend, Blended, BlinnPhong, Channels, ColorKeyed, CornerValues, Dim, DirectionalLight,
+    Dithered, Flat, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, Lit,
+    Matcap, PointLight, RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, TableShader, TexelSlice,
+    Texels, Texture, TextureError, Textured,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{

@@ -38,6 +38,7 @@ public_types![
     BandError,
     Barycentric,
     BinError,
+    Blended<Flat>,
     Camera,
     Canonical,
     ClipPoint,
@@ -119,6 +120,7 @@ public_types![
     ShadeTable<Plain>,
     TableShader<'static, Plain>,
     Accuracy,
+    HalfBlended<Flat>,
     ColorKeyed<Plain, Plain>,
     IndexKeyed<'static, Plain, 1>,
     IndexedTexels<'static, Plain, 1>,
@@ -150,8 +152,14 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 5] =
-    ["ChannelGradients", "DitheredColor", "ScreenDoorSetup", "TableGradient", "TextureGradients"];
+const NOT_NAMED: [&str; 6] = [
+    "BlendedSetup",
+    "ChannelGradients",
+    "DitheredColor",
+    "ScreenDoorSetup",
+    "TableGradient",
+    "TextureGradients",
+];
 
 #[test]
 fn no_public_type_is_missing() {
