@@ -28,11 +28,11 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// fill_triangle([corner(0, 0), corner(12, 0), corner(0, 6)], half, &mut display)?;
 /// display.assert_pattern(&[
 ///     "# # # # # #",
-///     " # # # # ",
-///     "# # # #",
-///     " # # ",
-///     "# #",
-///     " ",
+///     " # # # #   ",
+///     "# # # #    ",
+///     " # #       ",
+///     "# #        ",
+///     "           ",
 /// ]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```

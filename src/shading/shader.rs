@@ -227,7 +227,7 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// let mut display = MockDisplay::new();
     /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
     /// fill_triangle([corner(0, 0), corner(7, 0), corner(0, 7)], Bars, &mut display)?;
-    /// display.assert_pattern(&["#  #  #", "#  #  ", "#  # ", "#  #", "#  ", "# ", "#"]);
+    /// display.assert_pattern(&["#  # ", "#  # ", "#  # ", "#    ", "#    ", "#    "]);
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
     #[inline(always)]
