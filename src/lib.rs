@@ -41,10 +41,11 @@ pub use scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use shading::{
-    Accuracy, AntiAliased, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues, Dim,
-    DirectionalLight, Dithered, Flat, Gouraud, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, Lit,
-    LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, Mix, PointLight, RigidLambert, ScreenDoor,
-    ShadeTable, Shader, SpanShader, Stroke, TableShader, TexelSlice, Texels, Texture, TextureError, Textured,
+    Accuracy, AntiAliased, Blend, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues,
+    Dim, DirectionalLight, Dithered, Flat, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert,
+    LightError, Lights, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, Mix, PointLight,
+    RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, Stroke, TableShader, TexelSlice, Texels,
+    Texture, TextureError, Textured,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,

@@ -36,10 +36,11 @@ pub use crate::scene::{
     TextureCoords, WithPlanes, WithoutPlanes,
 };
 pub use crate::shading::{
-    Accuracy, AntiAliased, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues, Dim,
-    DirectionalLight, Dithered, Flat, Gouraud, IndexKeyed, IndexedTexels, Lambert, LightError, Lights, Lit,
-    LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, Mix, PointLight, RigidLambert, ScreenDoor,
-    ShadeTable, Shader, SpanShader, Stroke, TableShader, TexelSlice, Texels, Texture, TextureError, Textured,
+    Accuracy, AntiAliased, Blend, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues,
+    Dim, DirectionalLight, Dithered, Flat, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert,
+    LightError, Lights, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, Mix, PointLight,
+    RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, Stroke, TableShader, TexelSlice, Texels,
+    Texture, TextureError, Textured,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{

@@ -39,6 +39,7 @@ public_types![
     BandError,
     Barycentric,
     BinError,
+    Blended<Flat>,
     Camera,
     Canonical,
     ClipPoint,
@@ -120,6 +121,7 @@ public_types![
     ShadeTable<Plain>,
     TableShader<'static, Plain>,
     Accuracy,
+    HalfBlended<Flat>,
     ColorKeyed<Plain, Plain>,
     IndexKeyed<'static, Plain, 1>,
     IndexedTexels<'static, Plain, 1>,
@@ -155,7 +157,8 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 6] = [
+const NOT_NAMED: [&str; 7] = [
+    "BlendedSetup",
     "ChannelGradients",
     "DitheredColor",
     "LitTextureGradients",

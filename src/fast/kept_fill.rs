@@ -1,4 +1,4 @@
-//! Triangles of which a shader leaves out pixels, into memory.
+//! Triangles of which a shader leaves out pixels, or which it mixes with the stored pixels, into memory.
 //!
 //! - **Plain twins**: `pipeline::fill::fill_kept` and `fill_kept_nearer`, which pass each run of kept pixels to
 //!   `Target::fill_run`.
@@ -13,7 +13,9 @@ use crate::math::hints::keep_rolled;
 use crate::raster::{DepthTriangle, Scissor, Span, Triangle};
 use crate::surface::{DepthTarget, PixelRows, PixelStore, StoredPixel, Target};
 
-/// Fills the pixels of a triangle for which `runs` gives colours, if the target's pixels lie in memory; otherwise draws nothing
+type CellOf<T> = <<T as Target>::Store as PixelStore>::Cell;
+
+/// Sets the pixels of a triangle for which `runs` gives colours to what `merge` makes of the colour's cell and the stored one, if the target's pixels lie in memory; otherwise draws nothing
 /// and returns `false`.
 #[inline(always)]
 pub(crate) fn triangle<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = Option<T::Color>>>(
@@ -21,11 +23,11 @@ pub(crate) fn triangle<T: Target, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item
     scissor: &Scissor,
     target: &mut T,
     runs: impl Fn(Span) -> R,
+    merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T>,
 ) -> bool {
     let Some(memory) = memory_of(target) else { return false };
-    fill(memory, triangle, scissor, |span| {
-        runs(span).map(|(width, run)| (width, run.map(|color| color.map(StoredPixel::stored))))
-    });
+    let runs = |span| runs(span).map(|(width, run)| (width, run.map(|color| color.map(StoredPixel::stored))));
+    fill(memory, triangle, scissor, runs, merge);
     true
 }
 
@@ -35,6 +37,7 @@ fn fill<S: PixelStore, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = Option<S
     triangle: &Triangle<'_>,
     scissor: &Scissor,
     runs: impl Fn(Span) -> R,
+    merge: impl Fn(S::Cell, S::Cell) -> S::Cell,
 ) {
     let (cells, scratch) = memory.parts();
     let layout = scratch.layout;
@@ -45,7 +48,7 @@ fn fill<S: PixelStore, R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = Option<S
                 let Some((pixels, rest)) = cells.split_at_mut_checked(width as usize) else { return };
                 for (pixel, cell) in pixels.iter_mut().zip(run) {
                     if let Some(cell) = cell {
-                        *pixel = cell;
+                        *pixel = merge(cell, *pixel);
                     }
                 }
                 cells = rest;
@@ -68,12 +71,12 @@ pub(crate) fn triangle_nearer<
     depth: &mut DepthTarget<'_, '_>,
     target: &mut T,
     runs: impl Fn(Span) -> R,
+    merge: impl Fn(CellOf<T>, CellOf<T>) -> CellOf<T>,
 ) -> bool {
     let Some(memory) = memory_of(target).filter(|_| depth.is_aligned) else { return false };
     let depths = depth.buffer.values_mut();
-    fill_nearer::<WRITES, _, _, _>(memory, triangle, scissor, depths, |span| {
-        runs(span).map(|(width, run)| (width, run.map(|color| color.map(StoredPixel::stored))))
-    });
+    let runs = |span| runs(span).map(|(width, run)| (width, run.map(|color| color.map(StoredPixel::stored))));
+    fill_nearer::<WRITES, _, _, _>(memory, triangle, scissor, depths, runs, merge);
     true
 }
 
@@ -89,6 +92,7 @@ fn fill_nearer<
     scissor: &Scissor,
     depths: &mut [u16],
     runs: impl Fn(Span) -> R,
+    merge: impl Fn(S::Cell, S::Cell) -> S::Cell,
 ) {
     let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
     let step = gradient.step();
@@ -109,7 +113,7 @@ fn fill_nearer<
                     if let Some(cell) = cell
                         && z >> 16 < u32::from(*stored)
                     {
-                        *pixel = cell;
+                        *pixel = merge(cell, *pixel);
                         if WRITES {
                             *stored = (z >> 16) as u16;
                         }

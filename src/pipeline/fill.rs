@@ -8,7 +8,7 @@ use crate::fast::{self, depth_fill, kept_fill, line_fill, line_pixels, shaded_fi
 use crate::raster::{self, DepthTriangle, Gradient, Pixel, Scissor, Span, Triangle};
 use crate::shading::SpanShader;
 use crate::surface::{drawable, each_run, DepthTarget, PixelStore, StoredPixel, Target};
-use core::cell::Cell;
+use core::cell;
 
 /// Fills the pixels of a triangle inside the scissor, which lies in the target. `is_clipped`: the triangle
 /// probably has rows outside the scissor, as most have in a band; a constant on which no pixel depends.
@@ -23,7 +23,7 @@ pub(super) fn fill<T: Target, S: SpanShader<T::Color>>(
     if S::READS_PIXELS {
         return blend(triangle, shader, scissor, target);
     }
-    if S::LEAVES_OUT {
+    if S::LEAVES_OUT || S::BLENDS {
         return fill_kept(triangle, shader, scissor, target);
     }
     if let Some(color) = shader.solid_color() {
@@ -64,7 +64,7 @@ pub(super) fn fill_nearer<T: Target, S: SpanShader<T::Color>>(
     if S::READS_PIXELS {
         return blend_nearer(triangle, shader, scissor, depth, target);
     }
-    if S::LEAVES_OUT || !S::WRITES_DEPTH {
+    if S::LEAVES_OUT || S::BLENDS || !S::WRITES_DEPTH {
         return fill_kept_nearer(triangle, shader, scissor, depth, target);
     }
     if let Some(color) = shader.solid_color() {
@@ -136,7 +136,7 @@ fn shade_span_nearer<T: Target, R: Iterator<Item = T::Color>>(
     depth.buffer.test(span, gradient, |visible| target.fill_run(visible, span_colors(visible)))
 }
 
-/// [`fill`] for a shader that leaves out pixels.
+/// [`fill`] for a shader that leaves out pixels, or blends.
 #[inline(never)] // its stack frame is gone when it returns
 fn fill_kept<T: Target, S: SpanShader<T::Color>>(
     triangle: &Triangle<'_>,
@@ -145,17 +145,18 @@ fn fill_kept<T: Target, S: SpanShader<T::Color>>(
     target: &mut T,
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(triangle);
-    if kept_fill::triangle(triangle, scissor, target, |span| S::kept(&setup, span)) {
+    let merge = |own, stored| merged::<T, S>(&setup, own, stored);
+    if kept_fill::triangle(triangle, scissor, target, |span| S::kept(&setup, span), merge) {
         return Ok(());
     }
     fast::spans(triangle, scissor).try_for_each(|span| {
         let mut is_kept = kept_pixels::<T, S>(&setup, span);
         let kept = (0..span.width as u16).map(|_| is_kept()); // the guard band is narrower than 2¹⁶
-        each_run(span, kept, |run| target.fill_run(run, S::span(&setup, run)))
+        each_run(span, kept, |run| draw_run::<T, S>(&setup, run, target))
     })
 }
 
-/// [`fill_nearer`] for a shader that leaves out pixels, or whose depth is not stored.
+/// [`fill_nearer`] for a shader that leaves out pixels, or blends, or whose depth is not stored.
 #[inline(never)] // its stack frame is gone when it returns
 fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
     triangle: &DepthTriangle<'_>,
@@ -166,9 +167,10 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
 ) -> Result<(), T::Error> {
     let setup = shader.set_up(&triangle.triangle);
     let runs = |span| S::kept(&setup, span);
+    let merge = |own, stored| merged::<T, S>(&setup, own, stored);
     let is_drawn = match S::WRITES_DEPTH {
-        true => kept_fill::triangle_nearer::<true, _, _, _>(triangle, scissor, depth, target, runs),
-        false => kept_fill::triangle_nearer::<false, _, _, _>(triangle, scissor, depth, target, runs),
+        true => kept_fill::triangle_nearer::<true, _, _, _>(triangle, scissor, depth, target, runs, merge),
+        false => kept_fill::triangle_nearer::<false, _, _, _>(triangle, scissor, depth, target, runs, merge),
     };
     if is_drawn {
         return Ok(());
@@ -176,9 +178,9 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
     let gradient = fast::depth_gradient(&triangle.triangle, &triangle.depths);
     fast::spans(&triangle.triangle, scissor).try_for_each(|span| {
         let is_kept = kept_pixels::<T, S>(&setup, span);
-        depth.buffer.test_kept(span, &gradient, is_kept, S::WRITES_DEPTH, |run| {
-            target.fill_run(run, S::span(&setup, run))
-        })
+        depth
+            .buffer
+            .test_kept(span, &gradient, is_kept, S::WRITES_DEPTH, |run| draw_run::<T, S>(&setup, run, target))
     })
 }
 
@@ -187,6 +189,45 @@ fn fill_kept_nearer<T: Target, S: SpanShader<T::Color>>(
 fn kept_pixels<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span) -> impl FnMut() -> bool {
     let mut colors = S::kept(setup, span).flat_map(|(width, run)| run.take(width as usize));
     move || colors.next().flatten().is_some()
+}
+
+/// Draws a run of a shader that leaves out pixels, or blends: all of its pixels are drawn.
+#[inline(always)]
+fn draw_run<T: Target, S: SpanShader<T::Color>>(
+    setup: &S::Setup,
+    run: Span,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    if !S::BLENDS {
+        return target.fill_run(run, S::span(setup, run));
+    }
+    if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
+        let own = S::span(setup, run).map(StoredPixel::stored);
+        row.iter_mut().zip(own).for_each(|(pixel, own)| *pixel = merged::<T, S>(setup, own, *pixel));
+    }
+    Ok(())
+}
+
+/// The cell to store in a pixel, from the shader's own and the stored one.
+#[inline(always)]
+fn merged<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, own: Cell<T>, stored: Cell<T>) -> Cell<T> {
+    const { assert_readable::<T, S>() };
+    match S::BLENDS {
+        true => S::blend(setup, T::Color::load(own), T::Color::load(stored)).stored(),
+        false => own,
+    }
+}
+
+/// The stored form of a target's pixels.
+type Cell<T> = <<T as Target>::Store as PixelStore>::Cell;
+
+/// Refuses shaders that read pixels of targets whose pixels cannot be read. The compiler evaluates this for shaders that do not
+/// read pixels, too.
+const fn assert_readable<T: Target, S: SpanShader<T::Color>>() {
+    let readable = !(S::READS_PIXELS || S::BLENDS) || <T::Store as PixelStore>::READABLE;
+    assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
+    let one = !(S::READS_PIXELS && (S::LEAVES_OUT || S::BLENDS));
+    assert!(one, "a shader that reads pixels can neither leave out pixels nor blend: span_over does both");
 }
 
 /// [`fill`] for a shader that reads the stored pixels.
@@ -229,16 +270,10 @@ fn blend_nearer<T: Target, S: SpanShader<T::Color>>(
 
 /// Replaces the pixels of a span, one row high, by the shader's blend with them.
 fn blend_span<T: Target, S: SpanShader<T::Color>>(setup: &S::Setup, span: Span, target: &mut T) {
-    const {
-        // The compiler evaluates this for shaders that do not read pixels, too.
-        let readable = !S::READS_PIXELS || <T::Store as PixelStore>::READABLE;
-        assert!(readable, "this shader reads pixels: draw into a Picture, or into the pixels() of a Band");
-        let one = !(S::READS_PIXELS && S::LEAVES_OUT);
-        assert!(one, "a shader that reads pixels returns the stored color of pixels that it leaves out");
-    }
+    const { assert_readable::<T, S>() };
     let Some(row) = target.memory().and_then(|memory| memory.row(span.x, span.y, span.width)) else { return };
     // A pixel is read before it is written: the shader takes one stored colour for each colour that it returns.
-    let row = Cell::from_mut(row).as_slice_of_cells();
+    let row = cell::Cell::from_mut(row).as_slice_of_cells();
     let stored = row.iter().map(|cell| T::Color::load(cell.get()));
     row.iter().zip(S::span_over(setup, span, stored)).for_each(|(cell, color)| cell.set(color.stored()));
 }

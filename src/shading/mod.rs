@@ -1,5 +1,7 @@
 //! Shaders and light: the colours of a face's pixels. The rasteriser does not depend on this module.
 
+mod blend;
+mod blended;
 mod channels;
 mod corner_values;
 mod dim;
@@ -23,6 +25,8 @@ mod table;
 mod table_shader;
 mod texture;
 
+pub use blend::Blend;
+pub use blended::{Blended, HalfBlended};
 pub use channels::Channels;
 pub use corner_values::CornerValues;
 pub use dim::Dim;

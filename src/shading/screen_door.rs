@@ -28,11 +28,11 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// fill_triangle([corner(0, 0), corner(12, 0), corner(0, 6)], half, &mut display)?;
 /// display.assert_pattern(&[
 ///     "# # # # # #",
-///     " # # # # ",
-///     "# # # #",
-///     " # # ",
-///     "# #",
-///     " ",
+///     " # # # #   ",
+///     "# # # #    ",
+///     " # #       ",
+///     "# #        ",
+///     "           ",
 /// ]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
@@ -75,6 +75,7 @@ pub struct ScreenDoorSetup<P> {
 impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
     type Setup = ScreenDoorSetup<S::Setup>;
     const LEAVES_OUT: bool = true;
+    const BLENDS: bool = S::BLENDS;
     const WRITES_DEPTH: bool = S::WRITES_DEPTH;
 
     fn set_up(&self, triangle: &Triangle<'_>) -> ScreenDoorSetup<S::Setup> {
@@ -114,6 +115,11 @@ impl<C: PixelColor, S: SpanShader<C>> SpanShader<C> for ScreenDoor<S> {
             });
             (width, colors)
         })
+    }
+
+    #[inline(always)]
+    fn blend(setup: &ScreenDoorSetup<S::Setup>, own: C, stored: C) -> C {
+        S::blend(&setup.own, own, stored)
     }
 }
 

@@ -170,6 +170,11 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// [reads pixels](Self::READS_PIXELS) must not: it returns the stored colour instead.
     const LEAVES_OUT: bool = false;
 
+    /// Whether the shader's colours are mixed with the stored pixels, by [`blend`](Self::blend). Such a shader compiles only for
+    /// the targets that [`READS_PIXELS`](Self::READS_PIXELS) names. It may leave out pixels, and its colours may come in
+    /// [`runs`](Self::runs); a shader that must see a whole span at once reads pixels instead.
+    const BLENDS: bool = false;
+
     /// Whether draw calls with a depth buffer store the depth of the pixels that they draw. If false, they only test it: for
     /// translucent faces, behind which others may still be seen.
     const WRITES_DEPTH: bool = true;
@@ -222,12 +227,20 @@ pub trait SpanShader<C: PixelColor>: Shader {
     /// let mut display = MockDisplay::new();
     /// let corner = |x: i32, y: i32| ScreenPoint::from_subpixels(x * 256, y * 256).unwrap();
     /// fill_triangle([corner(0, 0), corner(7, 0), corner(0, 7)], Bars, &mut display)?;
-    /// display.assert_pattern(&["#  #  #", "#  #  ", "#  # ", "#  #", "#  ", "# ", "#"]);
+    /// display.assert_pattern(&["#  # ", "#  # ", "#  # ", "#    ", "#    ", "#    "]);
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
     #[inline(always)]
     fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
         Self::runs(setup, span).map(|(width, run)| (width, run.map(Some)))
+    }
+
+    /// The colour to store in a pixel, from the shader's own and the stored one. Called if [`BLENDS`](Self::BLENDS) is true, once
+    /// for each pixel that is drawn.
+    #[inline(always)]
+    fn blend(setup: &Self::Setup, own: C, stored: C) -> C {
+        let _ = (setup, stored);
+        own
     }
 
     /// Hands [`runs`](Self::runs) to a loop over the rows of a triangle, for targets whose pixels lie in memory. A shader with

@@ -2,6 +2,7 @@
 //! (`support::oracle::shade`) and f64 (`support::oracle::cut_faces`).
 
 mod bands;
+mod blended;
 mod clamped_textures;
 mod cut_faces;
 mod dithered;

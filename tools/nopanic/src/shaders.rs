@@ -3,14 +3,15 @@
 use crate::any;
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics_core::pixelcolor::{Gray8, Rgb555, Rgb565, Rgb666, Rgb888};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
-    Accuracy, ColorKeyed, CornerValues, DepthBuffer, IndexKeyed, IndexedTexels, LitPalette, LitTexels,
-    Memory, MeshInstance, Painter, PainterError, PictureError, Pixels, ScreenDoor, ScreenVertex, Shader,
-    SpanShader, Statistics, StoredPixel, TexelSlice, Texels, Texture, TextureError, WithPlanes,
+    Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, HalfBlended, IndexKeyed, IndexedTexels,
+    LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError, PictureError, PixelFormat, Pixels,
+    ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels, Texture,
+    TextureError, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -218,6 +219,44 @@ fn entry_screen_door(
         tested = statistics;
     }
     Ok([solid, tested])
+}
+
+#[unsafe(no_mangle)]
+fn entry_blended(
+    instance: &MeshInstance<'_>,
+    cache: &mut [ScreenVertex],
+    cells: &mut [u16],
+    depths: &mut [u16],
+) -> Result<[Statistics; 3], PictureError> {
+    let mut target = Pixels::<Rgb565, u16>::new(cells, area())?;
+    let color = || Rgb565::load(any() as u16);
+    let half = |_| ScreenDoor::new(HalfBlended::new(color()), any() as u8);
+    let Ok(solid) = instance.solid(half, cache, &mut target);
+    let [mut tested, mut mixed] = [Statistics::default(); 2];
+    if let Ok(mut depth) = DepthBuffer::new(area(), depths) {
+        let Ok(statistics) = instance.depth_tested(half, cache, &mut depth, &mut target);
+        tested = statistics;
+        let shade = |_| Blended::new(color(), any() as u8);
+        let Ok(statistics) = instance.depth_tested(shade, cache, &mut depth, &mut target);
+        mixed = statistics;
+    }
+    Ok([solid, tested, mixed])
+}
+
+/// Mixes colors of every format in which channels lie differently.
+#[unsafe(no_mangle)]
+fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 2] {
+    fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 2] {
+        let [own, stored] = [own, stored].map(C::decode);
+        [own.half(stored).encode(), own.mix(stored, alpha).encode()]
+    }
+    match any() {
+        0 => both::<Rgb555>(bits, alpha),
+        1 => both::<Rgb565>(bits, alpha),
+        2 => both::<Rgb666>(bits, alpha),
+        3 => both::<Rgb888>(bits, alpha),
+        _ => both::<Gray8>(bits, alpha),
+    }
 }
 
 #[unsafe(no_mangle)]
