@@ -313,6 +313,10 @@ pub trait SpanShader<C: PixelColor>: Shader {
 }
 
 /// A loop over the rows of a triangle, into memory.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no loop over the rows of a triangle",
+    note = "leave `draw_runs` as the trait has it, and override `runs`"
+)]
 pub trait DrawRuns<C>: Sized {
     /// Fills the triangle with the runs that `runs` returns for each span.
     fn runs<R: Iterator<Item = (i32, Q)>, Q: Iterator<Item = C>>(self, runs: impl Fn(Span) -> R);

@@ -2,7 +2,7 @@
 
 use super::mapping::{Accuracy, Textured};
 use super::texels::Texels;
-use crate::math::num::{leading_zeros, mul_high, reciprocal_of_positive};
+use crate::math::num::{leading_zeros, mul_high, mul_wide, reciprocal_of_positive};
 use crate::math::unrolled::map3;
 use crate::raster::{Gradient, GradientSetup, Triangle};
 use crate::shading::corner_values::inverse_w;
@@ -28,8 +28,10 @@ pub(super) struct Perspective {
     up: [u8; 2],
     /// The right shift from s/q in 2⁻²⁹ to a sample's unit: at least 2.
     down: [u8; 2],
-    /// The right shift of the lesser q to what |Δu·Δq| may be in 2²⁸: see [`is_linear`].
-    tolerance: [u8; 2],
+    /// What [`Perspective::curvature`] adds to the logarithm of |s'·q − s·q'|: in 2⁻¹⁶, like the logarithm.
+    bound: i32,
+    /// The right shifts of u and of v to the larger unit of both, in texels: 0 … 21.
+    coarser: [u8; 2],
     /// The binary logarithm of the widest run.
     pub(super) largest_run: u32,
 }
@@ -40,7 +42,7 @@ pub(super) struct Sample {
     /// At most 2²⁷.
     uv: [i32; 2],
     /// 1 … 2³¹ − 1; 0 for none.
-    q: i32,
+    pub(super) q: i32,
 }
 
 impl Sample {
@@ -53,16 +55,20 @@ impl Sample {
     }
 }
 
-/// The widest run is 64 pixels.
-const LARGEST_RUN: u32 = 6;
+/// The widest run is 256 pixels.
+const LARGEST_RUN: u32 = 8;
 
 impl Gradients {
     pub(super) fn new<S: Texels>(shader: &Textured<S>, triangle: &Triangle<'_>) -> Self {
         let [[ua, va], [ub, vb], [uc, vc]] = shader.uv;
         let (u, v) = ([ua, ub, uc], [va, vb, vc]);
         let ranges @ [(_, width), (_, height)] = [range(&u), range(&v)];
-        let [w, h] =
-            tolerance(shader, shader.texture.unit.map(|unit| u32::from(unit).wrapping_sub(FRACTION)));
+        // A unit is 2^(unit − FRACTION + bits − 32) texel: |Δu·Δw| ≤ 4·2^−accuracy texels · w, in 2²⁸. The right shifts of w are
+        // 5 … 30.
+        let ([u_unit, v_unit], [w, h]) = (shader.texture.unit, shader.texture.texels.size_bits());
+        let shift =
+            |unit: u8, bits: u32| (accuracy_bits(shader) + u32::from(unit) + bits).wrapping_sub(FRACTION + 6);
+        let [w, h] = [shift(u_unit, w), shift(v_unit, h)];
         // (1/w₀ − 1/w₁)/(1/w₁) = (w₁ − w₀)/w₀.
         let (nearest, apart) = range(&shader.w);
         if is_linear(width as u32, apart as u32, nearest, w)
@@ -115,28 +121,47 @@ fn range(&[a, b, c]: &[i32; 3]) -> (i32, i32) {
     (least, a.max(b).max(c) - least)
 }
 
-/// The right shifts of [`Perspective::tolerance`], for coordinates in units of 2^`up` of 2⁻³² of the sides.
+/// The binary logarithm of 1/[`Accuracy`].
 #[inline(always)]
-fn tolerance<S: Texels>(shader: &Textured<S>, up: [u32; 2]) -> [u8; 2] {
-    let accuracy = match shader.texture.accuracy {
+fn accuracy_bits<S>(shader: &Textured<S>) -> u32 {
+    match shader.texture.accuracy {
         Accuracy::Quarter => 2,
         Accuracy::Eighth => 3,
         Accuracy::Sixteenth => 4,
-    };
-    // A unit is 2^(up + bits − 32) texel: |Δu·Δq| ≤ 4·2^−accuracy texels · q, in 2²⁸. 5 … 30, as up is 6 … 24.
-    let ([u, v], [w, h]) = (up, shader.texture.texels.size_bits());
-    [(accuracy + u + w).wrapping_sub(6) as u8, (accuracy + v + h).wrapping_sub(6) as u8]
+    }
 }
 
-/// Whether coordinates that are s/q may be interpolated linearly between two points, given the magnitudes of the differences
-/// of coordinate, below 2²⁸, and of q, and the lesser q: they are then off by less than |Δu|·|Δq|/(4·q).
+/// Whether coordinates may be interpolated linearly over a triangle, given the differences of the coordinate, below 2²⁴, and of w
+/// over it, and the least w: they are then off by less than |Δu|·|Δw|/(4·w).
 ///
-/// The product is compared in units of 2²⁸, rounded down, with q, also rounded down: `false` where that leaves a doubt.
+/// The product is compared in units of 2²⁸, rounded down, with w, also rounded down: `false` where that leaves a doubt.
 #[inline(always)]
-fn is_linear(du: u32, dq: u32, q: i32, tolerance: u8) -> bool {
-    let product = (u64::from(du << 4) * u64::from(dq)) >> 32;
-    (product as u32) < (q as u32) >> (tolerance & 31)
+fn is_linear(du: u32, dw: u32, w: i32, tolerance: u32) -> bool {
+    let product = (u64::from(du << 4) * u64::from(dw)) >> 32;
+    (product as u32) < (w as u32) >> (tolerance & 31)
 }
+
+/// The binary logarithm in 2⁻¹⁶ of `v ≥ 1`, linear between powers of two: too small by less than [`ROUND_UP`].
+#[inline(always)]
+fn log_of(v: u32) -> i32 {
+    let zeros = leading_zeros(v);
+    let fraction = (v << (zeros & 31)) << 1 >> 16; // without the leading bit
+    ((31 - zeros) << 16) | fraction as i32
+}
+
+/// [`log_of`] 64 bits.
+#[inline(always)]
+fn log(v: u64) -> i32 {
+    let high = (v >> 32) as u32;
+    if high == 0 {
+        return log_of(v as u32);
+    }
+    let zeros = leading_zeros(high);
+    log_of((v << (zeros & 63) >> 32) as u32) + ((32 - zeros) << 16)
+}
+
+/// More than log₂(1 + f) − f for f in 0 … 1, at most 0.08608, and more than what 16 bits of f cut off, in 2⁻¹⁶.
+const ROUND_UP: i32 = 5643;
 
 impl Perspective {
     fn new<S: Texels>(shader: &Textured<S>, triangle: &Triangle<'_>) -> Self {
@@ -167,56 +192,86 @@ impl Perspective {
         // s/q in 2⁻²⁷ is a coordinate in 2^(n + unit − 34) of 2⁻³² of the side.
         let (u_full, v_full) = (u_unit + n - 34, v_unit + n - 34);
         let (u_up, v_up) = (u_full.max(LARGEST_RUN as i32), v_full.max(LARGEST_RUN as i32)); // at most 22
-        let up = [u_up as u32, v_up as u32];
+        let q = setup.through(&q);
+        // An error ε of s/q is one of ε·2^(n + 1 + unit − FRACTION + bits − 32) texels.
+        let [w, h] = shader.texture.texels.size_bits().map(|bits| bits as i32);
+        let (u_texel, v_texel) = (u_unit + w, v_unit + h); // 19 … 40
+        let texel = u_texel.max(v_texel);
+        let coarser = [(texel - u_texel) as u8, (texel - v_texel) as u8];
+        // log₂(|q'|/(4·ε)), rounded up.
+        let exponent = accuracy_bits(shader) as i32 + n + texel - 41;
+        let bound = log(u64::from((q.right as i32).unsigned_abs() | 1)) + ROUND_UP + (exponent << 16);
         Self {
-            q: setup.through(&q),
+            q,
             st: [gradient(du), gradient(dv)],
             origin: [phase(u, u_unit), phase(v, v_unit)],
             up: [u_up as u8, v_up as u8],
             down: [(2 + u_up - u_full) as u8, (2 + v_up - v_full) as u8], // at most 26
-            tolerance: tolerance(shader, up),
+            bound,
+            coarser,
             largest_run: largest_run(triangle),
         }
     }
 
-    /// The coordinates at a pixel; [`Sample::NONE`] beyond the horizon and far beside the triangle.
-    #[inline(never)] // called from three places
+    /// The coordinates at a pixel; where there is no room for them, which is beside the triangle, those nearest to them.
     pub(super) fn sample(&self, x: i32, y: i32) -> Sample {
-        let (q, [s, t]) = self.at(x, y);
-        if q <= 0 || s.unsigned_abs().max(t.unsigned_abs()) > q as u32 {
-            return Sample::NONE;
-        }
-        self.divided(q, [s, t])
-    }
-
-    /// The coordinates at a pixel of the triangle.
-    pub(super) fn nearest_sample(&self, x: i32, y: i32) -> Sample {
         let (q, st) = self.at(x, y);
         let q = q.max(1);
         self.divided(q, st.map(|s| s.clamp(-q, q)))
     }
 
+    /// q, s and t at a pixel.
     #[inline(always)]
-    fn at(&self, x: i32, y: i32) -> (i32, [i32; 2]) {
+    pub(super) fn at(&self, x: i32, y: i32) -> (i32, [i32; 2]) {
         let [s, t] = self.st.map(|gradient| gradient.at(x, y).wrapping_sub(1 << 29) as i32);
         (self.q.at(x, y) as i32, [s, t])
     }
 
     /// s/q and t/q, for |s|, |t| ≤ q.
-    #[inline(always)]
-    fn divided(&self, q: i32, [s, t]: [i32; 2]) -> Sample {
+    #[inline(never)] // called from three places
+    pub(super) fn divided(&self, q: i32, [s, t]: [i32; 2]) -> Sample {
         let r = reciprocal_of_positive(q); // 1/q = mantissa · 2^(shift − 61)
         let divided = |s: i32, down: u8| mul_high(s << (r.shift & 31), r.mantissa) >> (down & 31);
         let [u, v] = self.down;
         Sample { uv: [divided(s, u), divided(t, v)], q }
     }
 
-    /// Whether coordinates between two samples may be interpolated linearly.
+    /// How fast coordinates of a row depart from a line, for [`largest_block`](Self::largest_block): any covered pixel of the row
+    /// gives the same number.
+    ///
+    /// Along a row s and q are linear, with the steps s' and q', so K = s'·q − s·q' is constant, and so is that of t. Between pixels
+    /// L columns apart with q₀ and q₁, s/q changes by K·L/(q₀·q₁), and q by q'·L: interpolated linearly in between, s/q is off by
+    /// at most |K·q'|·L²/(4·q₀·q₁·min(q₀, q₁)) ≤ |K·q'|·L²/(4·m³) with m = min(q₀, q₁).
+    #[inline(never)] // once for a span
+    pub(super) fn curvature(&self, x: i32, y: i32) -> i32 {
+        let (q, st) = self.at(x, y);
+        let slope = self.q.step() as i32;
+        let ([s, t], [s_step, t_step], [u, v]) = (st, self.st.map(|g| g.step() as i32), self.coarser);
+        // Exact: q is below 2³¹, |s| and |t| are at most 2³⁰; steps are at most 2²⁹ where a run has two pixels.
+        let constant = |s: i32, step: i32, coarser: u8| {
+            (mul_wide(step, q).wrapping_sub(mul_wide(s, slope))).unsigned_abs() >> (coarser & 63)
+        };
+        let largest = constant(s, s_step, u).max(constant(t, t_step, v));
+        log(largest.wrapping_add(1)) + ROUND_UP + self.bound
+    }
+
+    /// The binary logarithm of the largest distance between two pixels over which coordinates may be interpolated linearly, if q
+    /// is `m` or more at both: |K·q'|·L² ≤ 4·ε·m³. Negative for none.
     #[inline(always)]
-    pub(super) fn is_linear(&self, left: &Sample, right: &Sample) -> bool {
-        let (q, dq) = (left.q.min(right.q), left.q.abs_diff(right.q));
-        let ([a, b], [c, d], [u, v]) = (left.uv, right.uv, self.tolerance);
-        is_linear(a.abs_diff(c), dq, q, u) && is_linear(b.abs_diff(d), dq, q, v)
+    pub(super) fn largest_block(curvature: i32, m: i32) -> i32 {
+        (3 * log_of(m as u32) - curvature) >> 17
+    }
+
+    /// Whether a [`Sample`] has room for the coordinates of a pixel with these q, s and t.
+    #[inline(always)]
+    pub(super) fn has_room(&(q, [s, t]): &(i32, [i32; 2])) -> bool {
+        q > 0 && s.unsigned_abs().max(t.unsigned_abs()) <= q as u32
+    }
+
+    /// q at a pixel.
+    #[inline(always)]
+    pub(super) fn q(&self, x: i32, y: i32) -> i32 {
+        self.q.at(x, y) as i32
     }
 
     /// The coordinates of a sample, in 2⁻³² of the sides.
@@ -236,7 +291,7 @@ impl Perspective {
 }
 
 /// The binary logarithm of the widest run: at most the widest span of the triangle, A/H with twice the area A and the height H,
-/// so that a gradient changes by no more over it than over the triangle; 64 pixels at most.
+/// so that a gradient changes by no more over it than over the triangle; 256 pixels at most.
 fn largest_run(triangle: &Triangle<'_>) -> u32 {
     let [a, b, c] = triangle.corners.map(|corner| corner.y);
     let height = (a.max(b).max(c) - a.min(b).min(c)) as u32; // not 0, as the area is not
@@ -244,4 +299,32 @@ fn largest_run(triangle: &Triangle<'_>) -> u32 {
     let height_bits = 32 - leading_zeros(height);
     // In sub-pixels A/H is at least 2^(area_bits − height_bits − 1).
     (area_bits - height_bits - 1 - 8).clamp(0, LARGEST_RUN as i32) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+
+    /// The bound of [`log_of`] and [`log`], which the error of textures rests on.
+    #[test]
+    fn logarithms_are_too_small_by_less_than_round_up() {
+        let mut largest = 0.0_f64;
+        for shift in 0..64 {
+            for fraction in 0..2048_u64 {
+                let v = (((1 << 11 | fraction) as u128) << shift >> 11) as u64;
+                if v == 0 {
+                    continue;
+                }
+                let (exact, own) = ((v as f64).log2() * 65536.0, f64::from(log(v)));
+                assert!(own <= exact + 0.001 && exact < own + f64::from(ROUND_UP), "{v}: {own} for {exact}");
+                largest = largest.max(exact - own);
+                if let Ok(v) = u32::try_from(v) {
+                    assert_eq!(log_of(v), log(v.into()), "{v}");
+                }
+            }
+        }
+        assert!(2.0 * largest > f64::from(ROUND_UP), "{largest}");
+    }
 }

@@ -57,9 +57,11 @@ pub enum Accuracy {
 /// 2000), so it is at most E·(M − m)/(4·√(M·m)) ≤ E·(M − m)/(4·m).
 ///
 /// - A triangle for which this is at most the [`Accuracy`] is interpolated linearly.
-/// - Otherwise u·q and q are interpolated linearly, and divided at both ends of a run of pixels. The same bound with the ends'
-///   values decides whether coordinates are linear in between; if not, the run is halved, down to one pixel. Runs have 1 to 64
-///   pixels, and begin and end at multiples of their length, so that a pixel does not depend on where a span begins.
+/// - Otherwise s = (u − u₀)·q and q are interpolated linearly, and divided at both ends of a run of pixels. Along a row they have
+///   steps s' and q', and K = s'·q − s·q' is constant: over L pixels u changes by K·L/(q₀·q₁) and q by q'·L, so coordinates that
+///   are linear in between are off by at most |K·q'|·L²/(4·m³), m the lesser q of both ends. Each pixel belongs to the longest
+///   run for which this is at most the [`Accuracy`]. Runs have 1 to 256 pixels, and begin and end at multiples of their length, so
+///   that a pixel does not depend on where a span begins.
 ///
 /// **Error of the planes.** u·q and q have 22 bits at the corners, and the error of
 /// [`Triangle::gradient`](crate::raster::Triangle::gradient), relative to the farthest corner, where q is least. Where this is not a

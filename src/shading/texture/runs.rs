@@ -39,13 +39,17 @@ impl Line {
 
 /// The runs of a span in perspective: their widths and coordinates.
 ///
-/// In perspective, runs end at multiples of powers of two on the screen, so that a pixel shows the same texel however its row
-/// is cut into spans, by bands, by the depth buffer or by another target.
+/// A pixel belongs to the largest block of 2^n pixels, at a multiple of 2^n on the screen, over which coordinates may be
+/// interpolated linearly. If they may over a block, they may over its halves, so that the search can begin at any size. A
+/// pixel shows the same texel however its row is cut into spans, by bands, by the depth buffer or by another target.
 pub(super) struct PerspectiveRuns<'g> {
     perspective: &'g Perspective,
+    start: i32,
     x: i32,
     y: i32,
     end: i32,
+    /// That of the row.
+    curvature: i32,
     /// The sample at `x`, where the last run ended; none at the span's begin, and after a run of one pixel.
     left: Sample,
 }
@@ -53,37 +57,46 @@ pub(super) struct PerspectiveRuns<'g> {
 impl<'g> PerspectiveRuns<'g> {
     #[inline(always)]
     pub(super) fn new(perspective: &'g Perspective, Span { x, y, width, .. }: Span) -> Self {
-        Self { perspective, x, y, end: x + width, left: Sample::NONE } // inside the guard band
+        let curvature = perspective.curvature(x, y);
+        let end = x + width; // inside the guard band
+        Self { perspective, start: x, x, y, end, curvature, left: Sample::NONE }
     }
 
     /// The next run.
     #[inline(never)] // its loop needs all registers
     fn run(&mut self) -> (i32, Line) {
-        let (x, y, perspective) = (self.x, self.y, self.perspective);
-        let mut bits = perspective.largest_run;
-        let mut left_of = (x, self.left);
-        // A block starts at a multiple of its size. If one that began further left were linear, it would be the last run.
-        if !self.left.is_none() {
-            bits = bits.min(x.trailing_zeros());
+        let Self { perspective, start, x, y, end, curvature, left } = *self;
+        // No block with this pixel has a larger minimum of q.
+        let q = perspective.q(x, y);
+        let mut bits = (perspective.largest_run as i32).min(Perspective::largest_block(curvature, q.max(1)));
+        if x > start {
+            // A block that began further left would have been the last run.
+            bits = bits.min(x.trailing_zeros() as i32);
         }
         while bits > 0 {
-            let (from, to) = (x & (-1 << (bits & 31)), (x | !(-1 << (bits & 31))).wrapping_add(1));
-            if left_of.1.is_none() || left_of.0 != from {
-                left_of = (from, perspective.sample(from, y));
-            }
-            let (left, right) = (left_of.1, perspective.sample(to, y));
-            if perspective.is_linear(&left, &right) {
+            let mask = -1 << (bits & 31);
+            let (from, to) = (x & mask, (x | !mask).wrapping_add(1));
+            let behind @ (q_behind, st_behind) = perspective.at(to, y);
+            // A sample at the left end had room.
+            let first @ (q_first, st_first) =
+                if left.is_none() { perspective.at(from, y) } else { (left.q, [0; 2]) };
+            if Perspective::has_room(&behind)
+                && Perspective::has_room(&first)
+                && Perspective::largest_block(curvature, q_first.min(q_behind)) >= bits
+            {
+                let left = if left.is_none() { perspective.divided(q_first, st_first) } else { left };
+                let right = perspective.divided(q_behind, st_behind);
                 let ([u, v], step @ [du, dv]) =
-                    (perspective.phases(&left), perspective.step(&left, &right, bits));
-                let passed = (x - from) as u32; // at most 63
+                    (perspective.phases(&left), perspective.step(&left, &right, bits as u32));
+                let passed = (x - from) as u32; // at most 255
                 let at = [u.wrapping_add(du.wrapping_mul(passed)), v.wrapping_add(dv.wrapping_mul(passed))];
-                let width = to.min(self.end) - x;
+                let width = to.min(end) - x;
                 (self.x, self.left) = (to, right);
                 return (width, Line { at, step });
             }
             bits -= 1;
         }
-        let sample = perspective.nearest_sample(x, y);
+        let sample = if left.is_none() { perspective.sample(x, y) } else { left };
         (self.x, self.left) = (x + 1, Sample::NONE);
         (1, Line { at: perspective.phases(&sample), step: [0; 2] })
     }
