@@ -11,6 +11,7 @@ use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
+use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, BlinnPhong, Camera, DepthBuffer, DirectionalLight, Lambert, Lights, Matcap, MeshInstance,
     Picture, Point3, PointLight, Projection, Scalar, ScreenVertex, ShadeTable, SpanShader, Texture, Vector3,
@@ -32,6 +33,9 @@ const COLUMNS: u32 = 4;
 const NIGHT: Rgb888 = Rgb888::new(24, 28, 40);
 const CLAY: Rgb888 = Rgb888::new(226, 140, 84);
 const TEAL: Rgb888 = Rgb888::new(20, 132, 140);
+
+/// A view, its camera, and how the body is turned.
+type Usual = (ViewTransform, Camera, Affine<Model, World>);
 
 type Drawn = Result<Vec<Rgb888>, Box<dyn Error>>;
 
@@ -86,8 +90,7 @@ fn camera(view: &ViewTransform, near: f64, far: f64) -> Result<Camera, Box<dyn E
 }
 
 /// Where most bodies stand, and how they are turned.
-fn usual(
-) -> Result<(ViewTransform, Camera, Affine<pinhole::space::Model, pinhole::space::World>), Box<dyn Error>> {
+fn usual() -> Result<Usual, Box<dyn Error>> {
     let view = view([0.0, 2.0, 2.9], 0.0)?;
     let camera = camera(&view, 1.0, 9.0)?;
     Ok((view, camera, Affine::rotation_x(Angle::degrees(20)).rotate_z(Angle::degrees(-18))))
