@@ -1,0 +1,255 @@
+//! A contact sheet of lights, material captures and textures:
+//!
+//! ```text
+//! cargo run --release --example surfaces -- --help
+//! ```
+
+mod bodies;
+
+use bodies::{ball, floor, torus, Body};
+use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, BlinnPhong, Camera, DepthBuffer, DirectionalLight, Lambert, Lights, Matcap, MeshInstance,
+    Picture, Point3, PointLight, Projection, Scalar, ScreenVertex, ShadeTable, SpanShader, Texture, Vector3,
+    ViewTransform, Viewport,
+};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_apps_support::generated::Generated;
+use pinhole_apps_support::sheet::{write, BACKGROUND, FAINT, INK};
+use pinhole_apps_support::{command, still};
+use std::error::Error;
+use std::process::ExitCode;
+
+const PICTURE: Size = Size::new(176, 132);
+const GAP: u32 = 8;
+const CAPTION: u32 = 17;
+const HEADER: u32 = 24;
+const COLUMNS: u32 = 4;
+
+const NIGHT: Rgb888 = Rgb888::new(24, 28, 40);
+const CLAY: Rgb888 = Rgb888::new(226, 140, 84);
+const TEAL: Rgb888 = Rgb888::new(20, 132, 140);
+
+/// A view, its camera, and how the body is turned.
+type Usual = (ViewTransform, Camera, Affine<Model, World>);
+
+type Drawn = Result<Vec<Rgb888>, Box<dyn Error>>;
+
+fn main() -> ExitCode {
+    command::run(|| {
+        let about = "Draws a contact sheet of lights, material captures and textures";
+        let file = Generated::arguments("--example surfaces", about, "docs/surfaces.png")?;
+        file.finish(&sheet().map_err(|e| e.to_string())?)
+    })
+}
+
+fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
+    let cells: [(&str, &str, Drawn); 8] = [
+        ("Lambert", "one light", one_light()),
+        ("Lights", "three lights", three_lights()),
+        ("PointLight", "two lamps", lamps()),
+        ("BlinnPhong", "highlight, ^32", highlight()),
+        ("Matcap", "per vertex", matcap()),
+        ("Matcap", "per face", matcap_of_faces()),
+        ("Texture", "64 x 64 texels", texture()),
+        ("Texture", "rolled camera", rolled()),
+    ];
+    let cell = PICTURE + Size::new(GAP, CAPTION + GAP);
+    let size = Size::new(COLUMNS * cell.width + GAP, HEADER + 2 * cell.height + GAP);
+    let mut sheet = Canvas::new(size, BACKGROUND);
+    let title = "pinhole: light at vertices and faces, material captures, textures";
+    write(title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet);
+    for (index, (name, details, pixels)) in (0..).zip(cells) {
+        let at = Point::new(GAP as i32, HEADER as i32)
+            + Size::new(index % COLUMNS, index / COLUMNS).component_mul(cell);
+        sheet.fill_contiguous(&Rectangle::new(at, PICTURE), pixels?)?;
+        let below = at + Point::new(0, PICTURE.height as i32 + 3);
+        write(name, below, &FONT_6X10, INK, &mut sheet);
+        let aside = below + Point::new(6 * (name.len() as i32 + 1), 0);
+        write(details, aside, &FONT_6X10, FAINT, &mut sheet);
+    }
+    still::png(size, sheet.pixels())
+}
+
+/// The view from an eye to the origin, rolled by an angle.
+fn view(eye: [f64; 3], roll: f64) -> Result<ViewTransform, Box<dyn Error>> {
+    let [x, y, z] = eye.map(Scalar::from_num);
+    let up = Vector3::from_f32(roll.to_radians().sin() as f32, roll.to_radians().cos() as f32, 0.0)?;
+    Ok(ViewTransform::look_at(Point3::new(x, y, z), Point3::from_ints(0, 0, 0), up)?)
+}
+
+fn camera(view: &ViewTransform, near: f64, far: f64) -> Result<Camera, Box<dyn Error>> {
+    let viewport = Viewport::new(Point::zero(), PICTURE)?;
+    let [near, far] = [near, far].map(Scalar::from_num);
+    let projection = Projection::perspective(Angle::degrees(38), PICTURE, near, far)?;
+    Ok(Camera::new(view, &projection, &viewport))
+}
+
+/// Where most bodies stand, and how they are turned.
+fn usual() -> Result<Usual, Box<dyn Error>> {
+    let view = view([0.0, 2.0, 2.9], 0.0)?;
+    let camera = camera(&view, 1.0, 9.0)?;
+    Ok((view, camera, Affine::rotation_x(Angle::degrees(20)).rotate_z(Angle::degrees(-18))))
+}
+
+/// A picture of instances of meshes with a depth buffer, each with the shaders of its faces.
+struct Scene {
+    pixels: Vec<Rgb888>,
+    depths: Vec<u16>,
+}
+
+impl Scene {
+    fn new() -> Result<Self, Box<dyn Error>> {
+        let area = (PICTURE.width * PICTURE.height) as usize;
+        Ok(Self { pixels: vec![NIGHT; area], depths: vec![u16::MAX; area] })
+    }
+
+    fn draw<S: SpanShader<Rgb888>>(
+        &mut self,
+        instance: &MeshInstance<'_>,
+        vertices: usize,
+        shader: impl Fn(usize) -> S,
+    ) -> Result<(), Box<dyn Error>> {
+        let mut depth = DepthBuffer::new(Rectangle::new(Point::zero(), PICTURE), &mut self.depths)?;
+        let mut picture = Picture::new(&mut self.pixels, PICTURE)?;
+        let mut cache = vec![ScreenVertex::EMPTY; vertices];
+        instance.depth_tested(shader, &mut cache, &mut depth, &mut picture.pixels())?;
+        Ok(())
+    }
+}
+
+/// A torus under light levels that are computed for its vertices.
+fn lit(table: &ShadeTable<Rgb888>, levels: impl Fn(&Body) -> Result<Vec<u16>, Box<dyn Error>>) -> Drawn {
+    let body = torus(40, 20);
+    let (_, camera, model) = usual()?;
+    let levels = levels(&body)?;
+    let mesh = body.mesh()?;
+    let mut scene = Scene::new()?;
+    let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
+    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
+    Ok(scene.pixels)
+}
+
+fn one_light() -> Drawn {
+    let (_, _, model) = usual()?;
+    let light = Lambert::new(&model, Vector3::from_ints(-2, 4, 3), 40)?;
+    lit(&ShadeTable::new(CLAY), |body| Ok(body.normals.iter().map(|&n| light.level(n)).collect()))
+}
+
+fn three_lights() -> Drawn {
+    let (_, _, model) = usual()?;
+    let lights = [([-2, 4, 3], 170), ([4, 0, 1], 90), ([0, -3, 1], 50)];
+    let lights = lights
+        .map(|([x, y, z], strength)| DirectionalLight { towards: Vector3::from_ints(x, y, z), strength });
+    let lights = Lights::new(&model, &lights, 24)?;
+    lit(&ShadeTable::new(CLAY), |body| Ok(body.normals.iter().map(|&n| lights.level(n)).collect()))
+}
+
+fn highlight() -> Drawn {
+    let (view, _, model) = usual()?;
+    let [_, _, [x, y, z]] = view.rows().map(|row| row.map(|c| c as f32 / (1 << 30) as f32));
+    let viewer = Vector3::from_f32(x, y, z)?;
+    let light = BlinnPhong::new(&model, Vector3::from_ints(-2, 4, 3), viewer, 40, 32)?;
+    let table = ShadeTable::with_highlight(TEAL, Rgb888::WHITE);
+    lit(&table, |body| Ok(body.normals.iter().map(|&n| light.level(n)).collect()))
+}
+
+/// Two lamps over a floor, one of them behind a torus.
+fn lamps() -> Drawn {
+    let (_, camera, model) = usual()?;
+    let mut scene = Scene::new()?;
+    let lamps = [[-0.9, 0.5, 0.6], [0.9, 0.7, -0.6]];
+    let table = ShadeTable::new(Rgb888::new(250, 210, 150));
+    let level = Affine::translation(Vector3::from_f32(0.0, -0.6, 0.0)?);
+    for (body, model) in [(floor(32, 2.0, 0), level), (torus(40, 20), model)] {
+        let mesh = body.mesh()?;
+        let mut levels = vec![16; body.vertices.len()];
+        for [x, y, z] in lamps {
+            let lamp = PointLight::new(
+                &model,
+                mesh.exponent(),
+                Point3::from_f32(x, y, z)?,
+                Scalar::from_num(1.8),
+                256,
+            );
+            lamp.add_levels(&body.vertices, &body.normals, &mut levels);
+        }
+        let shader = |face: usize| table.lit(mesh.corners_of(face, &levels));
+        scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
+    }
+    Ok(scene.pixels)
+}
+
+fn matcap() -> Drawn {
+    let body = torus(40, 20);
+    let (view, camera, model) = usual()?;
+    let matcap = Matcap::new(&view.normals(&model));
+    let mut coords = vec![[0; 2]; body.normals.len()];
+    matcap.all_coords(&body.normals, &mut coords);
+    let ball = ball();
+    let texture = Texture::new(&ball).with_exponent(Matcap::EXPONENT)?;
+    let mesh = body.mesh()?;
+    let mut scene = Scene::new()?;
+    let shader = |face: usize| texture.at(mesh.corners_of(face, &coords));
+    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
+    Ok(scene.pixels)
+}
+
+fn matcap_of_faces() -> Drawn {
+    let body = torus(24, 12);
+    let (view, camera, model) = usual()?;
+    let matcap = Matcap::new(&view.normals(&model));
+    let ball = ball();
+    let mesh = body.mesh()?;
+    let normals = body.face_normals();
+    let mut scene = Scene::new()?;
+    let shader = |face: usize| matcap.color(&ball, normals[face]);
+    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
+    Ok(scene.pixels)
+}
+
+/// Tiles of 64 × 64 texels: bricks in two tones, with light mortar.
+fn bricks() -> [[Rgb888; 64]; 64] {
+    let mut texels = [[Rgb888::new(206, 196, 180); 64]; 64];
+    for (v, row) in texels.iter_mut().enumerate() {
+        for (u, texel) in row.iter_mut().enumerate() {
+            let (course, shift) = (v / 16, v / 16 % 2 * 16);
+            let (along, number) = ((u + shift) % 32, (u + shift) / 32 % 2 + course);
+            if v % 16 > 1 && along > 1 {
+                let tone = [0, 22, 10, 34][number * 7 % 4] + (u * 7 + v * 13) as u8 % 8;
+                *texel = Rgb888::new(150 + tone, 66 + tone, 44 + tone / 2);
+            }
+        }
+    }
+    texels
+}
+
+fn texture() -> Drawn {
+    let body = torus(40, 20);
+    let (_, camera, model) = usual()?;
+    let bricks = bricks();
+    let texture = Texture::new(&bricks);
+    let mesh = body.mesh()?;
+    let mut scene = Scene::new()?;
+    let shader = |face: usize| texture.at(mesh.corners_of(face, &body.uv));
+    scene.draw(&camera.place(&mesh, &model), body.vertices.len(), shader)?;
+    Ok(scene.pixels)
+}
+
+/// A floor of two triangles to the horizon, seen by a rolled camera.
+fn rolled() -> Drawn {
+    let body = floor(1, 60.0, 1920);
+    let bricks = bricks();
+    let texture = Texture::new(&bricks);
+    let view = view([0.0, 0.8, 4.0], 17.0)?;
+    let camera = camera(&view, 0.125, 64.0)?;
+    let mesh = body.mesh()?;
+    let mut scene = Scene::new()?;
+    let shader = |face: usize| texture.at(mesh.corners_of(face, &body.uv));
+    scene.draw(&camera.place(&mesh, &Affine::identity()), body.vertices.len(), shader)?;
+    Ok(scene.pixels)
+}
