@@ -58,8 +58,8 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for Fill<'_, '_, S> {
     ) {
         let Self { memory, triangle, scissor } = self;
         fill(memory, triangle, scissor, |cells, _, span| {
-            let texel = texel; // in a register
-            each_run(cells, lines(span), |pixels, line| put_line(pixels, line, texel));
+            let of = texel; // a copy, in a register
+            each_run(cells, lines(span), |pixels, line| put_line(pixels, line, of));
         });
     }
 }
@@ -205,9 +205,9 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, 
         let Self { memory, depths, triangle, scissor } = self;
         let gradient = depth_gradient(&triangle.triangle, &triangle.depths);
         fill(memory, &triangle.triangle, scissor, |cells, from, span| {
-            let texel = texel; // in a register
+            let of = texel; // a copy, in a register
             each_run_nearer(cells, depths, from, span, &gradient, lines(span), |pixels, depths, z, line| {
-                put_line_nearer(pixels, depths, z, gradient.step(), line, texel)
+                put_line_nearer(pixels, depths, z, gradient.step(), line, of)
             });
         });
     }

@@ -417,7 +417,8 @@ fn texels(to: &Path, scene: &Value) -> Vec<u16> {
 fn texels_are_numbered_row_by_row() {
     let to = RENDER.folder("render", "texels");
     // Pixel (i, j) has u = i + ½ and v = (j + ½)/2, in column i and row j/2.
-    let expected: Vec<u16> = (0..16).flat_map(|j| (0..16).map(move |i| 1 << 15 | j / 2 * 16 + i)).collect();
+    let expected: Vec<u16> =
+        (0..16).flat_map(|j| (0..16).map(move |i| (1 << 15) | (j / 2 * 16 + i))).collect();
     assert_eq!(texels(&to, &textured()), expected);
     let mut corners = textured();
     corners["uv"] = json!([[[0, 8], [16, 8], [16, 0]], [[0, 8], [16, 0], [0, 0]]]);

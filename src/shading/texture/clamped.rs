@@ -58,6 +58,14 @@ impl<S: Texels> Texels for ClampedTexels<S> {
         let [u, v] = self.inside(u, v);
         self.texels.texel(u, v)
     }
+
+    const KEYED: bool = S::KEYED;
+
+    #[inline(always)]
+    fn kept_texel(&self, u: u32, v: u32) -> Option<S::Color> {
+        let [u, v] = self.inside(u, v);
+        self.texels.kept_texel(u, v)
+    }
 }
 
 #[cfg(feature = "defmt")]

@@ -45,10 +45,10 @@ fn window() -> Window {
 }
 
 macro_rules! entries {
-    ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty { $body:expr })*) => {$(
+    ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty { $($body:tt)* })*) => {$(
         #[unsafe(no_mangle)]
         fn $name($($argument: $type),*) -> $result {
-            $body
+            $($body)*
         }
     )*};
 }
