@@ -157,10 +157,11 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 7] = [
+const NOT_NAMED: [&str; 8] = [
     "BlendedSetup",
     "ChannelGradients",
     "DitheredColor",
+    "Line",
     "LitTextureGradients",
     "ScreenDoorSetup",
     "TableGradient",

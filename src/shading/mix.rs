@@ -11,9 +11,9 @@ use embedded_graphics_core::pixelcolor::{
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
 /// use pinhole::Mix;
-/// assert_eq!(Gray8::new(200).mix(Gray8::new(100), 128), Gray8::new(150));
-/// assert_eq!(Rgb565::WHITE.mix(Rgb565::BLUE, 64), Rgb565::new(8, 16, 31));
-/// assert_eq!(Rgb565::WHITE.mix(Rgb565::BLUE, 0), Rgb565::BLUE);
+/// assert_eq!(Gray8::new(200).over(Gray8::new(100), 128), Gray8::new(150));
+/// assert_eq!(Rgb565::WHITE.over(Rgb565::BLUE, 64), Rgb565::new(8, 16, 31));
+/// assert_eq!(Rgb565::WHITE.over(Rgb565::BLUE, 0), Rgb565::BLUE);
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be mixed with the color below it",
@@ -24,7 +24,7 @@ pub trait Mix: PixelColor {
     /// `alpha` parts of this colour and 256 − `alpha` parts of the colour `below`, rounded to nearest per channel; `alpha` is
     /// 0 … 256. Colours of 15 and 16 bits round `alpha` to a multiple of 8 first, which is at most 1/64 off.
     #[must_use]
-    fn mix(self, below: Self, alpha: u16) -> Self;
+    fn over(self, below: Self, alpha: u16) -> Self;
 }
 
 /// One channel of at most 8 bits.
@@ -38,7 +38,7 @@ macro_rules! grey {
     ($($color:ty),*) => {$(
         impl Mix for $color {
             #[inline(always)]
-            fn mix(self, below: Self, alpha: u16) -> Self {
+            fn over(self, below: Self, alpha: u16) -> Self {
                 Self::new(channel(self.luma(), below.luma(), alpha))
             }
         }
@@ -51,7 +51,7 @@ macro_rules! rgb {
     ($($color:ty),*) => {$(
         impl Mix for $color {
             #[inline(always)]
-            fn mix(self, below: Self, alpha: u16) -> Self {
+            fn over(self, below: Self, alpha: u16) -> Self {
                 Self::new(
                     channel(self.r(), below.r(), alpha),
                     channel(self.g(), below.g(), alpha),
@@ -70,7 +70,7 @@ macro_rules! packed {
     ($($mask:literal, $half:literal: $($color:ty),*;)*) => {$($(
         impl Mix for $color {
             #[inline(always)]
-            fn mix(self, below: Self, alpha: u16) -> Self {
+            fn over(self, below: Self, alpha: u16) -> Self {
                 // The middle channel in the upper half, both others in the lower one.
                 let spread = |color: Self| (color.encode() | color.encode() << 16) & $mask;
                 let (own, below, alpha) = (spread(self), spread(below), (u32::from(alpha.min(256)) + 4) >> 3);
@@ -105,10 +105,10 @@ mod tests {
         for alpha in 0..=256 {
             for own in 0..16 {
                 for below in 0..16 {
-                    check(own, below, alpha, Gray4::new(own).mix(Gray4::new(below), alpha).luma());
+                    check(own, below, alpha, Gray4::new(own).over(Gray4::new(below), alpha).luma());
                     let (own, below) = (own * 17, below * 17);
-                    check(own, below, alpha, Gray8::new(own).mix(Gray8::new(below), alpha).luma());
-                    let mixed = Rgb888::new(own, below, 7).mix(Rgb888::new(below, own, 250), alpha);
+                    check(own, below, alpha, Gray8::new(own).over(Gray8::new(below), alpha).luma());
+                    let mixed = Rgb888::new(own, below, 7).over(Rgb888::new(below, own, 250), alpha);
                     check(own, below, alpha, mixed.r());
                     check(below, own, alpha, mixed.g());
                     check(7, 250, alpha, mixed.b());
@@ -125,12 +125,12 @@ mod tests {
                 for j in 0..64 {
                     let (own, below) = ([i / 2, j, 31 - i / 2], [j / 2, 63 - i, i / 2]);
                     let [r, g, b] = own;
-                    let mixed = Rgb565::new(r, g, b).mix(Rgb565::new(below[0], below[1], below[2]), alpha);
+                    let mixed = Rgb565::new(r, g, b).over(Rgb565::new(below[0], below[1], below[2]), alpha);
                     check(r, below[0], rounded, mixed.r());
                     check(g, below[1], rounded, mixed.g());
                     check(b, below[2], rounded, mixed.b());
                     let mixed =
-                        Bgr555::new(r, g / 2, b).mix(Bgr555::new(below[0], below[1] / 2, below[2]), alpha);
+                        Bgr555::new(r, g / 2, b).over(Bgr555::new(below[0], below[1] / 2, below[2]), alpha);
                     check(r, below[0], rounded, mixed.r());
                     check(g / 2, below[1] / 2, rounded, mixed.g());
                     check(b, below[2], rounded, mixed.b());
@@ -142,9 +142,9 @@ mod tests {
     #[test]
     fn nothing_and_all_of_a_colour() {
         let (own, below) = (Rgb666::new(63, 0, 21), Rgb666::new(5, 63, 40));
-        assert_eq!((own.mix(below, 0), own.mix(below, 256), own.mix(below, u16::MAX)), (below, own, own));
-        assert_eq!(Gray2::new(3).mix(Gray2::new(0), 128), Gray2::new(2));
-        assert_eq!(Bgr888::WHITE.mix(Bgr888::BLACK, 256), Bgr888::WHITE);
-        assert_eq!(Bgr565::WHITE.mix(Bgr565::BLACK, 255), Bgr565::WHITE);
+        assert_eq!((own.over(below, 0), own.over(below, 256), own.over(below, u16::MAX)), (below, own, own));
+        assert_eq!(Gray2::new(3).over(Gray2::new(0), 128), Gray2::new(2));
+        assert_eq!(Bgr888::WHITE.over(Bgr888::BLACK, 256), Bgr888::WHITE);
+        assert_eq!(Bgr565::WHITE.over(Bgr565::BLACK, 255), Bgr565::WHITE);
     }
 }

@@ -89,6 +89,6 @@ impl<C: Mix> Stroke<C> for AntiAliased<C> {
 
     #[inline(always)]
     fn over(&self, below: C, coverage: u16) -> C {
-        self.0.mix(below, coverage)
+        self.0.over(below, coverage)
     }
 }

@@ -3,15 +3,17 @@
 use crate::any;
 use core::hint::black_box;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{Gray8, Rgb555, Rgb565, Rgb666, Rgb888};
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888,
+};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
     Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, HalfBlended, IndexKeyed, IndexedTexels,
-    LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError, PictureError, PixelFormat, Pixels,
-    ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels, Texture,
-    TextureError, WithPlanes,
+    LitPalette, LitTexels, Memory, MeshInstance, Mix, Painter, PainterError, PictureError, PixelFormat,
+    Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels,
+    Texture, TextureError, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -200,6 +202,13 @@ fn entry_texture_with_key(
     let [solid, tested] = textured(IndexKeyed::new(texels, any() as u8), instance, cache, cells, depths)?;
     let key = Rgb565::load(any() as u16);
     let [other_solid, other_tested] = textured(ColorKeyed::new(texels, key), instance, cache, cells, depths)?;
+    // Of textures, which need the corners' 1/w, as wrappers of shaders pass on; without the picture's copies, too.
+    let texture = Texture::new(ColorKeyed::new(texels, key));
+    shaded(|_| texture.clamped_at([[any() as i16, any() as i16]; 3]), instance, cache, cells, depths)?;
+    let face = |_| texture.at([[any() as i16, any() as i16]; 3]);
+    shaded(|f| ScreenDoor::new(face(f), any() as u8), instance, cache, cells, depths)?;
+    shaded(|f| HalfBlended::new(face(f)), instance, cache, cells, depths)?;
+    shaded(|f| Blended::new(face(f), any() as u8), instance, cache, cells, depths)?;
     Ok([solid, tested, other_solid, other_tested])
 }
 
@@ -243,7 +252,7 @@ fn entry_blended(
     Ok([solid, tested, mixed])
 }
 
-/// Mixes colors of every format in which channels lie differently.
+/// Mixes colours of every format.
 #[unsafe(no_mangle)]
 fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 2] {
     fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 2] {
@@ -251,11 +260,43 @@ fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 2] {
         [own.half(stored).encode(), own.mix(stored, alpha).encode()]
     }
     match any() {
-        0 => both::<Rgb555>(bits, alpha),
-        1 => both::<Rgb565>(bits, alpha),
-        2 => both::<Rgb666>(bits, alpha),
-        3 => both::<Rgb888>(bits, alpha),
-        _ => both::<Gray8>(bits, alpha),
+        0 => both::<BinaryColor>(bits, alpha),
+        1 => both::<Gray2>(bits, alpha),
+        2 => both::<Gray4>(bits, alpha),
+        3 => both::<Gray8>(bits, alpha),
+        4 => both::<Rgb555>(bits, alpha),
+        5 => both::<Rgb565>(bits, alpha),
+        6 => both::<Rgb666>(bits, alpha),
+        7 => both::<Rgb888>(bits, alpha),
+        8 => both::<Bgr555>(bits, alpha),
+        9 => both::<Bgr565>(bits, alpha),
+        10 => both::<Bgr666>(bits, alpha),
+        _ => both::<Bgr888>(bits, alpha),
+    }
+}
+
+/// Mixes colours of every format of anti-aliased lines.
+#[unsafe(no_mangle)]
+fn entry_mix(bits: [u32; 2], alpha: u16) -> u32 {
+    fn mixed<C: Mix + PixelFormat>(bits: [u32; 2], alpha: u16) -> u32 {
+        {
+            let [own, below] = bits.map(C::decode);
+            own.over(below, alpha)
+        }
+        .encode()
+    }
+    match any() {
+        0 => mixed::<Gray2>(bits, alpha),
+        1 => mixed::<Gray4>(bits, alpha),
+        2 => mixed::<Gray8>(bits, alpha),
+        3 => mixed::<Rgb555>(bits, alpha),
+        4 => mixed::<Rgb565>(bits, alpha),
+        5 => mixed::<Rgb666>(bits, alpha),
+        6 => mixed::<Rgb888>(bits, alpha),
+        7 => mixed::<Bgr555>(bits, alpha),
+        8 => mixed::<Bgr565>(bits, alpha),
+        9 => mixed::<Bgr666>(bits, alpha),
+        _ => mixed::<Bgr888>(bits, alpha),
     }
 }
 
