@@ -3,8 +3,8 @@
 use super::{Blend, CornerValues, Shader, SpanShader};
 use crate::raster::{Span, Triangle};
 
-/// A translucent shader: half of its color, half of the stored pixel. On a Cortex-M3 a pixel of `Rgb565` costs little more than
-/// half of what it costs with [`Blended`].
+/// A translucent shader: half of its color, half of the stored pixel. A pixel takes an addition of both colors, where
+/// [`Blended`] multiplies.
 ///
 /// It reads pixels, so it draws into [memory](crate::Target::memory) alone: a [`Picture`](crate::Picture), or the pixels of a
 /// [`Band`](crate::Band). With another target it does not compile; [`ScreenDoor`](crate::ScreenDoor) draws into every target.

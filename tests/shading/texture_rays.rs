@@ -120,7 +120,7 @@ impl Ray {
         })
     }
 
-    /// The same where the edge of the picture continues.
+    /// The worst error, and the number of pixels, where the edge of the picture continues.
     pub(crate) fn worst_clamped(&self, picture: &[Option<Shown>], bits: [u32; 2]) -> (f64, usize) {
         self.worst(picture, |shown, (low, high), axis| {
             let side = f64::from(1u32 << bits[axis]);

@@ -92,7 +92,7 @@ fn arguments() -> Command {
         )
 }
 
-/// What is asked of a run.
+/// The options of a run.
 struct Run<'a> {
     /// Frames to compare.
     frames: u32,

@@ -5,7 +5,7 @@ use super::texels::Texels;
 /// Texels whose edge continues without end, where other [`Texels`] repeat: a coordinate beyond the picture, below 0 too, shows the
 /// nearest texel of the edge. [`Texture::clamped_at`](crate::Texture::clamped_at) makes it. (OpenGL: `CLAMP_TO_EDGE`.)
 ///
-/// A pixel takes about eight instructions more than where the picture repeats.
+/// Two comparisons more for each coordinate of a pixel than where the picture repeats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClampedTexels<S> {
     texels: S,
@@ -46,7 +46,7 @@ const fn clamped(coordinate: u32, sides: u8) -> u32 {
 impl<S: Texels> Texels for ClampedTexels<S> {
     type Color = S::Color;
 
-    /// Those of all that coordinates span, so up to 25.
+    /// The bits of all texels that coordinates span, so up to 25.
     #[inline(always)]
     fn size_bits(&self) -> [u32; 2] {
         let ([w, h], [across, down]) = (self.texels.size_bits(), self.sides);

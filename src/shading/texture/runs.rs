@@ -48,7 +48,7 @@ pub(super) struct PerspectiveRuns<'g> {
     x: i32,
     y: i32,
     end: i32,
-    /// That of the row.
+    /// The row's [curvature](Perspective::curvature).
     curvature: i32,
     /// The sample at `x`, where the last run ended; none at the span's begin, and after a run of one pixel.
     left: Sample,
