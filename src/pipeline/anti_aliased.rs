@@ -40,7 +40,7 @@ pub(super) fn mix_line<T: Target, K: Stroke<T::Color>>(
                 && is_visible(x, y, coverage)
                 && let Some(cell) = cells.get_mut(at)
             {
-                *cell = stroke.over(T::Color::load(*cell), coverage as u16).stored();
+                *cell = stroke.covering(T::Color::load(*cell), coverage as u16).stored();
                 // 0 … 256
             }
             at = at.wrapping_add(across);

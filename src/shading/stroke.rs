@@ -23,7 +23,7 @@ pub trait Stroke<C: PixelColor>: Copy {
     /// The colour of a pixel that the line covers in part, 0 … 256 in 1/256 pixel, where `below` is stored. Called only if
     /// [`IS_ANTI_ALIASED`](Self::IS_ANTI_ALIASED) is true.
     #[inline(always)]
-    fn over(&self, below: C, coverage: u16) -> C {
+    fn covering(&self, below: C, coverage: u16) -> C {
         let _ = (below, coverage);
         self.color()
     }
@@ -88,7 +88,7 @@ impl<C: Mix> Stroke<C> for AntiAliased<C> {
     }
 
     #[inline(always)]
-    fn over(&self, below: C, coverage: u16) -> C {
+    fn covering(&self, below: C, coverage: u16) -> C {
         self.0.over(below, coverage)
     }
 }

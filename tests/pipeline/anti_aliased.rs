@@ -309,5 +309,5 @@ fn a_color_is_a_stroke_of_itself() {
         (Gray8::WHITE, Gray8::WHITE)
     );
     const { assert!(!<Gray8 as Stroke<Gray8>>::IS_ANTI_ALIASED) };
-    assert_eq!(Gray8::WHITE.over(Gray8::BLACK, 0), Gray8::WHITE);
+    assert_eq!(Gray8::WHITE.covering(Gray8::BLACK, 0), Gray8::WHITE);
 }

@@ -301,7 +301,7 @@ fn draw_anti_aliased<T: Target<Color = Rgb565>>(
     let Scene { corners, depth, bin_storage, .. } = scene;
     let stroke = AntiAliased(Rgb565::new(any() as u8, any() as u8, any() as u8));
     let mixed = stroke.color().over(Rgb565::new(any() as u8, any() as u8, any() as u8), any() as u16);
-    black_box((mixed, stroke.over(mixed, any() as u16)));
+    black_box((mixed, stroke.covering(mixed, any() as u16)));
     let [from, to] = [0; 2].map(|_| raster::Pixel { x: any() as i16, y: any() as i16 });
     report(draw_line(from, to, stroke, target));
     report(instance.wireframe(stroke, corners, target));
