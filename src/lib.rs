@@ -43,7 +43,7 @@ pub use scene::{
 pub use shading::{
     Accuracy, AntiAliased, Blend, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues,
     Dim, DirectionalLight, Dithered, Flat, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert,
-    LightError, Lights, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, Mix, PointLight,
+    LightError, Lights, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight,
     RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, Stroke, TableShader, TexelSlice, Texels,
     Texture, TextureError, Textured,
 };

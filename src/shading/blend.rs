@@ -6,9 +6,9 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888,
 };
 
-/// A color type whose colors can be mixed channel by channel, for [`HalfBlended`](crate::HalfBlended) and
-/// [`Blended`](crate::Blended). All color types of embedded-graphics implement it; channels are mixed
-/// side by side in one word, without a division.
+/// A color type whose colors can be mixed channel by channel, for [`HalfBlended`](crate::HalfBlended),
+/// [`Blended`](crate::Blended) and [`AntiAliased`](crate::AntiAliased). All color types of embedded-graphics implement it; channels
+/// are mixed side by side in one word, without a division.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::{Gray8, Rgb565};
@@ -32,12 +32,15 @@ pub trait Blend: PixelColor {
     /// are equally near. `alpha` is 0 … 32; more gives a color without meaning.
     #[must_use]
     fn mix(self, stored: Self, alpha: u8) -> Self;
-}
 
-/// The shares of 32 of a color and of the stored one.
-#[inline(always)]
-const fn shares(alpha: u8) -> [u32; 2] {
-    [alpha as u32, 32u32.wrapping_sub(alpha as u32)]
+    /// `coverage` 256ths of this color plus the rest of `stored`, channel by channel, rounded to the nearest level. `coverage` is
+    /// 0 … 256; more counts as 256. Colors of 15 and 16 bits round it to 1/32 first, which is at most 1/64 off, and this is what a
+    /// type of your own gets from [`mix`](Self::mix).
+    #[must_use]
+    #[inline(always)]
+    fn over(self, stored: Self, coverage: u16) -> Self {
+        self.mix(stored, ((coverage.min(256) + 4) >> 3) as u8)
+    }
 }
 
 /// The mean of packed channels. `low`: all bits of all channels but their highest ones, which a right shift by 1 leaves alone.
@@ -47,18 +50,24 @@ const fn half(own: u32, stored: u32, low: u32) -> u32 {
     own.wrapping_sub(own >> 1 & low).wrapping_add(stored >> 1 & low)
 }
 
-/// Mixes channels that have five free bits above each. `all`: the bits of the channels; `round`: 16 in each.
+/// Mixes channels that have at least `bits` free bits above each: `share` parts of 2^`bits`, 5 or 8, of one color, and the rest of
+/// the other. `all`: the bits of the channels; `lowest`: the lowest bit of each.
 #[inline(always)]
-const fn mix(own: u32, stored: u32, alpha: u8, all: u32, round: u32) -> u32 {
-    // A channel below 2^n becomes at most 32·(2^n − 1) + 16 < 2^(n + 5).
-    let [a, b] = shares(alpha);
-    let own = (own & all).wrapping_mul(a).wrapping_add(round);
-    (own.wrapping_add((stored & all).wrapping_mul(b)) >> 5) & all
+const fn mix(own: u32, stored: u32, share: u32, bits: u32, all: u32, lowest: u32) -> u32 {
+    // A channel below 2^n becomes at most 2^bits·(2^n − 1) + 2^(bits − 1) < 2^(n + bits).
+    let own = (own & all).wrapping_mul(share).wrapping_add(lowest << (bits - 1));
+    (own.wrapping_add((stored & all).wrapping_mul((1u32 << bits).wrapping_sub(share))) >> bits) & all
+}
+
+/// A share of 256 parts.
+#[inline(always)]
+fn of_256(coverage: u16) -> u32 {
+    coverage.min(256).into()
 }
 
 /// Formats of 15 and 16 bits: the channel in the middle is moved up by 16 bits, so that all have room above.
 macro_rules! blend_16 {
-    ($($color:ty: $low:literal, $spread:literal, $round:expr;)*) => {$(
+    ($($color:ty: $low:literal, $spread:literal, $lowest:expr;)*) => {$(
         impl Blend for $color {
             #[inline(always)]
             fn half(self, stored: Self) -> Self {
@@ -68,7 +77,7 @@ macro_rules! blend_16 {
             #[inline(always)]
             fn mix(self, stored: Self, alpha: u8) -> Self {
                 let spread = |bits: u32| bits | bits << 16;
-                let mixed = mix(spread(self.encode()), spread(stored.encode()), alpha, $spread, $round);
+                let mixed = mix(spread(self.encode()), spread(stored.encode()), alpha.into(), 5, $spread, $lowest);
                 Self::decode((mixed | mixed >> 16) & 0xffff)
             }
         }
@@ -76,10 +85,17 @@ macro_rules! blend_16 {
 }
 
 blend_16! {
-    Rgb565: 0x7bef, 0x07e0_f81f, 16 | 16 << 11 | 16 << 21;
-    Bgr565: 0x7bef, 0x07e0_f81f, 16 | 16 << 11 | 16 << 21;
-    Rgb555: 0x3def, 0x03e0_7c1f, 16 | 16 << 10 | 16 << 21;
-    Bgr555: 0x3def, 0x03e0_7c1f, 16 | 16 << 10 | 16 << 21;
+    Rgb565: 0x7bef, 0x07e0_f81f, 1 | 1 << 11 | 1 << 21;
+    Bgr565: 0x7bef, 0x07e0_f81f, 1 | 1 << 11 | 1 << 21;
+    Rgb555: 0x3def, 0x03e0_7c1f, 1 | 1 << 10 | 1 << 21;
+    Bgr555: 0x3def, 0x03e0_7c1f, 1 | 1 << 10 | 1 << 21;
+}
+
+/// [`mix`] for three channels of at most 8 bits in a byte each; `outer`: the bits of the first and the last one.
+#[inline(always)]
+const fn mix_24(own: u32, stored: u32, share: u32, bits: u32, outer: u32) -> u32 {
+    let middle = mix(own, stored, share, bits, (outer & 0xff) << 8, 1 << 8);
+    mix(own, stored, share, bits, outer, 1 | 1 << 16) | middle
 }
 
 /// Formats of three bytes: the outer channels are mixed in one word, the middle one in another. `down`: the free bits at the lower
@@ -95,9 +111,13 @@ macro_rules! blend_24 {
             #[inline(always)]
             fn mix(self, stored: Self, alpha: u8) -> Self {
                 let (own, stored) = (self.encode() >> $down, stored.encode() >> $down);
-                let outer = mix(own, stored, alpha, $outer, 16 | 16 << 16);
-                let middle = mix(own, stored, alpha, ($outer & 0xff) << 8, 16 << 8);
-                Self::decode((outer | middle) << $down)
+                Self::decode(mix_24(own, stored, alpha.into(), 5, $outer) << $down)
+            }
+
+            #[inline(always)]
+            fn over(self, stored: Self, coverage: u16) -> Self {
+                let (own, stored) = (self.encode() >> $down, stored.encode() >> $down);
+                Self::decode(mix_24(own, stored, of_256(coverage), 8, $outer) << $down)
             }
         }
     )*};
@@ -120,7 +140,12 @@ macro_rules! blend_gray {
 
             #[inline(always)]
             fn mix(self, stored: Self, alpha: u8) -> Self {
-                Self::decode(mix(self.encode(), stored.encode(), alpha, $max, 16))
+                Self::decode(mix(self.encode(), stored.encode(), alpha.into(), 5, $max, 1))
+            }
+
+            #[inline(always)]
+            fn over(self, stored: Self, coverage: u16) -> Self {
+                Self::decode(mix(self.encode(), stored.encode(), of_256(coverage), 8, $max, 1))
             }
         }
     )*};
@@ -131,4 +156,65 @@ blend_gray! {
     Gray2: 3;
     Gray4: 15;
     Gray8: 255;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use embedded_graphics_core::pixelcolor::{GrayColor, RgbColor};
+
+    /// Rounded to nearest, in integers: the error of `mixed` in 1/512 of a level is at most 256.
+    fn check(own: u8, below: u8, alpha: u16, mixed: u8) {
+        let (own, below, alpha) = (i32::from(own), i32::from(below), i32::from(alpha));
+        let error = 256 * i32::from(mixed) - own * alpha - below * (256 - alpha);
+        assert!(error.abs() <= 128, "{own} over {below}, {alpha}: {mixed}");
+    }
+
+    #[test]
+    fn channels_are_mixed_to_nearest() {
+        for alpha in 0..=256 {
+            for own in 0..16 {
+                for below in 0..16 {
+                    check(own, below, alpha, Gray4::new(own).over(Gray4::new(below), alpha).luma());
+                    let (own, below) = (own * 17, below * 17);
+                    check(own, below, alpha, Gray8::new(own).over(Gray8::new(below), alpha).luma());
+                    let mixed = Rgb888::new(own, below, 7).over(Rgb888::new(below, own, 250), alpha);
+                    check(own, below, alpha, mixed.r());
+                    check(below, own, alpha, mixed.g());
+                    check(7, 250, alpha, mixed.b());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn packed_channels_do_not_touch_each_other() {
+        for alpha in 0..=256_u16 {
+            let rounded = (alpha + 4) / 8 * 8;
+            for i in 0..64_u8 {
+                for j in 0..64 {
+                    let (own, below) = ([i / 2, j, 31 - i / 2], [j / 2, 63 - i, i / 2]);
+                    let [r, g, b] = own;
+                    let mixed = Rgb565::new(r, g, b).over(Rgb565::new(below[0], below[1], below[2]), alpha);
+                    check(r, below[0], rounded, mixed.r());
+                    check(g, below[1], rounded, mixed.g());
+                    check(b, below[2], rounded, mixed.b());
+                    let mixed =
+                        Bgr555::new(r, g / 2, b).over(Bgr555::new(below[0], below[1] / 2, below[2]), alpha);
+                    check(r, below[0], rounded, mixed.r());
+                    check(g / 2, below[1] / 2, rounded, mixed.g());
+                    check(b, below[2], rounded, mixed.b());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_and_all_of_a_colour() {
+        let (own, below) = (Rgb666::new(63, 0, 21), Rgb666::new(5, 63, 40));
+        assert_eq!((own.over(below, 0), own.over(below, 256), own.over(below, u16::MAX)), (below, own, own));
+        assert_eq!(Gray2::new(3).over(Gray2::new(0), 128), Gray2::new(2));
+        assert_eq!(Bgr888::WHITE.over(Bgr888::BLACK, 256), Bgr888::WHITE);
+        assert_eq!(Bgr565::WHITE.over(Bgr565::BLACK, 255), Bgr565::WHITE);
+    }
 }

@@ -1,6 +1,6 @@
 //! Strokes: what lines are drawn with.
 
-use super::Mix;
+use super::Blend;
 use embedded_graphics_core::pixelcolor::PixelColor;
 
 /// What a line is drawn with: a colour, or [`AntiAliased`] with a colour. Every call that draws lines takes one.
@@ -9,7 +9,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 #[diagnostic::on_unimplemented(
     message = "lines of a target of `{C}` cannot be drawn with `{Self}`",
     label = "not `{C}` or a stroke of it",
-    note = "pass `{C}`, the target's color type, or `AntiAliased` of it for grey and RGB colors"
+    note = "pass `{C}`, the target's color type, or `AntiAliased` of it"
 )]
 pub trait Stroke<C: PixelColor>: Copy {
     /// Whether lines are anti-aliased. Such a stroke reads the stored pixels, so it compiles only for targets whose pixels lie in
@@ -45,7 +45,7 @@ impl<C: PixelColor> Stroke<C> for C {
 /// pixel, and a line of less than that may have no pixel. Ends are not rounded to pixels across the line, unlike those of plain
 /// lines. (Area sampling by a box filter: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., section 3.17.2.)
 ///
-/// Coverage is within 2⁻⁹ + 2⁻¹² pixel of the area, asserted against polygons cut in f64; [`Mix`] then rounds it to 1/32 for
+/// Coverage is within 2⁻⁹ + 2⁻¹² pixel of the area, asserted against polygons cut in f64; [`Blend::over`] then rounds it to 1/32 for
 /// colours of 15 and 16 bits, and each channel to nearest. A clipped line has the pixels of the line that lie inside, so bands
 /// equal one piece. Where lines cross, each is mixed over those before: the order matters, though not with one colour.
 ///
@@ -79,7 +79,7 @@ pub struct AntiAliased<C>(
     pub C,
 );
 
-impl<C: Mix> Stroke<C> for AntiAliased<C> {
+impl<C: Blend> Stroke<C> for AntiAliased<C> {
     const IS_ANTI_ALIASED: bool = true;
 
     #[inline(always)]

@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, RgbColor};
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::raster::Pixel;
 use pinhole::{
-    draw_line, edge_faces, AntiAliased, DepthBuffer, Frame, Mesh, MeshInstance, Mix, Picture, PixelFormat,
+    draw_line, edge_faces, AntiAliased, Blend, DepthBuffer, Frame, Mesh, MeshInstance, Picture, PixelFormat,
     Pixels, ScreenVertex, StoredPixel, Stroke,
 };
 use support::bridge::draw::{cube_camera, CUBE, CUBE_EDGES, CUBE_FACES};
@@ -122,7 +122,7 @@ fn in_bands<const N: usize, C: PixelFormat + StoredPixel<[u8; N]> + core::fmt::D
     assert!(colors == whole, "{rows} rows");
 }
 
-fn all_ways<const N: usize, C: PixelFormat + StoredPixel<[u8; N]> + Mix + core::fmt::Debug>(
+fn all_ways<const N: usize, C: PixelFormat + StoredPixel<[u8; N]> + Blend + core::fmt::Debug>(
     color: C,
     face: C,
 ) {

@@ -12,8 +12,8 @@ use embedded_graphics_core::Pixel;
 use pinhole::raster::{self, Scissor, ScreenPoint, Span};
 use pinhole::space::{Model, World};
 use pinhole::{
-    draw_line, fill_triangle, Affine, AntiAliased, Camera, Channels, Coordinate, Cull, DepthBuffer, Dim,
-    DirtyRegions, FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Mix, Object,
+    draw_line, fill_triangle, Affine, AntiAliased, Blend, Camera, Channels, Coordinate, Cull, DepthBuffer,
+    Dim, DirtyRegions, FacePlanes, Flat, Frame, Gouraud, Lambert, LeastRun, Mesh, MeshInstance, Object,
     Painter, Picture, Scalar, ScreenVertex, ShadeTable, SpanShader, Stroke, Target, Tracked, TransferCost,
     WithPlanes,
 };

@@ -11,9 +11,9 @@ use pinhole::clip::Barycentric;
 use pinhole::raster::{Gradient, Span, Triangle};
 use pinhole::{
     Accuracy, Blend, Blended, ColorKeyed, CornerValues, DepthBuffer, HalfBlended, IndexKeyed, IndexedTexels,
-    LitPalette, LitTexels, Memory, MeshInstance, Mix, Painter, PainterError, PictureError, PixelFormat,
-    Pixels, ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels,
-    Texture, TextureError, WithPlanes,
+    LitPalette, LitTexels, Memory, MeshInstance, Painter, PainterError, PictureError, PixelFormat, Pixels,
+    ScreenDoor, ScreenVertex, Shader, SpanShader, Statistics, StoredPixel, TexelSlice, Texels, Texture,
+    TextureError, WithPlanes,
 };
 
 /// Depths, 1/w and the weights of each corner, and the pixels that are there.
@@ -254,10 +254,10 @@ fn entry_blended(
 
 /// Mixes colours of every format.
 #[unsafe(no_mangle)]
-fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 2] {
-    fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 2] {
+fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 3] {
+    fn both<C: Blend + PixelFormat>([own, stored]: [u32; 2], alpha: u8) -> [u32; 3] {
         let [own, stored] = [own, stored].map(C::decode);
-        [own.half(stored).encode(), own.mix(stored, alpha).encode()]
+        [own.half(stored).encode(), own.mix(stored, alpha).encode(), own.over(stored, any() as u16).encode()]
     }
     match any() {
         0 => both::<BinaryColor>(bits, alpha),
@@ -272,31 +272,6 @@ fn entry_blend(bits: [u32; 2], alpha: u8) -> [u32; 2] {
         9 => both::<Bgr565>(bits, alpha),
         10 => both::<Bgr666>(bits, alpha),
         _ => both::<Bgr888>(bits, alpha),
-    }
-}
-
-/// Mixes colours of every format of anti-aliased lines.
-#[unsafe(no_mangle)]
-fn entry_mix(bits: [u32; 2], alpha: u16) -> u32 {
-    fn mixed<C: Mix + PixelFormat>(bits: [u32; 2], alpha: u16) -> u32 {
-        {
-            let [own, below] = bits.map(C::decode);
-            own.over(below, alpha)
-        }
-        .encode()
-    }
-    match any() {
-        0 => mixed::<Gray2>(bits, alpha),
-        1 => mixed::<Gray4>(bits, alpha),
-        2 => mixed::<Gray8>(bits, alpha),
-        3 => mixed::<Rgb555>(bits, alpha),
-        4 => mixed::<Rgb565>(bits, alpha),
-        5 => mixed::<Rgb666>(bits, alpha),
-        6 => mixed::<Rgb888>(bits, alpha),
-        7 => mixed::<Bgr555>(bits, alpha),
-        8 => mixed::<Bgr565>(bits, alpha),
-        9 => mixed::<Bgr666>(bits, alpha),
-        _ => mixed::<Bgr888>(bits, alpha),
     }
 }
 
