@@ -66,7 +66,7 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for Fill<'_, '_, S> {
 
 /// Calls `put` with the pixels of each run.
 #[inline(always)]
-fn each_run<Cell, Q>(
+pub(super) fn each_run<Cell, Q>(
     mut cells: &mut [Cell],
     runs: impl Iterator<Item = (i32, Q)>,
     put: impl Fn(&mut [Cell], Q),
@@ -94,7 +94,7 @@ fn put_line<Cell, C: StoredPixel<Cell>>(pixels: &mut [Cell], mut line: Line, tex
 
 /// Calls `row` with the cells of each row, the index of the first one, and its span.
 #[inline(never)] // its loop needs all registers
-fn fill<S: PixelStore>(
+pub(super) fn fill<S: PixelStore>(
     memory: &mut PixelRows<S>,
     triangle: &Triangle<'_>,
     scissor: &Scissor,
@@ -215,7 +215,7 @@ impl<S: PixelStore, C: StoredPixel<S::Cell>> DrawRuns<C> for FillNearer<'_, '_, 
 
 /// Calls `put` with the pixels and depths of each run, and depth at its first pixel; it returns depth after the last one.
 #[inline(always)]
-fn each_run_nearer<Cell, Q>(
+pub(super) fn each_run_nearer<Cell, Q>(
     mut cells: &mut [Cell],
     depths: &mut [u16],
     from: usize,
