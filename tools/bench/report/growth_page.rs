@@ -35,8 +35,9 @@ anyway:
 * *vertex*: every vertex of the mesh, also with early culling by planes (`Mesh::with_planes`): there the constant is
   for clearing the vertex cache, and transforming the vertices of visible faces is part of *face drawn*.
 * *face left out*: a back face; about half the faces of a closed mesh. *Face outside*: all its corners lie in front of the near
-  plane, or all far beyond one border of the picture (of a mesh with planes, count it as left out). *Face drawn*: every other
-  face, even if it lies outside the picture.
+  plane, or all beyond one border of the picture; of a front face whose corners lie near the picture, `Statistics` counts that
+  as drawn. *Face drawn*: every other face. Of a mesh with planes, count faces in front of the near plane or far beyond a border as left
+  out, and others beyond a border as *face beside the picture*.
 * *large face*: a drawn face that is higher than 31 rows, crosses the left or right border of the picture, or is cut by a clip
   plane.
 * *face to be clipped*: a corner in front of the near plane or far outside the picture, but not outside; there is none if the
@@ -47,7 +48,8 @@ anyway:
 * *pixel of the picture*: width × height; it is cleared, and so is its depth.
 * *band*; *face in a band*: the sum over bands of the faces touching each: drawn faces plus one for every band border a face
   crosses. *Large* is as above, but without cut faces: a cut face is clipped again in each band that it may
-  reach. In bands, *face* is every face of the mesh that is not outside, drawn or not.
+  reach. In bands, *face* is every face of the mesh, drawn or not, but those in front of the near plane or far beyond a border, which are
+  outside.
 * *edge across the border*: a drawn edge that lies partly outside the picture, on any side. *Edge to be clipped*: has an
   end in front of the near plane or far outside the picture. *Edge cut*: an edge to be clipped of which a part is drawn.
 
@@ -63,8 +65,6 @@ table of constants. Only the fit separates per-row and per-pixel cost from per-f
 following each instruction: on the M3, these constants agree with it for S2, S3 and S4 within a tenth without depth, and
 within a fifth with depth.
 
-| way | scene | picture | M0 counts | off | M3 counts | off | M4F counts | off | M3, guessed |
-|---|---|---|--:|--:|--:|--:|--:|--:|--:|
 ";
 
 const FITTED: &str = "
@@ -158,6 +158,12 @@ fn is_check(drawn: &Drawn) -> bool {
 fn checks(text: &mut String, all: &[Growth], root: f64) {
     *text += CHECKED;
     let Some(first) = all.first() else { return };
+    let cores = || all.iter().filter(|growth| growth.ways == first.ways);
+    *text += "| way | scene | picture |";
+    for growth in cores() {
+        let _ = write!(text, " {} counts | off |", growth.core.name);
+    }
+    let _ = writeln!(text, " M3, guessed |\n|---|---|---|{}--:|", "--:|--:|".repeat(cores().count()));
     for ways in all.iter().filter(|growth| growth.core == first.core).map(|growth| growth.ways) {
         let cores: Vec<&Growth> = all.iter().filter(|growth| growth.ways == ways).collect();
         let Some(of) = cores.first() else { continue };

@@ -40,7 +40,7 @@ macro_rules! firmware {
     ($($name:ident: $type:ty = $start:expr,)* $body:block) => {
         fn run($($name: &mut $type),*) -> Option<()> $body
 
-        #[cfg(target_os = "none")]
+        #[cfg(all(target_arch = "arm", target_os = "none"))]
         #[cortex_m_rt::entry]
         fn main() -> ! {
             $(
@@ -49,6 +49,21 @@ macro_rules! firmware {
             )*
             $crate::stack::paint();
             let good = run($($name),*).is_some();
+            $crate::board::end_with_stack(good)
+        }
+
+        // Its entry hands out no references to statics.
+        #[cfg(all(target_arch = "riscv32", target_os = "none"))]
+        #[riscv_rt::entry]
+        fn main() -> ! {
+            use core::cell::RefCell;
+            use critical_section::Mutex;
+            $(
+                #[allow(non_upper_case_globals)] // the name is the argument's
+                static $name: Mutex<RefCell<$type>> = Mutex::new(RefCell::new($start));
+            )*
+            $crate::stack::paint();
+            let good = critical_section::with(|token| run($(&mut $name.borrow_ref_mut(token)),*).is_some());
             $crate::board::end_with_stack(good)
         }
 

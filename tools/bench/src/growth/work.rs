@@ -15,6 +15,8 @@ pub struct Work {
     /// Drawn faces that are higher than [`LOW`], cross the left or right border of the picture, or are cut; drawn edges that
     /// cross any border.
     pub large: u32,
+    /// Drawn faces whose corners are on the screen, but all beyond one border of the picture: left out before their edges are set up.
+    pub beside: u32,
     /// Faces with all corners on the outer side of one clip plane: rejected by the vertices' bits.
     pub outside: u32,
     /// Other faces with a corner that must be clipped, drawn or culled; edges with an end that must be clipped.
@@ -68,6 +70,7 @@ pub const fn names(way: Way) -> &'static [&'static str] {
             "vertex",
             "face left out",
             "face drawn",
+            "face beside the picture",
             "large face drawn: more",
             "face cut: more",
             "row of a face",
@@ -108,7 +111,8 @@ pub const fn names(way: Way) -> &'static [&'static str] {
 impl Work {
     /// The counts, in the order of [`names`].
     pub fn counts(&self, way: Way) -> Vec<f64> {
-        let Self { vertices, faces, drawn, large, outside, clipped, cut, rows, pixels, area, .. } = *self;
+        let Self { vertices, faces, drawn, large, beside, outside, clipped, cut, rows, pixels, area, .. } =
+            *self;
         let Self { bands, met, met_large, met_cut, .. } = *self;
         let counts = match way {
             Way::Lines => vec![1, vertices, drawn, large, clipped, cut, pixels, area],
@@ -117,9 +121,9 @@ impl Work {
                     1,
                     vertices,
                     faces - drawn - outside,
-                    drawn,
+                    drawn - beside,
                     large,
-                    outside,
+                    outside + beside,
                     clipped,
                     cut,
                     rows,
@@ -128,7 +132,7 @@ impl Work {
                 ]
             }
             Way::PlaneCulled | Way::FacingDepth => {
-                vec![1, vertices, faces - drawn, drawn, large, cut, rows, pixels, area]
+                vec![1, vertices, faces - drawn, drawn - beside, beside, large, cut, rows, pixels, area]
             }
             Way::Bands(_) => {
                 let of_faces = [1, vertices, faces - outside, outside, clipped, cut];
@@ -145,7 +149,7 @@ impl Work {
     #[must_use]
     pub fn guessed(self, rows_of_root: f64) -> Self {
         let Self { cut, met, met_cut, .. } = self;
-        let (drawn, pixels) = (f64::from(self.drawn), f64::from(self.pixels));
+        let (drawn, pixels) = (f64::from(self.drawn - self.beside), f64::from(self.pixels));
         let rows = rows_of_root * (drawn * pixels).sqrt();
         let part = ((rows / drawn - SOME) / (ALL - SOME)).clamp(0.0, 1.0);
         let large = (part * drawn).round() as u32;
@@ -164,6 +168,7 @@ enum Kind {
     Low,
     Large,
     Cut,
+    Beside,
 }
 
 /// Where something lies, along one side of the picture.
@@ -233,6 +238,7 @@ impl Case {
             faces: mesh.faces().len() as u32,
             drawn: statistics.drawn,
             large: of(Kind::Large) + of(Kind::Cut),
+            beside: of(Kind::Beside),
             outside,
             clipped,
             cut: statistics.clipped,
@@ -242,11 +248,11 @@ impl Case {
         };
         let (Way::Bands(rows) | Way::FacingBands(rows)) = way else { return Some(work) };
 
-        let mut met = [0; 3];
+        let mut met = [0; 4];
         for (face, kind) in seen.into_iter().zip(kinds) {
             met[kind as usize] += self.bands(face, rows)?;
         }
-        let [low, met_large, met_cut] = met;
+        let [low, met_large, met_cut, _] = met;
         let bands = height.div_ceil(rows);
         Some(Work { bands, met: low + met_large + met_cut, met_large, met_cut, ..work })
     }
@@ -277,7 +283,7 @@ impl Case {
         let [across, down] = self.size.map(|side| (side as i32) << 8);
         let (x, height) = (Lies::new((across, x)), reach(y)[1] - reach(y)[0]);
         match (x, Lies::new((down, y))) {
-            (Lies::Beside, _) | (_, Lies::Beside) => Kind::Low, // costs less than that
+            (Lies::Beside, _) | (_, Lies::Beside) => Kind::Beside,
             (Lies::Inside, _) if height <= (LOW as i32) << 8 => Kind::Low,
             _ => Kind::Large,
         }
