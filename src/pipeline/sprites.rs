@@ -37,8 +37,9 @@ impl Camera {
     /// // A marker of 3 × 3 pixels on a solid ball: drawn before the ball, not drawn behind it.
     /// let mut pixels = [Rgb565::BLACK; 64 * 64];
     /// let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
-    /// let viewport = Viewport::new(Point::zero(), picture.size())?;
-    /// let camera = Camera::framing(&SPHERE.bounding_sphere(), &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// let all = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(3) };
+    /// let camera = Camera::framing(&all, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
     /// let mut depths = [0; 64 * 64];
     /// let mut depth = DepthBuffer::new(picture.bounding_box(), &mut depths)?;
     /// let ball = camera.place(&SPHERE, &Affine::identity());
@@ -92,6 +93,21 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     ///
     /// [`Statistics`] counts each sprite: as `outside` if its point lies before the near plane, beyond a far plane that clips or more
     /// than 8192 pixels from the target's origin, as `degenerate` if it has no size or no texel, otherwise as `drawn`.
+    ///
+    /// A [`HalfBlended`](crate::HalfBlended) or [`Blended`](crate::Blended) picture reads the stored pixels, so it does not compile for a
+    /// target whose pixels do not lie in memory:
+    ///
+    /// ```compile_fail
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
+    /// # use pinhole::{prelude::*, Angle};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(2) };
+    /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let smoke = Sprite::new(HalfBlended::new(SolidTexel::new(Rgb565::RED)));
+    /// let placed = camera.place_sprite(Point3::from_ints(0, 0, 0));
+    /// placed.draw(|_| smoke, &mut MockDisplay::new())?; // into a `Picture`, by `picture.pixels()`, it compiles
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     ///

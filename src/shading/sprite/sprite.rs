@@ -28,18 +28,16 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// // A flag of 5 × 4 texels, whose pole stands on a point of the world.
 /// let image = ImageRaw::<BinaryColor>::new(&[0b11111_000, 0b11111_000, 0b10000_000, 0b10000_000], 5);
 /// let flag = Sprite::new(SpriteImage::new(&image).with_key(BinaryColor::Off)).with_anchor(AnchorPoint::BottomLeft);
-/// let viewport = Viewport::new(Point::zero(), Size::new(8, 8))?;
-/// let point = Point3::from_ints(0, 0, 0);
-/// let sphere = Sphere { centre: point, radius: Scalar::from_num(1) };
+/// let viewport = Viewport::new(Point::zero(), Size::new(12, 8))?;
+/// let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(1) };
 /// let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
 /// let mut display = MockDisplay::new();
-/// camera.place_sprite(point).draw(|_| flag, &mut display)?;
+/// camera.place_sprite(Point3::from_ints(0, 0, 0)).draw(|_| flag, &mut display)?;
 /// display.assert_pattern(&[
-///     "         ", //
-///     "    #####",
-///     "    #####",
-///     "    #    ",
-///     "    #    ", // the point is the corner between the fourth and the fifth row and column
+///     "      #####",
+///     "      #####",
+///     "      #    ",
+///     "      #    ", // the point is the middle of 12 × 8 pixels, below the pole and at its left
 /// ]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -76,8 +74,9 @@ impl<S> Sprite<S> {
     /// This sprite with a width and a height in world units, parallel to the view plane: it shrinks with distance in perspective.
     /// A size that is not positive draws nothing.
     ///
-    /// Each is within 1/512 px and 2⁻²⁶ of itself of its image on the screen for points at 1/64 world units from the eye or more. Sprites
-    /// larger than 2²² px are drawn at that size.
+    /// **Error.** For points in the picture that are 1/64 world units or more ahead of the eye, and a picture of up to 90°, both are
+    /// within 1/512 px and 1.2·10⁻⁸ of themselves. At the vertices of a mesh that reaches r world units from its origin, add 2⁻²⁸·r/w, where w is
+    /// the distance ahead. Sprites larger than 2²² px are drawn at that size.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
