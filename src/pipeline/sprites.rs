@@ -179,7 +179,7 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
             SpriteSize::Pixels(pixels) => [columns, rows].map(|texels| fixed_size(texels, pixels)),
             SpriteSize::World(size) => self.size_in_world(index, size)?,
         };
-        let ([width, height], [left, above]) = (size, sprite.before_anchor(size));
+        let ([width, height], [left, above]) = (size, sprite.before_anchor(size, [columns, rows]));
         Some(ScreenSprite {
             columns: SpriteAxis::new(point.x(), left, width, columns),
             rows: SpriteAxis::new(point.y(), above, height, rows),

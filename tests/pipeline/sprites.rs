@@ -47,12 +47,19 @@ impl SpriteSource for Noise {
     }
 }
 
-/// The size of a sprite, and which point of it is the anchor, in halves of width and height.
+/// The size of a sprite, and which point of it is the anchor.
 #[derive(Clone, Copy, Debug)]
 struct Shape {
     picture: Noise,
     size: Extent,
-    anchor: [i128; 2],
+    anchor: Anchor,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Anchor {
+    /// Of width and height.
+    Halves([i128; 2]),
+    Texels([u32; 2]),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -65,7 +72,11 @@ enum Extent {
 impl Shape {
     fn sprite<S>(&self, source: S) -> Sprite<S> {
         use AnchorPoint as A;
-        let anchor = match self.anchor {
+        let halves = match self.anchor {
+            Anchor::Halves(halves) => halves,
+            Anchor::Texels(_) => [1, 1],
+        };
+        let anchor = match halves {
             [0, 0] => A::TopLeft,
             [1, 0] => A::TopCenter,
             [2, 0] => A::TopRight,
@@ -77,6 +88,10 @@ impl Shape {
             _ => A::BottomRight,
         };
         let sprite = Sprite::new(source).with_anchor(anchor);
+        let sprite = match self.anchor {
+            Anchor::Halves(_) => sprite,
+            Anchor::Texels([column, row]) => sprite.with_anchor_at(column, row),
+        };
         match self.size {
             Extent::Pixels(pixels) => sprite.magnified(pixels),
             Extent::World([width, height]) => {
@@ -170,7 +185,13 @@ fn fate(camera: &chain::Camera, model: &chain::Affine, vertex: [i16; 3], shape: 
     if width * height == 0 || columns * rows == 0 {
         return Fate::Degenerate;
     }
-    let before = |axis: usize, length: i128| shape.anchor[axis] * length / 2;
+    let before = |axis: usize, length: i128| match shape.anchor {
+        Anchor::Halves(halves) => halves[axis] * length / 2,
+        Anchor::Texels(count) => {
+            let texels = [columns, rows][axis];
+            i128::from(count[axis].min(texels)) * length / i128::from(texels)
+        }
+    };
     Fate::Seen(Seen {
         shape,
         low: [x - before(0, width), y - before(1, height)],
@@ -377,7 +398,11 @@ fn shape(rng: &mut Rng) -> Shape {
             Extent::World([0; 2].map(|_| rng.int(i64::from(-reach / 8), reach.into()) as i32))
         }
     };
-    Shape { picture, size, anchor: [0; 2].map(|_| rng.below(3) as i128) }
+    let anchor = match rng.one_in(3) {
+        true => Anchor::Texels([0; 2].map(|_| rng.below(60) as u32)),
+        false => Anchor::Halves([0; 2].map(|_| rng.below(3) as i128)),
+    };
+    Shape { picture, size, anchor }
 }
 
 #[test]

@@ -45,8 +45,16 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 pub struct Sprite<S> {
     source: S,
     size: SpriteSize,
-    /// The part of width and height left of and above the anchor, in halves: 0, 1 or 2.
-    anchor: [u8; 2],
+    anchor: Anchor,
+}
+
+/// The point of the picture at the point of the world.
+#[derive(Clone, Copy, Debug)]
+enum Anchor {
+    /// The parts of width and height left of and above it, in halves: 0, 1 or 2.
+    Halves([u8; 2]),
+    /// The columns and rows left of and above it.
+    Texels([u32; 2]),
 }
 
 /// The size of a sprite on the screen.
@@ -61,7 +69,7 @@ pub(crate) enum SpriteSize {
 impl<S> Sprite<S> {
     /// A picture at one pixel per texel, with its middle at the point.
     pub const fn new(source: S) -> Self {
-        Self { source, size: SpriteSize::Pixels(1), anchor: [1, 1] }
+        Self { source, size: SpriteSize::Pixels(1), anchor: Anchor::Halves([1, 1]) }
     }
 
     /// This sprite at so many pixels per texel, each way, at any distance. 0 draws nothing.
@@ -108,7 +116,7 @@ impl<S> Sprite<S> {
     #[must_use]
     pub const fn with_anchor(mut self, anchor: AnchorPoint) -> Self {
         use AnchorPoint as A;
-        self.anchor = match anchor {
+        self.anchor = Anchor::Halves(match anchor {
             A::TopLeft => [0, 0],
             A::TopCenter => [1, 0],
             A::TopRight => [2, 0],
@@ -118,7 +126,29 @@ impl<S> Sprite<S> {
             A::BottomLeft => [0, 2],
             A::BottomCenter => [1, 2],
             A::BottomRight => [2, 2],
-        };
+        });
+        self
+    }
+
+    /// This sprite with the upper left corner of a texel at the point of the world, as the hot spot of a cursor. A column or row beyond the
+    /// picture counts as its right or lower border.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use pinhole::{prelude::*, Angle};
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_num(1) };
+    /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;
+    /// let picture = [[Gray8::WHITE; 8]; 8];
+    /// let mut display = MockDisplay::new();
+    /// let arrow = Sprite::new(&picture).with_anchor_at(2, 0);
+    /// camera.place_sprite(Point3::from_ints(0, 0, 0)).draw(|_| arrow, &mut display)?;
+    /// assert_eq!(display.affected_area().top_left, Point::new(32 - 2, 32));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn with_anchor_at(mut self, column: u32, row: u32) -> Self {
+        self.anchor = Anchor::Texels([column, row]);
         self
     }
 
@@ -133,21 +163,19 @@ impl<S> Sprite<S> {
     pub(crate) const fn size(&self) -> SpriteSize {
         self.size
     }
-
-    /// The parts of a length along x and along y that lie before the anchor; the half of an odd number is rounded down.
-    #[inline(always)]
-    pub(crate) fn before_anchor(&self, [width, height]: [i32; 2]) -> [i32; 2] {
-        let before = |halves: u8, length: i32| match halves {
-            0 => 0,
-            1 => length >> 1,
-            _ => length,
-        };
-        let [x, y] = self.anchor;
-        [before(x, width), before(y, height)]
-    }
 }
 
 impl<S: SpriteSource> Sprite<S> {
+    /// The parts of width and height, 0 … 2³⁰, that lie before the anchor, rounded down.
+    #[inline(always)]
+    pub(crate) fn before_anchor(&self, size: [i32; 2], texels: [u32; 2]) -> [i32; 2] {
+        let ([width, height], [columns, rows]) = (size, texels);
+        match self.anchor {
+            Anchor::Halves([x, y]) => [halves(width, x), halves(height, y)],
+            Anchor::Texels([x, y]) => [part(width, x, columns), part(height, y, rows)],
+        }
+    }
+
     /// This sprite with a height in world units, and the width at which its texels are square, rounded to the nearest 2⁻¹⁶ and
     /// saturated. [`with_size`](Self::with_size) has the error.
     ///
@@ -168,6 +196,28 @@ impl<S: SpriteSource> Sprite<S> {
         let width = width + u64::from(rest >= rows - rest); // to nearest, ties up
         self.with_size(Scalar::from_bits(width.min(i32::MAX as u64) as i32), height)
     }
+}
+
+/// 0, 1 or 2 halves of a length.
+#[inline(always)]
+const fn halves(length: i32, count: u8) -> i32 {
+    match count {
+        0 => 0,
+        1 => length >> 1,
+        _ => length,
+    }
+}
+
+/// The part of a length, 0 … 2³⁰, that so many of its texels take; all of it from their number on.
+fn part(length: i32, count: u32, texels: u32) -> i32 {
+    if count >= texels {
+        return length;
+    }
+    // `divide` takes a divisor of 31 bits: 2³¹ texels and more are counted in pairs. The product is below 2⁶², the quotient below the
+    // length.
+    let down = texels >> 31;
+    let product = u64::from(length.unsigned_abs()) * u64::from(count >> down);
+    divide(product, texels >> down).0 as i32
 }
 
 impl<C: PixelColor> Sprite<SolidTexel<C>> {

@@ -40,11 +40,11 @@ fn sprite<S: SpriteSource>(source: S) -> Sprite<S> {
         1 => sprite.with_size(Scalar::from_bits(any()), Scalar::from_bits(any())),
         _ => sprite.with_height(Scalar::from_bits(any())),
     };
-    sprite.with_anchor(match any() {
-        0 => AnchorPoint::TopLeft,
-        1 => AnchorPoint::CenterRight,
-        _ => AnchorPoint::BottomCenter,
-    })
+    match any() {
+        0 => sprite.with_anchor(AnchorPoint::TopLeft),
+        1 => sprite.with_anchor(AnchorPoint::BottomCenter),
+        _ => sprite.with_anchor_at(any() as u32, any() as u32),
+    }
 }
 
 fn draw<T: Target<Color = Rgb565>, V: Coordinate<Stored = V>, S: SpriteSource<Color = Rgb565>>(
