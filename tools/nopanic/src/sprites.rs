@@ -75,7 +75,10 @@ fn entry_sprites_in_memory(
     Ok(match any() {
         0 => draw(&placed, |_| texels, depths, &mut target),
         1 => draw(&placed, |_| ColorKeyed::new(texels, color()), depths, &mut target),
-        2 => draw(&placed, |_| SpriteImage::new(&image), depths, &mut target),
+        2 => {
+            let picture = SpriteImage::new(&image);
+            draw(&placed, |_| Clone::clone(&picture), depths, &mut target)
+        }
         3 => draw(
             &placed,
             |_| HalfBlended::new(SpriteImage::new(&image).with_key(color())),
