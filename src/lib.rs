@@ -33,8 +33,8 @@ pub use math::{
 pub use pipeline::largest;
 pub use pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
-    MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene,
-    SceneError, SplitBins, SplitTransform, Statistics, TransformedMesh,
+    MeshBuffers, MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene,
+    PlacedSprites, Scene, SceneError, SplitBins, SplitTransform, Statistics, TransformedMesh,
 };
 pub use scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
@@ -44,8 +44,8 @@ pub use shading::{
     Accuracy, AntiAliased, Blend, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues,
     Dim, DirectionalLight, Dithered, Flat, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert,
     LightError, Lights, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight,
-    RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, Stroke, TableShader, TexelSlice, Texels,
-    Texture, TextureError, Textured,
+    RigidLambert, ScreenDoor, ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource,
+    Stroke, TableShader, TexelSlice, Texels, Texture, TextureError, Textured,
 };
 pub use surface::{
     Band, BandError, DepthBuffer, DepthBufferError, DirtyRegions, Frame, LeastRun, Memory, Picture,

@@ -28,8 +28,8 @@ pub use crate::math::{
 };
 pub use crate::pipeline::{
     draw_line, fill_triangle, BinError, BinnedEdges, BinnedFaces, BinnedScene, Cull, HalfBins, HalfTransform,
-    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, Scene, SceneError,
-    SplitBins, SplitTransform, Statistics, TransformedMesh,
+    MeshInstance, Object, Painter, PainterError, PaintersOrder, Picked, PlacedScene, PlacedSprites, Scene,
+    SceneError, SplitBins, SplitTransform, Statistics, TransformedMesh,
 };
 pub use crate::scene::{
     edge_faces, FaceColors, FacePlanes, Hierarchy, HierarchyError, MaterialError, Mesh, MeshError, Node,
@@ -39,8 +39,8 @@ pub use crate::shading::{
     Accuracy, AntiAliased, Blend, Blended, BlinnPhong, Channels, ClampedTexels, ColorKeyed, CornerValues,
     Dim, DirectionalLight, Dithered, Flat, Gouraud, HalfBlended, IndexKeyed, IndexedTexels, Lambert,
     LightError, Lights, Lit, LitIndexedTexels, LitPalette, LitTexels, LitTextured, Matcap, PointLight,
-    RigidLambert, ScreenDoor, ShadeTable, Shader, SpanShader, Stroke, TableShader, TexelSlice, Texels,
-    Texture, TextureError, Textured,
+    RigidLambert, ScreenDoor, ShadeTable, Shader, SolidTexel, SpanShader, Sprite, SpriteImage, SpriteSource,
+    Stroke, TableShader, TexelSlice, Texels, Texture, TextureError, Textured,
 };
 pub use crate::space::{Model, View, World};
 pub use crate::surface::{

@@ -30,6 +30,23 @@ macro_rules! public_types {
     };
 }
 
+/// An image without a Format.
+struct Image;
+
+impl embedded_graphics::image::GetPixel for Image {
+    type Color = embedded_graphics::pixelcolor::Gray8;
+
+    fn pixel(&self, _: embedded_graphics::geometry::Point) -> Option<Self::Color> {
+        None
+    }
+}
+
+impl embedded_graphics::geometry::OriginDimensions for Image {
+    fn size(&self) -> embedded_graphics::geometry::Size {
+        embedded_graphics::geometry::Size::zero()
+    }
+}
+
 public_types![
     Affine<Plain, Plain>,
     Angle,
@@ -112,6 +129,7 @@ public_types![
     PainterError,
     Object<'static, Plain>,
     Picked,
+    PlacedSprites<'static, i16>,
     PlacedScene<'static, 'static, Plain, 3>,
     Scene<'static, Plain, 3>,
     SceneError,
@@ -134,6 +152,9 @@ public_types![
     TextureError,
     Textured<Plain>,
     ScreenDoor<Flat>,
+    SolidTexel<Pixel>,
+    Sprite<Plain>,
+    SpriteImage<'static, Image>,
     ScreenPoint,
     Side,
     Span,

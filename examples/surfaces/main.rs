@@ -1,10 +1,11 @@
-//! A contact sheet of lights, material captures and textures:
+//! A contact sheet of lights, material captures, textures and sprites:
 //!
 //! ```text
 //! cargo run --release --example surfaces -- --help
 //! ```
 
 mod bodies;
+mod sprites;
 
 use bodies::{ball, floor, torus, Body};
 use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
@@ -41,14 +42,14 @@ type Drawn = Result<Vec<Rgb888>, Box<dyn Error>>;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Draws a contact sheet of lights, material captures and textures";
+        let about = "Draws a contact sheet of lights, material captures, textures and sprites";
         let file = Generated::arguments("--example surfaces", about, "docs/surfaces.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 
 fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
-    let cells: [(&str, &str, Drawn); 8] = [
+    let cells: [(&str, &str, Drawn); 10] = [
         ("Lambert", "one light", one_light()),
         ("Lights", "three lights", three_lights()),
         ("PointLight", "two lamps", lamps()),
@@ -57,11 +58,14 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         ("Matcap", "per face", matcap_of_faces()),
         ("Texture", "64 x 64 texels", texture()),
         ("Texture", "rolled camera", rolled()),
+        ("Sprite", "32 x 64 texels", sprites::wood()),
+        ("Sprite", "points, half mixed", sprites::fountain()),
     ];
     let cell = PICTURE + Size::new(GAP, CAPTION + GAP);
-    let size = Size::new(COLUMNS * cell.width + GAP, HEADER + 2 * cell.height + GAP);
+    let rows = (cells.len() as u32).div_ceil(COLUMNS);
+    let size = Size::new(COLUMNS * cell.width + GAP, HEADER + rows * cell.height + GAP);
     let mut sheet = Canvas::new(size, BACKGROUND);
-    let title = "pinhole: light at vertices and faces, material captures, textures";
+    let title = "pinhole: light at vertices and faces, material captures, textures, sprites";
     write(title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet);
     for (index, (name, details, pixels)) in (0..).zip(cells) {
         let at = Point::new(GAP as i32, HEADER as i32)

@@ -37,6 +37,7 @@ pub(crate) mod shaded_fill;
 mod small_triangle;
 pub(crate) mod solid_fill;
 mod spans;
+pub(crate) mod sprite_fill;
 pub(crate) mod table_fill;
 mod tiers;
 mod tiny_gradient;

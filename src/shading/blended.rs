@@ -47,6 +47,12 @@ impl<S> HalfBlended<S> {
     pub const fn new(shader: S) -> Self {
         Self(shader)
     }
+
+    /// What is mixed with the stored pixels.
+    #[inline(always)]
+    pub(super) const fn shader(&self) -> &S {
+        &self.0
+    }
 }
 
 impl<S: Shader> Shader for HalfBlended<S> {
@@ -120,6 +126,18 @@ impl<S> Blended<S> {
     /// the shader itself (more counts as 32).
     pub const fn new(shader: S, alpha: u8) -> Self {
         Self { shader, alpha: if alpha < 32 { alpha } else { 32 } }
+    }
+
+    /// What is mixed with the stored pixels.
+    #[inline(always)]
+    pub(super) const fn shader(&self) -> &S {
+        &self.shader
+    }
+
+    /// The part of the shader's color: 0 … 32.
+    #[inline(always)]
+    pub(super) const fn alpha(&self) -> u8 {
+        self.alpha
     }
 }
 

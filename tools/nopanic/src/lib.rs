@@ -18,6 +18,8 @@ mod set_up;
 #[cfg(not(feature = "provoke"))]
 mod shaders;
 #[cfg(not(feature = "provoke"))]
+mod sprites;
+#[cfg(not(feature = "provoke"))]
 mod targets;
 #[cfg(not(feature = "provoke"))]
 mod values;

@@ -1,0 +1,170 @@
+//! The pixels of a sprite: row by row into the target, those that are transparent or hidden left out.
+//!
+//! The plain path passes each run of drawn pixels to the target; the call before it attaches the fast path for memory.
+
+use crate::fast::sprite_fill;
+use crate::math::hints::keep_rolled;
+use crate::raster::{Scissor, Span, SpriteAxis, TexelWalk};
+use crate::shading::SpriteSource;
+use crate::surface::{DepthBuffer, PixelStore, StoredPixel, Target};
+
+/// A sprite on the screen.
+#[derive(Debug)]
+pub(super) struct ScreenSprite {
+    pub(super) columns: SpriteAxis,
+    pub(super) rows: SpriteAxis,
+    /// The depth of all pixels: 0 near to 65534 far.
+    pub(super) depth: u16,
+}
+
+impl ScreenSprite {
+    /// Whether the sprite has no area.
+    pub(super) fn is_empty(&self) -> bool {
+        self.columns.is_empty() || self.rows.is_empty()
+    }
+}
+
+/// Draws the pixels of a sprite inside the scissor, which lies in the target. With `DEPTH`, only those that are nearer than the depth
+/// buffer, in which the scissor lies, too.
+#[inline(never)] // its stack frame is gone when it returns
+pub(super) fn fill<T: Target, S: SpriteSource<Color = T::Color>, const DEPTH: bool>(
+    sprite: &ScreenSprite,
+    source: &S,
+    scissor: &Scissor,
+    mut depth: Option<&mut DepthBuffer<'_>>,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let (columns, rows) = (sprite.columns.pixels(), sprite.rows.pixels());
+    let covered = Scissor::unclamped(columns.start, rows.start, columns.end, rows.end).intersection(scissor);
+    if covered.is_empty() {
+        return Ok(());
+    }
+    let (left, width) = (covered.left, covered.right - covered.left); // inside the guard band
+    let first = sprite.columns.walk(left);
+    let mut row = sprite.rows.walk(covered.top);
+    for y in covered.rows() {
+        let span = Span { x: left, y, width, height: 1 };
+        let texels = TexelRow { source, row: row.texel(), first };
+        let depths = match &mut depth {
+            Some(depth) if DEPTH => depth.row(left, y, width).unwrap_or_default(),
+            _ => &mut [],
+        };
+        fill_row::<T, S, DEPTH>(span, &texels, sprite.depth, depths, target)?;
+        row.advance();
+    }
+    Ok(())
+}
+
+/// A row of a picture, and the texel of the first pixel of a span.
+struct TexelRow<'s, S> {
+    source: &'s S,
+    row: u32,
+    first: TexelWalk,
+}
+
+impl<S: SpriteSource> TexelRow<'_, S> {
+    /// The colours of the pixels of a row from one on whose texel is known, without end: `None` where they are transparent.
+    #[inline(always)]
+    fn colors(&self, mut walk: TexelWalk) -> impl Iterator<Item = Option<S::Color>> {
+        core::iter::repeat_with(move || {
+            let color = self.source.color_at(walk.texel(), self.row);
+            walk.advance();
+            color
+        })
+    }
+}
+
+/// Draws the pixels of a span. With `DEPTH` there is a stored depth for each of them.
+#[inline(always)]
+fn fill_row<T: Target, S: SpriteSource<Color = T::Color>, const DEPTH: bool>(
+    span: Span,
+    texels: &TexelRow<'_, S>,
+    own: u16,
+    depths: &mut [u16],
+    target: &mut T,
+) -> Result<(), T::Error> {
+    let merge = |color, cell| merged::<T, S>(texels.source, color, cell);
+    let colors = || texels.colors(texels.first);
+    let is_drawn = match (DEPTH, S::BLENDS) {
+        (false, _) => sprite_fill::row(span, colors(), target, merge),
+        (true, true) => sprite_fill::row_nearer::<_, false>(span, colors(), own, depths, target, merge),
+        (true, false) => sprite_fill::row_nearer::<_, true>(span, colors(), own, depths, target, merge),
+    };
+    if is_drawn {
+        return Ok(());
+    }
+    let mut stored = depths.iter_mut();
+    let mut walk = texels.first;
+    let (mut start, mut run) = (span.x, walk); // of the current run
+    let end = span.x + span.width;
+    for x in span.x..end {
+        keep_rolled();
+        let is_nearer = |depth: &mut u16| {
+            let is_nearer = own < *depth;
+            if is_nearer && !S::BLENDS {
+                *depth = own;
+            }
+            is_nearer
+        };
+        let stored = if DEPTH { stored.next() } else { None };
+        let is_kept = texels.source.color_at(walk.texel(), texels.row).is_some();
+        let is_drawn = is_kept && (!DEPTH || stored.is_some_and(is_nearer));
+        if !is_drawn {
+            draw_run(Span { x: start, width: x - start, ..span }, texels, run, target)?;
+        }
+        walk.advance();
+        if !is_drawn {
+            (start, run) = (x + 1, walk);
+        }
+    }
+    draw_run(Span { x: start, width: end - start, ..span }, texels, run, target)
+}
+
+/// Draws a run of pixels, none of which is transparent or hidden. It may be empty.
+#[inline(never)] // code size: two calls
+fn draw_run<T: Target, S: SpriteSource<Color = T::Color>>(
+    run: Span,
+    texels: &TexelRow<'_, S>,
+    first: TexelWalk,
+    target: &mut T,
+) -> Result<(), T::Error> {
+    if run.width == 0 {
+        return Ok(());
+    }
+    // No texel of the run is transparent: nothing is dropped.
+    let colors = texels.colors(first).map_while(|color| color);
+    if S::BLENDS {
+        if let Some(row) = target.memory().and_then(|memory| memory.row(run.x, run.y, run.width)) {
+            row.iter_mut()
+                .zip(colors)
+                .for_each(|(cell, color)| *cell = merged::<T, S>(texels.source, color, *cell));
+        }
+        return Ok(());
+    }
+    match texels.source.solid_color() {
+        Some(color) => target.fill(run, color),
+        None => target.fill_run(run, colors),
+    }
+}
+
+/// The stored form of a target's pixels.
+type Cell<T> = <<T as Target>::Store as PixelStore>::Cell;
+
+/// The cell to store in a pixel, from the sprite's colour and the stored cell.
+#[inline(always)]
+fn merged<T: Target, S: SpriteSource<Color = T::Color>>(
+    source: &S,
+    own: T::Color,
+    stored: Cell<T>,
+) -> Cell<T> {
+    const {
+        assert!(
+            !S::BLENDS || <T::Store as PixelStore>::READABLE,
+            "a translucent sprite reads pixels: draw it into a Picture's pixels(), or into the pixels() of a Band"
+        );
+    }
+    match S::BLENDS {
+        true => source.blend(own, T::Color::load(stored)).stored(),
+        false => own.stored(),
+    }
+}

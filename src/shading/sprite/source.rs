@@ -1,0 +1,87 @@
+//! Where the texels of a sprite come from.
+
+use crate::shading::Texels;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// The picture of a [`Sprite`](crate::Sprite): a rectangle of texels, each a colour or transparent.
+///
+/// | picture | source |
+/// |---|---|
+/// | texels of a texture: 8 to 256 a side, powers of two | every [`Texels`], such as `&[[C; W]; H]`, [`IndexedTexels`](crate::IndexedTexels) and, with transparent ones, [`ColorKeyed`](crate::ColorKeyed) and [`IndexKeyed`](crate::IndexKeyed) |
+/// | an image of embedded-graphics of any size: `ImageRaw`, `Framebuffer`, tinybmp's `Bmp` | [`SpriteImage`](crate::SpriteImage) |
+/// | one colour | [`SolidTexel`](crate::SolidTexel) |
+/// | one of these, mixed with what is behind it | [`HalfBlended`](crate::HalfBlended), [`Blended`](crate::Blended) |
+/// | a formula | an implementation of your own |
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// use pinhole::SpriteSource;
+/// /// A disc that is bright in its middle.
+/// struct Glow;
+/// impl SpriteSource for Glow {
+///     type Color = Gray8;
+///     fn picture_size(&self) -> Size {
+///         Size::new(15, 15)
+///     }
+///     fn color_at(&self, column: u32, row: u32) -> Option<Gray8> {
+///         let away = column.abs_diff(7).pow(2) + row.abs_diff(7).pow(2);
+///         (away <= 50).then(|| Gray8::new(255 - 5 * away as u8))
+///     }
+/// }
+/// assert_eq!(Glow.color_at(7, 7), Some(Gray8::WHITE));
+/// assert_eq!(Glow.color_at(0, 0), None);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no picture of a sprite",
+    label = "not a `SpriteSource`",
+    note = "pass `Texels`, `SpriteImage::new(&image)` of an embedded-graphics image, or `SolidTexel`, or implement `SpriteSource`"
+)]
+pub trait SpriteSource {
+    /// The colour of a texel.
+    type Color: PixelColor;
+
+    /// The numbers of columns and rows. A picture without texels is not drawn.
+    fn picture_size(&self) -> Size;
+
+    /// The colour of the texel in a column, from the left, and a row, from the top, or `None` if it is transparent. Both lie in the
+    /// picture. May be called more than once for a pixel, and must return equal colours.
+    fn color_at(&self, column: u32, row: u32) -> Option<Self::Color>;
+
+    /// The colour of all texels, if they are equal: pixels are then filled.
+    #[inline(always)]
+    fn solid_color(&self) -> Option<Self::Color> {
+        None
+    }
+
+    /// Whether colours are mixed with the stored pixels by [`blend`](Self::blend). Such a sprite compiles only for targets whose
+    /// pixels lie in [memory](crate::Target::memory); its depth is tested and not stored.
+    const BLENDS: bool = false;
+
+    /// The colour to store where `own` is drawn over `stored`. Called only if [`BLENDS`](Self::BLENDS) is true.
+    #[inline(always)]
+    fn blend(&self, own: Self::Color, stored: Self::Color) -> Self::Color {
+        let _ = stored;
+        own
+    }
+}
+
+impl<S: Texels> SpriteSource for S {
+    type Color = S::Color;
+
+    fn picture_size(&self) -> Size {
+        let [columns, rows] = self.size_bits().map(|bits| 1 << (bits & 31));
+        Size::new(columns, rows)
+    }
+
+    #[inline(always)]
+    fn color_at(&self, column: u32, row: u32) -> Option<S::Color> {
+        // The left and the upper border of the texel, in 2⁻³² of a side: sides have 3 to 8 bits.
+        let [w, h] = self.size_bits().map(|bits| 32u32.wrapping_sub(bits) & 31);
+        let (u, v) = (column << w, row << h);
+        match S::KEYED {
+            true => self.kept_texel(u, v),
+            false => Some(self.texel(u, v)),
+        }
+    }
+}

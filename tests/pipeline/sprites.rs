@@ -1,0 +1,647 @@
+//! Sprites: which pixels they cover, which texel each shows and which depth it stores, by the definition in i128 around points,
+//! sizes and depths in f64, which share no code with the library; on every target, in one piece and in bands.
+
+use embedded_graphics::geometry::AnchorPoint;
+use embedded_graphics::image::{GetPixel, Image, ImageDrawable, ImageRaw};
+use embedded_graphics::mock_display::MockDisplay;
+use embedded_graphics::pixelcolor::raw::{BigEndian, LittleEndian};
+use embedded_graphics::pixelcolor::{Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use pinhole::{
+    Blended, Camera, ColorKeyed, DepthBuffer, Frame, HalfBlended, Mesh, Picture, PlacedSprites, Point3,
+    Scalar, SolidTexel, Sprite, SpriteImage, SpriteSource, Statistics, Target,
+};
+use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::oracle::chain;
+use support::oracle::rng::Rng;
+use tinybmp::Bmp;
+
+const SIZE: Size = Size::new(140, 100);
+const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
+/// The viewport leaves a border of the target free.
+const VIEWPORT: (i32, i32, u32, u32) = (7, 3, 120, 90);
+const EXPONENT: i8 = -8;
+const SKY: Rgb888 = Rgb888::new(1, 2, 3);
+
+/// A picture by a formula; a third of its texels is transparent.
+#[derive(Clone, Copy, Debug)]
+struct Noise {
+    size: Size,
+    seed: u32,
+}
+
+impl SpriteSource for Noise {
+    type Color = Rgb888;
+
+    fn picture_size(&self) -> Size {
+        self.size
+    }
+
+    fn color_at(&self, column: u32, row: u32) -> Option<Rgb888> {
+        assert!(column < self.size.width && row < self.size.height, "({column}, {row}) of {self:?}");
+        let mixed = (column.wrapping_mul(0x9e37_79b1) ^ row.wrapping_mul(0x85eb_ca77) ^ self.seed)
+            .wrapping_mul(0xc2b2_ae3d);
+        let [a, b, c, d] = (mixed ^ mixed >> 15).to_le_bytes();
+        (d % 3 > 0).then(|| Rgb888::new(a, b, c))
+    }
+}
+
+/// The size of a sprite, and which point of it is the anchor.
+#[derive(Clone, Copy, Debug)]
+struct Shape {
+    picture: Noise,
+    size: Extent,
+    anchor: Anchor,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Anchor {
+    /// Of width and height.
+    Halves([i128; 2]),
+    Texels([u32; 2]),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Extent {
+    Pixels(u8),
+    /// In I16F16.
+    World([i32; 2]),
+}
+
+impl Shape {
+    fn sprite<S>(&self, source: S) -> Sprite<S> {
+        use AnchorPoint as A;
+        let halves = match self.anchor {
+            Anchor::Halves(halves) => halves,
+            Anchor::Texels(_) => [1, 1],
+        };
+        let anchor = match halves {
+            [0, 0] => A::TopLeft,
+            [1, 0] => A::TopCenter,
+            [2, 0] => A::TopRight,
+            [0, 1] => A::CenterLeft,
+            [1, 1] => A::Center,
+            [2, 1] => A::CenterRight,
+            [0, 2] => A::BottomLeft,
+            [1, 2] => A::BottomCenter,
+            _ => A::BottomRight,
+        };
+        let sprite = Sprite::new(source).with_anchor(anchor);
+        let sprite = match self.anchor {
+            Anchor::Halves(_) => sprite,
+            Anchor::Texels([column, row]) => sprite.with_anchor_at(column, row),
+        };
+        match self.size {
+            Extent::Pixels(pixels) => sprite.magnified(pixels),
+            Extent::World([width, height]) => {
+                sprite.with_size(Scalar::from_bits(width), Scalar::from_bits(height))
+            }
+        }
+    }
+}
+
+/// A sprite on the screen, from the exact chain: in sub-pixels.
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    shape: Shape,
+    low: [i128; 2],
+    size: [i128; 2],
+    depth: u16,
+}
+
+impl Seen {
+    /// The texel of a pixel.
+    fn texel(&self, pixel: [i32; 2]) -> Option<[u32; 2]> {
+        let Size { width, height } = self.shape.picture.size;
+        let along = |axis: usize, texels: u32| {
+            let offset = 256 * i128::from(pixel[axis]) + 128 - self.low[axis];
+            (0..self.size[axis])
+                .contains(&offset)
+                .then(|| (offset * i128::from(texels) / self.size[axis]) as u32)
+        };
+        Some([along(0, width)?, along(1, height)?])
+    }
+
+    fn color(&self, pixel: [i32; 2]) -> Option<Rgb888> {
+        let [column, row] = self.texel(pixel)?;
+        self.shape.picture.color_at(column, row)
+    }
+}
+
+/// The nearest integer, or `None` if rounding hangs on the last bits of the exact value.
+fn sure(value: f64) -> Option<i128> {
+    ((value.fract().abs() - 0.5).abs() > 0.02).then(|| value.round() as i128)
+}
+
+/// What becomes of a point.
+enum Fate {
+    Unsure,
+    Outside,
+    /// Without a size.
+    Degenerate,
+    Seen(Seen),
+}
+
+/// The sprite of a vertex. `far`: whether points beyond the far plane are outside.
+fn fate(camera: &chain::Camera, model: &chain::Affine, vertex: [i16; 3], shape: Shape) -> Fate {
+    let at = chain::vertex(vertex, EXPONENT);
+    let clip = camera.clip(model, at);
+    let [_, _, z, w] = clip;
+    let margin = 1e-4 * w.abs().max(0.01);
+    if (z + w).abs() < margin || (z - w).abs() < margin {
+        return Fate::Unsure;
+    }
+    if z < -w || z > w || w <= 0.0 {
+        return Fate::Outside;
+    }
+    let (x, y) = camera.screen(clip);
+    let reach = x.abs().max(y.abs());
+    if (reach - 8192.0).abs() < 1.0 {
+        return Fate::Unsure;
+    }
+    if reach > 8192.0 {
+        return Fate::Outside;
+    }
+    let Size { width: columns, height: rows } = shape.picture.size;
+    let size = match shape.size {
+        Extent::Pixels(pixels) => {
+            [columns, rows].map(|texels| Some(256 * i128::from(texels) * i128::from(pixels)))
+        }
+        Extent::World(size) => {
+            // From the point to the points beside and above it, parallel to the view plane.
+            let [a, b, c] = camera.view.apply_placed(model, at);
+            let [width, height] = size.map(|bits| f64::from(bits.max(0)) / 65536.0);
+            let screen = |x: f64, y: f64| camera.screen(chain::mul4(&camera.projection, [x, y, c, 1.0]));
+            let (from, to) = (screen(a, b), screen(a + width, b + height));
+            [(to.0 - from.0) * 256.0, (from.1 - to.1) * 256.0]
+                .map(|length| sure(length).map(|n| n.min(1 << 30)))
+        }
+    };
+    let ([Some(width), Some(height)], Some(x), Some(y)) = (size, sure(x * 256.0), sure(y * 256.0)) else {
+        return Fate::Unsure;
+    };
+    let Some(depth) = sure(chain::depth(clip)) else { return Fate::Unsure };
+    if width * height == 0 || columns * rows == 0 {
+        return Fate::Degenerate;
+    }
+    let before = |axis: usize, length: i128| match shape.anchor {
+        Anchor::Halves(halves) => halves[axis] * length / 2,
+        Anchor::Texels(count) => {
+            let texels = [columns, rows][axis];
+            i128::from(count[axis].min(texels)) * length / i128::from(texels)
+        }
+    };
+    Fate::Seen(Seen {
+        shape,
+        low: [x - before(0, width), y - before(1, height)],
+        size: [width, height],
+        depth: depth as u16,
+    })
+}
+
+/// Sprites whose pixels are certain, and their images.
+struct Scene {
+    camera: CameraBits,
+    model: ModelBits,
+    vertices: Vec<[i16; 3]>,
+    shapes: Vec<Shape>,
+    seen: Vec<Seen>,
+    /// How many have no image, and how many have no size.
+    outside: u32,
+    degenerate: u32,
+}
+
+impl Scene {
+    fn new(camera: CameraBits, model: ModelBits, candidates: &[([i16; 3], Shape)]) -> Self {
+        let (exact, exact_model) = (camera.exact(), model.exact());
+        let mut scene = Self {
+            camera,
+            model,
+            vertices: Vec::new(),
+            shapes: Vec::new(),
+            seen: Vec::new(),
+            outside: 0,
+            degenerate: 0,
+        };
+        for &(vertex, shape) in candidates {
+            match fate(&exact, &exact_model, vertex, shape) {
+                Fate::Unsure => continue,
+                Fate::Outside => scene.outside += 1,
+                Fate::Degenerate => scene.degenerate += 1,
+                Fate::Seen(seen) => scene.seen.push(seen),
+            }
+            scene.vertices.push(vertex);
+            scene.shapes.push(shape);
+        }
+        scene
+    }
+
+    fn place<R>(&self, draw: impl FnOnce(&PlacedSprites<'_>) -> R) -> R {
+        let mesh = Mesh::new(&self.vertices, EXPONENT, &[]).expect("a mesh");
+        draw(&self.camera.library().with_far_clip(true).place_sprites(&mesh, &self.model.library()))
+    }
+
+    /// The picture and the depths by the definition. `merge` makes a pixel of a sprite's number in `seen`, its colour and the stored
+    /// pixel; `stored` has depths that are there before, and whether sprites store theirs.
+    fn exact(
+        &self,
+        stored: Option<(&[u16], bool)>,
+        merge: impl Fn(usize, Rgb888, Rgb888) -> Rgb888,
+    ) -> (Vec<Rgb888>, Vec<u16>) {
+        let (mut pixels, mut depths) = (vec![SKY; 140 * 100], vec![u16::MAX; 140 * 100]);
+        let (depths_before, writes) = stored.unwrap_or((&[], true));
+        depths.iter_mut().zip(depths_before).for_each(|(depth, before)| *depth = *before);
+        let (left, top, width, height) = VIEWPORT;
+        for (index, seen) in self.seen.iter().enumerate() {
+            for y in top..(top + height as i32) {
+                for x in left..(left + width as i32) {
+                    let at = (y * 140 + x) as usize;
+                    if let Some(color) = seen.color([x, y]).filter(|_| seen.depth < depths[at]) {
+                        pixels[at] = merge(index, color, pixels[at]);
+                        if writes {
+                            depths[at] = seen.depth;
+                        }
+                    }
+                }
+            }
+        }
+        (pixels, depths)
+    }
+
+    fn check_statistics(&self, statistics: Statistics) {
+        let Statistics { drawn, outside, degenerate, culled, clipped } = statistics;
+        assert_eq!((drawn, outside, degenerate), (self.seen.len() as u32, self.outside, self.degenerate));
+        assert_eq!((culled, clipped), (0, 0));
+    }
+
+    fn draw<T: Target<Color = Rgb888, Error = E>, E: core::fmt::Debug>(&self, target: &mut T) {
+        let statistics =
+            self.place(|points| points.draw(|i| self.shapes[i].sprite(self.shapes[i].picture), target));
+        self.check_statistics(statistics.expect("no error"));
+    }
+
+    /// Draws with a depth buffer of `area`; returns the depths of the target's pixels that lie in it.
+    fn draw_deep<T: Target<Color = Rgb888, Error = E>, E: core::fmt::Debug>(
+        &self,
+        area: Rectangle,
+        target: &mut T,
+    ) -> Vec<u16> {
+        let mut storage = vec![0; (area.size.width * area.size.height) as usize];
+        let mut depth = DepthBuffer::new(area, &mut storage).expect("room");
+        let sprite = |i: usize| self.shapes[i].sprite(self.shapes[i].picture);
+        self.check_statistics(
+            self.place(|points| points.depth_tested(sprite, &mut depth, target)).expect("no error"),
+        );
+        target.area().points().filter_map(|point| depth.at(point)).collect()
+    }
+
+    /// The fast path, spans into a DrawTarget, and both in bands: all show the oracle's pixels.
+    fn check(&self) {
+        let keep = |_: usize, own: Rgb888, _: Rgb888| own;
+        let (flat, _) = self.exact(Some((&vec![u16::MAX; 140 * 100], false)), keep);
+        let (deep, depths) = self.exact(None, keep);
+        let other = Rectangle::new(Point::new(-3, -2), SIZE + Size::new(9, 4));
+
+        let mut pixels = [(); 4].map(|()| vec![SKY; 140 * 100]);
+        let [a, b, c, d] = &mut pixels;
+        self.draw(&mut Picture::new(a, SIZE).expect("room").pixels());
+        assert!(*a == flat);
+        self.draw(&mut Picture::new(b, SIZE).expect("room"));
+        assert!(*b == flat);
+        assert!(self.draw_deep(AREA, &mut Picture::new(c, SIZE).expect("room").pixels()) == depths);
+        assert!(*c == deep);
+        assert!(self.draw_deep(other, &mut Picture::new(d, SIZE).expect("room").pixels()) == depths);
+        assert!(*d == deep);
+
+        let mut display = Display(vec![SKY; 140 * 100]);
+        self.draw(&mut display);
+        assert!(display.0 == flat);
+        let mut display = Display(vec![SKY; 140 * 100]);
+        assert!(self.draw_deep(AREA, &mut display) == depths);
+        assert!(display.0 == deep);
+
+        let (mut strip, mut storage) = (vec![0; 140 * 3 * 9], Vec::new());
+        for (direct, with_depth) in [(true, false), (true, true), (false, false), (false, true)] {
+            let mut frame = Frame::new(AREA, SKY);
+            let mut display = Display(vec![Rgb888::BLACK; 140 * 100]);
+            storage.clear();
+            while let Some(mut band) = frame.next_band(&mut strip).expect("room") {
+                let area = band.area();
+                match (direct, with_depth) {
+                    (true, false) => self.draw(&mut band.pixels()),
+                    (true, true) => storage.extend(self.draw_deep(area, &mut band.pixels())),
+                    (false, false) => self.draw(&mut band),
+                    (false, true) => storage.extend(self.draw_deep(area, &mut band)),
+                }
+                band.send(&mut display).expect("no error");
+            }
+            assert!(display.0 == if with_depth { &deep[..] } else { &flat[..] });
+            assert!(!with_depth || storage == depths);
+        }
+    }
+}
+
+/// A DrawTarget that is not the library's, and that can fail.
+struct Display(Vec<Rgb888>);
+
+#[derive(Debug)]
+struct OutOfBounds;
+
+impl OriginDimensions for Display {
+    fn size(&self) -> Size {
+        SIZE
+    }
+}
+
+impl DrawTarget for Display {
+    type Color = Rgb888;
+    type Error = OutOfBounds;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), OutOfBounds> {
+        for Pixel(point, color) in pixels {
+            if !AREA.contains(point) {
+                return Err(OutOfBounds);
+            }
+            self.0[(point.y * 140 + point.x) as usize] = color;
+        }
+        Ok(())
+    }
+}
+
+fn camera(rng: &mut Rng, kind: usize) -> CameraBits {
+    let eye = [rng.int(-3, 3) as i32 * ONE, ONE, 5 * ONE];
+    CameraBits {
+        view: ViewBits::LookAt(eye, [0; 3], [ONE / 5, ONE, 0]),
+        projection: match kind {
+            0 => ProjectionBits::Perspective(1 << 29, (120, 90), ONE, 40 * ONE),
+            1 => ProjectionBits::Frustum([-ONE / 3, ONE / 2, -ONE / 2, ONE / 4], ONE / 2, 30 * ONE),
+            2 => ProjectionBits::Orthographic([-3 * ONE, 5 * ONE, -2 * ONE, 4 * ONE], ONE, 20 * ONE),
+            _ => ProjectionBits::Perspective(1 << 26, (120, 90), 3 * ONE, 900 * ONE),
+        },
+        viewport: VIEWPORT,
+    }
+}
+
+fn shape(rng: &mut Rng) -> Shape {
+    let side = |rng: &mut Rng| {
+        let reach = [2, 8, 40, 300][rng.below(4)];
+        1 + rng.below(reach) as u32
+    };
+    let picture = Noise { size: Size::new(side(rng), side(rng)), seed: rng.next() as u32 };
+    // From a pixel for 64 texels to 64 pixels for one.
+    let size = match rng.below(3) {
+        0 => Extent::Pixels(1),
+        1 => Extent::Pixels([0, 2, 3, 5, 64, 255][rng.below(6)]),
+        _ => {
+            let reach = [ONE / 16, ONE / 2, 4 * ONE, 60 * ONE][rng.below(4)];
+            Extent::World([0; 2].map(|_| rng.int(i64::from(-reach / 8), reach.into()) as i32))
+        }
+    };
+    let anchor = match rng.one_in(3) {
+        true => Anchor::Texels([0; 2].map(|_| rng.below(60) as u32)),
+        false => Anchor::Halves([0; 2].map(|_| rng.below(3) as i128)),
+    };
+    Shape { picture, size, anchor }
+}
+
+#[test]
+fn every_target_shows_the_oracles_pixels() {
+    let mut rng = Rng::new(0x59);
+    let (mut seen, mut outside, mut degenerate) = (0, 0, 0);
+    for case in 0..120 {
+        let reach = [400, 900, 3000][rng.below(3)];
+        let model = ModelBits(vec![
+            Step::Y(rng.next() as u32),
+            Step::Scale([ONE * 3 / 4; 3]),
+            Step::Move([0, ONE / 7, 0]),
+        ]);
+        let candidates: Vec<_> =
+            (0..20).map(|_| ([0; 3].map(|_| rng.int(-reach, reach) as i16), shape(&mut rng))).collect();
+        let scene = Scene::new(camera(&mut rng, case % 4), model, &candidates);
+        seen += scene.seen.len();
+        outside += scene.outside;
+        degenerate += scene.degenerate;
+        scene.check();
+    }
+    println!("{seen} sprites, {outside} outside, {degenerate} without size");
+    assert!(seen > 1200 && outside > 150 && degenerate > 40);
+}
+
+/// Half of two channels, by the documentation of `Blend::half`, and 1/32 parts to nearest.
+fn mixed(own: Rgb888, below: Rgb888, alpha: Option<u8>) -> Rgb888 {
+    let channel = |own: u8, below: u8| match alpha {
+        None => own.div_ceil(2) + below / 2,
+        Some(alpha) => {
+            let alpha = u32::from(alpha);
+            ((u32::from(own) * alpha + u32::from(below) * (32 - alpha) + 16) / 32) as u8
+        }
+    };
+    Rgb888::new(channel(own.r(), below.r()), channel(own.g(), below.g()), channel(own.b(), below.b()))
+}
+
+/// Translucent sprites are mixed with what is there, once for each pixel, and hide nothing.
+#[test]
+fn translucent_sprites_are_mixed_with_the_stored_pixels() {
+    let mut rng = Rng::new(0x5a);
+    let mut changed = 0;
+    for case in 0..40 {
+        let camera = camera(&mut rng, case % 4);
+        let mut scene = |count: usize| {
+            let mut candidate = |_| ([0; 3].map(|_| rng.int(-500, 500) as i16), shape(&mut rng));
+            let candidates: Vec<_> = (0..count).map(&mut candidate).collect();
+            Scene::new(camera, ModelBits::default(), &candidates)
+        };
+        let (walls, scene) = (scene(4), scene(20));
+        let alphas: Vec<u8> = scene.shapes.iter().map(|_| rng.below(33) as u8).collect();
+        let is_seen = |&i: &usize| {
+            let exact = scene.camera.exact();
+            matches!(fate(&exact, &chain::IDENTITY, scene.vertices[i], scene.shapes[i]), Fate::Seen(_))
+        };
+        let numbers: Vec<usize> = (0..scene.shapes.len()).filter(is_seen).collect();
+        let (_, behind) = walls.exact(None, |_, own, _| own);
+        let nothing = vec![u16::MAX; 140 * 100];
+        for (deep, half) in [(false, false), (false, true), (true, false), (true, true)] {
+            let mut storage = vec![0; 140 * 100];
+            let mut depth = DepthBuffer::new(AREA, &mut storage).expect("room");
+            let mut pixels = vec![SKY; 140 * 100];
+            walls.place(|points| {
+                let opaque = |i: usize| walls.shapes[i].sprite(walls.shapes[i].picture);
+                points.depth_tested(opaque, &mut depth, &mut Display(pixels.clone())).expect("no error");
+            });
+            let mut picture = Picture::new(&mut pixels, SIZE).expect("room");
+            let mut target = picture.pixels();
+            let statistics = scene.place(|points| {
+                let shape = |i: usize| scene.shapes[i];
+                let halves = |i: usize| shape(i).sprite(HalfBlended::new(shape(i).picture));
+                let parts = |i: usize| shape(i).sprite(Blended::new(shape(i).picture, alphas[i]));
+                match (deep, half) {
+                    (false, true) => points.draw(halves, &mut target),
+                    (false, false) => points.draw(parts, &mut target),
+                    (true, true) => points.depth_tested(halves, &mut depth, &mut target),
+                    (true, false) => points.depth_tested(parts, &mut depth, &mut target),
+                }
+            });
+            scene.check_statistics(statistics.expect("no error"));
+            assert!(depth.values() == behind);
+            let alpha = |i: usize| (!half).then(|| alphas[numbers[i]]);
+            let (expected, _) = scene
+                .exact(Some((if deep { &behind } else { &nothing }, false)), |i, own, below| {
+                    mixed(own, below, alpha(i))
+                });
+            assert!(pixels == expected, "case {case}, deep {deep}, half {half}");
+            changed += pixels.iter().filter(|&&pixel| pixel != SKY).count();
+        }
+    }
+    println!("{changed} mixed pixels");
+    assert!(changed > 100_000, "{changed}");
+}
+
+/// One unit is one pixel, (0, 0) the top left corner of the picture, y up.
+fn flat() -> Camera {
+    let bits = CameraBits {
+        view: ViewBits::LookAlong([0; 3], [0, 0, -ONE], [0, ONE, 0]),
+        projection: ProjectionBits::Orthographic([0, 64 * ONE, -64 * ONE, 0], ONE, 100 * ONE),
+        viewport: (0, 0, 64, 64),
+    };
+    bits.library()
+}
+
+/// A sprite at one pixel per texel shows what embedded-graphics' `Image` draws at its upper left corner.
+fn shows_the_image<I>(image: &I)
+where
+    I: GetPixel<Color: Default + core::fmt::Debug> + ImageDrawable<Color = <I as GetPixel>::Color>,
+{
+    for at in [Point::new(9, 11), Point::new(-3, 60), Point::new(61, -2)] {
+        let sky = <I as GetPixel>::Color::default();
+        let (mut drawn, mut expected) = (vec![sky; 64 * 64], vec![sky; 64 * 64]);
+        let Ok(()) =
+            Image::new(image, at).draw(&mut Picture::new(&mut expected, Size::new(64, 64)).expect("room"));
+        let sprite = |_| Sprite::new(SpriteImage::new(image)).with_anchor(AnchorPoint::TopLeft);
+        let placed = flat().place_sprite(Point3::from_ints(at.x as i16, -at.y as i16, -10));
+        let Ok(_) =
+            placed.draw(sprite, &mut Picture::new(&mut drawn, Size::new(64, 64)).expect("room").pixels());
+        assert!(drawn == expected, "at {at}");
+        assert!(drawn.iter().any(|&pixel| pixel != sky));
+    }
+}
+
+#[test]
+fn images_of_embedded_graphics_are_shown_as_they_draw_themselves() {
+    let bytes: Vec<u8> = (0..13 * 7 * 4).map(|i: u32| (i.wrapping_mul(0x9e37_79b1) >> 24) as u8).collect();
+    macro_rules! raw {
+        ($($color:ty, $order:ty, $row:expr;)*) => {$(
+            shows_the_image(&ImageRaw::<$color, $order>::new(&bytes[..7 * $row], 13));
+        )*};
+    }
+    raw! {
+        BinaryColor, BigEndian, 2;
+        Gray2, BigEndian, 4;
+        Gray4, BigEndian, 7;
+        Gray8, BigEndian, 13;
+        Rgb565, BigEndian, 13 * 2;
+        Rgb565, LittleEndian, 13 * 2;
+        Bgr888, BigEndian, 13 * 3;
+        Rgb888, LittleEndian, 13 * 3;
+    }
+}
+
+/// A picture of 24 bits per pixel as a BMP file: the lower row first, blue first, rows of a multiple of 4 bytes.
+fn bmp(size: Size, color: impl Fn(u32, u32) -> [u8; 3]) -> Vec<u8> {
+    let mut rows = Vec::new();
+    for y in (0..size.height).rev() {
+        (0..size.width).for_each(|x| rows.extend(color(x, y).iter().rev()));
+        rows.resize(rows.len().next_multiple_of(4), 0);
+    }
+    let mut file = b"BM".to_vec();
+    for number in [54 + rows.len() as u32, 0, 54, 40, size.width, size.height] {
+        file.extend(number.to_le_bytes());
+    }
+    file.extend([1, 0, 24, 0]);
+    for number in [0, rows.len() as u32, 0, 0, 0, 0] {
+        file.extend(number.to_le_bytes());
+    }
+    file.extend(rows);
+    file
+}
+
+#[test]
+fn bmp_files_are_pictures_of_sprites() {
+    let file = bmp(Size::new(9, 6), |x, y| [28 * x as u8, 40 * y as u8, 200]);
+    let image = Bmp::<Rgb888>::from_slice(&file).expect("a BMP file");
+    shows_the_image(&image);
+    let keyed = SpriteImage::new(&image).with_key(Rgb888::new(28, 40, 200));
+    assert_eq!((keyed.color_at(1, 1), keyed.color_at(2, 1)), (None, Some(Rgb888::new(56, 40, 200))));
+    // A compressed file gives no pixels: nothing is drawn, and nothing fails.
+    let mut compressed = file.clone();
+    (compressed[28], compressed[30]) = (8, 1);
+    if let Ok(image) = Bmp::<Rgb888>::from_slice(&compressed) {
+        assert_eq!(SpriteImage::new(&image).color_at(1, 1), None);
+    }
+}
+
+/// Texels of a texture, keyed or not, are shown in their order; squares have the size that they are given.
+#[test]
+fn texels_of_textures_are_shown_in_their_order() {
+    let texels: [[Gray8; 16]; 8] =
+        core::array::from_fn(|row| core::array::from_fn(|column| Gray8::new((16 * row + column) as u8)));
+    let draw = |target: &mut MockDisplay<Gray8>, keyed: bool| {
+        let placed = flat().place_sprite(Point3::from_ints(4, -5, -10));
+        let key = Gray8::new(35);
+        let drawn = match keyed {
+            true => placed.draw(
+                |_| Sprite::new(ColorKeyed::new(&texels, key)).with_anchor(AnchorPoint::TopLeft),
+                target,
+            ),
+            false => placed.draw(|_| Sprite::new(&texels).with_anchor(AnchorPoint::TopLeft), target),
+        };
+        drawn.expect("no error");
+    };
+    for keyed in [false, true] {
+        let mut display = MockDisplay::new();
+        draw(&mut display, keyed);
+        for (row, column) in (0..8).flat_map(|row| (0..16).map(move |column| (row, column))) {
+            let expected = Some(Gray8::new(16 * row + column)).filter(|_| !keyed || (row, column) != (2, 3));
+            let at = Point::new(4 + i32::from(column), 5 + i32::from(row));
+            assert_eq!(display.get_pixel(at), expected);
+        }
+    }
+    for side in [0, 1, 2, 5, 63] {
+        let mut display = MockDisplay::new();
+        let placed = flat().place_sprite(Point3::from_ints(32, -32, -10));
+        let statistics = placed.draw(|_| Sprite::square(Gray8::WHITE, side), &mut display).expect("no error");
+        assert_eq!(display.affected_area().size, Size::new_equal(side.into()));
+        assert_eq!((statistics.drawn, statistics.degenerate), (u32::from(side > 0), u32::from(side == 0)));
+    }
+}
+
+/// Sprites thousands of pixels outside of the picture, before the near plane and of every extreme size draw nothing outside.
+#[test]
+fn sprites_far_outside_draw_what_reaches_in() {
+    let huge = Scalar::MAX;
+    let mut drawn = 0;
+    for [x, y] in [[-8000, 0], [8100, 0], [0, 8100], [0, -8000], [32_000, 0], [5000, 5000]] {
+        for (width, height) in
+            [(huge, huge), (huge, Scalar::DELTA), (Scalar::DELTA, huge), (Scalar::ONE, Scalar::ONE)]
+        {
+            let mut display = MockDisplay::new();
+            let placed = flat().place_sprite(Point3::from_ints(x, -y, -10));
+            let sprite = Sprite::new(SolidTexel::new(BinaryColor::On)).with_size(width, height);
+            let statistics = placed.draw(|_| sprite, &mut display).expect("no error");
+            // The guard band: 8192 pixels; a size of less than a sub-pixel is none.
+            let is_outside = x.abs() > 8192;
+            let is_thin = !is_outside && (width == Scalar::DELTA || height == Scalar::DELTA);
+            let counts = [statistics.drawn, statistics.outside, statistics.degenerate];
+            assert_eq!(counts.map(|n| n == 1), [!is_outside && !is_thin, is_outside, is_thin]);
+            let reaches = |at: i16, size: Scalar| size == huge || (0..64).contains(&at);
+            let is_shown = counts[0] == 1 && reaches(x, width) && reaches(y, height);
+            assert_eq!(
+                display.affected_area().size,
+                Size::new_equal(if is_shown { 64 } else { 0 }),
+                "{x} {y}"
+            );
+            drawn += u32::from(is_shown);
+        }
+    }
+    assert_eq!(drawn, 5);
+}
