@@ -102,7 +102,8 @@ impl FaceRay {
         for (i, shown) in picture.iter().enumerate() {
             let Some(Shown(shown)) = *shown else { continue };
             let (x, y) = (i as i64 % i64::from(SIDE), i as i64 / i64::from(SIDE));
-            let exact = self.0.around(x, y).expect("a face before the eye");
+            // Beside the face's horizon a point within 1/64 pixel may show anything.
+            let Some(exact) = self.0.around(x, y) else { continue };
             for axis in 0..2 {
                 let side = f64::from(1u32 << bits[axis]);
                 worst = worst.max(off(f64::from(shown[axis]) / 2f64.powi(32) * side, exact[axis], side));
