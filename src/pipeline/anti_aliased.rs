@@ -8,6 +8,10 @@ use crate::raster::{LineCoverage, LineDepth, Pixel, Scissor};
 use crate::shading::Stroke;
 use crate::surface::{DepthBuffer, Memory, PixelStore, StoredPixel, Target};
 
+/// How many pixels a line reaches beyond the rows and columns of its ends' pixels: it begins at a pixel border up to ½ pixel before the
+/// end, and its border is up to √2/2 pixel from its middle, so that is 1.21 pixels from an end, which may lie on the border of its pixel.
+pub(super) const BEYOND: i32 = 2;
+
 /// Mixes the pixels of a line inside the scissor, which lies in the target, for which `is_visible` is true, given column, row and
 /// coverage.
 #[inline(always)]

@@ -139,7 +139,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 
     /// A rectangle inside the viewport around all visible edges: no pixel outside it is drawn. It is empty if no edge is
-    /// visible. [`AntiAliased`](crate::AntiAliased) lines may reach one pixel beyond it.
+    /// visible. [`AntiAliased`](crate::AntiAliased) lines may reach two pixels beyond it.
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }
@@ -153,7 +153,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         depth: Option<&DepthBuffer<'_>>,
     ) -> DrawRegion {
         if K::IS_ANTI_ALIASED {
-            self.advance::<1>(band, depth)
+            self.advance::<{ anti_aliased::BEYOND }>(band, depth)
         } else {
             self.advance::<0>(band, depth)
         }
@@ -185,8 +185,8 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };
             draw(transformed, index, ends)?;
-            // An anti-aliased line has pixels up to a row below those of a plain one.
-            Ok(bounds(&ends).rows().end + i32::from(K::IS_ANTI_ALIASED) <= end)
+            let beyond = if K::IS_ANTI_ALIASED { anti_aliased::BEYOND } else { 0 };
+            Ok(bounds(&ends).rows().end + beyond <= end)
         })
     }
 }

@@ -119,6 +119,20 @@ pub enum MeshError {
         /// How many normals were given.
         normals: usize,
     },
+    /// A list does not have one entry for each vertex.
+    VertexListCount {
+        /// How many vertices there are.
+        vertices: usize,
+        /// How many entries were given.
+        entries: usize,
+    },
+    /// A list does not have one entry for each face.
+    FaceListCount {
+        /// How many faces there are.
+        faces: usize,
+        /// How many entries were given.
+        entries: usize,
+    },
     /// The exponent of the vertices' unit is outside of −32 … 15: choose another unit.
     Exponent {
         /// The given exponent.
@@ -149,6 +163,12 @@ impl core::fmt::Display for MeshError {
             }
             Self::VertexNormalCount { vertices, normals } => {
                 write!(f, "{normals} vertex normals for {vertices} vertices: give one per vertex")
+            }
+            Self::VertexListCount { vertices, entries } => {
+                write!(f, "a list of {entries} entries for {vertices} vertices: give one per vertex")
+            }
+            Self::FaceListCount { faces, entries } => {
+                write!(f, "a list of {entries} entries for {faces} faces: give one per face")
             }
             Self::Exponent { exponent } => {
                 write!(f, "exponent {exponent} is not -32 to 15: choose another unit")
@@ -624,8 +644,57 @@ impl<'a, V, P> Mesh<'a, V, P> {
         self.data.vertex_normals
     }
 
-    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex. Missing
-    /// entries are `T::default()`.
+    /// The list itself, if it has one entry per vertex: texture coordinates, light levels or colours for
+    /// [`corners_of`](Self::corners_of), checked once at set-up. Call it in a `const` for lists in flash, and it costs nothing.
+    ///
+    /// ```
+    /// use pinhole::{Mesh, MeshError};
+    /// let mesh = Mesh::new(&[[0, 0, 0], [8, 0, 0], [0, 8, 0]], 0, &[[0, 1, 2]])?;
+    /// let uv = mesh.per_vertex(&[[0, 0], [128, 0], [0, 128]])?;
+    /// assert_eq!(mesh.corners_of(0, uv)[1], [128, 0]);
+    /// let too_few = mesh.per_vertex(&[[0, 0], [128, 0]]);
+    /// assert_eq!(too_few, Err(MeshError::VertexListCount { vertices: 3, entries: 2 }));
+    /// # Ok::<(), MeshError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::VertexListCount`] if there is not one entry per vertex.
+    pub const fn per_vertex<'l, T>(&self, list: &'l [T]) -> Result<&'l [T], MeshError> {
+        let (vertices, entries) = (self.data.vertices.len(), list.len());
+        if entries != vertices {
+            return Err(MeshError::VertexListCount { vertices, entries });
+        }
+        Ok(list)
+    }
+
+    /// The list itself, if it has one entry per face: texture coordinates of the corners of each face, as
+    /// [`Texture::at`](crate::Texture::at) takes them, or the faces of [`TextureCoords`](crate::TextureCoords) and of
+    /// [`FaceColors`](crate::FaceColors), checked once at set-up.
+    ///
+    /// ```
+    /// use pinhole::{Mesh, MeshError, TextureCoords};
+    /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+    /// let mesh = Mesh::new(&[[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]], 0, &FACES)?;
+    /// let coords = TextureCoords::new(&[[0, 4], [4, 4], [4, 0]], &[[0, 1, 2]], -2).unwrap();
+    /// let too_few = mesh.per_face(coords.faces());
+    /// assert_eq!(too_few, Err(MeshError::FaceListCount { faces: 2, entries: 1 }));
+    /// # Ok::<(), MeshError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::FaceListCount`] if there is not one entry per face.
+    pub const fn per_face<'l, T>(&self, list: &'l [T]) -> Result<&'l [T], MeshError> {
+        let (faces, entries) = (self.data.faces.len(), list.len());
+        if entries != faces {
+            return Err(MeshError::FaceListCount { faces, entries });
+        }
+        Ok(list)
+    }
+
+    /// Looks up the entries of a face's three vertices, in the face's order, in a list with one entry per vertex
+    /// ([`per_vertex`](Self::per_vertex) checks its length). Missing entries are `T::default()`.
     ///
     /// ```
     /// let mesh = pinhole::Mesh::new(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0, &[[2, 0, 1]])?;

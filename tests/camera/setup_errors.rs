@@ -33,6 +33,20 @@ fn invalid_meshes_are_refused_with_the_offending_index() {
     assert_eq!(mesh.with_vertex_normals(&[[0, 0, 1]]), Err(wrong));
     let normals = vec![[0, 0, 32767]; mesh.vertices().len()];
     assert_eq!(mesh.with_vertex_normals(&normals).expect("one each").vertex_normals(), normals);
+    // Lists that are looked up by `corners_of` and by face.
+    let (uv, [short, long]) = ([[0i16; 2]; 3], [[[0i16; 2]; 2].as_slice(), &[[0; 2]; 5]]);
+    assert_eq!(mesh.per_vertex(&uv), Ok(&uv[..]));
+    for list in [short, long] {
+        let error = mesh.per_vertex(list).expect_err("of another length");
+        assert_eq!(error, MeshError::VertexListCount { vertices: 3, entries: list.len() });
+        let message = format!("a list of {} entries for 3 vertices: give one per vertex", list.len());
+        assert_eq!(error.to_string(), message);
+        assert_eq!(mesh.per_face(list), Err(MeshError::FaceListCount { faces: 1, entries: list.len() }));
+    }
+    assert_eq!(mesh.per_face(&[7]), Ok(&[7][..]));
+    let none = mesh.per_face::<u8>(&[]).expect_err("none");
+    assert_eq!(none.to_string(), "a list of 0 entries for 1 faces: give one per face");
+
     assert_eq!(mesh.corners_of(0, &[7]).iter().filter(|&&c| c == 7).count(), 1);
     assert_eq!(mesh.corners_of(1, &[7; 9]), [0; 3]); // no such face
 

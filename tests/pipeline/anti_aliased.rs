@@ -302,6 +302,54 @@ fn the_parts_of_a_line_are_the_line() {
     }
 }
 
+/// An edge whose end lies on a pixel border, and which rises as fast as it runs, covers a corner of a pixel two rows beyond. Bands in
+/// which no other pixel of the edge lies have this corner, too.
+#[test]
+fn bands_have_the_corners_of_edges_two_rows_beyond_the_ends() {
+    use pinhole::{Affine, Camera, Point3, Projection, Scalar, Side, ViewTransform, Viewport, Window};
+    let viewport = Viewport::new(Point::zero(), Size::new(WIDTH, HEIGHT)).expect("a viewport");
+    let [zero, one] = [0, 1].map(Scalar::from_num);
+    // 16 units to a pixel: vertices are exact on the screen.
+    let [right, top] = [WIDTH, HEIGHT].map(|v| Scalar::from_num(v * 16));
+    let window = Window { left: zero, right, bottom: zero, top };
+    let view = ViewTransform::multiview(Point3::from_ints(0, 0, 0), Side::Front);
+    let camera = Camera::new(&view, &Projection::orthographic(window, -one, one).expect("a box"), &viewport);
+    let mut rng = Rng::new(0x2B);
+    let mut two_beyond = 0;
+    for i in 0..200 {
+        let start = [rng.int(200, 800) as i16, 16 * rng.int(10, 40) as i16 - (i % 3), 0];
+        let run = rng.int(40, 200) as i16;
+        let rise =
+            [run, -run, run - 8, 3 - run, rng.int(-200, 200) as i16][usize::from(i.unsigned_abs()) % 5];
+        let ends = [start, [start[0] + run, start[1] + rise, 0]];
+        let mesh = Mesh::new(&ends, 0, &[]).and_then(|mesh| mesh.with_edges(&[[0, 1]])).expect("an edge");
+        let instance = camera.place(&mesh, &Affine::identity());
+        let stroke = AntiAliased(Gray8::WHITE);
+        let whole = picture(|target| {
+            let Ok(_) = instance.wireframe(stroke, &mut [], target);
+        });
+        let plain = picture(|target| {
+            let Ok(_) = instance.wireframe(Gray8::WHITE, &mut [], target);
+        });
+        let rows = |cells: &[Gray8]| {
+            let first = cells.iter().position(|cell| cell.luma() > 0).unwrap_or(0) as u32 / WIDTH;
+            let last = cells.iter().rposition(|cell| cell.luma() > 0).unwrap_or(0) as u32 / WIDTH;
+            [i64::from(first), i64::from(last)]
+        };
+        let ([first, last], [plain_first, plain_last]) = (rows(&whole), rows(&plain));
+        assert!(plain_first - first <= 2 && last - plain_last <= 2);
+        two_beyond += i32::from(plain_first - first == 2) + i32::from(last - plain_last == 2);
+        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 2], [0; 2]);
+        let mut edges = instance.transform(&mut cache).bin_edges(&mut bins).expect("room");
+        for rows in [1, 2, 3, 4, 7] {
+            in_bands(rows, &whole, |band, _| {
+                let Ok(()) = edges.draw(stroke, band);
+            });
+        }
+    }
+    assert!(two_beyond >= 5, "{two_beyond}");
+}
+
 #[test]
 fn a_color_is_a_stroke_of_itself() {
     assert_eq!(

@@ -35,6 +35,14 @@ fn each_message_names_the_fault_and_the_way_out() {
             Box::new(MeshError::VertexNormalCount { vertices: 45, normals: 46 }),
             &["46 vertex normals", "45 vertices", "per vertex"],
         ),
+        (
+            Box::new(MeshError::VertexListCount { vertices: 47, entries: 48 }),
+            &["48 entries", "47 vertices", "one per vertex"],
+        ),
+        (
+            Box::new(MeshError::FaceListCount { faces: 49, entries: 50 }),
+            &["50 entries", "49 faces", "one per face"],
+        ),
         (Box::new(MeshError::Exponent { exponent: 16 }), &["16", "-32 to 15", "unit"]),
         (Box::new(HierarchyError { node: 5, parent: 9 }), &["node 5", "parent 9", "parents first"]),
         (Box::new(BinError::Storage { needed: 301, given: 299 }), &["299", "at least 301"]),

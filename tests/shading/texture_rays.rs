@@ -6,6 +6,7 @@ use pinhole::space::{Model, World};
 use pinhole::{Affine, Camera, Cull, Mesh, SpanShader, Viewport};
 use support::oracle::chain::{self, M4};
 use support::oracle::rng::Rng;
+use support::oracle::texture::{off_clamped, off_repeated, Range, Ray};
 
 /// Faces in view space, which is the world here, in units of 2^exponent, and texture coordinates of each corner.
 pub(crate) struct Faces {
@@ -64,83 +65,48 @@ impl Faces {
     }
 
     /// The exact coordinates of a face, in units of `unit` texels, under a projection of SIDE × SIDE pixels.
-    pub(crate) fn ray(&self, face: usize, projection: &M4, unit: [f64; 2]) -> Ray {
+    pub(crate) fn ray(&self, face: usize, projection: &M4, unit: [f64; 2]) -> FaceRay {
         let camera = chain::Camera {
             view: chain::View { rows: chain::IDENTITY.m, eye: [0.0; 3] },
             projection: *projection,
             viewport: chain::Viewport::new(0, 0, SIDE, SIDE),
         };
-        let corners = [0, 1, 2].map(|i| {
-            let at = chain::vertex(self.vertices[3 * face + i], self.exponent);
-            camera.homogeneous_screen(camera.clip(&chain::IDENTITY, at))
-        });
+        let corners = [0, 1, 2].map(|i| chain::vertex(self.vertices[3 * face + i], self.exponent));
         let uv = self.uv[face].map(|[u, v]| [f64::from(u) * unit[0], f64::from(v) * unit[1]]);
-        Ray { corners, uv }
+        FaceRay(Ray::new(&camera, &chain::IDENTITY, corners, uv))
     }
 }
 
-/// One face: what lies on the ray through a point of the screen.
-pub(crate) struct Ray {
-    /// x·w, y·w and w.
-    corners: [[f64; 3]; 3],
-    /// In texels.
-    uv: [[f64; 2]; 3],
-}
+/// What lies on the rays through the pixels of one face.
+pub(crate) struct FaceRay(Ray);
 
-impl Ray {
-    /// u and v in texels.
-    fn at(&self, x: f64, y: f64) -> [f64; 2] {
-        // The corners' weights in space: Σ weight · corner is a multiple of (x, y, 1).
-        let ([a, b, c], p) = (self.corners, [x, y, 1.0]);
-        let volume = |a, b, c| chain::dot(a, chain::cross(b, c));
-        let weights = [volume(p, b, c), volume(a, p, c), volume(a, b, p)];
-        let sum: f64 = weights.iter().sum();
-        [0, 1].map(|axis| (0..3).map(|i| weights[i] * self.uv[i][axis]).sum::<f64>() / sum)
-    }
-
-    /// The least and the largest u, and those of v, of points within 1/64 pixel of a pixel's centre.
-    pub(crate) fn around(&self, pixel: usize) -> [(f64, f64); 2] {
-        let (x, y) = ((pixel as u32 % SIDE) as f64 + 0.5, (pixel as u32 / SIDE) as f64 + 0.5);
-        let near = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
-            .map(|(dx, dy)| self.at(x + dx / 64.0, y + dy / 64.0));
-        [0, 1].map(|axis| {
-            let values = near.map(|uv| uv[axis]);
-            (values.into_iter().fold(f64::MAX, f64::min), values.into_iter().fold(f64::MIN, f64::max))
-        })
-    }
-
+impl FaceRay {
     /// The largest error in texels of a picture, beyond a shift of 1/64 pixel, where the picture repeats; and how many pixels there
     /// are.
     pub(crate) fn worst_repeated(&self, picture: &[Option<Shown>], bits: [u32; 2]) -> (f64, usize) {
-        self.worst(picture, |shown, (low, high), axis| {
-            let side = f64::from(1u32 << bits[axis]);
-            let (shown, middle) = (shown * side, (low + high) / 2.0);
-            let off = (shown - middle + side / 2.0).rem_euclid(side) - side / 2.0;
-            off.abs() - (high - low) / 2.0
-        })
+        self.worst(picture, bits, off_repeated)
     }
 
     /// The worst error, and the number of pixels, where the edge of the picture continues.
     pub(crate) fn worst_clamped(&self, picture: &[Option<Shown>], bits: [u32; 2]) -> (f64, usize) {
-        self.worst(picture, |shown, (low, high), axis| {
-            let side = f64::from(1u32 << bits[axis]);
-            let shown = shown * side;
-            (low.clamp(0.0, side) - shown).max(shown - high.clamp(0.0, side))
-        })
+        self.worst(picture, bits, off_clamped)
     }
 
-    /// The largest of the errors of what pixels show, 0 … 1 of the picture's side.
     fn worst(
         &self,
         picture: &[Option<Shown>],
-        error: impl Fn(f64, (f64, f64), usize) -> f64,
+        bits: [u32; 2],
+        off: impl Fn(f64, Range, f64) -> f64,
     ) -> (f64, usize) {
         let (mut worst, mut count) = (0.0f64, 0);
         for (i, shown) in picture.iter().enumerate() {
             let Some(Shown(shown)) = *shown else { continue };
-            let exact = self.around(i);
+            let (x, y) = (i as i64 % i64::from(SIDE), i as i64 / i64::from(SIDE));
+            // Beside the face's horizon a point within 1/64 pixel may show anything.
+            let Some(exact) = self.0.around(x, y) else { continue };
             for axis in 0..2 {
-                worst = worst.max(error(f64::from(shown[axis]) / 2f64.powi(32), exact[axis], axis));
+                let side = f64::from(1u32 << bits[axis]);
+                worst = worst.max(off(f64::from(shown[axis]) / 2f64.powi(32) * side, exact[axis], side));
             }
             count += 1;
         }

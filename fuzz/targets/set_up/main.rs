@@ -14,6 +14,7 @@ mod doors;
 mod lights;
 mod meshes;
 mod projections;
+mod textures;
 mod transforms;
 mod views;
 
@@ -36,6 +37,7 @@ fuzz_target!(|data: &[u8]| {
         164..=171 => transforms::quaternion(&mut b),
         172..=175 => transforms::matrix(&mut b),
         176..=183 => lights::check(&mut b),
+        184..=187 => textures::check(&mut b),
         _ => camera::check(&mut b),
     }
 });

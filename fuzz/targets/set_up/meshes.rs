@@ -65,6 +65,12 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
             assert!(normals.len() != faces.len() && error == wanted);
         }
     }
+    let list = vec![b.byte(); b.below(7)];
+    let entries = list.len();
+    let wrong = MeshError::VertexListCount { vertices: count, entries };
+    assert_eq!(mesh.per_vertex(&list), if entries == count { Ok(&list[..]) } else { Err(wrong) });
+    let wrong = MeshError::FaceListCount { faces: faces.len(), entries };
+    assert_eq!(mesh.per_face(&list), if entries == faces.len() { Ok(&list[..]) } else { Err(wrong) });
     // The sphere holds all vertices, unless its numbers saturate.
     let sphere = mesh.bounding_sphere();
     let centre = crate::bridge::reals(sphere.centre);

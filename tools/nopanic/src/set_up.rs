@@ -127,6 +127,8 @@ entries! {
     entry_edges(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edges(e) }
     entry_edge_faces(mesh: Mesh<'static>, e: Edges) -> Result<Mesh<'static>, MeshError> { mesh.with_edge_faces(e) }
     entry_normals(mesh: Mesh<'static>, n: Vertices) -> Result<Mesh<'static>, MeshError> { mesh.with_normals(n) }
+    entry_per_vertex(mesh: &Mesh<'static>, list: &'static [[i16; 2]]) -> Result<&'static [[i16; 2]], MeshError> { mesh.per_vertex(list) }
+    entry_per_face(mesh: &Mesh<'static>, list: &'static [[[i16; 2]; 3]]) -> Result<&'static [[[i16; 2]; 3]], MeshError> { mesh.per_face(list) }
     entry_planes(mesh: Mesh<'static>, p: &'static [i16]) -> Result<Mesh<'static, i16, WithPlanes>, MeshError> { mesh.with_planes(p) }
     entry_mesh_lists(mesh: &Mesh<'static>) -> [Vertices; 2] { [mesh.vertices(), mesh.normals()] }
     entry_mesh_edges(mesh: &Mesh<'static>) -> (Faces, [Edges; 2]) { (mesh.faces(), [mesh.edges(), mesh.edge_faces()]) }

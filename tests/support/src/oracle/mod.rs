@@ -10,6 +10,7 @@
 //! * [`picture`] how far edges must move to explain a whole depth-tested picture, in f64
 //! * [`volume`] the homogeneous view volume: distances, and what of a line is inside
 //! * [`shade`] colours over a triangle and dithered, in exact fractions
+//! * [`texture`] the texture coordinates that pixels show, in f64, by one ray per pixel
 //! * [`cut_faces`] colors of faces that the near plane, the far plane or the guard band cuts, in f64
 //! * [`rng`] a seeded generator, so that every run draws the same cases
 
@@ -26,4 +27,5 @@ pub mod picture;
 pub mod rng;
 pub mod shade;
 pub mod target;
+pub mod texture;
 pub mod volume;

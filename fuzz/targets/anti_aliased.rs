@@ -1,0 +1,207 @@
+//! Anti-aliased lines.
+//!
+//! - A pixel has the area that the line's parallelogram covers of it, cut out as a polygon in f64, within the documented bound.
+//! - A line from either end, in parts of the picture of any height, is one line.
+//! - The edges of a mesh, plain, hidden by faces and tested by depth, are equal in bands and in one piece, and in formats of 16 and 24
+//!   bits. With nothing in front, no edge is hidden.
+#![no_main]
+
+use support::bridge;
+mod bytes;
+mod everywhere;
+#[allow(dead_code)] // faces and edges alone are drawn here
+#[path = "scene/input.rs"]
+mod input;
+use support::oracle;
+
+use bytes::Bytes;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics_core::primitives::{PointsIter, Rectangle};
+use everywhere::Place;
+use input::Scene;
+use libfuzzer_sys::fuzz_target;
+use pinhole::{draw_line, AntiAliased, Blend, Pixels, ScreenVertex, StoredPixel};
+
+/// The part of a pixel with x and y from 0 to 1 that lies between two parallels to a line through `at`, whose slope is at most 1 in
+/// size, half a pixel away: a polygon, cut by two half planes.
+fn covered(at: [f64; 2], slope: f64) -> f64 {
+    let half = slope.hypot(1.0) / 2.0;
+    let middle = at[1] - slope * at[0];
+    let mut polygon = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    for sign in [1.0, -1.0] {
+        // Inside where this is not negative.
+        let inside = |p: [f64; 2]| half - sign * (p[1] - middle - slope * p[0]);
+        let mut cut = Vec::new();
+        for (i, &p) in polygon.iter().enumerate() {
+            let q = polygon[(i + 1) % polygon.len()];
+            let (from, to) = (inside(p), inside(q));
+            if from >= 0.0 {
+                cut.push(p);
+            }
+            if (from < 0.0) != (to < 0.0) {
+                let t = from / (from - to);
+                cut.push([0, 1].map(|k| p[k] + t * (q[k] - p[k])));
+            }
+        }
+        polygon = cut;
+        if polygon.is_empty() {
+            return 0.0;
+        }
+    }
+    let area = |i: usize| {
+        let (p, q) = (polygon[i], polygon[(i + 1) % polygon.len()]);
+        p[0] * q[1] - p[1] * q[0]
+    };
+    (0..polygon.len()).map(area).sum::<f64>() / 2.0
+}
+
+fn coordinate(b: &mut Bytes<'_>, from: i64) -> i64 {
+    let to = match b.byte() {
+        k @ 0..=127 => from + i64::from(k) - 64,
+        k @ 128..=143 => i64::from(i16::MAX) - i64::from(k & 15),
+        k @ 144..=159 => i64::from(i16::MIN) + i64::from(k & 15),
+        160..=191 => from + 8 * b.i8(),
+        _ => i64::from(b.i16()),
+    };
+    to.clamp(i16::MIN.into(), i16::MAX.into())
+}
+
+fn line(b: &mut Bytes<'_>) {
+    let from = [coordinate(b, 0), coordinate(b, 0)];
+    let to = from.map(|c| coordinate(b, c));
+    if from == to {
+        return;
+    }
+    let share = i64::from(b.byte());
+    let middle = [0, 1].map(|k| from[k] + (to[k] - from[k]) * share / 255 + (b.i8() >> 4));
+    let (width, height) = (1 + i64::from(b.byte() & 31), 1 + i64::from(b.byte() & 15));
+    let corner = Point::new((middle[0] - width / 2) as i32, (middle[1] - height / 2) as i32);
+    let area = Rectangle::new(corner, Size::new(width as u32, height as u32));
+    let stroke = AntiAliased(Gray8::WHITE);
+    let place = Place { area, sky: Gray8::BLACK, rows: 1 + u32::from(b.byte() & 7) };
+    let (start, end) = (bridge::pixel((from[0], from[1])), bridge::pixel((to[0], to[1])));
+    let picture = place.memory(|target| {
+        let Ok(()) = draw_line(start, end, stroke, target);
+    });
+    let back = place.memory(|target| {
+        let Ok(()) = draw_line(end, start, stroke, target);
+    });
+    assert!(picture == back, "{from:?} {to:?}");
+    let mut parts = place.blank();
+    let mut y = corner.y;
+    for part in parts.chunks_mut(width as usize * place.rows as usize) {
+        let rows = (part.len() / width as usize) as u32;
+        let mut part =
+            Pixels::new(part, Rectangle::new(Point::new(corner.x, y), Size::new(width as u32, rows)))
+                .expect("cells");
+        let Ok(()) = draw_line(start, end, stroke, &mut part);
+        y += rows as i32;
+    }
+    assert!(picture == parts, "{from:?} {to:?} in parts of {} rows", place.rows);
+
+    // Along the major axis the line reaches from the border of the first pixel to that of the last one.
+    let tall = (from[1] - to[1]).abs() > (from[0] - to[0]).abs();
+    let turn = |p: [i64; 2]| if tall { [p[1], p[0]] } else { p };
+    let (a, c) = (turn(from), turn(to));
+    let slope = (c[1] - a[1]) as f64 / (c[0] - a[0]) as f64;
+    for (point, color) in area.points().zip(&picture) {
+        if i16::try_from(point.x).is_err() || i16::try_from(point.y).is_err() {
+            continue; // no pixel has this column or row
+        }
+        let at = turn([point.x.into(), point.y.into()]);
+        let beyond = at[0] < a[0].min(c[0]) || at[0] > a[0].max(c[0]);
+        // The start's centre in the pixel's own coordinates.
+        let start = [0, 1].map(|k| (a[k] - at[k]) as f64 + 0.5);
+        let exact = if beyond { 0.0 } else { covered(start, slope) };
+        // 2⁻⁹ + 2⁻¹² of coverage, and half a level.
+        let off = (f64::from(color.luma()) - 255.0 * exact).abs();
+        assert!(
+            off <= 0.5 + 255.0 * (1.0 / 512.0 + 1.0 / 4096.0) + 1e-6,
+            "{point:?}: {off} of {exact}, {from:?} {to:?}"
+        );
+    }
+}
+
+fn edges<const N: usize, C: Blend + pinhole::PixelFormat + StoredPixel<[u8; N]> + core::fmt::Debug>(
+    scene: &Scene,
+    rows: u32,
+    [sky, face, line]: [C; 3],
+) {
+    let bounds = scene.area();
+    if bounds.width() == 0 || bounds.height() == 0 {
+        return;
+    }
+    let area = bridge::rectangle(
+        bounds.left as i32,
+        bounds.top as i32,
+        bounds.width() as u32,
+        bounds.height() as u32,
+    );
+    let place = Place { area, sky, rows };
+    let stroke = AntiAliased(line);
+    scene.with_instance(&scene.faces, &scene.edges, |instance| {
+        let mut cache = vec![ScreenVertex::EMPTY; scene.vertices.len()];
+        let plain = place.memory(|target| {
+            let Ok(_) = instance.wireframe(stroke, &mut cache, target);
+        });
+        let uncached = place.memory(|target| {
+            let Ok(_) = instance.wireframe(stroke, &mut [], target);
+        });
+        assert!(plain == uncached, "the cache shows: {scene:?}");
+        // Drawing with a depth buffer always clips at the far plane.
+        let _ = place.depth(false, |depth| {
+            let open = place.memory(|target| {
+                let Ok(_) = instance.hidden_line(stroke, &mut [], depth, target);
+            });
+            assert!(open == plain || !scene.far_clip, "hidden by nothing: {scene:?}");
+        });
+        let over_faces = |hidden: bool| {
+            let mut picture = Vec::new();
+            let _ = place.depth(hidden, |depth| {
+                picture = place.memory(|target| {
+                    let Ok(_) = instance.depth_tested(|_| face, &mut [], depth, target);
+                    let Ok(_) = match hidden {
+                        true => instance.hidden_line(stroke, &mut [], depth, target),
+                        false => instance.wireframe_depth_tested(stroke, &mut [], depth, target),
+                    };
+                });
+            });
+            picture
+        };
+        let (hidden, tested) = (over_faces(true), over_faces(false));
+        let (mut face_bins, mut edge_bins) = ([0; 64], [0; 64]);
+        let mut edges = instance.transform(&mut cache).bin_edges(&mut edge_bins).expect("room");
+        let banded = place.bands(|band, _| {
+            let Ok(()) = edges.draw(stroke, &mut band.pixels());
+        });
+        assert!(banded == plain, "{rows} rows: {scene:?}");
+        let transformed = instance.transform_depth(&mut cache);
+        let mut faces = transformed.bin_faces(&mut face_bins).expect("room");
+        let mut edges = transformed.bin_edges(&mut edge_bins).expect("room");
+        let banded = place.bands(|band, depth| {
+            let Ok(()) = faces.depth_tested(|_| face, depth, &mut band.pixels());
+            let Ok(()) = edges.hidden_line(stroke, depth, &mut band.pixels());
+        });
+        assert!(banded == hidden, "hidden, {rows} rows: {scene:?}");
+        let banded = place.bands(|band, depth| {
+            let Ok(()) = faces.depth_tested(|_| face, depth, &mut band.pixels());
+            let Ok(()) = edges.depth_tested(stroke, depth, &mut band.pixels());
+        });
+        assert!(banded == tested, "with depth, {rows} rows: {scene:?}");
+    });
+}
+
+fuzz_target!(|data: &[u8]| {
+    let mut b = Bytes::new(data);
+    let kind = b.byte();
+    if kind & 1 == 0 {
+        return line(&mut b);
+    }
+    let Some(scene) = Scene::read(data.get(1..).unwrap_or_default()) else { return };
+    let rows = 1 + u32::from(kind >> 2) % 20;
+    match kind & 2 {
+        0 => edges(&scene, rows, [Rgb565::BLUE, Rgb565::new(3, 40, 7), Rgb565::YELLOW]),
+        _ => edges(&scene, rows, [Rgb888::BLUE, Rgb888::new(30, 99, 7), Rgb888::YELLOW]),
+    }
+});
