@@ -1,9 +1,10 @@
-//! The show: seven scenes of eight frames, each with another way to draw. Firmware and host share this code, so that tests can
+//! The show: eight scenes of eight frames, each with another way to draw. Firmware and host share this code, so that tests can
 //! compare every pixel.
 #![allow(dead_code)] // firmware, host and test each take what they need
 
 mod meshes;
 mod screen;
+mod valley;
 
 pub(crate) use screen::{Display, Screen, SIZE};
 
@@ -24,8 +25,8 @@ use pinhole::{
 
 /// Frames of a scene.
 pub(crate) const STEPS: u32 = 8;
-pub(crate) const SCENES: [&str; 7] =
-    ["wireframe", "hidden line", "flat", "Gouraud", "hierarchy", "dirty", "labels"];
+pub(crate) const SCENES: [&str; 8] =
+    ["wireframe", "hidden line", "flat", "Gouraud", "hierarchy", "dirty", "labels", "valley"];
 pub(crate) const FRAMES: u32 = STEPS * SCENES.len() as u32;
 
 /// The scene of a frame.
@@ -41,6 +42,7 @@ pub(crate) struct Scratch {
     balls: [([ScreenVertex; BALL_CORNERS], [u16; bin_storage_len(BALL_COUNT)], [u16; BALL_CORNERS]); 3],
     rings: [([ScreenVertex; RING_CORNERS], [u16; bin_storage_len(RING_CORNERS)]); 2],
     ship: ([ScreenVertex; 8], [u16; bin_storage_len(12)], [u16; bin_storage_len(17)]),
+    ground: ([ScreenVertex; 4], [u16; bin_storage_len(2)]),
 }
 
 /// The largest number of objects in a scene. Each takes 176 bytes, which are not on the stack.
@@ -81,10 +83,11 @@ impl Scratch {
             ); 3],
             rings: [([ScreenVertex::EMPTY; RING_CORNERS], [0; bin_storage_len(RING_CORNERS)]); 2],
             ship: ([ScreenVertex::EMPTY; 8], [0; bin_storage_len(12)], [0; bin_storage_len(17)]),
+            ground: ([ScreenVertex::EMPTY; 4], [0; bin_storage_len(2)]),
         }
     }
 
-    /// Draws any frame. The scenes are not inlined, because the stack would then hold the variables of all seven at once.
+    /// Draws any frame. The scenes are not inlined, because the stack would then hold the variables of all eight at once.
     pub(crate) fn draw<D: Display>(
         &mut self,
         frame: u32,
@@ -102,7 +105,8 @@ impl Scratch {
             3 => self.gouraud(step, screen),
             4 => self.hierarchy(step, nodes, screen),
             5 => self.dirty(step, screen),
-            _ => self.labels(step, screen),
+            6 => self.labels(step, screen),
+            _ => self.valley(step, screen),
         }
     }
 
@@ -248,6 +252,28 @@ impl Scratch {
             for name in &names {
                 let Ok(_) = name.draw(band);
             }
+        })
+    }
+
+    /// A flight over fields, among trees.
+    #[inline(never)]
+    fn valley<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
+        let (level, model) = (Affine::identity(), valley::ship(step));
+        let camera = camera([0, 7, 34], 50);
+        show_to(&camera, &[(&valley::GROUND, &level), (&SHIP, &model)], &mut self.stage);
+        let trees = camera.place_sprites(&valley::TREES, &valley::passed(step));
+        let [ground, small] = self.stage.as_slice() else { return Ok(()) };
+        let (corners, bin_storage) = &mut self.ground;
+        let mut ground = faces(&ground.transform_depth(corners), bin_storage);
+        let (corners, bin_storage, _) = &mut self.ship;
+        let sun = light(&model, FROM_ABOVE);
+        let mut ship = faces(&small.transform_depth(corners), bin_storage);
+        screen.clear();
+        let fields = valley::fields(step);
+        screen.show(SCENES[7], |band, depth| {
+            let Ok(()) = ground.depth_tested(&fields, depth, band);
+            let Ok(_) = trees.depth_tested(|_| valley::tree(), depth, band);
+            let Ok(()) = ship.depth_tested(|face| ship_colour(&sun, face), depth, band);
         })
     }
 }
