@@ -6,7 +6,7 @@ mod bytes;
 
 use bytes::Bytes;
 use embedded_graphics_core::geometry::{AnchorPoint, Point, Size};
-use embedded_graphics_core::pixelcolor::{Gray8, GrayColor};
+use embedded_graphics_core::pixelcolor::Gray8;
 use embedded_graphics_core::primitives::Rectangle;
 use libfuzzer_sys::fuzz_target;
 use pinhole::{

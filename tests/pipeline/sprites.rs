@@ -645,3 +645,58 @@ fn sprites_far_outside_draw_what_reaches_in() {
     }
     assert_eq!(drawn, 5);
 }
+
+/// Of sprites at one depth the first stays, as of faces; before the near plane nothing is drawn; beyond the far plane sprites are drawn
+/// without a depth buffer unless the camera clips there, and never with one.
+#[test]
+fn equal_depths_and_both_planes() {
+    let colors = [Rgb888::RED, Rgb888::BLUE];
+    let mesh = Mesh::new(&[[32, -32, -10], [32, -32, -10]], 0, &[]).expect("a mesh");
+    let camera = flat();
+    let placed = camera.place_sprites(&mesh, &ModelBits::default().library());
+    let square = |i: usize| Sprite::square(colors[i], 4);
+    let mut pixels = vec![SKY; 140 * 100];
+    for in_memory in [true, false] {
+        let mut storage = vec![0; 140 * 100];
+        let mut depth = DepthBuffer::new(AREA, &mut storage).expect("room");
+        let mut picture = Picture::new(&mut pixels, SIZE).expect("room");
+        picture.clear(SKY).expect("no error");
+        let drawn = match in_memory {
+            true => placed.depth_tested(square, &mut depth, &mut picture.pixels()),
+            false => placed.depth_tested(square, &mut depth, &mut picture),
+        };
+        assert_eq!(drawn.expect("no error").drawn, 2);
+        let count = |color| picture.colors().iter().filter(|&&pixel| pixel == color).count();
+        assert_eq!(colors.map(count), [16, 0]);
+        // Without depth, the last one.
+        placed.draw(square, &mut picture.pixels()).expect("no error");
+        let count = |color| picture.colors().iter().filter(|&&pixel| pixel == color).count();
+        assert_eq!(colors.map(count), [0, 16]);
+    }
+
+    // Near and far lie at 1 and 100.
+    for (z, with_clip, is_drawn, is_drawn_deep) in [
+        (0, false, false, false),
+        (5, true, false, false),
+        (-50, true, true, true),
+        (-200, false, true, false),
+        (-200, true, false, false),
+    ] {
+        let mut storage = vec![0; 140 * 100];
+        let mut depth = DepthBuffer::new(AREA, &mut storage).expect("room");
+        let placed = camera.with_far_clip(with_clip).place_sprite(Point3::from_ints(32, -32, z));
+        let square = |_| Sprite::square(Rgb888::RED, 4);
+        let mut display = Display(vec![SKY; 140 * 100]);
+        let statistics = placed.draw(square, &mut display).expect("no error");
+        assert_eq!((statistics.drawn, statistics.outside), (is_drawn.into(), (!is_drawn).into()), "{z}");
+        assert_eq!(display.0.contains(&Rgb888::RED), is_drawn);
+        let mut display = Display(vec![SKY; 140 * 100]);
+        let statistics = placed.depth_tested(square, &mut depth, &mut display).expect("no error");
+        assert_eq!(
+            (statistics.drawn, statistics.outside),
+            (is_drawn_deep.into(), (!is_drawn_deep).into()),
+            "{z}"
+        );
+        assert_eq!(display.0.contains(&Rgb888::RED), is_drawn_deep);
+    }
+}
