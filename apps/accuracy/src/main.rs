@@ -1,4 +1,4 @@
-//! Measures the errors of the library's integers against f64 and writes docs/accuracy.md:
+//! Measures the errors of the library's integers against f64 and writes docs/accuracy.md and docs/texture-error.svg:
 //!
 //! ```text
 //! cargo run --release -p pinhole-accuracy -- --help
@@ -11,6 +11,7 @@ mod grouped;
 mod page;
 mod population;
 mod sweep;
+mod textures;
 
 // Private modules of the library, which are measured directly.
 #[allow(dead_code, unreachable_pub, unused_imports, clippy::wrong_self_convention)]
@@ -26,16 +27,18 @@ use std::process::ExitCode;
 use support::{bridge, oracle};
 
 fn main() -> ExitCode {
-    command::run(|| {
-        let about = "Measures the errors of the library's integers against f64, and writes a page of tables";
+    command::run(|| -> Result<ExitCode, String> {
+        let about = "Measures the errors of the library's integers against f64, and writes a page of tables and a plot";
         let file = Generated::arguments("-p pinhole-accuracy", about, "docs/accuracy.md")?;
-        let page = match page::page() {
-            Ok(page) => page,
+        let (page, plot) = match page::page() {
+            Ok(pages) => pages,
             Err(bound) => {
                 command::complain(bound);
                 return Ok(ExitCode::from(1));
             }
         };
-        file.finish_page(&page)
+        let plot = file.beside(textures::PLOT).finish_page(&plot)?;
+        let page = file.finish_page(&page)?;
+        Ok(if plot == ExitCode::SUCCESS { page } else { plot })
     })
 }

@@ -5,6 +5,7 @@ use crate::functions::{self, Measured};
 use crate::grouped::grouped;
 use crate::population::{DESIGNS, POPULATIONS, RANGES};
 use crate::sweep::{sweep, Pair, Sweep, COUNT};
+use crate::textures;
 use std::fmt::Write as _;
 
 /// The bounds that [`pinhole::MeshInstance::project`] and [`pinhole::Camera::project`] document, in px and in depth steps.
@@ -101,27 +102,30 @@ Bounds that other tests hold, with their own measurements:
 | `raster` | none: exact | `tests/raster/fill_rule.rs`, `tests/raster/lines.rs`, `tests/raster/random_shapes.rs`, `tests/hard_cases/` |
 ";
 
-/// The page, or the bound that does not hold.
-pub(crate) fn page() -> Result<String, String> {
+/// The page and the plot of textures, or the bound that does not hold.
+pub(crate) fn page() -> Result<(String, String), String> {
     // Each population has its own random numbers, so the order of threads changes nothing.
-    let (sweeps, functions) = std::thread::scope(|scope| {
+    let (sweeps, functions, textures) = std::thread::scope(|scope| {
         let sweeps = POPULATIONS.each_ref().map(|population| scope.spawn(|| sweep(population)));
-        let functions = functions::all();
-        (sweeps.map(|thread| thread.join()), functions)
+        let (functions, textures) = (functions::all(), textures::measure());
+        (sweeps.map(|thread| thread.join()), functions, textures)
     });
+    let mut textures = textures?;
     let mut all = Vec::new();
     for result in sweeps {
         all.push(result.map_err(|_| "a sweep ended early".to_string())??);
     }
     let mut page = HEAD.to_string();
-    let written = write_tables(&mut page, &mut all, &functions);
+    let written = write_tables(&mut page, &mut all, &mut textures, &functions);
     written.map_err(|error| error.to_string())?;
-    broken(&all, &functions).map_or(Ok(page), Err)
+    let broken = broken(&all, &functions).or_else(|| textures::broken(&textures));
+    broken.map_or_else(|| Ok((page, textures::svg(&textures))), Err)
 }
 
 fn write_tables(
     page: &mut String,
     sweeps: &mut [Sweep],
+    textures: &mut [textures::Measured],
     functions: &[Measured],
 ) -> Result<(), std::fmt::Error> {
     write!(page, "\n{}", CHAIN.replace("COUNT", &grouped(COUNT as u64)))?;
@@ -172,6 +176,7 @@ fn write_tables(
     page.push_str(
         "\nThe bound is asserted in `tests/camera/vertex_chain.rs`, for perspectives and boxes alike.\n\n",
     );
+    page.push_str(&textures::text(textures));
     page.push_str(FUNCTIONS);
     for Measured { what, unit, error, bound, test } in functions {
         // Depth steps in decimal, other errors as powers of two.

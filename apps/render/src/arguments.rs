@@ -22,7 +22,7 @@ SCENE.json:
    "model": 4x4 affine, "view": 4x4 rigid, "projection": 4x4 with w > 0 and z/w from -1 (near) to 1 (far) in the view volume,
    "colors": [[r, g, b], ...] of the triangles, 0 to 255 (optional),
    "uv": [[u, v], ...] of the vertices, or [[[u, v], [u, v], [u, v]], ...] of the triangles' corners, in texels, (0, 0) at the upper left,
-   "texture": [W, H] or "FILE.png", 8 to 256 a side, powers of two, "wrap": "repeat" (optional; uv and texture belong together),
+   "texture": [W, H] or "FILE.png", 8 to 256 a side, powers of two, "wrap": "repeat" | "clamp" (optional; uv and texture belong together),
    "width": W, "height": H (1 to 4096), "viewport": [x, y, w, h] (default: the picture), "cull": "none" | "back",
    "name", "source", "licence": any text, ignored}
 Matrices are row-major and multiply column vectors. A .json mesh is {"vertices": ..., "triangles": ...}.
@@ -40,22 +40,27 @@ frames the bounding sphere. Faces have the diffuse colours of an OBJ's materials
 Bad input: one line on stderr, exit code 2, and no file is changed."#;
 
 /// What the template's code decides, and other outputs.
-const NOT_IN_FIRMWARE: [&str; 18] = [
+const NOT_IN_FIRMWARE: [&str; 23] = [
+    "alpha",
     "ascii",
     "background",
     "colour",
     "depth",
+    "door",
     "edges",
     "feature-angle",
     "format",
     "fov",
     "frame",
     "from",
+    "half",
     "ids",
+    "lit-texture",
     "mode",
     "no-dither",
     "pitch",
     "projection",
+    "smooth-lines",
     "texels",
     "texture",
     "yaw",
@@ -127,6 +132,21 @@ pub(crate) fn command() -> Command {
         )
         .arg(text("background", "COLOUR", "Background colour: a CSS name, #rrggbb or #rgb".into()))
         .arg(text("format", "FORMAT", format!("Pixel format: {formats} [default: rgb888]")))
+        .arg(flag("lit-texture", "Light the texture as a face without one"))
+        .arg(
+            text("door", "N", "Screen door: draw N of 64 pixels of each face, 0 to 64".into())
+                .value_parser(value_parser!(u8).range(..=64)),
+        )
+        .arg(
+            flag("half", "Mix each face half and half with what is behind it, from far to near")
+                .conflicts_with("door"),
+        )
+        .arg(
+            text("alpha", "N", "Mix N of 32 parts of each face with what is behind it, from far to near, 0 to 32".into())
+                .value_parser(value_parser!(u8).range(..=32))
+                .conflicts_with_all(["door", "half"]),
+        )
+        .arg(flag("smooth-lines", "Anti-aliased lines in wireframe and hidden-line"))
         .arg(flag("no-dither", "Round to the nearest colours of the format instead of dithering"))
         .arg(flag("stats", "Print how many triangles were drawn, culled and clipped"))
         .next_help_heading("For a mesh")

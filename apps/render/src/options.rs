@@ -5,7 +5,7 @@ use crate::ascii::Characters;
 use crate::colours;
 use crate::import;
 use crate::model::{Fit, Look};
-use crate::paint::{Mode, Style};
+use crate::paint::{Mode, Style, Translucency};
 use crate::picture::Format;
 use crate::projections::Named;
 use crate::scene::LARGEST;
@@ -55,8 +55,10 @@ pub(crate) fn read() -> Result<Options, String> {
     let mut given = pinhole_apps_support::command::matches(command())?;
     let scene: PathBuf = given.remove_one("SCENE").unwrap_or_default();
     let ascii = choice(&mut given, "ascii", &Characters::ALL)?;
-    let painted = ["colour", "background", "format"].into_iter().find(|name| given.contains_id(name));
-    let painted = painted.or(given.get_flag("no-dither").then_some("no-dither"));
+    let painted =
+        ["colour", "background", "format", "door", "alpha"].into_iter().find(|name| given.contains_id(name));
+    let flags = ["no-dither", "half", "lit-texture", "smooth-lines"];
+    let painted = painted.or_else(|| flags.into_iter().find(|name| given.get_flag(name)));
     let (style, format) = style(&mut given)?;
     let least_turn = edges(&given, style.mode)?;
     let mut import = import::options(&given);
@@ -154,7 +156,29 @@ fn style(given: &mut ArgMatches) -> Result<(Style, Format), String> {
     };
     let (colour, background) = (colour("colour")?, colour("background")?);
     let dither = format.wants_dither() && !given.get_flag("no-dither");
-    Ok((style::chosen(mode, format, colour, background, dither), format))
+    let translucency = match (given.get_one::<u8>("door"), given.get_one::<u8>("alpha")) {
+        (Some(&of_64), _) => Translucency::Door(of_64),
+        (_, Some(&of_32)) => Translucency::Alpha(of_32),
+        _ if given.get_flag("half") => Translucency::Half,
+        _ => Translucency::Opaque,
+    };
+    let (lit_texture, smooth_lines) = (given.get_flag("lit-texture"), given.get_flag("smooth-lines"));
+    if smooth_lines && !mode.of_lines() {
+        return Err("--smooth-lines: needs --mode wireframe or hidden-line".into());
+    }
+    let of_faces = [("door", translucency != Translucency::Opaque), ("lit-texture", lit_texture)]
+        .into_iter()
+        .find(|(_, given)| *given);
+    if let Some((name, _)) = of_faces.filter(|_| mode.of_lines()) {
+        let name = match translucency {
+            Translucency::Half => "half",
+            Translucency::Alpha(_) => "alpha",
+            _ => name,
+        };
+        return Err(format!("--{name}: is for faces: needs --mode solid, flat or gouraud"));
+    }
+    let usual = style::chosen(mode, format, colour, background, dither);
+    Ok((Style { lit_texture, translucency, smooth_lines, ..usual }, format))
 }
 
 /// The edges that a mode of lines draws.

@@ -9,13 +9,15 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{
-    Band, BinnedEdges, BinnedFaces, Channels, Cull, DepthBuffer, Flat, Frame, Gouraud, Mesh, MeshInstance,
-    PixelFormat, Scalar, ScreenVertex, SpanShader, Statistics, TexelSlice, Texture, TransformedMesh,
+    AntiAliased, Band, BinnedEdges, BinnedFaces, Blend, Blended, Channels, Cull, DepthBuffer, Dim, Flat,
+    Frame, Gouraud, HalfBlended, Mesh, MeshInstance, PixelFormat, Pixels, Scalar, ScreenDoor, ScreenVertex,
+    SpanShader, Statistics, Target, TexelSlice, Texture, TransformedMesh,
 };
+use std::convert::Infallible;
 
 /// A pixel format of a display.
-pub trait Colour: PixelFormat + Channels + From<Rgb888> + Into<Rgb888> {}
-impl<C: PixelFormat + Channels + From<Rgb888> + Into<Rgb888>> Colour for C {}
+pub trait Colour: PixelFormat + Channels + Dim + Blend + From<Rgb888> + Into<Rgb888> {}
+impl<C: PixelFormat + Channels + Dim + Blend + From<Rgb888> + Into<Rgb888>> Colour for C {}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
@@ -62,6 +64,26 @@ impl Mode {
     }
 }
 
+/// How much of what is behind a face is seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Translucency {
+    #[default]
+    Opaque,
+    /// Of 64 pixels so many are drawn.
+    Door(u8),
+    /// The mean of the face and what is behind it.
+    Half,
+    /// So many 32nds of the face.
+    Alpha(u8),
+}
+
+impl Translucency {
+    /// Whether faces are mixed with what is behind them, so that farther ones must be drawn first.
+    pub const fn blends(self) -> bool {
+        matches!(self, Self::Half | Self::Alpha(_))
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     pub mode: Mode,
@@ -71,6 +93,11 @@ pub struct Style {
     pub own_colours: bool,
     pub background: Rgb888,
     pub dither: bool,
+    /// Whether a texture is lit as a face without one is.
+    pub lit_texture: bool,
+    pub translucency: Translucency,
+    /// Whether lines are anti-aliased.
+    pub smooth_lines: bool,
 }
 
 /// Data of a mesh that do not depend on the camera.
@@ -122,9 +149,15 @@ pub fn paint<C: Colour>(
 ) -> Result<Report, String> {
     let camera = quantised.camera();
     let cull = if scene.cull { Cull::Back } else { Cull::None };
-    let vertices: Vec<_> = subject.parts.iter().map(|part| part.vertices(&quantised.vertices)).collect();
-    let meshes = subject
-        .parts
+    // Faces that are mixed with what is behind them are drawn from far to near.
+    let sorted = (style.translucency.blends() && !style.mode.of_lines()).then(|| Sorted::new(scene));
+    let all_parts = sorted.as_ref().map_or(&subject.parts, |sorted| &sorted.parts);
+    let number = |part: &Part, face: usize| {
+        let at = part.first + face;
+        sorted.as_ref().map_or(at, |sorted| sorted.order.get(at).copied().unwrap_or(at))
+    };
+    let vertices: Vec<_> = all_parts.iter().map(|part| part.vertices(&quantised.vertices)).collect();
+    let meshes = all_parts
         .iter()
         .zip(&vertices)
         .map(|(part, vertices)| {
@@ -139,14 +172,29 @@ pub fn paint<C: Colour>(
     let mut face_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.faces().len())).collect();
     let mut edge_bin_storage: Vec<_> = meshes.iter().map(|mesh| bin_storage(mesh.edges().len())).collect();
     let out = Out { size: Size::new(scene.width, scene.height), style, rows, send };
+    let size = out.size;
+    // Anti-aliased lines reach two pixels beyond the edges.
+    let reached = |edges: Rectangle| match style.smooth_lines && !edges.is_zero_sized() {
+        false => edges,
+        true => Rectangle::new(edges.top_left - Point::new_equal(2), edges.size + Size::new_equal(4))
+            .intersection(&Rectangle::new(Point::zero(), size)),
+    };
 
     if style.mode == Mode::Wireframe {
         // Lines without depth test: no far plane may clip them.
         let transformed: Vec<_> = instances.iter().zip(&mut corners).map(|(p, c)| p.transform(c)).collect();
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
-        return out.bands(statistics, &plan(bounds), |band, _| {
-            for edges in &mut edges {
-                let Ok(()) = edges.draw(C::from(style.colour), band);
+        return out.bands(statistics, &plan(reached(bounds)), |band, _| {
+            let colour = C::from(style.colour);
+            match style.smooth_lines {
+                false => edges.iter_mut().for_each(|edges| {
+                    let Ok(()) = edges.draw(colour, band);
+                }),
+                true => in_memory(band, |pixels| {
+                    edges.iter_mut().for_each(|edges| {
+                        let Ok(()) = edges.draw(AntiAliased(colour), pixels);
+                    });
+                }),
             }
         });
     }
@@ -160,11 +208,19 @@ pub fn paint<C: Colour>(
         .map_err(|e| e.to_string())?;
     if style.mode == Mode::HiddenLine {
         let (mut edges, statistics, bounds) = edges(&transformed, &mut edge_bin_storage)?;
-        return out.bands(statistics, &plan(bounds), |band, depth| {
+        return out.bands(statistics, &plan(reached(bounds)), |band, depth| {
             // Any part may hide any other.
             faces.iter_mut().for_each(|faces| faces.depth_only(depth));
-            for edges in &mut edges {
-                let Ok(()) = edges.hidden_line(C::from(style.colour), depth, band);
+            let colour = C::from(style.colour);
+            match style.smooth_lines {
+                false => edges.iter_mut().for_each(|edges| {
+                    let Ok(()) = edges.hidden_line(colour, depth, band);
+                }),
+                true => in_memory(band, |pixels| {
+                    edges.iter_mut().for_each(|edges| {
+                        let Ok(()) = edges.hidden_line(AntiAliased(colour), depth, pixels);
+                    });
+                }),
             }
         });
     }
@@ -172,34 +228,106 @@ pub fn paint<C: Colour>(
     let statistics = faces.iter().map(BinnedFaces::statistics).fold(Statistics::default(), Statistics::and);
     let areas = plan(around(faces.iter().map(BinnedFaces::bounds)));
     let light = Light::new(scene, quantised);
-    let levels = |part: &Part, face: usize| light.corners(part.first + face, &subject.normals);
+    let levels = |part: &Part, face: usize| light.corners(number(part, face), &subject.normals);
     let colour = |part: &Part, face: usize| {
-        let own = scene.colors.get(part.first + face).filter(|_| style.own_colours);
+        let own = scene.colors.get(number(part, face)).filter(|_| style.own_colours);
         own.map_or(style.colour, |&[r, g, b]| Rgb888::new(r, g, b))
     };
     let flat = |part: &Part, face| Flat::lit(colour(part, face), levels(part, face)[0]);
     let smooth = |part: &Part, face| Gouraud::lit(colour(part, face), levels(part, face));
-    let mut solid = Solid { parts: &subject.parts, faces: &mut faces };
+    let solid = Solid { parts: all_parts, faces: &mut faces };
+    let all = Faces { out, statistics, areas: &areas, solid, translucency: style.translucency };
     let picture = scene.texture.as_ref().zip(quantised.texture.as_ref());
     if let Some((colours, (texture, coords))) =
         picture.and_then(|picture| Some((picture.0.colours::<C>()?, picture))).filter(|_| style.own_colours)
     {
-        let [width, height] = texture.size;
+        let ([width, height], clamped) = (texture.size, texture.clamped);
         let texels = TexelSlice::new(&colours, width, height).map_err(|e| e.to_string())?;
         let texture = Texture::new(texels).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
-        let shader = |part: &Part, face: usize| texture.at(coords.uv[part.first + face]);
-        return out.bands(statistics, &areas, |band, depth| solid.draw(shader, depth, band));
+        let uv = |part: &Part, face: usize| coords.uv[number(part, face)];
+        return match (clamped, style.lit_texture) {
+            (false, false) => all.draw(|part, face| texture.at(uv(part, face))),
+            (true, false) => all.draw(|part, face| texture.clamped_at(uv(part, face))),
+            (false, true) => all.draw(|part, face| texture.at(uv(part, face)).lit(levels(part, face))),
+            (true, true) => all.draw(|part, face| texture.clamped_at(uv(part, face)).lit(levels(part, face))),
+        };
     }
     match (style.mode == Mode::Flat, style.dither) {
-        (true, false) => out.bands(statistics, &areas, |band, depth| solid.draw(flat, depth, band)),
-        (true, true) => {
-            out.bands(statistics, &areas, |band, depth| solid.draw(|p, f| flat(p, f).dithered(), depth, band))
-        }
-        (false, false) => out.bands(statistics, &areas, |band, depth| solid.draw(smooth, depth, band)),
-        (false, true) => {
-            let shader = |p: &Part, f| smooth(p, f).dithered();
-            out.bands(statistics, &areas, |band, depth| solid.draw(shader, depth, band))
-        }
+        (true, false) => all.draw(flat),
+        (true, true) => all.draw(|part, face| flat(part, face).dithered()),
+        (false, false) => all.draw(smooth),
+        (false, true) => all.draw(|part, face| smooth(part, face).dithered()),
+    }
+}
+
+/// The triangles of a scene from far to near, by the mean depth of their corners, as [`pinhole::Painter`] sorts them.
+struct Sorted {
+    parts: Vec<Part>,
+    /// The number that each triangle has in the scene.
+    order: Vec<usize>,
+}
+
+impl Sorted {
+    fn new(scene: &Scene) -> Self {
+        // Nearer than the near plane is −1.
+        let depths: Vec<f64> = scene
+            .vertices
+            .iter()
+            .map(|&vertex| {
+                let [_, _, z, w] = scene.clip(vertex);
+                if w > 0.0 {
+                    (z / w).clamp(-1.0, 1.0)
+                } else {
+                    -1.0
+                }
+            })
+            .collect();
+        let depth =
+            |triangle: usize| -> f64 { scene.triangles[triangle].iter().map(|&vertex| depths[vertex]).sum() };
+        let mut order: Vec<usize> = (0..scene.triangles.len()).collect();
+        order.sort_by(|&a, &b| depth(b).total_cmp(&depth(a)));
+        let triangles: Vec<_> = order.iter().map(|&triangle| scene.triangles[triangle]).collect();
+        Self { parts: parts(&scene.vertices, &triangles), order }
+    }
+}
+
+/// Draws a band's pixels in memory, which shaders and lines can read, whatever the format.
+fn in_memory<C: Colour>(band: &mut Band<'_, C>, draw: impl FnOnce(&mut Pixels<'_, C>)) {
+    let area = band.area();
+    let mut cells: Vec<C> = band.colors().collect();
+    if let Ok(mut pixels) = Pixels::new(&mut cells, area) {
+        draw(&mut pixels);
+    }
+    let _ = band.fill_contiguous(&area, cells); // a band takes all
+}
+
+/// The faces of a frame, and where they are drawn.
+struct Faces<'a, 'f, S> {
+    out: Out<'a, S>,
+    statistics: Statistics,
+    areas: &'a [Rectangle],
+    solid: Solid<'a, 'f>,
+    translucency: Translucency,
+}
+
+impl<S> Faces<'_, '_, S> {
+    fn draw<C: Colour, I: SpanShader<C>>(self, shader: impl Fn(&Part, usize) -> I) -> Result<Report, String>
+    where
+        S: FnMut(&Band<'_, C>),
+    {
+        let Self { out, statistics, areas, mut solid, translucency } = self;
+        out.bands(statistics, areas, |band, depth| match translucency {
+            Translucency::Opaque => solid.draw(&shader, depth, band),
+            Translucency::Door(of_64) => {
+                solid.draw(|part, face| ScreenDoor::new(shader(part, face), of_64), depth, band);
+            }
+            Translucency::Half => in_memory(band, |pixels| {
+                solid.draw(|part, face| HalfBlended::new(shader(part, face)), depth, pixels);
+            }),
+            Translucency::Alpha(of_32) => in_memory(band, |pixels| {
+                solid.draw(|part, face| Blended::new(shader(part, face), of_32), depth, pixels);
+            }),
+        })
     }
 }
 
@@ -225,14 +353,14 @@ struct Solid<'a, 'f> {
 }
 
 impl Solid<'_, '_> {
-    fn draw<C: Colour, I: SpanShader<C>>(
+    fn draw<T: Target<Error = Infallible>, I: SpanShader<T::Color>>(
         &mut self,
         shader: impl Fn(&Part, usize) -> I,
         depth: &mut DepthBuffer<'_>,
-        band: &mut Band<'_, C>,
+        target: &mut T,
     ) {
         for (part, faces) in self.parts.iter().zip(self.faces.iter_mut()) {
-            let Ok(()) = faces.depth_tested(|face| shader(part, face), depth, band);
+            let Ok(()) = faces.depth_tested(|face| shader(part, face), depth, target);
         }
     }
 }

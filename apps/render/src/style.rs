@@ -1,6 +1,6 @@
 //! Default colours.
 
-use crate::paint::{Mode, Style};
+use crate::paint::{Mode, Style, Translucency};
 use crate::picture::{luma, Format};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
@@ -9,7 +9,7 @@ const CLAY: Rgb888 = Rgb888::new(240, 160, 98);
 const INK: Rgb888 = Rgb888::new(34, 48, 72);
 const CHALK: Rgb888 = Rgb888::new(214, 240, 250);
 
-/// The chosen style, with defaults that are visible in the format. A colour that is chosen replaces the model's own.
+/// The chosen style of opaque faces, textures without light and plain lines, with defaults that are visible in the format. A colour that is chosen replaces the model's own.
 pub fn chosen(
     mode: Mode,
     format: Format,
@@ -25,5 +25,14 @@ pub fn chosen(
         (false, _) => CLAY,
     };
     let own_colours = colour.is_none();
-    Style { mode, colour: colour.unwrap_or(usual), own_colours, background, dither }
+    Style {
+        mode,
+        colour: colour.unwrap_or(usual),
+        own_colours,
+        background,
+        dither,
+        lit_texture: false,
+        translucency: Translucency::Opaque,
+        smooth_lines: false,
+    }
 }

@@ -16,6 +16,8 @@ pub struct SceneTexture {
     pub uv: Vec<[[f64; 2]; 3]>,
     /// Columns and rows: powers of two from 8 to 256.
     pub size: [usize; 2],
+    /// Whether the edge of the picture continues beyond it, in place of another copy of the picture.
+    pub clamped: bool,
     /// The texels row by row, if the scene names a picture; and its file.
     pub picture: Option<(Vec<[u8; 3]>, PathBuf)>,
 }
@@ -33,17 +35,22 @@ pub(crate) fn read(
     folder: &Path,
     mesh: &Triangles,
 ) -> Result<Option<SceneTexture>, String> {
-    let (uv, texture) = match fields {
+    let (uv, texture, clamped) = match fields {
         [None, None, None] => return Ok(None),
         [Some(uv), Some(texture), wrap] => {
-            if let Some(wrap) = wrap {
-                match wrap.text()? {
-                    "repeat" => {}
-                    "clamp" => return Err(wrap.error("is \"clamp\", which is not drawn yet: use \"repeat\"")),
-                    other => return Err(wrap.error(format_args!("is \"{other}\" and should be \"repeat\""))),
-                }
-            }
-            (uv, texture)
+            let clamped = match &wrap {
+                None => false,
+                Some(wrap) => match wrap.text()? {
+                    "repeat" => false,
+                    "clamp" => true,
+                    other => {
+                        return Err(
+                            wrap.error(format_args!("is \"{other}\" and should be \"repeat\" or \"clamp\""))
+                        )
+                    }
+                },
+            };
+            (uv, texture, clamped)
         }
         [Some(_), None, _] => return Err("texture: is missing, and uv is given".into()),
         [None, _, _] => return Err("uv: is missing, and texture or wrap is given".into()),
@@ -61,7 +68,7 @@ pub(crate) fn read(
             texture.error(format_args!("has a side of {side}, which is none of 8, 16, 32, 64, 128, 256"))
         );
     }
-    Ok(Some(SceneTexture { uv: read_uv(&uv, mesh)?, size, picture }))
+    Ok(Some(SceneTexture { uv: read_uv(&uv, mesh)?, size, clamped, picture }))
 }
 
 /// A pair for each vertex, or three for each triangle.
@@ -114,7 +121,7 @@ pub fn of_model(model: &Preview) -> Option<SceneTexture> {
     let texels =
         (0..size[0] * size[1]).map(|i| picture.color(i % picture.width, i / picture.width)).collect();
     let uv = model.texture.iter().map(|corners| corners.map(scale)).collect();
-    Some(SceneTexture { uv, size, picture: Some((texels, PathBuf::from(&picture.name))) })
+    Some(SceneTexture { uv, size, clamped: false, picture: Some((texels, PathBuf::from(&picture.name))) })
 }
 
 impl SceneTexture {
@@ -174,7 +181,10 @@ pub(crate) fn numbers(scene: &Scene, quantised: &Quantised) -> Result<(Vec<u16>,
         ));
     }
     let texture = Texture::new(Numbered([w, h])).with_exponent(coords.exponent).map_err(|e| e.to_string())?;
-    let drawn = draw::faces(scene, quantised, |face| texture.at(coords.uv[face]))?;
+    let drawn = match scene_texture.clamped {
+        false => draw::faces(scene, quantised, |face| texture.at(coords.uv[face]))?,
+        true => draw::faces(scene, quantised, |face| texture.clamped_at(coords.uv[face]))?,
+    };
     let number = |seen: &draw::Seen| u16::try_from(seen.index()).map_or(0, |number| number | 1 << 15);
     Ok((drawn.ids.pixels().iter().map(number).collect(), drawn.statistics))
 }

@@ -27,7 +27,8 @@ pub(crate) fn json(scene: &Scene) -> String {
                 }
                 None => list(texture.size.iter()),
             };
-            format!(",\n\"texture\": {picture}, \"uv\": {uv}")
+            let wrap = if texture.clamped { ", \"wrap\": \"clamp\"" } else { "" };
+            format!(",\n\"texture\": {picture}, \"uv\": {uv}{wrap}")
         }
     };
     format!(

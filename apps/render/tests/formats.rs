@@ -438,6 +438,162 @@ fn texels_are_numbered_row_by_row() {
 }
 
 #[test]
+fn the_edge_of_a_clamped_picture_continues() {
+    let to = RENDER.folder("render", "clamped");
+    let mut scene = textured();
+    // One picture to the left and to the right, half a picture above and below.
+    scene["uv"] = json!([[-16, 12], [32, 12], [32, -4], [-16, -4]]);
+    scene["wrap"] = json!("clamp");
+    // Pixel (i, j) has u = 3·(i + ½) − 16 and v = j + ½ − 4.
+    let column = |i: i32| (3 * i + 1 - 16).clamp(0, 15);
+    let row = |j: i32| (j - 4).clamp(0, 7);
+    let expected: Vec<u16> =
+        (0..16).flat_map(|j| (0..16).map(move |i| 1 << 15 | (16 * row(j) + column(i)) as u16)).collect();
+    assert_eq!(texels(&to, &scene), expected);
+}
+
+/// The colours of a picture.
+fn colours(file: &Path) -> Vec<[u8; 3]> {
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(fs::File::open(file).unwrap()));
+    decoder.set_transformations(png::Transformations::EXPAND); // a palette to colours
+    let mut reader = decoder.read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let samples = reader.next_frame(&mut bytes).unwrap().color_type.samples();
+    assert!(samples >= 3);
+    bytes.chunks(samples).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+}
+
+/// The picture of a scene that fills it with two squares, one behind the other, with these options.
+fn squares(to: &Path, options: &[&str]) -> Vec<[u8; 3]> {
+    let mut scene = scene();
+    let square = |z: f64| [[-1.0, -1.0, z], [1.0, -1.0, z], [1.0, 1.0, z], [-1.0, 1.0, z]];
+    scene["vertices"] = json!([square(0.5), square(0.0)].concat());
+    // The near one comes first, so that blending must sort.
+    scene["triangles"] = json!([[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]);
+    let (near, far) = ([200, 100, 0], [40, 80, 120]);
+    scene["colors"] = json!([near, near, far, far]);
+    (scene["width"], scene["height"]) = (json!(16), json!(8));
+    let (file, picture) = (write(to, "squares.json", scene.to_string()), to.join("squares.png"));
+    let fixed = [text(&file), "--mode", "flat", "--background", "#0000ff", "--png", text(&picture)];
+    let done = RENDER.run(&[&fixed, options].concat());
+    assert!(done.status.success() && done.stderr.is_empty(), "{done:?}");
+    colours(&picture)
+}
+
+#[test]
+fn faces_may_be_translucent() {
+    let to = RENDER.folder("render", "translucent");
+    let opaque = squares(&to, &[]);
+    let near = opaque[0];
+    assert!(opaque.iter().all(|&pixel| pixel == near));
+    // Both have the light of the near one: its ratio is that of their colours.
+    let far = near[0] / 5;
+    let sky = [0, 0, 255];
+    // A door of nothing, of everything, and of half of the pixels, in a chequered pattern.
+    assert!(squares(&to, &["--door", "0"]).iter().all(|&pixel| pixel == sky));
+    assert_eq!(squares(&to, &["--door", "64"]), opaque);
+    for (at, pixel) in squares(&to, &["--door", "32"]).into_iter().enumerate() {
+        let is_drawn = (at % 16 + at / 16) % 2 == 0;
+        assert_eq!(pixel, if is_drawn { near } else { sky }, "{at}");
+    }
+    // The far one over the sky, and the near one over both.
+    let mix = |own: u8, below: u8, alpha: u32| {
+        ((u32::from(own) * alpha + u32::from(below) * (32 - alpha) + 16) / 32) as u8
+    };
+    let red = |alpha: u32| mix(near[0], mix(far, sky[0], alpha), alpha);
+    for alpha in [0, 8, 20, 32] {
+        let drawn = squares(&to, &["--alpha", &alpha.to_string()]);
+        assert!(drawn.iter().all(|pixel| pixel[0].abs_diff(red(alpha)) <= 1), "{alpha}: {:?}", drawn[0]);
+    }
+    let half = squares(&to, &["--half"]);
+    assert!(half.iter().all(|pixel| pixel[0].abs_diff(red(16)) <= 1), "{:?}", half[0]);
+    // In every pixel format.
+    for format in ["rgb565", "rgb666", "gray8", "gray4", "gray2", "mono"] {
+        let (behind, mixed) = (squares(&to, &["--format", format, "--alpha", "32", "--no-dither"]), &to);
+        assert_eq!(behind, squares(mixed, &["--format", format, "--no-dither"]), "{format}");
+    }
+}
+
+#[test]
+fn a_texture_may_be_lit() {
+    let to = RENDER.folder("render", "lit");
+    let mut encoder = png::Encoder::new(fs::File::create(to.join("texture.png")).unwrap(), 16, 8);
+    encoder.set_color(png::ColorType::Rgb);
+    let pixels: Vec<u8> = (0..8).flat_map(|j| (0..16).flat_map(move |i| [i * 16, j * 32, 99])).collect();
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    let mut scene = textured();
+    scene["texture"] = json!("texture.png");
+    let draw = |scene: &Value, options: &[&str]| {
+        let (file, picture) = (write(&to, "scene.json", scene.to_string()), to.join("out.png"));
+        let done = RENDER.run(&[&[text(&file), "--png", text(&picture)], options].concat());
+        assert!(done.status.success(), "{done:?}");
+        colours(&picture)
+    };
+    let (plain, lit) = (draw(&scene, &[]), draw(&scene, &["--lit-texture"]));
+    // A white face of the same scene shows the light.
+    for field in ["uv", "texture"] {
+        scene.as_object_mut().unwrap().remove(field);
+    }
+    let light = draw(&scene, &["--mode", "flat", "--colour", "white"]);
+    assert!(light[0][0] > 60 && light[0][0] < 250);
+    for ((plain, lit), light) in plain.iter().zip(&lit).zip(&light) {
+        for channel in 0..3 {
+            let exact = f64::from(plain[channel]) * f64::from(light[channel]) / 255.0;
+            assert!((f64::from(lit[channel]) - exact).abs() <= 1.5, "{plain:?} in {light:?}: {lit:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_may_be_smooth() {
+    let to = RENDER.folder("render", "smooth");
+    let file = write(&to, "scene.json", scene().to_string());
+    let draw = |options: &[&str]| {
+        let picture = to.join("out.png");
+        let fixed = [text(&file), "--colour", "black", "--background", "white", "--png", text(&picture)];
+        let done = RENDER.run(&[&fixed, options].concat());
+        assert!(done.status.success(), "{done:?}");
+        colours(&picture)
+    };
+    for mode in ["wireframe", "hidden-line"] {
+        let ink = |pixels: &[[u8; 3]]| pixels.iter().map(|pixel| 255 - u32::from(pixel[0])).sum::<u32>();
+        let (plain, smooth) = (draw(&["--mode", mode]), draw(&["--mode", mode, "--smooth-lines"]));
+        assert!(plain.iter().all(|pixel| [0, 255].contains(&pixel[0])));
+        let grey = smooth.iter().filter(|pixel| ![0, 255].contains(&pixel[0])).count();
+        assert!(grey > 5, "{mode}: {grey}");
+        // As much ink, but for diagonals, which are √2 as long as they have pixels.
+        assert!(2 * ink(&smooth) > ink(&plain) && ink(&smooth) < 2 * ink(&plain), "{mode}");
+    }
+}
+
+#[test]
+fn options_of_faces_and_of_lines_are_told_apart() {
+    let to = RENDER.folder("render", "told-apart");
+    let file = write(&to, "scene.json", scene().to_string());
+    let out = to.join("out.png");
+    let refused = |options: &[&str], wanted: &str| {
+        let said = refusal(&RENDER.run(&[&[text(&file), "--png", text(&out)], options].concat()));
+        assert!(said.contains(wanted), "{said}");
+        assert!(!out.exists());
+    };
+    refused(&["--smooth-lines"], "--smooth-lines: needs --mode wireframe or hidden-line");
+    for (options, name) in [
+        (&["--half"][..], "half"),
+        (&["--door", "9"], "door"),
+        (&["--alpha", "9"], "alpha"),
+        (&["--lit-texture"], "lit-texture"),
+    ] {
+        let wanted = format!("--{name}: is for faces: needs --mode solid, flat or gouraud");
+        refused(&[options, &["--mode", "wireframe"]].concat(), &wanted);
+    }
+    refused(&["--door", "65"], "--door");
+    refused(&["--alpha", "33"], "--alpha");
+    refused(&["--half", "--alpha", "3"], "--alpha");
+    let said = refusal(&RENDER.run(&[text(&file), "--half"]));
+    assert!(said.contains("--half: applies to pictures alone: give --png FILE too"), "{said}");
+}
+
+#[test]
 fn texels_of_a_rolled_floor_are_those_of_rays() {
     let to = RENDER.folder("render", "rolled");
     let mut scene = textured();
@@ -534,7 +690,7 @@ fn textures_that_are_none_are_refused() {
     refused("uv", json!([[0, 0]]), "uv: has 1 entries, but there are 4 vertices");
     refused("uv", json!([[[0, 0], [0, 0], [0, 0]]]), "uv: has 1 entries, but there are 2 triangles");
     refused("uv", json!([[0, 0], [0, 0], [0, 0], [0, 1e9]]), "uv: goes beyond 32767 sides of the texture");
-    refused("wrap", json!("mirror"), "wrap: is \"mirror\" and should be \"repeat\"");
+    refused("wrap", json!("mirror"), "wrap: is \"mirror\" and should be \"repeat\" or \"clamp\"");
     let file = write(&to, "bare.json", scene().to_string());
     let said = refusal(&RENDER.run(&[text(&file), "--texels", text(&out)]));
     assert!(said.contains("--texels: the scene has no texture"), "{said}");

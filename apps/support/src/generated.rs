@@ -40,6 +40,12 @@ impl Generated {
         Self { program, out, check: given.get_flag("check") }
     }
 
+    /// Another file of the program, in the folder of this one.
+    #[must_use]
+    pub fn beside(&self, name: &str) -> Self {
+        Self { program: self.program, out: self.out.with_file_name(name), check: self.check }
+    }
+
     /// Writes the file, or compares it.
     ///
     /// # Errors

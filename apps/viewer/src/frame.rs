@@ -9,7 +9,7 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::{DirtyRegions, Statistics, TransferCost};
 use pinhole_apps_support::canvas::Canvas;
-use pinhole_render::paint::{paint, Colour, Mode, Report, Subject};
+use pinhole_render::paint::{paint, Colour, Mode, Report, Style, Subject};
 use pinhole_render::picture::Format;
 use pinhole_render::quantised::Quantised;
 use pinhole_render::style;
@@ -114,9 +114,16 @@ impl Viewer {
             self.subject = Some((state.mode, Subject::new(&used, state.mode)));
         }
         let Some((_, subject)) = &self.subject else { return Ok(Shown::default()) };
-        let style = style::chosen(state.mode, state.format, None, None, state.dither);
-        let like =
-            |drawn: State| (drawn.thing, drawn.mode, drawn.format) == (state.thing, state.mode, state.format);
+        let style = Style {
+            lit_texture: state.lit_texture,
+            translucency: state.translucency,
+            smooth_lines: state.smooth_lines,
+            ..style::chosen(state.mode, state.format, None, None, state.dither)
+        };
+        let like = |drawn: State| {
+            (drawn.thing, drawn.mode, drawn.format, drawn.smooth_lines)
+                == (state.thing, state.mode, state.format, state.smooth_lines)
+        };
         let Self { display, dirty, .. } = self;
         if !self.drawn.is_some_and(like) {
             // With another format or background the contents are unknown. Areas start and end at whole bytes.

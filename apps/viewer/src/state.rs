@@ -1,6 +1,6 @@
 //! The state of the simulator, and how keys and mouse change it.
 
-use pinhole_render::paint::Mode;
+use pinhole_render::paint::{Mode, Translucency};
 use pinhole_render::picture::Format;
 use pinhole_render::projections::Named;
 
@@ -17,6 +17,10 @@ pub struct State {
     pub(crate) mode: Mode,
     pub(crate) format: Format,
     pub(crate) dither: bool,
+    pub(crate) translucency: Translucency,
+    /// Whether lines are anti-aliased, and whether a texture is lit.
+    pub(crate) smooth_lines: bool,
+    pub(crate) lit_texture: bool,
     /// Whether back faces are culled.
     pub(crate) cull: bool,
     /// Rows of a band; `None` draws the picture in one piece.
@@ -60,6 +64,12 @@ pub enum Action {
     Format(i32),
     /// Toggles between dithering and rounding.
     Dither,
+    /// The next translucency of faces.
+    Translucency,
+    /// Toggles anti-aliased lines.
+    SmoothLines,
+    /// Toggles light on a texture.
+    LitTexture,
     /// Toggles back-face culling.
     Cull,
     /// The next or the previous band height.
@@ -83,13 +93,14 @@ pub enum Action {
 }
 
 /// Keys and what they do.
-pub(crate) const KEYS: [(&str, &str); 12] = [
+pub(crate) const KEYS: [(&str, &str); 13] = [
     ("drag, arrows", "orbit"),
     ("wheel, + -", "zoom"),
     ("s f g w l", "solid flat Gouraud wire hidden line"),
     ("p P", "projection"),
     ("c C", "colour format"),
     ("d", "dither"),
+    ("t a n", "translucent, smooth lines, lit texture"),
     ("b B", "rows of a band"),
     ("k", "cull faces turned away"),
     ("r", "rectangles that were sent"),
@@ -98,6 +109,9 @@ pub(crate) const KEYS: [(&str, &str); 12] = [
     ("x q", "screenshot, quit"),
 ];
 
+/// Opaque, half of the pixels of a screen door, half and half, and a quarter of the face.
+const TRANSLUCENCIES: [Translucency; 4] =
+    [Translucency::Opaque, Translucency::Door(32), Translucency::Half, Translucency::Alpha(8)];
 const ROWS: [Option<u32>; 5] = [Some(1), Some(4), Some(8), Some(16), None];
 /// Degrees that one key press turns the eye.
 const STEP: f64 = 5.0;
@@ -118,6 +132,9 @@ impl State {
             mode: Mode::Solid,
             format: Format::Rgb565,
             dither: true,
+            translucency: Translucency::Opaque,
+            smooth_lines: false,
+            lit_texture: false,
             cull,
             rows: Some(8),
             step: 0,
@@ -145,6 +162,9 @@ impl State {
             "c" => Action::Format(1),
             "C" => Action::Format(-1),
             "d" => Action::Dither,
+            "t" => Action::Translucency,
+            "a" => Action::SmoothLines,
+            "n" => Action::LitTexture,
             "k" => Action::Cull,
             "b" => Action::Rows(1),
             "B" => Action::Rows(-1),
@@ -177,6 +197,9 @@ impl State {
             }
             Action::Format(by) => self.format = next(&Format::ALL.map(|(_, format)| format), self.format, by),
             Action::Dither => self.dither ^= true,
+            Action::Translucency => self.translucency = next(&TRANSLUCENCIES, self.translucency, 1),
+            Action::SmoothLines => self.smooth_lines ^= true,
+            Action::LitTexture => self.lit_texture ^= true,
             Action::Cull => self.cull ^= true,
             Action::Rows(by) => self.rows = next(&ROWS, self.rows, by),
             Action::Outlines => self.outlines ^= true,

@@ -47,7 +47,7 @@ fn colours(pixels: &[Rgb888]) -> BTreeSet<[u8; 3]> {
 #[test]
 fn keys_go_round_and_back() {
     let first = pressed("");
-    for (key, count) in [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3)] {
+    for (key, count) in [("p", 21), ("P", 21), ("c", 7), ("C", 7), ("b", 5), ("B", 5), ("m", 3), ("t", 4)] {
         let mut state = first;
         let mut met = vec![state];
         for _ in 1..count {
@@ -58,7 +58,7 @@ fn keys_go_round_and_back() {
         press(&mut state, key);
         assert_eq!(state, first, "{key} {count} times");
     }
-    for key in ["d", "k", "r", "i", "h", "space"] {
+    for key in ["d", "a", "n", "k", "r", "i", "h", "space"] {
         assert_ne!(pressed(key), first);
         assert_eq!(pressed(&format!("{key} {key}")), first);
     }
@@ -113,11 +113,20 @@ fn what_was_sent_before_and_now_is_the_whole_picture() {
         "b",
         "w",
         "right",
+        "a",
+        "right",
         "- -",
+        "a",
         "- - -",
         "left",
         "l",
         "g",
+        "t",
+        "left",
+        "t",
+        "left",
+        "t",
+        "t",
         "d",
         "c",
         "down",

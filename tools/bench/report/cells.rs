@@ -4,7 +4,7 @@ use crate::core::{Core, CORES};
 use crate::cross::Build;
 use crate::side_by_side::side_by_side;
 use crate::{elf, Result};
-use bench::cells::{Known, CELLS, NO_PLANES, USER_CELLS};
+use bench::cells::{Known, CELLS, NO_PLANES, TEXTURE_METHODS, USER_CELLS};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::PathBuf;
@@ -54,7 +54,7 @@ impl fmt::Display for Cell {
 }
 
 fn all() -> impl Iterator<Item = &'static Known> {
-    CELLS.iter().chain(USER_CELLS)
+    CELLS.iter().chain(USER_CELLS).chain(TEXTURE_METHODS)
 }
 
 /// A variant at an opt-level.
@@ -113,6 +113,11 @@ impl Choice {
     }
 
     fn has(&self, scene: &str, variant: &str, level: &'static str) -> bool {
+        // No page has them, so no run for the pages measures them.
+        let is_method = TEXTURE_METHODS.iter().any(|cell| (cell.0, cell.1) == (scene, variant));
+        if is_method && self.scenes.is_empty() && self.variants.is_empty() {
+            return false;
+        }
         (self.scenes.is_empty() || self.scenes.iter().any(|name| name == scene))
             && match self.variants.is_empty() {
                 true => level == FAST || MAIN.contains(&(scene, variant)),

@@ -87,6 +87,22 @@ cells! {
     "cell_x2_z": Deep<4>, cells::x2_z;
     "cell_x3": Plain<4>, cells::x3;
     "cell_x4": Plain<4>, cells::x4;
+    "cell_x1_eighth": Plain<TORUS>, cells::x1_eighth;
+    "cell_x1_sixteenth": Plain<TORUS>, cells::x1_sixteenth;
+    "cell_x1_each": Plain<TORUS>, cells::x1_each;
+    "cell_x1_every16": Plain<TORUS>, cells::x1_every16;
+    "cell_x2_eighth": Plain<4>, cells::x2_eighth;
+    "cell_x2_sixteenth": Plain<4>, cells::x2_sixteenth;
+    "cell_x2_each": Plain<4>, cells::x2_each;
+    "cell_x2_every16": Plain<4>, cells::x2_every16;
+    "cell_x3_eighth": Plain<4>, cells::x3_eighth;
+    "cell_x3_sixteenth": Plain<4>, cells::x3_sixteenth;
+    "cell_x3_each": Plain<4>, cells::x3_each;
+    "cell_x3_every16": Plain<4>, cells::x3_every16;
+    "cell_x4_eighth": Plain<4>, cells::x4_eighth;
+    "cell_x4_sixteenth": Plain<4>, cells::x4_sixteenth;
+    "cell_x4_each": Plain<4>, cells::x4_each;
+    "cell_x4_every16": Plain<4>, cells::x4_every16;
     // S3 in one piece with the clear of the picture, and in bands.
     "cell_s3_full": Plain<TORUS>, cells::s3_full;
     "cell_s3_full_z": Deep<TORUS>, cells::s3_full_z;

@@ -7,6 +7,7 @@ mod draw_target;
 mod memory;
 mod moving;
 mod screen;
+mod stepped;
 mod textured;
 mod three;
 mod two;
@@ -20,6 +21,10 @@ pub use moving::f50_in_view;
 pub use moving::{f50, f50_wire, f50_z, t1};
 pub use screen::Screen;
 pub use textured::{x1, x1_z, x2, x2_z, x3, x4};
+pub use textured::{
+    x1_each, x1_eighth, x1_every16, x1_sixteenth, x2_each, x2_eighth, x2_every16, x2_sixteenth, x3_each,
+    x3_eighth, x3_every16, x3_sixteenth, x4_each, x4_eighth, x4_every16, x4_sixteenth,
+};
 #[cfg(not(target_os = "none"))]
 pub use three::placed;
 pub use three::{s1, s2, s2_z, s3, s3_wire, s3_z, s4, s4_z, s8_z};
@@ -121,6 +126,27 @@ pub const USER_CELLS: &[Known] = &[
     ("S3", "bands8-z", || s3_bands_z(&mut boxed(Strip8Deep::NEW))),
     ("S3", "bands16", || s3_bands(&mut boxed(Strip16::NEW))),
     ("S3", "bands16-z", || s3_bands_z(&mut boxed(Strip16Deep::NEW))),
+];
+
+/// Textures by other accuracies, and by methods of other libraries. No page lists them: docs/accuracy.md has their counts.
+#[cfg(not(target_os = "none"))]
+pub const TEXTURE_METHODS: &[Known] = &[
+    ("X1", "eighth", || x1_eighth(&mut boxed(Plain::NEW))),
+    ("X1", "sixteenth", || x1_sixteenth(&mut boxed(Plain::NEW))),
+    ("X1", "each", || x1_each(&mut boxed(Plain::NEW))),
+    ("X1", "every16", || x1_every16(&mut boxed(Plain::NEW))),
+    ("X2", "eighth", || x2_eighth(&mut boxed(Plain::NEW))),
+    ("X2", "sixteenth", || x2_sixteenth(&mut boxed(Plain::NEW))),
+    ("X2", "each", || x2_each(&mut boxed(Plain::NEW))),
+    ("X2", "every16", || x2_every16(&mut boxed(Plain::NEW))),
+    ("X3", "eighth", || x3_eighth(&mut boxed(Plain::NEW))),
+    ("X3", "sixteenth", || x3_sixteenth(&mut boxed(Plain::NEW))),
+    ("X3", "each", || x3_each(&mut boxed(Plain::NEW))),
+    ("X3", "every16", || x3_every16(&mut boxed(Plain::NEW))),
+    ("X4", "eighth", || x4_eighth(&mut boxed(Plain::NEW))),
+    ("X4", "sixteenth", || x4_sixteenth(&mut boxed(Plain::NEW))),
+    ("X4", "each", || x4_each(&mut boxed(Plain::NEW))),
+    ("X4", "every16", || x4_every16(&mut boxed(Plain::NEW))),
 ];
 
 /// The cells with early culling by face planes, drawn without it; the table does not list them.

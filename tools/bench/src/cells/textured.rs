@@ -1,7 +1,9 @@
 //! X1 to X4: textures. X1: S3's torus, with a picture of 64 × 64 texels once round; X2: a floor over the whole picture, whose
 //! far end is 5.6 times as far away as its near end; X3: a floor rolled by 25 degrees, which the near plane cuts; X4: one rolled
-//! by 20 degrees that reaches the horizon, a thousand times as far away.
+//! by 20 degrees that reaches the horizon, a thousand times as far away. Also by other accuracies, and by methods of other libraries,
+//! for docs/texture-error.svg.
 
+use super::stepped::Stepped;
 use super::{count, Counted, Deep, Plain, TORUS};
 use crate::scene::{self, area, Scene, SIZE};
 use core::hint::black_box;
@@ -9,8 +11,8 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use pinhole::space::{Model, World};
 use pinhole::{
-    Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, Texture, Vector3, ViewTransform,
-    Viewport,
+    Accuracy, Affine, Angle, Camera, DepthBuffer, Mesh, Point3, Projection, Scalar, SpanShader, Texture,
+    Vector3, ViewTransform, Viewport,
 };
 
 /// A side of the picture, in texels.
@@ -178,4 +180,99 @@ pub fn x3(memory: &mut Plain<4>) -> Option<Counted> {
 
 pub fn x4(memory: &mut Plain<4>) -> Option<Counted> {
     plain(&X4, memory)
+}
+
+/// A way to draw a face with the picture on it.
+trait Method {
+    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565>;
+}
+
+/// [`Accuracy::Eighth`], [`Accuracy::Sixteenth`], a division for each pixel, and one for every 16 pixels.
+struct Eighth;
+struct Sixteenth;
+struct EveryPixel;
+struct EverySixteen;
+
+impl Method for Eighth {
+    #[inline(always)]
+    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
+        Texture::new(&PICTURE).with_accuracy(Accuracy::Eighth).at(corners)
+    }
+}
+
+impl Method for Sixteenth {
+    #[inline(always)]
+    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
+        Texture::new(&PICTURE).with_accuracy(Accuracy::Sixteenth).at(corners)
+    }
+}
+
+impl Method for EveryPixel {
+    #[inline(always)]
+    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
+        Stepped::<_, 1>::new(&PICTURE, corners)
+    }
+}
+
+impl Method for EverySixteen {
+    #[inline(always)]
+    fn shader(corners: [[i16; 2]; 3]) -> impl SpanShader<Rgb565> {
+        Stepped::<_, 16>::new(&PICTURE, corners)
+    }
+}
+
+#[inline(always)]
+fn floor_by<M: Method>(floor: &'static Floor, Plain { frame, corners }: &mut Plain<4>) -> Option<Counted> {
+    let (camera, floor) = (camera()?, black_box(floor));
+    let instance = camera.place(&floor.mesh, &Affine::<Model, World>::identity());
+    let t = floor.texels.wrapping_mul(16);
+    let uv = [[0, t], [t, t], [t, 0], [0, 0]];
+    count(frame, &mut |picture| {
+        let (instance, uv) = black_box((&instance, &uv));
+        let mesh = instance.mesh();
+        let shade = |face| M::shader(mesh.corners_of(face, uv));
+        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+#[inline(always)]
+fn torus_by<M: Method>(Plain { frame, corners }: &mut Plain<TORUS>) -> Option<Counted> {
+    let scene = Scene::new(&scene::TORUS_BY_PLANES)?;
+    let instance = scene.place();
+    count(frame, &mut |picture| {
+        let instance = black_box(&instance);
+        let shade = |face: usize| M::shader(TORUS_UV.get(face).copied().unwrap_or_default());
+        let Ok(statistics) = instance.solid(shade, corners, &mut picture.pixels());
+        black_box(statistics);
+        Some(())
+    })
+}
+
+macro_rules! methods {
+    ($($method:ty: $x1:ident $x2:ident $x3:ident $x4:ident;)*) => {$(
+        pub fn $x1(memory: &mut Plain<TORUS>) -> Option<Counted> {
+            torus_by::<$method>(memory)
+        }
+
+        pub fn $x2(memory: &mut Plain<4>) -> Option<Counted> {
+            floor_by::<$method>(&X2, memory)
+        }
+
+        pub fn $x3(memory: &mut Plain<4>) -> Option<Counted> {
+            floor_by::<$method>(&X3, memory)
+        }
+
+        pub fn $x4(memory: &mut Plain<4>) -> Option<Counted> {
+            floor_by::<$method>(&X4, memory)
+        }
+    )*};
+}
+
+methods! {
+    Eighth: x1_eighth x2_eighth x3_eighth x4_eighth;
+    Sixteenth: x1_sixteenth x2_sixteenth x3_sixteenth x4_sixteenth;
+    EveryPixel: x1_each x2_each x3_each x4_each;
+    EverySixteen: x1_every16 x2_every16 x3_every16 x4_every16;
 }
