@@ -1,10 +1,11 @@
-//! A contact sheet of lights, material captures and textures:
+//! A contact sheet of lights, material captures, textures and fog:
 //!
 //! ```text
 //! cargo run --release --example surfaces -- --help
 //! ```
 
 mod bodies;
+mod misty;
 
 use bodies::{ball, floor, torus, Body};
 use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_6X13_BOLD};
@@ -41,14 +42,14 @@ type Drawn = Result<Vec<Rgb888>, Box<dyn Error>>;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Draws a contact sheet of lights, material captures and textures";
+        let about = "Draws a contact sheet of lights, material captures, textures and fog";
         let file = Generated::arguments("--example surfaces", about, "docs/surfaces.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 
 fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
-    let cells: [(&str, &str, Drawn); 8] = [
+    let cells: [(&str, &str, Drawn); 12] = [
         ("Lambert", "one light", one_light()),
         ("Lights", "three lights", three_lights()),
         ("PointLight", "two lamps", lamps()),
@@ -57,11 +58,15 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         ("Matcap", "per face", matcap_of_faces()),
         ("Texture", "64 x 64 texels", texture()),
         ("Texture", "rolled camera", rolled()),
+        ("Fogged", "texture, per pixel", misty::by_pixel()),
+        ("VertexFog", "light per vertex", misty::by_vertex()),
+        ("VertexFog", "per face", misty::by_face()),
+        ("VertexFog", "depth cue, per edge", misty::by_edge()),
     ];
     let cell = PICTURE + Size::new(GAP, CAPTION + GAP);
-    let size = Size::new(COLUMNS * cell.width + GAP, HEADER + 2 * cell.height + GAP);
+    let size = Size::new(COLUMNS * cell.width + GAP, HEADER + 3 * cell.height + GAP);
     let mut sheet = Canvas::new(size, BACKGROUND);
-    let title = "pinhole: light at vertices and faces, material captures, textures";
+    let title = "pinhole: light at vertices and faces, material captures, textures, fog";
     write(title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet);
     for (index, (name, details, pixels)) in (0..).zip(cells) {
         let at = Point::new(GAP as i32, HEADER as i32)
@@ -104,8 +109,12 @@ struct Scene {
 
 impl Scene {
     fn new() -> Result<Self, Box<dyn Error>> {
+        Self::on(NIGHT)
+    }
+
+    fn on(background: Rgb888) -> Result<Self, Box<dyn Error>> {
         let area = (PICTURE.width * PICTURE.height) as usize;
-        Ok(Self { pixels: vec![NIGHT; area], depths: vec![u16::MAX; area] })
+        Ok(Self { pixels: vec![background; area], depths: vec![u16::MAX; area] })
     }
 
     fn draw<S: SpanShader<Rgb888>>(

@@ -19,9 +19,10 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// **Order of wrappers.** `ScreenDoor` and `Blended` may be inside or outside. A shader that
 /// [reads pixels](SpanShader::READS_PIXELS) would put fog on what was drawn before, so it does not compile: give it the fogged shader.
 ///
-/// **Error.** A pixel's factor is that of the exact distance of a point within 1/256 pixel and 1/24 step of depth (½ step if the
-/// triangle is larger than 512 pixels), rounded to the nearest 1/32. Each channel is then rounded to the nearest level of the
-/// target. [`FogTable`] says what a step of depth is in distance. A triangle whose three corners have one level has this level.
+/// **Error.** A pixel's factor is that of the exact distance of a point within 1/256 pixel and 1/64 step of depth, rounded to the
+/// nearest 1/32; if the triangle is larger than 512 pixels, or in the last step before the far plane, within ½ step. Each channel is
+/// then rounded to the nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three
+/// corners have one level has this level.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
@@ -105,6 +106,14 @@ impl<S: Shader, C: PixelColor> Shader for Fogged<'_, S, C> {
         // 16.8, 24 bits: as a value at a pixel, 16.16.
         let level = |depth: i32| self.table.level(((depth as u32) << 8).saturating_add(Gradient::DEPTH_BIAS));
         Self { shader, depths, levels: [level(a.min(b).min(c)), level(a.max(b).max(c))], ..*self }
+    }
+}
+
+// The fog's colour is not printed: it need not implement `Format`.
+#[cfg(feature = "defmt")]
+impl<S: defmt::Format, C> defmt::Format for Fogged<'_, S, C> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{} in levels {} of fog", self.shader, self.levels);
     }
 }
 

@@ -59,8 +59,9 @@ impl<C> FogTable<C> {
         let depth_at = |distance| camera.depth_at(distance).ok_or(FogError::SlantedDepth);
         let (first, last) = (depth_at(start << 16)?, depth_at(end << 16)?);
         let steps = (last.saturating_sub(first) >> 16) as u16;
-        // Fog before the near plane or beyond the far plane has the same depth everywhere.
-        if steps < LEAST_STEPS && last > 0 && first < u32::MAX {
+        // Fog that is full before the near plane, or begins beyond the far plane, needs no depth: within a step of them.
+        let (near, far) = (1 << 16, 65_534 << 16);
+        if steps < LEAST_STEPS && last > near && first < far {
             return Err(FogError::TooFewSteps { steps });
         }
         let mut bounds = [0; LEVELS + 2];

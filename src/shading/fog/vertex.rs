@@ -18,9 +18,9 @@ use crate::space::{Model, World};
 /// - **textures**: the rows of [`LitPalette::in_fog`](crate::LitPalette::in_fog), by face or by vertex;
 /// - **edges**: [`MeshInstance::wireframe_by_edge`](crate::MeshInstance::wireframe_by_edge), the depth cue of wireframes.
 ///
-/// **Error.** A factor is within ½ + 2⁻⁴ + 2⁻²⁸·256·r/(end − start) of the exact one, where r is the largest of the vertex's and the
-/// eye's distances from the origins of their coordinates, in world units. Between the corners of a face the factor is linear on the
-/// screen, not in space: [`Fogged`](crate::Fogged) is exact there.
+/// **Error.** A factor is within ½ + 384·2⁻³⁰·r/(end − start) of the exact one, where r is the largest coordinate of the eye or of the
+/// object's origin, plus that of the vertex relative to this origin, in world units. Between the corners of a face the factor is
+/// linear on the screen, not in space; [`Fogged`](crate::Fogged) is exact there.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
