@@ -31,8 +31,11 @@ pub(crate) fn by_pixel() -> Drawn {
     Ok(scene.pixels)
 }
 
+/// A camera, and how bodies before it are placed.
+type Row = (Camera, [Affine<Model, World>; 5]);
+
 /// A row of tori away from the camera, the nearest first.
-fn row() -> Result<(Camera, [Affine<Model, World>; 5]), Box<dyn Error>> {
+fn row() -> Result<Row, Box<dyn Error>> {
     let camera = camera(&view([-1.9, 1.5, 4.2], 0.0)?, 1.0, 40.0)?;
     let mut z = 2.1_f32;
     let mut models = [Affine::identity(); 5];

@@ -100,7 +100,7 @@ mod tests {
             bounds.sort_unstable();
             let width = 1 + random.below(40);
             // Depths of the ends, so that none in between wraps.
-            let [first, end] = [0; 2].map(|_| (low + random.below(reach)).min(u32::MAX.into()) as i64);
+            let [first, end] = [0; 2].map(|_| (low + random.below(reach)).min(u32::MAX.into()));
             let step = (end - first) / width;
             let span = Span { x: random.within(500), y: 7, width: width as i32, height: 1 };
             let begin = random.below(33) as u8;

@@ -2,6 +2,9 @@
 
 use crate::math::Scalar;
 
+/// What [`FogTable::LEAST_STEPS`](crate::FogTable::LEAST_STEPS) documents.
+pub(super) const LEAST_STEPS: u16 = 8;
+
 /// Fog that begins at one distance from the camera, is full at another, and grows linearly in between. Its *factor* is the part of
 /// a colour that is still seen: all of it at `start` and nearer, none at `end` and beyond. (OpenGL 2.1 specification, section
 /// 3.10, `GL_LINEAR`; Akenine-Möller et al., *Real-Time Rendering*, 4th ed., section 14.4.)
@@ -63,7 +66,7 @@ impl core::fmt::Display for FogError {
             Self::TooFewSteps { steps } => write!(
                 f,
                 "the fog lies within {steps} of 65535 steps of depth, and takes {}: move the near plane away from the eye, or the fog's start and end apart",
-                super::table::LEAST_STEPS
+                LEAST_STEPS
             ),
         }
     }

@@ -1,15 +1,12 @@
 //! The factor of fog as a table over the fog's own range of depth.
 
-use super::linear::{Fog, FogError};
+use super::linear::{Fog, FogError, LEAST_STEPS};
 use crate::camera::Camera;
 use crate::raster::Gradient;
 use crate::shading::Blend;
 
 /// The levels of fog besides none.
 pub(super) const LEVELS: usize = 32;
-
-/// What [`FogTable::LEAST_STEPS`] documents.
-pub(super) const LEAST_STEPS: u16 = 8;
 
 /// Fog by depth, in 32 levels, for [`Fogged`](crate::Fogged) faces, points, labels and lines: the depths at which the levels begin, so the levels
 /// are spread over the fog's own range, and each is as wide as the others in distance, not in depth. It takes 136 bytes and
@@ -68,7 +65,7 @@ impl<C> FogTable<C> {
         let mut least = 0;
         for (odd, bound) in (1..).step_by(2).zip(bounds.iter_mut().skip(1).take(LEVELS)) {
             // Half-way between two levels: odd/64 of the range, which has 33 bits, in 2⁻²² and then in 2⁻³².
-            let depth = depth_at((start << 16) + ((end - start) * odd << 10))?;
+            let depth = depth_at((start << 16) + (((end - start) * odd) << 10))?;
             least = depth.saturating_add(Gradient::DEPTH_BIAS).max(least);
             *bound = least;
         }
