@@ -36,13 +36,13 @@ type Row = (Camera, [Affine<Model, World>; 5]);
 
 /// A row of tori away from the camera, the nearest first.
 fn row() -> Result<Row, Box<dyn Error>> {
-    let camera = camera(&view([-1.9, 1.5, 4.2], 0.0)?, 1.0, 40.0)?;
-    let mut z = 2.1_f32;
+    let camera = camera(&view([0.0, 1.7, 4.6], 0.0)?, 1.0, 40.0)?;
+    let mut z = 1.4_f32;
     let mut models = [Affine::identity(); 5];
     for model in &mut models {
-        let away = Vector3::from_f32(0.3 * (2.1 - z) - 0.9, 0.0, z)?;
+        let away = Vector3::from_f32(0.7 * (1.4 - z) - 1.1, 0.0, z)?;
         *model = Affine::rotation_x(Angle::degrees(50)).translate(away);
-        z -= 2.3;
+        z -= 2.4;
     }
     Ok((camera, models))
 }
@@ -51,7 +51,7 @@ fn row() -> Result<Row, Box<dyn Error>> {
 pub(crate) fn by_vertex() -> Drawn {
     let body = torus(40, 20);
     let (camera, models) = row()?;
-    let fog = range(2.5, 11.0)?;
+    let fog = range(2.5, 13.0)?;
     let mesh = body.mesh()?;
     let mut scene = Scene::on(MIST)?;
     for model in models.iter().rev() {
@@ -73,7 +73,7 @@ pub(crate) fn by_face() -> Drawn {
     let body = torus(24, 12);
     let normals = body.face_normals();
     let (camera, models) = row()?;
-    let fog = range(2.5, 11.0)?;
+    let fog = range(2.5, 13.0)?;
     let mesh = body.mesh()?;
     let mut scene = Scene::on(MIST)?;
     for model in models.iter().rev() {

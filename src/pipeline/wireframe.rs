@@ -59,17 +59,18 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
-    /// use pinhole::{Affine, Angle, Blend, Camera, Fog, Mesh, Picture, Scalar, Sphere, VertexFog, Viewport};
+    /// use pinhole::{Affine, Angle, Blend, Camera, Fog, Mesh, Picture, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
     /// // A line away from the viewer in two edges.
     /// const VERTICES: [[i16; 3]; 3] = [[-3, 0, 3], [0, 0, 0], [3, 0, -3]];
     /// const EDGES: [[u16; 2]; 2] = [[0, 1], [1, 2]];
     /// let mesh = Mesh::new(&VERTICES, 0, &[])?.with_edges(&EDGES)?;
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
-    /// # let sphere = Sphere::around(&VERTICES, 0);
-    /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(30), Angle::ZERO, Angle::ZERO)?;
-    /// # let distance = 16;
+    /// # let [eye, origin] = [16, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(50))?;
+    /// # let camera = Camera::new(&view, &lens, &viewport);
     /// let model = Affine::identity();
-    /// let fog = Fog::linear(Scalar::from_num(distance - 4), Scalar::from_num(distance + 4))?;
+    /// let fog = Fog::linear(Scalar::from_num(12), Scalar::from_num(20))?; // the camera is at z = 16
     /// let fog = VertexFog::new(&fog, &camera, &model, mesh.exponent());
     /// let mut factors = [0; VERTICES.len()];
     /// fog.factors(&VERTICES, &mut factors); // once per frame
