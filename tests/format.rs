@@ -140,6 +140,11 @@ public_types![
     TableShader<'static, Plain>,
     Accuracy,
     HalfBlended<Flat>,
+    Fog,
+    FogError,
+    FogTable<Plain>,
+    Fogged<'static, Flat, Plain>,
+    VertexFog,
     ColorKeyed<Plain, Plain>,
     IndexKeyed<'static, Plain, 1>,
     IndexedTexels<'static, Plain, 1>,
@@ -178,10 +183,11 @@ public_types![
 ];
 
 /// Public by their keyword only: set-ups of shaders, which no path leads to.
-const NOT_NAMED: [&str; 8] = [
+const NOT_NAMED: [&str; 9] = [
     "BlendedSetup",
     "ChannelGradients",
     "DitheredColor",
+    "FoggedSetup",
     "Line",
     "LitTextureGradients",
     "ScreenDoorSetup",

@@ -1,10 +1,11 @@
-//! A contact sheet of lights, material captures, textures and sprites:
+//! A contact sheet of lights, material captures, textures, fog and sprites:
 //!
 //! ```text
 //! cargo run --release --example surfaces -- --help
 //! ```
 
 mod bodies;
+mod misty;
 mod sprites;
 
 use bodies::{ball, floor, torus, Body};
@@ -42,14 +43,14 @@ type Drawn = Result<Vec<Rgb888>, Box<dyn Error>>;
 
 fn main() -> ExitCode {
     command::run(|| {
-        let about = "Draws a contact sheet of lights, material captures, textures and sprites";
+        let about = "Draws a contact sheet of lights, material captures, textures, fog and sprites";
         let file = Generated::arguments("--example surfaces", about, "docs/surfaces.png")?;
         file.finish(&sheet().map_err(|e| e.to_string())?)
     })
 }
 
 fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
-    let cells: [(&str, &str, Drawn); 10] = [
+    let cells: [(&str, &str, Drawn); 14] = [
         ("Lambert", "one light", one_light()),
         ("Lights", "three lights", three_lights()),
         ("PointLight", "two lamps", lamps()),
@@ -58,6 +59,10 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
         ("Matcap", "per face", matcap_of_faces()),
         ("Texture", "64 x 64 texels", texture()),
         ("Texture", "rolled camera", rolled()),
+        ("Fogged", "texture, per pixel", misty::by_pixel()),
+        ("VertexFog", "light per vertex", misty::by_vertex()),
+        ("VertexFog", "per face", misty::by_face()),
+        ("VertexFog", "depth cue, per edge", misty::by_edge()),
         ("Sprite", "32 x 64 texels", sprites::wood()),
         ("Sprite", "points, half mixed", sprites::fountain()),
     ];
@@ -65,7 +70,7 @@ fn sheet() -> Result<Vec<u8>, Box<dyn Error>> {
     let rows = (cells.len() as u32).div_ceil(COLUMNS);
     let size = Size::new(COLUMNS * cell.width + GAP, HEADER + rows * cell.height + GAP);
     let mut sheet = Canvas::new(size, BACKGROUND);
-    let title = "pinhole: light at vertices and faces, material captures, textures, sprites";
+    let title = "pinhole: light at vertices and faces, material captures, textures, fog, sprites";
     write(title, Point::new(GAP as i32, 7), &FONT_6X13_BOLD, INK, &mut sheet);
     for (index, (name, details, pixels)) in (0..).zip(cells) {
         let at = Point::new(GAP as i32, HEADER as i32)
@@ -108,8 +113,12 @@ struct Scene {
 
 impl Scene {
     fn new() -> Result<Self, Box<dyn Error>> {
+        Self::on(NIGHT)
+    }
+
+    fn on(background: Rgb888) -> Result<Self, Box<dyn Error>> {
         let area = (PICTURE.width * PICTURE.height) as usize;
-        Ok(Self { pixels: vec![NIGHT; area], depths: vec![u16::MAX; area] })
+        Ok(Self { pixels: vec![background; area], depths: vec![u16::MAX; area] })
     }
 
     fn draw<S: SpanShader<Rgb888>>(

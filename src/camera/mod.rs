@@ -4,6 +4,7 @@
 #[allow(clippy::module_inception)] // the type has the folder's name
 mod camera;
 mod depth_by_w;
+mod distance;
 mod framing;
 mod picking;
 mod plane_eye;

@@ -52,6 +52,52 @@ impl<V: Coordinate, P: FacePlanes> MeshInstance<'_, V, P> {
     ) -> Result<Statistics, T::Error> {
         self.any.wireframe(stroke, cache, target)
     }
+
+    /// Draws the mesh's edges as [`wireframe`](Self::wireframe) does, each with the stroke that `stroke` returns for its index: colours by
+    /// edge, such as the depth cue by [`VertexFog`](crate::VertexFog). Edges are drawn in the order of the mesh, so where lines cross, the
+    /// later edge is seen.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
+    /// use pinhole::{Affine, Angle, Blend, Camera, Fog, Mesh, Picture, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
+    /// // A line away from the viewer in two edges.
+    /// const VERTICES: [[i16; 3]; 3] = [[-3, 0, 3], [0, 0, 0], [3, 0, -3]];
+    /// const EDGES: [[u16; 2]; 2] = [[0, 1], [1, 2]];
+    /// let mesh = Mesh::new(&VERTICES, 0, &[])?.with_edges(&EDGES)?;
+    /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+    /// # let [eye, origin] = [16, 0].map(|z| Point3::from_ints(0, 0, z));
+    /// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
+    /// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(50))?;
+    /// # let camera = Camera::new(&view, &lens, &viewport);
+    /// let model = Affine::identity();
+    /// let fog = Fog::linear(Scalar::from_num(12), Scalar::from_num(20))?; // the camera is at z = 16
+    /// let fog = VertexFog::new(&fog, &camera, &model, mesh.exponent());
+    /// let mut factors = [0; VERTICES.len()];
+    /// fog.factors(&VERTICES, &mut factors); // once per frame
+    /// let stroke = |edge: usize| {
+    ///     let [a, b] = EDGES[edge].map(|vertex| factors[usize::from(vertex)]);
+    ///     Rgb565::WHITE.over(Rgb565::BLACK, (a + b) / 2)
+    /// };
+    /// # let mut pixels = [Rgb565::BLUE; 64 * 64];
+    /// # let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
+    /// camera.place(&mesh, &model).wireframe_by_edge(stroke, &mut [], &mut picture.pixels())?;
+    /// # let seen: Vec<_> = pixels.iter().filter(|c| **c != Rgb565::BLUE).map(|c| c.g()).collect();
+    /// assert!(seen.iter().max() > seen.iter().min()); // the far edge is darker
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The target's error, at the first span that it refuses.
+    #[inline(always)]
+    pub fn wireframe_by_edge<T: Target, K: Stroke<T::Color>>(
+        &self,
+        stroke: impl FnMut(usize) -> K,
+        cache: &mut [ScreenVertex],
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        self.any.wireframe_by_edge(stroke, cache, target)
+    }
 }
 
 impl<V: Coordinate> AnyInstance<'_, V> {
@@ -70,6 +116,24 @@ impl<V: Coordinate> AnyInstance<'_, V> {
             }
             let [from, to] = ends;
             line(target, from.point.pixel(), to.point.pixel(), &scissor, stroke.color())
+        })
+    }
+
+    #[inline(never)] // its stack frame is gone when it returns
+    fn wireframe_by_edge<T: Target, K: Stroke<T::Color>>(
+        &self,
+        mut stroke: impl FnMut(usize) -> K,
+        cache: &mut [ScreenVertex],
+        target: &mut T,
+    ) -> Result<Statistics, T::Error> {
+        let DrawRegion { scissor, viewport } = DrawRegion::new(target, self.area());
+        each_edge(&TransformedMesh::<V, false>::new(self, cache), |index, ends| {
+            if K::IS_ANTI_ALIASED {
+                anti_aliased::edge(&ends, &viewport, &scissor, stroke(index), target);
+                return Ok(());
+            }
+            let [from, to] = ends;
+            line(target, from.point.pixel(), to.point.pixel(), &scissor, stroke(index).color())
         })
     }
 }

@@ -44,6 +44,25 @@ pub(super) fn lit<C: Channels>(color: Rgb888, step: u32, steps: u32) -> C {
     C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
 }
 
+/// The colour of the target nearest to `step`/`steps` of `color` and the rest of `fog`; halves are rounded up. `steps` is 1 … 255,
+/// and `step` not more.
+pub(super) fn faded<C: Channels>(color: Rgb888, fog: Rgb888, step: u32, steps: u32) -> C {
+    let unit = 256 * 255 * steps;
+    let channels = |color: Rgb888| [color.r(), color.g(), color.b()].map(u32::from);
+    let ([r, g, b], [s, t, u]) = (channels(color), channels(fog));
+    let [x, y, z] = C::MAX;
+    // All factors are at most 255, the channels 2⁸ times as large: less than 2³² with the half.
+    let nearest = |own: u32, fog: u32, max: u8| {
+        let sum = own * step + fog * steps.saturating_sub(step);
+        (sum * u32::from(max) + unit / 2).checked_div(unit).unwrap_or_default()
+    };
+    let levels = match C::GRAY {
+        true => [nearest(luma([r, g, b]), luma([s, t, u]), x), 0, 0],
+        false => [nearest(r << 8, s << 8, x), nearest(g << 8, t << 8, y), nearest(b << 8, u << 8, z)],
+    };
+    C::from_channels(levels.map(|level| level as u8)) // ≤ MAX
+}
+
 /// The luma of Rec. 601 of these channels, times 2⁸.
 pub(super) fn luma([r, g, b]: [u32; 3]) -> u32 {
     77 * r + 150 * g + 29 * b

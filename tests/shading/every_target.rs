@@ -1,4 +1,5 @@
 //! A scene on every kind of target: pixels in memory, other targets, in one piece and in bands, with a depth buffer and without.
+//! Vertices are transformed with depth for bands, as some shaders need it.
 
 use crate::textures::{Display, Scene, SIDE};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -90,7 +91,7 @@ pub(crate) fn in_memory<S: SpanShader<Rgb888>>(scene: &Scene, shade: impl Fn(usi
     with_instance(scene, |instance| {
         let mut cache = vec![ScreenVertex::EMPTY; scene.vertices.len()];
         let mut bin_storage = vec![0u16; 4096];
-        let mut faces = instance.transform(&mut cache).bin_faces(&mut bin_storage).unwrap();
+        let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bin_storage).unwrap();
         in_bands(&drawn.solid, |band| faces.solid(&shade, &mut band.pixels()).unwrap());
         let mut storage = vec![0; 119 * 7];
         let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bin_storage).unwrap();
@@ -114,7 +115,7 @@ pub(crate) fn on_every_target<S: SpanShader<Rgb888>>(scene: &Scene, shade: impl 
     with_instance(scene, |instance| {
         let mut cache = vec![ScreenVertex::EMPTY; scene.vertices.len()];
         let mut bin_storage = vec![0u16; 4096];
-        let mut faces = instance.transform(&mut cache).bin_faces(&mut bin_storage).unwrap();
+        let mut faces = instance.transform_depth(&mut cache).bin_faces(&mut bin_storage).unwrap();
         in_bands(&drawn.solid, |band| faces.solid(&shade, band).unwrap());
     });
     drawn

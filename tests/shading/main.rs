@@ -7,6 +7,8 @@ mod clamped_textures;
 mod cut_faces;
 mod dithered;
 mod every_target;
+mod fog;
+mod fogged;
 mod gouraud;
 mod keyed;
 mod light;

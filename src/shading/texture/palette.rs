@@ -17,7 +17,7 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 /// - **Light by face** costs no instruction a pixel: [`Texture::with_palette`] takes the [`row`](Self::row) of the face's level.
 /// - **Light by vertex**, linear on the screen: [`IndexedTexels::with_lit_palette`], and [`Textured::lit`](crate::Textured::lit) for
 ///   each face.
-/// - **Fog** by face or vertex: rows that go from the fog's colour to the palette's, by [`from_rows`](Self::from_rows).
+/// - **Fog** by face or vertex: rows from the fog's colour to the palette's, by [`in_fog`](Self::in_fog).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};

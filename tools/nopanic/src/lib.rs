@@ -14,6 +14,8 @@ mod canvas;
 #[cfg(not(feature = "provoke"))]
 mod draw;
 #[cfg(not(feature = "provoke"))]
+mod fog;
+#[cfg(not(feature = "provoke"))]
 mod set_up;
 #[cfg(not(feature = "provoke"))]
 mod shaders;

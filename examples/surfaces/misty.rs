@@ -1,0 +1,117 @@
+//! The row of fog: by pixel, by vertex, by face, and by edge.
+
+use super::bodies::{floor, torus, Body};
+use super::{bricks, camera, view, Drawn, Scene, CLAY, NIGHT, PICTURE, TEAL};
+use embedded_graphics::pixelcolor::Rgb888;
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Blend, Camera, Flat, Fog, FogTable, Fogged, Gouraud, Lambert, Mesh, Picture, Scalar,
+    Texture, Vector3, VertexFog,
+};
+use std::collections::BTreeSet;
+use std::error::Error;
+
+const MIST: Rgb888 = Rgb888::new(188, 196, 208);
+
+fn range(start: f64, end: f64) -> Result<Fog, Box<dyn Error>> {
+    Ok(Fog::linear(Scalar::from_num(start), Scalar::from_num(end))?)
+}
+
+/// The bricks of the rolled camera, up to the fog in which the horizon lies.
+pub(crate) fn by_pixel() -> Drawn {
+    let body = floor(1, 60.0, 1920);
+    let bricks = bricks();
+    let texture = Texture::new(&bricks);
+    let camera = camera(&view([0.0, 0.8, 4.0], 17.0)?, 0.125, 64.0)?;
+    let table = FogTable::new(&range(2.0, 14.0)?, &camera, MIST)?;
+    let mesh = body.mesh()?;
+    let mut scene = Scene::on(MIST)?;
+    let shader = |face: usize| Fogged::new(texture.at(mesh.corners_of(face, &body.uv)), &table);
+    scene.draw(&camera.place(&mesh, &Affine::identity()), body.vertices.len(), shader)?;
+    Ok(scene.pixels)
+}
+
+/// A camera, and how bodies before it are placed.
+type Row = (Camera, [Affine<Model, World>; 5]);
+
+/// A row of tori away from the camera, the nearest first.
+fn row() -> Result<Row, Box<dyn Error>> {
+    let camera = camera(&view([0.0, 1.7, 4.6], 0.0)?, 1.0, 40.0)?;
+    let mut z = 1.4_f32;
+    let mut models = [Affine::identity(); 5];
+    for model in &mut models {
+        let away = Vector3::from_f32(0.7 * (1.4 - z) - 1.1, 0.0, z)?;
+        *model = Affine::rotation_x(Angle::degrees(50)).translate(away);
+        z -= 2.4;
+    }
+    Ok((camera, models))
+}
+
+/// Light and fog at each vertex, smooth in between.
+pub(crate) fn by_vertex() -> Drawn {
+    let body = torus(40, 20);
+    let (camera, models) = row()?;
+    let fog = range(2.5, 13.0)?;
+    let mesh = body.mesh()?;
+    let mut scene = Scene::on(MIST)?;
+    for model in models.iter().rev() {
+        let light = Lambert::new(model, Vector3::from_ints(-2, 4, 3), 40)?;
+        let fog = VertexFog::new(&fog, &camera, model, mesh.exponent());
+        let shade = |vertex: usize| {
+            let color = Flat::lit(CLAY, light.level(body.normals[vertex]));
+            color.in_fog(MIST, fog.factor(body.vertices[vertex]))
+        };
+        let colors: Vec<Flat> = (0..body.vertices.len()).map(shade).collect();
+        let shader = |face: usize| Gouraud::new(mesh.faces()[face].map(|vertex| colors[usize::from(vertex)]));
+        scene.draw(&camera.place(&mesh, model), body.vertices.len(), shader)?;
+    }
+    Ok(scene.pixels)
+}
+
+/// One colour for each face.
+pub(crate) fn by_face() -> Drawn {
+    let body = torus(24, 12);
+    let normals = body.face_normals();
+    let (camera, models) = row()?;
+    let fog = range(2.5, 13.0)?;
+    let mesh = body.mesh()?;
+    let mut scene = Scene::on(MIST)?;
+    for model in models.iter().rev() {
+        let light = Lambert::new(model, Vector3::from_ints(-2, 4, 3), 40)?;
+        let fog = VertexFog::new(&fog, &camera, model, mesh.exponent());
+        let shader = |face: usize| {
+            let corners = mesh.faces()[face].map(|vertex| body.vertices[usize::from(vertex)]);
+            Flat::lit(TEAL, light.level(normals[face])).in_fog(MIST, fog.face_factor(corners))
+        };
+        scene.draw(&camera.place(&mesh, model), body.vertices.len(), shader)?;
+    }
+    Ok(scene.pixels)
+}
+
+/// Edges that fade with distance, the far ones first.
+pub(crate) fn by_edge() -> Drawn {
+    let body = torus(24, 12);
+    let camera = camera(&view([0.0, 2.0, 2.9], 0.0)?, 1.0, 9.0)?;
+    let model = Affine::rotation_x(Angle::degrees(20)).rotate_z(Angle::degrees(-18));
+    let fog = VertexFog::new(&range(2.6, 4.5)?, &camera, &model, body.mesh()?.exponent());
+    let mut factors = vec![0; body.vertices.len()];
+    fog.factors(&body.vertices, &mut factors);
+    let factor = |[a, b]: [u16; 2]| (factors[usize::from(a)] + factors[usize::from(b)]) / 2;
+    let mut edges = sides(&body);
+    edges.sort_by_key(|&edge| factor(edge));
+    let mesh = Mesh::new(&body.vertices, body.mesh()?.exponent(), &[])?.with_edges(&edges)?;
+    let mut scene = Scene::on(NIGHT)?;
+    let stroke = |edge: usize| Rgb888::new(160, 255, 200).over(NIGHT, factor(edges[edge]));
+    let mut picture = Picture::new(&mut scene.pixels, PICTURE)?;
+    camera.place(&mesh, &model).wireframe_by_edge(stroke, &mut [], &mut picture.pixels())?;
+    Ok(scene.pixels)
+}
+
+/// The sides of the fields of a body's grid, without their diagonals.
+fn sides(body: &Body) -> Vec<[u16; 2]> {
+    let sides = body.faces.chunks_exact(2).flat_map(|field| {
+        let &[[a, c, b], [_, d, _]] = field else { return [[0; 2]; 4] };
+        [[a, b], [b, c], [c, d], [d, a]].map(|[from, to]| [from.min(to), from.max(to)])
+    });
+    sides.collect::<BTreeSet<_>>().into_iter().collect()
+}

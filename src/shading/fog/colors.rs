@@ -1,0 +1,78 @@
+//! Colours on their way into the fog: for fog by face and by vertex.
+
+use crate::shading::levels::faded;
+use crate::shading::{Channels, Flat, LitPalette, ShadeTable};
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+
+impl Flat {
+    /// This colour in fog of the colour `fog`, where `factor`/256 of it is seen, as [`VertexFog`](crate::VertexFog) says (more
+    /// than 256 counts as 256). Each channel is rounded to the nearest 1/256 of a step of `Rgb888`.
+    ///
+    /// Light and fog at each corner, smooth in between:
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb888, WebColors};
+    /// use pinhole::{Flat, Gouraud};
+    /// let (light, fog) = ([256, 128, 40], [256, 200, 90]); // of Lambert::levels and VertexFog::factors
+    /// let corner = |i: usize| Flat::lit(Rgb888::CSS_GOLD, light[i]).in_fog(Rgb888::CSS_LIGHT_STEEL_BLUE, fog[i]);
+    /// let face = Gouraud::new([0, 1, 2].map(corner));
+    /// assert_eq!(corner(0), Flat::from(Rgb888::CSS_GOLD));
+    /// # let _ = face;
+    /// ```
+    #[must_use]
+    pub fn in_fog(self, fog: Rgb888, factor: u16) -> Self {
+        let factor = u32::from(factor.min(256));
+        let Self([r, g, b]) = self;
+        let mix = |own: u16, fog: u8| {
+            // 255·256 of 256 parts, and a half: below 2²⁴ + 2⁸.
+            let sum = u32::from(own) * factor + (u32::from(fog) << 8) * (256 - factor);
+            ((sum + 128) >> 8) as u16
+        };
+        Self([mix(r, fog.r()), mix(g, fog.g()), mix(b, fog.b())])
+    }
+}
+
+impl<C: Channels> ShadeTable<C> {
+    /// A table for fog: the colours of the target nearest to 0/255, 1/255 … 255/255 of `color` and the rest of `fog`; halves are
+    /// rounded up. [`lit`](Self::lit) takes the factors of [`VertexFog`](crate::VertexFog) at the corners of a face.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
+    /// use pinhole::ShadeTable;
+    /// let table = ShadeTable::<Gray8>::in_fog(Rgb888::BLACK, Rgb888::WHITE);
+    /// assert_eq!([0, 55, 255].map(|i| table.colors()[i].luma()), [255, 200, 0]);
+    /// let face = table.lit([256, 200, 90]); // of VertexFog::factors
+    /// # let _ = face;
+    /// ```
+    pub fn in_fog(color: Rgb888, fog: Rgb888) -> Self {
+        let mut light = 0;
+        Self::from_colors([(); 256].map(|()| {
+            let shade = faded(color, fog, light, 255);
+            light += 1;
+            shade
+        }))
+    }
+}
+
+impl<C: Channels, const COLORS: usize, const ROWS: usize> LitPalette<C, COLORS, ROWS> {
+    /// A palette for fog: rows from the fog's colour alone to the palette's colours, at 0/(`ROWS` − 1), 1/(`ROWS` − 1) … of these
+    /// colours; halves are rounded up. [`row`](Self::row) takes the factor of [`VertexFog::face_factor`](crate::VertexFog::face_factor),
+    /// [`Textured::lit`](crate::Textured::lit) the factors of [`VertexFog::factors`](crate::VertexFog::factors).
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::{Rgb565, Rgb888}, prelude::*};
+    /// use pinhole::LitPalette;
+    /// let palette = LitPalette::<Rgb565, 2, 32>::in_fog(&[Rgb888::RED, Rgb888::BLACK], Rgb888::WHITE);
+    /// assert_eq!(palette.row(0), &[Rgb565::WHITE; 2]);
+    /// assert_eq!(palette.row(256), &[Rgb565::RED, Rgb565::BLACK]);
+    /// ```
+    pub fn in_fog(palette: &[Rgb888; COLORS], fog: Rgb888) -> Self {
+        let steps = ROWS as u32 - 1; // 1 … 255: the compiler checks the number of rows
+        let mut row = 0;
+        Self::from_rows([(); ROWS].map(|()| {
+            let colors = palette.each_ref().map(|&color| faded(color, fog, row, steps));
+            row += 1;
+            colors
+        }))
+    }
+}

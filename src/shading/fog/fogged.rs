@@ -1,0 +1,214 @@
+//! The shader of faces in fog.
+
+use super::level_runs::LevelRuns;
+use super::table::{FogTable, LEVELS};
+use crate::raster::{Gradient, Span, Triangle};
+use crate::shading::shader::DrawRuns;
+use crate::shading::{Blend, CornerValues, Shader, SpanShader, TableShader};
+use embedded_graphics_core::pixelcolor::PixelColor;
+
+/// A shader in fog: its colours, mixed with the fog's by the depth of each pixel. It wraps any shader that does not read pixels, in any draw call: colours,
+/// smooth, lit and textured faces, with colour keys and screen doors; into every target whose colours can be [mixed](Blend).
+///
+/// Where the fog's level is constant along a row, colours are mixed with a constant factor, and the factor is looked up once. A
+/// face without fog is drawn by the shader alone; a face of one colour in one level of fog is filled with one colour.
+///
+/// **Draw calls** transform vertices with depth and clip at the far plane. [`fill_triangle`](crate::fill_triangle) has no depth: it
+/// draws in the fog of the near plane.
+///
+/// **Order of wrappers.** `ScreenDoor` and `Blended` may be inside or outside. A shader that
+/// [reads pixels](SpanShader::READS_PIXELS) would put fog on what was drawn before, so it does not compile: give it the fogged shader.
+///
+/// **Error.** A pixel's factor is that of the exact distance of a point within 1/256 pixel and 1/64 step of depth, rounded to the
+/// nearest 1/32; if the triangle is larger than 512 pixels, or in the last step before the far plane, within ½ step. Each channel is
+/// then rounded to the nearest level of the target. [`FogTable`] says what a step of depth is in distance. A triangle whose three
+/// corners have one level has this level.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
+/// use pinhole::{Angle, Camera, Fog, FogTable, Fogged, Mesh, Picture, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+/// # let [eye, origin] = [(0, 4, 8), (0, 0, 0)].map(|(x, y, z)| Point3::from_ints(x, y, z));
+/// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
+/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(100))?;
+/// # let camera = Camera::new(&view, &lens, &viewport);
+/// const FLOOR: [[i16; 3]; 4] = [[-90, 0, 0], [90, 0, 0], [90, 0, -90], [-90, 0, -90]];
+/// let mesh = Mesh::new(&FLOOR, 0, &[[0, 1, 2], [0, 2, 3]])?;
+/// let instance = camera.place(&mesh, &pinhole::Affine::identity());
+/// let fog = Fog::linear(Scalar::from_num(10), Scalar::from_num(40))?;
+/// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
+/// # let mut pixels = [Rgb565::BLACK; 64 * 64];
+/// # let mut picture = Picture::new(&mut pixels, Size::new(64, 64))?;
+/// instance.solid(|_face| Fogged::new(Rgb565::RED, &table), &mut [], &mut picture.pixels())?;
+/// # let greens: std::collections::BTreeSet<_> = pixels.iter().filter(|c| c.r() == 31).map(|c| c.g()).collect();
+/// assert!(greens.len() > 12); // from red to white
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Fog on a shader that reads pixels does not compile:
+///
+/// ```compile_fail,E0080
+/// # use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+/// # use pinhole::{fill_triangle, raster::{ScreenPoint, Span, Triangle}, FogTable, Fogged, Picture, Shader, SpanShader};
+/// #[derive(Clone, Copy)]
+/// struct Inverted;
+/// # impl Shader for Inverted { type Varying = (); fn sub_face(&self, _: [(); 3]) -> Self { Self } }
+/// impl SpanShader<Gray8> for Inverted {
+///     const READS_PIXELS: bool = true;
+/// #   type Setup = ();
+/// #   fn set_up(&self, _: &Triangle<'_>) {}
+/// #   fn span(_: &(), _: Span) -> impl Iterator<Item = Gray8> { core::iter::repeat(Gray8::BLACK) }
+///     // …
+/// }
+/// # pub fn draw(table: &FogTable<Gray8>, corners: [ScreenPoint; 3], picture: &mut Picture<'_, Gray8>) {
+/// let Ok(_) = fill_triangle(corners, Fogged::new(Inverted, table), &mut picture.pixels());
+/// # }
+/// # let _ = draw as *const (); // or the compiler drops it
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Fogged<'t, S, C> {
+    shader: S,
+    table: &'t FogTable<C>,
+    /// At the corners, in 16.8.
+    depths: [i32; 3],
+    /// The least and the highest level at a corner: 0 … 32.
+    levels: [u8; 2],
+}
+
+impl<'t, S, C> Fogged<'t, S, C> {
+    /// A shader in the fog of a table.
+    pub fn new(shader: S, table: &'t FogTable<C>) -> Self {
+        Self { shader, table, depths: [0; 3], levels: [table.level(Gradient::DEPTH_BIAS); 2] }
+    }
+
+    /// The only level of the triangle, if its corners have one.
+    #[inline(always)]
+    fn level(&self) -> Option<u8> {
+        let [least, most] = self.levels;
+        (least == most).then_some(least)
+    }
+}
+
+impl<S: Shader, C: PixelColor> Shader for Fogged<'_, S, C> {
+    type Varying = S::Varying;
+    const NEEDS_DEPTH: bool = true;
+    const NEEDS_W: bool = S::NEEDS_W;
+
+    fn sub_face(&self, corners: [S::Varying; 3]) -> Self {
+        Self { shader: self.shader.sub_face(corners), ..*self }
+    }
+
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        let shader = match S::NEEDS_DEPTH || S::NEEDS_W {
+            true => self.shader.with_corners(corners),
+            false => self.shader,
+        };
+        let depths @ [a, b, c] = corners.depths();
+        // 16.8, 24 bits: as a value at a pixel, 16.16.
+        let level = |depth: i32| self.table.level(((depth as u32) << 8).saturating_add(Gradient::DEPTH_BIAS));
+        Self { shader, depths, levels: [level(a.min(b).min(c)), level(a.max(b).max(c))], ..*self }
+    }
+}
+
+// The fog's colour is not printed: it need not implement `Format`.
+#[cfg(feature = "defmt")]
+impl<S: defmt::Format, C> defmt::Format for Fogged<'_, S, C> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{} in levels {} of fog", self.shader, self.levels);
+    }
+}
+
+/// A [`Fogged`] shader set up for a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct FoggedSetup<'t, P, C> {
+    own: P,
+    table: &'t FogTable<C>,
+    depth: Gradient,
+    levels: [u8; 2],
+}
+
+impl<'t, P, C: Blend> FoggedSetup<'t, P, C> {
+    /// The runs of a span with one level of fog each.
+    #[inline(always)]
+    fn level_runs(&self, span: Span) -> LevelRuns<'t> {
+        let [least, _] = self.levels;
+        LevelRuns::new(&self.table.bounds, least, self.depth.at(span.x, span.y), self.depth.step(), span)
+    }
+
+    /// The colours of a run in one level of fog.
+    #[inline(always)]
+    fn mixed(&self, color: C, level: u8) -> C {
+        color.mix(self.table.color, LEVELS as u8 - level)
+    }
+}
+
+impl<'t, C: Blend, S: SpanShader<C>> SpanShader<C> for Fogged<'t, S, C> {
+    type Setup = FoggedSetup<'t, S::Setup, C>;
+    const LEAVES_OUT: bool = S::LEAVES_OUT;
+    const BLENDS: bool = S::BLENDS;
+    const WRITES_DEPTH: bool = S::WRITES_DEPTH;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> Self::Setup {
+        const { assert!(!S::READS_PIXELS, "this shader reads pixels: give it the fogged shader, not the fog it") };
+        let depth = match self.level() {
+            // The depth at which the level begins, everywhere.
+            Some(level) => {
+                let origin = self.table.bounds.get(usize::from(level)).copied().unwrap_or_default();
+                Gradient { origin, ..Gradient::default() }
+            }
+            None => Gradient::of_depth(triangle, &self.depths),
+        };
+        FoggedSetup { own: self.shader.set_up(triangle), table: self.table, depth, levels: self.levels }
+    }
+
+    #[inline(always)]
+    fn span(setup: &Self::Setup, span: Span) -> impl Iterator<Item = C> {
+        setup.level_runs(span).flat_map(move |(run, level)| {
+            S::span(&setup.own, run).take(run.width as usize).map(move |color| setup.mixed(color, level))
+        })
+    }
+
+    #[inline(always)]
+    fn runs(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = C>)> {
+        setup.level_runs(span).flat_map(move |(run, level)| {
+            S::runs(&setup.own, run)
+                .map(move |(width, colors)| (width, colors.map(move |color| setup.mixed(color, level))))
+        })
+    }
+
+    #[inline(always)]
+    fn kept(setup: &Self::Setup, span: Span) -> impl Iterator<Item = (i32, impl Iterator<Item = Option<C>>)> {
+        setup.level_runs(span).flat_map(move |(run, level)| {
+            S::kept(&setup.own, run).map(move |(width, colors)| {
+                (width, colors.map(move |color| color.map(|color| setup.mixed(color, level))))
+            })
+        })
+    }
+
+    #[inline(always)]
+    fn blend(setup: &Self::Setup, own: C, stored: C) -> C {
+        S::blend(&setup.own, own, stored)
+    }
+
+    #[inline(always)]
+    fn draw_runs<D: DrawRuns<C>>(setup: &Self::Setup, draw: D) {
+        match setup.levels {
+            [_, 0] => S::draw_runs(&setup.own, draw),
+            _ => draw.runs(|span| Self::runs(setup, span)),
+        }
+    }
+
+    #[inline(always)]
+    fn solid_color(&self) -> Option<C> {
+        let level = self.level()?;
+        Some(self.shader.solid_color()?.mix(self.table.color, LEVELS as u8 - level))
+    }
+
+    #[inline(always)]
+    fn table(&self) -> Option<TableShader<'_, C>> {
+        match self.levels {
+            [_, 0] => self.shader.table(),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! The factor of fog as a table over the fog's own range of depth.
+
+use super::linear::{Fog, FogError, LEAST_STEPS};
+use crate::camera::Camera;
+use crate::raster::Gradient;
+use crate::shading::Blend;
+
+/// The levels of fog besides none.
+pub(super) const LEVELS: usize = 32;
+
+/// Fog by depth, in 32 levels, for [`Fogged`](crate::Fogged) faces, points, labels and lines: the depths at which the levels begin, so the levels
+/// are spread over the fog's own range, and each is as wide as the others in distance, not in depth. It takes 136 bytes and
+/// a colour, and holds as long as the camera's projection does: the camera may move and turn.
+///
+/// **Error.** The factor is that of the exact distance, rounded to the nearest 1/32, if the distance is exact: off by at most 1/64.
+/// Depth has the error that [`DepthBuffer`](crate::DepthBuffer) and [`Projected`](crate::Projected) have; a distance is off by what a step of depth
+/// stands for there: distance²·(far − near)/(65535·near·far) in perspective, (far − near)/65535 in parallel projections.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
+/// use pinhole::{Angle, Camera, Fog, FogTable, Point3, Projection, Scalar, Vector3, ViewTransform, Viewport};
+/// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+/// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
+/// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
+/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(100))?;
+/// let camera = Camera::new(&view, &lens, &viewport); // 8 before the origin
+/// let fog = Fog::linear(Scalar::from_num(4), Scalar::from_num(20))?;
+/// let table = FogTable::new(&fog, &camera, Rgb565::WHITE)?;
+/// let depth = camera.project(Point3::from_ints(0, 0, 0))?.depth;
+/// assert_eq!(table.factor(depth), 24); // a quarter of the way: 24 of 32 are left
+/// assert_eq!(table.color_at(Rgb565::BLACK, depth), Rgb565::new(8, 16, 8));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FogTable<C> {
+    pub(super) color: C,
+    /// Level l is seen from depth `bounds[l]` on and before `bounds[l + 1]`: values of [`Gradient::of_depth`], in ascending order,
+    /// between 0 and `u32::MAX`, which no depth reaches.
+    pub(super) bounds: [u32; LEVELS + 2],
+}
+
+impl<C> FogTable<C> {
+    /// The fewest steps of depth between the start and the end of fog.
+    pub const LEAST_STEPS: u16 = LEAST_STEPS;
+
+    /// The table of a fog of this colour before this camera.
+    ///
+    /// # Errors
+    ///
+    /// [`FogError::SlantedDepth`] if the projection's depth is not that of a distance alone: only matrices of your own have such
+    /// depth. [`FogError::TooFewSteps`] if fewer than [`LEAST_STEPS`](Self::LEAST_STEPS) steps of depth lie between the start
+    /// and the end of the fog, or the part of it that lies between the near and the far plane.
+    #[inline(never)] // set-up: code size counts, speed does not
+    pub fn new(fog: &Fog, camera: &Camera, color: C) -> Result<Self, FogError> {
+        let [start, end] = fog.range().map(i64::from);
+        let depth_at = |distance| camera.depth_at(distance).ok_or(FogError::SlantedDepth);
+        let (first, last) = (depth_at(start << 16)?, depth_at(end << 16)?);
+        let steps = (last.saturating_sub(first) >> 16) as u16;
+        // Fog that is full before the near plane, or begins beyond the far plane, needs no depth: within a step of them.
+        let (near, far) = (1 << 16, 65_534 << 16);
+        if steps < LEAST_STEPS && last > near && first < far {
+            return Err(FogError::TooFewSteps { steps });
+        }
+        let mut bounds = [0; LEVELS + 2];
+        let mut least = 0;
+        for (odd, bound) in (1..).step_by(2).zip(bounds.iter_mut().skip(1).take(LEVELS)) {
+            // Half-way between two levels: odd/64 of the range, which has 33 bits, in 2⁻²² and then in 2⁻³².
+            let depth = depth_at((start << 16) + (((end - start) * odd) << 10))?;
+            least = depth.saturating_add(Gradient::DEPTH_BIAS).max(least);
+            *bound = least;
+        }
+        let [.., open] = &mut bounds;
+        *open = u32::MAX;
+        Ok(Self { color, bounds })
+    }
+
+    /// The level at a value of [`Gradient::of_depth`]: 0, none, to 32, full.
+    #[inline]
+    pub(super) fn level(&self, depth: u32) -> u8 {
+        let [_, bounds @ .., _] = &self.bounds;
+        bounds.partition_point(|&bound| bound <= depth) as u8 // at most 32
+    }
+
+    /// The factor at a depth, such as that of a [projected point](crate::Projected): 32, no fog, to 0, nothing but fog.
+    pub fn factor(&self, depth: u16) -> u8 {
+        LEVELS as u8 - self.level(u32::from(depth) << 16 | Gradient::DEPTH_BIAS)
+    }
+}
+
+impl<C: Blend> FogTable<C> {
+    /// A colour as it is seen at a depth: mixed with the fog's colour, each channel rounded to nearest.
+    pub fn color_at(&self, color: C, depth: u16) -> C {
+        color.mix(self.color, self.factor(depth))
+    }
+}
+
+// The colours are not printed: they need not implement `Format`.
+#[cfg(feature = "defmt")]
+impl<C> defmt::Format for FogTable<C> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "fog of levels from depths {}/2^16", self.bounds);
+    }
+}

@@ -1,0 +1,94 @@
+//! Fog at vertices and faces.
+
+use super::linear::Fog;
+use crate::camera::Camera;
+use crate::math::num::{add, mul_wide, scale};
+use crate::math::unrolled::map3;
+use crate::math::Affine;
+use crate::space::{Model, World};
+
+/// The factor of fog at the vertices and faces of one object: fog that costs no instruction a pixel. The distance before the camera
+/// is a linear form of a vertex's coordinates, and so is the factor, but for its ends: three multiplications.
+///
+/// A factor is 256 without fog and 0 where nothing but fog is seen, so it is used as a level of light is:
+///
+/// - **a colour for each face**: `color.over(fog_color, factor)`, of [`Blend`](crate::Blend); for any target, [`Flat::in_fog`](crate::Flat::in_fog);
+/// - **smooth over faces**: [`ShadeTable::in_fog`](crate::ShadeTable::in_fog) has a colour's way into the fog; with light,
+///   [`Gouraud::new`](crate::Gouraud::new) of three [`Flat::in_fog`](crate::Flat::in_fog);
+/// - **textures**: the rows of [`LitPalette::in_fog`](crate::LitPalette::in_fog), by face or by vertex;
+/// - **edges**: [`MeshInstance::wireframe_by_edge`](crate::MeshInstance::wireframe_by_edge), the depth cue of wireframes.
+///
+/// **Error.** A factor is within ½ + 384·2⁻³⁰·r/(end − start) of the exact one, where r is the largest coordinate of the eye or of the
+/// object's origin, plus that of the vertex relative to this origin, in world units. Between the corners of a face the factor is
+/// linear on the screen, not in space; [`Fogged`](crate::Fogged) is exact there.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::{Rgb565, RgbColor}, prelude::*};
+/// use pinhole::{Affine, Angle, Blend, Camera, Fog, Point3, Projection, Scalar, Vector3, VertexFog, ViewTransform, Viewport};
+/// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
+/// # let [eye, origin] = [8, 0].map(|z| Point3::from_ints(0, 0, z));
+/// # let view = ViewTransform::look_at(eye, origin, Vector3::from_ints(0, 1, 0))?;
+/// # let lens = Projection::perspective(Angle::degrees(60), viewport.size(), Scalar::from_num(1), Scalar::from_num(100))?;
+/// let camera = Camera::new(&view, &lens, &viewport); // at z = 8, towards −z
+/// let fog = Fog::linear(Scalar::from_num(4), Scalar::from_num(20))?;
+/// let fog = VertexFog::new(&fog, &camera, &Affine::identity(), 0);
+/// assert_eq!(fog.factor([3, 2, 0]), 192); // 8 before the camera, a quarter of the way
+/// assert_eq!(fog.factor([0, 0, -90]), 0);
+/// assert_eq!(fog.face_factor([[0, 0, 4], [1, 0, 4], [0, 1, -8]]), 192);
+/// let seen = Rgb565::BLACK.over(Rgb565::WHITE, 192);
+/// assert_eq!(seen, Rgb565::new(8, 16, 8));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct VertexFog {
+    /// What a step of the mesh along each axis changes, in 2^−`shift` … of 2⁻³² of a factor: 30 bits.
+    linear: [i32; 3],
+    shift: i32,
+    /// The factor of the mesh's origin, in 2⁻³².
+    offset: i64,
+}
+
+impl VertexFog {
+    /// The fog before a camera on an object with the transform `model` and a mesh whose vertices are in 2^`exponent` model units, as
+    /// [`Mesh::exponent`](crate::Mesh::exponent) says.
+    #[inline(never)] // set-up: its stack frame is gone before faces are drawn
+    pub fn new(fog: &Fog, camera: &Camera, model: &Affine<Model, World>, exponent: i8) -> Self {
+        let row = camera.ramp(model, fog.range(), 256);
+        Self { linear: row.linear, shift: row.exponent + i32::from(exponent) + 2, offset: row.offset }
+    }
+
+    /// The factor at a vertex, in the mesh's units as [`Mesh::vertices`](crate::Mesh::vertices) has them: 256, no fog, to 0, nothing but fog.
+    #[inline]
+    pub fn factor(&self, vertex: [i16; 3]) -> u16 {
+        self.factor_at(map3(vertex, i32::from))
+    }
+
+    /// The factor at a face, from its corners: that at their mean, the centroid, rounded down to a step of the mesh.
+    #[inline]
+    pub fn face_factor(&self, [a, b, c]: [[i16; 3]; 3]) -> u16 {
+        let mean = |a: i16, b: i16, c: i16| {
+            // ⌊sum/3⌋: the factor is 1/3 and 2⁻³²·2/3 more, which adds less than 1/3 to a sum of 18 bits.
+            let sum = i32::from(a) + i32::from(b) + i32::from(c) + 3 * 32_768; // 0 … 196 605
+            ((i64::from(sum) * 0x5555_5556) >> 32) as i32 - 32_768
+        };
+        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (a, b, c);
+        self.factor_at([mean(a0, b0, c0), mean(a1, b1, c1), mean(a2, b2, c2)])
+    }
+
+    /// The factor at a point of 16 bits.
+    fn factor_at(&self, [x, y, z]: [i32; 3]) -> u16 {
+        let [a, b, c] = self.linear;
+        let sum = mul_wide(a, x) + mul_wide(b, y) + mul_wide(c, z); // below 3·2⁴⁵
+        let factor = add(scale(sum, self.shift), self.offset);
+        (add(factor, 1 << 31) >> 32).clamp(0, 256) as u16
+    }
+
+    /// Writes the [`factor`](Self::factor) of each vertex to `factors`, up to the end of the shorter slice: once per frame, for faces
+    /// with fog by vertex and for edges.
+    pub fn factors(&self, vertices: &[[i16; 3]], factors: &mut [u16]) {
+        for (factor, &vertex) in factors.iter_mut().zip(vertices) {
+            *factor = self.factor(vertex);
+        }
+    }
+}

@@ -1,0 +1,405 @@
+//! Fog: the level of each pixel against distances in f64 along the pixel's ray, and fogged shaders against the shader alone, mixed
+//! by that level.
+
+use crate::texture_rays::camera;
+use crate::textures::{floor, quad, soup, volume, Scene, FOV, SIDE, V, WALL};
+use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
+use embedded_graphics::prelude::*;
+use pinhole::space::{Model, World};
+use pinhole::{
+    Affine, Angle, Camera, Channels, Cull, Flat, Fog, FogError, FogTable, Fogged, LitPalette, Mesh, Picture,
+    Point3, Projection, Scalar, ShadeTable, SpanShader, Vector3, VertexFog, ViewTransform, Viewport, Window,
+};
+use support::oracle::rng::Rng;
+
+fn number(v: f64) -> Scalar {
+    Scalar::from_num(v)
+}
+
+/// A view volume, in f64, of 240 × 240 pixels: in perspective with 60 degrees, or parallel with a window of ±`half`.
+#[derive(Clone, Copy, Debug)]
+struct Lens {
+    near: f64,
+    far: f64,
+    parallel: Option<f64>,
+}
+
+impl Lens {
+    fn projection(&self) -> Projection {
+        let [near, far] = [self.near, self.far].map(number);
+        match self.parallel.map(number) {
+            None => Projection::perspective(Angle::degrees(60), Size::new(SIDE, SIDE), near, far).unwrap(),
+            Some(half) => {
+                let window = Window { left: -half, right: half, bottom: -half, top: half };
+                Projection::orthographic(window, near, far).unwrap()
+            }
+        }
+    }
+
+    /// The depth of points at this distance, in steps.
+    fn depth(&self, distance: f64) -> f64 {
+        let Self { near, far, parallel } = *self;
+        match parallel {
+            None => 65_535.0 * far / (far - near) * (1.0 - near / distance),
+            Some(_) => 65_535.0 * (distance - near) / (far - near),
+        }
+    }
+
+    /// The depth of points at this distance; at the eye and behind it less than any.
+    fn bound(&self, distance: f64) -> f64 {
+        match self.parallel.is_none() && distance <= 0.0 {
+            true => f64::MIN,
+            false => self.depth(distance),
+        }
+    }
+
+    /// The distance of a face's plane at a point of the screen, in pixels.
+    fn distance(&self, [a, b, c]: [V; 3], [x, y]: [f64; 2]) -> f64 {
+        let side = f64::from(SIDE) / 2.0;
+        let [x, y] = [(x - side) / side, (side - y) / side];
+        if let Some(half) = self.parallel {
+            let [x, y] = [x * half, y * half];
+            let ([u, v], at) =
+                ([b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]), [x - a[0], y - a[1]]);
+            let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+            return (n[0] * at[0] + n[1] * at[1]) / n[2] - a[2];
+        }
+        let scale = (FOV.to_radians() / 2.0).tan();
+        let ray = [x * scale, y * scale, -1.0];
+        volume(a, b, c) / (volume(ray, b, c) + volume(a, ray, c) + volume(a, b, ray))
+    }
+
+    /// Where a corner is seen, in pixels.
+    fn seen(&self, [x, y, z]: V) -> [f64; 2] {
+        let scale = self.parallel.unwrap_or_else(|| -z * (FOV.to_radians() / 2.0).tan());
+        [x / scale, y / scale].map(|c| c * f64::from(SIDE) / 2.0)
+    }
+}
+
+/// White in black fog in 7/255 steps: a colour for each level; nothing else draws white.
+const LEVEL: u8 = 7;
+const NOTHING: Gray8 = Gray8::WHITE;
+
+/// The levels of fog of the pixels of one face, in memory.
+fn levels(
+    lens: &Lens,
+    fog: [f64; 2],
+    vertices: &[[i16; 3]],
+    exponent: i8,
+    face: [u16; 3],
+) -> Vec<Option<u8>> {
+    let camera = camera(&lens.projection());
+    let fog = Fog::linear(number(fog[0]), number(fog[1])).unwrap();
+    let table = FogTable::new(&fog, &camera, Gray8::BLACK).unwrap();
+    let faces = [face];
+    let mesh = Mesh::new(vertices, exponent, &faces).unwrap();
+    let instance = camera.place(&mesh, &Affine::<Model, World>::identity()).with_cull(Cull::None);
+    let mut pixels = vec![NOTHING; (SIDE * SIDE) as usize];
+    let mut picture = Picture::new(&mut pixels, Size::new(SIDE, SIDE)).unwrap();
+    let shade = |_| Fogged::new(Gray8::new(32 * LEVEL), &table);
+    let Ok(_) = instance.solid(shade, &mut [], &mut picture.pixels());
+    pixels.into_iter().map(|pixel| (pixel != NOTHING).then(|| 32 - pixel.luma() / LEVEL)).collect()
+}
+
+/// The largest distance, in steps of depth, between the depth at a pixel's ray within 1/256 pixel and the depths that have the
+/// pixel's level: of triangles within 512 pixels, and of larger ones. And the pixels that have each level.
+fn worst(lens: &Lens, fog: [f64; 2], scene: &Scene) -> ([f64; 2], [usize; 33]) {
+    let (mut worst, mut counts) = ([0.0; 2], [0; 33]);
+    for &face in &scene.faces {
+        let corners = face
+            .map(|i| scene.vertices[usize::from(i)].map(|c| f64::from(c) * 2f64.powi(scene.exponent.into())));
+        let seen = corners.map(|corner| lens.seen(corner));
+        let extent = |axis: usize| {
+            let c = seen.map(|p| p[axis]);
+            c.into_iter().fold(f64::MIN, f64::max) - c.into_iter().fold(f64::MAX, f64::min)
+        };
+        let is_cut = corners.iter().any(|c| -c[2] < lens.near || -c[2] > lens.far);
+        let is_large = usize::from(is_cut || extent(0).max(extent(1)) >= 511.0);
+        let depth_at = |at: [f64; 2]| lens.depth(lens.distance(corners, at));
+        for (i, level) in levels(lens, fog, &scene.vertices, scene.exponent, face).into_iter().enumerate() {
+            let Some(level) = level else { continue };
+            counts[usize::from(level)] += 1;
+            let (x, y) = ((i as u32 % SIDE) as f64 + 0.5, (i as u32 / SIDE) as f64 + 0.5);
+            let around = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
+                .map(|(dx, dy)| depth_at([x + dx / 256.0, y + dy / 256.0]));
+            let low = around.into_iter().fold(f64::MAX, f64::min);
+            let high = around.into_iter().fold(f64::MIN, f64::max);
+            let bound = |half: f64| lens.bound(fog[0] + (fog[1] - fog[0]) * (f64::from(level) + half) / 32.0);
+            let before = if level == 0 { 0.0 } else { bound(-0.5) - high };
+            let beyond = if level == 32 { 0.0 } else { low - bound(0.5) };
+            worst[is_large] = f64::max(worst[is_large], before.max(beyond));
+        }
+    }
+    (worst, counts)
+}
+
+/// Triangles that hardly tilt, of up to `size` of the picture's side, from 250 to 900 before the eye.
+fn facing(seed: u64, count: u16, size: f64) -> Scene {
+    let mut rng = Rng::new(seed);
+    let mut scene = Scene { vertices: vec![], exponent: -5, faces: vec![], uv: vec![] };
+    for i in 0..count {
+        let distance = rng.real(250.0, 900.0);
+        let half = distance * (FOV.to_radians() / 2.0).tan();
+        let centre = [0; 2].map(|_| rng.real(-half, half));
+        for _ in 0..3 {
+            let [x, y] = centre.map(|c| c + rng.real(-half, half) * size);
+            let z = -distance * (1.0 + rng.real(-0.1, 0.1));
+            scene.vertices.push([x, y, z].map(|c| (c * 32.0).clamp(-32_767.0, 32_767.0) as i16));
+        }
+        scene.faces.push([3 * i, 3 * i + 1, 3 * i + 2]);
+    }
+    scene
+}
+
+#[test]
+fn levels_are_those_of_rays_within_a_fraction_of_a_step_of_depth() {
+    let perspective = |near, far| Lens { near, far, parallel: None };
+    let parallel = |near, far, half| Lens { near, far, parallel: Some(half) };
+    let cases = [
+        ("floor", perspective(1.0, 100.0), [3.0, 60.0], quad(floor(0.5, 90.0, 60.0), 12.0, 1, -8)),
+        ("rolled floor", perspective(1.0, 100.0), [1.0, 9.0], quad(floor(0.5, 9.5, 6.0), 25.0, 1, -10)),
+        (
+            "a thousand times",
+            perspective(0.25, 250.0),
+            [2.0, 99.0],
+            quad(floor(0.5, 240.0, 99.0), 20.0, 1, -7),
+        ),
+        ("wall", perspective(1.0, 2000.0), [-5.0, 40.0], quad(WALL, 30.0, 1, -4)),
+        (
+            "beyond near and far",
+            perspective(2.0, 20.0),
+            [1.0, 40.0],
+            quad(floor(0.5, 90.0, 60.0), 5.0, 1, -8),
+        ),
+        ("small triangles", perspective(1.0, 100.0), [2.0, 40.0], soup(1, 300, 1)),
+        ("large triangles", perspective(1.0, 1000.0), [2.0, 30.0], soup(2, 2000, 1)),
+        ("few steps", perspective(0.125, 1000.0), [20.0, 45.0], soup(3, 600, 1)),
+        ("facing", perspective(0.125, 8000.0), [200.0, 950.0], facing(6, 3000, 0.1)),
+        ("facing, of all sizes", perspective(0.125, 8000.0), [200.0, 950.0], facing(7, 300, 1.9)),
+        ("facing, parallel", parallel(1.0, 30_000.0, 100.0), [250.0, 900.0], facing(8, 1000, 0.03)),
+        ("parallel", parallel(-1.0, 50.0, 12.0), [-0.5, 44.0], soup(4, 600, 1)),
+        ("parallel, far", parallel(1.0, 1000.0, 6.0), [3.0, 12.0], soup(5, 300, 1)),
+    ];
+    let mut most = [0.0; 2];
+    for (name, lens, fog, scene) in cases {
+        let (worst, counts) = worst(&lens, fog, &scene);
+        for (most, worst) in most.iter_mut().zip(worst) {
+            *most = f64::max(*most, worst);
+        }
+        // Every level between the nearest and the farthest one is used.
+        let used = counts.iter().filter(|&&count| count > 0).count();
+        let between =
+            counts.iter().rposition(|&c| c > 0).unwrap() - counts.iter().position(|&c| c > 0).unwrap();
+        assert!(used == between + 1 && used > 15, "{name}: {counts:?}");
+    }
+    // The bound of `Fogged`, at most twice the largest error. Large triangles show none beyond the 1/256 pixel.
+    assert!(most[0] < 1.0 / 64.0 && most[0] > 1.0 / 128.0 && most[1] < 1.0 / 64.0, "{most:?}");
+}
+
+/// `FogTable::factor` at every depth, against the distances half-way between two factors.
+#[test]
+fn factors_are_the_nearest_at_every_depth() {
+    let cases = [
+        (Lens { near: 1.0, far: 100.0, parallel: None }, [4.0, 50.0]),
+        (Lens { near: 0.125, far: 125.0, parallel: None }, [0.5, 125.0]),
+        (Lens { near: 5.0, far: 9.0, parallel: None }, [1.0, 30.0]),
+        (Lens { near: -4.0, far: 9.0, parallel: Some(3.0) }, [-3.5, 8.0]),
+        (Lens { near: 1.0, far: 30_000.0, parallel: None }, [0.25, 30_000.0]),
+    ];
+    for (lens, fog) in cases {
+        let camera = camera(&lens.projection());
+        let table =
+            FogTable::new(&Fog::linear(number(fog[0]), number(fog[1])).unwrap(), &camera, Gray8::BLACK)
+                .unwrap();
+        let bounds = core::array::from_fn::<f64, 32, _>(|i| {
+            let distance = fog[0] + (fog[1] - fog[0]) * (i as f64 + 0.5) / 32.0;
+            lens.bound(distance)
+        });
+        let (mut ties, mut last) = (0, 32);
+        for depth in 0..65_535 {
+            let factor = table.factor(depth);
+            let at =
+                |error: f64| 32 - bounds.iter().filter(|&&bound| bound <= f64::from(depth) + error).count();
+            // The camera's rows are within 2⁻³⁰ of the lens, a bound within 2⁻¹⁶ of a step.
+            let [low, high] = [at(1.0 / 2048.0), at(-1.0 / 2048.0)];
+            assert!(
+                (low..=high).contains(&usize::from(factor)),
+                "{lens:?} {depth}: {factor}, {low} to {high}"
+            );
+            assert!(factor <= last);
+            (ties, last) = (ties + usize::from(low != high), factor);
+            let mixed = table.color_at(Gray8::new(32 * LEVEL), depth);
+            assert_eq!(mixed.luma(), factor * LEVEL);
+        }
+        assert!(ties < 4, "{lens:?}: {ties}");
+    }
+}
+
+#[test]
+fn set_ups_that_cannot_be_are_refused() {
+    let fog = |start, end| Fog::linear(number(start), number(end));
+    assert_eq!(fog(2.0, 2.0), Err(FogError::EmptyRange { start: number(2.0), end: number(2.0) }));
+    let table = |lens: &Lens, start, end| {
+        FogTable::new(&fog(start, end).unwrap(), &camera(&lens.projection()), Gray8::BLACK)
+    };
+    let lens = Lens { near: 0.0625, far: 1000.0, parallel: None };
+    // 65535/16 · (1/500 − 1/1000) is 4.09.
+    let error = table(&lens, 500.0, 1000.0).unwrap_err();
+    assert_eq!(error, FogError::TooFewSteps { steps: 4 });
+    assert_eq!(
+        error.to_string(),
+        "the fog lies within 4 of 65535 steps of depth, and takes 8: move the near plane away from the eye, or the fog's start and end apart"
+    );
+    assert!(table(&lens, 300.0, 1000.0).is_ok()); // 9.6
+                                                  // Nothing but fog, and none.
+    let all = table(&lens, -3.0, 0.0).unwrap();
+    assert_eq!([0, 65_534].map(|depth| all.factor(depth)), [0; 2]);
+    let none = table(&lens, 1001.0, 2000.0).unwrap();
+    assert_eq!([0, 65_534].map(|depth| none.factor(depth)), [32; 2]);
+    // Depth that changes with x.
+    let mut matrix =
+        [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.25, 0.0, -1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+    let slanted = |matrix: &[[f64; 4]; 4]| {
+        FogTable::new(
+            &fog(0.0, 1.0).unwrap(),
+            &camera(&Projection::from_matrix(matrix).unwrap()),
+            Gray8::BLACK,
+        )
+    };
+    assert_eq!(slanted(&matrix), Err(FogError::SlantedDepth));
+    matrix[2][0] = 0.0;
+    assert!(slanted(&matrix).is_ok());
+}
+
+/// Factors of vertices and faces, for turned, stretched and distant objects, against f64.
+#[test]
+fn factors_of_vertices_are_linear_in_distance() {
+    let mut rng = Rng::new(7);
+    let (mut worst, mut counts) = (0.0_f64, [0; 3]);
+    let dot = |a: V, b: V| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    for case in 0..3_000 {
+        let reach = [20.0, 3000.0, 0.5][case % 3];
+        let mut vector = |size: f64| [0; 3].map(|_| number(rng.real(-size, size)));
+        let f64s = |v: [Scalar; 3]| v.map(|c| c.to_num::<f64>());
+        let [axes @ .., origin, eye, ahead] = [
+            vector(2.0),
+            vector(2.0),
+            vector([2.0, 0.1][case % 2]),
+            vector(reach),
+            vector(reach),
+            vector(1.0),
+        ];
+        let direction = f64s(ahead);
+        let length = dot(direction, direction).sqrt();
+        if length < 0.1 {
+            continue;
+        }
+        let vector3 = |[x, y, z]: [Scalar; 3]| Vector3::new(x, y, z);
+        let point = |[x, y, z]: [Scalar; 3]| Point3::<World>::new(x, y, z);
+        let [x, y, z] = axes;
+        let model = Affine::<Model, World>::from_frame(vector3(x), vector3(y), vector3(z), point(origin));
+        let up = if direction[1].abs() < 0.9 * length { [0, 1, 0] } else { [1, 0, 0] };
+        let view =
+            ViewTransform::look_along(point(eye), vector3(ahead), Vector3::from_ints(up[0], up[1], up[2]))
+                .unwrap();
+        let viewport = Viewport::new(Point::zero(), Size::new(SIDE, SIDE)).unwrap();
+        let lens = Lens { near: 1.0, far: 100.0, parallel: None };
+        let camera = Camera::new(&view, &lens.projection(), &viewport);
+        let exponent = -(rng.below(12) as i8);
+        let vertices: Vec<[i16; 3]> =
+            (0..20).map(|_| [0; 3].map(|_| rng.int(-32_768, 32_767) as i16)).collect();
+        let distance = |v: V| {
+            let local = v.map(|c| c * 2f64.powi(exponent.into()));
+            let world = [0, 1, 2].map(|i| {
+                f64s(origin)[i] + (0..3).map(|k| f64s(axes[k])[i] * local[k]).sum::<f64>() - f64s(eye)[i]
+            });
+            dot(world, direction) / length
+        };
+        // About the distance of a vertex.
+        let middle = distance(vertices[0].map(f64::from));
+        let extent = reach * rng.log(0.05, 4.0);
+        if middle.abs() + extent > 32_000.0 {
+            continue;
+        }
+        let [start, end] = [middle - extent * rng.unit(), middle + extent].map(number);
+        if start >= end {
+            continue;
+        }
+        let fog = Fog::linear(start, end).unwrap();
+        let fog = VertexFog::new(&fog, &camera, &model, exponent);
+        let [start, end] = [start, end].map(|c| c.to_num::<f64>());
+        let exact = |v: V| (256.0 * (end - distance(v)) / (end - start)).clamp(0.0, 256.0);
+        let mut factors = vec![0; vertices.len()];
+        fog.factors(&vertices, &mut factors);
+        for (&factor, vertex) in factors.iter().zip(&vertices) {
+            assert_eq!(factor, fog.factor(*vertex));
+            // Beyond the half of rounding, in the unit of the bound.
+            let off = (f64::from(factor) - exact(vertex.map(f64::from))).abs() - 0.5;
+            let size = vertex.map(|c| f64::from(c).abs()).into_iter().fold(0.0, f64::max)
+                * 2f64.powi(exponent.into());
+            let unit = 256.0 * (reach + 2.0 * size) / (end - start);
+            worst = worst.max(off / unit);
+            counts[usize::from(factor > 0) + usize::from(factor == 256)] += 1;
+        }
+        for corners in vertices.windows(3) {
+            let corners = [corners[0], corners[1], corners[2]];
+            let mean = [0, 1, 2]
+                .map(|axis| (corners.iter().map(|c| i32::from(c[axis])).sum::<i32>() as f64 / 3.0).floor());
+            let unit = 256.0 * (reach + 65_536.0 * 2f64.powi(exponent.into())) / (end - start);
+            let off = (f64::from(fog.face_factor(corners)) - exact(mean)).abs() - 0.5;
+            worst = worst.max(off / unit);
+        }
+    }
+    let bound = 1.5 * 2f64.powi(-30);
+    assert!(worst < bound && worst > bound / 2.0, "{}", worst * 2f64.powi(30));
+    assert!(counts.iter().all(|&count| count > 1_000), "{counts:?}");
+}
+
+/// Tables and palettes from the fog's colour to one's own, and flat colours in fog, against fractions.
+#[test]
+fn colors_in_fog_are_the_nearest() {
+    let mut rng = Rng::new(9);
+    for _ in 0..40 {
+        let mut color = || Rgb888::new(rng.bits() as u8, rng.bits() as u8, rng.bits() as u8);
+        let [own, fog] = [color(), color()];
+        let channels = |c: Rgb888| [c.r(), c.g(), c.b()].map(f64::from);
+        let near = |levels: [u8; 3], max: [u8; 3], share: f64| {
+            for (i, (&level, max)) in levels.iter().zip(max).enumerate() {
+                let exact = channels(own)[i] * share + channels(fog)[i] * (1.0 - share);
+                let off = f64::from(level) - exact * f64::from(max) / 255.0;
+                assert!(off.abs() <= 0.5 + 1e-9, "{own:?} {fog:?} {share}: {levels:?}");
+            }
+        };
+        use embedded_graphics::pixelcolor::Rgb565;
+        let table = ShadeTable::<Rgb565>::in_fog(own, fog);
+        for (i, c) in table.colors().iter().enumerate() {
+            near([c.r(), c.g(), c.b()], Rgb565::MAX, i as f64 / 255.0);
+        }
+        let palette = LitPalette::<Rgb565, 2, 32>::in_fog(&[own, fog], fog);
+        for (i, [c, same]) in palette.rows().iter().enumerate() {
+            near([c.r(), c.g(), c.b()], Rgb565::MAX, i as f64 / 31.0);
+            assert_eq!(*same, palette.rows()[0][0]);
+        }
+        let luma = |c: Rgb888| {
+            (77.0 * f64::from(c.r()) + 150.0 * f64::from(c.g()) + 29.0 * f64::from(c.b())) / 256.0
+        };
+        for (i, c) in ShadeTable::<Gray8>::in_fog(own, fog).colors().iter().enumerate() {
+            let share = i as f64 / 255.0;
+            assert!(
+                (f64::from(c.luma()) - luma(own) * share - luma(fog) * (1.0 - share)).abs() <= 0.5 + 1e-9
+            );
+        }
+        for factor in [0, 1, 100, 255, 256, 999] {
+            // In 1/256 of a level: a light of 256 keeps them.
+            let seen = Flat::from(own).in_fog(fog, factor);
+            let share = f64::from(factor.min(256)) / 256.0;
+            let shown = shown(seen);
+            near([shown.r(), shown.g(), shown.b()], [255; 3], share);
+        }
+    }
+}
+
+/// What a target of `Rgb888` shows of a flat colour.
+fn shown(color: Flat) -> Rgb888 {
+    SpanShader::<Rgb888>::solid_color(&color).unwrap()
+}
