@@ -76,7 +76,8 @@ impl FaceWork {
             let [width, height] = [size.width, size.height].map(|side| (side as i32) << 8); // at most 1024
             let is_beside = x[0] > width || x[1] < 0 || y[0] > height || y[1] < 0;
             let is_within = x[0] >= 0 && x[1] <= width;
-            let is_large = !is_beside && !(is_within && y[1] - y[0] <= LOW << 8);
+            let is_low = is_within && y[1] - y[0] <= LOW << 8;
+            let is_large = !(is_beside || is_low);
             large += u32::from(is_large);
             // Rows whose centres, at half a pixel, lie between both.
             let row = |at: i32| (at + 127) >> 8;
