@@ -149,6 +149,26 @@ pub fn import_with(
     fits(mesh).map_err(|problem| problem.at(file, None))
 }
 
+/// As [`import`], from the bytes of a file that is elsewhere, such as in a browser; the extension of `file` says its format, and
+/// messages name it. Files beside it, such as material libraries, are looked for in its folder.
+///
+/// ```
+/// use pinhole_import::{import_bytes, Axis, Options};
+/// let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n".to_vec();
+/// let options = Options { up: Some(Axis::Z), fit: Some(2.0), ..Options::default() };
+/// let model = import_bytes(text, "tetrahedron.obj".as_ref(), &options)?;
+/// assert_eq!((model.faces.len(), model.report.extent), (4, 2.0));
+/// # Ok::<(), pinhole_import::ImportError>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`import`].
+pub fn import_bytes(bytes: Vec<u8>, file: &Path, options: &Options) -> Result<ImportedMesh, ImportError> {
+    let mesh = finish(model_of(bytes, file)?, file, options, &mut |_| ())?;
+    fits(mesh).map_err(|problem| problem.at(file, None))
+}
+
 /// Reads a model as it is: all triangles in the file's order, nothing welded, dropped or rounded.
 ///
 /// # Errors
@@ -189,13 +209,34 @@ fn fits(mesh: ImportedMesh) -> Result<ImportedMesh, Problem> {
 }
 
 fn read_model(file: &Path) -> Result<Model, ImportError> {
-    let extension = file.extension().and_then(|e| e.to_str()).unwrap_or_default();
-    if extension.eq_ignore_ascii_case("obj") {
-        obj::read(&bytes(file)?, file)
-    } else if extension.eq_ignore_ascii_case("stl") {
-        stl::read(bytes(file)?, file)
-    } else {
-        Err(Problem::UnknownFormat.at(file, None))
+    Format::of(file)?; // before a large file is read
+    model_of(bytes(file)?, file)
+}
+
+fn model_of(bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError> {
+    match Format::of(file)? {
+        Format::Obj => obj::read(&bytes, file),
+        Format::Stl => stl::read(bytes, file),
+    }
+}
+
+/// A format that is read.
+enum Format {
+    Obj,
+    Stl,
+}
+
+impl Format {
+    /// The format that the extension of a file says.
+    fn of(file: &Path) -> Result<Self, ImportError> {
+        let extension = file.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        if extension.eq_ignore_ascii_case("obj") {
+            Ok(Self::Obj)
+        } else if extension.eq_ignore_ascii_case("stl") {
+            Ok(Self::Stl)
+        } else {
+            Err(Problem::UnknownFormat.at(file, None))
+        }
     }
 }
 

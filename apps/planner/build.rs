@@ -1,0 +1,174 @@
+//! Figures for the planner, from the pages that `tools/bench/run` writes: `docs/growth.md` has what a vertex, a face, a row and a
+//! pixel cost, and the cycles of an instruction; `docs/speed.md` the chips; `docs/footprint.md` the flash of code. And the model of the templates, in fewer bytes.
+
+use std::error::Error;
+use std::fmt::Write;
+use std::path::Path;
+
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+
+/// The tables of constants: the heading of each, its name here, and how many rows of constants there are.
+const WAYS: [(&str, &str, usize); 4] = [
+    ("### Edges as lines", "LINES", 8),
+    ("### Faces without depth", "FACES", 11),
+    ("### Faces with depth", "DEPTH", 11),
+    ("### Faces with depth in bands", "BANDS", 13),
+];
+
+/// The chips of `docs/speed.md` by the names that choices have, and of each the row of `docs/growth.md` that has its cycles.
+const CHIPS: [(&str, &str, &str); 7] = [
+    ("rp2040", "RP2040, code in flash", "RP2040, code in flash, 125 MHz"),
+    ("rp2040-ram", "RP2040, code in RAM", "M0+, no wait states"),
+    ("rp2350-ram", "RP2350, code in RAM", "M33, no wait states"),
+    ("stm32f030", "STM32F030xC", "STM32F030xC, 48 MHz"),
+    ("stm32f103", "STM32F103xB", "STM32F103xB, 72 MHz"),
+    ("stm32f411", "STM32F411xE", "STM32F411xE, 100 MHz"),
+    ("nrf52840", "nRF52840", "nRF52840, 64 MHz"),
+];
+
+/// Images of `docs/footprint.md`, and their names here.
+const IMAGES: [(&str, &str); 7] = [
+    ("wireframe, into a DrawTarget in memory", "LINES_CODE"),
+    ("wireframe in bands", "LINES_BANDS_CODE"),
+    ("flat faces, into a picture in memory", "FACES_CODE"),
+    ("flat faces with depth", "DEPTH_CODE"),
+    ("flat faces with depth in bands, into `pixels()`", "BANDS_CODE"),
+    ("smooth faces with depth in bands", "SMOOTH_BANDS_CODE"),
+    ("dithered faces with depth in bands", "DITHERED_BANDS_CODE"),
+];
+
+fn main() -> Result<()> {
+    let docs = Path::new(&std::env::var("CARGO_MANIFEST_DIR")?).join("../../docs");
+    let read = |name: &str| -> Result<String> {
+        let file = docs.join(name);
+        println!("cargo::rerun-if-changed={}", file.display());
+        Ok(std::fs::read_to_string(&file).map_err(|e| format!("{}: {e}", file.display()))?)
+    };
+    let (growth, speed, footprint) = (read("growth.md")?, read("speed.md")?, read("footprint.md")?);
+    let mut out = String::new();
+    for (heading, name, count) in WAYS {
+        way(&growth, heading, name, count, &mut out)
+            .map_err(|e| format!("docs/growth.md, {heading}: {e}"))?;
+    }
+    writeln!(out, "pub(crate) const CHIPS: [Chip; {}] = [", CHIPS.len())?;
+    for (key, name, cycles) in CHIPS {
+        chip(&speed, &growth, [key, name, cycles], &mut out)
+            .map_err(|e| format!("docs/speed.md, {name}: {e}"))?;
+    }
+    writeln!(out, "];")?;
+    let table = section(&footprint, "## Flash")?;
+    for (image, name) in IMAGES {
+        // The goal, thumbv7m at 3 and s, thumbv6m at 3 and s.
+        let row = row(table, image).map_err(|e| format!("docs/footprint.md: {e}"))?;
+        let bytes = |column: usize| number(row.get(column).copied().unwrap_or_default());
+        writeln!(out, "pub(crate) const {name}: Code = Code {{ v7m: {}, v6m: {} }};", bytes(2)?, bytes(4)?)?;
+    }
+    let folder = std::env::var("OUT_DIR")?;
+    std::fs::write(Path::new(&folder).join("figures.rs"), out)?;
+    let model = docs.join("../boards/any-cortex-m/model.stl");
+    println!("cargo::rerun-if-changed={}", model.display());
+    std::fs::write(Path::new(&folder).join("gear.rs"), gear(&std::fs::read(&model)?)?)?;
+    Ok(())
+}
+
+/// The vertices and faces of a binary STL file, as Rust: each position once.
+fn gear(stl: &[u8]) -> Result<String> {
+    let mut vertices: Vec<[f32; 3]> = Vec::new();
+    let mut faces = Vec::new();
+    // A header of 84 bytes; of each record of 50 a normal, three corners, two bytes.
+    for record in stl.get(84..).ok_or("model.stl: too short")?.chunks_exact(50) {
+        let number = |at: usize| -> Result<f32> { Ok(f32::from_le_bytes(record[at..at + 4].try_into()?)) };
+        let mut face = [0; 3];
+        for (corner, index) in face.iter_mut().enumerate() {
+            let at = 12 + 12 * corner;
+            let vertex = [number(at)?, number(at + 4)?, number(at + 8)?];
+            *index = vertices.iter().position(|other| *other == vertex).unwrap_or_else(|| {
+                vertices.push(vertex);
+                vertices.len() - 1
+            });
+        }
+        faces.push(face);
+    }
+    Ok(format!(
+        "const GEAR_VERTICES: [[f32; 3]; {}] = {vertices:?};\nconst GEAR_FACES: [[u16; 3]; {}] = {faces:?};\n",
+        vertices.len(),
+        faces.len()
+    ))
+}
+
+/// The constants of a way to draw, of the cores M0, M3 and M4F, and the largest error of the formula, in percent.
+fn way(page: &str, heading: &str, name: &str, count: usize, out: &mut String) -> Result<()> {
+    let table = section(page, heading)?;
+    let header = rows(table).next().ok_or("no table")?;
+    let rows: Vec<Vec<&str>> = rows(table).skip(2).collect();
+    let (constants, errors) = rows.split_at_checked(count).ok_or("too few rows")?;
+    let column = |core: &str| -> Result<Vec<String>> {
+        let column =
+            header.iter().position(|cell| *cell == core).ok_or_else(|| format!("no column {core}"))?;
+        constants.iter().map(|row| number(row.get(column).copied().unwrap_or_default())).collect()
+    };
+    let names: Vec<_> = constants.iter().filter_map(|row| row.first()).collect();
+    let last = *names.last().ok_or("no constants")?;
+    if !matches!(last, &"pixel of the picture" | &"band") {
+        return Err(format!("the last constant is {last}").into());
+    }
+    // The largest error, whether the case was fitted or not: mean, mean of sizes, largest.
+    let mut largest = 0.0f64;
+    for cell in errors.iter().flat_map(|row| row.iter().skip(1)) {
+        let percent = cell.rsplit(", ").next().unwrap_or_default().trim_end_matches(" %");
+        largest = largest.max(percent.parse().map_err(|_| format!("{cell}: not an error"))?);
+    }
+    let [m0, m3, m4] = [column("M0")?, column("M3")?, column("M4F")?].map(|column| column.join(", "));
+    writeln!(
+        out,
+        "pub(crate) const {name}: Constants<{count}> = Constants {{ of: [[{m0}], [{m3}], [{m4}]], error: {largest:?} }};"
+    )?;
+    Ok(())
+}
+
+fn chip(speed: &str, growth: &str, [key, name, cycles]: [&str; 3], out: &mut String) -> Result<()> {
+    // Chip, core, clock, flash, fastest SPI, RAM, error.
+    let cells = row(section(speed, "## Frames per second")?, name)?;
+    let [_, core, clock, _, spi, ram, error] = cells[..] else { return Err("not seven columns".into()) };
+    let column = match core {
+        "M0" | "M0+" => 0,
+        "M3" => 1,
+        "M4" | "M33" => 2,
+        _ => return Err(format!("the core {core} has no constants").into()),
+    };
+    let per = row(section(growth, "## Cycles per instruction")?, cycles)?;
+    let per: Vec<String> = per.iter().skip(1).map(|cell| number(cell)).collect::<Result<_>>()?;
+    let [clock, spi, ram] = [number(clock)?, number(spi)?, number(ram)?];
+    writeln!(
+        out,
+        "    Chip {{ key: {key:?}, name: {name:?}, core: {core:?}, column: {column}, clock: {clock}, spi: {spi}, ram: {ram}, error: {error:?}, cycles: [{}] }},",
+        per.join(", ")
+    )?;
+    Ok(())
+}
+
+/// What follows a heading, to the next one.
+fn section<'a>(page: &'a str, heading: &str) -> Result<&'a str> {
+    let start = page.find(&format!("\n{heading}\n")).ok_or_else(|| format!("no heading {heading}"))?;
+    let text = page.get(start + 1 + heading.len()..).unwrap_or_default();
+    Ok(text.find("\n#").map_or(text, |end| text.get(..end).unwrap_or_default()))
+}
+
+/// The rows of the tables in a text, as cells.
+fn rows(text: &str) -> impl Iterator<Item = Vec<&str>> {
+    let rows = text.lines().filter(|line| line.starts_with('|'));
+    rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+}
+
+/// The row whose first cell is this.
+fn row<'a>(text: &'a str, first: &str) -> Result<Vec<&'a str>> {
+    let found = rows(text).find(|row| row.first() == Some(&first));
+    found.ok_or_else(|| format!("no row {first}").into())
+}
+
+/// A number as Rust writes it: `15 052` is 15052.0.
+fn number(cell: &str) -> Result<String> {
+    let digits: String = cell.split_whitespace().collect();
+    let number: f64 = digits.parse().map_err(|_| format!("{cell:?} is not a number"))?;
+    Ok(format!("{number:?}"))
+}

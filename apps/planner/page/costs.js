@@ -1,0 +1,60 @@
+// What a frame costs, as a table of the ways to draw it.
+'use strict';
+
+let costTimer;
+
+// After the changes of a moment: counting the work of a frame takes as long as drawing it.
+function showCosts(library, choice) {
+  clearTimeout(costTimer);
+  costTimer = setTimeout(() => {
+    try {
+      const costs = JSON.parse(library.ask('costs', choice));
+      $('cost').replaceChildren(costTable(costs), ...advice(costs).map((text) => element('p', { className: 'advice' }, text)), notes(costs));
+      $('costs').hidden = false;
+    } catch {
+      $('costs').hidden = true; // the message stands below the display
+    }
+  }, 120);
+}
+
+const kilobytes = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
+
+function costTable(costs) {
+  const head = ['Way to draw', 'RAM', 'Flash', 'Instructions', 'Cycles', 'Drawing', 'Sending', 'Frames/s', 'Limit'];
+  const table = element('table', {}, element('thead', {}, element('tr', {}, ...head.map((text) => element('th', { scope: 'col' }, text)))));
+  const body = element('tbody', {});
+  for (const way of costs.ways) {
+    const [cache, bins, pixels, depths] = way.parts;
+    const name = element('th', { scope: 'row' }, way.name, ...(way.note ? [element('div', { className: 'note' }, way.note)] : []));
+    const ram = element('td', { className: way.fits ? '' : 'bad' }, kilobytes(way.ram), way.fits ? '' : ' does not fit');
+    ram.title = `vertices ${count(cache)}, bins ${count(bins)}, pixels ${count(pixels)}, depths ${count(depths)} bytes`;
+    const cells = [ram, kilobytes(way.flash)];
+    if (way.instructions === undefined) cells.push('–', '–', '–', `${way.bus} ms`, '–', '–');
+    else {
+      cells.push(count(Number(way.instructions)), count(Number(way.cycles)), `${way.drawing} ms ± ${Math.round(way.error)} %`, `${way.bus} ms`,
+        `${way.blocking}, ${way.dma} by DMA`, way.limit);
+    }
+    const row = element('tr', { className: way.chosen ? 'chosen' : '' }, name);
+    row.append(...cells.map((cell) => (cell instanceof Node ? cell : element('td', {}, cell))));
+    body.append(row);
+  }
+  table.append(body);
+  return element('div', { className: 'table', tabIndex: 0, role: 'region', ariaLabel: 'Costs of the ways to draw' }, table);
+}
+
+// What to change where the chosen way does not fit, or is slow.
+function advice(costs) {
+  const chosen = costs.ways.find((way) => way.chosen) ?? costs.ways[0];
+  if (chosen.fits) return [];
+  const smaller = costs.ways.filter((way) => way.fits && way.rows).sort((a, b) => a.ram - b.ram)[0];
+  if (smaller) return [`${chosen.name}: ${kilobytes(chosen.ram)} of RAM, but the ${costs.chip} has ${kilobytes(costs.ram)}. Use ${smaller.name}: ${kilobytes(smaller.ram)}.`];
+  const [cache, bins] = chosen.parts;
+  const mesh = cache + bins;
+  return [`No way to draw fits the ${kilobytes(costs.ram)} of the ${costs.chip}. Vertices and bins take ${kilobytes(mesh)}: use fewer faces (pinhole-import --decimate N), or a chip with more RAM.`];
+}
+
+function notes(costs) {
+  const inexact = costs.exact ? '' : ' The time is that of flat faces; smooth or dithered faces take longer.';
+  return element('p', { className: 'note' },
+    `${costs.chip}, ${costs.core} at ${costs.clock} MHz, sending at ${costs.spi} MHz. RAM is without the stack; flash is the mesh and the code that draws, at opt-level 3. Times are by the formula of docs/growth.md: ± is the largest error of its instructions in any case measured; the chip adds: ${costs.error}.${inexact}`);
+}

@@ -1,0 +1,400 @@
+// The page: controls, mouse, touch and keys change a state; the state is drawn by the library and stands in the address.
+'use strict';
+
+const $ = (id) => document.getElementById(id);
+const TURNS = 120; // steps of a turn, as in the library
+const DEFAULTS = {
+  mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
+  zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
+  'fix-winding': 0, 'two-sided': 0, rows: 8, chip: 'rp2040',
+};
+const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
+
+let library;
+let menu;
+let templates;
+let fileName;
+let state = { ...DEFAULTS };
+let drawnModel = '';
+let asked = false;
+
+// What the library is asked: every part of the state.
+const choice = (of = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
+
+// The address has what differs from the defaults. A file is not in it: who gets the link does not have it.
+function writeAddress() {
+  const parts = Object.entries(state).filter(([key, value]) => value !== DEFAULTS[key] && !(key === 'mesh' && value === 'file'));
+  const text = parts.map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join('&');
+  history.replaceState(null, '', text ? `#${text}` : location.pathname + location.search);
+}
+
+function readAddress() {
+  const read = { ...DEFAULTS };
+  for (const [key, value] of new URLSearchParams(location.hash.slice(1))) {
+    if (!(key in DEFAULTS)) continue;
+    read[key] = NUMBERS.includes(key) ? Number(value) : value;
+  }
+  const named = menu.projections.find(({ name }) => name === read.projection);
+  if (named && !location.hash.includes('yaw=')) read.yaw = named.yaw;
+  if (named && !location.hash.includes('pitch=')) read.pitch = named.pitch;
+  return read;
+}
+
+// Draws before the next frame of the screen, once, however many changes there were.
+function change(changes) {
+  Object.assign(state, changes);
+  if (!asked) {
+    asked = true;
+    requestAnimationFrame(show);
+  }
+}
+
+function show() {
+  asked = false;
+  const canvas = $('display');
+  try {
+    const { pixels, about } = library.draw(choice());
+    if (canvas.width !== about.width || canvas.height !== about.height) {
+      [canvas.width, canvas.height] = [about.width, about.height];
+    }
+    canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels), about.width, about.height), 0, 0);
+    scale();
+    const { drawn, culled, clipped } = about.statistics;
+    const what = ['wireframe', 'hidden-line'].includes(state.style) ? 'edges' : 'faces';
+    say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
+    canvas.setAttribute('aria-label', `${state.mesh === 'file' ? fileName : state.mesh}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
+    showModel(about.model);
+    showCosts(library, choice());
+    $('zip').disabled = $('picture').disabled = !['flat', 'gouraud'].includes(state.style) || state.format !== 'rgb565';
+    $('zip').title = $('zip').disabled ? 'The templates draw faces in 16-bit colour' : '';
+  } catch (problem) {
+    say(problem.message, true);
+    drawnModel = '';
+    $('warnings').replaceChildren();
+    $('model').textContent = '';
+  }
+  if (!turning) writeAddress();
+}
+
+const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');
+
+function say(text, isBad = false) {
+  // Written only where it differs, so that a screen reader does not repeat it.
+  if ($('status').textContent !== text) $('status').textContent = text;
+  $('status').classList.toggle('bad', isBad);
+}
+
+// The importer's warnings, with a button for each remedy that the page has.
+function showModel(model) {
+  const text = JSON.stringify(model);
+  if (text === drawnModel) return;
+  drawnModel = text;
+  $('model').textContent =
+    `${count(model.vertices)} vertices, ${count(model.faces)} faces, ${count(model.edges)} edges; ${count(model.flash)} bytes of flash`;
+  $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) => {
+    const box = element('div', { className: 'warning' }, `Warning: ${message} `);
+    for (const { part, value } of remedies) {
+      const name = { 'two-sided': 'faces from behind', 'fix-winding': 'winding outwards', flip: 'reversed faces' }[part];
+      const button = element('button', { type: 'button', className: 'remedy' }, `${value ? 'Use' : 'Leave out'} ${name}`);
+      button.addEventListener('click', () => set({ [part]: value }));
+      box.append(button, ' ');
+    }
+    return box;
+  }));
+}
+
+function element(name, properties, ...content) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...content);
+  return made;
+}
+
+// Whole pixels of the screen for each pixel of the display, as many as fit.
+function scale() {
+  const canvas = $('display');
+  const room = $('frame').clientWidth - 24;
+  const fits = Math.min(room / canvas.width, Math.max(innerHeight * 0.6, 240) / canvas.height);
+  const times = fits >= 1 ? Math.floor(fits) : fits;
+  canvas.style.width = `${canvas.width * times}px`;
+  canvas.style.height = `${canvas.height * times}px`;
+}
+
+// Changes the state, and the controls with it.
+function set(changes) {
+  change(changes);
+  showControls();
+}
+
+function showControls() {
+  for (const key of ['mesh', 'style', 'projection', 'up', 'format', 'width', 'height', 'yaw', 'pitch', 'zoom', 'ambient', 'chip', 'rows']) {
+    $(key).value = state[key];
+  }
+  for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) $(key).checked = state[key] === 1;
+  for (const key of ['color', 'background']) $(key).value = `#${state[key]}`;
+  const panel = menu.displays.findIndex((d) => d.width === state.width && d.height === state.height && d.format === state.format);
+  if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
+  $('own').hidden = $('panel-type').value !== 'own';
+  $('dither').disabled = ['wireframe', 'hidden-line'].includes(state.style) || menu.dithered.includes(state.format);
+  const [x, y, z] = state.light.split(',').map(Number);
+  $('around').value = Math.round((Math.atan2(x, z) * 180) / Math.PI);
+  $('above').value = Math.round((Math.atan2(y, Math.hypot(x, z)) * 180) / Math.PI);
+}
+
+function options(select, items) {
+  select.replaceChildren(...items.map(([value, text]) => element('option', { value }, text)));
+}
+
+function buildControls() {
+  options($('mesh'), menu.meshes.map((name) => [name, name]));
+  options($('panel-type'), [...menu.displays.map(({ name }, i) => [i, name]), ['own', 'another size']]);
+  options($('format'), menu.formats.map((name) => [name, name]));
+  options($('style'), menu.styles.map((name) => [name, { 'hidden-line': 'hidden line', flat: 'flat faces', gouraud: 'Gouraud' }[name] ?? name]));
+  options($('projection'), menu.projections.map(({ name }) => [name, name]));
+  options($('chip'), menu.chips.map(({ key, name }) => [key, name]));
+  options($('board'), [...new Set([...templates.keys()].map((path) => path.split('/')[0]))].map((name) => [name, name]));
+  options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
+
+  for (const key of ['mesh', 'style', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
+  for (const key of ['yaw', 'pitch', 'zoom', 'ambient']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
+  for (const key of ['width', 'height', 'rows']) {
+    $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
+  }
+  for (const key of ['dither', 'flip', 'fix-winding', 'two-sided']) {
+    $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
+  }
+  for (const key of ['color', 'background']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value.slice(1) }));
+  for (const key of ['around', 'above']) {
+    $(key).addEventListener('input', () => {
+      const [around, above] = [$('around').value, $('above').value].map((degrees) => (degrees * Math.PI) / 180);
+      const direction = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
+      change({ light: direction.map((c) => Math.round(60 * c) + 0).join(',') });
+    });
+  }
+  $('projection').addEventListener('input', (e) => {
+    const { name, yaw, pitch } = menu.projections.find(({ name }) => name === e.target.value);
+    set({ projection: name, yaw, pitch });
+  });
+  $('panel-type').addEventListener('input', (e) => {
+    const display = menu.displays[e.target.value];
+    if (display) {
+      const isPaper = display.name.startsWith('e-paper');
+      const wasPaper = state.background === 'ffffff';
+      const { width, height, format } = display;
+      set({ width, height, format, ...(isPaper === wasPaper ? {} : { background: isPaper ? 'ffffff' : '000000' }) });
+    } else {
+      showControls();
+    }
+  });
+  $('file').addEventListener('change', (e) => e.target.files[0] && open(e.target.files[0]));
+  $('panel').addEventListener('submit', (e) => e.preventDefault());
+  $('reset').addEventListener('click', reset);
+  $('nearer').addEventListener('click', () => zoom(1.25));
+  $('farther').addEventListener('click', () => zoom(0.8));
+  $('turntable').addEventListener('click', turntable);
+  $('png').addEventListener('click', savePng);
+  $('link').addEventListener('click', copyLink);
+  $('zip').addEventListener('click', saved(saveZip));
+  $('picture').addEventListener('click', saved(savePicture));
+  $('rust').addEventListener('click', saved(saveRust));
+}
+
+// Files
+
+async function open(file) {
+  say(`Reading ${file.name} …`);
+  try {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    await new Promise((done) => setTimeout(done)); // so that the line above is seen
+    library.load(file.name, bytes);
+    fileName = file.name;
+    if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
+    $('mesh').querySelector('[value=file]').textContent = file.name;
+    set({ mesh: 'file', up: 'auto', flip: 0, 'fix-winding': 0, 'two-sided': 0 });
+  } catch (problem) {
+    say(`${file.name}: ${problem.message}`, true);
+  }
+}
+
+function listenForDrops() {
+  const isFile = (e) => e.dataTransfer?.types.includes('Files');
+  addEventListener('dragover', (e) => {
+    if (!isFile(e)) return;
+    e.preventDefault();
+    $('frame').classList.add('drop');
+  });
+  addEventListener('dragleave', () => $('frame').classList.remove('drop'));
+  addEventListener('drop', (e) => {
+    $('frame').classList.remove('drop');
+    if (!isFile(e)) return;
+    e.preventDefault();
+    if (e.dataTransfer.files[0]) open(e.dataTransfer.files[0]);
+  });
+}
+
+// The view
+
+const within = (value, least, most) => Math.min(Math.max(value, least), most);
+const hundredths = (value) => Math.round(value * 100) / 100;
+
+function orbit(right, up) {
+  const yaw = ((((state.yaw + right + 180) % 360) + 360) % 360) - 180;
+  set({ yaw: hundredths(yaw), pitch: hundredths(within(state.pitch + up, -90, 90)) });
+}
+
+// In pixels of the screen.
+function move(right, down) {
+  const canvas = $('display');
+  const half = Math.min(canvas.clientWidth, canvas.clientHeight) / 2;
+  const by = (pixels) => (1000 * pixels) / half;
+  set({ x: within(Math.round(state.x + by(right)), -4000, 4000), y: within(Math.round(state.y - by(down)), -4000, 4000) });
+}
+
+function zoom(times) {
+  set({ zoom: within(Math.round(state.zoom * times), 20, 2000) });
+}
+
+function reset() {
+  const { yaw, pitch } = menu.projections.find(({ name }) => name === state.projection);
+  set({ yaw, pitch, zoom: 100, x: 0, y: 0, turn: 0 });
+}
+
+let turning = false;
+
+function turntable() {
+  turning = !turning;
+  $('turntable').setAttribute('aria-pressed', turning);
+  let last;
+  // By the time that has passed, so that a slow tab turns as fast, in larger steps: a turn in 4 seconds.
+  let at = state.turn;
+  const step = (time) => {
+    if (!turning) return;
+    at += last === undefined ? 0 : within(time - last, 0, 1000) * (TURNS / 4000);
+    last = time;
+    const turn = Math.floor(at) % TURNS;
+    if (turn !== state.turn) change({ turn });
+    requestAnimationFrame(step);
+  };
+  if (turning) requestAnimationFrame(step);
+  else writeAddress();
+}
+
+function listenToPointers() {
+  const canvas = $('display');
+  const pointers = new Map();
+  canvas.addEventListener('pointerdown', (e) => {
+    canvas.setPointerCapture(e.pointerId);
+    pointers.set(e.pointerId, [e.clientX, e.clientY]);
+  });
+  canvas.addEventListener('pointermove', (e) => {
+    const before = pointers.get(e.pointerId);
+    if (!before) return;
+    const now = [e.clientX, e.clientY];
+    const [right, down] = [now[0] - before[0], now[1] - before[1]];
+    if (pointers.size === 2) {
+      const other = [...pointers].find(([id]) => id !== e.pointerId)[1];
+      const apart = ([x, y]) => Math.max(Math.hypot(x - other[0], y - other[1]), 1);
+      zoom(apart(now) / apart(before));
+      move(right / 2, down / 2);
+    } else if (e.shiftKey || e.buttons === 2) {
+      move(right, down);
+    } else {
+      orbit(-right / 2, down / 2);
+    }
+    pointers.set(e.pointerId, now);
+  });
+  for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, (e) => pointers.delete(e.pointerId));
+  canvas.addEventListener('contextmenu', (e) => e.preventDefault());
+  canvas.addEventListener('wheel', (e) => {
+    e.preventDefault();
+    zoom(Math.exp(-e.deltaY / 500));
+  }, { passive: false });
+}
+
+function listenToKeys() {
+  const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  $('display').addEventListener('keydown', (e) => {
+    if (e.ctrlKey || e.altKey || e.metaKey) return;
+    const arrow = ARROWS[e.key];
+    if (arrow && e.shiftKey) move(10 * arrow[0], -10 * arrow[1]);
+    else if (arrow) orbit(5 * arrow[0], 5 * arrow[1]);
+    else if (e.key === '+' || e.key === '=') zoom(1.1);
+    else if (e.key === '-') zoom(1 / 1.1);
+    else if (e.key === ' ') turntable();
+    else if (e.key === '0') reset();
+    else return;
+    e.preventDefault();
+  });
+}
+
+// Taking away
+
+function save(name, blob) {
+  const link = element('a', { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+const modelName = () => (state.mesh === 'file' ? fileName.replace(/\.[^.]*$/, '') : state.mesh);
+
+function savePng() {
+  $('display').toBlob((blob) => save(`${modelName()}.png`, blob));
+}
+
+// A message where it fails.
+function saved(action) {
+  return () => {
+    try {
+      action();
+    } catch (problem) {
+      say(problem.message, true);
+    }
+  };
+}
+
+// The firmware turns the model itself.
+const still = () => choice({ ...state, turn: 0 });
+
+function saveZip() {
+  const board = $('board').value;
+  save(`${board}.zip`, new Blob([zip(firmware(library, templates, board, still()))], { type: 'application/zip' }));
+}
+
+function savePicture() {
+  const files = firmware(library, templates, $('board').value, still());
+  save('picture.rs', new Blob([files.get('firmware/src/picture.rs')]));
+}
+
+function saveRust() {
+  save(`${modelName()}.rs`, new Blob([library.ask('rust', choice())]));
+}
+
+async function copyLink() {
+  writeAddress();
+  const isFile = state.mesh === 'file' ? ' The file is not in it.' : '';
+  try {
+    await navigator.clipboard.writeText(location.href);
+    say(`The link is in the clipboard.${isFile}`);
+  } catch {
+    say(`The link is in the address bar.${isFile}`);
+  }
+}
+
+async function start() {
+  try {
+    library = await Pinhole.from(await unpacked(PINHOLE));
+    templates = untar(await unpacked(BOARDS));
+  } catch (problem) {
+    say(`This browser cannot run the page: ${problem.message}. It needs WebAssembly and DecompressionStream, of 2023 or later.`, true);
+    return;
+  }
+  menu = library.menu();
+  buildControls();
+  listenForDrops();
+  listenToPointers();
+  listenToKeys();
+  set(readAddress());
+  addEventListener('resize', scale);
+  addEventListener('hashchange', () => set(readAddress()));
+}
+
+start();

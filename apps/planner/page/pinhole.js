@@ -1,0 +1,71 @@
+// The library: calls of its exports, with texts and bytes passed through its memory. For the page and for node.
+'use strict';
+
+class Pinhole {
+  // From the bytes of the library.
+  static async from(bytes) {
+    const { instance } = await WebAssembly.instantiate(bytes, {});
+    return new Pinhole(instance.exports);
+  }
+
+  constructor(exports) {
+    this.exports = exports;
+  }
+
+  // A name, and the bytes of its file.
+  load(name, bytes) {
+    const start = new TextEncoder().encode(name);
+    const input = this.input(start.length + bytes.length);
+    input.set(start);
+    input.set(bytes, start.length);
+    this.answer(this.exports.load(start.length));
+  }
+
+  menu() {
+    return JSON.parse(this.answer(this.exports.menu()));
+  }
+
+  // The pixels of a choice and what the frame was; throws an Error with a message for the user.
+  draw(choice) {
+    this.write(choice);
+    const about = JSON.parse(this.answer(this.exports.draw()));
+    const pixels = new Uint8ClampedArray(this.exports.memory.buffer, this.exports.pixels(), this.exports.pixels_len());
+    return { pixels, about };
+  }
+
+  // The name that the model's file has in a firmware, and its bytes.
+  model(choice) {
+    this.write(choice);
+    const isGood = this.exports.model();
+    const bytes = new Uint8Array(this.exports.memory.buffer, this.exports.output(), this.exports.output_len()).slice();
+    if (!isGood) throw new Error(new TextDecoder().decode(bytes));
+    const end = bytes.indexOf(0);
+    return [new TextDecoder().decode(bytes.subarray(0, end)), bytes.subarray(end + 1)];
+  }
+
+  // A function from a text to a text.
+  ask(name, text) {
+    this.write(text);
+    return this.answer(this.exports[name]());
+  }
+
+  write(text) {
+    const bytes = new TextEncoder().encode(text);
+    this.input(bytes.length).set(bytes);
+  }
+
+  // The memory may have moved: a view is of one call only.
+  input(length) {
+    const start = this.exports.input(length);
+    return new Uint8Array(this.exports.memory.buffer, start, length);
+  }
+
+  answer(isGood) {
+    const bytes = new Uint8Array(this.exports.memory.buffer, this.exports.output(), this.exports.output_len());
+    const text = new TextDecoder().decode(bytes);
+    if (!isGood) throw new Error(text);
+    return text;
+  }
+}
+
+globalThis.Pinhole = Pinhole;

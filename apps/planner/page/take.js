@@ -1,0 +1,72 @@
+// Taking away: archives, read and written. For the page and for node.
+'use strict';
+
+// The files of a tar archive: a Map from paths to bytes.
+function untar(bytes) {
+  const files = new Map();
+  const text = (from, to) => new TextDecoder().decode(bytes.subarray(from, to)).replace(/\0.*$/s, '');
+  for (let at = 0; at + 512 <= bytes.length && bytes[at] !== 0; ) {
+    const size = parseInt(text(at + 124, at + 136), 8);
+    if (text(at + 156, at + 157) === '0') files.set(text(at, at + 100), bytes.slice(at + 512, at + 512 + size));
+    at += 512 + Math.ceil(size / 512) * 512;
+  }
+  return files;
+}
+
+// A ZIP archive of files, stored: a Map from paths to bytes (PKWARE, APPNOTE.TXT, sections 4.3.7, 4.3.12 and 4.3.16).
+function zip(files) {
+  const parts = [];
+  const directory = [];
+  let at = 0;
+  for (const [path, bytes] of files) {
+    const name = new TextEncoder().encode(path);
+    // Version 1.0, UTF-8 names, stored, 1 January 2026, 0:00.
+    const common = [[20, 2], [0x0800, 2], [0, 2], [0, 2], [0x5c21, 2], [crc32(bytes), 4], [bytes.length, 4], [bytes.length, 4], [name.length, 2], [0, 2]];
+    parts.push(numbers([[0x04034b50, 4], ...common]), name, bytes);
+    directory.push(numbers([[0x02014b50, 4], [20, 2], ...common, [0, 2], [0, 2], [0, 2], [0, 4], [at, 4]]), name);
+    at += 30 + name.length + bytes.length;
+  }
+  const size = directory.reduce((sum, { length }) => sum + length, 0);
+  const end = numbers([[0x06054b50, 4], [0, 2], [0, 2], [files.size, 2], [files.size, 2], [size, 4], [at, 4], [0, 2]]);
+  const all = [...parts, ...directory, end];
+  const out = new Uint8Array(all.reduce((sum, { length }) => sum + length, 0));
+  all.reduce((place, part) => (out.set(part, place), place + part.length), 0);
+  return out;
+}
+
+// Numbers of so many bytes, the least significant first.
+function numbers(list) {
+  return Uint8Array.from(list.flatMap(([value, bytes]) => Array.from({ length: bytes }, (_, i) => (value >>> (8 * i)) & 255)));
+}
+
+function crc32(bytes) {
+  let sum = -1;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let i = 0; i < 8; i++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
+  }
+  return ~sum >>> 0;
+}
+
+// Bytes of gzip in base64.
+async function unpacked(text) {
+  const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// The folder `firmware` of a board, of the templates in an archive, as it draws a choice: a Map from paths to bytes.
+function firmware(library, templates, board, choice) {
+  const files = new Map();
+  for (const [path, bytes] of templates) {
+    if (!path.startsWith(`${board}/`)) continue;
+    const inside = path.slice(board.length + 1);
+    const text = library.ask('firmware', [choice, inside, new TextDecoder().decode(bytes)].join('\0'));
+    files.set(`firmware/${inside}`, new TextEncoder().encode(text));
+  }
+  const [name, bytes] = library.model(choice);
+  files.set(`firmware/${name}`, bytes);
+  return files;
+}
+
+Object.assign(globalThis, { untar, zip, unpacked, firmware });

@@ -1,0 +1,55 @@
+//! Draws every ready mesh in every style on every display, and prints a checksum of each picture: `CHOICE CHECKSUM`. With lines
+//! of choices as input, draws these.
+
+use pinhole_planner::{Choice, Planner, Style, DISPLAYS, READY};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match print() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("{problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn print() -> Result<(), String> {
+    let mut planner = Planner::default();
+    for choice in choices() {
+        let (pixels, _) = Choice::parse(&choice)
+            .and_then(|choice| planner.draw(&choice))
+            .map_err(|problem| format!("{choice}: {problem}"))?;
+        println!("{choice} {:08x}", checksum(&pixels));
+    }
+    Ok(())
+}
+
+/// Every mesh, display and style, dithered and not; then every projection, moved and magnified.
+fn choices() -> Vec<String> {
+    let mut choices = Vec::new();
+    for (mesh, _) in &READY {
+        for display in &DISPLAYS {
+            let (width, height, format) = (display.width, display.height, display.format.name());
+            for (style, of) in Style::ALL {
+                let dithers: &[u8] = if of.is_of_lines() { &[0] } else { &[0, 1] };
+                for dither in dithers {
+                    choices.push(format!(
+                        "mesh={mesh}&width={width}&height={height}&format={format}&style={style}&dither={dither}&turn=7"
+                    ));
+                }
+            }
+        }
+    }
+    for projection in Planner::projections() {
+        choices.push(format!("projection={projection}"));
+        choices
+            .push(format!("projection={projection}&zoom=170&x=-120&y=250&style=gouraud&background=204080"));
+    }
+    choices
+}
+
+/// FNV-1a of 32 bits (Fowler, Noll and Vo).
+fn checksum(bytes: &[u8]) -> u32 {
+    bytes.iter().fold(0x811c_9dc5, |sum, &byte| (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}

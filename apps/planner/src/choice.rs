@@ -1,0 +1,253 @@
+//! What the user chose, and its text.
+
+use crate::cost;
+use crate::display::{Format, DISPLAYS};
+use crate::lens;
+use crate::projections::Named;
+use crate::ready;
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+use pinhole::Angle;
+use pinhole_import::{Axis, Edges, Options};
+
+/// How the model is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// All edges.
+    Wireframe,
+    /// The edges at which the surface turns, without those that faces hide.
+    HiddenLine,
+    /// One colour a face.
+    Flat,
+    /// Light interpolated over each face.
+    Gouraud,
+}
+
+impl Style {
+    /// The styles by their names.
+    pub const ALL: [(&'static str, Self); 4] = [
+        ("wireframe", Self::Wireframe),
+        ("hidden-line", Self::HiddenLine),
+        ("flat", Self::Flat),
+        ("gouraud", Self::Gouraud),
+    ];
+
+    /// Whether edges are drawn instead of faces.
+    pub const fn is_of_lines(self) -> bool {
+        matches!(self, Self::Wireframe | Self::HiddenLine)
+    }
+}
+
+/// Everything that the user chose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// A ready mesh by its name, or `file` for the file that was loaded.
+    pub mesh: String,
+    /// The display's pixels.
+    pub size: Size,
+    /// Their format.
+    pub format: Format,
+    /// How the model is drawn.
+    pub style: Style,
+    /// Whether colours between those of the display are dithered.
+    pub dither: bool,
+    /// The projection.
+    pub(crate) projection: Named,
+    /// Angles of the eye in hundredths of a degree.
+    pub(crate) yaw: i32,
+    pub(crate) pitch: i32,
+    /// Percent.
+    pub(crate) zoom: i32,
+    /// How far the picture is moved, in thousandths of the narrower half side, to the right and up.
+    pub(crate) pan: [i32; 2],
+    /// Of `TURNS` steps of a turn about the upright axis.
+    pub(crate) turn: i32,
+    pub(crate) color: Rgb888,
+    pub(crate) background: Rgb888,
+    /// The direction to the lamp.
+    pub(crate) light: [i16; 3],
+    /// Light on faces that are turned away from the lamp; 256 is full.
+    pub(crate) ambient: u16,
+    pub(crate) up: Option<Axis>,
+    pub(crate) flip: bool,
+    pub(crate) fix_winding: bool,
+    pub(crate) two_sided: bool,
+    /// Rows of a band.
+    pub(crate) rows: u32,
+    /// The microcontroller whose costs are shown.
+    pub(crate) chip: &'static str,
+}
+
+/// Steps of a turn.
+pub(crate) const TURNS: u32 = 120;
+/// The longest side of a display, in pixels.
+const LONGEST: u32 = 1024;
+
+impl Default for Choice {
+    fn default() -> Self {
+        let [.., projection] = Named::ALL;
+        let projection = lens::PROJECTIONS.first().copied().unwrap_or(projection);
+        let (size, format) = DISPLAYS[0].parts();
+        Self {
+            mesh: ready::READY[0].0.into(),
+            size,
+            format,
+            style: Style::Flat,
+            dither: false,
+            projection,
+            yaw: hundredths(projection.yaw),
+            pitch: hundredths(projection.pitch),
+            zoom: 100,
+            pan: [0; 2],
+            turn: 0,
+            color: Rgb888::new(255, 215, 0), // gold, as in the templates
+            background: Rgb888::BLACK,
+            light: [2, 3, 4],
+            ambient: 48,
+            up: None,
+            flip: false,
+            fix_winding: false,
+            two_sided: false,
+            rows: 8,
+            chip: cost::CHIPS[0].key,
+        }
+    }
+}
+
+impl Choice {
+    /// The choice that a text such as `mesh=torus&style=gouraud&width=240` makes: what it does not name is as by default.
+    ///
+    /// # Errors
+    ///
+    /// A message that names the part that is not understood, and what may stand there.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let mut choice = Self::default();
+        let pairs = || text.split('&').filter(|pair| !pair.is_empty()).map(|pair| pair.split_once('='));
+        // First, because it has directions of its own.
+        for (_, value) in pairs().flatten().filter(|(key, _)| *key == "projection") {
+            let projection = lens::named(value)?;
+            choice.projection = projection;
+            (choice.yaw, choice.pitch) = (hundredths(projection.yaw), hundredths(projection.pitch));
+        }
+        for pair in pairs() {
+            let (key, value) = pair.ok_or("a part without `=`: write name=value")?;
+            choice.set(key, value).map_err(|problem| format!("{key}={value}: {problem}"))?;
+        }
+        Ok(choice)
+    }
+
+    fn set(&mut self, key: &str, value: &str) -> Result<(), String> {
+        match key {
+            "projection" => {}
+            "mesh" => self.mesh = ready::named(value)?.into(),
+            "width" => self.size.width = within(value, 1, LONGEST)?,
+            "height" => self.size.height = within(value, 1, LONGEST)?,
+            "format" => self.format = of(&Format::ALL, value)?,
+            "style" => self.style = of(&Style::ALL, value)?,
+            "dither" => self.dither = switch(value)?,
+            "yaw" => self.yaw = hundredths(degrees(value, 360.0)?),
+            "pitch" => self.pitch = hundredths(degrees(value, 90.0)?),
+            "zoom" => self.zoom = within(value, 20, 2000)?,
+            "x" => self.pan[0] = within(value, -4000, 4000)?,
+            "y" => self.pan[1] = within(value, -4000, 4000)?,
+            "turn" => self.turn = within(value, 0, TURNS as i32 - 1)?,
+            "color" => self.color = color(value)?,
+            "background" => self.background = color(value)?,
+            "light" => self.light = light(value)?,
+            "ambient" => self.ambient = within(value, 0, 256)?,
+            "up" => self.up = if value == "auto" { None } else { Some(of(&Axis::ALL, value)?) },
+            "flip" => self.flip = switch(value)?,
+            "fix-winding" => self.fix_winding = switch(value)?,
+            "two-sided" => self.two_sided = switch(value)?,
+            "rows" => self.rows = within(value, 1, LONGEST)?,
+            "chip" => self.chip = cost::named(value)?,
+            _ => return Err("no such part".into()),
+        }
+        Ok(())
+    }
+
+    /// What is asked of the importer: what the templates' build scripts ask, and what the style needs.
+    pub(crate) fn options(&self) -> Options {
+        Options {
+            fit: Some(2.0),
+            up: self.up.or(ready::up(&self.mesh)),
+            flip: self.flip,
+            fix_winding: self.fix_winding,
+            two_sided: self.two_sided,
+            edges: match self.style {
+                Style::Wireframe => Edges::All,
+                // Without the diagonals of flat faces, which are edges of the triangles, not of the model.
+                Style::HiddenLine => Edges::Feature { degrees: 1.0 },
+                Style::Flat | Style::Gouraud => Edges::None,
+            },
+            edge_faces: self.style == Style::HiddenLine,
+            vertex_normals: self.style == Style::Gouraud,
+            ..Options::default()
+        }
+    }
+
+    /// Whether faces are dithered.
+    pub(crate) const fn dithers(&self) -> bool {
+        self.dither || self.format.always_dithers()
+    }
+
+    /// The angle of the turn.
+    pub(crate) fn turn(&self) -> Angle {
+        Angle::turns(self.turn, TURNS)
+    }
+}
+
+/// Degrees in hundredths: at most 36 000.
+fn hundredths(degrees: f64) -> i32 {
+    (degrees * 100.0).round() as i32
+}
+
+fn degrees(value: &str, largest: f64) -> Result<f64, String> {
+    let problem = || format!("not a number of degrees from -{largest} to {largest}");
+    let degrees: f64 = value.parse().map_err(|_| problem())?;
+    if degrees.abs() <= largest {
+        Ok(degrees)
+    } else {
+        Err(problem())
+    }
+}
+
+fn within<T: PartialOrd + Copy + std::str::FromStr + std::fmt::Display>(
+    value: &str,
+    least: T,
+    most: T,
+) -> Result<T, String> {
+    let number = value.parse().ok().filter(|number| (least..=most).contains(number));
+    number.ok_or_else(|| format!("not a whole number from {least} to {most}"))
+}
+
+fn switch(value: &str) -> Result<bool, String> {
+    match value {
+        "0" => Ok(false),
+        "1" => Ok(true),
+        _ => Err("not 0 or 1".into()),
+    }
+}
+
+fn of<T: Copy>(all: &[(&str, T)], value: &str) -> Result<T, String> {
+    let found = all.iter().find(|(name, _)| *name == value);
+    found.map(|(_, one)| *one).ok_or_else(|| {
+        let names: Vec<_> = all.iter().map(|(name, _)| *name).collect();
+        format!("none of {}", names.join(", "))
+    })
+}
+
+fn color(value: &str) -> Result<Rgb888, String> {
+    let is_hexadecimal = value.len() == 6 && value.chars().all(|c| c.is_ascii_hexdigit());
+    let number = u32::from_str_radix(value, 16).ok().filter(|_| is_hexadecimal);
+    let [_, r, g, b] = number.ok_or("not a colour: six hexadecimal digits")?.to_be_bytes();
+    Ok(Rgb888::new(r, g, b))
+}
+
+fn light(value: &str) -> Result<[i16; 3], String> {
+    let parts: Vec<i16> = value.split(',').filter_map(|part| within(part, -99, 99).ok()).collect();
+    match parts[..] {
+        [x, y, z] if [x, y, z] != [0; 3] => Ok([x, y, z]),
+        _ => Err("not a direction: three whole numbers from -99 to 99, not all 0, such as 2,3,4".into()),
+    }
+}

@@ -1,0 +1,143 @@
+//! The displays, and the colours of their pixels.
+
+use embedded_graphics_core::geometry::Size;
+use embedded_graphics_core::pixelcolor::raw::RawU2;
+use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888, RgbColor};
+use pinhole::{Channels, PixelFormat};
+
+/// The format of a display's pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// 16-bit colour.
+    Rgb565,
+    /// Black and white.
+    Mono,
+    /// 16 levels of grey.
+    Gray4,
+    /// Black, white and red, as e-paper has them.
+    Tricolor,
+}
+
+impl Format {
+    /// The formats by their names.
+    pub const ALL: [(&'static str, Self); 4] = [
+        ("rgb565", Self::Rgb565),
+        ("mono", Self::Mono),
+        ("gray4", Self::Gray4),
+        ("tricolor", Self::Tricolor),
+    ];
+
+    /// Whether faces are dithered in any case: without it, so few colours show no shape.
+    pub const fn always_dithers(self) -> bool {
+        matches!(self, Self::Mono | Self::Tricolor)
+    }
+
+    /// The format's name.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, format)| *format == self).map_or("", |(name, _)| name)
+    }
+}
+
+/// A display that the page offers.
+pub struct Display {
+    /// What it is.
+    pub name: &'static str,
+    /// Its pixels.
+    pub width: u32,
+    /// Its pixels.
+    pub height: u32,
+    /// Their format.
+    pub format: Format,
+}
+
+impl Display {
+    pub(crate) const fn parts(&self) -> (Size, Format) {
+        (Size::new(self.width, self.height), self.format)
+    }
+}
+
+const fn display(name: &'static str, width: u32, height: u32, format: Format) -> Display {
+    Display { name, width, height, format }
+}
+
+/// The displays that the page offers, the usual one first.
+pub const DISPLAYS: [Display; 8] = [
+    display("ST7789, 240 × 240, 16-bit colour", 240, 240, Format::Rgb565),
+    display("ILI9341, 320 × 240, 16-bit colour", 320, 240, Format::Rgb565),
+    display("ST7735, 128 × 128, 16-bit colour", 128, 128, Format::Rgb565),
+    display("SSD1306, 128 × 64, black and white", 128, 64, Format::Mono),
+    display("SSD1327, 128 × 128, 16 greys", 128, 128, Format::Gray4),
+    display("e-paper, 200 × 200, black and white", 200, 200, Format::Mono),
+    display("e-paper, 400 × 300, 16 greys", 400, 300, Format::Gray4),
+    display("e-paper, 212 × 104, black, white and red", 212, 104, Format::Tricolor),
+];
+
+/// A pixel that can be drawn and shown.
+pub(crate) trait Shown: PixelFormat + Channels + From<Rgb888> + Into<Rgb888> {}
+impl Shown for Rgb565 {}
+impl Shown for BinaryColor {}
+impl Shown for Gray4 {}
+impl Shown for Tricolor {}
+
+/// A pixel of e-paper with black, white and red particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Tricolor {
+    Black,
+    White,
+    Red,
+}
+
+impl PixelColor for Tricolor {
+    type Raw = RawU2;
+}
+
+/// Two bits, as controllers keep them in two planes: white, and red.
+impl PixelFormat for Tricolor {
+    const BITS: u32 = 2;
+
+    fn encode(self) -> u32 {
+        match self {
+            Self::Black => 0b00,
+            Self::White => 0b01,
+            Self::Red => 0b10,
+        }
+    }
+
+    fn decode(bits: u32) -> Self {
+        match bits & 3 {
+            0b00 => Self::Black,
+            0b01 => Self::White,
+            _ => Self::Red,
+        }
+    }
+}
+
+/// Each channel is there or not; red is a colour with red and without green, and every other one is black or white by its green.
+impl Channels for Tricolor {
+    const GRAY: bool = false;
+    const MAX: [u8; 3] = [1; 3];
+
+    fn from_channels([r, g, _]: [u8; 3]) -> Self {
+        match (r != 0, g != 0) {
+            (true, false) => Self::Red,
+            (false, false) => Self::Black,
+            (_, true) => Self::White,
+        }
+    }
+}
+
+impl From<Rgb888> for Tricolor {
+    fn from(color: Rgb888) -> Self {
+        Self::from_channels([color.r(), color.g(), color.b()].map(|level| u8::from(level > 127)))
+    }
+}
+
+impl From<Tricolor> for Rgb888 {
+    fn from(color: Tricolor) -> Self {
+        match color {
+            Tricolor::Black => Self::BLACK,
+            Tricolor::White => Self::WHITE,
+            Tricolor::Red => Self::new(200, 30, 30),
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! The firmware of a choice: the files of a template in `boards`, changed to draw the page's picture.
+
+use crate::choice::{Choice, Style};
+use crate::display::Format;
+use crate::lens::Lens;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use pinhole::{Sphere, Window};
+use pinhole_import::Axis;
+
+/// A file of a template, by its path in the folder, as it is in the firmware of a choice. `model` is the name of the model's file,
+/// `sphere` the mesh's bounding sphere.
+///
+/// # Errors
+///
+/// What no template draws, or what the template does not have.
+pub(crate) fn file(
+    path: &str,
+    text: &str,
+    choice: &Choice,
+    model: &str,
+    sphere: &Sphere,
+) -> Result<String, String> {
+    if choice.style.is_of_lines() || choice.format != Format::Rgb565 {
+        return Err(
+            "the templates draw faces in 16-bit colour: choose such a style and such a display".into()
+        );
+    }
+    match path {
+        "src/picture.rs" => picture(text, choice, sphere),
+        "build.rs" => script(text, choice, model),
+        "Cargo.toml" => Ok(manifest(text)),
+        _ => Ok(text.into()),
+    }
+    .map_err(|problem| format!("{path}: {problem}"))
+}
+
+/// The name that a model's file has in the folder.
+pub(crate) fn model_file(name: &str) -> &'static str {
+    match name.rsplit_once('.') {
+        Some((_, extension)) if extension.eq_ignore_ascii_case("obj") => "model.obj",
+        _ => "model.stl",
+    }
+}
+
+/// Replaces what a template has once.
+fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
+    if text.matches(from).count() != 1 {
+        return Err(format!("the template does not have `{from}` once"));
+    }
+    Ok(text.replace(from, to))
+}
+
+/// The drawing code, with the colours, the light, the camera and the shader of the choice.
+fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
+    let usual = Choice::default();
+    let mut text = text.to_owned();
+    let mut replace = |from: &str, to: &str| replaced(&text, from, to).map(|new| text = new);
+    if choice.background != usual.background {
+        replace(
+            "BACKGROUND: Rgb565 = Rgb565::BLACK",
+            &format!("BACKGROUND: Rgb565 = {}", color(choice.background.into())),
+        )?;
+    }
+    if choice.color != usual.color {
+        replace(
+            "COLOR: Rgb565 = Rgb565::CSS_GOLD",
+            &format!("COLOR: Rgb565 = {}", color(choice.color.into())),
+        )?;
+    }
+    replace("AMBIENT: u16 = 48", &format!("AMBIENT: u16 = {}", choice.ambient))?;
+    let [x, y, z] = choice.light;
+    replace("Vector3::from_ints(2, 3, 4)", &format!("Vector3::from_ints({x}, {y}, {z})"))?;
+
+    let lens = Lens::new(choice, sphere);
+    let [yaw, pitch] = [choice.yaw, choice.pitch].map(angle);
+    match lens {
+        Lens::Framing { field_of_view } => replace(
+            "(Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))",
+            &format!("(Angle::degrees({field_of_view}), {yaw}, {pitch})"),
+        )?,
+        _ => {
+            replace(
+                "let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));",
+                &format!("let (yaw, pitch) = ({yaw}, {pitch});"),
+            )?;
+            replace(
+                "Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)",
+                &camera(&lens),
+            )?;
+        }
+    }
+
+    let shader = match (choice.style, choice.dither) {
+        (Style::Gouraud, dither) => {
+            replace(
+                "mesh.normals().get(face).map_or(256, |&normal| light.level(normal))",
+                "mesh.corners_of(face, mesh.vertex_normals()).map(|normal| light.level(normal))",
+            )?;
+            Some(("Gouraud", dither))
+        }
+        (_, true) => Some(("Flat", true)),
+        (_, false) => None,
+    };
+    if let Some((shader, dither)) = shader {
+        let dithered = if dither { ".dithered()" } else { "" };
+        let lit = format!("pinhole::{shader}::lit(color(face).into(), level(face)){dithered}");
+        replace("color(face).dim(level(face))", &lit)?;
+        replace(" Dim,", "")?;
+    }
+    Ok(without_unused(text))
+}
+
+/// Traits of colours are imported for the constants that need them.
+fn without_unused(mut text: String) -> String {
+    for (name, users) in [("WebColors", &["CSS_"][..]), ("RgbColor", &["::BLACK", "::WHITE"])] {
+        if !users.iter().any(|user| text.contains(user)) {
+            text = text.replace(&format!(", {name}"), "");
+        }
+    }
+    text.replace("pixelcolor::{Rgb565};", "pixelcolor::Rgb565;")
+}
+
+fn color(color: Rgb565) -> String {
+    format!("Rgb565::new({}, {}, {})", color.r(), color.g(), color.b())
+}
+
+/// An angle in hundredths of a degree.
+fn angle(hundredths: i32) -> String {
+    match hundredths % 100 {
+        0 => format!("Angle::degrees({})", hundredths / 100),
+        _ => format!("Angle::turns({hundredths}, 36_000)"),
+    }
+}
+
+/// A `Result` of a camera; numbers are bits, so that they are those of the page.
+fn camera(lens: &Lens) -> String {
+    let bits = |scalar: pinhole::Scalar| format!("pinhole::Scalar::from_bits({})", scalar.to_bits());
+    let rectangle = |Window { left, right, bottom, top }: Window| {
+        let [left, right, bottom, top] = [left, right, bottom, top].map(bits);
+        format!("pinhole::Window {{ left: {left}, right: {right}, bottom: {bottom}, top: {top} }}")
+    };
+    let (distance, projection) = match *lens {
+        Lens::Framing { .. } => return String::new(), // the template has it
+        Lens::Frustum { distance, window, near, far } => {
+            (bits(distance), format!("frustum({}, {}, {})", rectangle(window), bits(near), bits(far)))
+        }
+        Lens::Orthographic { window, depth } => (
+            "pinhole::Scalar::ZERO".into(),
+            format!("orthographic({}, {}, {})", rectangle(window), bits(-depth), bits(depth)),
+        ),
+        Lens::Oblique { window, depth, angle: slant, factor } => (
+            "pinhole::Scalar::ZERO".into(),
+            format!(
+                "oblique({}, {}, {}, {}, {})",
+                rectangle(window),
+                bits(-depth),
+                bits(depth),
+                angle(slant),
+                bits(factor)
+            ),
+        ),
+    };
+    format!(
+        "pinhole::Projection::{projection}.map(|projection| {{
+            let centre = mesh.bounding_sphere().centre;
+            let centre = pinhole::Point3::new(centre.x(), centre.y(), centre.z());
+            let view = pinhole::ViewTransform::orbit(centre, {distance}, yaw, pitch);
+            Camera::new(&view, &projection, &viewport)
+        }})"
+    )
+}
+
+/// The build script, with the options of the choice.
+fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
+    let options = choice.options();
+    let mut fields = String::new();
+    let axis = options.up.and_then(|up| Some((up, Axis::ALL.iter().find(|(_, axis)| *axis == up)?.0)));
+    if let Some((up, _)) = axis {
+        fields += &format!(", up: Some(pinhole_import::Axis::{up:?})");
+    }
+    let switches = [
+        (options.flip, "flip"),
+        (options.fix_winding, "fix_winding"),
+        (options.two_sided, "two_sided"),
+        (options.vertex_normals, "vertex_normals"),
+    ];
+    for (_, name) in switches.iter().filter(|(is_on, _)| *is_on) {
+        fields += &format!(", {name}: true");
+    }
+    let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = {model:?}"))?;
+    replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, .."))
+}
+
+/// The manifest, as `boards/new` makes it, in a folder beside the repository's.
+fn manifest(text: &str) -> String {
+    let lines = text.lines().filter(|line| !line.contains("{%"));
+    lines.map(|line| line.replace("\"../..", "\"../pinhole") + "\n").collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{manifest, picture, script};
+    use crate::choice::Choice;
+    use pinhole::{Point3, Scalar, Sphere};
+
+    const PICTURE: &str = include_str!("../../../boards/rp2040-embassy/src/picture.rs");
+    const SCRIPT: &str = include_str!("../../../boards/any-cortex-m/build.rs");
+
+    fn choice(text: &str) -> Choice {
+        Choice::parse(text).expect("a choice")
+    }
+
+    #[test]
+    fn the_default_is_the_template() {
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        assert_eq!(picture(PICTURE, &Choice::default(), &sphere).as_deref(), Ok(PICTURE));
+        assert_eq!(script(SCRIPT, &Choice::default(), "model.stl").as_deref(), Ok(SCRIPT));
+    }
+
+    #[test]
+    fn options_and_file_of_the_choice_are_in_the_script() {
+        let made =
+            script(SCRIPT, &choice("mesh=torus&style=gouraud&two-sided=1"), "model.obj").expect("a script");
+        let expected = "edges: Edges::None, up: Some(pinhole_import::Axis::Y), two_sided: true, vertex_normals: true, ..";
+        assert!(made.contains(expected) && made.contains("FILE: &str = \"model.obj\";"), "{made}");
+    }
+
+    #[test]
+    fn the_manifest_names_the_repository_beside_it() {
+        let made = manifest(include_str!("../../../boards/any-cortex-m/Cargo.toml"));
+        assert!(made.contains("pinhole = { path = \"../pinhole\" }"), "{made}");
+        assert!(!made.contains("{%") && !made.contains("../.."), "{made}");
+    }
+}

@@ -1,0 +1,26 @@
+//! The planner's library: draws a model as firmware will, on the display of a microcontroller. The page in `page` has it as
+//! WebAssembly; tests have it on the host, where it draws the same pixels.
+//!
+//! A [`Choice`] is everything that the user chose, and its text is what the page has in its address.
+
+mod choice;
+mod cost;
+mod display;
+mod draw;
+#[allow(unsafe_code)] // an export has `#[unsafe(no_mangle)]`; there is no other unsafe code
+mod exports;
+mod firmware;
+mod json;
+mod lens;
+mod planner;
+#[allow(dead_code, missing_docs, unreachable_pub)] // of the list of `pinhole-render`, whose other code is for hosts, the names and angles
+#[path = "../../render/src/projections.rs"]
+mod projections;
+mod ready;
+mod warning;
+mod work;
+
+pub use choice::{Choice, Style};
+pub use display::{Format, DISPLAYS};
+pub use planner::Planner;
+pub use ready::READY;

@@ -1,0 +1,176 @@
+//! The model of the moment, and what is asked about it.
+
+use crate::choice::{Choice, Style};
+use crate::cost;
+use crate::display::{Format, DISPLAYS};
+use crate::draw;
+use crate::firmware;
+use crate::json::{list, object, text};
+use crate::lens::PROJECTIONS;
+use crate::ready::{self, READY};
+use crate::warning::remedies;
+use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
+
+/// A file that was loaded, and the mesh that was made of it or of a ready mesh.
+#[derive(Default)]
+pub struct Planner {
+    file: Option<(String, Vec<u8>)>,
+    /// With what it was made of.
+    mesh: Option<(String, Options, ImportedMesh)>,
+}
+
+impl Planner {
+    /// Takes a file, which a choice then calls `file`.
+    pub fn load(&mut self, name: &str, bytes: Vec<u8>) {
+        self.file = Some((name.into(), bytes));
+        self.mesh = None;
+    }
+
+    /// Draws a frame by a choice: red, green, blue and opacity of each pixel, row by row, and what it was, as JSON.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the choice or the model, and what to do.
+    pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), String> {
+        let mesh = self.mesh(choice)?;
+        let drawn = draw::draw(mesh, choice)?;
+        let statistics = drawn.statistics;
+        let counts = [
+            ("drawn", statistics.drawn),
+            ("culled", statistics.culled),
+            ("outside", statistics.outside),
+            ("clipped", statistics.clipped),
+            ("degenerate", statistics.degenerate),
+        ];
+        let counts = object(counts.map(|(name, count)| (name, count.to_string())));
+        let what = object([
+            ("width", choice.size.width.to_string()),
+            ("height", choice.size.height.to_string()),
+            ("bytes", drawn.bytes.to_string()),
+            ("statistics", counts),
+            ("model", about(mesh)),
+        ]);
+        Ok((drawn.pixels, what))
+    }
+
+    /// What a frame by a choice costs in RAM, flash and time, as JSON.
+    ///
+    /// # Errors
+    ///
+    /// As [`draw`](Self::draw).
+    pub fn costs(&mut self, choice: &Choice) -> Result<String, String> {
+        cost::costs(self.mesh(choice)?, choice)
+    }
+
+    /// A file of a template for firmware, as it is in the firmware of a choice.
+    ///
+    /// # Errors
+    ///
+    /// As [`draw`](Self::draw), and what no template draws.
+    pub fn firmware(&mut self, choice: &Choice, path: &str, template: &str) -> Result<String, String> {
+        let model = firmware::model_file(&self.source(choice)?.0);
+        let sphere = self.mesh(choice)?.mesh().map_err(|e| e.to_string())?.bounding_sphere();
+        firmware::file(path, template, choice, model, &sphere)
+    }
+
+    /// The mesh of a choice as Rust.
+    ///
+    /// # Errors
+    ///
+    /// As [`draw`](Self::draw).
+    pub fn rust(&mut self, choice: &Choice) -> Result<String, String> {
+        let (name, _) = self.source(choice)?;
+        let source = self.mesh(choice)?.to_rust_mesh("MODEL", name.as_ref(), "the planner of pinhole");
+        source.ok_or_else(|| "MODEL is no name of a constant".into())
+    }
+
+    /// The name that the model's file has in the folder of a firmware, and its bytes.
+    ///
+    /// # Errors
+    ///
+    /// Where there is no file.
+    pub fn model(&self, choice: &Choice) -> Result<(&'static str, Vec<u8>), String> {
+        let (name, bytes) = self.source(choice)?;
+        Ok((firmware::model_file(&name), bytes))
+    }
+
+    /// The file that a mesh is made of.
+    fn source(&self, choice: &Choice) -> Result<(String, Vec<u8>), String> {
+        match ready::file(&choice.mesh) {
+            Some(file) => Ok(file),
+            None => {
+                self.file.clone().ok_or("no file: drop an STL or OBJ file, or choose a ready mesh".into())
+            }
+        }
+    }
+
+    /// The mesh of a choice, made again only where it is another one.
+    fn mesh(&mut self, choice: &Choice) -> Result<&ImportedMesh, String> {
+        let options = choice.options();
+        let is_made = matches!(&self.mesh, Some((name, made, _)) if *name == choice.mesh && *made == options);
+        if !is_made {
+            let (name, bytes) = self.source(choice)?;
+            let mesh = import_bytes(bytes, name.as_ref(), &options).map_err(|e| e.to_string())?;
+            self.mesh = Some((choice.mesh.clone(), options, mesh));
+        }
+        self.mesh.as_ref().map(|(_, _, mesh)| mesh).ok_or_else(|| "no mesh".into())
+    }
+
+    /// The names of the projections.
+    pub fn projections() -> impl Iterator<Item = &'static str> {
+        PROJECTIONS.iter().map(|named| named.name)
+    }
+
+    /// What there is to choose from, as JSON.
+    pub fn menu() -> String {
+        let names = |names: &mut dyn Iterator<Item = &str>| list(names.map(text));
+        let displays = DISPLAYS.iter().map(|display| {
+            object([
+                ("name", text(display.name)),
+                ("width", display.width.to_string()),
+                ("height", display.height.to_string()),
+                ("format", text(display.format.name())),
+            ])
+        });
+        let projections = PROJECTIONS.iter().map(|named| {
+            let parts = [
+                ("name", text(named.name)),
+                ("yaw", named.yaw.to_string()),
+                ("pitch", named.pitch.to_string()),
+            ];
+            object(parts)
+        });
+        object([
+            ("meshes", names(&mut READY.iter().map(|(name, _)| *name))),
+            ("displays", list(displays)),
+            ("formats", names(&mut Format::ALL.iter().map(|(name, _)| *name))),
+            // Of these, faces are always dithered.
+            ("dithered", {
+                let dithered = Format::ALL.iter().filter(|(_, format)| format.always_dithers());
+                names(&mut dithered.map(|(name, _)| *name))
+            }),
+            ("styles", names(&mut Style::ALL.iter().map(|(name, _)| *name))),
+            ("projections", list(projections)),
+            ("chips", cost::chips()),
+            ("axes", names(&mut Axis::ALL.iter().map(|(name, _)| *name))),
+        ])
+    }
+}
+
+/// A model's size, and what is doubtful about it.
+fn about(mesh: &ImportedMesh) -> String {
+    let warnings = mesh.warnings.iter().map(|warning| {
+        let message = warning.to_string();
+        let remedies = remedies(&message)
+            .into_iter()
+            .map(|(part, value)| object([("part", text(part)), ("value", u8::from(value).to_string())]));
+        object([("remedies", list(remedies)), ("message", text(&message))])
+    });
+    object([
+        ("vertices", mesh.vertices.len().to_string()),
+        ("faces", mesh.faces.len().to_string()),
+        ("edges", mesh.edges.len().to_string()),
+        ("flash", mesh.flash_bytes().to_string()),
+        ("warnings", list(warnings)),
+    ])
+}

@@ -1,0 +1,237 @@
+//! The work of a frame in the terms of docs/growth.md: what there is of each thing that costs instructions.
+
+use core::convert::Infallible;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{OriginDimensions, Size};
+use embedded_graphics_core::pixelcolor::BinaryColor;
+use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::Pixel;
+use pinhole::{Cull, MeshInstance, ScreenVertex};
+
+/// The work of a frame of faces.
+pub(crate) struct FaceWork {
+    vertices: u32,
+    all: u32,
+    drawn: u32,
+    large: u32,
+    outside: u32,
+    clipped: u32,
+    cut: u32,
+    rows: u32,
+    pixels: u32,
+    size: Size,
+    /// The first and the last row of each drawn face that is not cut, and whether it is large.
+    extents: Vec<([i32; 2], bool)>,
+}
+
+/// The work of a frame of lines.
+pub(crate) struct LineWork {
+    vertices: u32,
+    drawn: u32,
+    across: u32,
+    clipped: u32,
+    cut: u32,
+    pixels: u32,
+    area: u32,
+}
+
+/// Rows up to which a triangle between the left and the right border takes a fast path.
+const LOW: i32 = 31;
+
+impl FaceWork {
+    /// Counts the work of the faces of an instance on a display of a size.
+    pub(crate) fn new(instance: &MeshInstance<'_>, size: Size) -> Self {
+        let mesh = instance.mesh();
+        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+        let (mut watch, mut seen) = (Watch::new(size), Vec::new());
+        let shade = |face: usize| {
+            seen.push(face);
+            BinaryColor::On
+        };
+        let Ok(statistics) = instance.solid(shade, &mut cache, &mut watch);
+        let points: Vec<Option<[i32; 2]>> = (0..mesh.vertices().len())
+            .map(|vertex| instance.project(vertex).ok().map(|seen| [seen.point.x(), seen.point.y()]))
+            .collect();
+        let corners = |face: &[u16; 3]| -> Option<[[i32; 2]; 3]> {
+            let [a, b, c] = face.map(|vertex| points.get(usize::from(vertex)).copied().flatten());
+            Some([a?, b?, c?])
+        };
+        let must_be_clipped = mesh.faces().iter().filter(|face| corners(face).is_none()).count() as u32;
+        // Those outside are left out of both.
+        let (mut both, both_sides) = (Watch::new(size), instance.with_cull(Cull::None));
+        let outside = match must_be_clipped {
+            0 => statistics.outside,
+            _ => {
+                let Ok(statistics) = both_sides.solid(|_| BinaryColor::On, &mut cache, &mut both);
+                statistics.outside
+            }
+        };
+        let (mut extents, mut large) = (Vec::new(), 0);
+        for corners in seen.iter().filter_map(|&face| mesh.faces().get(face)).map(corners) {
+            let Some(corners) = corners else {
+                large += 1;
+                continue;
+            };
+            let [x, y] = [0, 1].map(|axis| reach(corners.map(|point| point[axis])));
+            let [width, height] = [size.width, size.height].map(|side| (side as i32) << 8); // at most 1024
+            let is_beside = x[0] > width || x[1] < 0 || y[0] > height || y[1] < 0;
+            let is_within = x[0] >= 0 && x[1] <= width;
+            let is_low = is_within && y[1] - y[0] <= LOW << 8;
+            let is_large = !(is_beside || is_low);
+            large += u32::from(is_large);
+            // Rows whose centres, at half a pixel, lie between both.
+            let row = |at: i32| (at + 127) >> 8;
+            let rows = [row(y[0]).max(0), (row(y[1]) - 1).min(size.height as i32 - 1)];
+            extents.push((rows, is_large));
+        }
+        Self {
+            vertices: mesh.vertices().len() as u32, // at most 65 536, as faces
+            all: mesh.faces().len() as u32,
+            drawn: statistics.drawn,
+            large,
+            outside,
+            clipped: must_be_clipped.saturating_sub(outside),
+            cut: statistics.clipped,
+            rows: watch.rows,
+            pixels: watch.pixels,
+            size,
+            extents,
+        }
+    }
+
+    fn area(&self) -> u32 {
+        self.size.width * self.size.height
+    }
+
+    /// The counts of a frame in one piece, in the order of docs/growth.md.
+    pub(crate) fn whole(&self) -> [f64; 11] {
+        let left_out = self.all.saturating_sub(self.drawn + self.outside);
+        [
+            1,
+            self.vertices,
+            left_out,
+            self.drawn,
+            self.large,
+            self.outside,
+            self.clipped,
+            self.cut,
+            self.rows,
+            self.pixels,
+            self.area(),
+        ]
+        .map(f64::from)
+    }
+
+    /// The counts of a frame in bands of so many rows, in the order of docs/growth.md.
+    pub(crate) fn in_bands(&self, rows: u32) -> [f64; 13] {
+        let band = |row: i32| row / rows.max(1) as i32;
+        let met =
+            |[first, last]: [i32; 2]| if last < first { 0 } else { (band(last) - band(first) + 1) as u32 };
+        let (mut all, mut large) = (0, 0);
+        for &(extent, is_large) in &self.extents {
+            all += met(extent);
+            large += if is_large { met(extent) } else { 0 };
+        }
+        let bands = self.size.height.div_ceil(rows.max(1));
+        // A cut face is clipped again in each band that it may reach: in all.
+        let cut = self.cut * bands;
+        [
+            1,
+            self.vertices,
+            self.all.saturating_sub(self.outside),
+            self.outside,
+            self.clipped,
+            self.cut,
+            all + cut,
+            large,
+            cut,
+            self.rows,
+            self.pixels,
+            self.area(),
+            bands,
+        ]
+        .map(f64::from)
+    }
+}
+
+impl LineWork {
+    /// Counts the work of the edges of an instance on a display of a size.
+    pub(crate) fn new(instance: &MeshInstance<'_>, size: Size) -> Self {
+        let mesh = instance.mesh();
+        let mut watch = Watch::new(size);
+        let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+        let Ok(statistics) = instance.wireframe(BinaryColor::On, &mut cache, &mut watch);
+        let (mut across, mut clipped) = (0, 0);
+        for edge in mesh.edges() {
+            match edge.map(|vertex| instance.project(vertex.into())) {
+                [Ok(a), Ok(b)] => {
+                    let sides = [
+                        (size.width, reach([a.point.x(), b.point.x()])),
+                        (size.height, reach([a.point.y(), b.point.y()])),
+                    ];
+                    let within =
+                        |&(side, [from, to]): &(u32, [i32; 2])| from >= 0 && to <= (side as i32) << 8;
+                    let beside = |&(side, [from, to]): &(u32, [i32; 2])| from > (side as i32) << 8 || to < 0;
+                    across += u32::from(!sides.iter().all(within) && !sides.iter().any(beside));
+                }
+                _ => clipped += 1,
+            }
+        }
+        Self {
+            vertices: mesh.vertices().len() as u32,
+            drawn: statistics.drawn,
+            across,
+            clipped,
+            cut: statistics.clipped,
+            pixels: watch.pixels,
+            area: size.width * size.height,
+        }
+    }
+
+    /// The counts of a frame, in the order of docs/growth.md.
+    pub(crate) fn whole(&self) -> [f64; 8] {
+        [1, self.vertices, self.drawn, self.across, self.clipped, self.cut, self.pixels, self.area]
+            .map(f64::from)
+    }
+}
+
+fn reach<const N: usize>(places: [i32; N]) -> [i32; 2] {
+    places.into_iter().fold([i32::MAX, i32::MIN], |[from, to], at| [from.min(at), to.max(at)])
+}
+
+/// A target that counts what is drawn on it.
+struct Watch {
+    size: Size,
+    rows: u32,
+    pixels: u32,
+}
+
+impl Watch {
+    fn new(size: Size) -> Self {
+        Self { size, rows: 0, pixels: 0 }
+    }
+}
+
+impl OriginDimensions for Watch {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl DrawTarget for Watch {
+    type Color = BinaryColor;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        // A line: its pixels lie in the picture.
+        self.pixels += pixels.into_iter().count() as u32;
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, _: BinaryColor) -> Result<(), Infallible> {
+        // One row of a face; where a large one is as wide as the picture, many.
+        self.rows += area.size.height;
+        self.pixels += area.size.width * area.size.height;
+        Ok(())
+    }
+}

@@ -1,0 +1,260 @@
+// The page in a headless Chromium, from disk: what a user does with mouse, keys, files and buttons.
+//
+//   node browser.mjs PAGE PLAYWRIGHT [FOLDER]
+//
+// PLAYWRIGHT is the folder of playwright-core; pictures of the page go into FOLDER.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [page, playwright, folder] = process.argv.slice(2).map((path) => resolve(path));
+const { chromium } = createRequire(import.meta.url)(playwright);
+const flags = [
+  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
+  '--disable-sync',
+];
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: flags });
+const address = pathToFileURL(join(page, 'index.html')).href;
+const problems = [];
+let passed = 0;
+let failed = 0;
+
+const tests = {
+  async 'the first picture is there within 2 seconds'(tab) {
+    assert.ok(tab.firstPicture <= 2000, `${tab.firstPicture} ms`);
+  },
+
+  async 'drag, wheel, keys and buttons change the picture and the address'(tab) {
+    const acts = [
+      ['a drag', () => drag(tab, 40, 20)],
+      ['a drag with Shift', async () => { await tab.keyboard.down('Shift'); await drag(tab, 30, 0); await tab.keyboard.up('Shift'); }],
+      ['the wheel', () => tab.mouse.wheel(0, -300)],
+      ['an arrow', () => tab.locator('#display').press('ArrowLeft')],
+      ['plus', () => tab.locator('#display').press('+')],
+      ['the button for zoom', () => tab.click('#farther')],
+    ];
+    for (const [name, act] of acts) {
+      const [picture, link] = [await pixels(tab), tab.url()];
+      await act();
+      await settled(tab);
+      assert.notEqual(await pixels(tab), picture, `${name}: the same picture`);
+      assert.notEqual(tab.url(), link, `${name}: the same address`);
+    }
+    const [picture, link] = [await pixels(tab), tab.url()];
+    const other = await open(link);
+    assert.equal(await pixels(other), picture, 'the link shows another picture');
+    await other.context().close();
+  },
+
+  async 'every mesh, display and style draws'(tab) {
+    for (const control of ['mesh', 'panel-type', 'style', 'projection']) {
+      for (const value of await tab.locator(`#${control} option`).evaluateAll((all) => all.map((o) => o.value))) {
+        await tab.selectOption(`#${control}`, value);
+        await settled(tab);
+        assert.ok(await isGood(tab), `${control} ${value}: ${await tab.textContent('#status')}`);
+      }
+    }
+  },
+
+  async 'a file is drawn, and a remedy takes its warning away'(tab) {
+    const sheet = 'v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n';
+    await load(tab, 'sheet.obj', Buffer.from(sheet));
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+    assert.match(await tab.textContent('#warnings'), /open edges: 4/);
+    await tab.click('#warnings button');
+    await settled(tab);
+    assert.equal(await tab.textContent('#warnings'), '');
+    assert.ok(await tab.isChecked('#two-sided'));
+  },
+
+  async 'an STL file is dropped'(tab) {
+    const data = await tab.evaluateHandle((bytes) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([new Uint8Array(bytes)], 'dropped.stl'));
+      return transfer;
+    }, [...stl(12)]);
+    await tab.dispatchEvent('#frame', 'drop', { dataTransfer: data });
+    await tab.waitForFunction(() => document.querySelector('#mesh').value === 'file');
+    await settled(tab);
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+  },
+
+  async 'a broken file, and one with too many vertices, are messages, and the page goes on'(tab) {
+    await load(tab, 'broken.stl', Buffer.from('this is no model'));
+    assert.match(await tab.textContent('#status'), /^broken\.stl: /);
+    assert.ok(!(await isGood(tab)));
+    await load(tab, 'large.stl', stl(70_000));
+    assert.match(await tab.textContent('#status'), /vertices, more than the 65536 of a mesh/);
+    await tab.selectOption('#mesh', 'cube');
+    await settled(tab);
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+  },
+
+  async 'a file of 50 MB is read'(tab) {
+    // A million triangles, of a hundred bodies that lie in one another: duplicates are dropped.
+    const once = stl(10_000).subarray(84);
+    const count = Math.ceil(50e6 / once.length);
+    const header = Buffer.alloc(84);
+    header.writeUInt32LE(10_000 * count, 80);
+    const folder = mkdtempSync(join(tmpdir(), 'planner-'));
+    writeFileSync(join(folder, 'fifty.stl'), Buffer.concat([header, ...Array(count).fill(once)]));
+    await load(tab, 'fifty.stl', join(folder, 'fifty.stl'), 120_000);
+    rmSync(folder, { recursive: true });
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+  },
+
+  async 'the turntable turns'(tab) {
+    await tab.click('#turntable');
+    const pictures = new Set();
+    for (let i = 0; i < 5; i++) {
+      pictures.add(await pixels(tab));
+      await tab.waitForTimeout(200);
+    }
+    await tab.click('#turntable');
+    assert.ok(pictures.size >= 3, `${pictures.size} pictures in a second`);
+  },
+
+  async 'the picture is saved as a PNG'(tab) {
+    const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#png')]);
+    assert.equal(download.suggestedFilename(), 'gear.png');
+  },
+
+  async 'the costs follow the chip and the style'(tab) {
+    const costs = () => tab.textContent('#cost');
+    await tab.waitForFunction(() => /bands of 8 rows/.test(document.querySelector('#cost').textContent));
+    const before = await costs();
+    for (const value of await tab.locator('#chip option').evaluateAll((all) => all.map((o) => o.value))) {
+      await tab.selectOption('#chip', value);
+      await tab.waitForTimeout(300);
+      assert.match(await costs(), /Frames/, value);
+    }
+    assert.notEqual(await costs(), before);
+  },
+
+  async 'the firmware of every board is saved, and so are picture.rs and the mesh'(tab) {
+    const saves = async (button) => (await Promise.all([tab.waitForEvent('download'), tab.click(button)]))[0];
+    await tab.selectOption('#projection', 'cabinet');
+    await tab.selectOption('#style', 'gouraud');
+    for (const board of await tab.locator('#board option').evaluateAll((all) => all.map((o) => o.value))) {
+      await tab.selectOption('#board', board);
+      const download = await saves('#zip');
+      assert.equal(download.suggestedFilename(), `${board}.zip`);
+      const listed = execFileSync('python3', ['-m', 'zipfile', '-t', await download.path()]).toString();
+      assert.match(listed, /Done testing/);
+    }
+    assert.match(readFileSync(await (await saves('#picture')).path(), 'utf8'), /pinhole::Projection::oblique\(/);
+    assert.match(readFileSync(await (await saves('#rust')).path(), 'utf8'), /pub const MODEL: pinhole::Mesh/);
+  },
+
+  async 'each control has a name, is large enough, and has contrast, in light and dark, on a phone'(tab) {
+    for (const colorScheme of ['light', 'dark']) {
+      for (const [width, height] of [[1280, 900], [390, 844]]) {
+        await tab.emulateMedia({ colorScheme });
+        await tab.setViewportSize({ width, height });
+        await settled(tab);
+        if (folder) await tab.screenshot({ path: join(folder, `${width}-${colorScheme}.png`), fullPage: true });
+        const found = await tab.evaluate(judge);
+        assert.deepEqual(found, [], `${colorScheme}, ${width} × ${height}`);
+      }
+    }
+  },
+};
+
+// In the page: what is wrong with its controls and texts.
+function judge() {
+  const wrong = [];
+  if (document.documentElement.scrollWidth > innerWidth) wrong.push(`${document.documentElement.scrollWidth} pixels wide`);
+  const shown = (e) => e.checkVisibility() && e.getClientRects().length > 0;
+  for (const control of document.querySelectorAll('button, input, select, canvas')) {
+    if (!shown(control)) continue;
+    const name = control.getAttribute('aria-label') ?? control.labels?.[0]?.textContent ?? control.textContent;
+    if (!name.trim()) wrong.push(`${control.id}: no name`);
+    const { width, height } = (control.type === 'checkbox' ? control.parentElement : control).getBoundingClientRect();
+    if (width < 24 || height < 24) wrong.push(`${control.id}: ${width} × ${height}`);
+  }
+  const numbers = (color) => color.match(/[\d.]+/g).map(Number);
+  const luminance = (color) => {
+    const [r, g, b] = numbers(color).map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  for (const element of document.querySelectorAll('h1, h2, p, label, legend, button, select, td, th, summary')) {
+    if (!shown(element) || !element.textContent.trim() || element.disabled) continue;
+    let behind = element;
+    while (behind && numbers(getComputedStyle(behind).backgroundColor)[3] === 0) behind = behind.parentElement;
+    const pair = [getComputedStyle(element).color, getComputedStyle(behind ?? document.body).backgroundColor].map(luminance);
+    const contrast = (Math.max(...pair) + 0.05) / (Math.min(...pair) + 0.05);
+    if (contrast < 4.5) wrong.push(`${element.tagName} ${element.id} ${element.textContent.slice(0, 20)}: contrast ${contrast.toFixed(1)}`);
+  }
+  return wrong;
+}
+
+async function open(link = address) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true });
+  const tab = await context.newPage();
+  tab.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+  tab.on('pageerror', (problem) => problems.push(problem.message));
+  tab.on('request', (request) => {
+    if (!/^(file|blob|data):/.test(request.url())) problems.push(`a request to ${request.url()}`);
+  });
+  const start = Date.now();
+  await tab.goto(link);
+  await tab.waitForFunction(() => /drawn/.test(document.querySelector('#status').textContent));
+  tab.firstPicture = Date.now() - start;
+  return tab;
+}
+
+const settled = (tab) => tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const pixels = (tab) => tab.evaluate(() => document.querySelector('#display').toDataURL());
+const isGood = (tab) => tab.evaluate(() => !document.querySelector('#status').classList.contains('bad'));
+
+async function drag(tab, right, down) {
+  const { x, y, width, height } = await tab.locator('#display').boundingBox();
+  await tab.mouse.move(x + width / 2, y + height / 2);
+  await tab.mouse.down();
+  await tab.mouse.move(x + width / 2 + right, y + height / 2 + down, { steps: 3 });
+  await tab.mouse.up();
+}
+
+// Chosen by the control, from its bytes or its path; waits for what the page says of it.
+async function load(tab, name, buffer, timeout = 30_000) {
+  await tab.setInputFiles('#file', typeof buffer === 'string' ? buffer : { name, mimeType: 'application/octet-stream', buffer });
+  await tab.waitForFunction((name) => {
+    const [status, mesh] = ['#status', '#mesh'].map((id) => document.querySelector(id));
+    return mesh.value === 'file' && mesh.selectedOptions[0].textContent === name && !status.textContent.startsWith('Reading');
+  }, name, { timeout });
+  await settled(tab);
+}
+
+// A binary STL file of a surface of triangles around an axis, of no thickness at its ends.
+function stl(count) {
+  const bytes = Buffer.alloc(84 + 50 * count);
+  bytes.writeUInt32LE(count, 80);
+  const point = (i, z) => [Math.cos((2 * Math.PI * i) / count) * (2 + (i % 7)), Math.sin((2 * Math.PI * i) / count) * (2 + (i % 7)), z];
+  for (let i = 0; i < count; i++) {
+    const corners = [point(i, 0), point(i + 1, 0), point(i + 0.5, 3)];
+    corners.flat().forEach((c, k) => bytes.writeFloatLE(c, 84 + 50 * i + 12 + 4 * k));
+  }
+  return bytes;
+}
+
+for (const [name, test] of Object.entries(tests)) {
+  const tab = await open();
+  problems.length = 0;
+  try {
+    await test(tab);
+    assert.deepEqual(problems, [], 'in the console');
+    passed += 1;
+    console.log(`ok: ${name}`);
+  } catch (problem) {
+    failed += 1;
+    console.log(`FAILED: ${name}: ${problem.message}`);
+  }
+  await tab.context().close();
+}
+await browser.close();
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,124 @@
+//! What choices say and draw.
+
+use pinhole_planner::{Choice, Planner, Style, DISPLAYS, READY};
+
+#[test]
+fn a_message_names_the_part_and_what_may_stand_there() {
+    let message = |text: &str| Choice::parse(text).expect_err(text);
+    assert_eq!(message("zoom=5"), "zoom=5: not a whole number from 20 to 2000");
+    assert_eq!(message("style=3d"), "style=3d: none of wireframe, hidden-line, flat, gouraud");
+    assert_eq!(
+        message("light=0,0,0"),
+        "light=0,0,0: not a direction: three whole numbers from -99 to 99, not all 0, such as 2,3,4"
+    );
+    assert_eq!(message("colour=ffffff"), "colour=ffffff: no such part");
+    assert_eq!(message("color=+fffff"), "color=+fffff: not a colour: six hexadecimal digits");
+    assert_eq!(message("yaw=NaN"), "yaw=NaN: not a number of degrees from -360 to 360");
+    assert_eq!(message("flat"), "a part without `=`: write name=value");
+}
+
+#[test]
+fn a_projection_has_directions_of_its_own_that_others_replace() {
+    let isometric = Choice::parse("projection=isometric").expect("a choice");
+    assert_eq!(Choice::parse("yaw=45&pitch=35.26&projection=isometric"), Ok(isometric));
+}
+
+#[test]
+fn no_file_is_a_message() {
+    let file = Choice::parse("mesh=file").expect("a choice");
+    let drawn = Planner::default().draw(&file);
+    assert_eq!(drawn, Err("no file: drop an STL or OBJ file, or choose a ready mesh".into()));
+}
+
+#[test]
+fn a_broken_file_is_a_message_and_a_doubtful_one_a_warning_with_its_remedy() {
+    let mut planner = Planner::default();
+    let file = Choice::parse("mesh=file").expect("a choice");
+    planner.load("part.stl", b"no model".to_vec());
+    let message = planner.draw(&file).expect_err("broken");
+    assert!(message.starts_with("part.stl: "), "{message}");
+
+    planner.load("sheet.obj", b"v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n".to_vec());
+    let (_, about) = planner.draw(&file).expect("a sheet");
+    assert!(
+        about.contains(r#""remedies":[{"part":"two-sided","value":1}],"message":"open edges: 4"#),
+        "{about}"
+    );
+    let (_, about) =
+        planner.draw(&Choice::parse("mesh=file&two-sided=1").expect("a choice")).expect("a sheet");
+    assert!(about.contains(r#""warnings":[]"#), "{about}");
+}
+
+#[test]
+fn every_mesh_shows_on_every_display_in_every_style() {
+    let mut planner = Planner::default();
+    for (mesh, _) in &READY {
+        for (style, _) in Style::ALL {
+            for display in &DISPLAYS {
+                let (width, height, format) = (display.width, display.height, display.format.name());
+                let text = format!(
+                    "mesh={mesh}&width={width}&height={height}&format={format}&style={style}&color=ffffff"
+                );
+                let choice = Choice::parse(&text).expect("a choice");
+                let (pixels, _) = planner.draw(&choice).expect(&text);
+                assert_eq!(pixels.len(), 4 * (width * height) as usize, "{text}");
+                let lit = pixels.chunks_exact(4).filter(|pixel| pixel.first() > Some(&0)).count();
+                assert!(lit > 100, "{text}: {lit} pixels are not black");
+                planner.costs(&choice).expect(&text);
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_of_a_band_change_no_pixel() {
+    let mut planner = Planner::default();
+    let mut drawn = |rows: u32| {
+        let text = format!("mesh=teapot&style=gouraud&dither=1&zoom=220&x=300&rows={rows}");
+        planner.draw(&Choice::parse(&text).expect("a choice")).expect(&text).0
+    };
+    let whole = drawn(240);
+    for rows in [1, 7, 8, 48] {
+        assert!(drawn(rows) == whole, "bands of {rows} rows");
+    }
+}
+
+/// The emulated board counts cycles of its own; the estimate states how far it may be off.
+#[test]
+fn the_estimate_for_the_rp2040_is_what_the_emulated_board_shows() {
+    let readme = include_str!("../../../boards/rp2040-st7789/README.md");
+    let (_, speed) = readme.split_once("**Speed.** ").expect("the speed");
+    let shown: f64 = speed.split(' ').next().and_then(|number| number.parse().ok()).expect("a number");
+    let mut planner = Planner::default();
+    let (mut frames, mut time) = (0.0, 0.0);
+    let mut error = 0.0f64;
+    for turn in (0..120).step_by(8) {
+        let choice = Choice::parse(&format!("mesh=gear&chip=rp2040&rows=8&turn={turn}")).expect("a choice");
+        let costs = planner.costs(&choice).expect("costs");
+        // Of the way that is chosen, which is the first one.
+        let number = |name: &str| -> f64 {
+            let (_, rest) = costs.split_once(&format!("\"{name}\":")).expect(name);
+            rest.trim_start_matches('"')
+                .split([',', '"', '}'])
+                .next()
+                .and_then(|n| n.parse().ok())
+                .expect(name)
+        };
+        let (_, ways) = costs.split_once("\"ways\":").expect("ways");
+        let of_way = |name: &str| -> f64 {
+            let (_, rest) = ways.split_once(&format!("\"{name}\":")).expect(name);
+            rest.split([',', '}']).next().and_then(|n| n.parse().ok()).expect(name)
+        };
+        assert_eq!(number("ram"), 264.0 * 1024.0);
+        assert_eq!(of_way("chosen"), 1.0);
+        frames += 1.0;
+        time += 1.0 / of_way("dma");
+        error = error.max(of_way("error"));
+    }
+    let estimate = frames / time;
+    let off = (estimate / shown - 1.0).abs() * 100.0;
+    assert!(
+        off <= error,
+        "{estimate:.1} frames/s, but the board shows {shown}: {off:.0} %, stated {error} %"
+    );
+}
