@@ -8,10 +8,11 @@ use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::time::Duration;
 
-/// The bound of the firmware's stack in bytes, about 5 % above the measured use.
-const STACK: usize = 2160;
+/// The bound of the firmware's stack in bytes, about 5 % above the measured use, which is that of the textured ground: the scenes
+/// without it take 2060 bytes, on a Cortex-M0 2620.
+const STACK: usize = 2870;
 /// A Cortex-M0 draws the pictures of the host with fewer registers.
-const STACK_OF_M0: usize = 2750;
+const STACK_OF_M0: usize = 3180;
 /// The bound of the firmware's variables in bytes.
 const VARIABLES: u32 = 22_600;
 

@@ -20,7 +20,8 @@ use meshes::{
 use pinhole::space::{Model, World};
 use pinhole::{
     Affine, Angle, BinnedEdges, BinnedFaces, Camera, Dim, Gouraud, Hierarchy, Lambert, Mesh, MeshInstance,
-    Node, Point3, Projection, Scalar, ScreenVertex, TransformedMesh, Vector3, ViewTransform, Viewport,
+    Node, PlacedSprites, Point3, Projection, Scalar, ScreenVertex, TransformedMesh, Vector3, ViewTransform,
+    Viewport,
 };
 
 /// Frames of a scene.
@@ -43,6 +44,7 @@ pub(crate) struct Scratch {
     rings: [([ScreenVertex; RING_CORNERS], [u16; bin_storage_len(RING_CORNERS)]); 2],
     ship: ([ScreenVertex; 8], [u16; bin_storage_len(12)], [u16; bin_storage_len(17)]),
     ground: ([ScreenVertex; 4], [u16; bin_storage_len(2)]),
+    trees: Vec<PlacedSprites<'static>, 1>,
 }
 
 /// The largest number of objects in a scene. Each takes 176 bytes, which are not on the stack.
@@ -84,6 +86,7 @@ impl Scratch {
             rings: [([ScreenVertex::EMPTY; RING_CORNERS], [0; bin_storage_len(RING_CORNERS)]); 2],
             ship: ([ScreenVertex::EMPTY; 8], [0; bin_storage_len(12)], [0; bin_storage_len(17)]),
             ground: ([ScreenVertex::EMPTY; 4], [0; bin_storage_len(2)]),
+            trees: Vec::new(),
         }
     }
 
@@ -258,17 +261,17 @@ impl Scratch {
     /// A flight over fields, among trees.
     #[inline(never)]
     fn valley<D: Display>(&mut self, step: i32, screen: &mut Screen<'_, D>) -> Result<(), D::Error> {
-        let (level, model) = (Affine::identity(), valley::ship(step));
-        let camera = camera([0, 7, 34], 50);
-        show_to(&camera, &[(&valley::GROUND, &level), (&SHIP, &model)], &mut self.stage);
-        let trees = camera.place_sprites(&valley::TREES, &valley::passed(step));
-        let [ground, small] = self.stage.as_slice() else { return Ok(()) };
+        let model = valley::ship(step);
+        place_valley(&mut self.stage, &mut self.trees, step, &model);
+        let ([ground, small], [trees]) = (self.stage.as_slice(), self.trees.as_slice()) else {
+            return Ok(());
+        };
         let (corners, bin_storage) = &mut self.ground;
         let mut ground = faces(&ground.transform_depth(corners), bin_storage);
         let (corners, bin_storage, _) = &mut self.ship;
         let sun = light(&model, FROM_ABOVE);
         let mut ship = faces(&small.transform_depth(corners), bin_storage);
-        screen.clear();
+        screen.mark(valley::CHANGES);
         let fields = valley::fields(step);
         screen.show(SCENES[7], |band, depth| {
             let Ok(()) = ground.depth_tested(&fields, depth, band);
@@ -396,6 +399,20 @@ fn show_to(camera: &Camera, objects: &[Object<'_>], stage: &mut Stage) {
     for (mesh, model) in objects {
         let _ = stage.push(camera.place(mesh, model)); // no scene has more than there is room for
     }
+}
+
+#[inline(never)]
+fn place_valley(
+    stage: &mut Stage,
+    trees: &mut Vec<PlacedSprites<'static>, 1>,
+    step: i32,
+    ship: &Affine<Model, World>,
+) {
+    let camera = camera([0, 7, 34], 50);
+    show_to(&camera, &[(&valley::GROUND, &Affine::identity()), (&SHIP, ship)], stage);
+    trees.clear();
+    let _ = trees.push(camera.place_sprites(&valley::TREES, &valley::passed(step)));
+    // room for one
 }
 
 /// A mesh and its transform.

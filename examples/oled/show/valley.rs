@@ -3,9 +3,12 @@
 use embedded_graphics::geometry::AnchorPoint;
 use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
 use pinhole::{Affine, Angle, Mesh, Scalar, Sprite, SpriteSource, Texture, Textured, Vector3};
 
+/// Where something moves: all but the sky.
+pub(super) const CHANGES: Rectangle = Rectangle::new(Point::new(0, 4), Size::new(128, 60));
 /// Of the ground, in world units.
 const HALF_SIDE: i16 = 96;
 /// World units by which the view moves on in a step. The picture of the fields repeats after 16 units.
