@@ -30,7 +30,7 @@ impl SpriteSource for Picked {
     fn color_at(&self, column: u32, row: u32) -> Option<Gray8> {
         assert!(column < self.0.width && row < self.0.height);
         let mixed = (column.wrapping_mul(0x9e37_79b1) ^ row.wrapping_mul(0x85eb_ca77)) >> 20;
-        (mixed % 5 > 0).then(|| Gray8::new(mixed as u8))
+        (!mixed.is_multiple_of(5)).then(|| Gray8::new(mixed as u8))
     }
 }
 
@@ -77,7 +77,7 @@ fuzz_target!(|data: &[u8]| {
             0 => {
                 let pixels = bytes.byte();
                 let size = [picture.0.width, picture.0.height]
-                    .map(|n| (i128::from(n) * i128::from(pixels) << 8).min(1 << 30));
+                    .map(|n| ((i128::from(n) * i128::from(pixels)) << 8).min(1 << 30));
                 (sprite.magnified(pixels), size)
             }
             _ => {
