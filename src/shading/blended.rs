@@ -48,7 +48,7 @@ impl<S> HalfBlended<S> {
         Self(shader)
     }
 
-    /// What is mixed with the stored pixels.
+    /// The shader whose colors are mixed with the stored pixels.
     #[inline(always)]
     pub(super) const fn shader(&self) -> &S {
         &self.0
@@ -128,7 +128,7 @@ impl<S> Blended<S> {
         Self { shader, alpha: if alpha < 32 { alpha } else { 32 } }
     }
 
-    /// What is mixed with the stored pixels.
+    /// The shader whose colors are mixed with the stored pixels.
     #[inline(always)]
     pub(super) const fn shader(&self) -> &S {
         &self.shader

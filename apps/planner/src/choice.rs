@@ -166,7 +166,7 @@ impl Choice {
         Ok(())
     }
 
-    /// What is asked of the importer: what the templates' build scripts ask, and what the style needs.
+    /// The importer's options: those of the templates' build scripts, and edges or normals where the style draws them.
     pub(crate) fn options(&self) -> Options {
         Options {
             fit: Some(2.0),

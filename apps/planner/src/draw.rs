@@ -22,7 +22,7 @@ pub(crate) struct Drawn {
     pub(crate) bytes: usize,
 }
 
-/// What is drawn into each band.
+/// The faces or edges that are drawn into each band.
 enum Job<'a, 'b> {
     Lines(&'b mut BinnedEdges<'a, i16, false>),
     HiddenLines(&'b mut BinnedFaces<'a, i16, true>, &'b mut BinnedEdges<'a, i16, true>),

@@ -30,7 +30,7 @@ impl Planner {
     ///
     /// # Errors
     ///
-    /// What is wrong with the choice or the model, and what to do.
+    /// The problems of the choice and the model, each with its remedy.
     pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), String> {
         let mesh = self.mesh(choice)?;
         let drawn = draw::draw(mesh, choice)?;
@@ -144,7 +144,7 @@ impl Planner {
             ("meshes", names(&mut READY.iter().map(|(name, _)| *name))),
             ("displays", list(displays)),
             ("formats", names(&mut Format::ALL.iter().map(|(name, _)| *name))),
-            // Of these, faces are always dithered.
+            // Formats in which faces are always dithered.
             ("dithered", {
                 let dithered = Format::ALL.iter().filter(|(_, format)| format.always_dithers());
                 names(&mut dithered.map(|(name, _)| *name))

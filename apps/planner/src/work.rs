@@ -57,7 +57,7 @@ impl FaceWork {
             Some([a?, b?, c?])
         };
         let must_be_clipped = mesh.faces().iter().filter(|face| corners(face).is_none()).count() as u32;
-        // Those outside are left out of both.
+        // Faces outside, front and back, are part of `must_be_clipped`, but need no clipping.
         let (mut both, both_sides) = (Watch::new(size), instance.with_cull(Cull::None));
         let outside = match must_be_clipped {
             0 => statistics.outside,

@@ -15,7 +15,7 @@ pub(super) const LEAST_STEPS: u16 = 8;
 /// | fog | type | instructions a pixel | draws |
 /// |---|---|---|---|
 /// | by face or by vertex | [`VertexFog`](crate::VertexFog) | none | whatever takes levels of light, and one colour a face |
-/// | by pixel | [`FogTable`](crate::FogTable), [`Fogged`](crate::Fogged) | those of a mix of two colours | every shader |
+/// | by pixel | [`FogTable`](crate::FogTable), [`Fogged`](crate::Fogged) | those of a mix of two colours, and a division wherever the level changes along a row | every shader |
 ///
 /// ```
 /// use pinhole::{Fog, FogError, Scalar};

@@ -1,4 +1,4 @@
-//! What is drawn to measure the error of textures: faces in view space and the coordinates of their corners.
+//! The faces on which the error of textures is measured: in view space, with the texture coordinates of their corners.
 
 use crate::bridge::pair::{CameraBits, ProjectionBits, ViewBits, ONE};
 use crate::oracle::chain::V3;
