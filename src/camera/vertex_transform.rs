@@ -574,4 +574,39 @@ mod tests {
         }
         assert!(positions > 200_000, "{positions}");
     }
+
+    /// The quick test for the guard band agrees with its four planes' distances on either side of where it gives up.
+    #[test]
+    fn planes_outside_are_those_of_negative_distance() {
+        let (size, random) = (Size::new(240, 180), &mut Random(44));
+        let (near, far) = (Scalar::from_num(0.5), Scalar::from_num(20));
+        let lens = Projection::perspective(Angle::degrees(60), size, near, far).unwrap();
+        let view = ViewTransform::look_at(
+            Point3::from_ints(1, 2, 3),
+            Point3::from_ints(0, 0, 0),
+            Vector3::from_ints(0, 1, 0),
+        );
+        let [mut inside, mut outside] = [0; 2];
+        // From the middle to a corner of the guard band: the centre decides how many powers of two are free.
+        for corner in [0, 300, 4000, 7900] {
+            let viewport = Viewport::new(Point::new(corner, -corner), size).unwrap();
+            let camera = Camera::new(view.as_ref().unwrap(), &lens, &viewport);
+            let transform = VertexTransform::new(&camera, &crate::Affine::identity(), -8, 16, true);
+            let down = transform.screen.room - transform.xy_over_w;
+            for i in 0..40_000 {
+                let w = [random.within(3), random.within(40), random.within(1 << 15)][i % 3];
+                let mut near_border = || {
+                    let off = random.within([1, 1 << down, 3 << down][i / 3 % 3]);
+                    ((w << down) + off) * [1, -1][i / 9 % 2]
+                };
+                let (x, y) = (near_border(), near_border());
+                let h = ClipCoords { xydw: [x, [y, 0, y >> 3][i / 18 % 3], random.within(1 << 20), w] };
+                let exact = (0..6).filter(|&plane| transform.distance(plane, &h) < 0);
+                let exact = exact.fold(0, |bits, plane| bits | 1 << plane);
+                assert_eq!(transform.planes_outside(&h, true), exact, "{h:?} {down}");
+                *if exact & 0b11110 == 0 { &mut inside } else { &mut outside } += 1;
+            }
+        }
+        assert!(inside > 10_000 && outside > 10_000, "{inside} {outside}");
+    }
 }

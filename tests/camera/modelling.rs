@@ -264,6 +264,13 @@ fn s2_singular_frames_are_refused_exactly_at_the_bound() {
     // Scales are no flatness: each axis on its own.
     let scales = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(16));
     assert!(scales.inverse().is_ok());
+    // Powers of two have exact inverses, also where the determinant takes fewer bits than a quotient.
+    for narrow in [1 << 12, 1 << 8, 4, 2, 1] {
+        let scales = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(narrow), scalar(narrow));
+        let there = [3 * ONE, 5 * narrow, -7 * narrow];
+        let back = scales.inverse().expect("not singular").apply(point(there));
+        assert_eq!(reals(back), [3.0, 5.0, -7.0], "{narrow}");
+    }
     let flat = Affine::<Model, World>::scale_axes(scalar(ONE), scalar(ONE), scalar(0));
     assert_eq!(flat.inverse().map(|_| ()), Err(InverseError::Singular));
 }

@@ -3,7 +3,7 @@
 //! f64 for every projection is tested in `random_projections.rs`.
 
 use pinhole::raster::ScreenPoint;
-use pinhole::{Affine, Camera, Mesh, ProjectError, Projected, Scalar, ViewTransform, Viewport};
+use pinhole::{Affine, Camera, Mesh, ProjectError, Projected, Projection, Scalar, ViewTransform, Viewport};
 use support::bridge::pair::{bits, random_view, ONE};
 use support::bridge::{point, reals, rectangle, vector};
 use support::definition::{Family, Picture, Projectors};
@@ -184,6 +184,28 @@ fn unprojecting_beyond_the_number_range_returns_none() {
     assert!(camera.unproject(at(200), 0).is_some());
     assert_eq!(camera.unproject(at(400), 0), None);
     assert_eq!(camera.ray(at(400)), None);
+}
+
+/// The planes through a pixel far beside a viewport of one pixel have coefficients beyond 2²², the largest that there are.
+#[test]
+fn unproject_gives_back_a_point_far_beside_a_tiny_viewport() {
+    let lens = Projection::from_matrix(&[
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, -1.0, -1.0],
+        [0.0, 0.0, -1.0, 1.0],
+    ]);
+    let area = rectangle(0, 0, 1, 1);
+    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    let view = ViewTransform::look_at(point([0; 3]), point([0, 0, -ONE]), vector([0, ONE, 0]));
+    let camera = Camera::new(&view.expect("a view"), &lens.expect("a projection"), &viewport);
+    let world = [20_000 * ONE, -9000 * ONE, -ONE / 2];
+    let Projected { point: screen, depth } = camera.project(point(world)).expect("in the guard band");
+    let back = reals(camera.unproject(screen, depth).expect("inside the world"));
+    // w = 3/2: half a sub-pixel is 3/512 units wide there, half a step of depth 2⁻¹⁷ · w² units deep, and x = 13 333 w.
+    for (i, allowed) in [(0, 0.5), (1, 0.25), (2, 2f64.powi(-15))] {
+        assert!((back[i] - chain::fx(world[i])).abs() <= allowed, "{back:?} {screen:?} {depth}");
+    }
 }
 
 /// The near plane cuts at its distance for any near and far: to 2⁻²⁸ of far's distance and 2⁻¹⁵
