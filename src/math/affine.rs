@@ -122,8 +122,9 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
             return Err(AxisError::ZeroAxis);
         }
         let (s, c) = angle.sin_cos();
-        let versine = i64::from(ONE) - i64::from(c); // 0 … 2³¹
-                                                     // Products in 2⁻⁶⁰, to 2⁻³⁰: at most 2⁶¹.
+        // 0 … 2³¹.
+        let versine = i64::from(ONE) - i64::from(c);
+        // Products in 2⁻⁶⁰, to 2⁻³⁰: at most 2⁶¹.
         let outer = |a: i32, b: i32| scale(versine * scale(i64::from(a) * i64::from(b), -30), -30);
         let turn = |a: i32| scale(i64::from(a) * i64::from(s), -30);
         let [x, y, z] = axis;

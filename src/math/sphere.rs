@@ -102,10 +102,11 @@ impl Sphere {
         let (xy, yz, zx) = (dot(x, y), dot(y, z), dot(z, x));
         let squares = (dot(x, x) + xy + zx).max(dot(y, y) + xy + yz).max(dot(z, z) + yz + zx); // ≤ 9·2⁵⁸
 
-        // A quarter of the stretch, in 2^(exponent − 28), rounded up: coefficients lost up to a half each, the root as much.
+        // The largest stretch in 2^(exponent − 28), rounded up: the 4 covers the bits that the coefficients and the root lost, and the
+        // root's rounding.
         let stretch = (sqrt(squares) >> 1) as i32 + 4; // ≤ 3·2²⁸ + 4
         let radius = mul_translation(stretch, exponent - 28, i64::from(self.radius.to_bits().max(0)) << 16);
-        // Up, and the rounding of the centre, within 0.87 + 2⁻¹⁶.
+        // Two units of 2⁻¹⁶ more: one rounds up, one is for the rounding of the centre, at most 0.87 + 2⁻¹⁶ unit.
         let radius = i32::try_from((radius >> 16) + 2).unwrap_or(i32::MAX);
         let centre = model.apply(self.centre).bits();
         let is_outside =

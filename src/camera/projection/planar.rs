@@ -115,8 +115,9 @@ impl PlanarProjection {
         if dz == 0 || distance == Some(Scalar::ZERO) {
             return Err(ProjectionError::NoViewPlane);
         }
-        let z_p = i64::from(z_p.to_bits()) << 16; // in 2⁻³²
-                                                  // plus + slope·(z − z_p).
+        // In 2⁻³².
+        let z_p = i64::from(z_p.to_bits()) << 16;
+        // plus + slope·(z − z_p).
         let slanted =
             |plus: Row, slope: (i64, i32)| plus.linear_combination(ONE, &Row { offset: -z_p, ..Z }, slope);
         let over_dz =

@@ -71,8 +71,9 @@ impl ReferenceVolume {
         let pn = before_plane(prp)?;
         let to_front = extent(front, prp.z()).ok_or(ProjectionError::NearNotPositive)?;
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
-        let to_back = depth + to_front; // 34 bits
-                                        // 2·pn/extent brings the window's border to 45°.
+        // 34 bits.
+        let to_back = depth + to_front;
+        // 2·pn/extent brings the window's border to 45°.
         let [x, y] = sides(prp, window, |extent| ratio(2 * pn, extent))?;
         let z = row(2, (1, 0), -(pn << 16));
         if offset(to_front as i64, depth).is_none() {

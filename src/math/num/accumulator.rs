@@ -70,7 +70,7 @@ mod tests {
         for _ in 0..200_000 {
             let m = [0; 3].map(|_| (random(&mut state) as i32) >> 1);
             let [x, y, z] = [0; 3].map(|_| (random(&mut state) as i64) >> (1 + random(&mut state) % 20));
-            // Half of them cancel: m·x against m·x, but for the last bits.
+            // In half of the cases the first two products cancel, but for the last bits.
             let (m, y) = match random(&mut state) % 2 {
                 0 => ([m[0], -m[0], m[2]], (x ^ y & 0xff)),
                 _ => (m, y),
