@@ -108,7 +108,7 @@ fn fill_low<S: PixelStore, F: DepthFill<S::Cell>>(
 ) {
     match Low::new(&triangle.triangle, scissor, memory.scratch()) {
         Some(low) => fill_rows(low, triangle, memory, depth.values_mut(), fill),
-        // Close up, most of these triangles lie beside the picture.
+        // In close-ups, most triangles that `Low` declines lie beside the picture.
         None if triangle.triangle.is_beside(scissor) => {}
         None => fill_any(memory, triangle, scissor, depth, fill),
     }

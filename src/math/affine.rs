@@ -502,7 +502,7 @@ pub(crate) fn matrix_product(
 /// Rounds sums of products to rows of 30 bits with one exponent.
 #[inline(never)] // set-up: code size counts, speed does not
 fn rounded_block(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
-    // Low words that are overwritten: zeros would be cleared by a library function.
+    // Low words, which are overwritten: LLVM would clear an array of zeros by a library function.
     let mut linear = sums.map(|row| row.map(|sum| sum as i32));
     let exponent = block_scaled(sums.as_flattened(), exponent, linear.as_flattened_mut());
     (linear, exponent)

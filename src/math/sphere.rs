@@ -69,7 +69,7 @@ impl Sphere {
                 // Differences below 2³², halved: three squares below 2⁶⁴.
                 square += (i64::from(c) - middle).unsigned_abs().div_ceil(2).pow(2);
             }
-            // The root is to the nearest: half a unit and its rounding more, and twice that.
+            // `sqrt` rounds to nearest: one more is an upper bound. The factor 2 undoes the halving.
             let distance = if square == 0 { 0 } else { 2 * (i64::from(sqrt(square)) + 1) };
             let is_endless = sphere.radius == Scalar::MAX;
             radius = radius.max(if is_endless { i64::MAX } else { distance + reach(&sphere) });

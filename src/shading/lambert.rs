@@ -138,7 +138,8 @@ struct ScaledLight {
 }
 
 impl ScaledLight {
-    /// `unit`: towards the light, in 2⁻³⁰. `ambient`: in 1/256 of full light, at most 256 of them count.
+    /// The light from the direction `unit`, a unit vector towards the light in 2⁻³⁰, and `ambient` light, 0 … 256 (more counts as
+    /// 256).
     #[inline(always)] // each light has one call
     fn new(unit: [i32; 3], ambient: u16) -> Self {
         let ambient = ambient.min(256);

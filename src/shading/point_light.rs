@@ -38,10 +38,10 @@ pub struct PointLight {
     space: NormalSpace,
     /// The light's position minus that of the mesh's origin, in the space of normals, in 2⁻²⁴ of the range.
     position: [i64; 3],
-    /// A step of the mesh in that unit, times 2^`shift`: 30 bits. If the model transform is conformal, the first number is that of
-    /// all three axes.
+    /// One unit of the mesh along each axis, in 2⁻²⁴ of the range times 2^`shift`: 30 bits. If the model transform is conformal, the
+    /// first number is the length of each.
     steps: [[i32; 3]; 3],
-    /// 0 … 62.
+    /// The right shift from `steps` times a coordinate to 2⁻²⁴ of the range: 0 … 62.
     shift: u32,
     /// 0 … 256.
     strength: u16,
@@ -68,7 +68,7 @@ impl PointLight {
         let range = range.to_bits().max(0) as u32;
         // From the origin of the mesh to the light: in 2⁻³² world units, at most 2⁶².
         let away = model.offset_from(&position.bits().map(|c| i64::from(c) << 16)).map(|c| -c);
-        // In 2⁻²⁴ of the range. Further than 2²¹ world units, where no range leads, it is as good as infinite.
+        // In 2⁻²⁴ of the range. Clamped to 2²¹ world units, which is beyond every range.
         let mut position = away.map(|c| divided(c.clamp(-(1 << 53), 1 << 53) << 8, range));
         let mut steps = [[0; 3]; 3];
         let scaled; // the exponent of the steps in 2⁻²⁴ of the range
@@ -109,7 +109,7 @@ impl PointLight {
         };
         let [a, b, c] = self.position;
         let half = (1i64 << self.shift) >> 1;
-        // |position| ≤ 2⁶²; a product, below 2⁴⁸, wraps neither.
+        // |position| ≤ 2⁶² and products are below 2⁴⁸: neither the sums nor the differences wrap.
         let [x, y, z] = [
             a.wrapping_sub((x + half) >> self.shift),
             b.wrapping_sub((y + half) >> self.shift),

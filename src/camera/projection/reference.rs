@@ -183,7 +183,7 @@ impl Projection {
         let (d, w) = match volume.kind {
             Kind::Parallel => (z.times(minus), Row { offset: 1 << 32, ..Row::ZERO }),
             Kind::Perspective { front, to_front, to_back } => {
-                // All four times the back plane's distance: d = (−z − z_min)/(1 − z_min).
+                // The canonical rows are scaled by the distance to the back plane, which divides out: d = (−z − z_min)/(1 − z_min).
                 let (m, e) = ratio(to_back as i64, to_back - to_front);
                 let d = row(2, (1, 0), -(i64::from(front) << 16)).times((-m, e));
                 (d, z.times(minus))

@@ -29,7 +29,7 @@ impl Accumulator {
         Self { high: self.high + mul_called(m, upper), low: self.low + mul_called(m, lower) }
     }
 
-    /// The sum with its carry in the high word. After each product, it makes room for coefficients of 32 bits.
+    /// The sum with the carry of `low` moved to `high`. Called after each product, it makes room for coefficients of 32 bits.
     #[inline(always)]
     pub(crate) const fn carried(self) -> Self {
         Self { high: self.high + (self.low >> 32), low: self.low & 0xffff_ffff }

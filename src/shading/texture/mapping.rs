@@ -139,7 +139,7 @@ impl<S: Texels> Texture<S> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn clamped_at(&self, corners: [[i16; 2]; 3]) -> Textured<ClampedTexels<S>> {
-        // Coordinates in units of two, of which 2¹⁶ fit into 32 bits: all coordinates, and the error beyond the last one.
+        // Coordinates are in units twice as large, of which 32 bits span 2¹⁶: room for all coordinates, and for the error beyond the last.
         let uv = corners.map(|uv| uv.map(|c| i32::from(c) << (Textured::<S>::FRACTION - 1)));
         // The 2¹⁷ units that 32 bits span are 2^(unit − 15) sides.
         let texels = ClampedTexels::new(self.texels, self.unit.map(|unit| unit.saturating_sub(15)));
