@@ -53,7 +53,7 @@ enum Kind {
 
 impl ReferenceVolume {
     /// A perspective volume. The centre of projection is the PRP, which lies in front of the view plane (n > 0);
-    /// `front` and `back` are positions on the n axis, back < front < PRP.
+    /// `front` and `back` are positions on the n axis in world units, back < front < PRP.
     ///
     /// # Errors
     ///
@@ -84,7 +84,7 @@ impl ReferenceVolume {
     }
 
     /// A volume of parallel projection. Projectors run along the direction from the PRP to the window's centre; orthographic
-    /// where that is the n axis, oblique otherwise. `front` and `back` are positions on the n axis, back < front.
+    /// where that is the n axis, oblique otherwise. `front` and `back` are positions on the n axis in world units, back < front.
     ///
     /// # Errors
     ///

@@ -105,7 +105,8 @@ impl<S: Texels> Texture<S> {
         Self { accuracy, ..self }
     }
 
-    /// The shader of a face, from the texture coordinates of its corners, in the order of the face's vertices.
+    /// The shader of a face, from the texture coordinates `[u, v]` of its corners, in the order of the face's vertices and in 1/16 texel
+    /// or the unit that [`with_exponent`](Self::with_exponent) sets.
     #[inline]
     pub fn at(&self, corners: [[i16; 2]; 3]) -> Textured<S> {
         let uv = corners.map(|uv| uv.map(|c| i32::from(c) << Textured::<S>::FRACTION));
