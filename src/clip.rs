@@ -61,7 +61,7 @@ impl ClipCoords {
     /// The initial value of free slots.
     pub(crate) const ZERO: Self = Self { xydw: [0; 4] };
 
-    /// Stores the point at parameter `t`·2⁻³¹ from slot `inside` to slot `outside` in slot `at`, which may be one of the two.
+    /// Writes to slot `at` the point at `t`·2⁻³¹ of the way from slot `inside` to slot `outside`; `at` may be either of them.
     pub(crate) fn put(slots: &mut [Self], at: usize, inside: usize, outside: usize, t: i32) {
         let (Some(&Self { xydw: a }), Some(&Self { xydw: b })) = (slots.get(inside), slots.get(outside))
         else {
@@ -213,7 +213,7 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, polygon: &mut SlotOr
                         let (inside, beyond) = if is_beyond(second) { (from, to) } else { (to, from) };
                         intersect_edge(corners, plane, free, inside.into(), beyond.into());
                         push_corner(&mut clipped, free as u8);
-                        // It lies in this plane, whatever its rounding.
+                        // The new corner counts as inside this plane, even if rounding puts it just outside.
                         let own = corners.planes_outside(free) & !(1 << plane);
                         (any, *planes) = (any | own, own as u8);
                     }
@@ -233,7 +233,8 @@ pub(crate) fn clip_triangle(corners: &mut impl ClipCorners, polygon: &mut SlotOr
     crossed
 }
 
-/// A vertex in clip space with `A` attributes that vary linearly over a face: colours, texture coordinates. For [`triangle`].
+/// An input or output vertex of [`triangle`]: a point in clip space with `A` attributes that vary linearly over a face, such as
+/// colours or texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipVertex<const A: usize> {

@@ -76,7 +76,7 @@ macro_rules! meshes {
 const SPHERE_RINGS: [[i32; 2]; 7] = {
     let (mut rings, mut ring) = ([[0; 2]; 7], 0);
     while ring < 7 {
-        // From the south pole: 1/16, 2/16 … of a turn.
+        // The angle from the south pole is 1/16, 2/16 … 7/16 of a turn.
         let (sine, cosine) = Angle::turns(ring as i32 + 1, 16).sin_cos();
         rings[ring] = [times(ONE, sine), -times(ONE, cosine)];
         ring += 1;
@@ -104,7 +104,8 @@ meshes! {
         revolved_edges::<16, 7, 240>(true, true),
         vertex normals sphere_normals();
 
-    /// A torus about the y axis: a tube of radius 0.3 around a circle of radius 0.7.
+    /// A torus about the y axis: a tube of radius 0.3 around a circle of radius 0.7, 20 segments around the axis and 10 around the
+    /// tube.
     TORUS with planes WithPlanes, 200, 400, 400:
         torus_vertices::<20, 10, 200>(),
         torus_faces::<20, 10, 400>(),
@@ -192,8 +193,8 @@ const fn cube_vertices() -> [[i16; 3]; 8] {
     vertices
 }
 
-/// The vertices of a surface of revolution about y: rings of `AROUND` vertices, each given by its radius and its y, from the
-/// lowest; then the lower and the upper pole.
+/// The vertices of a surface of revolution about y, in 1/[`ONE`] unit: rings of `AROUND` vertices, each ring given by its radius
+/// and its y, from the lowest; then the lower and the upper pole, given by their y.
 const fn revolved<const AROUND: usize, const RINGS: usize, const V: usize>(
     rings: &[[i32; 2]; RINGS],
     [south, north]: [i32; 2],
@@ -267,7 +268,7 @@ const fn revolved_edges<const AROUND: usize, const RINGS: usize, const E: usize>
     edges
 }
 
-/// The directions of the sphere's vertices from its centre.
+/// The vertex normals of the sphere, in 2⁻¹⁵: the directions of its vertices from its centre.
 const fn sphere_normals() -> [[i16; 3]; 114] {
     let vertices: [[i16; 3]; 114] = revolved::<16, 7, 114>(&SPHERE_RINGS, [-ONE, ONE]);
     let (mut normals, mut i) = ([[0; 3]; 114], 0);
@@ -347,7 +348,7 @@ const fn grid_vertices() -> [[i16; 3]; 81] {
 const fn grid_faces() -> [[u16; 3]; 128] {
     let (mut faces, mut k) = ([[0; 3]; 128], 0);
     while k < SIDE * SIDE {
-        // Seen from above, z grows downwards: far is less z.
+        // Seen from above with x to the right, z points towards the viewer: the far corners have less z.
         let far_left = (k / SIDE * (SIDE + 1) + k % SIDE) as u16;
         let near_left = far_left + (SIDE + 1) as u16;
         faces[2 * k] = [near_left, near_left + 1, far_left + 1];

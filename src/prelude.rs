@@ -14,7 +14,7 @@
 //! # Ok::<(), ViewportError>(())
 //! ```
 
-// The types and the macros of these names.
+// `MeshBuffers` and `StripBuffers` are each a type and a macro: this exports both.
 pub use crate::{mesh_buffers, strip_buffers, MeshBuffers, StripBuffers};
 
 pub use crate::camera::{

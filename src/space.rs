@@ -85,7 +85,8 @@ pub enum View {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Canonical {}
 
-/// Normalised device coordinates.
+/// Normalised device coordinates: x to the right, y up, z away from the viewer; the view volume is −1 … 1 on all axes, with the
+/// near plane at z = −1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ndc {}

@@ -16,7 +16,7 @@
 //! | core | counter | bits | code |
 //! |---|---|--:|---|
 //! | Cortex-M3, M4, M7, M33 | CYCCNT of the unit DWT | 32 | [DWT](#dwt) |
-//! | Cortex-M0, M0+, M23 | SysTick, which every Cortex-M has | 24, and an exception | [SysTick](#systick) |
+//! | Cortex-M0, M0+, M23 | SysTick, which almost every Cortex-M has | 24, and an exception | [SysTick](#systick) |
 //! | RISC-V | `mcycle` | 64, of which the 32 low ones are read at once | [mcycle](#mcycle) |
 //!
 //! All three have one interface: `cycles()` is a `u32` that wraps, and the difference of two readings is right as long as less than 2³²

@@ -8,11 +8,11 @@ use crate::math::Row;
 /// `d/w = A − B/w`: w alone decides the near test, and the vertex loop need not evaluate d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct DepthByW {
-    /// A in 2⁻²⁷: ½ … 4.
+    /// A, the depth at infinite distance, in 2⁻²⁷: ½ … 4.
     pub(crate) infinity: i32,
     /// B in 2⁻³², positive.
     pub(crate) scale: i64,
-    /// The least w, in 2⁻³², for which d ≥ 0 in spite of the rounding of the camera's rows.
+    /// A w in 2⁻³² from which on d ≥ 0 is certain, in spite of the rounding of the camera's rows.
     pub(crate) near: i64,
 }
 

@@ -28,14 +28,14 @@ impl PlaneEye {
     const ERROR: i32 = 515;
 
     /// The error bound of [`behind`](Self::behind), for normals of unit length with components within 2⁻¹⁵. Let v be a vertex
-    /// with components |vᵢ| ≤ 1:
+    /// with justified coordinates, |vᵢ| ≤ 1:
     ///
     /// * a normal's components sum to at most √3·2¹⁵ + 3, and so does n·v: multiplied by the errors of xyz and of w;
     /// * the normal's error is multiplied by xyz − v·w, at most 2^(BITS + 1) in each of three components;
     /// * the plane's error, a half, is multiplied by 2w.
     ///
-    /// One unit is added for the bits that the first product drops and for what the eye's numbers may exceed 2^BITS by, times
-    /// six.
+    /// One unit is added for two small terms: the fraction that the division by 1000 drops, and six times the amount by which an
+    /// exact number of the eye may exceed 2^BITS.
     const MARGIN: i32 = 2 * 56_759 * Self::ERROR / 1000 + 6 * (1 << Self::BITS) + (1 << Self::BITS) + 1;
 
     /// At the eye the three forms x, y and w of a vertex are 0: by Cramer's rule with the forms'

@@ -18,8 +18,8 @@ pub struct ScreenVertex {
     /// dropped. Without depth: shifted right by one, 19 bits. With depth: all 20 bits on top, below them the upper 12 bits of
     /// depth. 0 marks a vertex without a position; with depth no position is 0, because the lowest of its 20 bits is set.
     right: u32,
-    /// Half sub-pixels below the viewport's centre, in the layout of `right`, with the lower 12 bits of depth. Of a vertex
-    /// without a position: [`KNOWN`](Self::KNOWN) and clip planes, or 0 if it was not transformed.
+    /// Half sub-pixels below the viewport's centre, in the layout of `right`, with the lower 12 bits of depth. In a vertex
+    /// without a position: [`KNOWN`](Self::KNOWN) and the clip planes that it lies outside of, or 0 if it was not transformed.
     down: u32,
 }
 
@@ -203,7 +203,8 @@ mod tests {
             assert!(!vertex.is_on_screen());
             assert_eq!(vertex.planes(), Some(planes));
         }
-        // The left end of the range: on the screen with depth, neither on the screen nor of known planes without.
+        // At the left end of the range a vertex stored without depth has 0 in `right`: it counts as one without a position, and without
+        // known planes. Stored with depth it is on the screen.
         let left = -ScreenVertex::BIAS;
         for down in [left, 0, (1 << 19) - 2] {
             assert!(ScreenVertex::new::<true>(left, down, ScreenVertex::BIAS, 0).unwrap().is_on_screen());

@@ -54,8 +54,9 @@ impl SizeOnScreen {
             return None;
         }
         let w_down = shift_to_fit(w as u64, 30);
-        let r = reciprocal(scale(w, -w_down) as i32); // 1 … 2³⁰
-                                                      // 1/w = 2³² / (2^w_down · 30 bits) = mantissa · 2^(shift − 61 + 32 − w_down).
+        // The argument is 1 … 2³⁰.
+        let r = reciprocal(scale(w, -w_down) as i32);
+        // 1/w = 2³² / (2^w_down · argument) = mantissa · 2^(shift − 61 + 32 − w_down).
         let inverse = r.shift as i32 - 29 - w_down;
         let [width, height] = size.map(|length| length.to_bits().max(0));
         let along = |(factor, exponent): (i32, i32), length: i32| {
@@ -118,7 +119,7 @@ mod tests {
             let moved = [0, 1, 2].map(|i| f64::from(at[i]) - f64::from(eye[i]) + turned[i]);
             let distance = -(0..3).map(|i| moved[i] * n[i]).sum::<f64>() / 65536.0;
             let aside = moved.iter().map(|c| c * c).sum::<f64>().sqrt() / 65536.0;
-            // In the picture: within 45° and a little more, up and aside.
+            // Only vertices no farther from the axis than the picture's corners: √(1 + 1² + ¾²) is 1.6.
             if distance < 1.0 / 64.0 || aside > 1.6 * distance {
                 continue;
             }

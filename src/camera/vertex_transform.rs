@@ -68,7 +68,7 @@ impl VertexTransform {
         // Step 1: model to view, relative to the eye.
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);
-        // Copies that are overwritten: zeros would be cleared by a library function.
+        // Copies, which are overwritten: LLVM would clear an array of zeros by a library function.
         let mut view = RowBlock { linear: *m, exponent: m_exponent, offset: away }; // in a tuple it would be copied twice
         let mut i = 0;
         while let (Some(offset), Some(axis)) = (view.offset.get_mut(i), camera.axes.get(i)) {
@@ -77,8 +77,8 @@ impl VertexTransform {
         }
         view.exponent = matrix_product(&camera.axes, 0, m, m_exponent, &mut view.linear);
         // Step 2: view to clip. A common factor of all four rows changes nothing; where numbers are large (thin volumes, narrow
-        // windows,
-        //   distant objects) it prevents saturation. In 2⁻³² an object extends three coefficients times 2^(31 + unit) around `offset`.
+        // windows, distant objects) it prevents saturation. In 2⁻³² an object extends three coefficients times 2^(31 + unit) around
+        // `offset`.
         let unit = exponent - justify as i32;
         let largest = magnitude(view.linear.as_flattened());
         let around = match largest {
@@ -341,8 +341,8 @@ impl VertexTransform {
             true => ((scale(d.into(), n + self.d_over_w) >> 2).min(i32::MAX.into()) as i32, 0),
             false => (self.depth_scale, (self.scale_down - n).max(0)),
         };
-        (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
         // At most 2⁶² + 2⁶².
+        (i64::from(self.origin) << 32) + (mul_wide(numerator, r.mantissa) >> down)
     }
 
     /// [`project_wide`](Self::project_wide) without the snap to sub-pixels and without clamping: x and y in 2⁻³² px, depth in

@@ -141,7 +141,7 @@ impl Frustum {
         let centre = [coordinate(0), coordinate(1), coordinate(2)];
         let squares: u64 = m.iter().flatten().map(|c| u64::from(c.unsigned_abs() >> 1).pow(2)).sum(); // ≤ 9·2⁵⁸
 
-        // Half of the square root, in 2^(exponent − 28), rounded up.
+        // The root of the sum of squares (Frobenius norm) bounds the largest stretch; in 2^(exponent − 28), rounded up.
         let stretch = (sqrt(squares) >> 1) as i32 + 4;
         let radius = i64::from(sphere.radius.to_bits().max(0)) << 16;
         let radius = mul_translation(stretch, exponent - 28, radius);

@@ -33,7 +33,8 @@ pub(crate) fn is_back_face(slots: &[ClipCoords], sub_pixels: i32) -> bool {
     if cfg!(pinhole_plain) {
         return false;
     }
-    // The least distance of a corner inside, and the largest of a corner outside, less 1: negative ones are large without sign.
+    // The least distance from the near plane of a corner inside, as a negative distance is large without its sign; and the largest of
+    // a corner outside, less 1.
     let [p, q, r] = [a, b, c].map(|&ClipCoords { xydw: [_, _, d, _] }| d);
     let inside = (p as u32).min(q as u32).min(r as u32);
     let outside = !p.min(q).min(r) as u32;

@@ -108,7 +108,7 @@ fn fill_low<S: PixelStore, F: DepthFill<S::Cell>>(
 ) {
     match Low::new(&triangle.triangle, scissor, memory.scratch()) {
         Some(low) => fill_rows(low, triangle, memory, depth.values_mut(), fill),
-        // Close up, most of these triangles lie beside the picture.
+        // In close-ups, most triangles that `Low` declines lie beside the picture.
         None if triangle.triangle.is_beside(scissor) => {}
         None => fill_any(memory, triangle, scissor, depth, fill),
     }
@@ -305,8 +305,8 @@ fn fill_blocks<Cell: Copy>(run: &mut [Cell], depths: &mut [u16], mut z: u32, ste
     fill_each(rest, depth_rest, z, step, cell);
 }
 
-/// Fills a block where the depth buffer is not clear everywhere. Not on a Cortex-M0, which has no registers to keep: a call takes
-/// 5 % more of S2 there.
+/// Fills a block whose depths are not all clear. On a Cortex-M0, [`fill_each`] is inlined instead: that core has too few registers to
+/// gain by a call, which makes S2 5 % slower.
 #[cold] // so that the loop over clear blocks keeps its registers, and this call saves them
 #[inline(never)]
 fn fill_mixed<Cell: Copy>(

@@ -65,7 +65,7 @@ pub(crate) trait Divisor {
 pub(crate) struct OneDivision;
 
 impl Divisor for OneDivision {
-    // Each less one is an immediate operand of a Thumb-2 instruction.
+    // WIDTH − 1 and HEIGHT − 1, which `SmallTriangle::new` compares with, are immediate operands of a Thumb-2 instruction.
     const WIDTH: i32 = (255 << 5) + 1;
     const HEIGHT: i32 = (30 << 8) + 1;
 

@@ -172,7 +172,7 @@ fn gentle<Cell: Copy>(cells: &mut [Cell], mut at: usize, down: usize, rise: i32,
     let mut left = length + 1;
     if let Some(least) = length.checked_div(rise) {
         let (back, first) = (2 * rise, least >> 1);
-        // The remainder of the division by 2m, less 2m: negative.
+        // The remainder of L / 2m, whose quotient is `first`, less 2m: negative.
         let mut error = length - first * back - back;
         let along = 2 * (length - least * rise);
         let mut run = first + 1;

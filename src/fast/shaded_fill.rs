@@ -101,7 +101,7 @@ pub(super) fn fill<S: PixelStore>(
     mut row: impl FnMut(&mut [S::Cell], usize, Span),
 ) {
     let Some(low) = Low::new(triangle, scissor, memory.scratch()) else {
-        // Close up, most of these triangles lie beside the picture.
+        // In close-ups, most triangles that `Low` declines lie beside the picture.
         if triangle.is_beside(scissor) {
             return;
         }
@@ -123,7 +123,7 @@ pub(super) fn fill<S: PixelStore>(
     });
 }
 
-/// [`fill`] for any triangle.
+/// The slow path of [`fill`], for triangles outside the domain of [`Low`].
 #[inline(never)] // its loop needs all registers
 fn fill_any<Cell>(
     cells: &mut [Cell],

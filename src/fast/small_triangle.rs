@@ -69,8 +69,8 @@ impl<D: Divisor, const CLIP_ROWS: bool> SmallTriangle<D, CLIP_ROWS> {
         })
     }
 
-    /// How many of the two trapezoids may have rows inside the scissor: those of a band often lie in other bands. Drops the upper
-    /// trapezoid if it has none, so that its edges are not set up.
+    /// Returns how many of the two trapezoids may have rows inside the scissor; where the scissor is a band, one of them often lies
+    /// in another band. Drops the upper trapezoid if it lies above the scissor, so that its edges are not set up.
     #[inline(always)]
     fn clip_trapezoids(&mut self) -> usize {
         let [_, middle, last] = self.ends;
@@ -154,7 +154,7 @@ pub(crate) struct LowSpans([Trapezoid<Edge20>; 2]);
 impl LowSpans {
     #[inline(always)]
     pub(crate) fn new(mut low: SmallTriangle<TwoDivisions, true>, _: RowScratch) -> Self {
-        // Not in a loop: LLVM would peel it, which is larger, and rolled it takes 40 instructions more.
+        // No loop: LLVM would peel one, which takes more flash, and kept rolled it takes 40 instructions more.
         Self([low.trapezoid(), low.trapezoid()])
     }
 
@@ -167,7 +167,7 @@ impl LowSpans {
     #[inline(always)]
     pub(crate) fn try_each<E>(&self, mut draw: impl FnMut(Span) -> Result<(), E>) -> Result<(), E> {
         let Self(trapezoids) = self;
-        // The opaque count keeps one copy of `draw`: code size counts here.
+        // The opaque count keeps LLVM from unrolling the loop into two copies of `draw`: code size counts here.
         for &trapezoid in trapezoids.iter().take(opaque(2)) {
             trapezoid.try_each_span(&mut draw)?;
         }

@@ -72,7 +72,7 @@ fn fill_low<S: PixelStore>(
 ) {
     match Low::new(triangle, scissor, memory.scratch()) {
         Some(low) => fill_rows(low, memory, pair),
-        // Close up, most of these triangles lie beside the picture.
+        // In close-ups, most triangles that `Low` declines lie beside the picture.
         None if triangle.is_beside(scissor) => {}
         None => {
             let (cells, scratch) = memory.parts();

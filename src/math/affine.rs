@@ -122,8 +122,9 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
             return Err(AxisError::ZeroAxis);
         }
         let (s, c) = angle.sin_cos();
-        let versine = i64::from(ONE) - i64::from(c); // 0 … 2³¹
-                                                     // Products in 2⁻⁶⁰, to 2⁻³⁰: at most 2⁶¹.
+        // 0 … 2³¹.
+        let versine = i64::from(ONE) - i64::from(c);
+        // Products in 2⁻⁶⁰, to 2⁻³⁰: at most 2⁶¹.
         let outer = |a: i32, b: i32| scale(versine * scale(i64::from(a) * i64::from(b), -30), -30);
         let turn = |a: i32| scale(i64::from(a) * i64::from(s), -30);
         let [x, y, z] = axis;
@@ -501,7 +502,7 @@ pub(crate) fn matrix_product(
 /// Rounds sums of products to rows of 30 bits with one exponent.
 #[inline(never)] // set-up: code size counts, speed does not
 fn rounded_block(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
-    // Low words that are overwritten: zeros would be cleared by a library function.
+    // Low words, which are overwritten: LLVM would clear an array of zeros by a library function.
     let mut linear = sums.map(|row| row.map(|sum| sum as i32));
     let exponent = block_scaled(sums.as_flattened(), exponent, linear.as_flattened_mut());
     (linear, exponent)

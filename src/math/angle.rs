@@ -25,12 +25,12 @@ impl Angle {
     /// 180°.
     pub const HALF_TURN: Self = Self(1 << 31);
 
-    /// From units of 2⁻³² turn.
+    /// An angle of `bits` units of 2⁻³² turn, exact.
     pub const fn from_bits(bits: u32) -> Self {
         Self(bits)
     }
 
-    /// In units of 2⁻³² turn.
+    /// The angle in units of 2⁻³² turn.
     pub const fn bits(self) -> u32 {
         self.0
     }

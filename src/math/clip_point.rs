@@ -113,7 +113,7 @@ impl Outcode {
     /// z > w.
     pub const FAR: Self = Self(32);
 
-    /// The six bits.
+    /// One bit for each plane that the point lies outside of: 1 for [`LEFT`](Self::LEFT) to 32 for [`FAR`](Self::FAR).
     pub const fn bits(self) -> u8 {
         self.0
     }

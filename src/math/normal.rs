@@ -11,8 +11,7 @@ use core::marker::PhantomData;
 /// The normal matrix: the inverse transpose of a transform's linear part, up to a positive factor. It maps normals of surfaces.
 ///
 /// It is computed from the cofactors, so it exists even for singular transforms. Under a reflection normals keep pointing
-/// outwards. (Turkowski, *Transformations of surface
-/// normal vectors*, 1990.)
+/// outwards. (Turkowski, *Transformations of surface normal vectors*, 1990.)
 ///
 /// ```
 /// use pinhole::{space::{Model, World}, Affine, Scalar};

@@ -3,7 +3,7 @@
 use super::{NumberError, Scalar};
 use core::marker::PhantomData;
 
-/// A point of space `S`: three [`Scalar`]s, ±32768 world units in steps of 2⁻¹⁶.
+/// A point of space `S`: three [`Scalar`]s, ±32768 units of the space in steps of 2⁻¹⁶.
 ///
 /// ```
 /// use pinhole::{space::World, Point3, Scalar};
@@ -41,12 +41,12 @@ fn scalar_from_f32(v: f32) -> Result<i32, NumberError> {
 macro_rules! coordinates {
     ($name:ident) => {
         impl<S> $name<S> {
-            /// From three scalars.
+            /// From coordinates in units of the space, exact.
             pub const fn new(x: Scalar, y: Scalar, z: Scalar) -> Self {
                 Self::from_bits([x.to_bits(), y.to_bits(), z.to_bits()])
             }
 
-            /// From whole world units.
+            /// From coordinates in whole units of the space, exact.
             pub const fn from_ints(x: i16, y: i16, z: i16) -> Self {
                 // An i16 times 2¹⁶ fits 32 bits.
                 Self::from_bits([(x as i32) << 16, (y as i32) << 16, (z as i32) << 16])
@@ -65,7 +65,7 @@ macro_rules! coordinates {
                 Self { bits, space: PhantomData }
             }
 
-            /// The coordinates in 2⁻¹⁶ world units.
+            /// The coordinates in 2⁻¹⁶ units of the space.
             pub(crate) const fn bits(self) -> [i32; 3] {
                 self.bits
             }

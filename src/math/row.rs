@@ -87,7 +87,7 @@ impl Row {
     /// [`overflow`](Self::overflow), given the magnitude of the coefficients.
     #[inline(always)]
     fn overflow_of(&self, bits: u32, reach: i32) -> i32 {
-        // Three products.
+        // Three products of `bits` and `reach` bits in 2^(exponent − 30) sum to at most bits + reach + exponent − 28 bits.
         let linear = if bits == 0 { 0 } else { shift_to_fit(bits.into(), 28) + self.exponent + reach };
         (linear.max(shift_to_fit(self.offset.unsigned_abs(), 0)) - 60).max(0)
     }
@@ -100,7 +100,7 @@ impl Row {
     /// Composes this form, scaled by 2^−`shift`, with `inner`: a row of the matrix product.
     pub(crate) fn compose(&self, inner: &RowBlock, shift: i32, into: &mut Self) {
         let own = self.exponent - shift;
-        // `shift` is rarely not 0.
+        // `shift` is 0 unless numbers are large: thin volumes, narrow windows, distant objects.
         let offset = if shift == 0 { self.offset } else { scale(self.offset, -shift) };
         into.offset = evaluate(&self.linear, own, &inner.offset, offset);
         let sums = row_times(&self.linear, &inner.linear);

@@ -69,7 +69,7 @@ impl Sphere {
                 // Differences below 2³², halved: three squares below 2⁶⁴.
                 square += (i64::from(c) - middle).unsigned_abs().div_ceil(2).pow(2);
             }
-            // The root is to the nearest: half a unit and its rounding more, and twice that.
+            // `sqrt` rounds to nearest: one more is an upper bound. The factor 2 undoes the halving.
             let distance = if square == 0 { 0 } else { 2 * (i64::from(sqrt(square)) + 1) };
             let is_endless = sphere.radius == Scalar::MAX;
             radius = radius.max(if is_endless { i64::MAX } else { distance + reach(&sphere) });
@@ -102,10 +102,11 @@ impl Sphere {
         let (xy, yz, zx) = (dot(x, y), dot(y, z), dot(z, x));
         let squares = (dot(x, x) + xy + zx).max(dot(y, y) + xy + yz).max(dot(z, z) + yz + zx); // ≤ 9·2⁵⁸
 
-        // A quarter of the stretch, in 2^(exponent − 28), rounded up: coefficients lost up to a half each, the root as much.
+        // The largest stretch in 2^(exponent − 28), rounded up: the 4 covers the bits that the coefficients and the root lost, and the
+        // root's rounding.
         let stretch = (sqrt(squares) >> 1) as i32 + 4; // ≤ 3·2²⁸ + 4
         let radius = mul_translation(stretch, exponent - 28, i64::from(self.radius.to_bits().max(0)) << 16);
-        // Up, and the rounding of the centre, within 0.87 + 2⁻¹⁶.
+        // Two units of 2⁻¹⁶ more: one rounds up, one is for the rounding of the centre, at most 0.87 + 2⁻¹⁶ unit.
         let radius = i32::try_from((radius >> 16) + 2).unwrap_or(i32::MAX);
         let centre = model.apply(self.centre).bits();
         let is_outside =

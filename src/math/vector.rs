@@ -146,8 +146,8 @@ impl<S> Point3<S> {
 fn between([a, b, c]: [i32; 3], [x, y, z]: [i32; 3], t: Scalar) -> [i32; 3] {
     let at = |from: i32, to: i32| {
         let (from, to) = (i64::from(from), i64::from(to));
+        // The difference has 33 bits.
         rounded(Accumulator::ZERO.plus(t.to_bits(), to - from).carried().plus(1 << 16, from))
-        // a difference of 33 bits
     };
     [at(a, x), at(b, y), at(c, z)]
 }

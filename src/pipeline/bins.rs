@@ -151,7 +151,7 @@ impl<'s> Bins<'s> {
     pub(super) fn fork<'b>(&'b mut self, cursor: &'b mut [u16]) -> Result<[Bins<'b>; 2], BinError> {
         let (needed, given) = (self.active.len(), cursor.len());
         let second = cursor.get_mut(..needed).ok_or(BinError::Storage { needed, given })?;
-        // No band begins below this row: the first band of each of the three clears its bits.
+        // Every band begins above this row, so the first band of each of the two cursors, and of these bins after them, clears its bits.
         self.row = i32::MAX;
         let Bins { order, top, shift, activated, next, row, bounds, .. } = *self;
         Ok([&mut *self.active, second].map(|active| Bins {

@@ -3,7 +3,7 @@
 //!
 //! | source | cache | sink |
 //! |---|---|---|
-//! | [`MeshOrder`], [`PlaneOrder`], binned faces | [`TransformedMesh`], [`LazyCache`] | a fill, a depth-tested fill, depth only, bins, a painter |
+//! | [`MeshOrder`], [`PlaneOrder`], binned faces | [`TransformedMesh`], [`LazyCache`] | a fill, a depth-tested fill, depth only, bins, a painter, picking |
 
 use super::cull::Facing;
 use super::draw_region::DrawRegion;

@@ -98,7 +98,7 @@ fn pick<'a, V: Coordinate + 'a>(
 ) -> Option<Picked> {
     let at = pixel_centre(pixel)?;
     let (area, mut storage) = (Rectangle::new(pixel, Size::new(1, 1)), [0]);
-    // One depth for one pixel.
+    // A depth buffer of one pixel.
     let mut buffer = DepthBuffer::new(area, &mut storage).ok()?;
     buffer.values_mut().fill(depth);
     let region = DrawRegion::shared(&area, cache.instance().area(), Some(&buffer));

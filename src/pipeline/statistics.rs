@@ -70,7 +70,7 @@ impl Statistics {
     /// Counts a face.
     #[inline(always)]
     pub(super) fn count(&mut self, outcome: Outcome) {
-        // At most 2³² faces would fit a slice of a 32-bit core: no sum wraps.
+        // A slice on a 32-bit core has fewer than 2³² faces, so no count wraps.
         let field = match outcome {
             Outcome::Culled => &mut self.culled,
             Outcome::Degenerate => &mut self.degenerate,

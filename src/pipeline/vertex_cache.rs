@@ -304,7 +304,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> VertexCache<'a, V, DEPTH> for Transfo
     }
 }
 
-/// The cache of faces that were binned, and culled then.
+/// The vertex cache of binned faces, which were culled when they were binned.
 pub(super) struct BinnedVertices<'a, V: Coordinate, const DEPTH: bool>(
     pub(super) TransformedMesh<'a, V, DEPTH>,
 );
@@ -457,7 +457,7 @@ pub(super) fn transform_all<V: Coordinate, const DEPTH: bool>(
     vertices: &[[V::Stored; 3]],
     cache: &mut [ScreenVertex],
 ) {
-    // `is_near`: the vertex before lies before the near plane; so does the next one, probably.
+    // `is_near`: the previous vertex lies outside of the near plane; so does the next one, probably.
     let (mut done, mut is_near) = (0, false);
     loop {
         if !is_near {

@@ -161,7 +161,7 @@ mod tests {
                 }
             }
         }
-        // 1/2, and the error of differences and steps.
+        // Half a step for rounding, and the error that `through_tiny` documents.
         let bound = HALF + 20_496; // 1281 · 2⁻¹⁶
         assert!(largest <= bound && largest - HALF > (bound - HALF) / 2, "{largest} of {bound}");
         assert!(near > 80_000, "{near}");

@@ -101,7 +101,7 @@ impl Numerators {
     #[inline(always)]
     fn in_32_bits(triangle: &Triangle<'_>, headroom: i32, values: &[i32; 3]) -> Option<Self> {
         let (dz1, dz2) = differences(values);
-        // 2 + k: the bits of the extent and of dz, and k, are 30 in all.
+        // room = 2 + k, with k so that the bits of the extent, the bits of dz and k are 30 in all.
         let room = headroom + leading_zeros(magnitude(dz1) | magnitude(dz2)) - 32;
         if room < 0 {
             return None;
@@ -144,7 +144,7 @@ impl<'t> GradientSetup<'t> {
     #[inline(always)]
     pub(crate) fn with_extent(triangle: &'t Triangle<'t>, extent: Extent) -> Self {
         let sign = (triangle.area >> 63) as i32;
-        // |area| < 2·2³⁰ within 128 pixels: not all differences are −128 pixels at once.
+        // |area| < 2³¹ within 128 pixels: a difference of two products of at most 2³⁰, which do not both reach it with opposite signs.
         let (area, cut) = match extent.is_small() {
             true => ((triangle.area as i32 ^ sign).wrapping_sub(sign), 0),
             false => cut_area(triangle, extent),
@@ -182,7 +182,7 @@ impl<'t> GradientSetup<'t> {
     /// 2⁻²⁸, at most 2⁸. Differences of values may lose two bits, as if corners had been up to 4 units lower: 2¹⁰. Within 512
     /// pixels area and numerator are truncated to 31 bits, a relative error of 2⁻³⁰ each, in all less than 2⁻²⁷·⁴ of the step:
     /// 2⁹·⁶ for x and for y.
-    // No inline hint: inlined where there is one call.
+    // No inline hint: LLVM inlines it in firmware that calls it once.
     pub(crate) fn through(&self, values: &[i32; 3]) -> Gradient {
         let numerators = Numerators::new(self.triangle, self.extent.headroom(), values);
         match self.slope(&numerators, values) {

@@ -147,8 +147,9 @@ pub(crate) struct LineSpans {
     last: i32,
     /// The minor steps made so far.
     minor_step: i32,
-    /// `2·m·(i + 1) − L − 2·L·k`: positive if the next pixel makes a minor step. A major step alone adds `along` to it, a major
-    /// and a minor step add `aside`. All three are below 2¹⁸ in magnitude.
+    /// Bresenham's error term `2·m·(i + 1) − L − 2·L·k` after i major and k minor steps of a line of extents L and m: positive if
+    /// the next pixel makes a minor step. A major step alone adds `along`, a major and a minor step add `aside`. All three are below
+    /// 2¹⁸ in magnitude.
     error: i32,
     along: i32,
     aside: i32,

@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Point;
 
-/// The guard band: 3D geometry is clipped at this many pixels from the target's origin.
+/// The guard band: 3D geometry is clipped this many pixels to each side of the target's origin.
 pub const GUARD_BAND: i32 = 8192;
 
 /// A point on the screen in 24.8: x to the right and y downwards, in sub-pixels of 1/256 pixel. Pixel (i, j) covers
@@ -17,7 +17,7 @@ pub struct ScreenPoint {
 impl ScreenPoint {
     pub(crate) const ORIGIN: Self = Self { x: 0, y: 0 };
 
-    /// The point with these coordinates in 1/256 pixel, for 2D drawing; `None` beyond ±8192 pixels.
+    /// The point with these coordinates in 1/256 pixel, for 2D drawing; `None` beyond ±2²¹, which is 8192 pixels.
     pub const fn from_subpixels(x: i32, y: i32) -> Option<Self> {
         const LIMIT: i32 = GUARD_BAND * 256;
         // The sign bit is set if any difference is negative or wraps: one test for four comparisons.

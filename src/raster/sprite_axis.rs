@@ -43,7 +43,8 @@ impl SpriteAxis {
         let Self { low, size, texels } = *self;
         let size = size as u32; // 1 … 2³⁰: it covers a pixel
         let offset = (256 * pixel + 128 - low) as u32; // 0 … size − 1
-                                                       // Numerators below 2⁶² and 2⁴⁰, as `divide` needs.
+
+        // Numerators below 2⁶² and 2⁴⁰, as `divide` needs.
         let (texel, rest) = divide(u64::from(offset) * u64::from(texels), size);
         let (step, step_rest) = divide(256 * u64::from(texels), size);
         // Where a step is 2³² texels or more, there is no next pixel: all texels are fewer.

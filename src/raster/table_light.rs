@@ -59,7 +59,7 @@ mod tests {
     #[test]
     fn light_over_a_triangle_stays_within_the_bound() {
         let random = &mut Random(7);
-        // Below 64 pixels light has 18 bits of fraction, in units of 2⁶; larger triangles have 24 bits.
+        // Triangles below 64 pixels have light with 18 fractional bits, so a unit is 2⁶ of 2⁻²⁴; larger triangles have 24.
         let small = [600, 4_000, 16_000].map(|reach| worst(random, reach, 600, 30_000));
         let large = [65_000, 300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
         let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());

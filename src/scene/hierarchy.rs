@@ -128,7 +128,7 @@ impl<'a> Hierarchy<'a> {
         self.nodes.get(node).map(Node::world)
     }
 
-    /// All nodes.
+    /// The nodes, parents before their children.
     pub fn nodes(&self) -> &[Node] {
         self.nodes
     }

@@ -87,12 +87,12 @@ impl<'a> FaceColors<'a> {
         Rgb888::new(red, green, blue).into()
     }
 
-    /// The colours.
+    /// The colours `[red, green, blue]`, 255 is full.
     pub const fn palette(&self) -> &'a [[u8; 3]] {
         self.palette
     }
 
-    /// The index of the colour of each face.
+    /// The index in the [`palette`](Self::palette) of each face's colour.
     pub const fn faces(&self) -> &'a [u8] {
         self.faces
     }
@@ -163,12 +163,12 @@ impl<'a> TextureCoords<'a> {
         self.faces.get(face).map_or([[0; 2]; 3], |corners| corners.map(at))
     }
 
-    /// All coordinates.
+    /// The texture coordinates `[u, v]`, in units of 2^[`exponent`](Self::exponent) of the texture's side.
     pub const fn coords(&self) -> &'a [[i16; 2]] {
         self.coords
     }
 
-    /// The indices of the coordinates of each face's corners.
+    /// For each face, the indices in [`coords`](Self::coords) of its three corners.
     pub const fn faces(&self) -> &'a [[u16; 3]] {
         self.faces
     }

@@ -348,7 +348,7 @@ impl<P> Mesh<'_, i16, P> {
 /// longer ones.
 const fn plane_distance([x, y, z]: [i32; 3], [a, b, c]: [i16; 3], justify: u8) -> i16 {
     let shift = justify as u32 & 31;
-    // Justified: 2³¹ each, times 2¹⁵.
+    // Justified coordinates are at most 2³¹, normals 2¹⁵: three products of 2⁴⁶.
     let along =
         (x << shift) as i64 * a as i64 + (y << shift) as i64 * b as i64 + (z << shift) as i64 * c as i64;
     let half = scale(along, -32);
@@ -614,22 +614,22 @@ impl<'a, V, P> Mesh<'a, V, P> {
         self.data.vertices
     }
 
-    /// The faces, counter-clockwise from outside.
+    /// The faces: three vertex indices each, counter-clockwise from outside.
     pub const fn faces(&self) -> &'a [[u16; 3]] {
         self.data.faces
     }
 
-    /// The edges; empty if none were added.
+    /// The edges: two vertex indices each; empty if none were added.
     pub const fn edges(&self) -> &'a [[u16; 2]] {
         self.data.edges
     }
 
-    /// The two faces adjacent to each edge; empty if none were added.
+    /// The indices of the two faces adjacent to each edge, [`NO_FACE`](Self::NO_FACE) at a border; empty if none were added.
     pub const fn edge_faces(&self) -> &'a [[u16; 2]] {
         self.data.edge_faces
     }
 
-    /// The face normals in 2⁻¹⁵; empty if none were added.
+    /// The unit normals of the faces in 2⁻¹⁵; empty if none were added.
     pub const fn normals(&self) -> &'a [[i16; 3]] {
         self.data.normals
     }
@@ -639,7 +639,7 @@ impl<'a, V, P> Mesh<'a, V, P> {
         self.data.planes
     }
 
-    /// The vertex normals in 2⁻¹⁵; empty if none were added.
+    /// The unit normals of the vertices in 2⁻¹⁵; empty if none were added.
     pub const fn vertex_normals(&self) -> &'a [[i16; 3]] {
         self.data.vertex_normals
     }
@@ -813,7 +813,7 @@ impl<V: Coordinate> MeshData<'_, V> {
             square = square.max(part(0) + part(1) + part(2));
         }
         let radius = 2 * (i64::from(sqrt(square)) + 1);
-        // Plus the rounding of the centre and of the radius itself.
+        // Three units of 2⁻¹⁶ more, for the rounding of the centre and of the radius itself.
         let outside = centre.iter().any(|&c| i64::from(bits(c)) != wide(c));
         let radius = if outside { i32::MAX } else { bits(radius).saturating_add(3) };
         Sphere { centre: Point3::from_bits(centre.map(bits)), radius: Scalar::from_bits(radius) }

@@ -40,7 +40,7 @@ impl CornerValues {
     }
 }
 
-/// What [`CornerValues::inverse_w`] returns.
+/// Reciprocals of three w with one common factor, as [`CornerValues::inverse_w`] returns them.
 pub(super) fn inverse_w(w: [i32; 3]) -> [i32; 3] {
     // 1/w = mantissa · 2^(shift − 61), mantissa 2³⁰ … 2³¹ − 1: the smallest w has the largest shift.
     let reciprocals = w.map(|w| reciprocal(w.max(1)));

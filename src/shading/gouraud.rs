@@ -182,8 +182,8 @@ mod tests {
         let small = [600, 20_000, 65_000].map(|reach| worst(random, reach, 600, 30_000));
         let large = [300_000, 2_000_000].map(|reach| worst(random, reach, 8192, 1_000));
         let (small, large) = (small.into_iter().max().unwrap(), large.into_iter().max().unwrap());
-        // In 2⁻²⁴: 1024 rows and columns by ½, 34 for the origin, and the reciprocal, of whose 1552 no more than 400 is
-        // asserted, as none is met; 2¹⁵ rows and columns by ½.
+        // In 2⁻²⁴, as `GradientSetup::through` documents: small, 1024 rows and columns by ½ and 34 for the origin; the reciprocal may
+        // add 1552, but 400 is asserted, as no case comes near. Large, 2¹⁵ rows and columns by ½.
         assert!(small <= 512 + 34 + 400 && large <= (1 << 14) + 34 + 1552, "{small} {large}");
         assert!(small > 473 && large > 9000, "{small} {large}");
     }

@@ -98,7 +98,7 @@ impl BlinnPhong {
         let normal = self.space.normal(normal);
         let cosine = dot_words(normal, self.towards); // in 2⁻³⁰
         let ambient = u32::from(self.ambient);
-        // In 2⁻¹⁵: a normal that is rounded up may be longer than 1.
+        // In 2⁻¹⁵; at most 1, although rounding may make a normal longer than 1.
         let shade = ((cosine.max(0) as u32) >> 15).min(1 << 15);
         // ¾ of a level in 2⁻⁸: 2¹⁵ · 2⁸ at most before the shifts, 3·2¹⁴ at most after them.
         let diffuse = (((ambient << 15) + (256 - ambient) * shade) * 3) >> 9;
@@ -145,7 +145,7 @@ impl<C: Channels> ShadeTable<C> {
             };
             let [r, g, b] =
                 [mix(color.r(), highlight.r()), mix(color.g(), highlight.g()), mix(color.b(), highlight.b())];
-            // In 2⁻⁸ · 1/765 of 1/255: at most 255·765·2⁸ < 2²⁶.
+            // Channels in units of 1/(255·765·2⁸) of full: at most 255·765·2⁸ < 2²⁶.
             let [r, g, b] = if C::GRAY { [luma([r, g, b]); 3] } else { [r << 8, g << 8, b << 8] };
             let [x, y, z] = C::MAX;
             C::from_channels([nearest(r, x), nearest(g, y), nearest(b, z)])

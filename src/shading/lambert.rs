@@ -138,14 +138,15 @@ struct ScaledLight {
 }
 
 impl ScaledLight {
-    /// `unit`: towards the light, in 2⁻³⁰. `ambient`: in 1/256 of full light, at most 256 of them count.
+    /// The light from the direction `unit`, a unit vector towards the light in 2⁻³⁰, and `ambient` light, 0 … 256 (more counts as
+    /// 256).
     #[inline(always)] // each light has one call
     fn new(unit: [i32; 3], ambient: u16) -> Self {
         let ambient = ambient.min(256);
         let rest = 256 - i32::from(ambient);
         let (mut towards, mut i) = ([0; 3], 0);
         while let (Some(&c), Some(to)) = (unit.get(i), towards.get_mut(i)) {
-            // |v · rest| ≤ 2²³: no longer than a unit vector.
+            // The product is at most 2²³, so the result fits 16 bits.
             *to = ((i32::from(component_to_q15(c)) * rest + 128) >> 8) as i16;
             i = opaque_next(i); // code size counts, speed does not
         }
@@ -262,7 +263,8 @@ mod tests {
                 [0, 0, one / 5 * 5]
             ]));
             for i in 0..3 {
-                // Row i has its number in column i + 1. Stretch by 2⁻¹² changes squares by 2⁻¹¹, by 2⁻⁹ by 2⁻⁸.
+                // Row i of `turned` has `one` in column i + 1. A stretch by 2⁻¹² changes its squared length by 2⁻¹¹, one by 2⁻⁹ changes it by
+                // 2⁻⁸; the limit is 2⁻¹⁰.
                 for (part, conformal) in [(one >> 12, true), (one >> 9, false), (-(one >> 9), false)] {
                     let (mut stretched, mut sheared) = (turned, turned);
                     stretched[i][(i + 1) % 3] += part;

@@ -13,7 +13,7 @@ use crate::space::{Model, World};
 pub struct DirectionalLight {
     /// Towards the light, in world space, of any length.
     pub towards: Vector3<World>,
-    /// What it adds where it shines from straight above, in 1/256 of full light: 0 … 256, more counts as 256.
+    /// The light that it adds to a face that it meets at a right angle, in 1/256 of full light: 0 … 256, more counts as 256.
     pub strength: u16,
 }
 

@@ -63,7 +63,7 @@ impl Matcap {
             Some(axes) => axes.map(|axis| (dot_words(normal, axis).saturating_add(1 << 14)) >> 15),
             None => self.transformed(normal),
         };
-        // |x| ≤ 2¹⁵, but for a normal that is too long.
+        // The clamp is for normals longer than 1; all others have |c| ≤ 2¹⁵.
         let part = |c: i32| ((1 << 14) + ((c.clamp(-32_768, 32_768) * 127 + 128) >> 8)) as i16; // 128 … 32640
         [part(x), part(-y)]
     }

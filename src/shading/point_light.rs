@@ -38,10 +38,10 @@ pub struct PointLight {
     space: NormalSpace,
     /// The light's position minus that of the mesh's origin, in the space of normals, in 2⁻²⁴ of the range.
     position: [i64; 3],
-    /// A step of the mesh in that unit, times 2^`shift`: 30 bits. If the model transform is conformal, the first number is that of
-    /// all three axes.
+    /// One unit of the mesh along each axis, in 2⁻²⁴ of the range times 2^`shift`: 30 bits. If the model transform is conformal, the
+    /// first number is the length of each.
     steps: [[i32; 3]; 3],
-    /// 0 … 62.
+    /// The right shift from `steps` times a coordinate to 2⁻²⁴ of the range: 0 … 62.
     shift: u32,
     /// 0 … 256.
     strength: u16,
@@ -64,10 +64,11 @@ impl PointLight {
     ) -> Self {
         let space = NormalSpace::new(model);
         let (rows, row_exponent) = model.linear();
-        let range = range.to_bits().max(0) as u32; // in 2⁻¹⁶; division by 0 gives what is not used
-                                                   // From the origin of the mesh to the light: in 2⁻³² world units, at most 2⁶².
+        // In 2⁻¹⁶. If it is 0, the quotients below have no meaning and are not used.
+        let range = range.to_bits().max(0) as u32;
+        // From the origin of the mesh to the light: in 2⁻³² world units, at most 2⁶².
         let away = model.offset_from(&position.bits().map(|c| i64::from(c) << 16)).map(|c| -c);
-        // In 2⁻²⁴ of the range. Further than 2²¹ world units, where no range leads, it is as good as infinite.
+        // In 2⁻²⁴ of the range. Clamped to 2²¹ world units, which is beyond every range.
         let mut position = away.map(|c| divided(c.clamp(-(1 << 53), 1 << 53) << 8, range));
         let mut steps = [[0; 3]; 3];
         let scaled; // the exponent of the steps in 2⁻²⁴ of the range
@@ -108,7 +109,7 @@ impl PointLight {
         };
         let [a, b, c] = self.position;
         let half = (1i64 << self.shift) >> 1;
-        // |position| ≤ 2⁶²; a product, below 2⁴⁸, wraps neither.
+        // |position| ≤ 2⁶² and products are below 2⁴⁸: neither the sums nor the differences wrap.
         let [x, y, z] = [
             a.wrapping_sub((x + half) >> self.shift),
             b.wrapping_sub((y + half) >> self.shift),
@@ -118,8 +119,8 @@ impl PointLight {
         if !(is_near(x) && is_near(y) && is_near(z)) {
             return 0;
         }
+        // Below `RANGE`: 25 bits with the sign.
         self.level_from([x as i32, y as i32, z as i32], self.space.normal(normal))
-        // 25 bits
     }
 
     /// A vertex relative to the mesh's origin, times 2^shift: below 2³⁰ · 2¹⁵ · 3.
@@ -133,18 +134,20 @@ impl PointLight {
     fn level_from(&self, towards: [i32; 3], normal: [i16; 3]) -> u16 {
         let [x, y, z] = towards;
         let bits = (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()) | 1;
-        let up = bits.leading_zeros() - 8; // 0 … 23: the largest has 24 bits
-                                           // 15 bits and the sign, rounded; 2¹⁵ itself becomes less by one.
+        // 0 … 23: the largest component has 24 bits.
+        let up = bits.leading_zeros() - 8;
+        // 15 bits and the sign, rounded; 2¹⁵ itself becomes less by one.
         let near = map3(towards, |c| (((c << up) + (1 << 8)) >> 9).min(32_767) as i16);
-        let square = near.iter().map(|&c| (i32::from(c) * i32::from(c)) as u32).sum::<u32>(); // ≤ 3·2³⁰
-                                                                                              // r² in 2⁻¹⁶ of the range's square: that square is in 2⁻³⁰ of it, and 2^up too large.
+        // At most 3·2³⁰.
+        let square = near.iter().map(|&c| (i32::from(c) * i32::from(c)) as u32).sum::<u32>();
+        // r² in 2⁻¹⁶ of the range's square: `square` is in 2^(−30 − 2·up) of it.
         let down = 14 + 2 * up; // 14 … 60
         let ratio = square.checked_shr(down).unwrap_or(0);
         let cosine = dot_words(normal, near); // times |near|, in 2⁻³⁰: below 2³¹
         if ratio >= 1 << 16 || cosine <= 0 {
             return 0;
         }
-        // 2¹⁴ … 2¹⁵·⁸: a positive cosine needs a direction.
+        // |near| is 2¹⁴ … 2¹⁵·⁸, not 0: the cosine is positive.
         let root = reciprocal(sqrt_word(square) as i32);
         // cosine/|near| in 2⁻¹⁵: the reciprocal is mantissa · 2^(shift − 61), with a shift of 15 or 16.
         let cosine = mul_high(cosine, root.mantissa) >> (29u32.wrapping_sub(root.shift) & 31);
@@ -175,7 +178,7 @@ impl PointLight {
     }
 }
 
-/// `n / d`, rounded to nearest, for |n| < 2⁶¹; some number for d = 0.
+/// `n / d`, rounded to nearest, for |n| < 2⁶¹; for d = 0 a number without meaning, not a panic.
 #[inline(never)] // set-up: code size counts, speed does not
 fn divided(n: i64, d: u32) -> i64 {
     let (quotient, _) = divide(n.unsigned_abs() + u64::from(d / 2), d);

@@ -93,7 +93,7 @@ impl<'a> DepthBuffer<'a> {
         self.area
     }
 
-    /// The depths, row by row.
+    /// The depths, row by row: 0 near … 65534 far, or [`NOTHING`](Self::NOTHING).
     pub const fn values(&self) -> &[u16] {
         self.values
     }

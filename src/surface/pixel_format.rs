@@ -261,8 +261,9 @@ fn fill_packed<C: PixelFormat>(row: &mut [u8], from: usize, to: usize, bits: u32
         _ => 0x11,
     };
     let pattern = ((bits & ((1 << C::BITS) - 1)) * ones) as u8; // below 2⁸
-    let (first, last) = (from / per_byte, to / per_byte); // a power of two
-                                                          // The bits of a byte from this pixel to the last one.
+    let (first, last) = (from / per_byte, to / per_byte); // a power of two: shifts, no divisions
+
+    // The bits of a byte from this pixel to the last one.
     let from_on = |x: usize| 0xff_u8.checked_shr((x % per_byte) as u32 * C::BITS).unwrap_or(0);
     let mut put = |index: usize, mask: u8| {
         if let Some(byte) = row.get_mut(index) {

@@ -24,7 +24,7 @@ use embedded_graphics_core::pixelcolor::PixelColor;
     note = "draw colors of less than 8 bits into the `Band` itself instead of `Band::pixels()`"
 )]
 pub trait StoredPixel<Cell>: PixelColor {
-    /// The color as a cell of memory.
+    /// The colour as a cell of memory.
     fn stored(self) -> Cell;
 
     /// The color of a cell, for shaders that blend with the pixel that is there: what [`stored`](Self::stored) was given.

@@ -68,5 +68,3 @@ macro_rules! StripBuffers {
         >
     };
 }
-
-// For the prelude, by way of the module.

@@ -430,8 +430,9 @@ fn a_scene_begins_with_its_own_camera() {
         let paper = viewer.pixels()[63];
         viewer.pixels().iter().filter(|c| **c != paper).count()
     };
-    assert_eq!(covered(&viewer), 64 * 63 / 2); // x + y < 0 at centres
-                                               // From 60 degrees to the side its width is half.
+    // Pixels whose centres have x + y < 0.
+    assert_eq!(covered(&viewer), 64 * 63 / 2);
+    // From 60 degrees to the side its width is half.
     let middle = covered(&viewer);
     (0..12).for_each(|_| press(&mut state, "right"));
     viewer.draw(&state).unwrap();

@@ -6,7 +6,7 @@ use embedded_graphics::{prelude::*, text::*};
 use pinhole::{prelude::*, Angle};
 
 const SIZE: Size = Size::new(200, 200);
-/// The radii of its rings of 16 vertices and their heights, from the foot to the top.
+/// The pawn's radii and heights at its 15 rings of vertices, from the foot to the top.
 const RADII: [i32; 15] = [46, 46, 38, 35, 22, 15, 12, 26, 26, 14, 21, 24, 20, 11, 0];
 const HEIGHTS: [i16; 15] = [0, 10, 16, 24, 36, 52, 74, 82, 88, 92, 100, 112, 124, 132, 135];
 pub const PAWN: Mesh<'static> = {

@@ -33,7 +33,7 @@ const CAMERA: Camera = {
     camera
 };
 
-/// What the display shows.
+/// The rectangles to send, and the values that the display shows by needle and by text.
 pub struct Gauge(DirtyRegions<4>, Tracked<u8>, Tracked<u8>);
 
 impl Gauge {

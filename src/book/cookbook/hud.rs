@@ -23,7 +23,7 @@ impl Hud {
         Self(mesh_buffers!(TORUS), strip_buffers!(Rgb565, 240, 8), [0; 60])
     }
 
-    /// `micros` is the time that the frame before took.
+    /// Draws a frame with the torus turned by `turn`. `micros` is the time that the previous frame took, in microseconds.
     pub fn draw<D: DrawTarget<Color = Rgb565>>(
         &mut self,
         turn: Angle,

@@ -1,12 +1,12 @@
-//! A count of the core's clock cycles, to time a frame: 32 bits that wrap, which differences survive. By the unit DWT of a
-//! Cortex-M3, M4, M7 or M33.
+//! A 32-bit counter of the core's clock cycles, by the DWT unit of a Cortex-M3, M4, M7 or M33. It wraps: subtract two readings
+//! by `wrapping_sub`.
 
 use cortex_m::peripheral::{DCB, DWT};
 
 pub struct Clock;
 
 impl Clock {
-    /// `None` if the chip's maker has left the counter out.
+    /// Starts the counter; `None` on a chip without one.
     pub fn start(debug: &mut DCB, unit: &mut DWT) -> Option<Self> {
         debug.enable_trace(); // also without a debugger
         unit.enable_cycle_counter();

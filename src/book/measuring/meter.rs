@@ -5,7 +5,7 @@ pub struct Meter<F> {
     measured: Measured,
 }
 
-/// What a frame took: clock cycles, those of them that the core has waited for the display, and the bytes sent.
+/// The cost of a frame: its clock cycles, how many of them the core waited for the display, and the bytes sent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Measured {
     pub cycles: u32,
@@ -14,12 +14,13 @@ pub struct Measured {
 }
 
 impl<F: Fn() -> u32> Meter<F> {
-    /// The first frame begins.
+    /// A meter whose first frame begins now. `cycles` reads the counter.
     pub fn new(cycles: F) -> Self {
         Self { begin: cycles(), cycles, measured: Measured::default() }
     }
 
-    /// Calls what waits for the display: a transfer that blocks, or the end of one.
+    /// Runs a function that waits for the display, such as a blocking transfer or the end of a DMA transfer, and counts its cycles as
+    /// waiting.
     pub fn wait<T>(&mut self, transfer: impl FnOnce() -> T) -> T {
         let begin = (self.cycles)();
         let result = transfer();
@@ -27,12 +28,12 @@ impl<F: Fn() -> u32> Meter<F> {
         result
     }
 
-    /// Counts the bytes of a band, and those of its window.
+    /// Adds bytes sent to the display: pixels, and commands that set a window.
     pub fn sent(&mut self, bytes: usize) {
         self.measured.bytes = self.measured.bytes.saturating_add(bytes as u32);
     }
 
-    /// The frame has ended, and the next one begins.
+    /// Ends the frame and returns its cost; the next frame begins now.
     pub fn frame(&mut self) -> Measured {
         let now = (self.cycles)();
         let cycles = now.wrapping_sub(self.begin);

@@ -44,7 +44,7 @@ impl Projection {
         let [x, y, d, w] = straight.rows;
         let slanted = |straight: Row, part: i32, low: Scalar, high: Scalar| {
             let extent = extent(low, high).ok_or(ProjectionError::EmptyWindow)?;
-            // −2·factor·part/extent: 2⁻¹⁶ · 2⁻³⁰ over 2⁻¹⁶; 32 + 31 bits over 33 bits.
+            // The slope −2·factor·part/extent: factor (32 bits) and extent (33 bits) in 2⁻¹⁶, part (31 bits) in 2⁻³⁰.
             let (m, e) = ratio(-i64::from(factor.to_bits()) * i64::from(part), extent);
             let slope = row(2, (m, e - 29), 0);
             Ok(straight.linear_combination(ONE, &slope, ONE))

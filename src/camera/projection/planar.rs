@@ -40,7 +40,7 @@ const fn axis(i: usize) -> Row {
 }
 
 impl PlanarProjection {
-    /// The projection from a centre at the origin onto the plane z = d:
+    /// The projection from a centre at the origin onto the plane z = d, in world units:
     ///
     /// ```text
     ///     | 1 0 0   0 |
@@ -58,7 +58,7 @@ impl PlanarProjection {
         Ok(Self { rows: [X, Y, Z, by(d, 0)?] })
     }
 
-    /// The projection from a centre at (0, 0, −d) onto the plane z = 0, which contains the origin:
+    /// The projection from a centre at (0, 0, −d), in world units, onto the plane z = 0, which contains the origin:
     ///
     /// ```text
     ///     | 1 0 0   0 |
@@ -115,8 +115,9 @@ impl PlanarProjection {
         if dz == 0 || distance == Some(Scalar::ZERO) {
             return Err(ProjectionError::NoViewPlane);
         }
-        let z_p = i64::from(z_p.to_bits()) << 16; // in 2⁻³²
-                                                  // plus + slope·(z − z_p).
+        // In 2⁻³².
+        let z_p = i64::from(z_p.to_bits()) << 16;
+        // plus + slope·(z − z_p).
         let slanted =
             |plus: Row, slope: (i64, i32)| plus.linear_combination(ONE, &Row { offset: -z_p, ..Z }, slope);
         let over_dz =
@@ -185,7 +186,7 @@ fn by(d: Scalar, offset: i64) -> Result<Row, ProjectionError> {
 
 impl Projection {
     /// A planar projection seen through a `window` of its plane, with depth between the planes z = −near and z = −far
-    /// (distances along −z, near < far).
+    /// (distances along −z in world units, near < far).
     ///
     /// The camera looks along −z. If the centre of projection lies at smaller z than the volume (as with d > 0),
     /// the far plane is the one closer to it and the picture is mirrored, as the matrix says.

@@ -53,7 +53,7 @@ enum Kind {
 
 impl ReferenceVolume {
     /// A perspective volume. The centre of projection is the PRP, which lies in front of the view plane (n > 0);
-    /// `front` and `back` are positions on the n axis, back < front < PRP.
+    /// `front` and `back` are positions on the n axis in world units, back < front < PRP.
     ///
     /// # Errors
     ///
@@ -71,8 +71,9 @@ impl ReferenceVolume {
         let pn = before_plane(prp)?;
         let to_front = extent(front, prp.z()).ok_or(ProjectionError::NearNotPositive)?;
         let depth = extent(back, front).ok_or(ProjectionError::NearNotBeforeFar)?;
-        let to_back = depth + to_front; // 34 bits
-                                        // 2·pn/extent brings the window's border to 45°.
+        // 34 bits.
+        let to_back = depth + to_front;
+        // 2·pn/extent brings the window's border to 45°.
         let [x, y] = sides(prp, window, |extent| ratio(2 * pn, extent))?;
         let z = row(2, (1, 0), -(pn << 16));
         if offset(to_front as i64, depth).is_none() {
@@ -83,7 +84,7 @@ impl ReferenceVolume {
     }
 
     /// A volume of parallel projection. Projectors run along the direction from the PRP to the window's centre; orthographic
-    /// where that is the n axis, oblique otherwise. `front` and `back` are positions on the n axis, back < front.
+    /// where that is the n axis, oblique otherwise. `front` and `back` are positions on the n axis in world units, back < front.
     ///
     /// # Errors
     ///
@@ -182,7 +183,7 @@ impl Projection {
         let (d, w) = match volume.kind {
             Kind::Parallel => (z.times(minus), Row { offset: 1 << 32, ..Row::ZERO }),
             Kind::Perspective { front, to_front, to_back } => {
-                // All four times the back plane's distance: d = (−z − z_min)/(1 − z_min).
+                // The canonical rows are scaled by the distance to the back plane, which divides out: d = (−z − z_min)/(1 − z_min).
                 let (m, e) = ratio(to_back as i64, to_back - to_front);
                 let d = row(2, (1, 0), -(i64::from(front) << 16)).times((-m, e));
                 (d, z.times(minus))

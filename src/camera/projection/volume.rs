@@ -81,7 +81,8 @@ impl Projection {
         Self::by_distance(&row(0, across, 0), &row(1, up, 0), near, far)
     }
 
-    /// The perspective whose frustum cuts `window` out of the near plane; the window may be off-axis.
+    /// The perspective whose frustum cuts `window` out of the near plane; the window may be off-axis. `near` and `far` are distances
+    /// from the eye along −z, in world units.
     ///
     /// ```text
     ///     | 2n/(r−l)  0         (r+l)/(r−l)   0           |

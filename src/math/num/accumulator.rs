@@ -29,7 +29,7 @@ impl Accumulator {
         Self { high: self.high + mul_called(m, upper), low: self.low + mul_called(m, lower) }
     }
 
-    /// The sum with its carry in the high word. After each product, it makes room for coefficients of 32 bits.
+    /// The sum with the carry of `low` moved to `high`. Called after each product, it makes room for coefficients of 32 bits.
     #[inline(always)]
     pub(crate) const fn carried(self) -> Self {
         Self { high: self.high + (self.low >> 32), low: self.low & 0xffff_ffff }
@@ -70,7 +70,7 @@ mod tests {
         for _ in 0..200_000 {
             let m = [0; 3].map(|_| (random(&mut state) as i32) >> 1);
             let [x, y, z] = [0; 3].map(|_| (random(&mut state) as i64) >> (1 + random(&mut state) % 20));
-            // Half of them cancel: m·x against m·x, but for the last bits.
+            // In half of the cases the first two products cancel, but for the last bits.
             let (m, y) = match random(&mut state) % 2 {
                 0 => ([m[0], -m[0], m[2]], (x ^ y & 0xff)),
                 _ => (m, y),

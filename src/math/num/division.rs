@@ -32,8 +32,9 @@ pub(crate) fn proper_fraction(n: u32, d: u32) -> i32 {
     let r = reciprocal_of_normalised((upper(d), 0));
     // `r` is 2⁶¹ over those bits within 2⁻²⁹ of itself, which is 4 units of the quotient; the bits dropped from n and d are 2 each,
     // and the shift is 1. So the quotient is off by at most 7.
-    let mut quotient = (mul_wide(upper(n), r.mantissa) >> 30) as i32; // below 2³¹ + 7: may wrap, and is corrected
-                                                                      // Both products are below 2⁶³ + 2³⁶; |rest| < 8·2³².
+    // Below 2³¹ + 7: may wrap, and is corrected.
+    let mut quotient = (mul_wide(upper(n), r.mantissa) >> 30) as i32;
+    // Both products are below 2⁶³ + 2³⁶; |rest| < 8·2³².
     let mut rest = (u64::from(n) << 31).wrapping_sub(u64::from(d) * u64::from(quotient as u32)) as i64;
     while rest < 0 {
         keep_rolled();
@@ -49,7 +50,7 @@ pub(crate) fn proper_fraction(n: u32, d: u32) -> i32 {
 /// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
 #[inline(never)] // set-up: code size counts, speed does not
 pub(crate) const fn divide(n: u64, d: u32) -> (u64, u32) {
-    // Their difference in bits; `n` is less than twice `d` shifted by it.
+    // How many bits longer `n` is than `d`: `n` is less than twice `d << bits`, as `fraction` requires.
     let bits = max(shift_to_fit(n, 0) - shift_to_fit(d as u64, 0), 0) as u32;
     let quotient = fraction(n, (d as u64) << bits, bits);
     (quotient, (n as u32).wrapping_sub((quotient as u32).wrapping_mul(d))) // below d: 31 bits tell

@@ -67,7 +67,8 @@ pub(super) fn reciprocal_of_normalised((m, shift): (i32, u32)) -> Reciprocal {
     let e1 = e >> 16; // in 2⁻²³, |e1| < 2¹⁵
     let e2 = e1 - ((e1 * e1) >> 23); // e − e², in 2⁻²³
     let s = (e - ((e1 * e2) >> 7)) >> 9; // e − e² + e³, in 2⁻³⁰, |s| < 2²²
-                                         // |s·r| < 2³¹; one less, lest 1 become 2³¹.
+
+    // |s·r| < 2³¹. The mantissa is one less, so that it stays below 2³¹ where v is a power of two.
     Reciprocal { mantissa: (r << 22) + !((s * r) >> 8), shift }
 }
 

@@ -41,7 +41,7 @@ pub(super) struct Perspective {
 pub(super) struct Sample {
     /// At most 2²⁷.
     uv: [i32; 2],
-    /// 1 … 2³¹ − 1; 0 for none.
+    /// 1/w in the unit of [`Perspective::q`]: 1 … 2³¹ − 1; 0 in [`NONE`](Self::NONE).
     pub(super) q: i32,
 }
 
@@ -88,7 +88,8 @@ impl Gradients {
         let setup = GradientSetup::new(triangle);
         let margin = if setup.extent.is_large() { LARGE_MARGIN } else { MARGIN };
         let gradient = |values: [i32; 3], (least, extent): (i32, i32), unit: u8| {
-            // As fine as short numerators of the set-up allow, so that margin and error are small against the extent.
+            // Values up to 2¹⁷ keep the numerators of the set-up in 32 bits. The finer the unit, the smaller are the margin and the
+            // error of the gradient against the extent.
             let unit = i32::from(unit);
             let finer = (unit - 16).min(leading_zeros(extent as u32) - 15).max(0) & 15; // 2¹⁷, or more that is given
             let extent = extent << finer;
@@ -297,7 +298,7 @@ fn largest_run(triangle: &Triangle<'_>) -> u32 {
     let height = (a.max(b).max(c) - a.min(b).min(c)) as u32; // not 0, as the area is not
     let area_bits = 64 - triangle.area.unsigned_abs().leading_zeros() as i32;
     let height_bits = 32 - leading_zeros(height);
-    // In sub-pixels A/H is at least 2^(area_bits − height_bits − 1).
+    // A/H in sub-pixels is at least 2^(area_bits − height_bits − 1); a pixel is 2⁸ of them.
     (area_bits - height_bits - 1 - 8).clamp(0, LARGEST_RUN as i32) as u32
 }
 

@@ -43,8 +43,8 @@ impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
     ///
     /// # Errors
     ///
-    /// [`TextureError::Side`] if a side is not 8, 16, 32, 64, 128 or 256, [`TextureError::Texels`] if there are less than
-    /// `width * height * BITS / 8` bytes, and [`TextureError::Palette`] if there are less than 2^`BITS` colours.
+    /// [`TextureError::Side`] if a side is not 8, 16, 32, 64, 128 or 256, [`TextureError::Texels`] if there are fewer than
+    /// `width * height * BITS / 8` bytes, and [`TextureError::Palette`] if there are fewer than 2^`BITS` colours.
     pub const fn new(
         bytes: &'t [u8],
         width: usize,
@@ -70,7 +70,7 @@ impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
     ///
     /// # Errors
     ///
-    /// [`TextureError::Palette`] if there are less than 2^`BITS` colours.
+    /// [`TextureError::Palette`] if there are fewer than 2^`BITS` colours.
     pub const fn with_palette(self, palette: &'t [C]) -> Result<Self, TextureError> {
         let [w, h] = self.bits;
         Self::new(self.bytes, 1 << w, 1 << h, palette)
@@ -111,7 +111,7 @@ impl<C: PixelColor, const BITS: u32> Texels for IndexedTexels<'_, C, BITS> {
 }
 
 impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
-    /// These texels with the colours of another palette; one with less than 2^`BITS` colours does not compile.
+    /// These texels with the colours of another palette; one with fewer than 2^`BITS` colours does not compile.
     pub(super) const fn with_colors<const COLORS: usize>(self, palette: &'t [C; COLORS]) -> Self {
         const {
             assert!(COLORS >= 1 << BITS, "a palette has a colour for each number that texels can have");

@@ -136,8 +136,9 @@ impl<S: LitTexels> Textured<S> {
 #[inline(always)]
 const fn of_level(level: u16, bits: u32) -> i32 {
     let level = if level > 256 { 256 } else { level as u32 };
-    let levels = (1u32 << (bits & 31)) - 1; // 1 … 255
-                                            // Below 2²⁷, rounded down by less than one unit.
+    // 1 … 255.
+    let levels = (1u32 << (bits & 31)) - 1;
+    // Below 2²⁷, rounded down by less than one unit.
     ((((level * levels) << 10) + (1 << 17)) >> (bits & 31)) as i32 - (1 << 9)
 }
 

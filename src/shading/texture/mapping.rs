@@ -105,7 +105,8 @@ impl<S: Texels> Texture<S> {
         Self { accuracy, ..self }
     }
 
-    /// The shader of a face, from the texture coordinates of its corners, in the order of the face's vertices.
+    /// The shader of a face, from the texture coordinates `[u, v]` of its corners, in the order of the face's vertices and in 1/16 texel
+    /// or the unit that [`with_exponent`](Self::with_exponent) sets.
     #[inline]
     pub fn at(&self, corners: [[i16; 2]; 3]) -> Textured<S> {
         let uv = corners.map(|uv| uv.map(|c| i32::from(c) << Textured::<S>::FRACTION));
@@ -139,9 +140,9 @@ impl<S: Texels> Texture<S> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn clamped_at(&self, corners: [[i16; 2]; 3]) -> Textured<ClampedTexels<S>> {
-        // Coordinates in units of two, of which 2¹⁶ fit into 32 bits: all coordinates, and the error beyond the last one.
+        // Coordinates are in units twice as large, of which 32 bits span 2¹⁶: room for all coordinates, and for the error beyond the last.
         let uv = corners.map(|uv| uv.map(|c| i32::from(c) << (Textured::<S>::FRACTION - 1)));
-        // The 2¹⁷ units are 2^(unit − 15) sides.
+        // The 2¹⁷ units that 32 bits span are 2^(unit − 15) sides.
         let texels = ClampedTexels::new(self.texels, self.unit.map(|unit| unit.saturating_sub(15)));
         let texture = Texture { texels, unit: [16; 2], accuracy: self.accuracy };
         Textured { texture, uv, w: [1 << 30; 3] }
@@ -159,7 +160,7 @@ pub struct Textured<S> {
 }
 
 impl<S> Textured<S> {
-    /// Fractional bits of a coordinate's unit: what clipping rounds the coordinates of new corners to.
+    /// The fractional bits of a corner's coordinates: clipping rounds the coordinates of new corners to 2⁻⁸ of the texture's unit.
     pub(super) const FRACTION: u32 = 8;
 }
 

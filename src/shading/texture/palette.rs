@@ -108,7 +108,7 @@ pub struct LitIndexedTexels<'t, C, const BITS: u32, const COLORS: usize, const R
 }
 
 impl<'t, C: PixelColor, const BITS: u32> IndexedTexels<'t, C, BITS> {
-    /// These texels in the colours of a palette in several levels of light. A palette with less than 2^`BITS` colours does not
+    /// These texels in the colours of a palette in several levels of light. A palette with fewer than 2^`BITS` colours does not
     /// compile.
     pub const fn with_lit_palette<const COLORS: usize, const ROWS: usize>(
         self,

@@ -77,7 +77,7 @@ impl<'g> PerspectiveRuns<'g> {
             let mask = -1 << (bits & 31);
             let (from, to) = (x & mask, (x | !mask).wrapping_add(1));
             let behind @ (q_behind, st_behind) = perspective.at(to, y);
-            // A sample at the left end had room.
+            // A sample at the left end was the right end of the last run, so it had room: zeros pass the test.
             let first @ (q_first, st_first) =
                 if left.is_none() { perspective.at(from, y) } else { (left.q, [0; 2]) };
             if Perspective::has_room(&behind)
