@@ -2,6 +2,7 @@
 //! ray through a pixel meets the point visible there, and each reason to be hidden is reported. That `project` agrees with
 //! f64 for every projection is tested in `random_projections.rs`.
 
+use embedded_graphics::geometry::Point;
 use pinhole::raster::ScreenPoint;
 use pinhole::{Affine, Camera, Mesh, ProjectError, Projected, Projection, Scalar, ViewTransform, Viewport};
 use support::bridge::pair::{bits, random_view, ONE};
@@ -70,9 +71,15 @@ fn unproject_gives_the_projected_point_back() {
         let Some(world) = bits(view.back(at)) else { continue };
         let at = view.apply(chain::fx3(world));
         let camera = camera(view_bits.library().expect("a view"), &family);
-        let Ok(Projected { point: screen, depth }) = camera.project(point(world)) else {
+        let Ok(projected) = camera.project(point(world)) else {
             panic!("hidden: {view_bits:?} {family:?} {world:?}");
         };
+        let Projected { point: screen, depth } = projected;
+        // A label goes into the pixel that contains the point.
+        assert_eq!(
+            Point::from(projected),
+            Point::new(screen.x().div_euclid(256), screen.y().div_euclid(256))
+        );
         if depth == 65_534 {
             continue; // clamped
         }
