@@ -7,9 +7,14 @@ use std::path::Path;
 const FILE: &str = "model.stl";
 
 /// What the importer makes of the file: a mesh 2 units long, which suits the camera whatever the file's unit is, and the edges at
-/// which its surface turns by more than 30 degrees.
+/// which its surface turns by more than 30 degrees, with the faces beside each: without these, hidden lines are dotted.
 pub fn options() -> Options {
-    Options { fit: Some(2.0), edges: Edges::Feature { degrees: 30.0 }, ..Options::default() }
+    Options {
+        fit: Some(2.0),
+        edges: Edges::Feature { degrees: 30.0 },
+        edge_faces: true,
+        ..Options::default()
+    }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -65,8 +65,7 @@ function show() {
     canvas.setAttribute('aria-label', `${state.mesh === 'file' ? fileName : state.mesh}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
     showModel(about.model);
     showCosts(library, choice());
-    $('zip').disabled = $('picture').disabled = !['flat', 'gouraud'].includes(state.style) || state.format !== 'rgb565';
-    $('zip').title = $('zip').disabled ? 'The templates draw faces in 16-bit colour' : '';
+    showBoards();
   } catch (problem) {
     say(problem.message, true);
     drawnModel = '';
@@ -74,6 +73,15 @@ function show() {
     $('model').textContent = '';
   }
   if (!turning) writeAddress();
+}
+
+// Boards whose templates do not draw such pictures cannot be chosen.
+function showBoards() {
+  const boards = boardsFor(templates, state);
+  for (const option of $('board').options) option.disabled = !boards.includes(option.value);
+  if (boards.length > 0 && !boards.includes($('board').value)) $('board').value = boards[0];
+  $('zip').disabled = $('picture').disabled = boards.length === 0;
+  $('zip').title = boards.length === 0 ? 'The templates draw flat and Gouraud faces in 16-bit colour, and hidden lines in black and white' : '';
 }
 
 const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');

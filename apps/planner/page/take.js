@@ -55,6 +55,13 @@ async function unpacked(text) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+// The boards whose templates draw a style in a format of pixels.
+function boardsFor(templates, { style, format }) {
+  const isOfLines = (path) => new TextDecoder().decode(templates.get(path)).includes('.hidden_line(');
+  const isWanted = (path) => (isOfLines(path) ? style === 'hidden-line' && format === 'mono' : ['flat', 'gouraud'].includes(style) && format === 'rgb565');
+  return [...templates.keys()].filter((path) => path.endsWith('/src/picture.rs') && isWanted(path)).map((path) => path.split('/')[0]);
+}
+
 // The folder `firmware` of a board, of the templates in an archive, as it draws a choice: a Map from paths to bytes.
 function firmware(library, templates, board, choice) {
   const files = new Map();
@@ -69,4 +76,4 @@ function firmware(library, templates, board, choice) {
   return files;
 }
 
-Object.assign(globalThis, { untar, zip, unpacked, firmware });
+Object.assign(globalThis, { untar, zip, unpacked, boardsFor, firmware });

@@ -3,9 +3,9 @@
 use crate::choice::{Choice, Style};
 use crate::display::Format;
 use crate::lens::Lens;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use pinhole::{Sphere, Window};
-use pinhole_import::Axis;
+use pinhole_import::{Axis, Edges};
 
 /// A file of a template, by its path in the folder, as it is in the firmware of a choice. `model` is the name of the model's file,
 /// `sphere` the mesh's bounding sphere.
@@ -20,11 +20,6 @@ pub(crate) fn file(
     model: &str,
     sphere: &Sphere,
 ) -> Result<String, String> {
-    if choice.style.is_of_lines() || choice.format != Format::Rgb565 {
-        return Err(
-            "the templates draw faces in 16-bit colour: choose such a style and such a display".into()
-        );
-    }
     match path {
         "src/picture.rs" => picture(text, choice, sphere),
         "build.rs" => script(text, choice, model),
@@ -50,10 +45,61 @@ fn replaced(text: &str, from: &str, to: &str) -> Result<String, String> {
     Ok(text.replace(from, to))
 }
 
-/// The drawing code, with the colours, the light, the camera and the shader of the choice.
+/// Text that the drawing code has where it draws hidden lines, and where it draws faces.
+const HIDDEN_LINES: &str = "hidden_line(BinaryColor::On, ";
+const FACES: &str = "color(face).dim(level(face))";
+
+/// The drawing code, as the choice draws.
 fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
+    let is_for_lines = text.contains(HIDDEN_LINES);
+    let draws = match (choice.style, choice.format) {
+        (Style::HiddenLine, Format::Mono) => is_for_lines,
+        (Style::Flat | Style::Gouraud, Format::Rgb565) => text.contains(FACES),
+        _ => false,
+    };
+    match draws {
+        true if is_for_lines => lines(text, choice, sphere),
+        true => faces(text, choice, sphere),
+        false => Err("this board draws something else: stm32-ssd1306 draws hidden lines in black and white, the others \
+                      flat and Gouraud faces in 16-bit colour"
+            .into()),
+    }
+}
+
+/// The drawing code with the camera of the choice.
+fn with_camera(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
+    let [yaw, pitch] = [choice.yaw, choice.pitch].map(angle);
+    let usual =
+        "let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));";
+    match Lens::new(choice, sphere) {
+        Lens::Framing { field_of_view } => {
+            let angles = format!("(Angle::degrees({field_of_view}), {yaw}, {pitch})");
+            replaced(text, usual, &format!("let (field_of_view, yaw, pitch) = {angles};"))
+        }
+        lens => {
+            let text = replaced(text, usual, &format!("let (yaw, pitch) = ({yaw}, {pitch});"))?;
+            let framing = "Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)";
+            replaced(&text, framing, &camera(&lens))
+        }
+    }
+}
+
+/// The drawing code of hidden lines, with the colours and the camera of the choice. The text on top has the colour of the lines.
+fn lines(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
+    let [color, background]: [BinaryColor; 2] = [choice.color.into(), choice.background.into()];
+    let (before, after) = text
+        .split_once("BinaryColor::Off")
+        .filter(|(_, after)| !after.contains("BinaryColor::Off"))
+        .ok_or("the template does not have `BinaryColor::Off` once")?;
+    let lines = |text: &str| text.replace("BinaryColor::On", &format!("BinaryColor::{color:?}"));
+    let text = format!("{}BinaryColor::{background:?}{}", lines(before), lines(after));
+    with_camera(&text, choice, sphere)
+}
+
+/// The drawing code of faces, with the colours, the light, the camera and the shader of the choice.
+fn faces(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
     let usual = Choice::default();
-    let mut text = text.to_owned();
+    let mut text = with_camera(text, choice, sphere)?;
     let mut replace = |from: &str, to: &str| replaced(&text, from, to).map(|new| text = new);
     if choice.background != usual.background {
         replace(
@@ -71,25 +117,6 @@ fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, Strin
     let [x, y, z] = choice.light;
     replace("Vector3::from_ints(2, 3, 4)", &format!("Vector3::from_ints({x}, {y}, {z})"))?;
 
-    let lens = Lens::new(choice, sphere);
-    let [yaw, pitch] = [choice.yaw, choice.pitch].map(angle);
-    match lens {
-        Lens::Framing { field_of_view } => replace(
-            "(Angle::degrees(40), Angle::degrees(30), Angle::degrees(20))",
-            &format!("(Angle::degrees({field_of_view}), {yaw}, {pitch})"),
-        )?,
-        _ => {
-            replace(
-                "let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));",
-                &format!("let (yaw, pitch) = ({yaw}, {pitch});"),
-            )?;
-            replace(
-                "Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)",
-                &camera(&lens),
-            )?;
-        }
-    }
-
     let shader = match (choice.style, choice.dither) {
         (Style::Gouraud, dither) => {
             replace(
@@ -104,7 +131,7 @@ fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, Strin
     if let Some((shader, dither)) = shader {
         let dithered = if dither { ".dithered()" } else { "" };
         let lit = format!("pinhole::{shader}::lit(color(face).into(), level(face)){dithered}");
-        replace("color(face).dim(level(face))", &lit)?;
+        replace(FACES, &lit)?;
         replace(" Dim,", "")?;
     }
     Ok(without_unused(text))
@@ -188,7 +215,11 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
         fields += &format!(", {name}: true");
     }
     let text = replaced(text, "FILE: &str = \"model.stl\"", &format!("FILE: &str = {model:?}"))?;
-    replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, .."))
+    if options.edges == Edges::None {
+        return replaced(&text, "edges: Edges::None, ..", &format!("edges: Edges::None{fields}, .."));
+    }
+    // Hidden lines: their template has edge faces.
+    replaced(&text, "degrees: 30.0 }", &format!("degrees: 1.0 }}{fields}"))
 }
 
 /// The manifest, as `boards/new` makes it, in a folder beside the repository's.
@@ -215,6 +246,35 @@ mod tests {
         let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
         assert_eq!(picture(PICTURE, &Choice::default(), &sphere).as_deref(), Ok(PICTURE));
         assert_eq!(script(SCRIPT, &Choice::default(), "model.stl").as_deref(), Ok(SCRIPT));
+    }
+
+    /// Of the template of hidden lines: where the page draws them by another angle, and with another camera.
+    #[test]
+    fn hidden_lines_have_the_colors_the_camera_and_the_edges_of_the_choice() {
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        let template = include_str!("../../../boards/stm32-ssd1306/src/picture.rs");
+        let lines = "mesh=cube&format=mono&style=hidden-line&color=ffffff";
+        assert_eq!(picture(template, &choice(lines), &sphere).as_deref(), Ok(template));
+        let dark = choice(&format!("{lines}&color=000000&background=ffffff&yaw=45"));
+        let made = picture(template, &dark, &sphere).expect("a picture");
+        assert!(made.contains("Frame::new(area, BinaryColor::On)"), "{made}");
+        assert!(made.contains("hidden_line(BinaryColor::Off, "), "{made}");
+        assert!(made.contains("MonoTextStyle::new(&FONT_6X10, BinaryColor::Off)"), "{made}");
+        assert!(made.contains("Angle::degrees(45), Angle::degrees(20));"), "{made}");
+        let template = include_str!("../../../boards/stm32-ssd1306/build.rs");
+        let made = script(template, &choice(lines), "model.stl").expect("a script");
+        let expected =
+            "Edges::Feature { degrees: 1.0 }, up: Some(pinhole_import::Axis::Y),\n        edge_faces: true,";
+        assert!(made.contains(expected), "{made}");
+    }
+
+    #[test]
+    fn a_template_of_other_pictures_is_refused() {
+        let sphere = Sphere::new(Point3::from_ints(0, 0, 0), Scalar::from_num(1));
+        for text in ["style=hidden-line&format=mono", "style=wireframe", "format=mono", "format=gray4"] {
+            let problem = picture(PICTURE, &choice(text), &sphere).expect_err(text);
+            assert!(problem.starts_with("this board draws something else"), "{problem}");
+        }
     }
 
     #[test]

@@ -139,15 +139,29 @@ const tests = {
     const saves = async (button) => (await Promise.all([tab.waitForEvent('download'), tab.click(button)]))[0];
     await tab.selectOption('#projection', 'cabinet');
     await tab.selectOption('#style', 'gouraud');
-    for (const board of await tab.locator('#board option').evaluateAll((all) => all.map((o) => o.value))) {
-      await tab.selectOption('#board', board);
-      const download = await saves('#zip');
-      assert.equal(download.suggestedFilename(), `${board}.zip`);
-      const listed = execFileSync('python3', ['-m', 'zipfile', '-t', await download.path()]).toString();
-      assert.match(listed, /Done testing/);
-    }
+    const zips = async () => {
+      const boards = await tab.locator('#board option:not([disabled])').evaluateAll((all) => all.map((o) => o.value));
+      for (const board of boards) {
+        await tab.selectOption('#board', board);
+        const download = await saves('#zip');
+        assert.equal(download.suggestedFilename(), `${board}.zip`);
+        const listed = execFileSync('python3', ['-m', 'zipfile', '-t', await download.path()]).toString();
+        assert.match(listed, /Done testing/);
+      }
+      return boards;
+    };
+    await settled(tab);
+    assert.ok((await zips()).length >= 8);
     assert.match(readFileSync(await (await saves('#picture')).path(), 'utf8'), /pinhole::Projection::oblique\(/);
     assert.match(readFileSync(await (await saves('#rust')).path(), 'utf8'), /pub const MODEL: pinhole::Mesh/);
+
+    // Hidden lines, which one board draws, in black and white.
+    await tab.selectOption('#style', 'hidden-line');
+    await settled(tab);
+    assert.ok(await tab.isDisabled('#zip'));
+    await tab.selectOption('#panel-type', { label: 'SSD1306, 128 × 64, black and white' });
+    await settled(tab);
+    assert.deepEqual(await zips(), ['stm32-ssd1306']);
   },
 
   async 'each control has a name, is large enough, and has contrast, in light and dark, on a phone'(tab) {

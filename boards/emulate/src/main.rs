@@ -36,12 +36,18 @@ fn main() -> ExitCode {
         let frames: Option<u32> = given.remove_one("frames");
         let break_at: Option<u32> = given.remove_one("break-bus");
         let inputs: Option<String> = given.remove_one("inputs");
+        let pictures: Option<PathBuf> = given.remove_one("pictures");
         let board = BOARDS.iter().find(|board| board.name == name);
         let board = board.ok_or_else(|| {
             let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
             format!("{name}: not an emulated board; they are {}", names.join(", "))
         })?;
-        let run = Run { frames: frames.unwrap_or(board.frames), break_at, inputs: inputs.as_deref() };
+        let run = Run {
+            frames: frames.unwrap_or(board.frames),
+            break_at,
+            inputs: inputs.as_deref(),
+            pictures: pictures.as_deref(),
+        };
         let frames = emulate(board, &image, &tools, &run).map_err(|problem| format!("{name}: {problem}"))?;
         say(format_args!("{name}: {}", summary(&frames)))?;
         if inputs.is_some() {
@@ -83,6 +89,16 @@ fn arguments() -> Command {
              and the steps are printed",
         ))
         .arg(
+            Arg::new("pictures")
+                .long("pictures")
+                .value_name("FILE")
+                .value_parser(value_parser!(PathBuf))
+                .help(
+                    "What the frames must show, in place of what the host draws: all pixels of a frame of the turn, row by row, \
+                     and the next frame behind them; two bytes each as the display's memory stores them, the high one first",
+                ),
+        )
+        .arg(
             Arg::new("tools")
                 .long("tools")
                 .value_name("DIR")
@@ -100,15 +116,21 @@ struct Run<'a> {
     break_at: Option<u32>,
     /// Changes of pins, as `rp2040.mjs` takes them.
     inputs: Option<&'a str>,
+    /// What the frames must show, in place of what the host draws.
+    pictures: Option<&'a Path>,
 }
 
 /// The frames that the firmware has shown; all were as the host draws them.
 fn emulate(board: &Board, image: &Path, tools: &Path, run: &Run<'_>) -> Result<Vec<Frame>, String> {
-    let &Run { frames, break_at, inputs } = run;
+    let &Run { frames, break_at, inputs, pictures } = run;
     let bytes = std::fs::read(image).map_err(|error| format!("{}: {error}", image.display()))?;
     let tables = log::Tables::of(&bytes).map_err(|problem| format!("{}: {problem}", image.display()))?;
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(board.name).join("model.stl");
-    let mut watch = Watch::new(board, (board.pictures)(&model)?);
+    let pictures = match pictures {
+        Some(file) => boards::read(board, file)?,
+        None => (board.pictures)(&model)?,
+    };
+    let mut watch = Watch::new(board, pictures);
     let mut log = tables.decoder();
 
     if break_at.is_some() && matches!(board.chip, Chip::Rp2040 { .. }) {

@@ -111,3 +111,17 @@ const ST7789: Display = Display {
 fn import(model: &Path, options: &pinhole_import::Options) -> Result<pinhole_import::ImportedMesh, String> {
     pinhole_import::import(model, options).map_err(|error| error.to_string())
 }
+
+/// The pictures of a turn from a file, whose format the command's help describes. They may be fewer than a turn has.
+pub(crate) fn read(board: &Board, file: &Path) -> Result<Pictures, String> {
+    let bytes = std::fs::read(file).map_err(|error| format!("{}: {error}", file.display()))?;
+    let length = usize::from(board.display.width) * usize::from(board.display.height) * 2;
+    if bytes.is_empty() || bytes.len() % length != 0 {
+        return Err(format!("{}: {} bytes are not pictures of {length} bytes", file.display(), bytes.len()));
+    }
+    Ok(Box::new(move |frame| {
+        let picture = bytes.chunks_exact(length).nth(frame as usize);
+        let picture = picture.ok_or_else(|| format!("there is no picture of frame {frame}"))?;
+        Ok(picture.as_chunks().0.iter().map(|&pair| u32::from(u16::from_be_bytes(pair))).collect())
+    }))
+}
