@@ -5,6 +5,7 @@ use crate::display::{Format, DISPLAYS};
 use crate::lens;
 use crate::projections::Named;
 use crate::ready;
+use crate::texture::Pattern;
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::Angle;
@@ -21,15 +22,18 @@ pub enum Style {
     Flat,
     /// Light interpolated over each face.
     Gouraud,
+    /// A picture on the faces.
+    Textured,
 }
 
 impl Style {
     /// The styles by their names.
-    pub const ALL: [(&'static str, Self); 4] = [
+    pub const ALL: [(&'static str, Self); 5] = [
         ("wireframe", Self::Wireframe),
         ("hidden-line", Self::HiddenLine),
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
+        ("textured", Self::Textured),
     ];
 
     /// Whether edges are drawn instead of faces.
@@ -68,10 +72,14 @@ pub struct Choice {
     pub(crate) light: [i16; 3],
     /// Light on faces that are turned away from the lamp; 256 is full.
     pub(crate) ambient: u16,
+    /// What textured faces show.
+    pub(crate) texture: Pattern,
     pub(crate) up: Option<Axis>,
     pub(crate) flip: bool,
     pub(crate) fix_winding: bool,
     pub(crate) two_sided: bool,
+    /// The most faces, or 0 for all.
+    pub(crate) decimate: u32,
     /// Rows of a band.
     pub(crate) rows: u32,
     /// The microcontroller whose costs are shown.
@@ -80,13 +88,14 @@ pub struct Choice {
 
 /// Steps of a turn.
 pub(crate) const TURNS: u32 = 120;
+/// Faces of a mesh that decimation is asked for; a display has fewer pixels.
+const MOST_FACES: u32 = 1_000_000;
 /// The longest side of a display, in pixels.
 const LONGEST: u32 = 1024;
 
 impl Default for Choice {
     fn default() -> Self {
-        let [.., projection] = Named::ALL;
-        let projection = lens::PROJECTIONS.first().copied().unwrap_or(projection);
+        let [projection, ..] = Named::ALL;
         let (size, format) = DISPLAYS[0].parts();
         Self {
             mesh: ready::READY[0].0.into(),
@@ -104,10 +113,12 @@ impl Default for Choice {
             background: Rgb888::BLACK,
             light: [2, 3, 4],
             ambient: 48,
+            texture: Pattern::Checker,
             up: None,
             flip: false,
             fix_winding: false,
             two_sided: false,
+            decimate: 0,
             rows: 8,
             chip: cost::CHIPS[0].key,
         }
@@ -155,6 +166,8 @@ impl Choice {
             "background" => self.background = color(value)?,
             "light" => self.light = light(value)?,
             "ambient" => self.ambient = within(value, 0, 256)?,
+            "texture" => self.texture = of(&Pattern::ALL, value)?,
+            "decimate" => self.decimate = within(value, 0, MOST_FACES)?,
             "up" => self.up = if value == "auto" { None } else { Some(of(&Axis::ALL, value)?) },
             "flip" => self.flip = switch(value)?,
             "fix-winding" => self.fix_winding = switch(value)?,
@@ -174,11 +187,12 @@ impl Choice {
             flip: self.flip,
             fix_winding: self.fix_winding,
             two_sided: self.two_sided,
+            decimate: (self.decimate > 0).then_some(self.decimate as usize),
             edges: match self.style {
                 Style::Wireframe => Edges::All,
                 // Without the diagonals of flat faces, which are edges of the triangles, not of the model.
                 Style::HiddenLine => Edges::Feature { degrees: 1.0 },
-                Style::Flat | Style::Gouraud => Edges::None,
+                Style::Flat | Style::Gouraud | Style::Textured => Edges::None,
             },
             edge_faces: self.style == Style::HiddenLine,
             vertex_normals: self.style == Style::Gouraud,

@@ -2,12 +2,10 @@
 //! docs/growth.md.
 
 use crate::choice::{Choice, Style};
-use crate::display::{Format, Tricolor};
 use crate::json::{list, object, text};
 use crate::lens::Lens;
 use crate::work::{FaceWork, LineWork};
-use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Rgb565};
-use pinhole::{Affine, Frame, Mesh, ScreenVertex};
+use pinhole::{Affine, Mesh, ScreenVertex};
 use pinhole_import::ImportedMesh;
 
 /// Instructions for each thing that a frame has, on three cores, and the largest error of their sum in percent.
@@ -74,13 +72,7 @@ const COMMANDS: u32 = 11;
 
 /// Bytes of rows of a display.
 fn strip_bytes(choice: &Choice, rows: u32) -> usize {
-    let strip = match choice.format {
-        Format::Rgb565 => Frame::<Rgb565>::strip_bytes,
-        Format::Mono => Frame::<BinaryColor>::strip_bytes,
-        Format::Gray4 => Frame::<Gray4>::strip_bytes,
-        Format::Tricolor => Frame::<Tricolor>::strip_bytes,
-    };
-    strip(choice.size.width, rows)
+    choice.format.bytes(choice.size.width, rows)
 }
 
 /// The costs of a choice, as JSON.
@@ -93,7 +85,9 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice) -> Result<String, Str
     let ways = match choice.style {
         Style::Wireframe => lines(&mesh, choice, &LineWork::new(&instance, choice.size), &strip),
         Style::HiddenLine => hidden_lines(&mesh, choice, &strip),
-        Style::Flat | Style::Gouraud => faces(&mesh, choice, &FaceWork::new(&instance, choice.size), &strip),
+        Style::Flat | Style::Gouraud | Style::Textured => {
+            faces(&mesh, choice, &FaceWork::new(&instance, choice.size), &strip)
+        }
     };
     let chip = CHIPS.iter().find(|chip| chip.key == choice.chip).unwrap_or(&CHIPS[0]);
     let frame = strip(choice.size.height);
@@ -106,7 +100,11 @@ pub(crate) fn costs(model: &ImportedMesh, choice: &Choice) -> Result<String, Str
         ("ram", (chip.ram * 1024.0).to_string()),
         ("error", text(chip.error)),
         ("mesh", model.flash_bytes().to_string()),
-        ("exact", u8::from(choice.style != Style::Gouraud && !choice.dithers()).to_string()),
+        (
+            "exact",
+            u8::from(!matches!(choice.style, Style::Gouraud | Style::Textured) && !choice.dithers())
+                .to_string(),
+        ),
         ("ways", list(ways)),
     ]))
 }

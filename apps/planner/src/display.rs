@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::geometry::Size;
 use embedded_graphics_core::pixelcolor::raw::RawU2;
-use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, PixelColor, Rgb565, Rgb888, RgbColor};
+use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888, RgbColor};
 use pinhole::{Channels, PixelFormat};
 
 /// The format of a display's pixels.
@@ -12,6 +12,8 @@ pub enum Format {
     Rgb565,
     /// Black and white.
     Mono,
+    /// 4 levels of grey.
+    Gray2,
     /// 16 levels of grey.
     Gray4,
     /// Black, white and red, as e-paper has them.
@@ -20,9 +22,10 @@ pub enum Format {
 
 impl Format {
     /// The formats by their names.
-    pub const ALL: [(&'static str, Self); 4] = [
+    pub const ALL: [(&'static str, Self); 5] = [
         ("rgb565", Self::Rgb565),
         ("mono", Self::Mono),
+        ("gray2", Self::Gray2),
         ("gray4", Self::Gray4),
         ("tricolor", Self::Tricolor),
     ];
@@ -61,13 +64,14 @@ const fn display(name: &'static str, width: u32, height: u32, format: Format) ->
 }
 
 /// The displays that the page offers, the usual one first.
-pub const DISPLAYS: [Display; 8] = [
+pub const DISPLAYS: [Display; 9] = [
     display("ST7789, 240 × 240, 16-bit colour", 240, 240, Format::Rgb565),
     display("ILI9341, 320 × 240, 16-bit colour", 320, 240, Format::Rgb565),
     display("ST7735, 128 × 128, 16-bit colour", 128, 128, Format::Rgb565),
     display("SSD1306, 128 × 64, black and white", 128, 64, Format::Mono),
     display("SSD1327, 128 × 128, 16 greys", 128, 128, Format::Gray4),
     display("e-paper, 200 × 200, black and white", 200, 200, Format::Mono),
+    display("e-paper, 296 × 128, 4 greys", 296, 128, Format::Gray2),
     display("e-paper, 400 × 300, 16 greys", 400, 300, Format::Gray4),
     display("e-paper, 212 × 104, black, white and red", 212, 104, Format::Tricolor),
 ];
@@ -76,14 +80,18 @@ pub const DISPLAYS: [Display; 8] = [
 pub(crate) trait Shown: PixelFormat + Channels + From<Rgb888> + Into<Rgb888> {}
 impl Shown for Rgb565 {}
 impl Shown for BinaryColor {}
+impl Shown for Gray2 {}
 impl Shown for Gray4 {}
 impl Shown for Tricolor {}
 
 /// A pixel of e-paper with black, white and red particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Tricolor {
+pub enum Tricolor {
+    /// No other particles in front.
     Black,
+    /// White particles in front.
     White,
+    /// Red particles in front.
     Red,
 }
 

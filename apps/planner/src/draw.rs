@@ -1,14 +1,16 @@
 //! A frame as firmware draws it: in bands, with depth, as the templates' `picture.rs` does.
 
 use crate::choice::{Choice, Style};
-use crate::display::{Format, Shown, Tricolor};
+use crate::display::Format;
 use crate::lens::Lens;
+use crate::paint::{Paint, Picture, Stored};
+use crate::texture::TextureImage;
 use embedded_graphics_core::geometry::Point;
-use embedded_graphics_core::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888, RgbColor};
+use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
-    Affine, Band, BinnedEdges, BinnedFaces, DepthBuffer, Dim, FaceColors, Flat, Frame, Gouraud, Lambert, Lit,
-    Mesh, ScreenVertex, SpanShader, Statistics, Vector3,
+    Affine, Band, BinnedEdges, BinnedFaces, DepthBuffer, FaceColors, Flat, Frame, Gouraud, Lambert, Mesh,
+    ScreenVertex, Statistics, Texture, TextureCoords, Vector3,
 };
 use pinhole_import::ImportedMesh;
 
@@ -29,8 +31,8 @@ enum Job<'a, 'b> {
     Faces(&'b mut BinnedFaces<'a, i16, true>, &'b Shades<'b>),
 }
 
-/// Draws a model by a choice.
-pub(crate) fn draw(model: &ImportedMesh, choice: &Choice) -> Result<Drawn, String> {
+/// Draws a model by a choice, textured by an image.
+pub(crate) fn draw(model: &ImportedMesh, choice: &Choice, image: &TextureImage) -> Result<Drawn, String> {
     let mesh = model.mesh().map_err(|e| e.to_string())?;
     let colors = model.colors().map_err(|e| e.to_string())?;
     let sphere = mesh.bounding_sphere();
@@ -55,16 +57,16 @@ pub(crate) fn draw(model: &ImportedMesh, choice: &Choice) -> Result<Drawn, Strin
     let [x, y, z] = choice.light;
     let light =
         Lambert::new(&turned, Vector3::from_ints(x, y, z), choice.ambient).map_err(|e| e.to_string())?;
-    picture(choice, Job::Faces(&mut faces, &Shades { mesh: &mesh, colors, light, choice }))
-}
-
-fn picture(choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
-    match choice.format {
-        Format::Rgb565 => Canvas::<Rgb565>::new(choice).plain(choice, job),
-        Format::Mono => Canvas::<BinaryColor>::new(choice).draw(choice, job),
-        Format::Gray4 => Canvas::<Gray4>::new(choice).plain(choice, job),
-        Format::Tricolor => Canvas::<Tricolor>::new(choice).draw(choice, job),
-    }
+    let texture = match model.texture().map_err(|e| e.to_string())? {
+        Some(coords) if choice.style == Style::Textured => {
+            let picture = Picture { texels: image.texels()?, format: choice.format };
+            let texture =
+                Texture::new(picture).with_exponent(coords.exponent()).map_err(|e| e.to_string())?;
+            Some((texture, coords))
+        }
+        _ => None,
+    };
+    picture(choice, Job::Faces(&mut faces, &Shades { mesh: &mesh, colors, light, texture, choice }))
 }
 
 /// The colours of faces.
@@ -72,121 +74,106 @@ struct Shades<'a> {
     mesh: &'a Mesh<'a>,
     colors: Option<FaceColors<'a>>,
     light: Lambert,
+    texture: Option<(Texture<Picture<'a>>, TextureCoords<'a>)>,
     choice: &'a Choice,
 }
 
-impl Shades<'_> {
+impl<'a> Shades<'a> {
     /// The colour of a face in full light: that of its material, if it has one.
-    fn color<C: From<Rgb888>>(&self, face: usize) -> C {
-        self.colors.map_or_else(|| self.choice.color.into(), |colors| colors.color(face))
+    fn color(&self, face: usize) -> Rgb888 {
+        self.colors.map_or(self.choice.color, |colors| colors.color(face))
     }
 
     /// As firmware hands it to shaders: from 16 bits.
-    fn color888(&self, face: usize) -> Rgb888 {
-        self.color::<Rgb565>(face).into()
+    fn of_16_bits(&self, face: usize) -> Rgb888 {
+        Rgb565::from(self.color(face)).into()
     }
 
     fn level(&self, face: usize) -> u16 {
         self.mesh.normals().get(face).map_or(256, |&normal| self.light.level(normal))
     }
 
-    fn flat(&self, face: usize) -> Flat {
-        Flat::lit(self.color888(face), self.level(face))
+    fn paint(&self, face: usize) -> Paint<'a> {
+        let (format, dithers) = (self.choice.format, self.choice.dithers());
+        if let Some((texture, coords)) = &self.texture {
+            return Paint::Textured(texture.at(coords.corners(face)).lit([self.level(face); 3]));
+        }
+        if self.choice.style == Style::Gouraud {
+            let normals = self.mesh.corners_of(face, self.mesh.vertex_normals());
+            let lit = Gouraud::lit(self.of_16_bits(face), normals.map(|normal| self.light.level(normal)));
+            return if dithers { Paint::SmoothDithered(format, lit) } else { Paint::Smooth(format, lit) };
+        }
+        if dithers {
+            Paint::Dithered(format, Flat::lit(self.of_16_bits(face), self.level(face)))
+        } else {
+            Paint::Plain(format.dimmed(self.color(face), self.level(face)))
+        }
     }
+}
 
-    fn gouraud(&self, face: usize) -> Lit {
-        let normals = self.mesh.corners_of(face, self.mesh.vertex_normals());
-        Gouraud::lit(self.color888(face), normals.map(|normal| self.light.level(normal)))
-    }
+/// Draws all bands.
+fn picture(choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
+    let mut canvas = Canvas::new(choice);
+    let color = choice.format.store(choice.color);
+    let statistics = match job {
+        Job::Lines(edges) => {
+            canvas.bands(|band, _| {
+                let Ok(()) = edges.draw(color, band);
+            })?;
+            edges.statistics()
+        }
+        Job::HiddenLines(faces, edges) => {
+            canvas.bands(|band, depth| {
+                faces.depth_only(depth);
+                let Ok(()) = edges.hidden_line(color, depth, band);
+            })?;
+            edges.statistics()
+        }
+        Job::Faces(faces, shades) => {
+            canvas.bands(|band, depth| {
+                let Ok(()) = faces.depth_tested(|face| shades.paint(face), depth, band);
+            })?;
+            faces.statistics()
+        }
+    };
+    Ok(Drawn {
+        pixels: canvas.pixels,
+        statistics,
+        bytes: choice.format.bytes(choice.size.width, choice.size.height),
+    })
 }
 
 /// A display in memory, that bands are sent to.
-struct Canvas<C> {
-    frame: Frame<C>,
+struct Canvas {
+    frame: Frame<Stored>,
     rows: u32,
-    drawn: Drawn,
+    format: Format,
+    pixels: Vec<u8>,
 }
 
-impl<C: Shown> Canvas<C> {
+impl Canvas {
     fn new(choice: &Choice) -> Self {
         let area = Rectangle::new(Point::zero(), choice.size);
         let pixels = Vec::with_capacity(4 * choice.size.width as usize * choice.size.height as usize);
-        let drawn = Drawn { pixels, statistics: Statistics::default(), bytes: 0 };
-        Self { frame: Frame::new(area, C::from(choice.background)), rows: choice.rows, drawn }
+        let frame = Frame::new(area, choice.format.store(choice.background));
+        Self { frame, rows: choice.rows, format: choice.format, pixels }
     }
 
-    /// Draws all bands; faces dithered or not, as the choice says.
-    fn plain(mut self, choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String>
-    where
-        C: Dim,
-    {
-        match job {
-            Job::Faces(faces, shades) if !choice.dither => {
-                match choice.style {
-                    Style::Gouraud => self.faces(faces, |face| shades.gouraud(face)),
-                    _ => self.faces(faces, |face| shades.color::<C>(face).dim(shades.level(face))),
-                }?;
-                Ok(self.drawn(faces.statistics()))
-            }
-            job => self.draw(choice, job),
-        }
-    }
-
-    /// Draws all bands; faces dithered.
-    fn draw(mut self, choice: &Choice, job: Job<'_, '_>) -> Result<Drawn, String> {
-        let color = C::from(choice.color);
-        match job {
-            Job::Lines(edges) => {
-                self.bands(|band, _| {
-                    let Ok(()) = edges.draw(color, band);
-                })?;
-                Ok(self.drawn(edges.statistics()))
-            }
-            Job::HiddenLines(faces, edges) => {
-                self.bands(|band, depth| {
-                    faces.depth_only(depth);
-                    let Ok(()) = edges.hidden_line(color, depth, band);
-                })?;
-                Ok(self.drawn(edges.statistics()))
-            }
-            Job::Faces(faces, shades) => {
-                match choice.style {
-                    Style::Gouraud => self.faces(faces, |face| shades.gouraud(face).dithered()),
-                    _ => self.faces(faces, |face| shades.flat(face).dithered()),
-                }?;
-                Ok(self.drawn(faces.statistics()))
-            }
-        }
-    }
-
-    fn bands(&mut self, mut draw: impl FnMut(&mut Band<'_, C>, &mut DepthBuffer<'_>)) -> Result<(), String> {
+    fn bands(
+        &mut self,
+        mut draw: impl FnMut(&mut Band<'_, Stored>, &mut DepthBuffer<'_>),
+    ) -> Result<(), String> {
         let width = self.frame.area().size.width;
-        let mut strip = vec![0; Frame::<C>::strip_bytes(width, self.rows)];
-        // A strip may hold more pixels than these, where the last byte of a row has room for some.
-        let mut depths = vec![0; (width as usize + 7) * self.rows as usize];
+        let mut strip = vec![0; Frame::<Stored>::strip_bytes(width, self.rows)];
+        let mut depths = vec![0; width as usize * self.rows as usize];
         while let Some(mut band) = self.frame.next_band(&mut strip).map_err(|e| e.to_string())? {
             let mut depth = DepthBuffer::new(band.area(), &mut depths).map_err(|e| e.to_string())?;
             draw(&mut band, &mut depth);
-            self.drawn.bytes += band.bytes().len();
             for color in band.colors() {
-                let color: Rgb888 = color.into();
-                self.drawn.pixels.extend([color.r(), color.g(), color.b(), 255]);
+                let color = self.format.shown(color);
+                self.pixels.extend([color.r(), color.g(), color.b(), 255]);
             }
         }
         Ok(())
-    }
-
-    fn faces<S: SpanShader<C>>(
-        &mut self,
-        faces: &mut BinnedFaces<'_, i16, true>,
-        shader: impl Fn(usize) -> S,
-    ) -> Result<(), String> {
-        self.bands(|band, depth| {
-            let Ok(()) = faces.depth_tested(&shader, depth, band);
-        })
-    }
-
-    fn drawn(self, statistics: Statistics) -> Drawn {
-        Drawn { statistics, ..self.drawn }
     }
 }

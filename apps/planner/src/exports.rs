@@ -96,6 +96,16 @@ extern "C" fn load(name: usize) -> u32 {
     })
 }
 
+/// Takes a picture for textures: of so many pixels a row, red, green, blue and opacity of each.
+#[unsafe(no_mangle)]
+extern "C" fn picture(width: usize) -> u32 {
+    with(|desk| {
+        let bytes = std::mem::take(&mut desk.input);
+        let loaded = desk.planner.load_picture(&bytes, width);
+        desk.answer(loaded.map(|()| String::new()))
+    })
+}
+
 /// Draws by a choice.
 #[unsafe(no_mangle)]
 extern "C" fn draw() -> u32 {
@@ -152,4 +162,28 @@ extern "C" fn model() -> u32 {
             Err(problem) => desk.answer(Err(problem)),
         }
     })
+}
+
+/// C++'s memory, for decimation: no library of C++ is linked.
+#[cfg(all(target_family = "wasm", feature = "decimate"))]
+mod memory {
+    use std::sync::{Mutex, PoisonError};
+
+    /// The blocks in use. A vector that moves leaves its elements where they are.
+    static BLOCKS: Mutex<Vec<Vec<u64>>> = Mutex::new(Vec::new());
+
+    /// `operator new(unsigned long)`.
+    #[unsafe(no_mangle)]
+    extern "C" fn _Znwm(bytes: usize) -> *mut u64 {
+        let mut block = vec![0; bytes.div_ceil(8).max(1)];
+        let start = block.as_mut_ptr();
+        BLOCKS.lock().unwrap_or_else(PoisonError::into_inner).push(block);
+        start
+    }
+
+    /// `operator delete(void *)`.
+    #[unsafe(no_mangle)]
+    extern "C" fn _ZdlPv(start: *mut u64) {
+        BLOCKS.lock().unwrap_or_else(PoisonError::into_inner).retain(|block| block.as_ptr() != start);
+    }
 }

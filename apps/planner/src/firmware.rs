@@ -2,7 +2,7 @@
 
 use crate::choice::{Choice, Style};
 use crate::display::Format;
-use crate::lens::Lens;
+use crate::lens::{direction, Lens};
 use embedded_graphics_core::pixelcolor::{BinaryColor, Rgb565, RgbColor};
 use pinhole::{Sphere, Window};
 use pinhole_import::{Axis, Edges};
@@ -23,7 +23,7 @@ pub(crate) fn file(
     match path {
         "src/picture.rs" => picture(text, choice, sphere),
         "build.rs" => script(text, choice, model),
-        "Cargo.toml" => Ok(manifest(text)),
+        "Cargo.toml" => manifest(text, choice),
         _ => Ok(text.into()),
     }
     .map_err(|problem| format!("{path}: {problem}"))
@@ -68,7 +68,7 @@ fn picture(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, Strin
 
 /// The drawing code with the camera of the choice.
 fn with_camera(text: &str, choice: &Choice, sphere: &Sphere) -> Result<String, String> {
-    let [yaw, pitch] = [choice.yaw, choice.pitch].map(angle);
+    let [yaw, pitch] = direction(choice).map(angle);
     let usual =
         "let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));";
     match Lens::new(choice, sphere) {
@@ -166,9 +166,15 @@ fn camera(lens: &Lens) -> String {
         let [left, right, bottom, top] = [left, right, bottom, top].map(bits);
         format!("pinhole::Window {{ left: {left}, right: {right}, bottom: {bottom}, top: {top} }}")
     };
+    let mut target = String::from("centre.x(), centre.y(), centre.z()");
     let (distance, projection) = match *lens {
         Lens::Framing { .. } => return String::new(), // the template has it
-        Lens::Frustum { distance, window, near, far } => {
+        Lens::Frustum { aside, distance, window, near, far } => {
+            if aside != [pinhole::Scalar::ZERO; 3] {
+                let parts = ["x", "y", "z"].iter().zip(aside);
+                let parts: Vec<_> = parts.map(|(axis, c)| format!("centre.{axis}() + {}", bits(c))).collect();
+                target = parts.join(", ");
+            }
             (bits(distance), format!("frustum({}, {}, {})", rectangle(window), bits(near), bits(far)))
         }
         Lens::Orthographic { window, depth } => (
@@ -186,11 +192,12 @@ fn camera(lens: &Lens) -> String {
                 bits(factor)
             ),
         ),
+        Lens::Matrix(matrix) => ("pinhole::Scalar::ZERO".into(), format!("from_matrix(&{matrix:?})")),
     };
     format!(
         "pinhole::Projection::{projection}.map(|projection| {{
             let centre = mesh.bounding_sphere().centre;
-            let centre = pinhole::Point3::new(centre.x(), centre.y(), centre.z());
+            let centre = pinhole::Point3::new({target});
             let view = pinhole::ViewTransform::orbit(centre, {distance}, yaw, pitch);
             Camera::new(&view, &projection, &viewport)
         }})"
@@ -204,6 +211,9 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
     let axis = options.up.and_then(|up| Some((up, Axis::ALL.iter().find(|(_, axis)| *axis == up)?.0)));
     if let Some((up, _)) = axis {
         fields += &format!(", up: Some(pinhole_import::Axis::{up:?})");
+    }
+    if let Some(faces) = options.decimate {
+        fields += &format!(", decimate: Some({faces})");
     }
     let switches = [
         (options.flip, "flip"),
@@ -223,9 +233,15 @@ fn script(text: &str, choice: &Choice, model: &str) -> Result<String, String> {
 }
 
 /// The manifest, as `boards/new` makes it, in a folder beside the repository's.
-fn manifest(text: &str) -> String {
+fn manifest(text: &str, choice: &Choice) -> Result<String, String> {
     let lines = text.lines().filter(|line| !line.contains("{%"));
-    lines.map(|line| line.replace("\"../..", "\"../pinhole") + "\n").collect()
+    let text: String = lines.map(|line| line.replace("\"../..", "\"../pinhole") + "\n").collect();
+    if choice.decimate == 0 {
+        return Ok(text);
+    }
+    // A feature of the importer, which compiles C++.
+    let plain = "pinhole-import = { version = \"0.1\", default-features = false }";
+    replaced(&text, plain, &plain.replace(" }", ", features = [\"decimate\"] }"))
 }
 
 #[cfg(test)]
@@ -287,7 +303,8 @@ mod tests {
 
     #[test]
     fn the_manifest_names_the_repository_beside_it() {
-        let made = manifest(include_str!("../../../boards/any-cortex-m/Cargo.toml"));
+        let template = include_str!("../../../boards/any-cortex-m/Cargo.toml");
+        let made = manifest(template, &Choice::default()).expect("a manifest");
         assert!(made.contains("pinhole = { path = \"../pinhole\" }"), "{made}");
         assert!(!made.contains("{%") && !made.contains("../.."), "{made}");
     }

@@ -1,28 +1,14 @@
 //! The camera of a choice, by the constructors that firmware has.
 
 use crate::choice::Choice;
-use crate::projections::{Kind, Named};
+use crate::projections::{Kind, Named, Stance};
 use embedded_graphics_core::geometry::Point;
 use pinhole::{Angle, Camera, Projection, Scalar, Sphere, ViewTransform, Viewport, Window};
 
-/// The projections of `pinhole-render` that one constructor of the library makes.
-pub(crate) const PROJECTIONS: [Named; 17] = {
-    let (mut found, mut count, mut i) = ([Named::ALL[0]; 17], 0, 0);
-    while i < Named::ALL.len() {
-        if matches!(Named::ALL[i].kind, Kind::Perspective | Kind::Parallel | Kind::Oblique { .. }) {
-            found[count] = Named::ALL[i];
-            count += 1;
-        }
-        i += 1;
-    }
-    assert!(count == found.len(), "as many projections as there are");
-    found
-};
-
 /// The projection of a name.
 pub(crate) fn named(name: &str) -> Result<Named, String> {
-    PROJECTIONS.iter().find(|named| named.name == name).copied().ok_or_else(|| {
-        let names: Vec<_> = PROJECTIONS.iter().map(|named| named.name).collect();
+    Named::ALL.iter().find(|named| named.name == name).copied().ok_or_else(|| {
+        let names: Vec<_> = Named::ALL.iter().map(|named| named.name).collect();
         format!("projection={name}: none of {}", names.join(", "))
     })
 }
@@ -32,12 +18,14 @@ pub(crate) fn named(name: &str) -> Result<Named, String> {
 pub(crate) enum Lens {
     /// `Camera::framing`.
     Framing { field_of_view: i32 },
-    /// A perspective that is magnified or moved.
-    Frustum { distance: Scalar, window: Window, near: Scalar, far: Scalar },
+    /// A perspective that is magnified, moved, or whose view plane is upright. The eye looks at a point beside the centre.
+    Frustum { aside: [Scalar; 3], distance: Scalar, window: Window, near: Scalar, far: Scalar },
     /// The eye is the centre of the mesh, and the depth runs from before it to behind it.
     Orthographic { window: Window, depth: Scalar },
     /// As [`Lens::Orthographic`]; the angle in hundredths of a degree.
     Oblique { window: Window, depth: Scalar, angle: i32, factor: Scalar },
+    /// From clip space of a view whose origin is the centre of the mesh.
+    Matrix([[f64; 4]; 4]),
 }
 
 /// The part of the narrower half side that the bounding sphere fills, as in [`Camera::framing`].
@@ -48,10 +36,13 @@ impl Lens {
     pub(crate) fn new(choice: &Choice, sphere: &Sphere) -> Self {
         let radius = f64::from(sphere.radius);
         let zoom = f64::from(choice.zoom) / 100.0;
-        let window = |half: f64| {
-            let (width, height) = (f64::from(choice.size.width), f64::from(choice.size.height));
-            let unit = half / zoom / width.min(height);
-            let [x, y] = choice.pan.map(|pan| f64::from(pan) / 1000.0 * half / zoom);
+        let (width, height) = (f64::from(choice.size.width), f64::from(choice.size.height));
+        let narrow = width.min(height);
+        let pan = choice.pan.map(|pan| f64::from(pan) / 1000.0);
+        // Half a narrower side, and how far the window is off the axis.
+        let window = |half: f64, off: [f64; 2]| {
+            let unit = half / zoom / narrow;
+            let [x, y] = [0, 1].map(|axis| pan[axis] * half / zoom - off[axis]);
             Window {
                 left: scalar(-unit * width - x),
                 right: scalar(unit * width - x),
@@ -59,33 +50,60 @@ impl Lens {
                 top: scalar(unit * height - y),
             }
         };
+        let deep = radius * 65.0 / 64.0;
         match choice.projection.kind {
             Kind::Oblique { angle, factor } => {
                 let half = factor.hypot(1.0) * radius / FILL;
-                let depth = scalar(radius * 65.0 / 64.0);
                 let angle = (angle * 100.0).round() as i32; // at most 9000
-                Self::Oblique { window: window(half), depth, angle, factor: scalar(factor) }
+                Self::Oblique {
+                    window: window(half, [0.0; 2]),
+                    depth: scalar(deep),
+                    angle,
+                    factor: scalar(factor),
+                }
             }
             Kind::Parallel => {
-                Self::Orthographic { window: window(radius / FILL), depth: scalar(radius * 65.0 / 64.0) }
+                Self::Orthographic { window: window(radius / FILL, [0.0; 2]), depth: scalar(deep) }
             }
-            _ => {
+            Kind::Reverse => {
+                // w = 1 + u/2 and z = −u − 1/2, where u runs over the mesh from −1 (far) to 1 (near). The sphere is widest at
+                // u = −1/2: √(1 − u²)/w = √(4/3).
+                let half = radius / FILL * (4.0f64 / 3.0).sqrt();
+                let [x, y] = [width, height].map(|side| narrow / side);
+                let row = |axis: usize, scale: f64| {
+                    let mut row = [0.0, 0.0, pan[axis] * scale / (2.0 * deep), pan[axis] * scale];
+                    row[axis] = zoom * scale / half;
+                    row
+                };
+                Self::Matrix([
+                    row(0, x),
+                    row(1, y),
+                    [0.0, 0.0, -1.0 / deep, -0.5],
+                    [0.0, 0.0, 0.5 / deep, 1.0],
+                ])
+            }
+            kind => {
                 let field_of_view = choice.projection.field_of_view().round() as i32; // at most 100
-                if (choice.zoom, choice.pan) == (100, [0; 2]) {
+                if (kind, choice.zoom, choice.pan) == (Kind::Perspective, 100, [0; 2]) {
                     return Self::Framing { field_of_view };
                 }
-                // As `Camera::framing` does it.
+                // As `Camera::framing` does it, for a sphere that holds the one that is sheared along the projectors: the
+                // largest singular value of a shear by l is (l + √(l² + 4))/2.
+                let lean = stance(choice).map_or([0.0; 2], |stance| stance.lean);
+                let shear = lean[0].hypot(lean[1]);
+                let large = radius * (shear + shear.hypot(2.0)) / 2.0;
                 let (sine, cosine) = Angle::turns(field_of_view, 720).sin_cos();
                 let (sine, cosine) = (f64::from(sine), f64::from(cosine));
-                let distance = radius * (sine * FILL).hypot(cosine) / (sine * FILL);
+                let distance = large * (sine * FILL).hypot(cosine) / (sine * FILL);
                 let before = distance - radius;
                 let near = before - (radius / 64.0).min(before / 2.0);
-                let far = distance + radius * 65.0 / 64.0;
+                let axes = [0, 1].map(|axis| across(choice)[axis].map(|c| c * lean[axis] * distance));
                 Self::Frustum {
+                    aside: [0, 1, 2].map(|i| scalar(axes[0][i] + axes[1][i])),
                     distance: scalar(distance),
-                    window: window(near * sine / cosine),
+                    window: window(near * sine / cosine, lean.map(|lean| -lean * near)),
                     near: scalar(near),
-                    far: scalar(far),
+                    far: scalar(distance + deep),
                 }
             }
         }
@@ -94,16 +112,16 @@ impl Lens {
     /// The camera of this lens.
     pub(crate) fn camera(&self, choice: &Choice, sphere: &Sphere) -> Result<Camera, String> {
         let viewport = Viewport::new(Point::zero(), choice.size).map_err(|e| e.to_string())?;
-        let [yaw, pitch] = [choice.yaw, choice.pitch].map(|angle| Angle::turns(angle, 36_000));
-        let [x, y, z] = [sphere.centre.x(), sphere.centre.y(), sphere.centre.z()];
-        let centre = pinhole::Point3::new(x, y, z);
+        let [yaw, pitch] = direction(choice).map(|angle| Angle::turns(angle, 36_000));
+        let mut centre = [sphere.centre.x(), sphere.centre.y(), sphere.centre.z()];
         let (distance, projection) = match *self {
             Self::Framing { field_of_view } => {
                 let field_of_view = Angle::degrees(field_of_view);
                 return Camera::framing(sphere, &viewport, field_of_view, yaw, pitch)
                     .map_err(|e| e.to_string());
             }
-            Self::Frustum { distance, window, near, far } => {
+            Self::Frustum { aside, distance, window, near, far } => {
+                centre.iter_mut().zip(aside).for_each(|(c, aside)| *c += aside);
                 (distance, Projection::frustum(window, near, far))
             }
             Self::Orthographic { window, depth } => {
@@ -113,13 +131,69 @@ impl Lens {
                 let angle = Angle::turns(angle, 36_000);
                 (Scalar::ZERO, Projection::oblique(window, -depth, depth, angle, factor))
             }
+            Self::Matrix(matrix) => (Scalar::ZERO, Projection::from_matrix(&matrix)),
         };
-        let view = ViewTransform::orbit(centre, distance, yaw, pitch);
+        let [x, y, z] = centre;
+        let view = ViewTransform::orbit(pinhole::Point3::new(x, y, z), distance, yaw, pitch);
         Ok(Camera::new(&view, &projection.map_err(|e| e.to_string())?, &viewport))
     }
+}
+
+/// How the view plane lies. The pitch of an eye before an upright plane is limited.
+fn stance(choice: &Choice) -> Option<Stance> {
+    let kind = choice.projection.kind;
+    let [yaw, pitch] = [choice.yaw, choice.pitch].map(|angle| f64::from(angle) / 100.0);
+    kind.stance(yaw, pitch.clamp(-kind.steepest(), kind.steepest()))
+}
+
+/// The view plane's normal, in hundredths of a degree: yaw and pitch.
+pub(crate) fn direction(choice: &Choice) -> [i32; 2] {
+    match (choice.projection.kind, stance(choice)) {
+        (Kind::Upright | Kind::Frontal, Some(stance)) => {
+            [stance.yaw, stance.pitch].map(|angle| (angle.to_degrees() * 100.0).round() as i32)
+        }
+        _ => [choice.yaw, choice.pitch],
+    }
+}
+
+/// The directions of an upright view plane in the world: to the right, and up.
+fn across(choice: &Choice) -> [[f64; 3]; 2] {
+    let [yaw, _] = direction(choice);
+    // In 2⁻³⁰.
+    let (sine, cosine) = Angle::turns(yaw, 36_000).sin_cos();
+    let [sine, cosine] = [sine, cosine].map(|part| f64::from(part) / f64::from(1 << 30));
+    [[cosine, 0.0, -sine], [0.0, 1.0, 0.0]]
 }
 
 /// The nearest number of the library's; lengths here are far below its 32 768.
 fn scalar(value: f64) -> Scalar {
     Scalar::from_bits((value * 65_536.0).round() as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Lens;
+    use crate::choice::Choice;
+    use crate::projections::Named;
+    use pinhole::{Point3, Scalar, Sphere};
+
+    /// By the definition of each projection, in f64: where a point of the sphere is seen.
+    #[test]
+    fn the_sphere_is_in_the_picture_and_its_centre_in_the_middle() {
+        let sphere = Sphere::new(Point3::from_ints(1, -2, 3), Scalar::from_num(1.5));
+        let mesh =
+            pinhole::Mesh::new(&[[1, -2, 3], [1, -2, 3], [1, -2, 3]], 0, &[[0, 1, 2]]).expect("a point");
+        for named in Named::ALL {
+            for (yaw, pitch) in [(30, 20), (-130, -65), (200, 89)] {
+                let text = format!("projection={}&yaw={yaw}&pitch={pitch}&width=320&height=240", named.name);
+                let choice = Choice::parse(&text).expect(&text);
+                let camera = Lens::new(&choice, &sphere).camera(&choice, &sphere).expect(&text);
+                let instance = camera.place(&mesh, &pinhole::Affine::identity());
+                let centre = instance.project(0).expect(&text).point;
+                for (found, middle) in [(centre.x(), 160), (centre.y(), 120)] {
+                    assert!((found - middle * 256).abs() <= 64, "{text}: {found}");
+                }
+            }
+        }
+    }
 }

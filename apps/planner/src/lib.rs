@@ -12,15 +12,17 @@ mod exports;
 mod firmware;
 mod json;
 mod lens;
+mod paint;
 mod planner;
 #[allow(dead_code, missing_docs, unreachable_pub)] // of the list of `pinhole-render`, whose other code is for hosts, the names and angles
 #[path = "../../render/src/projections.rs"]
 mod projections;
 mod ready;
+mod texture;
 mod warning;
 mod work;
 
 pub use choice::{Choice, Style};
-pub use display::{Format, DISPLAYS};
+pub use display::{Format, Tricolor, DISPLAYS};
 pub use planner::Planner;
 pub use ready::READY;

@@ -6,8 +6,9 @@ use crate::display::{Format, DISPLAYS};
 use crate::draw;
 use crate::firmware;
 use crate::json::{list, object, text};
-use crate::lens::PROJECTIONS;
+use crate::projections::Named;
 use crate::ready::{self, READY};
+use crate::texture::{map_by_axes, Pattern, TextureImage};
 use crate::warning::remedies;
 use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
 
@@ -15,8 +16,10 @@ use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
 #[derive(Default)]
 pub struct Planner {
     file: Option<(String, Vec<u8>)>,
-    /// With what it was made of.
-    mesh: Option<(String, Options, ImportedMesh)>,
+    /// The picture that was loaded.
+    picture: TextureImage,
+    /// With what it was made of, and whether it is to be textured.
+    mesh: Option<(String, Options, bool, ImportedMesh)>,
 }
 
 impl Planner {
@@ -26,14 +29,26 @@ impl Planner {
         self.mesh = None;
     }
 
+    /// Takes a picture for textures: red, green, blue and opacity of each texel, row by row.
+    ///
+    /// # Errors
+    ///
+    /// Sides that a texture cannot have.
+    pub fn load_picture(&mut self, bytes: &[u8], width: usize) -> Result<(), String> {
+        self.picture = TextureImage::from_rgba(bytes, width)?;
+        Ok(())
+    }
+
     /// Draws a frame by a choice: red, green, blue and opacity of each pixel, row by row, and what it was, as JSON.
     ///
     /// # Errors
     ///
     /// The problems of the choice and the model, each with its remedy.
     pub fn draw(&mut self, choice: &Choice) -> Result<(Vec<u8>, String), String> {
-        let mesh = self.mesh(choice)?;
-        let drawn = draw::draw(mesh, choice)?;
+        self.mesh(choice)?;
+        let mesh = self.made()?;
+        let ready = TextureImage::ready(choice);
+        let drawn = draw::draw(mesh, choice, ready.as_ref().unwrap_or(&self.picture))?;
         let statistics = drawn.statistics;
         let counts = [
             ("drawn", statistics.drawn),
@@ -107,18 +122,28 @@ impl Planner {
     /// The mesh of a choice, made again only where it is another one.
     fn mesh(&mut self, choice: &Choice) -> Result<&ImportedMesh, String> {
         let options = choice.options();
-        let is_made = matches!(&self.mesh, Some((name, made, _)) if *name == choice.mesh && *made == options);
+        let is_textured = choice.style == Style::Textured;
+        let is_made = matches!(&self.mesh, Some((name, made, textured, _))
+            if *name == choice.mesh && *made == options && *textured == is_textured);
         if !is_made {
             let (name, bytes) = self.source(choice)?;
-            let mesh = import_bytes(bytes, name.as_ref(), &options).map_err(|e| e.to_string())?;
-            self.mesh = Some((choice.mesh.clone(), options, mesh));
+            let mut mesh = import_bytes(bytes, name.as_ref(), &options).map_err(|e| e.to_string())?;
+            if is_textured && mesh.texture_faces.is_empty() {
+                map_by_axes(&mut mesh);
+            }
+            self.mesh = Some((choice.mesh.clone(), options, is_textured, mesh));
         }
-        self.mesh.as_ref().map(|(_, _, mesh)| mesh).ok_or_else(|| "no mesh".into())
+        self.made()
+    }
+
+    /// The mesh that was made last.
+    fn made(&self) -> Result<&ImportedMesh, String> {
+        self.mesh.as_ref().map(|(.., mesh)| mesh).ok_or_else(|| "no mesh".into())
     }
 
     /// The names of the projections.
     pub fn projections() -> impl Iterator<Item = &'static str> {
-        PROJECTIONS.iter().map(|named| named.name)
+        Named::ALL.iter().map(|named| named.name)
     }
 
     /// What there is to choose from, as JSON.
@@ -132,11 +157,12 @@ impl Planner {
                 ("format", text(display.format.name())),
             ])
         });
-        let projections = PROJECTIONS.iter().map(|named| {
+        let projections = Named::ALL.iter().map(|named| {
             let parts = [
                 ("name", text(named.name)),
                 ("yaw", named.yaw.to_string()),
                 ("pitch", named.pitch.to_string()),
+                ("steepest", named.kind.steepest().to_string()),
             ];
             object(parts)
         });
@@ -150,6 +176,8 @@ impl Planner {
                 names(&mut dithered.map(|(name, _)| *name))
             }),
             ("styles", names(&mut Style::ALL.iter().map(|(name, _)| *name))),
+            ("decimates", cfg!(feature = "decimate").to_string()),
+            ("textures", names(&mut Pattern::ALL.iter().map(|(name, _)| *name))),
             ("projections", list(projections)),
             ("chips", cost::chips()),
             ("axes", names(&mut Axis::ALL.iter().map(|(name, _)| *name))),

@@ -6,7 +6,7 @@ use pinhole_planner::{Choice, Planner, Style, DISPLAYS, READY};
 fn a_message_names_the_part_and_what_may_stand_there() {
     let message = |text: &str| Choice::parse(text).expect_err(text);
     assert_eq!(message("zoom=5"), "zoom=5: not a whole number from 20 to 2000");
-    assert_eq!(message("style=3d"), "style=3d: none of wireframe, hidden-line, flat, gouraud");
+    assert_eq!(message("style=3d"), "style=3d: none of wireframe, hidden-line, flat, gouraud, textured");
     assert_eq!(
         message("light=0,0,0"),
         "light=0,0,0: not a direction: three whole numbers from -99 to 99, not all 0, such as 2,3,4"

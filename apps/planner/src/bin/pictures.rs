@@ -25,7 +25,7 @@ fn print() -> Result<(), String> {
     Ok(())
 }
 
-/// Every mesh, display and style, dithered and not; then every projection, moved and magnified.
+/// Every mesh, display and style, dithered and not; every mesh decimated; then every projection, moved and magnified.
 fn choices() -> Vec<String> {
     let mut choices = Vec::new();
     for (mesh, _) in &READY {
@@ -39,6 +39,20 @@ fn choices() -> Vec<String> {
                     ));
                 }
             }
+        }
+    }
+    // Decimation is a feature, of both builds or of none.
+    if cfg!(feature = "decimate") {
+        for (mesh, _) in &READY {
+            for faces in [12, 60, 150, 400] {
+                choices.push(format!("mesh={mesh}&decimate={faces}&style=gouraud"));
+                choices.push(format!("mesh={mesh}&decimate={faces}&fix-winding=1&style=hidden-line"));
+            }
+        }
+    }
+    for texture in ["checker", "grid"] {
+        for mesh in ["torus", "gear", "cube"] {
+            choices.push(format!("mesh={mesh}&style=textured&texture={texture}&projection=reverse&zoom=150"));
         }
     }
     for projection in Planner::projections() {

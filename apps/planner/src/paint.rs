@@ -1,0 +1,188 @@
+//! Shaders for a display whose format is known only when the page runs. All formats share one copy of the code that draws faces, so
+//! that the library for browsers is small: a colour is its bits, and a shader is set up for its format by a call at run time.
+
+use crate::display::{Format, Shown};
+use embedded_graphics_core::pixelcolor::raw::RawU16;
+use embedded_graphics_core::pixelcolor::{BinaryColor, Gray2, Gray4, PixelColor, Rgb565, Rgb888};
+use pinhole::clip::Barycentric;
+use pinhole::raster::{Span, Triangle};
+use pinhole::{
+    CornerValues, Dim, Flat, Lit, LitTexels, LitTextured, PixelFormat, Shader, SpanShader, TexelSlice, Texels,
+};
+
+/// The bits of a display's colour, of at most 16.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Stored(u16);
+
+impl PixelColor for Stored {
+    type Raw = RawU16;
+}
+
+impl PixelFormat for Stored {
+    const BITS: u32 = 16;
+
+    fn encode(self) -> u32 {
+        self.0.into()
+    }
+
+    fn decode(bits: u32) -> Self {
+        Self(bits as u16) // of 16 bits
+    }
+}
+
+impl Stored {
+    fn of(color: impl PixelFormat) -> Self {
+        Self(color.encode() as u16) // no format of a display here has more bits
+    }
+}
+
+/// Calls a generic function with the colour type of a format.
+macro_rules! by_format {
+    ($format:expr, $color:ident => $call:expr) => {
+        match $format {
+            Format::Rgb565 => {
+                type $color = Rgb565;
+                $call
+            }
+            Format::Mono => {
+                type $color = BinaryColor;
+                $call
+            }
+            Format::Gray2 => {
+                type $color = Gray2;
+                $call
+            }
+            Format::Gray4 => {
+                type $color = Gray4;
+                $call
+            }
+            Format::Tricolor => {
+                type $color = crate::display::Tricolor;
+                $call
+            }
+        }
+    };
+}
+
+impl Format {
+    /// The bits of the nearest colour.
+    pub(crate) fn store(self, color: Rgb888) -> Stored {
+        by_format!(self, C => Stored::of(C::from(color)))
+    }
+
+    /// The colour that bits show.
+    pub(crate) fn shown(self, color: Stored) -> Rgb888 {
+        by_format!(self, C => C::decode(color.encode()).into())
+    }
+
+    /// The bytes of so many rows.
+    pub(crate) fn bytes(self, width: u32, rows: u32) -> usize {
+        by_format!(self, C => pinhole::Frame::<C>::strip_bytes(width, rows))
+    }
+
+    /// The nearest colour in a level of light. One of few colours has no shades, and is not dimmed.
+    pub(crate) fn dimmed(self, color: Rgb888, level: u16) -> Stored {
+        match self {
+            Self::Rgb565 => Stored::of(Rgb565::from(color).dim(level)),
+            Self::Gray2 => Stored::of(Gray2::from(color).dim(level)),
+            Self::Gray4 => Stored::of(Gray4::from(color).dim(level)),
+            Self::Mono | Self::Tricolor => self.store(color),
+        }
+    }
+}
+
+/// The texels of a picture, in the colours of a display.
+#[derive(Clone, Copy)]
+pub(crate) struct Picture<'t> {
+    pub(crate) texels: TexelSlice<'t, Rgb888>,
+    pub(crate) format: Format,
+}
+
+impl Texels for Picture<'_> {
+    type Color = Stored;
+
+    fn size_bits(&self) -> [u32; 2] {
+        self.texels.size_bits()
+    }
+
+    fn texel(&self, u: u32, v: u32) -> Stored {
+        self.format.store(self.texels.texel(u, v))
+    }
+}
+
+impl LitTexels for Picture<'_> {
+    const LEVEL_BITS: u32 = 8;
+
+    fn lit_texel(&self, u: u32, v: u32, level: u32) -> Stored {
+        // As the library dims texels: 0 … 256, at most ½ from level·256/255.
+        self.format.dimmed(self.texels.texel(u, v), (level + (level >> 7)) as u16)
+    }
+}
+
+/// What a face is filled with.
+#[derive(Clone, Copy)]
+pub(crate) enum Paint<'t> {
+    Plain(Stored),
+    Dithered(Format, Flat),
+    Smooth(Format, Lit),
+    SmoothDithered(Format, Lit),
+    Textured(LitTextured<Picture<'t>>),
+}
+
+impl Shader for Paint<'_> {
+    type Varying = Barycentric;
+    const NEEDS_W: bool = true;
+
+    fn sub_face(&self, corners: [Barycentric; 3]) -> Self {
+        match *self {
+            Self::Plain(_) | Self::Dithered(..) => *self,
+            Self::Smooth(format, lit) => Self::Smooth(format, lit.sub_face(corners)),
+            Self::SmoothDithered(format, lit) => Self::SmoothDithered(format, lit.sub_face(corners)),
+            Self::Textured(textured) => Self::Textured(textured.sub_face(corners)),
+        }
+    }
+
+    fn with_corners(&self, corners: &CornerValues) -> Self {
+        match *self {
+            Self::Textured(textured) => Self::Textured(textured.with_corners(corners)),
+            _ => *self,
+        }
+    }
+}
+
+/// The colours of a span.
+type Colors<'t> = Box<dyn Fn(Span) -> Vec<Stored> + 't>;
+
+/// Sets up a shader for a triangle of a display with colours of type `C`.
+fn set_up<'t, C: Shown + 't, S: SpanShader<C, Setup: 't> + 't>(
+    shader: S,
+    triangle: &Triangle<'_>,
+) -> Colors<'t> {
+    let setup = shader.set_up(triangle);
+    Box::new(move |span| S::span(&setup, span).take(span.width as usize).map(Stored::of).collect())
+}
+
+impl<'t> SpanShader<Stored> for Paint<'t> {
+    type Setup = Colors<'t>;
+
+    fn set_up(&self, triangle: &Triangle<'_>) -> Colors<'t> {
+        match *self {
+            Self::Plain(color) => Box::new(move |span| vec![color; span.width as usize]),
+            Self::Dithered(format, flat) => {
+                by_format!(format, C => set_up::<C, _>(flat.dithered(), triangle))
+            }
+            Self::Smooth(format, lit) => by_format!(format, C => set_up::<C, _>(lit, triangle)),
+            Self::SmoothDithered(format, lit) => {
+                by_format!(format, C => set_up::<C, _>(lit.dithered(), triangle))
+            }
+            Self::Textured(textured) => {
+                let setup = textured.set_up(triangle);
+                Box::new(move |span| LitTextured::span(&setup, span).take(span.width as usize).collect())
+            }
+        }
+    }
+
+    fn span(colors: &Colors<'t>, span: Span) -> impl Iterator<Item = Stored> {
+        colors(span).into_iter()
+    }
+}

@@ -1,0 +1,134 @@
+//! The page's one copy of the drawing code for all formats gives the pixels that firmware has, which is compiled for its format: drawn
+//! here by the library's own shaders, colours and texels, and not in bands.
+
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888, RgbColor};
+use pinhole::{
+    Affine, Angle, Camera, Channels, DepthBuffer, Dim, Flat, Gouraud, Lambert, PixelFormat, ScreenVertex,
+    SpanShader, TexelSlice, Texture, Vector3, Viewport,
+};
+use pinhole_apps_support::canvas::Canvas;
+use pinhole_import::{import_bytes, Edges, ImportedMesh, Options};
+use pinhole_planner::{Choice, Planner, Tricolor};
+
+const SIZE: Size = Size::new(101, 83); // rows of some formats do not end with a byte
+const COLOR: Rgb888 = Rgb888::new(0xc8, 0x64, 0x32);
+
+/// A box, each side with a part of the texture, one with two of it.
+const BOX: &str = "v -2 -1 -1\nv 2 -1 -1\nv 2 1 -1\nv -2 1 -1\nv -2 -1 1\nv 2 -1 1\nv 2 1 1\nv -2 1 1\n\
+    vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 0\nvt 2 2\nvt 0 2\n\
+    f 5/1 6/2 7/3 8/4\nf 2/1 1/2 4/3 3/4\nf 6/1 2/5 3/6 7/7\nf 1/1 5/2 8/3 4/4\nf 8/1 7/2 3/3 4/4\nf 1/1 2/2 6/3 5/4\n";
+
+fn model(vertex_normals: bool) -> ImportedMesh {
+    let options = Options { fit: Some(2.0), edges: Edges::None, vertex_normals, ..Options::default() };
+    import_bytes(BOX.into(), "box.obj".as_ref(), &options).expect("a box")
+}
+
+/// The pixels of the box, as red, green, blue and opacity, filled by what `shader` gives for a face and its light.
+fn drawn<C, S>(model: &ImportedMesh, shader: impl Fn(usize, &Lambert) -> S) -> Vec<u8>
+where
+    C: PixelFormat + From<Rgb888> + Into<Rgb888>,
+    S: SpanShader<C>,
+{
+    let mesh = model.mesh().expect("a mesh");
+    let mut canvas = Canvas::new(SIZE, C::from(Rgb888::BLACK));
+    let viewport = Viewport::new(Point::zero(), canvas.size()).expect("a viewport");
+    let [field_of_view, yaw, pitch] = [40, 30, 20].map(Angle::degrees);
+    let camera =
+        Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch).expect("a camera");
+    let turned = Affine::rotation_y(Angle::turns(7, 120));
+    let light = Lambert::new(&turned, Vector3::from_ints(2, 3, 4), 48).expect("a light");
+    let mut depths = vec![0; (SIZE.width * SIZE.height) as usize];
+    let mut depth = DepthBuffer::new(canvas_area(), &mut depths).expect("depths");
+    let mut cache = vec![ScreenVertex::EMPTY; mesh.cache_len()];
+    let instance = camera.place(&mesh, &turned);
+    let Ok(_) = instance.depth_tested(|face| shader(face, &light), &mut cache, &mut depth, &mut canvas);
+    let colors = canvas.pixels().iter().map(|&color| color.into());
+    colors.flat_map(|color: Rgb888| [color.r(), color.g(), color.b(), 255]).collect()
+}
+
+fn canvas_area() -> embedded_graphics::primitives::Rectangle {
+    embedded_graphics::primitives::Rectangle::new(Point::zero(), SIZE)
+}
+
+fn page(rest: &str) -> Vec<u8> {
+    let mut planner = Planner::default();
+    planner.load("box.obj", BOX.into());
+    let text = format!("mesh=file&width=101&height=83&turn=7&color=c86432&{rest}");
+    planner.draw(&Choice::parse(&text).expect(&text)).expect(&text).0
+}
+
+/// The colour as the page hands it to shaders: from 16 bits.
+fn of_16_bits() -> Rgb888 {
+    Rgb565::from(COLOR).into()
+}
+
+/// Styles of a format that shades: plain and dithered.
+fn dithered_are_equal<C: PixelFormat + Channels + From<Rgb888> + Into<Rgb888>>(format: &str) {
+    let (flat, smooth) = (model(false), model(true));
+    let mesh = smooth.mesh().expect("a mesh");
+    let lit = |face: usize, light: &Lambert| {
+        let normals = mesh.corners_of(face, mesh.vertex_normals());
+        Gouraud::lit(of_16_bits(), normals.map(|normal| light.level(normal)))
+    };
+    let level = |face: usize, light: &Lambert| light.level(mesh.normals()[face]);
+    let expected = drawn::<C, _>(&flat, |face, light| Flat::lit(of_16_bits(), level(face, light)).dithered());
+    assert!(page(&format!("format={format}&style=flat&dither=1")) == expected, "{format}, flat");
+    let expected = drawn::<C, _>(&smooth, |face, light| lit(face, light).dithered());
+    assert!(page(&format!("format={format}&style=gouraud&dither=1")) == expected, "{format}, Gouraud");
+}
+
+fn plain_are_equal<C: PixelFormat + Channels + Dim + From<Rgb888> + Into<Rgb888>>(format: &str) {
+    let (flat, smooth) = (model(false), model(true));
+    let mesh = smooth.mesh().expect("a mesh");
+    let level = |face: usize, light: &Lambert| light.level(mesh.normals()[face]);
+    let expected = drawn::<C, _>(&flat, |face, light| C::from(COLOR).dim(level(face, light)));
+    assert!(page(&format!("format={format}&style=flat")) == expected, "{format}, flat");
+    let expected = drawn::<C, _>(&smooth, |face, light| {
+        let normals = mesh.corners_of(face, mesh.vertex_normals());
+        Gouraud::lit(of_16_bits(), normals.map(|normal| light.level(normal)))
+    });
+    assert!(page(&format!("format={format}&style=gouraud")) == expected, "{format}, Gouraud");
+    let texels = checker::<C>();
+    let coords = flat.texture().expect("coordinates").expect("coordinates");
+    let texture = texture(&texels, coords.exponent());
+    let expected =
+        drawn::<C, _>(&flat, |face, light| texture.at(coords.corners(face)).lit([level(face, light); 3]));
+    assert!(page(&format!("format={format}&style=textured")) == expected, "{format}, textured");
+}
+
+/// A display of few colours shows texels as they are.
+fn unlit_texture_is_equal<C: PixelFormat + From<Rgb888> + Into<Rgb888>>(format: &str) {
+    let (flat, texels) = (model(false), checker::<C>());
+    let coords = flat.texture().expect("coordinates").expect("coordinates");
+    let texture = texture(&texels, coords.exponent());
+    let expected = drawn::<C, _>(&flat, |face, _| texture.at(coords.corners(face)));
+    assert!(page(&format!("format={format}&style=textured")) == expected, "{format}, textured");
+}
+
+/// Squares of 8 texels, the upper left one in the colour, the others in a quarter of it.
+fn checker<C: From<Rgb888>>() -> Vec<C> {
+    let dark = Rgb888::new(COLOR.r() / 4, COLOR.g() / 4, COLOR.b() / 4);
+    let is_light = |x: usize, y: usize| (x / 8 + y / 8) % 2 == 0;
+    (0..32 * 32).map(|i| C::from(if is_light(i % 32, i / 32) { COLOR } else { dark })).collect()
+}
+
+fn texture<C: PixelFormat>(texels: &[C], exponent: i8) -> Texture<TexelSlice<'_, C>> {
+    Texture::new(TexelSlice::new(texels, 32, 32).expect("texels"))
+        .with_exponent(exponent)
+        .expect("an exponent")
+}
+
+#[test]
+fn every_format_has_the_pixels_of_its_own_type() {
+    plain_are_equal::<Rgb565>("rgb565");
+    plain_are_equal::<Gray2>("gray2");
+    plain_are_equal::<Gray4>("gray4");
+    dithered_are_equal::<Rgb565>("rgb565");
+    dithered_are_equal::<Gray2>("gray2");
+    dithered_are_equal::<Gray4>("gray4");
+    dithered_are_equal::<BinaryColor>("mono");
+    dithered_are_equal::<Tricolor>("tricolor");
+    unlit_texture_is_equal::<BinaryColor>("mono");
+    unlit_texture_is_equal::<Tricolor>("tricolor");
+}
