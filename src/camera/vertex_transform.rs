@@ -591,7 +591,7 @@ mod tests {
         for corner in [0, 300, 4000, 7900] {
             let viewport = Viewport::new(Point::new(corner, -corner), size).unwrap();
             let camera = Camera::new(view.as_ref().unwrap(), &lens, &viewport);
-            let transform = VertexTransform::new(&camera, &crate::Affine::identity(), -8, 16, true);
+            let transform = VertexTransform::new(&camera, &crate::math::Affine::identity(), -8, 16, true);
             let down = transform.screen.room - transform.xy_over_w;
             for i in 0..40_000 {
                 let w = [random.within(3), random.within(40), random.within(1 << 15)][i % 3];
