@@ -3,7 +3,8 @@
 use pinhole_import::{build, Edges, Options};
 use std::path::Path;
 
-/// An STL file, which has z up, or an OBJ file, which has y up: for another axis, set `up` below.
+/// An STL file, which has z up, or an OBJ file, which has y up: if the model lies on its side, add
+/// `up: Some(pinhole_import::Axis::Y)`, or another axis, to the options below.
 const FILE: &str = "model.stl";
 
 /// What the importer makes of the file: a mesh 2 units long, which suits the camera whatever the file's unit is, with the

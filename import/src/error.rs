@@ -93,6 +93,7 @@ impl fmt::Display for Problem {
             Problem::Syntax(what) => f.write_str(what),
             Problem::Format(what) => f.write_str(what),
             Problem::NotText { byte } => write!(f, "is binary, not text, as byte {byte} is zero: export .obj or .stl"),
+            Problem::Truncated { given: 0, .. } => f.write_str("is empty: copy or export it again"),
             Problem::Truncated { needed, given } => {
                 write!(f, "ends before byte {given}, but should have {needed} bytes: copy or export it again")
             }

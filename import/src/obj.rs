@@ -2,7 +2,7 @@
 
 use crate::materials;
 use crate::model::{Model, Places, TextureFaces, Warning};
-use crate::text::text;
+use crate::text::{a_vertex_needs_numbers, text};
 use crate::{ImportError, Problem};
 use std::collections::HashMap;
 use std::path::Path;
@@ -110,9 +110,12 @@ fn load(text: &str) -> Result<Vec<tobj::Model>, (Problem, Option<usize>)> {
     let loaded = tobj::load_obj_buf(&mut rest, &options, |_| Err(tobj::LoadError::OpenFileFailed));
     loaded.map(|(models, _)| models).map_err(|error| {
         // tobj reads line by line and stops at the one it does not understand.
-        let read = Some(text[..text.len() - rest.len()].lines().count());
+        let read_text = &text[..text.len() - rest.len()];
+        let read = Some(read_text.lines().count());
         match error {
-            tobj::LoadError::PositionParseError => (Problem::Syntax("a vertex needs three numbers"), read),
+            tobj::LoadError::PositionParseError => {
+                (a_vertex_needs_numbers(read_text.lines().last().unwrap_or_default()), read)
+            }
             tobj::LoadError::ScalingByZeroError => (Problem::Syntax("the w of the vertex is zero"), read),
             tobj::LoadError::ColorParseError => {
                 (Problem::Syntax("a vertex is x y z, x y z w or x y z r g b"), read)

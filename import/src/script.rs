@@ -19,7 +19,7 @@ const FIELDS: [(&str, &str); 10] = [
 const DECIMATE: &str = if cfg!(feature = "decimate") {
     "`decimate: Some(N)`"
 } else {
-    "`decimate: Some(N)` with pinhole-import's feature `decimate`"
+    "`decimate: Some(N)` with features = [\"decimate\"] of pinhole-import in Cargo.toml and a C++ compiler"
 };
 
 /// A message about a model for the user of a build script: what it calls an option of the command line is named as a field of

@@ -10,6 +10,9 @@
 //! 8. [From embedded-gfx and embedded-3dgfx](ch8_porting)
 //! 9. [Cookbook](ch9_cookbook): seven whole programs, with their pictures
 //! 10. [Measuring on your board](ch10_measuring): clock cycles, waiting, bytes, and logs
+//! 11. [Changing the firmware's picture](ch11_changes): colours, a second object, a texture, fog, a label, a button
+//!
+//! If you have a firmware from a template and want to change its picture, begin with chapter 11.
 //!
 //! The module exists in the documentation only: it has nothing to import.
 
@@ -45,6 +48,9 @@ pub mod ch7_numbers {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("ch8_porting.md")]
 pub mod ch8_porting {}
+
+#[doc = include_str!("ch11_changes.md")]
+pub mod ch11_changes {}
 
 pub mod ch10_measuring;
 pub mod ch9_cookbook;

@@ -88,6 +88,7 @@ pub(crate) fn command() -> Command {
         .arg(
             Arg::new("SCENE")
                 .required(true)
+                .value_name("MODEL|SCENE")
                 .help("A mesh (.obj, .stl), or a scene (.json)")
                 .value_parser(value_parser!(PathBuf)),
         )

@@ -207,7 +207,10 @@ fn edges(given: &ArgMatches, mode: Mode) -> Result<Option<f64>, String> {
 fn look(given: &mut ArgMatches, scene: &Path, ascii: bool) -> Result<Option<Look>, String> {
     if !import::is_model(scene) {
         if !scene.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
-            return Err(format!("{}: is neither a scene (.json) nor a mesh (.obj, .stl)", scene.display()));
+            return Err(format!(
+                "{}: is neither a scene (.json) nor a mesh (.obj, .stl): export .stl or .obj",
+                scene.display()
+            ));
         }
         let of_camera = ["projection", "from", "yaw", "pitch", "fov", "frame", "size", "gif", "frames"];
         if let Some(name) = of_camera.into_iter().find(|name| given.contains_id(name)) {

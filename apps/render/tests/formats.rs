@@ -354,14 +354,15 @@ fn bad_command_lines_are_one_line() {
     let dotted = text(&to.join("../flags/./same")).to_string();
     let below = text(&to.join("scene.json/below")).to_string();
     for (arguments, named) in [
-        (&[][..], "SCENE"),
-        (&["m.txt", "--size", "9x9"], "m.txt: is neither a scene (.json) nor a mesh"),
+        (&[][..], "MODEL|SCENE>: --help lists what there is"),
+        (&["m.txt", "--size", "9x9"], "m.txt: is neither a scene (.json) nor a mesh (.obj, .stl): export .stl or .obj"),
         (&["absent.json"], "absent.json: cannot be read"),
-        (&[scene, scene], "unexpected argument"),
+        (&[scene, scene], "found: one file is taken; a value of"),
+        (&[mesh, "--firmware", "30"], "'30' found: one file is taken; a value of an option that may stand alone follows =, as in --option=value"),
         (&[scene, "--mode", "hidden-line", "--depth", &same], "--depth: needs --mode solid"),
         (&[scene, "--mode", "points"], "--mode: points is not"),
         (&[scene, "--yaw", "3"], "--yaw: "),
-        (&[scene, "--pong"], "--pong"),
+        (&[scene, "--pong"], "'--pong' found: --help lists what there is"),
         (&[scene, "--ids"], "--ids"),
         (&[scene, "--ids", &same, "--depth", &same], "--depth: names the same file as --ids"),
         (&[scene, "--ids", &same, "--png", &dotted], "--ids: names the same file as --png"),

@@ -1,5 +1,6 @@
 //! Command lines: help, options that several programs take, and one form for every refusal.
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{value_parser, Arg, ArgMatches, Command};
 use embedded_graphics::geometry::Size;
 use std::fmt::Display;
@@ -51,8 +52,22 @@ pub fn matches(command: Command) -> Result<ArgMatches, String> {
         // The lines up to the first empty one name the problem; tips and usage follow.
         let text = error.to_string();
         let lines: Vec<_> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
-        lines.join(" ")
+        lines.join(" ") + what_to_do(&error)
     })
+}
+
+/// What follows a refused argument in its message, beginning with a colon.
+fn what_to_do(error: &clap::Error) -> &'static str {
+    match (error.kind(), error.get(ContextKind::InvalidArg)) {
+        // A value after a space where the option can stand alone, or a second file.
+        (ErrorKind::UnknownArgument, Some(ContextValue::String(word))) if !word.starts_with('-') => {
+            ": one file is taken; a value of an option that may stand alone follows =, as in --option=value"
+        }
+        (ErrorKind::UnknownArgument | ErrorKind::MissingRequiredArgument, _) => {
+            ": --help lists what there is"
+        }
+        _ => "",
+    }
 }
 
 /// The option `--NAME VALUE`, with a default.

@@ -407,7 +407,7 @@ fn what_is_no_model_is_refused_in_the_same_line() {
         ("points.obj", three.into(), as_mesh),
         ("empty.stl", stl(&[]), as_mesh),
         ("none.stl", b"solid a\nendsolid a\n".to_vec(), as_mesh),
-        ("nothing.stl", vec![], "ends before byte 0, but should have 84 bytes: copy or export it again"),
+        ("nothing.stl", vec![], "nothing.stl: is empty: copy or export it again"),
         ("short.stl", short, "copy or export it again"),
         ("line.obj", format!("{three}f 1 2 1\n").into_bytes(), "no face with an area"),
         ("index.obj", format!("{three}f 1 2 7\n").into_bytes(), "names a vertex that does not exist"),

@@ -36,7 +36,8 @@ impl<'a> Memory<'a> {
 
 /// A camera to the right of the mesh and above it, which sees all of it however it is turned.
 pub fn camera(mesh: &Mesh<'_>, screen: Rectangle) -> Result<Camera, &'static str> {
-    let viewport = Viewport::new(screen.top_left, screen.size).map_err(|_| "the screen is too large")?;
+    let viewport = Viewport::new(screen.top_left, screen.size)
+        .map_err(|_| "the screen has no pixels, or more than 8192 a side")?;
     let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));
     Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)
         .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")

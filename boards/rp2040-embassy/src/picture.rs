@@ -54,7 +54,8 @@ impl<'a> Picture<'a> {
         bins: &'a mut [u16],
         depths: &'a mut [u16],
     ) -> Result<Self, &'static str> {
-        let viewport = Viewport::new(SCREEN.top_left, SCREEN.size).map_err(|_| "the screen is too large")?;
+        let viewport = Viewport::new(SCREEN.top_left, SCREEN.size)
+            .map_err(|_| "the screen has no pixels, or more than 8192 a side")?;
         let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));
         let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)
             .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")?;

@@ -48,7 +48,8 @@ pub struct Memory<'a> {
 impl<'a> Picture<'a> {
     /// A camera to the right of the mesh and above it, which sees all of it however it is turned.
     pub fn new(mesh: &'a Mesh<'a>, memory: Memory<'a>) -> Result<Self, &'static str> {
-        let viewport = Viewport::new(SCREEN.top_left, SCREEN.size).map_err(|_| "the screen is too large")?;
+        let viewport = Viewport::new(SCREEN.top_left, SCREEN.size)
+            .map_err(|_| "the screen has no pixels, or more than 8192 a side")?;
         let (field_of_view, yaw, pitch) = (Angle::degrees(40), Angle::degrees(30), Angle::degrees(20));
         let camera = Camera::framing(&mesh.bounding_sphere(), &viewport, field_of_view, yaw, pitch)
             .map_err(|_| "the model is a point, or too large: see `fit` in build.rs")?;

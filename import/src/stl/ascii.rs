@@ -4,6 +4,7 @@
 //! without a sound normal (which exporters write for slivers), a start without `solid`, and an end without `endsolid`.
 
 use super::{COUNT, HEADER};
+use crate::text::a_vertex_needs_numbers;
 use crate::Problem;
 
 /// An ASCII file converted to binary STL, and the line in which each facet begins.
@@ -59,7 +60,7 @@ fn facet(words: &mut Words<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
             match word.parse::<f32>() {
                 Ok(number) if number.is_finite() => out.extend(number.to_le_bytes()),
                 Ok(_) => return Err((Problem::NotFinite, line)),
-                Err(_) => return Err((Problem::Syntax("a vertex needs three numbers"), line)),
+                Err(_) => return Err((a_vertex_needs_numbers(word), line)),
             }
         }
     }

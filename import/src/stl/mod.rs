@@ -5,7 +5,7 @@ mod ascii;
 use crate::model::{Model, Places, Warning};
 use crate::text::text;
 use crate::weld::Numbered;
-use crate::{ImportError, Problem, Triangles};
+use crate::{ImportError, Problem, Triangles, LARGEST_FILE};
 use std::io::Cursor;
 use std::path::Path;
 
@@ -35,7 +35,10 @@ pub(crate) fn read(mut bytes: Vec<u8>, file: &Path) -> Result<Model, ImportError
         let is_text = bytes.get(..HEADER + COUNT).is_some_and(|head| !head.contains(&0));
         return Err(as_it_is(match is_text {
             true => Problem::Syntax(
-                "is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj",
+                "is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj, otherwise download or export it again",
+            ),
+            false if needed > LARGEST_FILE => Problem::Syntax(
+                "is not an STL file, as it would have more than 1 GiB by its count of triangles: export .obj or .stl",
             ),
             false => Problem::Truncated { needed, given },
         }));

@@ -222,6 +222,16 @@ fn a_broken_line_is_named() {
         "model.obj:3: a vertex needs three numbers",
     );
     assert_error("v 0 0", Some(1), syntax, "model.obj:1: a vertex needs three numbers");
+    for commas in ["v 1,5 0 0", "v 1, 0, 0"] {
+        assert_error(
+            &format!("v 0 0 0\n{commas}\nv 0 0 1,5\nv 0 0\n"),
+            Some(2),
+            syntax,
+            "model.obj:2: a vertex needs three numbers such as `1.5 0 2`, without commas: replace them, or export the model again",
+        );
+    }
+    assert_error("v 0,5 0 0 # 1\nv 0 0", Some(1), syntax, "model.obj:1: a vertex needs three numbers such as `1.5 0 2`, without commas: replace them, or export the model again");
+    assert_error("# 1,5\nv 0 0\n", Some(2), syntax, "model.obj:2: a vertex needs three numbers");
     assert_error("v 0 0 0 0\n", Some(1), syntax, "model.obj:1: the w of the vertex is zero");
     assert_error("v 0 0 0 1 1\n", Some(1), syntax, "model.obj:1: a vertex is x y z, x y z w or x y z r g b");
     let face = "a face is a list of indices v, v/vt, v//vn or v/vt/vn";

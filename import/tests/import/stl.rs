@@ -70,7 +70,8 @@ fn a_file_cut_short_names_the_first_byte_missing() {
             matches!(error.problem, Problem::Truncated { needed: n, given } if n == needed && given == length as u64),
             "{error}"
         );
-        assert!(error.to_string().contains(&format!("before byte {length},")), "{error}");
+        let said = if length == 0 { "is empty:" } else { &format!("before byte {length},") };
+        assert!(error.to_string().contains(said), "{error}");
     }
 }
 
@@ -152,12 +153,16 @@ fn text_is_read_as_people_write_it() {
     assert_eq!(unended, ImportedMesh { warnings: unended.warnings.clone(), ..two });
 }
 
+const COMMAS: &str =
+    "a vertex needs three numbers such as `1.5 0 2`, without commas: replace them, or export the model again";
+
 #[test]
 fn what_is_wrong_with_text_is_named_with_its_line() {
     let good = format!("solid a\n{}endsolid a\n", facet(0));
     let cases = [
         (good.replace("vertex 1 0 0", "vertex 1 0 x"), 5, "a vertex needs three numbers"),
-        (good.replace("vertex 1 0 0", "vertex 1,5 0 0"), 5, "a vertex needs three numbers"),
+        (good.replace("vertex 1 0 0", "vertex 1,5 0 0"), 5, COMMAS),
+        (good.replace("vertex 1 0 0", "vertex 1, 0, 0"), 5, COMMAS),
         (good.replace("vertex 1 0 0", "vertex 1 0"), 5, "a vertex needs three numbers"),
         (
             good.replace("vertex 1 0 0", "vertex NaN 0 0"),
@@ -186,6 +191,13 @@ fn what_is_wrong_with_text_is_named_with_its_line() {
         let error = import(text.as_str()).unwrap_err();
         assert_eq!(error.to_string(), format!("model.stl:{line}: {message}"), "{text}");
     }
+    assert_eq!(import("").unwrap_err().to_string(), "model.stl: is empty: copy or export it again");
+    // An archive under the name of an STL file.
+    let archive = [b"PK\x03\x04\0".as_slice(), &[b'm'; 200]].concat();
+    assert_eq!(
+        import(archive).unwrap_err().to_string(),
+        "model.stl: is not an STL file, as it would have more than 1 GiB by its count of triangles: export .obj or .stl"
+    );
     for text in ["solid", "solid nothing in it\nendsolid\n"] {
         assert_eq!(
             import(text).unwrap_err().to_string(),
@@ -201,7 +213,7 @@ fn what_is_wrong_with_text_is_named_with_its_line() {
     // Text that is not STL says so, and is not counted by its bytes.
     for text in ["Dear reader, ".repeat(20), format!("# by hand\n{good}")] {
         let error = import(text).unwrap_err();
-        assert_eq!(error.to_string(), "model.stl: is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj");
+        assert_eq!(error.to_string(), "model.stl: is text, but no ASCII STL, which begins with `solid`: if it is an OBJ file, name it .obj, otherwise download or export it again");
     }
 }
 
