@@ -1,4 +1,4 @@
-//! A count of the core's clock cycles, to time a frame: the counter `mcycle`, whose 32 low bits wrap, which differences survive.
+//! A 32-bit counter of the core's clock cycles: the low word of `mcycle`. It wraps: subtract two readings by `wrapping_sub`.
 
 pub struct Clock;
 

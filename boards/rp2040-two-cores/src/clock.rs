@@ -1,5 +1,5 @@
-//! A count of the core's clock cycles, to time a frame: 32 bits that wrap, which differences survive. By SysTick, which every
-//! Cortex-M has: it counts 24 bits down, and its exception counts how often it has started again.
+//! A 32-bit counter of the core's clock cycles, by SysTick, which almost every Cortex-M has. The timer counts down 24 bits, and its
+//! exception counts the times it starts again. The count wraps: subtract two readings by `wrapping_sub`.
 
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use cortex_m::peripheral::{syst::SystClkSource, SYST};
@@ -23,7 +23,7 @@ impl Clock {
         loop {
             let rounds = ROUNDS.load(Relaxed);
             let left = SYST::get_current();
-            // Otherwise a round began in between.
+            // If the number of rounds has changed, the timer started again between the two readings: read both again.
             if ROUNDS.load(Relaxed) == rounds {
                 return (rounds << 24) | (LAST - left); // `left` has 24 bits
             }
@@ -33,6 +33,6 @@ impl Clock {
 
 #[cortex_m_rt::exception]
 fn SysTick() {
-    // The only writer; a Cortex-M0 has no other atomic operation than load and store.
+    // Load and store suffice, as nothing else writes `ROUNDS`; a Cortex-M0 has no other atomic operation.
     ROUNDS.store(ROUNDS.load(Relaxed).wrapping_add(1), Relaxed);
 }
