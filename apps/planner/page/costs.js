@@ -9,7 +9,7 @@ function showCosts(library, choice) {
   costTimer = setTimeout(() => {
     try {
       const costs = JSON.parse(library.ask('costs', choice));
-      $('cost').replaceChildren(costTable(costs), ...advice(costs).map((text) => element('p', { className: 'advice' }, text)), notes(costs));
+      $('cost').replaceChildren(costTable(costs), ...advice(costs).map((text) => element('p', { className: 'advice' }, `${text} `, ...remedyButtons(text))), notes(costs));
       $('costs').hidden = false;
     } catch {
       $('costs').hidden = true; // the message stands below the display

@@ -6,7 +6,7 @@ const TURNS = 120; // steps of a turn, as in the library
 const DEFAULTS = {
   mesh: 'gear', width: 240, height: 240, format: 'rgb565', style: 'flat', dither: 0, projection: 'perspective', yaw: 30, pitch: 20,
   zoom: 100, x: 0, y: 0, turn: 0, color: 'ffd700', background: '000000', light: '2,3,4', ambient: 48, up: 'auto', flip: 0,
-  'fix-winding': 0, 'two-sided': 0, rows: 8, chip: 'rp2040',
+  'fix-winding': 0, 'two-sided': 0, decimate: 0, texture: 'checker', rows: 8, chip: 'rp2040',
 };
 const NUMBERS = Object.keys(DEFAULTS).filter((key) => typeof DEFAULTS[key] === 'number');
 
@@ -16,14 +16,17 @@ let templates;
 let fileName;
 let state = { ...DEFAULTS };
 let drawnModel = '';
+let allFaces = 0; // of the model, without decimation
+let slowest = 0; // milliseconds of the last frame that a new mesh was made for
 let asked = false;
 
 // What the library is asked: every part of the state.
 const choice = (of = state) => Object.entries(of).map(([key, value]) => `${key}=${value}`).join('&');
 
-// The address has what differs from the defaults. A file is not in it: who gets the link does not have it.
+// The address has what differs from the defaults. Files are not in it: who gets the link does not have them.
 function writeAddress() {
-  const parts = Object.entries(state).filter(([key, value]) => value !== DEFAULTS[key] && !(key === 'mesh' && value === 'file'));
+  const isOfFile = (key, value) => ['mesh', 'texture'].includes(key) && value === 'file';
+  const parts = Object.entries(state).filter(([key, value]) => value !== DEFAULTS[key] && !isOfFile(key, value));
   const text = parts.map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join('&');
   history.replaceState(null, '', text ? `#${text}` : location.pathname + location.search);
 }
@@ -53,7 +56,9 @@ function show() {
   asked = false;
   const canvas = $('display');
   try {
+    const before = performance.now();
     const { pixels, about } = library.draw(choice());
+    const took = performance.now() - before;
     if (canvas.width !== about.width || canvas.height !== about.height) {
       [canvas.width, canvas.height] = [about.width, about.height];
     }
@@ -63,13 +68,15 @@ function show() {
     const what = ['wireframe', 'hidden-line'].includes(state.style) ? 'edges' : 'faces';
     say(`${about.width} × ${about.height}: ${drawn} ${what} drawn, ${culled} culled, ${clipped} clipped; ${count(about.bytes)} bytes a frame`);
     canvas.setAttribute('aria-label', `${state.mesh === 'file' ? fileName : state.mesh}, ${state.style}, ${state.projection}, on ${about.width} × ${about.height} pixels`);
+    if (JSON.stringify(about.model) !== drawnModel) slowest = took;
     showModel(about.model);
     showCosts(library, choice());
     showBoards();
   } catch (problem) {
     say(problem.message, true);
     drawnModel = '';
-    $('warnings').replaceChildren();
+    const buttons = remedyButtons(problem.message);
+    $('warnings').replaceChildren(...(buttons.length ? [element('div', { className: 'warning' }, 'The page can do that: ', ...buttons)] : []));
     $('model').textContent = '';
   }
   if (!turning) writeAddress();
@@ -81,7 +88,7 @@ function showBoards() {
   for (const option of $('board').options) option.disabled = !boards.includes(option.value);
   if (boards.length > 0 && !boards.includes($('board').value)) $('board').value = boards[0];
   $('zip').disabled = $('picture').disabled = boards.length === 0;
-  $('zip').title = boards.length === 0 ? 'The templates draw flat and Gouraud faces in 16-bit colour, and hidden lines in black and white' : '';
+  $('no-firmware').hidden = boards.length > 0;
 }
 
 const count = (number) => number.toLocaleString('en').replaceAll(',', '\u202f');
@@ -99,16 +106,40 @@ function showModel(model) {
   drawnModel = text;
   $('model').textContent =
     `${count(model.vertices)} vertices, ${count(model.faces)} faces, ${count(model.edges)} edges; ${count(model.flash)} bytes of flash`;
-  $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) => {
-    const box = element('div', { className: 'warning' }, `Warning: ${message} `);
-    for (const { part, value } of remedies) {
-      const name = { 'two-sided': 'faces from behind', 'fix-winding': 'winding outwards', flip: 'reversed faces' }[part];
-      const button = element('button', { type: 'button', className: 'remedy' }, `${value ? 'Use' : 'Leave out'} ${name}`);
-      button.addEventListener('click', () => set({ [part]: value }));
-      box.append(button, ' ');
-    }
-    return box;
-  }));
+  allFaces = model.all;
+  showDecimation(state.decimate);
+  $('warnings').replaceChildren(...model.warnings.map(({ message, remedies }) =>
+    element('div', { className: 'warning' }, `Warning: ${message} `, ...remedyButtons(message, remedies))));
+}
+
+// A button for each remedy of a message.
+function remedyButtons(message, remedies = []) {
+  const made = remedies.map(({ part, value }) => {
+    const name = { 'two-sided': 'faces from behind', 'fix-winding': 'winding outwards', flip: 'reversed faces' }[part];
+    return remedyButton(`${value ? 'Use' : 'Leave out'} ${name}`, { [part]: value });
+  });
+  if (menu.decimates && message.includes('--decimate N')) {
+    // Half of what there is, as long as a press helps; of a model that is too large for a mesh, what a display can show.
+    const now = state.decimate || allFaces;
+    const faces = drawnModel && now ? Math.max(Math.min(Math.floor(now / 2), 20_000), 4) : Math.min(20_000, Math.floor((state.decimate || 40_000) / 2));
+    if (faces < (state.decimate || Infinity)) made.push(remedyButton(`Decimate to ${count(faces)} faces`, { decimate: faces }));
+  }
+  return made;
+}
+
+function remedyButton(text, changes) {
+  const button = element('button', { type: 'button', className: 'remedy' }, text);
+  button.addEventListener('click', () => set(changes));
+  return button;
+}
+
+// The slider, from 4 faces to all; at its end nothing is decimated.
+function showDecimation(decimate) {
+  const most = Math.max(allFaces, decimate, 4);
+  $('decimation').hidden = !menu.decimates;
+  $('decimate').max = most;
+  $('decimate').value = decimate || most;
+  $('decimate-faces').textContent = decimate ? `${count(decimate)} of ${count(most)} faces` : `all ${count(most)} faces`;
 }
 
 function element(name, properties, ...content) {
@@ -122,7 +153,8 @@ function scale() {
   const canvas = $('display');
   const room = $('frame').clientWidth - 24;
   const fits = Math.min(room / canvas.width, Math.max(innerHeight * 0.6, 240) / canvas.height);
-  const times = fits >= 1 ? Math.floor(fits) : fits;
+  const fine = devicePixelRatio || 1;
+  const times = fits * fine >= 1 ? Math.floor(fits * fine) / fine : fits;
   canvas.style.width = `${canvas.width * times}px`;
   canvas.style.height = `${canvas.height * times}px`;
 }
@@ -142,10 +174,21 @@ function showControls() {
   const panel = menu.displays.findIndex((d) => d.width === state.width && d.height === state.height && d.format === state.format);
   if ($('panel-type').value !== 'own' || panel >= 0) $('panel-type').value = panel >= 0 ? panel : 'own';
   $('own').hidden = $('panel-type').value !== 'own';
-  $('dither').disabled = ['wireframe', 'hidden-line'].includes(state.style) || menu.dithered.includes(state.format);
+  $('texture').value = state.texture;
+  $('textures').hidden = state.style !== 'textured';
+  showDecimation(state.decimate);
+  $('dither').disabled = ['wireframe', 'hidden-line', 'textured'].includes(state.style) || menu.dithered.includes(state.format);
   const [x, y, z] = state.light.split(',').map(Number);
   $('around').value = Math.round((Math.atan2(x, z) * 180) / Math.PI);
   $('above').value = Math.round((Math.atan2(y, Math.hypot(x, z)) * 180) / Math.PI);
+  showValues();
+}
+
+// The numbers of the sliders, beside their names.
+function showValues() {
+  for (const key of ['around', 'above', 'yaw', 'pitch']) $(`${key}-value`).textContent = `${$(key).value.replace('-', '−')}°`;
+  $('zoom-value').textContent = `${state.zoom} %`;
+  $('ambient-value').textContent = `${Math.round((state.ambient * 100) / 256)} %`;
 }
 
 function options(select, items) {
@@ -158,11 +201,14 @@ function buildControls() {
   options($('format'), menu.formats.map((name) => [name, name]));
   options($('style'), menu.styles.map((name) => [name, { 'hidden-line': 'hidden line', flat: 'flat faces', gouraud: 'Gouraud' }[name] ?? name]));
   options($('projection'), menu.projections.map(({ name }) => [name, name]));
+  options($('texture'), menu.textures.filter((name) => name !== 'file').map((name) => [name, name]));
   options($('chip'), menu.chips.map(({ key, name }) => [key, name]));
   options($('board'), [...new Set([...templates.keys()].map((path) => path.split('/')[0]))].map((name) => [name, name]));
   options($('up'), [['auto', 'as usual for the file'], ...menu.axes.map((name) => [name, name])]);
 
-  for (const key of ['mesh', 'style', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
+  // Another mesh has other faces.
+  $('mesh').addEventListener('input', (e) => set({ mesh: e.target.value, decimate: 0 }));
+  for (const key of ['style', 'texture', 'up', 'format', 'chip']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value }));
   for (const key of ['yaw', 'pitch', 'zoom', 'ambient']) $(key).addEventListener('input', (e) => set({ [key]: Number(e.target.value) }));
   for (const key of ['width', 'height', 'rows']) {
     $(key).addEventListener('change', (e) => set({ [key]: Math.min(Math.max(Math.round(Number(e.target.value)) || 1, 1), 1024) }));
@@ -171,11 +217,19 @@ function buildControls() {
     $(key).addEventListener('input', (e) => set({ [key]: e.target.checked ? 1 : 0 }));
   }
   for (const key of ['color', 'background']) $(key).addEventListener('input', (e) => set({ [key]: e.target.value.slice(1) }));
+  const decimated = () => ($('decimate').value === $('decimate').max ? 0 : Number($('decimate').value));
+  // While it is dragged, where the mesh is made fast enough; in any case when it is let go.
+  $('decimate').addEventListener('input', () => {
+    if (slowest < 250) set({ decimate: decimated() });
+    else showDecimation(decimated());
+  });
+  $('decimate').addEventListener('change', () => set({ decimate: decimated() }));
   for (const key of ['around', 'above']) {
     $(key).addEventListener('input', () => {
       const [around, above] = [$('around').value, $('above').value].map((degrees) => (degrees * Math.PI) / 180);
       const direction = [Math.sin(around) * Math.cos(above), Math.sin(above), Math.cos(around) * Math.cos(above)];
       change({ light: direction.map((c) => Math.round(60 * c) + 0).join(',') });
+      showValues();
     });
   }
   $('projection').addEventListener('input', (e) => {
@@ -193,13 +247,14 @@ function buildControls() {
       showControls();
     }
   });
-  $('file').addEventListener('change', (e) => e.target.files[0] && open(e.target.files[0]));
+  for (const id of ['file', 'picture-file']) $(id).addEventListener('change', (e) => e.target.files[0] && open(e.target.files[0]));
   $('panel').addEventListener('submit', (e) => e.preventDefault());
   $('reset').addEventListener('click', reset);
   $('nearer').addEventListener('click', () => zoom(1.25));
   $('farther').addEventListener('click', () => zoom(0.8));
   $('turntable').addEventListener('click', turntable);
   $('png').addEventListener('click', savePng);
+  $('gif').addEventListener('click', saveGif);
   $('link').addEventListener('click', copyLink);
   $('zip').addEventListener('click', saved(saveZip));
   $('picture').addEventListener('click', saved(savePicture));
@@ -211,16 +266,45 @@ function buildControls() {
 async function open(file) {
   say(`Reading ${file.name} …`);
   try {
+    if (/\.(png|bmp|jpe?g|gif|webp)$/i.test(file.name)) {
+      await openPicture(file);
+      return;
+    }
     const bytes = new Uint8Array(await file.arrayBuffer());
     await new Promise((done) => setTimeout(done)); // so that the line above is seen
     library.load(file.name, bytes);
     fileName = file.name;
     if (!$('mesh').querySelector('[value=file]')) $('mesh').append(element('option', { value: 'file' }));
     $('mesh').querySelector('[value=file]').textContent = file.name;
-    set({ mesh: 'file', up: 'auto', flip: 0, 'fix-winding': 0, 'two-sided': 0 });
+    set({ mesh: 'file', up: 'auto', flip: 0, 'fix-winding': 0, 'two-sided': 0, decimate: 0 });
   } catch (problem) {
     say(`${file.name}: ${problem.message}`, true);
   }
+}
+
+// A picture for textures, read by the browser, with the sides that a texture has.
+async function openPicture(file) {
+  let picture;
+  try {
+    picture = await createImageBitmap(file);
+  } catch {
+    throw new Error('is no picture that this browser reads: save it as PNG');
+  }
+  const [width, height] = [picture.width, picture.height].map((side) => within(2 ** Math.round(Math.log2(side)), 8, 256));
+  const canvas = element('canvas', { width, height });
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  context.fillStyle = '#fff'; // behind transparent parts
+  context.fillRect(0, 0, width, height);
+  context.drawImage(picture, 0, 0, width, height);
+  library.picture(width, new Uint8Array(context.getImageData(0, 0, width, height).data.buffer));
+  if (!$('texture').querySelector('[value=file]')) $('texture').append(element('option', { value: 'file' }));
+  $('texture').querySelector('[value=file]').textContent = file.name;
+  set({ style: 'textured', texture: 'file' });
+}
+
+// A model and its picture may be dropped together.
+async function openAll(files) {
+  for (const file of files) await open(file);
 }
 
 function listenForDrops() {
@@ -235,7 +319,7 @@ function listenForDrops() {
     $('frame').classList.remove('drop');
     if (!isFile(e)) return;
     e.preventDefault();
-    if (e.dataTransfer.files[0]) open(e.dataTransfer.files[0]);
+    openAll([...e.dataTransfer.files]);
   });
 }
 
@@ -246,7 +330,8 @@ const hundredths = (value) => Math.round(value * 100) / 100;
 
 function orbit(right, up) {
   const yaw = ((((state.yaw + right + 180) % 360) + 360) % 360) - 180;
-  set({ yaw: hundredths(yaw), pitch: hundredths(within(state.pitch + up, -90, 90)) });
+  const { steepest } = menu.projections.find(({ name }) => name === state.projection);
+  set({ yaw: hundredths(yaw), pitch: hundredths(within(state.pitch + up, -steepest, steepest)) });
 }
 
 // In pixels of the screen.
@@ -348,6 +433,17 @@ function savePng() {
   $('display').toBlob((blob) => save(`${modelName()}.png`, blob));
 }
 
+// The frames are drawn at once: first the browser shows that they are.
+async function saveGif() {
+  const before = $('status').textContent;
+  say('Drawing the frames of a turn …');
+  await new Promise((done) => setTimeout(done, 30));
+  saved(() => {
+    save(`${modelName()}.gif`, new Blob([library.gif(choice())], { type: 'image/gif' }));
+    say(before);
+  })();
+}
+
 // A message where it fails.
 function saved(action) {
   return () => {
@@ -378,7 +474,7 @@ function saveRust() {
 
 async function copyLink() {
   writeAddress();
-  const isFile = state.mesh === 'file' ? ' The file is not in it.' : '';
+  const isFile = state.mesh === 'file' || state.texture === 'file' ? ' Your files are not in it.' : '';
   try {
     await navigator.clipboard.writeText(location.href);
     say(`The link is in the clipboard.${isFile}`);

@@ -21,6 +21,12 @@ class Pinhole {
     this.answer(this.exports.load(start.length));
   }
 
+  // A picture for textures: its width, and red, green, blue and opacity of its pixels.
+  picture(width, bytes) {
+    this.input(bytes.length).set(bytes);
+    this.answer(this.exports.picture(width));
+  }
+
   menu() {
     return JSON.parse(this.answer(this.exports.menu()));
   }
@@ -33,14 +39,25 @@ class Pinhole {
     return { pixels, about };
   }
 
+  // A turn of the model as the bytes of a GIF file.
+  gif(choice) {
+    return this.bytes('gif', choice);
+  }
+
   // The name that the model's file has in a firmware, and its bytes.
   model(choice) {
-    this.write(choice);
-    const isGood = this.exports.model();
-    const bytes = new Uint8Array(this.exports.memory.buffer, this.exports.output(), this.exports.output_len()).slice();
-    if (!isGood) throw new Error(new TextDecoder().decode(bytes));
+    const bytes = this.bytes('model', choice);
     const end = bytes.indexOf(0);
     return [new TextDecoder().decode(bytes.subarray(0, end)), bytes.subarray(end + 1)];
+  }
+
+  // A function from a text to bytes.
+  bytes(name, text) {
+    this.write(text);
+    const isGood = this.exports[name]();
+    const bytes = new Uint8Array(this.exports.memory.buffer, this.exports.output(), this.exports.output_len()).slice();
+    if (!isGood) throw new Error(new TextDecoder().decode(bytes));
+    return bytes;
   }
 
   // A function from a text to a text.

@@ -149,6 +149,21 @@ extern "C" fn rust() -> u32 {
     })
 }
 
+/// Gives a turn of the model by a choice, as a GIF file.
+#[unsafe(no_mangle)]
+extern "C" fn gif() -> u32 {
+    with(|desk| {
+        let film = desk.choice().and_then(|choice| desk.planner.gif(&choice));
+        match film {
+            Ok(bytes) => {
+                desk.output = bytes;
+                1
+            }
+            Err(problem) => desk.answer(Err(problem)),
+        }
+    })
+}
+
 /// Gives the name that the model's file has in the folder of a firmware, a zero byte, and its bytes.
 #[unsafe(no_mangle)]
 extern "C" fn model() -> u32 {

@@ -1,7 +1,7 @@
 //! The camera of a choice, by the constructors that firmware has.
 
 use crate::choice::Choice;
-use crate::projections::{Kind, Named, Stance};
+use crate::projections::{Kind, Named};
 use embedded_graphics_core::geometry::Point;
 use pinhole::{Angle, Camera, Projection, Scalar, Sphere, ViewTransform, Viewport, Window};
 
@@ -89,7 +89,7 @@ impl Lens {
                 }
                 // As `Camera::framing` does it, for a sphere that holds the one that is sheared along the projectors: the
                 // largest singular value of a shear by l is (l + √(l² + 4))/2.
-                let lean = stance(choice).map_or([0.0; 2], |stance| stance.lean);
+                let (yaw, lean) = upright(choice).unwrap_or_default();
                 let shear = lean[0].hypot(lean[1]);
                 let large = radius * (shear + shear.hypot(2.0)) / 2.0;
                 let (sine, cosine) = Angle::turns(field_of_view, 720).sin_cos();
@@ -97,9 +97,10 @@ impl Lens {
                 let distance = large * (sine * FILL).hypot(cosine) / (sine * FILL);
                 let before = distance - radius;
                 let near = before - (radius / 64.0).min(before / 2.0);
-                let axes = [0, 1].map(|axis| across(choice)[axis].map(|c| c * lean[axis] * distance));
+                let (turned, straight) = sine_cosine(yaw);
+                let [right, up] = lean.map(|lean| lean * distance);
                 Self::Frustum {
-                    aside: [0, 1, 2].map(|i| scalar(axes[0][i] + axes[1][i])),
+                    aside: [right * straight, up, -right * turned].map(scalar),
                     distance: scalar(distance),
                     window: window(near * sine / cosine, lean.map(|lean| -lean * near)),
                     near: scalar(near),
@@ -139,30 +140,36 @@ impl Lens {
     }
 }
 
-/// How the view plane lies. The pitch of an eye before an upright plane is limited.
-fn stance(choice: &Choice) -> Option<Stance> {
+/// Of an upright view plane, the yaw of its normal in hundredths of a degree, and the slope of the projectors to the right and up,
+/// per unit towards the eye: that of `Kind::stance`, by integer angles, which are the same in every browser. `None` for a plane that
+/// is perpendicular to the direction of view.
+fn upright(choice: &Choice) -> Option<(i32, [f64; 2])> {
     let kind = choice.projection.kind;
-    let [yaw, pitch] = [choice.yaw, choice.pitch].map(|angle| f64::from(angle) / 100.0);
-    kind.stance(yaw, pitch.clamp(-kind.steepest(), kind.steepest()))
+    let steepest = (100.0 * kind.steepest()) as i32; // 7000
+    let (sine, cosine) = sine_cosine(choice.pitch.clamp(-steepest, steepest));
+    let up = sine / cosine;
+    match kind {
+        Kind::Upright => Some((choice.yaw, [0.0, up])),
+        Kind::Frontal => {
+            // The nearest axis; half way between two, the one that is farther from yaw 0.
+            let axis = (choice.yaw.abs() + 4500) / 9000 * 9000 * choice.yaw.signum();
+            let (sine, cosine) = sine_cosine(choice.yaw - axis);
+            Some((axis, [sine / cosine, up / cosine]))
+        }
+        _ => None,
+    }
+}
+
+/// Of an angle in hundredths of a degree.
+fn sine_cosine(angle: i32) -> (f64, f64) {
+    // In 2⁻³⁰.
+    let (sine, cosine) = Angle::turns(angle, 36_000).sin_cos();
+    (f64::from(sine) / f64::from(1 << 30), f64::from(cosine) / f64::from(1 << 30))
 }
 
 /// The view plane's normal, in hundredths of a degree: yaw and pitch.
 pub(crate) fn direction(choice: &Choice) -> [i32; 2] {
-    match (choice.projection.kind, stance(choice)) {
-        (Kind::Upright | Kind::Frontal, Some(stance)) => {
-            [stance.yaw, stance.pitch].map(|angle| (angle.to_degrees() * 100.0).round() as i32)
-        }
-        _ => [choice.yaw, choice.pitch],
-    }
-}
-
-/// The directions of an upright view plane in the world: to the right, and up.
-fn across(choice: &Choice) -> [[f64; 3]; 2] {
-    let [yaw, _] = direction(choice);
-    // In 2⁻³⁰.
-    let (sine, cosine) = Angle::turns(yaw, 36_000).sin_cos();
-    let [sine, cosine] = [sine, cosine].map(|part| f64::from(part) / f64::from(1 << 30));
-    [[cosine, 0.0, -sine], [0.0, 1.0, 0.0]]
+    upright(choice).map_or([choice.yaw, choice.pitch], |(yaw, _)| [yaw, 0])
 }
 
 /// The nearest number of the library's; lengths here are far below its 32 768.
@@ -178,6 +185,21 @@ mod tests {
     use pinhole::{Point3, Scalar, Sphere};
 
     /// By the definition of each projection, in f64: where a point of the sphere is seen.
+    #[test]
+    fn an_upright_plane_lies_as_the_renderers() {
+        for named in Named::ALL {
+            for (yaw, pitch) in [(30, 20), (-130, -65), (-45, 0), (45, 12), (200, 89)] {
+                let text = format!("projection={}&yaw={yaw}&pitch={pitch}", named.name);
+                let choice = Choice::parse(&text).expect(&text);
+                let Some((plane, lean)) = super::upright(&choice) else { continue };
+                let stance = named.kind.stance(yaw.into(), f64::from(pitch).min(70.0)).expect(&text);
+                assert!((f64::from(plane) / 100.0 - stance.yaw.to_degrees()).abs() < 1e-9, "{text}: {plane}");
+                let off = lean.iter().zip(stance.lean).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-7, "{text}: {lean:?}, not {:?}", stance.lean);
+            }
+        }
+    }
+
     #[test]
     fn the_sphere_is_in_the_picture_and_its_centre_in_the_middle() {
         let sphere = Sphere::new(Point3::from_ints(1, -2, 3), Scalar::from_num(1.5));

@@ -9,10 +9,13 @@ mod display;
 mod draw;
 #[allow(unsafe_code)] // an export has `#[unsafe(no_mangle)]`; there is no other unsafe code
 mod exports;
+mod film;
 mod firmware;
 mod json;
 mod lens;
 mod paint;
+#[path = "../../render/src/palette.rs"]
+mod palette;
 mod planner;
 #[allow(dead_code, missing_docs, unreachable_pub)] // of the list of `pinhole-render`, whose other code is for hosts, the names and angles
 #[path = "../../render/src/projections.rs"]

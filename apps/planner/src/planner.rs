@@ -1,9 +1,10 @@
 //! The model of the moment, and what is asked about it.
 
-use crate::choice::{Choice, Style};
+use crate::choice::{Choice, Style, TURNS};
 use crate::cost;
 use crate::display::{Format, DISPLAYS};
 use crate::draw;
+use crate::film;
 use crate::firmware;
 use crate::json::{list, object, text};
 use crate::projections::Named;
@@ -11,6 +12,9 @@ use crate::ready::{self, READY};
 use crate::texture::{map_by_axes, Pattern, TextureImage};
 use crate::warning::remedies;
 use pinhole_import::{import_bytes, Axis, ImportedMesh, Options};
+
+/// Frames of a GIF file: a part of the steps of a turn.
+const FRAMES: u32 = TURNS / 3;
 
 /// A file that was loaded, and the mesh that was made of it or of a ready mesh.
 #[derive(Default)]
@@ -66,6 +70,18 @@ impl Planner {
             ("model", about(mesh)),
         ]);
         Ok((drawn.pixels, what))
+    }
+
+    /// A turn of the model by a choice, as a GIF file.
+    ///
+    /// # Errors
+    ///
+    /// As [`draw`](Self::draw).
+    pub fn gif(&mut self, choice: &Choice) -> Result<Vec<u8>, String> {
+        film::gif(choice.size, FRAMES, |frame| {
+            let turn = (choice.turn as u32 + frame * (TURNS / FRAMES)) % TURNS; // `turn` is not negative
+            Ok(self.draw(&Choice { turn: turn as i32, ..choice.clone() })?.0)
+        })
     }
 
     /// What a frame by a choice costs in RAM, flash and time, as JSON.
@@ -198,6 +214,8 @@ fn about(mesh: &ImportedMesh) -> String {
         ("vertices", mesh.vertices.len().to_string()),
         ("faces", mesh.faces.len().to_string()),
         ("edges", mesh.edges.len().to_string()),
+        // Without decimation.
+        ("all", (mesh.faces.len() + mesh.report.decimated).to_string()),
         ("flash", mesh.flash_bytes().to_string()),
         ("warnings", list(warnings)),
     ])

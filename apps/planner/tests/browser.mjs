@@ -89,9 +89,111 @@ const tests = {
     assert.ok(!(await isGood(tab)));
     await load(tab, 'large.stl', stl(70_000));
     assert.match(await tab.textContent('#status'), /vertices, more than the 65536 of a mesh/);
+    // The page's own remedy.
+    await tab.click('#warnings button.remedy');
+    await tab.waitForFunction(() => !document.querySelector('#status').classList.contains('bad'));
+    assert.ok((await faces(tab)) <= 20_000, `${await faces(tab)} faces`);
     await tab.selectOption('#mesh', 'cube');
     await settled(tab);
     assert.ok(await isGood(tab), await tab.textContent('#status'));
+    assert.equal(await tab.textContent('#warnings'), '');
+  },
+
+  async 'the slider decimates, and the link and the mesh in Rust do so too'(tab) {
+    await tab.selectOption('#mesh', 'teapot');
+    await settled(tab);
+    const all = await faces(tab);
+    assert.equal(await tab.inputValue('#decimate'), String(all));
+    const whole = await pixels(tab);
+    await tab.locator('#decimate').fill('100');
+    await settled(tab);
+    assert.ok((await faces(tab)) <= 100, `${await faces(tab)} faces`);
+    assert.notEqual(await pixels(tab), whole, 'the same picture');
+    assert.match(tab.url(), /decimate=100/);
+    await tab.locator('#decimate').press('ArrowLeft');
+    await settled(tab);
+    assert.match(tab.url(), /decimate=99/);
+    const other = await open(tab.url());
+    assert.equal(await pixels(other), await pixels(tab), 'the link shows another picture');
+    assert.equal(await other.inputValue('#decimate'), '99');
+    await other.context().close();
+    const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#rust')]);
+    const [, count] = /FACES: \[\[u16; 3\]; (\d+)\]/.exec(readFileSync(await download.path(), 'utf8'));
+    assert.equal(Number(count), await faces(tab));
+    await tab.locator('#decimate').fill(String(all));
+    await settled(tab);
+    assert.equal(await pixels(tab), whole, 'all faces, another picture');
+    assert.doesNotMatch(tab.url(), /decimate/);
+  },
+
+  async 'textured faces show a pattern, or a picture that is dropped, and a model without coordinates says so'(tab) {
+    await tab.selectOption('#style', 'textured');
+    await settled(tab);
+    assert.match(await tab.textContent('#warnings'), /no texture coordinates: .* `vt` lines/);
+    const pattern = await pixels(tab);
+    await tab.selectOption('#texture', 'grid');
+    await settled(tab);
+    assert.notEqual(await pixels(tab), pattern, 'the pattern is the same');
+    const sheet = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n';
+    await load(tab, 'sheet.obj', Buffer.from(sheet));
+    assert.doesNotMatch(await tab.textContent('#warnings'), /texture coordinates/);
+    await tab.selectOption('#projection', 'front');
+    // Left half green, right half blue, as a PNG of 16 × 16 pixels; the model faces the eye, and so shows them so.
+    const data = await tab.evaluateHandle(async () => {
+      const canvas = Object.assign(document.createElement('canvas'), { width: 16, height: 16 });
+      const context = canvas.getContext('2d');
+      ['#00ff00', '#0000ff'].forEach((color, i) => {
+        context.fillStyle = color;
+        context.fillRect(8 * i, 0, 8, 16);
+      });
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([await new Promise((done) => canvas.toBlob(done))], 'halves.png'));
+      return transfer;
+    });
+    await tab.dispatchEvent('#frame', 'drop', { dataTransfer: data });
+    await tab.waitForFunction(() => document.querySelector('#texture').selectedOptions[0].textContent === 'halves.png');
+    await tab.locator('#ambient').fill('256');
+    await settled(tab);
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+    const found = await tab.evaluate(() => {
+      const canvas = document.querySelector('#display');
+      const at = (x, y) => [...canvas.getContext('2d').getImageData(x, y, 1, 1).data];
+      return [at(90, 120), at(150, 120)];
+    });
+    assert.deepEqual(found, [[0, 255, 0, 255], [0, 0, 255, 255]]);
+    const broken = Buffer.from('no picture');
+    await tab.setInputFiles('#picture-file', { name: 'broken.png', mimeType: 'image/png', buffer: broken });
+    await tab.waitForFunction(() => document.querySelector('#status').classList.contains('bad'));
+    assert.match(await tab.textContent('#status'), /^broken\.png: is no picture/);
+  },
+
+  async 'a turn is saved as a GIF, whose frames are the pictures of the display'(tab) {
+    await tab.selectOption('#panel-type', { label: 'SSD1306, 128 × 64, black and white' });
+    const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#gif')]);
+    assert.equal(download.suggestedFilename(), 'gear.gif');
+    const bytes = readFileSync(await download.path());
+    // By the browser's own decoder: how many frames, how long they last, and the pixels of one of them.
+    const decoded = (index) => tab.evaluate(async ([bytes, index]) => {
+      const decoder = new ImageDecoder({ data: new Uint8Array(bytes), type: 'image/gif' });
+      await decoder.tracks.ready;
+      await decoder.completed;
+      const { frameCount, repetitionCount } = decoder.tracks.selectedTrack;
+      let [milliseconds, pixels] = [0, ''];
+      for (let i = 0; i < frameCount; i++) {
+        const { image } = await decoder.decode({ frameIndex: i });
+        milliseconds += image.duration / 1000;
+        if (i === index) {
+          const canvas = Object.assign(document.createElement('canvas'), { width: image.displayWidth, height: image.displayHeight });
+          canvas.getContext('2d').drawImage(image, 0, 0);
+          pixels = canvas.toDataURL();
+        }
+        image.close();
+      }
+      return { frameCount, endless: repetitionCount === Infinity, milliseconds, pixels };
+    }, [[...bytes], index]);
+    const turned = await open(`${tab.url()}&turn=9`);
+    assert.deepEqual(await decoded(3), { frameCount: 40, endless: true, milliseconds: 4000, pixels: await pixels(turned) });
+    await turned.context().close();
   },
 
   async 'a file of 50 MB is read'(tab) {
@@ -116,6 +218,72 @@ const tests = {
     }
     await tab.click('#turntable');
     assert.ok(pictures.size >= 3, `${pictures.size} pictures in a second`);
+  },
+
+  async 'a slow tab draws, turns and reads a file'(tab) {
+    const slow = await tab.context().newCDPSession(tab);
+    await slow.send('Emulation.setCPUThrottlingRate', { rate: 8 });
+    await tab.selectOption('#mesh', 'teapot');
+    await tab.selectOption('#style', 'gouraud');
+    await tab.click('#turntable');
+    const turns = new Set();
+    for (let i = 0; i < 4; i++) {
+      turns.add(await pixels(tab));
+      await tab.waitForTimeout(400);
+    }
+    await tab.click('#turntable');
+    assert.ok(turns.size >= 3, `${turns.size} pictures`);
+    await load(tab, 'some.stl', stl(2000));
+    assert.ok(await isGood(tab), await tab.textContent('#status'));
+  },
+
+  async 'everything is reached by the keyboard, in the order of the page, and its focus is seen'(tab) {
+    const controls = await tab.evaluate(() =>
+      [...document.querySelectorAll('button, input, select, canvas')].filter((e) => e.checkVisibility() && !e.disabled).map((e) => e.id));
+    const reached = [];
+    for (let i = 0; i < controls.length + 12; i++) {
+      await tab.keyboard.press('Tab');
+      const [id, outline] = await tab.evaluate(() => [document.activeElement.id, getComputedStyle(document.activeElement).outlineStyle]);
+      if (controls.includes(id)) {
+        reached.push(id);
+        assert.notEqual(outline, 'none', id);
+      }
+    }
+    assert.deepEqual([...new Set(reached)].filter((id) => id), controls.filter((id) => id));
+    await tab.locator('#display').focus();
+    for (const key of ['ArrowUp', 'Shift+ArrowRight', '-', '0']) {
+      const picture = await pixels(tab);
+      await tab.keyboard.press(key);
+      await settled(tab);
+      assert.notEqual(await pixels(tab), picture, key);
+    }
+    await tab.keyboard.press(' ');
+    assert.equal(await tab.getAttribute('#turntable', 'aria-pressed'), 'true');
+    await tab.keyboard.press(' ');
+  },
+
+  async 'fingers on a phone orbit, move and zoom'() {
+    const tab = await open(address, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    const touch = await tab.context().newCDPSession(tab);
+    const { x, y, width, height } = await tab.locator('#display').boundingBox();
+    const [middleX, middleY] = [x + width / 2, y + height / 2];
+    const send = (type, points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([right, down], id) => ({ x: middleX + right, y: middleY + down, id })) });
+    const gesture = async (from, to) => {
+      await send('touchStart', from);
+      await send('touchMove', to);
+      await send('touchEnd', []);
+      await settled(tab);
+      return new URLSearchParams(new URL(tab.url()).hash.slice(1));
+    };
+    const orbited = await gesture([[0, 0]], [[40, 10]]);
+    assert.ok(orbited.has('yaw') && !orbited.has('zoom'), `${orbited}`);
+    const zoomed = await gesture([[-30, 0], [30, 0]], [[-60, 0], [60, 0]]);
+    assert.ok(Number(zoomed.get('zoom')) > 150, `${zoomed}`);
+    const moved = await gesture([[-30, 0], [30, 0]], [[-30, 30], [30, 30]]);
+    assert.ok(Number(moved.get('y')) < -100, `${moved}`);
+    assert.equal(await tab.evaluate(() => scrollY), 0, 'the page scrolled');
+    await tab.tap('#nearer');
+    await tab.context().close();
   },
 
   async 'the picture is saved as a PNG'(tab) {
@@ -195,7 +363,7 @@ function judge() {
     const [r, g, b] = numbers(color).map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   };
-  for (const element of document.querySelectorAll('h1, h2, p, label, legend, button, select, td, th, summary')) {
+  for (const element of document.querySelectorAll('h1, h2, p, label, legend, button, select, td, th, summary, output, .warning')) {
     if (!shown(element) || !element.textContent.trim() || element.disabled) continue;
     let behind = element;
     while (behind && numbers(getComputedStyle(behind).backgroundColor)[3] === 0) behind = behind.parentElement;
@@ -206,8 +374,8 @@ function judge() {
   return wrong;
 }
 
-async function open(link = address) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true });
+async function open(link = address, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
   const tab = await context.newPage();
   tab.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
   tab.on('pageerror', (problem) => problems.push(problem.message));
@@ -223,6 +391,7 @@ async function open(link = address) {
 
 const settled = (tab) => tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const pixels = (tab) => tab.evaluate(() => document.querySelector('#display').toDataURL());
+const faces = async (tab) => Number(/([\d\u202f]+) faces/.exec(await tab.textContent('#model'))[1].replaceAll('\u202f', ''));
 const isGood = (tab) => tab.evaluate(() => !document.querySelector('#status').classList.contains('bad'));
 
 async function drag(tab, right, down) {
@@ -255,7 +424,9 @@ function stl(count) {
   return bytes;
 }
 
-for (const [name, test] of Object.entries(tests)) {
+// One test by a part of its name, while it is written.
+const only = process.env.ONLY ?? '';
+for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(only))) {
   const tab = await open();
   problems.length = 0;
   try {

@@ -1,6 +1,5 @@
 //! Palettes of at most 256 colours.
 
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use std::collections::HashMap;
 
 pub(crate) struct Palette {
@@ -14,10 +13,10 @@ type Group = Vec<([u8; 3], usize)>;
 impl Palette {
     /// A palette for the colours that occur. The most frequent one is exact, and so are the others if there are at
     /// most 255; otherwise median cut chooses them (Heckbert, *Color image quantization for frame buffer display*, 1982).
-    pub(crate) fn of<'a>(pixels: impl Iterator<Item = &'a Rgb888>) -> Self {
+    pub(crate) fn of(pixels: impl Iterator<Item = [u8; 3]>) -> Self {
         let mut counts = HashMap::<[u8; 3], usize>::new();
         for colour in pixels {
-            *counts.entry(channels(*colour)).or_default() += 1;
+            *counts.entry(colour).or_default() += 1;
         }
         let mut met: Group = counts.into_iter().collect();
         met.sort_unstable_by_key(|&(colour, count)| (std::cmp::Reverse(count), colour));
@@ -31,13 +30,9 @@ impl Palette {
     }
 
     /// Index of the entry for a colour that occurs.
-    pub(crate) fn index(&self, colour: Rgb888) -> u8 {
-        self.index.get(&channels(colour)).copied().unwrap_or_default()
+    pub(crate) fn index(&self, colour: [u8; 3]) -> u8 {
+        self.index.get(&colour).copied().unwrap_or_default()
     }
-}
-
-fn channels(colour: Rgb888) -> [u8; 3] {
-    [colour.r(), colour.g(), colour.b()]
 }
 
 /// Median cut: splits the group with the longest side into halves of equal pixel counts, until there are enough.

@@ -6,7 +6,7 @@ use crate::palette::Palette;
 use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
 use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use pinhole_apps_support::animation::Animation;
 use pinhole_import::Triangles;
 use std::error::Error;
@@ -39,7 +39,7 @@ pub(crate) fn gif(
 
 /// A film of pictures, which lasts one [`TURN`].
 pub(crate) fn film(size: Size, pictures: &[Vec<Rgb888>]) -> Result<Vec<u8>, String> {
-    encode(size, pictures, &Palette::of(pictures.iter().flatten())).map_err(|e| e.to_string())
+    encode(size, pictures, &Palette::of(pictures.iter().flatten().map(channels))).map_err(|e| e.to_string())
 }
 
 fn encode(size: Size, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec<u8>, Box<dyn Error>> {
@@ -48,7 +48,11 @@ fn encode(size: Size, pictures: &[Vec<Rgb888>], palette: &Palette) -> Result<Vec
     let moment = |frame: usize| frame as u32 * TURN / pictures.len() as u32;
     for (frame, pixels) in pictures.iter().enumerate() {
         let delay = (moment(frame + 1) - moment(frame)).max(2) as u16; // players take less for 10
-        film.add(pixels.iter().map(|&colour| palette.index(colour)).collect(), delay)?;
+        film.add(pixels.iter().map(|&colour| palette.index(channels(&colour))).collect(), delay)?;
     }
     Ok(film.finish()?)
+}
+
+fn channels(colour: &Rgb888) -> [u8; 3] {
+    [colour.r(), colour.g(), colour.b()]
 }
